@@ -1,0 +1,161 @@
+//! The conversation: requests in, answers out, a line each.
+
+use std::borrow::Cow;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::panic::{self, UnwindSafe};
+
+use ncp_spec::ErrorCode;
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+
+use crate::calls::{self, CallError, Reply};
+
+/// Answers every request of `input` on `output`, in order, until the input ends.
+///
+/// The answers are sent on when no further complete request waits, so a verifier that
+/// sends many requests at once costs few writes, and one that waits for an answer gets it.
+/// A line that is not a request has no id to answer to: it is reported on standard
+/// error, and the conversation goes on.
+///
+/// # Errors
+/// Input that cannot be read, or output that cannot be written.
+pub(crate) fn hold(mut input: BufReader<impl Read>, mut output: impl Write) -> io::Result<()> {
+    let mut line = Vec::new();
+    loop {
+        if !input.buffer().contains(&b'\n') {
+            output.flush()?;
+        }
+        line.clear();
+        if input.read_until(b'\n', &mut line)? == 0 {
+            return output.flush();
+        }
+        match serde_json::from_slice::<Request>(&line) {
+            Ok(Request { id, call, args }) => {
+                let outcome = guarded(|| calls::answer(&call, args));
+                write_answer(&mut output, id, &outcome)?;
+            }
+            Err(_) if line.trim_ascii().is_empty() => {}
+            Err(error) => eprintln!("ncp-peer-rust: not a request: {error}"),
+        }
+    }
+}
+
+/// The envelope of a request. What the call needs of `args` is parsed by the call.
+#[derive(Deserialize)]
+struct Request<'a> {
+    #[serde(borrow)]
+    id: &'a RawValue,
+    #[serde(borrow)]
+    call: Cow<'a, str>,
+    #[serde(borrow)]
+    args: &'a RawValue,
+}
+
+/// Carries out one call, and turns a panic into the answer `internal`.
+///
+/// `ncp-spec` must not panic whatever it is given. If it does, the panic is an answer to the
+/// request that caused it, with its message, and the requests behind it are spared. Nothing
+/// that a panic leaves half done is seen again: every call starts from its arguments alone.
+fn guarded(
+    call: impl FnOnce() -> Result<Reply, CallError> + UnwindSafe,
+) -> Result<Reply, CallError> {
+    panic::catch_unwind(call).unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<&str>().copied();
+        let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+        let message = format!("panic: {}", text.unwrap_or("without a message"));
+        Err(CallError::Refused {
+            code: ErrorCode::Internal,
+            message,
+        })
+    })
+}
+
+fn write_answer(
+    output: &mut impl Write,
+    id: &RawValue,
+    outcome: &Result<Reply, CallError>,
+) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct Error<'a> {
+        code: &'static str,
+        message: &'a str,
+    }
+
+    write!(output, "{{\"id\":{id},")?;
+    match outcome {
+        Ok(reply) => {
+            output.write_all(b"\"result\":")?;
+            serde_json::to_writer(&mut *output, reply)?;
+        }
+        Err(CallError::Refused { code, message }) => {
+            output.write_all(b"\"error\":")?;
+            serde_json::to_writer(
+                &mut *output,
+                &Error {
+                    code: code.as_str(),
+                    message,
+                },
+            )?;
+        }
+        Err(CallError::Unsupported) => output.write_all(b"\"unsupported\":true")?,
+    }
+    output.write_all(b"}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A writer that notes what had been written whenever it is flushed.
+    #[derive(Default)]
+    struct Flushes {
+        written: usize,
+        flushed: Vec<usize>,
+    }
+
+    impl Write for &mut Flushes {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.written += bytes.iter().filter(|byte| **byte == b'\n').count();
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            self.flushed.push(self.written);
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_panic_in_a_call_is_answered_as_internal() {
+        for (call, said) in [
+            (guarded(|| panic!("boom")), "panic: boom"),
+            (guarded(|| panic!("boom {}", 7)), "panic: boom 7"),
+            (guarded(|| panic::panic_any(7)), "panic: without a message"),
+        ] {
+            let Err(CallError::Refused { code, message }) = call else {
+                panic!("{call:?}")
+            };
+            assert_eq!((code, message.as_str()), (ErrorCode::Internal, said));
+        }
+    }
+
+    #[test]
+    fn answers_are_sent_on_once_for_all_requests_that_wait() {
+        let requests = "{\"id\":1,\"call\":\"nonsense\",\"args\":{}}\n".repeat(100);
+        let mut output = Flushes::default();
+        hold(
+            BufReader::with_capacity(1 << 16, requests.as_bytes()),
+            &mut output,
+        )
+        .unwrap();
+        assert_eq!(output.flushed, [0, 100, 100]);
+    }
+
+    #[test]
+    fn a_half_request_does_not_hold_back_the_answer_before_it() {
+        let input = "{\"id\":1,\"call\":\"nonsense\",\"args\":{}}\n{\"id\":2,";
+        let mut output = Flushes::default();
+        hold(BufReader::new(input.as_bytes()), &mut output).unwrap();
+        assert!(output.flushed.contains(&1));
+    }
+}

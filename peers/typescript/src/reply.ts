@@ -1,0 +1,67 @@
+/**
+ * What a client accepts as the reply to its request (chapter 4).
+ *
+ * @module
+ */
+
+import { decode, kindOf } from "./decode.js";
+import { NcpError, ReplyError } from "./errors.js";
+import type { CloseSession, Kind, Messages, OpenSession, RunRequest, StepRequest } from "./messages.js";
+import { checkVersion } from "./version.js";
+
+/** A request on the control plane. */
+export type Request = OpenSession | StepRequest | RunRequest | CloseSession;
+
+/** The kind that answers each kind of request. [NCP-SESS-001] */
+export const REPLIES = {
+  open_session: "session_opened",
+  step_request: "observation_frame",
+  run_request: "observation_frame",
+  close_session: "session_closed",
+} as const satisfies Record<Request["kind"], Kind>;
+
+/** The reply to a request of this type. */
+export type ReplyTo<R extends Request> = Messages[(typeof REPLIES)[R["kind"]]];
+
+/** Whether a kind is that of a request. */
+export function isRequestKind(kind: string): kind is Request["kind"] {
+  return Object.hasOwn(REPLIES, kind);
+}
+
+/**
+ * Reads the reply to a request and accepts it only if it answers that request and reports no failure.
+ *
+ * @param request - the request that was sent
+ * @param reply - the frame that came back
+ * @throws {@link ReplyError} when the reply is not one to go on with; its `cause` is the deeper error, if any
+ */
+export function checkReply<R extends Request>(request: R, reply: string | Uint8Array): ReplyTo<R> {
+  const message = readReply(request, reply);
+  if (message.session_id !== request.session_id) {
+    throw new ReplyError(`the reply is for the session ${JSON.stringify(message.session_id)}`); // [NCP-SESS-002]
+  }
+  const compatible = refusing("the reply's version is malformed", () => checkVersion(message.ncp_version));
+  if (!compatible) throw new ReplyError(`the reply's version ${message.ncp_version} is not compatible`); // [NCP-SESS-003]
+  if ("ok" in message && !message.ok) {
+    const reason = message.kind === "session_opened" ? message.error : null;
+    throw new ReplyError(reason ?? `the server reports that ${request.kind} failed`); // [NCP-SESS-004]
+  }
+  return message as ReplyTo<R>; // [NCP-SESS-007]
+}
+
+function readReply(request: Request, reply: string | Uint8Array): ReplyTo<Request> {
+  return refusing("the reply is rejected", () => {
+    if (kindOf(reply) === "error") throw new ReplyError(decode("error", reply).error); // [NCP-SESS-005] [NCP-WIRE-100]
+    return decode(REPLIES[request.kind], reply); // [NCP-SESS-001] [NCP-SESS-006]
+  });
+}
+
+/** Runs a check; what it refuses is refused as a reply. */
+function refusing<T>(what: string, check: () => T): T {
+  try {
+    return check();
+  } catch (error) {
+    if (!(error instanceof NcpError) || error instanceof ReplyError) throw error;
+    throw new ReplyError(`${what}: ${error.message}`, { cause: error });
+  }
+}

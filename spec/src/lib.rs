@@ -1,0 +1,69 @@
+//! The executable specification of the Neuro-Cybernetic Protocol (NCP), wire 0.5.
+//!
+//! This crate says what NCP is, twice: as normative prose, one rule a sentence, in `text/`, and as
+//! code that does what the prose says. A comment such as `// [NCP-WIRE-007]` stands where the code
+//! implements that rule; [`catalogue`] parses the rules from the prose.
+//!
+//! It has no transport, no async runtime and no `unsafe`. No input makes it panic, and decoding
+//! takes memory within a small constant times the input.
+//!
+//! | module | what it holds | chapter |
+//! |---|---|---|
+//! | [`wire`] | messages, enums, strict decoding, encoding | 1, 6 |
+//! | [`version`], [`contract`] | the version guard, the contract's identity, negotiation | 2 |
+//! | [`plane`], [`keys`] | quality of service, keys and their matching | 3 |
+//! | [`reply`] | what a client accepts as a reply | 4 |
+//! | [`bulk`] | the binary column block | 5 |
+//! | [`catalogue`] | the rules themselves | all |
+//!
+//! # Example
+//!
+//! A controller builds a command, a body reads it, and both refuse what is not NCP:
+//!
+//! ```
+//! use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode};
+//!
+//! let command = CommandFrame {
+//!     seq: 42,
+//!     ttl_ms: 150.0,
+//!     channels: ChannelMap::from_iter([(
+//!         "velocity_setpoint",
+//!         ChannelValue::new([0.5, 0.0, -0.2], "m/s"),
+//!     )]),
+//!     ..CommandFrame::default()
+//! };
+//! let sent = command.encode()?;
+//!
+//! let received = CommandFrame::decode(sent.as_bytes())?;
+//! assert_eq!(received, command);
+//! assert_eq!(received.mode, Mode::Active);
+//!
+//! // A frame that does not say what the plant may do does not move it.
+//! let silent = CommandFrame::decode(br#"{"kind":"command_frame","seq":43}"#)?;
+//! assert_eq!(silent.mode, Mode::Hold);
+//!
+//! let twice = CommandFrame::decode(br#"{"kind":"command_frame","seq":1,"seq":2}"#).unwrap_err();
+//! assert_eq!(twice.to_string(), "seq: the member occurs twice (byte 38)");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#![forbid(unsafe_code)]
+
+pub mod bulk;
+pub mod catalogue;
+pub mod codec;
+pub mod contract;
+pub mod control;
+mod error_code;
+pub mod keys;
+pub mod plane;
+pub mod reply;
+pub mod resilience;
+pub mod safety;
+pub mod session;
+pub mod version;
+pub mod wire;
+
+pub use contract::CONTRACT_HASH;
+pub use error_code::ErrorCode;
+pub use version::WIRE_VERSION;

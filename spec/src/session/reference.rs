@@ -1,0 +1,423 @@
+//! The reference backend: two small networks, integrated by exact propagation. Section 4.4.
+
+use super::backend::{BackendError, Opened, Simulation, SimulationBackend};
+use crate::safety::kernel::is_duration;
+use crate::wire::{
+    ChannelMap, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession, RecordTarget,
+    SortedMap, StimulusKind, Text,
+};
+
+/// The most neurons of a session: a request is no way to fill a server's memory.
+const MAX_NEURONS: i64 = 100_000;
+/// The most integration steps of a request.
+const MAX_STEPS: f64 = 1e7;
+/// The most samples that a request records.
+const MAX_SAMPLES: usize = 1_000_000;
+
+/// Offers `ncp.reference.lif` and `ncp.reference.rate`.
+#[derive(Debug, Clone, Default)]
+pub struct ReferenceBackend;
+
+impl SimulationBackend for ReferenceBackend {
+    fn name(&self) -> &'static str {
+        "ncp.reference"
+    }
+
+    fn open(&mut self, request: &OpenSession) -> Result<Opened, BackendError> {
+        let network = Network::build(request)?;
+        let resolved = network
+            .populations
+            .iter()
+            .map(|population| (population.name.clone(), to_i64(population.neurons.len())))
+            .collect();
+        Ok(Opened { simulation: Box::new(network), resolved, seed: None })
+    }
+}
+
+struct Network {
+    model: Model,
+    dt_ms: f64,
+    steps: u64,
+    /// Simulation time that was asked for but is less than a step.
+    rest_ms: f64,
+    populations: Vec<Population>,
+    stimuli: Vec<Port>,
+    records: Vec<Record>,
+}
+
+struct Population {
+    name: Text,
+    neurons: Vec<Neuron>,
+}
+
+#[derive(Clone, Copy)]
+struct Neuron {
+    /// V_m in mV, or the rate in Hz.
+    state: f64,
+    /// Steps for which the neuron stays refractory.
+    refractory: u64,
+    /// The current in pA, or the input of a rate neuron, of each step.
+    input: f64,
+    spiked: bool,
+}
+
+/// The neurons of a port: a population and the indices within it.
+struct Port {
+    name: Text,
+    population: usize,
+    neurons: Vec<usize>,
+    /// What the port gives each of its neurons now.
+    values: Vec<f64>,
+}
+
+struct Record {
+    port: Port,
+    target: RecordTarget,
+    /// Steps between two samples.
+    every: u64,
+}
+
+enum Model {
+    Lif { propagator: f64, gain: f64, e_l: f64, v_th: f64, v_reset: f64, i_e: f64, t_ref: u64 },
+    Rate { propagator: f64, mu: f64 },
+}
+
+impl Model {
+    /// `[NCP-SESS-050] [NCP-SESS-051]`
+    fn build(network: &NetworkRef, dt_ms: f64) -> Result<Self, BackendError> {
+        let known: &[(&str, f64)] = match (&network.kind, network.reference.as_ref()) {
+            (NetworkRefKind::Builtin, "ncp.reference.lif") => &[
+                ("C_m", 250.0),
+                ("tau_m", 10.0),
+                ("E_L", -70.0),
+                ("V_th", -55.0),
+                ("V_reset", -70.0),
+                ("t_ref", 2.0),
+                ("I_e", 0.0),
+            ],
+            (NetworkRefKind::Builtin, "ncp.reference.rate") => &[("tau", 10.0), ("mu", 0.0)],
+            (kind, reference) => {
+                return Err(BackendError::UnknownNetwork {
+                    kind: kind.as_str().to_owned(),
+                    reference: reference.to_owned(),
+                });
+            }
+        };
+        let refuse = |name: &str, value| BackendError::Parameter { name: name.to_owned(), value };
+        for (name, &value) in network.params.iter() {
+            if !known.iter().any(|(known, _)| *known == name) {
+                return Err(refuse(name, value));
+            }
+        }
+        let param = |name: &str| {
+            network.params.get(name).copied().or_else(|| {
+                known.iter().find(|(known, _)| *known == name).map(|(_, default)| *default)
+            })
+        };
+        let positive = |name| {
+            let value = param(name).unwrap_or(f64::NAN);
+            if is_duration(value) { Ok(value) } else { Err(refuse(name, value)) }
+        };
+        let plain = |name| param(name).unwrap_or(0.0);
+        if network.reference == "ncp.reference.rate" {
+            let tau = positive("tau")?;
+            return Ok(Self::Rate { propagator: (-dt_ms / tau).exp(), mu: plain("mu") });
+        }
+        let (tau, c_m) = (positive("tau_m")?, positive("C_m")?);
+        let t_ref = plain("t_ref");
+        let steps = (t_ref / dt_ms).round();
+        if !(0.0..=MAX_STEPS).contains(&steps) {
+            return Err(refuse("t_ref", t_ref));
+        }
+        let v_th = plain("V_th");
+        if plain("V_reset") >= v_th {
+            return Err(refuse("V_reset", plain("V_reset")));
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
+        Ok(Self::Lif {
+            propagator: (-dt_ms / tau).exp(),
+            gain: tau / c_m,
+            e_l: plain("E_L"),
+            v_th,
+            v_reset: plain("V_reset"),
+            i_e: plain("I_e"),
+            t_ref: steps as u64,
+        })
+    }
+
+    fn rest(&self) -> f64 {
+        match self {
+            Self::Lif { e_l, .. } => *e_l,
+            Self::Rate { .. } => 0.0,
+        }
+    }
+
+    fn step(&self, neuron: &mut Neuron) {
+        neuron.spiked = false;
+        match *self {
+            Self::Rate { propagator, mu } => {
+                neuron.state =
+                    neuron.state * propagator + (mu + neuron.input) * (1.0 - propagator);
+            }
+            Self::Lif { v_reset, .. } if neuron.refractory > 0 => {
+                neuron.refractory -= 1;
+                neuron.state = v_reset;
+            }
+            Self::Lif { propagator, gain, e_l, v_th, v_reset, i_e, t_ref } => {
+                neuron.state = e_l
+                    + (neuron.state - e_l) * propagator
+                    + (i_e + neuron.input) * gain * (1.0 - propagator);
+                if neuron.state >= v_th {
+                    neuron.spiked = true;
+                    neuron.state = v_reset;
+                    neuron.refractory = t_ref;
+                }
+            }
+        }
+    }
+
+    fn records(&self, observable: &Observable) -> bool {
+        match self {
+            Self::Lif { .. } => matches!(observable, Observable::Vm | Observable::Spikes),
+            Self::Rate { .. } => matches!(observable, Observable::Rate),
+        }
+    }
+
+    fn takes(&self, kind: &StimulusKind) -> bool {
+        match self {
+            Self::Lif { .. } => matches!(kind, StimulusKind::CurrentPa),
+            Self::Rate { .. } => matches!(kind, StimulusKind::RateInject),
+        }
+    }
+}
+
+impl Network {
+    fn build(request: &OpenSession) -> Result<Self, BackendError> {
+        let dt_ms = request.sim.dt_ms;
+        if !is_duration(dt_ms) {
+            return Err(BackendError::Time { name: "dt_ms", value_ms: dt_ms });
+        }
+        if !is_duration(request.sim.chunk_ms) {
+            return Err(BackendError::Time { name: "chunk_ms", value_ms: request.sim.chunk_ms });
+        }
+        let model = Model::build(&request.network, dt_ms)?;
+        let rest = Neuron { state: model.rest(), refractory: 0, input: 0.0, spiked: false };
+        let mut populations = Vec::new();
+        let mut room = MAX_NEURONS;
+        for (name, &size) in request.network.population_sizes.iter() {
+            let neurons = usize::try_from(size)
+                .ok()
+                .filter(|_| size <= room)
+                .ok_or_else(|| BackendError::PopulationSize { name: name.to_owned(), size })?;
+            room -= size;
+            populations
+                .push(Population { name: name.to_owned().into(), neurons: vec![rest; neurons] });
+        }
+        let mut network = Self {
+            model,
+            dt_ms,
+            steps: 0,
+            rest_ms: 0.0,
+            populations,
+            stimuli: Vec::new(),
+            records: Vec::new(),
+        };
+        for target in &request.stimulus.targets {
+            if !network.model.takes(&target.kind) {
+                return Err(unsupported(&target.port, target.kind.as_str()));
+            }
+            let port = network.port(&target.port, &target.target, &target.ids)?;
+            network.stimuli.push(port);
+        }
+        for target in &request.record.targets {
+            if !network.model.records(&target.observable) {
+                return Err(unsupported(&target.port, target.observable.as_str()));
+            }
+            let every = (target.cadence_ms / dt_ms).round();
+            if !(1.0..=MAX_STEPS).contains(&every) {
+                return Err(BackendError::Time {
+                    name: "cadence_ms",
+                    value_ms: target.cadence_ms,
+                });
+            }
+            let port = network.port(&target.port, &target.target, &target.ids)?;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 1 and 1e7
+            network.records.push(Record { port, target: target.clone(), every: every as u64 });
+        }
+        Ok(network)
+    }
+
+    /// Ids count from 1 within a population. `[NCP-SESS-052]`
+    fn port(&self, name: &Text, target: &str, ids: &[i64]) -> Result<Port, BackendError> {
+        let named = |(_, population): &(usize, &Population)| population.name == target;
+        let (population, neurons) = self
+            .populations
+            .iter()
+            .enumerate()
+            .find(named)
+            .map(|(at, population)| (at, population.neurons.len()))
+            .ok_or_else(|| BackendError::UnknownTarget {
+                port: name.to_string(),
+                target: target.to_owned(),
+            })?;
+        let neurons = if ids.is_empty() {
+            (0..neurons).collect()
+        } else {
+            ids.iter()
+                .map(|&id| {
+                    usize::try_from(id.saturating_sub(1))
+                        .ok()
+                        .filter(|&at| at < neurons)
+                        .ok_or_else(|| BackendError::UnknownNeuron { port: name.to_string(), id })
+                })
+                .collect::<Result<Vec<_>, _>>()?
+        };
+        let values = vec![0.0; neurons.len()];
+        Ok(Port { name: name.clone(), population, neurons, values })
+    }
+
+    /// What all ports together give each neuron.
+    fn apply_stimuli(&mut self) {
+        for population in &mut self.populations {
+            for neuron in &mut population.neurons {
+                neuron.input = 0.0;
+            }
+        }
+        for port in &self.stimuli {
+            let Some(population) = self.populations.get_mut(port.population) else { continue };
+            for (at, value) in port.neurons.iter().zip(&port.values) {
+                if let Some(neuron) = population.neurons.get_mut(*at) {
+                    neuron.input += value;
+                }
+            }
+        }
+    }
+
+    #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
+    fn time_of(&self, step: u64) -> f64 {
+        step as f64 * self.dt_ms
+    }
+}
+
+impl Simulation for Network {
+    fn stimulate(&mut self, values: &ChannelMap) -> Result<(), BackendError> {
+        let mut changed = Vec::with_capacity(values.len());
+        for (name, value) in values.iter() {
+            let at = self
+                .stimuli
+                .iter()
+                .position(|port| port.name == name)
+                .ok_or_else(|| BackendError::UnknownPort { port: name.to_owned() })?;
+            let expected = self.stimuli.get(at).map_or(0, |port| port.neurons.len());
+            let per_neuron = match value.data.as_slice() {
+                [one] => vec![*one; expected],
+                many if many.len() == expected => many.to_vec(),
+                many => {
+                    return Err(BackendError::StimulusWidth {
+                        port: name.to_owned(),
+                        expected,
+                        found: many.len(),
+                    });
+                }
+            };
+            changed.push((at, per_neuron));
+        }
+        for (at, per_neuron) in changed {
+            if let Some(port) = self.stimuli.get_mut(at) {
+                port.values = per_neuron;
+            }
+        }
+        self.apply_stimuli();
+        Ok(())
+    }
+
+    fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
+        let refuse = || BackendError::Time { name: "advance_ms", value_ms: advance_ms };
+        let wanted_ms = self.rest_ms + advance_ms;
+        // A whole number of steps must not be lost to the rounding of dt.
+        let steps = (wanted_ms / self.dt_ms + 1e-9).floor();
+        if !(advance_ms >= 0.0 && steps <= MAX_STEPS) {
+            return Err(refuse());
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
+        let steps_now = steps as u64;
+        let samples: usize = self
+            .records
+            .iter()
+            .map(|record| {
+                let times = usize::try_from(steps_now / record.every + 1).unwrap_or(usize::MAX);
+                times.saturating_mul(record.port.neurons.len())
+            })
+            .fold(0, usize::saturating_add);
+        if samples > MAX_SAMPLES {
+            return Err(refuse());
+        }
+        self.rest_ms = (wanted_ms - steps * self.dt_ms).max(0.0);
+        let mut observations: Vec<Observation> =
+            self.records.iter().map(|record| empty_observation(&record.target)).collect();
+        for _ in 0..steps_now {
+            for population in &mut self.populations {
+                for neuron in &mut population.neurons {
+                    self.model.step(neuron);
+                }
+            }
+            self.steps += 1;
+            let time_ms = self.time_of(self.steps);
+            for (record, observation) in self.records.iter().zip(&mut observations) {
+                let Some(population) = self.populations.get(record.port.population) else {
+                    continue;
+                };
+                let spikes = record.target.observable == Observable::Spikes;
+                if !spikes && !self.steps.is_multiple_of(record.every) {
+                    continue; // [NCP-SESS-053]
+                }
+                for &at in &record.port.neurons {
+                    let Some(neuron) = population.neurons.get(at) else { continue };
+                    if spikes && !neuron.spiked {
+                        continue;
+                    }
+                    observation.times.push(time_ms);
+                    observation.senders.push(to_i64(at + 1));
+                    if !spikes {
+                        observation.values.push(neuron.state);
+                    }
+                }
+            }
+        }
+        // [NCP-SESS-038]
+        Ok(self
+            .records
+            .iter()
+            .zip(observations)
+            .map(|(record, observation)| (record.port.name.clone(), observation))
+            .collect())
+    }
+
+    fn time_ms(&self) -> f64 {
+        self.time_of(self.steps)
+    }
+}
+
+fn empty_observation(target: &RecordTarget) -> Observation {
+    let (unit, recordable) = match target.observable {
+        Observable::Vm => (Some(Text::Borrowed("mV")), Some(Text::Borrowed("V_m"))),
+        Observable::Rate => (Some(Text::Borrowed("Hz")), Some(Text::Borrowed("rate"))),
+        _ => (None, None),
+    };
+    Observation {
+        port: target.port.clone(),
+        target: target.target.clone(),
+        observable: target.observable.clone(),
+        unit,
+        recordable,
+        ..Observation::default()
+    }
+}
+
+fn unsupported(port: &str, what: &str) -> BackendError {
+    BackendError::Unsupported { port: port.to_owned(), what: what.to_owned() }
+}
+
+fn to_i64(count: usize) -> i64 {
+    i64::try_from(count).unwrap_or(i64::MAX)
+}

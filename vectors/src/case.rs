@@ -1,0 +1,211 @@
+//! A case and a file of cases, as they are written.
+
+use crate::flags;
+use crate::json::{Json, object};
+use crate::template::Text;
+
+/// A part that a peer plays; a case is asked of the peers that claim one of its roles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    /// Opens sessions, reads sensors, sends commands.
+    Commander,
+    /// Sends sensors, obeys commands.
+    Body,
+    /// Answers control RPC.
+    Server,
+    /// Reads.
+    Observer,
+}
+
+impl Role {
+    /// All four.
+    pub const ALL: [Self; 4] = [Self::Commander, Self::Body, Self::Server, Self::Observer];
+
+    /// As the files write it.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Commander => "commander",
+            Self::Body => "body",
+            Self::Server => "server",
+            Self::Observer => "observer",
+        }
+    }
+}
+
+/// One question to a peer, with the answer that the text demands.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// What follows `area/name/` in the id.
+    pub(crate) path: String,
+    pub(crate) title: String,
+    pub(crate) requirements: Vec<&'static str>,
+    pub(crate) flags: Vec<&'static str>,
+    pub(crate) roles: Vec<Role>,
+    pub(crate) call: &'static str,
+    pub(crate) args: Json,
+    pub(crate) expect: Json,
+    pub(crate) why: String,
+}
+
+impl Case {
+    /// A case that still lacks its question and its answer. `rules[0]` is the one that decides.
+    pub(crate) fn new(path: impl Into<String>, rules: &[&'static str], roles: &[Role]) -> Self {
+        let mut roles = roles.to_vec();
+        roles.sort_unstable();
+        roles.dedup();
+        Self {
+            path: path.into(),
+            title: String::new(),
+            requirements: rules.to_vec(),
+            flags: Vec::new(),
+            roles,
+            call: "",
+            args: Json::object(),
+            expect: Json::object(),
+            why: String::new(),
+        }
+    }
+
+    /// What the case shows, as a sentence.
+    pub(crate) fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// From which sentence of the text the expectation follows.
+    pub(crate) fn because(mut self, why: impl Into<String>) -> Self {
+        self.why = why.into();
+        self
+    }
+
+    /// The bug classes that the case catches.
+    pub(crate) fn flags(mut self, flags: &[&'static str]) -> Self {
+        for flag in flags {
+            if !self.flags.contains(flag) {
+                self.flags.push(flag);
+            }
+        }
+        self
+    }
+
+    /// The call and its arguments.
+    pub(crate) fn call(mut self, call: &'static str, args: Json) -> Self {
+        self.call = call;
+        self.args = args;
+        self
+    }
+
+    /// `decode` of a text.
+    pub(crate) fn decode(self, kind: &str, text: impl Into<Text>) -> Self {
+        self.call("decode", object! { "kind" => kind, "text" => text.into() })
+    }
+
+    /// `decode` of bytes that need not be UTF-8.
+    pub(crate) fn decode_bytes(self, kind: &str, bytes: &[u8]) -> Self {
+        self.call("decode", object! { "kind" => kind, "base64" => Text::base64_of(bytes) })
+    }
+
+    /// `encode` of fields.
+    pub(crate) fn encode(self, kind: &str, fields: Json) -> Self {
+        self.call("encode", object! { "kind" => kind, "fields" => fields })
+    }
+
+    /// Any error but a crash.
+    pub(crate) fn rejects(self, code: &str) -> Self {
+        self.expect(object! { "reject" => code })
+    }
+
+    /// Any result.
+    pub(crate) fn accepts(self) -> Self {
+        self.expect(object! { "accept" => true })
+    }
+
+    /// A result that equals this as JSON.
+    pub(crate) fn gives(self, value: Json) -> Self {
+        self.expect(object! { "relation" => "json", "value" => value })
+    }
+
+    /// The same message, however it is spelled.
+    pub(crate) fn means(self, text: impl Into<Text>) -> Self {
+        self.expect(object! { "relation" => "message", "text" => text.into() })
+    }
+
+    /// The same message, apart from what stands at these JSON pointers.
+    pub(crate) fn means_but_for(self, text: impl Into<Text>, ignore: &[&str]) -> Self {
+        let ignore: Json = ignore.iter().copied().collect();
+        self.expect(object! { "relation" => "message", "text" => text.into(), "ignore" => ignore })
+    }
+
+    /// The same message, spelled by the rules for encoders.
+    pub(crate) fn writes(self, text: impl Into<Text>) -> Self {
+        self.expect(object! { "relation" => "encoding", "text" => text.into() })
+    }
+
+    /// Exactly these bytes.
+    pub(crate) fn gives_bytes(self, bytes: &[u8]) -> Self {
+        self.expect(object! { "relation" => "bytes", "base64" => Text::base64_of(bytes) })
+    }
+
+    /// Any valid block of exactly these columns.
+    pub(crate) fn gives_columns(self, columns: Json) -> Self {
+        self.expect(object! { "relation" => "columns", "columns" => columns })
+    }
+
+    fn expect(mut self, expect: Json) -> Self {
+        self.expect = expect;
+        self
+    }
+
+    fn json(self, prefix: &str) -> Json {
+        object! {
+            "id" => format!("{prefix}/{}", self.path),
+            "title" => self.title,
+            "requirements" => self.requirements.into_iter().collect::<Json>(),
+            "flags" => self.flags.into_iter().collect::<Json>(),
+            "roles" => self.roles.into_iter().map(Role::as_str).collect::<Json>(),
+            "call" => self.call,
+            "args" => self.args,
+            "expect" => self.expect,
+            "why" => self.why,
+        }
+    }
+}
+
+/// The cases of one file.
+#[derive(Debug, Clone)]
+pub(crate) struct File {
+    pub(crate) area: &'static str,
+    pub(crate) name: String,
+    pub(crate) about: String,
+    pub(crate) cases: Vec<Case>,
+}
+
+impl File {
+    pub(crate) fn new(
+        area: &'static str,
+        name: impl Into<String>,
+        about: impl Into<String>,
+        cases: Vec<Case>,
+    ) -> Self {
+        Self { area, name: name.into(), about: about.into(), cases }
+    }
+
+    /// The path below `vectors/`, and the text.
+    pub(crate) fn render(self) -> (String, String) {
+        let prefix = format!("{}/{}", self.area, self.name);
+        let mut used: Vec<&str> = self.cases.iter().flat_map(|case| case.flags.clone()).collect();
+        used.sort_unstable();
+        used.dedup();
+        let notes = used.iter().map(|flag| ((*flag).to_owned(), Json::from(flags::note(flag))));
+        let file = object! {
+            "format" => Json::literal("1"),
+            "area" => self.area,
+            "name" => self.name,
+            "about" => self.about,
+            "notes" => Json::Object(notes.collect()),
+            "cases" => self.cases.into_iter().map(|case| case.json(&prefix)).collect::<Json>(),
+        };
+        (format!("{prefix}.json"), file.pretty())
+    }
+}

@@ -1,0 +1,1 @@
+pub(crate) fn note(_:&str)->&'static str{""}

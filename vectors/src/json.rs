@@ -1,0 +1,325 @@
+//! JSON as it is written: members in their order, numbers by their spelling.
+//!
+//! A frame under test is a text, and its spelling matters: `5` and `5.0`, a member that stands
+//! there twice, a literal that is no JSON at all. So this model keeps what a value-based one loses.
+
+use std::fmt::Write as _;
+
+/// A JSON value by its spelling.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Json {
+    /// `null`
+    Null,
+    /// `true` or `false`
+    Bool(bool),
+    /// A number by its digits, or any other text that is to stand as it is, even if it is no JSON.
+    Literal(String),
+    /// A string by its characters.
+    String(String),
+    /// An array.
+    Array(Vec<Json>),
+    /// An object, its members in order; a name may occur twice.
+    Object(Vec<(String, Json)>),
+}
+
+impl Json {
+    /// An empty object.
+    #[must_use]
+    pub const fn object() -> Self {
+        Self::Object(Vec::new())
+    }
+
+    /// A number, or any other text, as it is.
+    pub fn literal(text: impl Into<String>) -> Self {
+        Self::Literal(text.into())
+    }
+
+    /// A string.
+    pub fn string(text: impl Into<String>) -> Self {
+        Self::String(text.into())
+    }
+
+    /// The members, if it is an object.
+    #[must_use]
+    pub fn members(&self) -> &[(String, Json)] {
+        match self {
+            Self::Object(members) => members,
+            _ => &[],
+        }
+    }
+
+    /// The first member of that name.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<&Json> {
+        self.members().iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+
+    /// The string, if it is one.
+    #[must_use]
+    pub fn as_str(&self) -> Option<&str> {
+        match self {
+            Self::String(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The object with that member set, in its place if it is there, else at the end.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: Json) -> Self {
+        if let Self::Object(members) = &mut self {
+            match members.iter_mut().find(|(known, _)| known == name) {
+                Some((_, old)) => *old = value,
+                None => members.push((name.to_owned(), value)),
+            }
+        }
+        self
+    }
+
+    /// The object with that member at its end, also when the name is there already.
+    #[must_use]
+    pub fn and(mut self, name: &str, value: Json) -> Self {
+        if let Self::Object(members) = &mut self {
+            members.push((name.to_owned(), value));
+        }
+        self
+    }
+
+    /// The object without that member.
+    #[must_use]
+    pub fn without(mut self, name: &str) -> Self {
+        if let Self::Object(members) = &mut self {
+            members.retain(|(known, _)| known != name);
+        }
+        self
+    }
+
+    /// The value with what stands at a path of member names and indices changed.
+    #[must_use]
+    pub fn edit(self, path: &[&str], change: impl FnOnce(Json) -> Json) -> Self {
+        let Some((head, rest)) = path.split_first() else { return change(self) };
+        match self {
+            Self::Object(mut members) => {
+                if let Some((_, value)) = members.iter_mut().find(|(name, _)| name == head) {
+                    *value = std::mem::replace(value, Self::Null).edit(rest, change);
+                }
+                Self::Object(members)
+            }
+            Self::Array(mut items) => {
+                let item = head.parse::<usize>().ok().and_then(|nth| items.get_mut(nth));
+                if let Some(item) = item {
+                    *item = std::mem::replace(item, Self::Null).edit(rest, change);
+                }
+                Self::Array(items)
+            }
+            scalar => scalar,
+        }
+    }
+
+    /// The text without white space, as a frame travels; characters beyond ASCII stand as they are.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut out = String::new();
+        self.write(&mut out, Style { spaced: false, ascii: false });
+        out
+    }
+
+    /// The text for a file: ASCII, two spaces a level, whatever fits on a line on one line.
+    #[must_use]
+    pub fn pretty(&self) -> String {
+        let mut out = String::new();
+        self.write_pretty(&mut out, 0);
+        out.push('\n');
+        out
+    }
+
+    fn write(&self, out: &mut String, style: Style) {
+        match self {
+            Self::Null => out.push_str("null"),
+            Self::Bool(value) => out.push_str(if *value { "true" } else { "false" }),
+            Self::Literal(text) => out.push_str(text),
+            Self::String(text) => write_string(out, text, style.ascii),
+            Self::Array(items) => {
+                out.push('[');
+                for (nth, item) in items.iter().enumerate() {
+                    style.separate(out, nth);
+                    item.write(out, style);
+                }
+                out.push(']');
+            }
+            Self::Object(members) => {
+                out.push_str(style.open(members.is_empty()));
+                for (nth, (name, value)) in members.iter().enumerate() {
+                    style.separate(out, nth);
+                    write_string(out, name, style.ascii);
+                    out.push_str(if style.spaced { ": " } else { ":" });
+                    value.write(out, style);
+                }
+                out.push_str(style.close(members.is_empty()));
+            }
+        }
+    }
+
+    fn write_pretty(&self, out: &mut String, indent: usize) {
+        let mut line = String::new();
+        self.write(&mut line, Style { spaced: true, ascii: true });
+        let is_long_list = matches!(self, Self::Array(items) if items.len() > LONG_LIST);
+        let is_scalar = !matches!(self, Self::Array(_) | Self::Object(_));
+        if is_scalar || is_long_list || indent + line.len() <= LINE {
+            out.push_str(&line);
+            return;
+        }
+        let new_line = |out: &mut String, indent: usize| {
+            out.push('\n');
+            out.extend(std::iter::repeat_n(' ', indent));
+        };
+        match self {
+            Self::Array(items) => {
+                out.push('[');
+                for (nth, item) in items.iter().enumerate() {
+                    out.push_str(if nth == 0 { "" } else { "," });
+                    new_line(out, indent + 2);
+                    item.write_pretty(out, indent + 2);
+                }
+                new_line(out, indent);
+                out.push(']');
+            }
+            Self::Object(members) => {
+                out.push('{');
+                for (nth, (name, value)) in members.iter().enumerate() {
+                    out.push_str(if nth == 0 { "" } else { "," });
+                    new_line(out, indent + 2);
+                    write_string(out, name, true);
+                    out.push_str(": ");
+                    value.write_pretty(out, indent + 2);
+                }
+                new_line(out, indent);
+                out.push('}');
+            }
+            _ => {}
+        }
+    }
+}
+
+/// What fits on one line of a file.
+const LINE: usize = 120;
+/// A list of more items is written on one line, however long it becomes.
+const LONG_LIST: usize = 64;
+
+#[derive(Clone, Copy)]
+struct Style {
+    spaced: bool,
+    ascii: bool,
+}
+
+impl Style {
+    fn separate(self, out: &mut String, nth: usize) {
+        if nth > 0 {
+            out.push_str(if self.spaced { ", " } else { "," });
+        }
+    }
+
+    fn open(self, is_empty: bool) -> &'static str {
+        if self.spaced && !is_empty { "{ " } else { "{" }
+    }
+
+    fn close(self, is_empty: bool) -> &'static str {
+        if self.spaced && !is_empty { " }" } else { "}" }
+    }
+}
+
+/// Writes a JSON string: the two characters that need it and the control characters are escaped,
+/// and in ASCII style all that lies beyond.
+fn write_string(out: &mut String, text: &str, ascii: bool) {
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\r' => out.push_str("\\r"),
+            '\t' => out.push_str("\\t"),
+            _ if c < ' ' || (ascii && !(' '..='~').contains(&c)) => {
+                for unit in c.encode_utf16(&mut [0; 2]) {
+                    // Writing to a string does not fail.
+                    let _ = write!(out, "\\u{unit:04x}");
+                }
+            }
+            _ => out.push(c),
+        }
+    }
+    out.push('"');
+}
+
+impl From<&str> for Json {
+    fn from(text: &str) -> Self {
+        Self::String(text.to_owned())
+    }
+}
+
+impl From<String> for Json {
+    fn from(text: String) -> Self {
+        Self::String(text)
+    }
+}
+
+impl From<bool> for Json {
+    fn from(value: bool) -> Self {
+        Self::Bool(value)
+    }
+}
+
+impl From<u32> for Json {
+    fn from(value: u32) -> Self {
+        Self::Literal(value.to_string())
+    }
+}
+
+impl<T: Into<Json>> From<Option<T>> for Json {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Null, Into::into)
+    }
+}
+
+impl<T: Into<Json>> FromIterator<T> for Json {
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        Self::Array(items.into_iter().map(Into::into).collect())
+    }
+}
+
+/// Builds a [`Json::Object`] from `name => value` pairs, in their order.
+macro_rules! object {
+    ($($name:expr => $value:expr),* $(,)?) => {
+        $crate::json::Json::Object(vec![$(($name.to_owned(), $crate::json::Json::from($value))),*])
+    };
+}
+pub(crate) use object;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_frame_text_keeps_the_spelling_the_order_and_the_repetition_of_its_members() {
+        let frame = object! { "kind" => "x", "t" => Json::literal("5e0") }.and("t", Json::Null);
+        assert_eq!(frame.text(), r#"{"kind":"x","t":5e0,"t":null}"#);
+    }
+
+    #[test]
+    fn a_frame_text_escapes_only_what_json_demands() {
+        let frame = Json::string("a\"\\\u{1}\u{7f}é\u{1f600}");
+        assert_eq!(frame.text(), "\"a\\\"\\\\\\u0001\u{7f}é\u{1f600}\"");
+    }
+
+    #[test]
+    fn a_file_is_ascii_whatever_the_characters() {
+        let pretty = Json::string("é\u{1f600}\u{7f}").pretty();
+        assert_eq!(pretty, "\"\\u00e9\\ud83d\\ude00\\u007f\"\n");
+    }
+
+    #[test]
+    fn an_edit_reaches_into_members_and_items() {
+        let frame = object! { "a" => Json::Array(vec![Json::Null, object! { "b" => true }]) };
+        let edited = frame.edit(&["a", "1", "b"], |_| Json::literal("7"));
+        assert_eq!(edited.text(), r#"{"a":[null,{"b":7}]}"#);
+    }
+}

@@ -1,0 +1,1 @@
+mod case; mod flags; mod json; mod model; mod template; mod text;

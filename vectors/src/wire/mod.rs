@@ -1,0 +1,33 @@
+//! Area `wire`: frames, fields, numbers, enums, encoders, pins, replies.
+
+mod encode;
+mod fields;
+mod kinds;
+mod members;
+mod numbers;
+mod pins;
+mod place;
+mod reply;
+mod session_id;
+mod spellings;
+mod stimulus;
+
+use crate::case::File;
+
+/// The rule that a plain value is read as the frame gives it.
+const READ: &str = "NCP-WIRE-020";
+
+pub(crate) fn files() -> Vec<File> {
+    let mut files = fields::files();
+    files.extend([
+        spellings::file(),
+        members::file(),
+        kinds::file(),
+        session_id::file(),
+        stimulus::file(),
+        pins::file(),
+        reply::file(),
+    ]);
+    files.extend(encode::files());
+    files
+}

@@ -1,0 +1,188 @@
+//! Spellings of numbers, and what they are.
+
+/// A spelling of a double.
+pub(super) struct Double {
+    /// Names it in a case's id.
+    pub(super) name: &'static str,
+    /// As the frame spells it.
+    pub(super) literal: String,
+    /// The nearest double, in its shortest spelling.
+    pub(super) is: &'static str,
+    /// The rule that the case shows.
+    pub(super) rule: &'static str,
+    /// The bug class.
+    pub(super) flag: &'static str,
+}
+
+/// Spellings for every field of type number.
+pub(super) fn few_doubles() -> Vec<Double> {
+    vec![
+        spelled("integer", "5", "5.0", "integer-spelled-doubles"),
+        exact("negative-zero", "-0.0", "-0.0", "signed-zero"),
+        exact("smallest", "5e-324", "5e-324", "subnormals"),
+        exact("largest", "1.7976931348623157e308", "1.7976931348623157e308", "largest-double"),
+    ]
+}
+
+/// More of them, for one number field of each role.
+pub(super) fn more_doubles() -> Vec<Double> {
+    let mut all = vec![
+        spelled("zero-integer", "0", "0.0", "integer-spelled-doubles"),
+        exact("negative-zero-integer", "-0", "-0.0", "signed-zero"),
+        exact("negative-zero-exponent", "-0e5", "-0.0", "signed-zero"),
+        spelled("exponent", "5e0", "5.0", "exponents"),
+        spelled("exponent-upper-case-plus", "5E+0", "5.0", "exponents"),
+        spelled("exponent-negative", "50e-1", "5.0", "exponents"),
+        spelled("exponent-leading-zeros", "5e-0001", "0.5", "exponents"),
+        spelled("exponent-huge-of-zero", "0e99999999999999999999", "0.0", "exponents"),
+        spelled("exponent-beyond-machine-integers", "1e-99999999999999999999", "0.0", "exponents"),
+        spelled("trailing-zeros", "0.5000", "0.5", "exponents"),
+        spelled("underflow", "1e-400", "0.0", "underflow"),
+        exact("underflow-negative", "-1e-400", "-0.0", "underflow"),
+        spelled("below-half-of-smallest", "2.4703282292062327e-324", "0.0", "rounding"),
+        spelled("above-half-of-smallest", "2.4703282292062328e-324", "5e-324", "rounding"),
+        spelled("smallest-with-many-digits", "4.9406564584124654417656879e-324", "5e-324", "subnormals"),
+        exact("smallest-negative", "-5e-324", "-5e-324", "subnormals"),
+        exact("largest-subnormal", "2.225073858507201e-308", "2.225073858507201e-308", "subnormals"),
+        spelled("largest-subnormal-hard", "2.2250738585072011e-308", "2.225073858507201e-308", "rounding"),
+        spelled("smallest-normal-from-below", "2.2250738585072012e-308", "2.2250738585072014e-308", "rounding"),
+        exact("smallest-normal", "2.2250738585072014e-308", "2.2250738585072014e-308", "subnormals"),
+        spelled("largest-rounded-down", "1.7976931348623158e308", "1.7976931348623157e308", "largest-double"),
+        exact("largest-negative", "-1.7976931348623157e308", "-1.7976931348623157e308", "largest-double"),
+        spelled("two-to-53-plus-1", "9007199254740993", "9007199254740992.0", "rounding"),
+        spelled("two-to-53-plus-1-and-a-bit", "9007199254740993.00000000000000000001", "9007199254740994.0", "rounding"),
+        spelled("two-to-53-plus-3", "9007199254740995", "9007199254740996.0", "rounding"),
+        spelled("two-to-63", "9223372036854775808", "9.223372036854775808e18", "integer-spelled-doubles"),
+        spelled("two-to-64", "18446744073709551616", "1.8446744073709551616e19", "integer-spelled-doubles"),
+        spelled("thirty-digits", "123456789012345678901234567890", "1.2345678901234568e29", "integer-spelled-doubles"),
+        exact("seventeen-digits", "0.30000000000000004", "0.30000000000000004", "seventeen-digits"),
+        exact("seventeen-digits-below-one", "0.99999999999999989", "0.9999999999999999", "seventeen-digits"),
+        exact("seventeen-digits-above-one", "1.0000000000000002", "1.0000000000000002", "seventeen-digits"),
+        exact("a-third", "0.3333333333333333", "0.3333333333333333", "seventeen-digits"),
+        spelled("ten-to-23", "1e23", "1e23", "rounding"),
+        spelled("above-ten-to-23", "1.00000000000000008388608e23", "1.0000000000000001e23", "rounding"),
+        spelled("halfway-above-one", "1.00000000000000011102230246251565404236316680908203125", "1.0", "rounding"),
+        spelled(
+            "halfway-above-one-and-a-bit",
+            "1.00000000000000011102230246251565404236316680908203126",
+            "1.0000000000000002",
+            "rounding",
+        ),
+    ];
+    all.push(spelled("eight-hundred-digits", format!("0.1{}1", "0".repeat(798)), "0.1", "many-digits"));
+    all.push(spelled(
+        "halfway-decided-by-digit-800",
+        format!("9007199254740993.{}1", "0".repeat(783)),
+        "9007199254740994.0",
+        "many-digits",
+    ));
+    all.push(spelled(
+        "largest-below-the-halfway",
+        format!("{HALFWAY}1"),
+        "1.7976931348623157e308",
+        "largest-double",
+    ));
+    all.push(spelled("many-digits-and-exponent", format!("1{}e-395", "0".repeat(400)), "100000.0", "many-digits"));
+    all.push(spelled("many-zeros-and-exponent", format!("0.{}1e401", "0".repeat(399)), "10.0", "many-digits"));
+    all
+}
+
+/// A number that is no finite double, for every field of type number.
+pub(super) fn few_infinite() -> Vec<(&'static str, String)> {
+    vec![("overflow", "1e309".to_owned())]
+}
+
+/// More of them.
+pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
+    vec![
+            ("overflow-negative", "-1e309".to_owned()),
+            ("overflow-by-rounding", "1.7976931348623159e308".to_owned()),
+            ("overflow-at-the-halfway", format!("{HALFWAY}2")),
+            ("overflow-by-digits", format!("1{}", "0".repeat(400))),
+        ("overflow-huge-exponent", "1e99999999999999999999".to_owned()),
+    ]
+}
+
+/// 2^1024 − 2^970, halfway from the largest double to the next power of two, but for its last
+/// digit, a 2. From there on the nearest double is infinite.
+const HALFWAY: &str = concat!(
+    "1797693134862315807937289714053034150799341327100378269361737789804449682927647509466490",
+    "1797758720709633028641669288791094655554785194040263065748867150582068190890200070838367",
+    "6273854845817711531764475730270069855571366959622842914819860834936475292719074168444365",
+    "51070434271155969950809304288017790417449779",
+);
+
+/// A spelling in an integer field: its name, and the digits.
+pub(super) type Integer = (&'static str, &'static str);
+
+/// Integers that every receiver reads.
+pub(super) const INTEGERS: [Integer; 2] =
+    [("largest", "9007199254740991"), ("smallest", "-9007199254740991")];
+
+/// More of them.
+pub(super) const MORE_INTEGERS: [Integer; 6] = [
+    ("zero", "0"),
+    ("one", "1"),
+    ("minus-one", "-1"),
+    ("two-to-31", "2147483648"),
+    ("two-to-32-plus-1", "4294967297"),
+    ("minus-two-to-31-minus-1", "-2147483649"),
+];
+
+/// Spellings that no integer field allows.
+pub(super) const MISSPELLED: [Integer; 3] = [("fraction", "1.0"), ("exponent", "1e0"), ("negative-zero", "-0")];
+
+/// More of them.
+pub(super) const MORE_MISSPELLED: [Integer; 5] = [
+    ("half", "1.5"),
+    ("exponent-upper-case", "1E2"),
+    ("exponent-negative", "10e-1"),
+    ("zero-fraction", "0.0"),
+    ("zero-exponent", "0e0"),
+];
+
+/// Integers beyond ±(2^53 − 1).
+pub(super) const BEYOND: [Integer; 2] =
+    [("two-to-53", "9007199254740992"), ("minus-two-to-53", "-9007199254740992")];
+
+/// More of them.
+pub(super) const MORE_BEYOND: [Integer; 6] = [
+    ("int64-largest", "9223372036854775807"),
+    ("int64-smallest", "-9223372036854775808"),
+    ("two-to-63", "9223372036854775808"),
+    ("two-to-64", "18446744073709551616"),
+    ("two-to-64-plus-1", "18446744073709551617"),
+    ("thirty-digits", "100000000000000000000000000000"),
+];
+
+/// What tells a spelling: the double is the one that the digits name.
+fn spelled(name: &'static str, literal: impl Into<String>, is: &'static str, flag: &'static str) -> Double {
+    Double { name, literal: literal.into(), is, rule: "NCP-WIRE-012", flag }
+}
+
+/// What tells a double: that it comes back bit for bit.
+fn exact(name: &'static str, literal: impl Into<String>, is: &'static str, flag: &'static str) -> Double {
+    Double { name, literal: literal.into(), is, rule: "NCP-WIRE-015", flag }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The table's second column is typed by hand; the standard library is its second source.
+    #[test]
+    fn every_spelling_is_nearest_to_the_double_that_the_table_gives() {
+        for double in few_doubles().into_iter().chain(more_doubles()) {
+            let read: f64 = double.literal.parse().unwrap();
+            let is: f64 = double.is.parse().unwrap();
+            assert_eq!(read.to_bits(), is.to_bits(), "{}", double.name);
+        }
+    }
+
+    #[test]
+    fn every_overflow_is_one() {
+        for (name, digits) in few_infinite().into_iter().chain(more_infinite()) {
+            assert!(digits.parse::<f64>().unwrap().is_infinite(), "{name}");
+        }
+    }
+}

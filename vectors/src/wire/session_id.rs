@@ -1,0 +1,46 @@
+//! The grammar of a required `session_id`.
+
+use crate::case::{Case, File};
+use crate::json::Json;
+use crate::keys::segments::{self, Segment};
+use crate::model::{explicit, meaning, minimal};
+use crate::roles::{a, readers};
+use crate::text::{Default, tables};
+
+pub(super) fn file() -> File {
+    let mut cases = Vec::new();
+    let with_session = tables().messages.iter().filter_map(|message| {
+        let required = message.field("session_id")?.default == Default::Required;
+        message.kind.as_deref().filter(|_| required)
+    });
+    for kind in with_session {
+        // The whole grammar for one kind of each role, a sample for the others.
+        let all = matches!(kind, "close_session" | "observation_frame");
+        let refused = if all { segments::refused() } else { segments::refused_sample() };
+        cases.extend(refused.iter().map(|segment| rejected(kind, segment)));
+        let accepted = if all { segments::accepted() } else { segments::accepted_sample() };
+        cases.extend(accepted.iter().map(|segment| read(kind, segment)));
+    }
+    let about = "A required `session_id` is an id segment by chapter 3.";
+    File::new("wire", "session_id", about, cases)
+}
+
+fn rejected(kind: &'static str, segment: &Segment) -> Case {
+    let frame = minimal(kind).with("session_id", Json::string(&segment.text));
+    Case::new(format!("{kind}/refused/{}", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
+        .title(format!("{} whose `session_id` {} is rejected.", a(kind), segment.says))
+        .flags(&["unchecked-session-id"])
+        .decode(kind, frame.text())
+        .rejects("value")
+        .because("No key could be built from the id, so no peer could have the session.")
+}
+
+fn read(kind: &'static str, segment: &Segment) -> Case {
+    let frame = explicit(kind).with("session_id", Json::string(&segment.text));
+    Case::new(format!("{kind}/accepted/{}", segment.name), &["NCP-KEY-020", "NCP-WIRE-031"], readers(kind))
+        .title(format!("{} whose `session_id` {} is read.", a(kind), segment.says))
+        .flags(&[segment.flag])
+        .decode(kind, frame.text())
+        .means(meaning(kind, &frame).text())
+        .because("Chapter 3 refuses nothing of it, so it is a valid id.")
+}

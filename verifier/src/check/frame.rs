@@ -1,0 +1,508 @@
+//! Equal frames: as messages, and as encodings.
+
+use ncp_spec::wire::{self, Kind};
+
+use super::{Difference, Differences, short};
+use crate::json::{Json, Number, is_integer, pointer_token};
+
+/// Compares a frame with the expected one as messages.
+///
+/// An encoder's faults are none of a decoder's: the order of members, the spelling of numbers, `null` for an
+/// absent optional and a member left out that has its default do not count. Values do: doubles by their bits,
+/// integers exactly, a member that stands twice never.
+pub(super) fn same_message(
+    expected: &str,
+    got: &str,
+    ignore: &[String],
+    differences: &mut Differences,
+) {
+    // The suite was read before; and an answer letter for letter as expected needs no second look.
+    let (false, Ok(expected)) = (expected == got, Json::parse(expected)) else {
+        return;
+    };
+    let Some(got_frame) = parse(got, differences) else {
+        return;
+    };
+    let mut found = Vec::new();
+    compare(&expected, &got_frame, &mut String::new(), &mut found);
+    let spared = |at: &str| {
+        ignore.iter().any(|spared| {
+            at.strip_prefix(spared.as_str())
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+        })
+    };
+    found.retain(|difference| !spared(&difference.at));
+    if found
+        .iter()
+        .all(|difference| difference.expected.is_some() && difference.got.is_some())
+    {
+        return found
+            .into_iter()
+            .for_each(|difference| differences.push(difference));
+    }
+    // A member is there on one side only: what the frame means without it, or with it, the spec knows.
+    match normalise(&expected, got) {
+        Ok(normal) => {
+            if let Ok(normal) = Json::parse(&normal) {
+                found.retain(|difference| !is_settled(difference, &expected, &normal));
+            }
+        }
+        Err(why) => {
+            let hint = format!("and the spec refuses the frame: {why}");
+            found
+                .iter_mut()
+                .for_each(|difference| difference.hint = Some(hint.clone()));
+        }
+    }
+    found
+        .into_iter()
+        .for_each(|difference| differences.push(difference));
+}
+
+/// Compares a frame with the expected one as encodings: the same members in the same order, unset optionals `null`,
+/// integers spelled as integers, doubles equal bit by bit however they are spelled. White space is free.
+pub(super) fn same_encoding(expected: &str, got: &str, differences: &mut Differences) {
+    let (false, Ok(expected)) = (expected == got, Json::parse(expected)) else {
+        return;
+    };
+    if let Some(got) = parse(got, differences) {
+        compare_encoding(&expected, &got, &mut String::new(), differences);
+    }
+}
+
+/// Reads the peer's frame, or notes that it is none.
+fn parse<'g>(got: &'g str, differences: &mut Differences) -> Option<Json<'g>> {
+    let wrong = match Json::parse(got) {
+        Ok(frame @ Json::Object(_)) => return Some(frame),
+        Ok(other) => format!("it is {}", other.kind()),
+        Err(error) => error.to_string(),
+    };
+    differences.push(Difference {
+        at: String::new(),
+        expected: Some("a frame".to_owned()),
+        got: Some(super::excerpt(got.as_bytes(), super::SHOWN)),
+        hint: Some(wrong),
+    });
+    None
+}
+
+/// What the spec reads in the frame, as the spec writes it.
+fn normalise(expected: &Json<'_>, got: &str) -> Result<String, String> {
+    let kind = expected
+        .get("kind")
+        .and_then(Json::as_str)
+        .and_then(Kind::parse)
+        .ok_or("it has no known kind")?;
+    let message = wire::decode(kind, got.as_bytes()).map_err(|error| error.to_string())?;
+    message.encode().map_err(|error| error.to_string())
+}
+
+/// Whether a member that is there on one side only means nothing: left out, it has the expected value by default;
+/// added, the message is the same without it.
+fn is_settled(difference: &Difference, expected: &Json<'_>, normal: &Json<'_>) -> bool {
+    let at = difference.at.as_str();
+    match (&difference.expected, &difference.got) {
+        (Some(_), None) => match (expected.pointer(at), normal.pointer(at)) {
+            (Some(expected), Some(normal)) => {
+                let mut found = Vec::new();
+                compare(expected, normal, &mut String::new(), &mut found);
+                found.is_empty()
+            }
+            _ => false,
+        },
+        (None, Some(_)) => normal.pointer(at).is_none_or(Json::is_null),
+        _ => false,
+    }
+}
+
+fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, found: &mut Vec<Difference>) {
+    let length = at.len();
+    match (expected, got) {
+        (Json::Object(expected_members), Json::Object(got_members)) => {
+            for (name, expected) in expected_members {
+                at.push('/');
+                at.push_str(&pointer_token(name));
+                match got.get(name) {
+                    Some(got) if !got.is_null() || expected.is_null() => {
+                        compare(expected, got, at, found)
+                    }
+                    _ if expected.is_null() => {}
+                    _ => found.push(Difference {
+                        at: at.clone(),
+                        expected: Some(short(expected)),
+                        got: None,
+                        hint: None,
+                    }),
+                }
+                at.truncate(length);
+            }
+            for (name, value) in got_members {
+                if !value.is_null() && expected.get(name).is_none() {
+                    found.push(Difference {
+                        at: format!("{at}/{}", pointer_token(name)),
+                        expected: None,
+                        got: Some(short(value)),
+                        hint: None,
+                    });
+                }
+            }
+        }
+        (Json::Array(expected), Json::Array(got)) => {
+            if expected.len() != got.len() {
+                found.push(items(at, expected.len(), got.len()));
+            }
+            for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
+                at.push_str(&format!("/{i}"));
+                compare(expected, got, at, found);
+                at.truncate(length);
+            }
+        }
+        (Json::Number(expected_spelling), Json::Number(got_spelling)) => {
+            if !Number::read(expected_spelling).same(Number::read(got_spelling)) {
+                found.push(values(at, expected, got, None));
+            }
+        }
+        _ if expected != got => found.push(values(at, expected, got, None)),
+        _ => {}
+    }
+}
+
+fn compare_encoding(
+    expected: &Json<'_>,
+    got: &Json<'_>,
+    at: &mut String,
+    differences: &mut Differences,
+) {
+    let length = at.len();
+    match (expected, got) {
+        (Json::Object(expected_members), Json::Object(got_members)) => {
+            let mut complete = expected_members.len() == got_members.len();
+            for (name, expected) in expected_members {
+                at.push('/');
+                at.push_str(&pointer_token(name));
+                if let Some(got) = got.get(name) {
+                    compare_encoding(expected, got, at, differences);
+                } else {
+                    complete = false;
+                    // [NCP-WIRE-081] [NCP-WIRE-082]
+                    let hint = if expected.is_null() {
+                        "an unset optional field is written as null"
+                    } else {
+                        "every field is written"
+                    };
+                    differences.push(Difference {
+                        at: at.clone(),
+                        expected: Some(short(expected)),
+                        got: None,
+                        hint: Some(hint.to_owned()),
+                    });
+                }
+                at.truncate(length);
+            }
+            for (name, value) in got_members
+                .iter()
+                .filter(|(name, _)| expected.get(name).is_none())
+            {
+                complete = false;
+                differences.push(Difference {
+                    at: format!("{at}/{}", pointer_token(name)),
+                    expected: None,
+                    got: Some(short(value)),
+                    hint: None,
+                });
+            }
+            let misplaced = expected_members
+                .iter()
+                .zip(got_members)
+                .position(|((expected, _), (got, _))| expected != got);
+            if let (true, Some(place)) = (complete, misplaced) {
+                // [NCP-WIRE-080] [NCP-WIRE-083]
+                let name = |members: &[(std::borrow::Cow<'_, str>, Json<'_>)]| {
+                    members.get(place).map(|(name, _)| format!("{name:?}"))
+                };
+                differences.push(Difference {
+                    at: at.clone(),
+                    expected: name(expected_members),
+                    got: name(got_members),
+                    hint: Some(format!(
+                        "as member {} of the object: the order differs",
+                        place + 1
+                    )),
+                });
+            }
+        }
+        (Json::Array(expected), Json::Array(got)) => {
+            if expected.len() != got.len() {
+                differences.push(items(at, expected.len(), got.len()));
+            }
+            for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
+                at.push_str(&format!("/{i}"));
+                compare_encoding(expected, got, at, differences);
+                at.truncate(length);
+            }
+        }
+        (Json::Number(expected_spelling), Json::Number(got_spelling)) => {
+            // An expectation spells its integers, and only those, without fraction and exponent.
+            if is_integer(expected_spelling) && expected_spelling != "-0" {
+                if expected_spelling != got_spelling {
+                    // [NCP-WIRE-085]
+                    let spelled = Number::read(expected_spelling).same(Number::read(got_spelling));
+                    let hint = spelled
+                        .then(|| "an integer is written without fraction and exponent".to_owned());
+                    differences.push(values(at, expected, got, hint));
+                }
+            } else if !Number::read(expected_spelling).same(Number::read(got_spelling)) {
+                // [NCP-WIRE-084]
+                differences.push(values(at, expected, got, None));
+            }
+        }
+        _ if expected != got => differences.push(values(at, expected, got, None)),
+        _ => {}
+    }
+}
+
+fn values(at: &str, expected: &Json<'_>, got: &Json<'_>, hint: Option<String>) -> Difference {
+    Difference {
+        at: at.to_owned(),
+        expected: Some(short(expected)),
+        got: Some(short(got)),
+        hint,
+    }
+}
+
+fn items(at: &str, expected: usize, got: usize) -> Difference {
+    Difference {
+        at: at.to_owned(),
+        expected: Some(format!("{expected} items")),
+        got: Some(format!("{got} items")),
+        hint: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const FRAME: &str = r#"{"ncp_version":"0.5","kind":"command_frame","seq":7,"t":1.5,"frame_id":"world","mode":"active","ttl_ms":200.0,"channels":{"a":{"data":[5.0,-0.0],"unit":null},"b":{"data":[],"unit":"m/s"}},"horizon":[],"horizon_dt_ms":null}"#;
+
+    fn message(got: &str) -> Vec<String> {
+        let mut differences = Differences::default();
+        same_message(FRAME, got, &[], &mut differences);
+        differences.first.iter().map(ToString::to_string).collect()
+    }
+
+    fn encoding(got: &str) -> Vec<String> {
+        let mut differences = Differences::default();
+        same_encoding(FRAME, got, &mut differences);
+        differences.first.iter().map(ToString::to_string).collect()
+    }
+
+    fn changed(from: &str, to: &str) -> String {
+        assert!(FRAME.contains(from), "{from}");
+        FRAME.replacen(from, to, 1)
+    }
+
+    #[test]
+    fn a_message_does_not_answer_for_its_encoder() {
+        for got in [
+            changed("5.0,", "50e-1,"),
+            changed("1.5", "15E-1"),
+            changed("200.0", "200"),
+            changed("-0.0", "-0"),
+            changed(r#""seq":7,"t":1.5,"#, r#""t":1.5,"seq":7,"#),
+            changed(r#","horizon_dt_ms":null"#, ""),
+            changed(r#","unit":null"#, ""),
+            changed(r#","horizon":[]"#, ""),
+            changed(r#""frame_id":"world","#, ""),
+            changed(r#""ttl_ms":200.0,"#, ""),
+            changed(r#""seq":7"#, r#""future":{"x":[1]},"seq":7"#),
+            format!(" {} ", FRAME.replace(':', " : ")),
+        ] {
+            assert_eq!(message(&got), Vec::<String>::new(), "{got}");
+        }
+    }
+
+    #[test]
+    fn a_message_answers_for_every_value() {
+        assert_eq!(
+            message(&changed("\"seq\":7", "\"seq\":8")),
+            ["/seq: expected 7, got 8"]
+        );
+        assert_eq!(
+            message(&changed("-0.0", "0.0")),
+            ["/channels/a/data/1: expected -0.0, got 0.0"]
+        );
+        assert_eq!(
+            message(&changed("1.5", "1.5000000000000002")),
+            ["/t: expected 1.5, got 1.5000000000000002"]
+        );
+        assert_eq!(
+            message(&changed("[5.0,-0.0]", "[5.0]")),
+            ["/channels/a/data: expected 2 items, got 1 items"]
+        );
+        assert_eq!(
+            message(&changed("\"active\"", "\"hold\"")),
+            [r#"/mode: expected "active", got "hold""#]
+        );
+        assert_eq!(
+            message(&changed(r#""unit":null"#, r#""unit":"m""#)),
+            [r#"/channels/a/unit: expected null, got "m""#]
+        );
+        assert_eq!(
+            message(&changed("\"seq\":7", "\"seq\":\"7\"")),
+            [r#"/seq: expected 7, got "7""#]
+        );
+    }
+
+    #[test]
+    fn a_member_left_out_counts_unless_its_value_is_the_default() {
+        assert_eq!(
+            message(&changed("\"seq\":7,", "")),
+            ["/seq: expected 7, got nothing"]
+        );
+        // Absent, the mode is hold: rule NCP-WIRE-024.
+        assert_eq!(
+            message(&changed(r#""mode":"active","#, "")),
+            [r#"/mode: expected "active", got nothing"#]
+        );
+        let without = changed(r#""kind":"command_frame","#, "");
+        let found = message(&without);
+        assert!(
+            found[0].starts_with(
+                r#"/kind: expected "command_frame", got nothing (and the spec refuses the frame: "#
+            ),
+            "{found:?}"
+        );
+        assert_eq!(
+            message(&changed(r#"{"data":[],"unit":"m/s"}"#, "null")).len(),
+            1,
+            "a channel that became null is lost"
+        );
+    }
+
+    #[test]
+    fn a_channel_that_was_added_or_lost_counts() {
+        assert_eq!(
+            message(&changed(r#","b":{"data":[],"unit":"m/s"}"#, "")),
+            [r#"/channels/b: expected {"data":[],"unit":"m/s"}, got nothing"#]
+        );
+        assert_eq!(
+            message(&changed(r#""b":"#, r#""c":{"data":[]},"b":"#)),
+            [r#"/channels/c: expected nothing there, got {"data":[]}"#]
+        );
+    }
+
+    #[test]
+    fn what_is_to_be_ignored_is() {
+        let mut differences = Differences::default();
+        let got = changed("\"seq\":7", "\"seq\":8").replace("m/s", "m");
+        same_message(
+            FRAME,
+            &got,
+            &["/seq".to_owned(), "/channels/b".to_owned()],
+            &mut differences,
+        );
+        assert!(differences.is_empty());
+        same_message(
+            FRAME,
+            &got,
+            &["/se".to_owned(), "/channels/b/uni".to_owned()],
+            &mut differences,
+        );
+        assert_eq!(differences.first.len(), 2);
+    }
+
+    #[test]
+    fn a_member_that_stands_twice_fails_in_either_relation() {
+        let got = changed("\"seq\":7", "\"seq\":7,\"seq\":7");
+        for found in [message(&got), encoding(&got)] {
+            assert_eq!(found.len(), 1);
+            assert!(
+                found[0].contains("the member \"seq\" stands twice in one object"),
+                "{found:?}"
+            );
+        }
+        assert!(message("[]")[0].contains("it is an array"));
+        assert!(encoding("{")[0].contains("ends too early"));
+    }
+
+    #[test]
+    fn an_encoding_may_choose_white_space_and_the_spelling_of_doubles() {
+        for got in [
+            changed("5.0,", "5,"),
+            changed("200.0", "2e2"),
+            changed("-0.0", "-0"),
+            FRAME.replace(',', " ,\n"),
+        ] {
+            assert_eq!(encoding(&got), Vec::<String>::new(), "{got}");
+        }
+    }
+
+    #[test]
+    fn an_encoding_answers_for_order_nulls_and_integers() {
+        assert_eq!(
+            encoding(&changed("\"seq\":7", "\"seq\":7.0")),
+            ["/seq: expected 7, got 7.0 (an integer is written without fraction and exponent)"]
+        );
+        assert_eq!(
+            encoding(&changed("\"seq\":7", "\"seq\":8")),
+            ["/seq: expected 7, got 8"]
+        );
+        assert_eq!(
+            encoding(&changed("\"seq\":7", "\"seq\":\"7\"")),
+            [r#"/seq: expected 7, got "7""#]
+        );
+        assert_eq!(
+            encoding(&changed(r#","horizon_dt_ms":null"#, "")),
+            [
+                "/horizon_dt_ms: expected null, got nothing (an unset optional field is written as null)"
+            ]
+        );
+        assert_eq!(
+            encoding(&changed(r#","horizon":[]"#, "")),
+            ["/horizon: expected [], got nothing (every field is written)"]
+        );
+        assert_eq!(
+            encoding(&changed(r#""seq":7,"t":1.5,"#, r#""t":1.5,"seq":7,"#)),
+            [r#"expected "seq", got "t" (as member 3 of the object: the order differs)"#]
+        );
+        assert_eq!(
+            encoding(&changed("-0.0", "0.0")),
+            ["/channels/a/data/1: expected -0.0, got 0.0"]
+        );
+        assert_eq!(
+            encoding(&changed("\"seq\":7", "\"x\":null,\"seq\":7")),
+            ["/x: expected nothing there, got null"]
+        );
+        assert_eq!(
+            encoding(&changed("null}", "0}")),
+            ["/channels/a/unit: expected null, got 0"]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn members_in_any_order_are_one_message_and_another_encoding(order in Just((0..10_usize).collect::<Vec<_>>()).prop_shuffle()) {
+            let Json::Object(members) = Json::parse(FRAME).unwrap() else { panic!() };
+            let shuffled = Json::Object(order.iter().map(|i| members[*i].clone()).collect()).to_string();
+            prop_assert!(message(&shuffled).is_empty());
+            prop_assert_eq!(encoding(&shuffled).is_empty(), order.is_sorted());
+        }
+
+        #[test]
+        fn a_double_counts_bit_by_bit_in_both_relations(bits in any::<u64>(), flip in 0_u32..64) {
+            let (a, b) = (f64::from_bits(bits), f64::from_bits(bits ^ (1 << flip)));
+            prop_assume!(a.is_finite() && b.is_finite());
+            let frame = |v: f64| changed("\"t\":1.5", &format!("\"t\":{v:e}"));
+            let (mut same, mut other) = (Differences::default(), Differences::default());
+            let expected = changed("1.5", &serde_json::to_string(&a).unwrap());
+            same_message(&expected, &frame(a), &[], &mut same);
+            same_encoding(&expected, &frame(a), &mut same);
+            prop_assert!(same.is_empty());
+            same_message(&expected, &frame(b), &[], &mut other);
+            same_encoding(&expected, &frame(b), &mut other);
+            prop_assert_eq!(other.first.len(), 2);
+        }
+    }
+}

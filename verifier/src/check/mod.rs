@@ -1,0 +1,236 @@
+//! Judging one answer.
+//!
+//! An answer is compared with its case's expectation by the relation that the case states, and what differs is
+//! named by path. What a frame or a block *means* is asked of [`ncp_spec`]; no rule is written a second time here.
+
+mod columns;
+mod compare;
+mod frame;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use ncp_spec::ErrorCode;
+
+use crate::json::Json;
+use crate::peer::{Answer, excerpt};
+use crate::suite::{Case, Expect};
+
+/// How many differences are kept; one is enough to fail.
+const KEPT: usize = 10;
+/// How many characters of a value are shown.
+const SHOWN: usize = 120;
+
+/// What an answer is worth.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Judgement {
+    /// It is right. A refusal may have another reason than the text suggests, which is noted.
+    Pass {
+        /// What is worth knowing although it is right.
+        note: Option<String>,
+    },
+    /// It is wrong.
+    Fail(Differences),
+    /// The peer has no such function.
+    Unsupported,
+}
+
+/// What differs between an answer and its expectation.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Differences {
+    /// The first ones.
+    pub first: Vec<Difference>,
+    /// How many more there are.
+    pub more: usize,
+}
+
+/// One difference.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// Where, as a JSON pointer into what is compared; empty for the whole.
+    pub at: String,
+    /// What was expected there; `None`: that nothing is there.
+    pub expected: Option<String>,
+    /// What was there; `None`: nothing.
+    pub got: Option<String>,
+    /// What else there is to say.
+    pub hint: Option<String>,
+}
+
+/// Judges an answer.
+#[must_use]
+pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
+    let mut differences = Differences::default();
+    match (answer, &case.expect) {
+        (Answer::Unsupported, _) => return Judgement::Unsupported,
+        (Answer::Error { code, message }, Expect::Reject(suggested)) => {
+            if code == ErrorCode::Internal.as_str() {
+                let got = format!(
+                    "the error `internal`, {}",
+                    excerpt(message.as_bytes(), SHOWN)
+                );
+                differences.whole("a refusal", got, Some("a crash is no refusal"));
+            } else {
+                return Judgement::Pass {
+                    note: other_reason(code, *suggested),
+                };
+            }
+        }
+        (Answer::Error { code, message }, expect) => {
+            let got = format!(
+                "the error `{}`, {}",
+                excerpt(code.as_bytes(), 20),
+                excerpt(message.as_bytes(), SHOWN)
+            );
+            differences.whole(&in_words(expect), got, None);
+        }
+        (Answer::Result(result), Expect::Reject(suggested)) => {
+            differences.whole(
+                &format!("an error, such as `{suggested}`"),
+                format!("the result {}", short(result)),
+                None,
+            );
+        }
+        (Answer::Result(_), Expect::Accept) => {}
+        (Answer::Result(result), Expect::Json(expected)) => {
+            let expected = expected.expand();
+            // It was read when the suite was.
+            if let Ok(expected) = Json::parse(&expected) {
+                compare::values(&expected, result, &mut differences);
+            }
+        }
+        (Answer::Result(result), Expect::Message { text, ignore }) => {
+            if let Some(got) = member(result, "text", &mut differences) {
+                frame::same_message(&text.get(), got, ignore, &mut differences);
+            }
+        }
+        (Answer::Result(result), Expect::Encoding(text)) => {
+            if let Some(got) = member(result, "text", &mut differences) {
+                frame::same_encoding(&text.get(), got, &mut differences);
+            }
+        }
+        (Answer::Result(result), Expect::Bytes(expected)) => {
+            if let Some(got) = block(result, &mut differences) {
+                columns::same_bytes(expected, &got, &mut differences);
+            }
+        }
+        (Answer::Result(result), Expect::Columns(expected)) => {
+            if let Some(got) = block(result, &mut differences) {
+                columns::same_columns(&expected.expand(), &got, &mut differences);
+            }
+        }
+    }
+    if differences.is_empty() {
+        Judgement::Pass { note: None }
+    } else {
+        Judgement::Fail(differences)
+    }
+}
+
+/// What an expectation asks for, in words.
+#[must_use]
+pub fn in_words(expect: &Expect) -> String {
+    match expect {
+        Expect::Reject(code) => format!("an error, such as `{code}`"),
+        Expect::Accept => "any result".to_owned(),
+        Expect::Json(value) => format!("the result {}", excerpt(value.expand().as_bytes(), SHOWN)),
+        Expect::Message { text, .. } => {
+            format!("the message {}", excerpt(text.get().as_bytes(), SHOWN))
+        }
+        Expect::Encoding(text) => format!("the frame {}", excerpt(text.get().as_bytes(), SHOWN)),
+        Expect::Bytes(bytes) => format!("a block of exactly {} bytes", bytes.len()),
+        Expect::Columns(columns) => format!(
+            "a block with the columns {}",
+            excerpt(columns.expand().as_bytes(), SHOWN)
+        ),
+    }
+}
+
+impl Differences {
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.first.is_empty()
+    }
+
+    fn push(&mut self, difference: Difference) {
+        if self.first.len() < KEPT {
+            self.first.push(difference);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    fn whole(&mut self, expected: &str, got: String, hint: Option<&str>) {
+        self.push(Difference {
+            at: String::new(),
+            expected: Some(expected.to_owned()),
+            got: Some(got),
+            hint: hint.map(str::to_owned),
+        });
+    }
+}
+
+impl std::fmt::Display for Difference {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if !self.at.is_empty() {
+            write!(f, "{}: ", excerpt(self.at.as_bytes(), SHOWN))?;
+        }
+        let expected = self.expected.as_deref().unwrap_or("nothing there");
+        let got = self.got.as_deref().unwrap_or("nothing");
+        write!(f, "expected {expected}, got {got}")?;
+        self.hint
+            .as_ref()
+            .map_or(Ok(()), |hint| write!(f, " ({hint})"))
+    }
+}
+
+/// A value as it is shown.
+fn short(value: &Json<'_>) -> String {
+    excerpt(value.to_string().as_bytes(), SHOWN)
+}
+
+/// A refusal for another reason than the text suggests. It is no fault, since one input can be wrong in two ways.
+fn other_reason(code: &str, suggested: ErrorCode) -> Option<String> {
+    match ErrorCode::parse(code) {
+        Some(known) if known == suggested || known == ErrorCode::Invalid => None,
+        Some(known) => Some(format!(
+            "refused as `{known}`; the text suggests `{suggested}`"
+        )),
+        None => Some(format!(
+            "refused as `{}`, which PROTOCOL.md does not list",
+            excerpt(code.as_bytes(), 20)
+        )),
+    }
+}
+
+/// A string member of the result, or a difference.
+fn member<'r>(result: &'r Json<'_>, name: &str, differences: &mut Differences) -> Option<&'r str> {
+    let got = result.get(name);
+    let text = got.and_then(Json::as_str);
+    if text.is_none() {
+        differences.push(Difference {
+            at: format!("/{name}"),
+            expected: Some("a string".to_owned()),
+            got: got.map(short),
+            hint: Some(format!("the result needs the member `{name}`")),
+        });
+    }
+    text
+}
+
+/// The block of the result, or a difference.
+fn block(result: &Json<'_>, differences: &mut Differences) -> Option<Vec<u8>> {
+    let text = member(result, "block", differences)?;
+    match STANDARD.decode(text) {
+        Ok(bytes) => Some(bytes),
+        Err(error) => {
+            differences.push(Difference {
+                at: "/block".to_owned(),
+                expected: Some("base64".to_owned()),
+                got: Some(excerpt(text.as_bytes(), SHOWN)),
+                hint: Some(error.to_string()),
+            });
+            None
+        }
+    }
+}

@@ -1,0 +1,348 @@
+//! Checking peers: the bundled ones, or those that were named.
+
+use std::io::IsTerminal as _;
+use std::path::{Path, PathBuf};
+use std::time::{Instant, SystemTime};
+
+use ncp_spec::catalogue::{Level, Role};
+
+use super::workspace::{Workspace, target};
+use super::{CheckArgs, CliError, RunArgs, print};
+use crate::peer::{Connection, Description, Launch, Manifest, StartError, handshake};
+use crate::report::{
+    Asked, Detail, Exit, PeerReport, Progress, Report, State, Style, junit, terminal,
+};
+use crate::run::{self, CaseRun, Settings, Stop};
+use crate::suite::{Case, Pattern, Suite};
+use crate::verdict::{Baseline, judge, judge_description};
+
+/// Where the result goes, from the workspace's root.
+const RESULT: &str = "reports/run/result.json";
+
+/// Checks every bundled peer.
+pub(super) fn bundled(
+    suite: &Suite,
+    args: &CheckArgs,
+    style: Style,
+    stop: &Stop,
+) -> Result<Exit, CliError> {
+    let here = current_dir()?;
+    let Some(workspace) = Workspace::find(&here) else {
+        return Err(CliError::Usage(
+            "there is no folder with peers/*/peer.toml at or above this one; name a peer: ncp-verify run --peer-cmd '…'"
+                .to_owned(),
+        ));
+    };
+    let target = workspace.target();
+    let sources = workspace
+        .peers
+        .iter()
+        .map(|folder| {
+            let shown = folder
+                .strip_prefix(&workspace.root)
+                .unwrap_or(folder)
+                .display()
+                .to_string();
+            Source::folder(folder, shown, &workspace.root, &target, suite)
+        })
+        .collect::<Result<_, _>>()?;
+    check(suite, sources, args, style, &workspace.root, stop)
+}
+
+/// Checks the peers that were named.
+pub(super) fn named(
+    suite: &Suite,
+    args: &RunArgs,
+    style: Style,
+    stop: &Stop,
+) -> Result<Exit, CliError> {
+    if args.peer.is_empty() && args.peer_cmd.is_empty() {
+        return Err(CliError::Usage(
+            "name a peer: --peer with a folder that has a peer.toml, or --peer-cmd with a command"
+                .to_owned(),
+        ));
+    }
+    let here = current_dir()?;
+    let mut sources = Vec::new();
+    for folder in &args.peer {
+        let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.clone());
+        let root = Workspace::above(&absolute)
+            .map_or_else(|| absolute.clone(), |workspace| workspace.root);
+        sources.push(Source::folder(
+            &absolute,
+            folder.display().to_string(),
+            &root,
+            &target(&root),
+            suite,
+        )?);
+    }
+    for command in &args.peer_cmd {
+        sources.push(Source {
+            name: None,
+            shown: command.clone(),
+            launch: Launch::from_command_line(command, &here)?,
+            manifest: None,
+            baseline: Baseline::default(),
+        });
+    }
+    let root = Workspace::above(&here).map_or(here, |workspace| workspace.root);
+    check(suite, sources, &args.check, style, &root, stop)
+}
+
+/// A peer that is to be checked.
+struct Source {
+    name: Option<String>,
+    shown: String,
+    launch: Launch,
+    manifest: Option<Manifest>,
+    baseline: Baseline,
+}
+
+impl Source {
+    fn folder(
+        folder: &Path,
+        shown: String,
+        root: &Path,
+        target: &Path,
+        suite: &Suite,
+    ) -> Result<Self, CliError> {
+        let manifest = Manifest::load(folder, root, target)?;
+        let baseline =
+            Baseline::new(manifest.expected_failures.clone(), suite).map_err(|source| {
+                CliError::Baseline {
+                    peer: manifest.name.clone(),
+                    source,
+                }
+            })?;
+        let (name, launch) = (Some(manifest.name.clone()), manifest.launch.clone());
+        Ok(Self {
+            name,
+            shown,
+            launch,
+            manifest: Some(manifest),
+            baseline,
+        })
+    }
+
+    fn name(&self) -> &str {
+        self.name.as_deref().unwrap_or("peer")
+    }
+}
+
+/// What one invocation checks by.
+struct Check<'c> {
+    suite: &'c Suite,
+    patterns: Vec<Pattern>,
+    roles: &'c [Role],
+    level: Level,
+    settings: Settings,
+    visible: bool,
+    stop: &'c Stop,
+}
+
+fn check(
+    suite: &Suite,
+    sources: Vec<Source>,
+    args: &CheckArgs,
+    style: Style,
+    root: &Path,
+    stop: &Stop,
+) -> Result<Exit, CliError> {
+    let (started, clock) = (SystemTime::now(), Instant::now());
+    let selection = args.select.selection();
+    let level = args.select.level.unwrap_or_else(|| suite.highest_level());
+    let partial = !selection.patterns.is_empty();
+    if !suite.cases().iter().any(|case| selection.meets(case)) {
+        return Err(CliError::Usage(nothing_selected(args)));
+    }
+    let asked = Asked {
+        level: level.as_str(),
+        roles: args.select.role.iter().map(|role| role.as_str()).collect(),
+        filters: args.select.filter.clone(),
+        repeat: args.repeat,
+        partial,
+    };
+    let check = Check {
+        suite,
+        patterns: selection.patterns,
+        roles: &args.select.role,
+        level,
+        settings: Settings {
+            jobs: usize::from(args.jobs),
+            timeout: args.timeout,
+            start_timeout: args.start_timeout,
+            max_restarts: args.max_restarts,
+            repeat: args.repeat,
+        },
+        visible: std::io::stderr().is_terminal(),
+        stop,
+    };
+    let mut report = Report::new(suite, asked, started);
+    for source in sources {
+        if stop.is_set() {
+            break;
+        }
+        report.peers.push(check.peer(source)?);
+    }
+    let exit = report.close(clock.elapsed(), stop.is_set());
+    let detail = if args.verbose {
+        Detail::Verbose
+    } else {
+        Detail::Normal
+    };
+    print(&terminal(&report, style, detail))?;
+    let json = report
+        .to_json()
+        .map_err(|error| CliError::Harness(format!("the result cannot be written: {error}")))?;
+    let file = args.json.clone().unwrap_or_else(|| root.join(RESULT));
+    write(&file, &json)?;
+    let shown = args
+        .json
+        .as_ref()
+        .map_or(RESULT.to_owned(), |file| file.display().to_string());
+    print(&format!("{}\n", style.dim(&format!("result: {shown}"))))?;
+    if let Some(file) = &args.junit {
+        let xml = junit(&report).map_err(|error| {
+            CliError::Harness(format!("the JUnit file cannot be written: {error}"))
+        })?;
+        write(file, &xml)?;
+    }
+    Ok(exit)
+}
+
+impl Check<'_> {
+    /// Checks one peer, from its set-up to its verdict.
+    fn peer(&self, source: Source) -> Result<PeerReport, CliError> {
+        let name = source.name().to_owned();
+        let unchecked = |state, reason| {
+            Ok(PeerReport::unchecked(
+                name.clone(),
+                source.shown.clone(),
+                state,
+                reason,
+            ))
+        };
+        if let Some(manifest) = &source.manifest {
+            let missing = manifest.missing_tools();
+            if !missing.is_empty() {
+                let reason = format!("not on PATH: {}", missing.join(", "));
+                eprintln!("{name}: SKIPPED, {reason}");
+                return unchecked(State::Skipped, reason);
+            }
+        }
+        let (connection, description) = match self.start(&source) {
+            Ok(started) => started,
+            Err(error) => return unchecked(State::NotStarted, error.to_string()),
+        };
+        let name = source
+            .name
+            .clone()
+            .unwrap_or_else(|| description.name.clone());
+        let roles = self.roles(&description);
+        let cases = self.cases(&roles);
+        if cases.is_empty() && !roles.is_empty() && !self.patterns.is_empty() {
+            let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
+            return Err(CliError::Usage(format!(
+                "the filter selects no case of the roles of {name}: {}",
+                claimed.join(", ")
+            )));
+        }
+        let total = cases.len() as u64 * u64::from(self.settings.repeat);
+        let progress = Progress::new(&name, total, self.visible);
+        let record = run::run(
+            &source.launch,
+            connection,
+            &cases,
+            &self.settings,
+            &progress,
+            self.stop,
+        );
+        progress.done();
+        let describe = (self.suite.describe(), judge_description(&description));
+        let runs = cases.into_iter().zip(record.cases.iter().cloned());
+        let all: Vec<(&Case, CaseRun)> = std::iter::once(describe).chain(runs).collect();
+        let verdict = judge(
+            all,
+            &roles,
+            self.level,
+            &source.baseline,
+            !self.patterns.is_empty(),
+        );
+        Ok(PeerReport::checked(
+            name,
+            source.shown,
+            &description,
+            &verdict,
+            &record,
+        ))
+    }
+
+    /// Sets a peer up, starts it, and lets it describe itself.
+    fn start(&self, source: &Source) -> Result<(Connection, Description), StartError> {
+        for step in source.manifest.iter().flat_map(|manifest| &manifest.setup) {
+            let said = Progress::spinner(format!("{}: {}", source.name(), step.say), self.visible);
+            let result = step.run(self.stop);
+            said.done();
+            result?;
+        }
+        let mut connection = Connection::open(&source.launch)?;
+        let description = handshake(&mut connection, self.settings.start_timeout, self.stop)?;
+        Ok((connection, description))
+    }
+
+    /// The roles to judge: those that were asked for, or else all that the peer claims.
+    fn roles(&self, description: &Description) -> Vec<(Role, bool)> {
+        let claimed = |role: Role| description.roles.iter().any(|name| name == role.as_str());
+        Role::ALL
+            .into_iter()
+            .filter(|role| {
+                if self.roles.is_empty() {
+                    claimed(*role)
+                } else {
+                    self.roles.contains(role)
+                }
+            })
+            .map(|role| (role, claimed(role)))
+            .collect()
+    }
+
+    fn cases(&self, roles: &[(Role, bool)]) -> Vec<&Case> {
+        let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
+        let meant = |case: &&Case| {
+            case.concerns(&roles)
+                && case.level <= self.level
+                && (self.patterns.is_empty()
+                    || self.patterns.iter().any(|pattern| pattern.fits(case)))
+        };
+        self.suite.cases().iter().filter(meant).collect()
+    }
+}
+
+fn nothing_selected(args: &CheckArgs) -> String {
+    let mut parts: Vec<String> = args
+        .select
+        .filter
+        .iter()
+        .map(|filter| format!("--filter {filter}"))
+        .collect();
+    parts.extend(args.select.role.iter().map(|role| format!("--role {role}")));
+    parts.extend(args.select.level.map(|level| format!("--level {level}")));
+    format!("no case fits {}; see ncp-verify list", parts.join(" "))
+}
+
+fn current_dir() -> Result<PathBuf, CliError> {
+    std::env::current_dir()
+        .map_err(|error| CliError::Harness(format!("the current folder is not known: {error}")))
+}
+
+fn write(file: &Path, text: &str) -> Result<(), CliError> {
+    let folder = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    folder
+        .map_or(Ok(()), std::fs::create_dir_all)
+        .and_then(|()| std::fs::write(file, text))
+        .map_err(|error| {
+            CliError::Harness(format!("{} cannot be written: {error}", file.display()))
+        })
+}

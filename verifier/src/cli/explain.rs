@@ -1,0 +1,244 @@
+//! `ncp-verify explain`.
+
+use ncp_spec::catalogue::Requirement;
+
+use super::{CliError, print};
+use crate::peer::excerpt;
+use crate::report::{Exit, Style, wrap};
+use crate::suite::{Case, Expect, Suite};
+
+/// How many characters of an input are shown.
+const SHOWN: usize = 1200;
+/// How many ids are suggested for one that is not known.
+const SUGGESTED: usize = 3;
+/// How alike an id has to be to be suggested, from 0 to 1.
+const ALIKE: f64 = 0.75;
+
+/// Explains a case, a rule or a flag.
+pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, CliError> {
+    let mut page = Page {
+        style,
+        out: String::new(),
+    };
+    let rule = suite
+        .requirements()
+        .iter()
+        .find(|rule| rule.id.eq_ignore_ascii_case(id));
+    if let Some(case) = suite.case(id) {
+        page.case(case, suite);
+    } else if let Some(rule) = rule {
+        page.rule(rule);
+        page.citing(suite, |case| {
+            case.requirements.iter().any(|cited| cited.id == rule.id)
+        });
+    } else if suite.flags().any(|flag| flag == id) {
+        page.flag(id, suite);
+        page.line("");
+        page.citing(suite, |case| case.flags.iter().any(|flag| flag == id));
+    } else {
+        return Err(CliError::Usage(unknown(suite, id)));
+    }
+    print(&page.out)?;
+    Ok(Exit::Conformant)
+}
+
+struct Page {
+    style: Style,
+    out: String,
+}
+
+impl Page {
+    fn line(&mut self, text: &str) {
+        self.out.push_str(text);
+        self.out.push('\n');
+    }
+
+    fn paragraph(&mut self, indent: usize, text: &str) {
+        let space = " ".repeat(indent);
+        let wrapped = wrap(text, self.style.width, &space, &space);
+        self.line(&wrapped);
+    }
+
+    fn heading(&mut self, text: &str) {
+        let text = self.style.bold(text);
+        self.line("");
+        self.line(&text);
+    }
+
+    fn case(&mut self, case: &Case, suite: &Suite) {
+        let title = self.style.bold(&case.id);
+        self.line(&title);
+        self.paragraph(0, &case.title);
+        let roles: Vec<&str> = case.roles.iter().map(|role| role.as_str()).collect();
+        let weight = if case.binding {
+            "decides the verdict"
+        } else {
+            "is advice"
+        };
+        self.paragraph(
+            0,
+            &format!(
+                "level {}, for {}, {weight}; {}",
+                case.level,
+                roles.join(", "),
+                case.file
+            ),
+        );
+        self.heading(if case.requirements.len() == 1 {
+            "Rule"
+        } else {
+            "Rules"
+        });
+        for rule in &case.requirements {
+            self.rule(rule);
+        }
+        self.heading("Input");
+        self.paragraph(
+            2,
+            &excerpt(format!("{{\"id\":1,{}", case.body()).as_bytes(), SHOWN),
+        );
+        self.heading("Expected");
+        for line in expectation(&case.expect) {
+            self.paragraph(2, &line);
+        }
+        self.heading("Why");
+        self.paragraph(2, &case.why);
+        if !case.flags.is_empty() {
+            self.heading(if case.flags.len() == 1 {
+                "Flag"
+            } else {
+                "Flags"
+            });
+            for flag in &case.flags {
+                self.flag(flag, suite);
+            }
+        }
+    }
+
+    fn rule(&mut self, rule: &Requirement) {
+        let roles = if rule.roles.len() == 4 {
+            "all".to_owned()
+        } else {
+            rule.roles
+                .iter()
+                .map(|role| role.as_str())
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let id = self.style.bold(&rule.id);
+        self.line(&format!(
+            "  {id} {}, level {}, {roles}",
+            rule.keyword, rule.level
+        ));
+        self.paragraph(2, &rule.sentence);
+        let place = format!("spec/text/{}, {}", rule.place(), rule.section);
+        let place = self.style.dim(&wrap(&place, self.style.width, "  ", "  "));
+        self.line(&place);
+    }
+
+    fn flag(&mut self, flag: &str, suite: &Suite) {
+        let shown = self.style.bold(flag);
+        self.line(&format!("  {shown}"));
+        for note in suite.notes(flag) {
+            self.paragraph(2, note);
+        }
+    }
+
+    fn citing(&mut self, suite: &Suite, cites: impl Fn(&Case) -> bool) {
+        let cases: Vec<&Case> = std::iter::once(suite.describe())
+            .chain(suite.cases())
+            .filter(|case| cites(case))
+            .collect();
+        self.heading(&match cases.len() {
+            0 => "No case".to_owned(),
+            1 => "1 case".to_owned(),
+            many => format!("{many} cases"),
+        });
+        for case in cases {
+            self.line(&format!("  {}", case.id));
+            let title = self
+                .style
+                .dim(&wrap(&case.title, self.style.width, "    ", "    "));
+            self.line(&title);
+        }
+    }
+}
+
+/// An expectation with how it is compared.
+fn expectation(expect: &Expect) -> Vec<String> {
+    let text = |text: &str| excerpt(text.as_bytes(), SHOWN);
+    match expect {
+        Expect::Reject(code) => {
+            vec![format!("an error; the text suggests the code `{code}`, and any but `internal` will do")]
+        }
+        Expect::Accept => vec!["a result, whatever it holds".to_owned()],
+        Expect::Json(value) => vec!["a result that is equal as a JSON value:".to_owned(), text(&value.expand())],
+        Expect::Message { text: frame, ignore } => {
+            let mut lines = vec![
+                "a result whose `text` is this message; the order of members, the spelling of numbers, null for absent and \
+                 members left out that have their default do not count:"
+                    .to_owned(),
+                text(&frame.get()),
+            ];
+            if !ignore.is_empty() {
+                lines.push(format!("what stands at {} does not count", ignore.join(", ")));
+            }
+            lines
+        }
+        Expect::Encoding(frame) => vec![
+            "a result whose `text` has these members in this order, unset optionals null, integers spelled as integers, \
+             doubles equal bit by bit; white space is free:"
+                .to_owned(),
+            text(&frame.get()),
+        ],
+        Expect::Bytes(bytes) => {
+            let hex: Vec<String> = bytes.iter().take(256).map(|byte| format!("{byte:02x}")).collect();
+            let more = if bytes.len() > 256 { " …" } else { "" };
+            vec![format!("a result whose `block` is exactly these {} bytes:", bytes.len()), hex.join(" ") + more]
+        }
+        Expect::Columns(columns) => {
+            vec!["a result whose `block` is a valid block that holds exactly these columns:".to_owned(), text(&columns.expand())]
+        }
+    }
+}
+
+/// What to say about an id that is not known.
+fn unknown(suite: &Suite, id: &str) -> String {
+    let lower = id.to_ascii_lowercase();
+    let ids = suite.cases().iter().map(|case| case.id.as_str());
+    let all = ids
+        .chain(suite.requirements().iter().map(|rule| rule.id.as_str()))
+        .chain(suite.flags());
+    let likeness = |known: &str| {
+        let known = known.to_ascii_lowercase();
+        let part = if lower.len() >= 3 && known.contains(&lower) {
+            0.2
+        } else {
+            0.0
+        };
+        strsim::normalized_damerau_levenshtein(&known, &lower)
+            .max(strsim::jaro_winkler(&known, &lower) - 0.1)
+            + part
+    };
+    let mut scored: Vec<(f64, &str)> = all
+        .map(|known| (likeness(known), known))
+        .filter(|(score, _)| *score >= ALIKE)
+        .collect();
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
+    let nearest: Vec<&str> = scored
+        .iter()
+        .take(SUGGESTED)
+        .map(|(_, known)| *known)
+        .collect();
+    let head = format!(
+        "there is no case, rule or flag `{}`",
+        excerpt(id.as_bytes(), 100)
+    );
+    if nearest.is_empty() {
+        return format!("{head}; ncp-verify list shows all");
+    }
+    format!(
+        "{head}; do you mean one of these?\n  {}",
+        nearest.join("\n  ")
+    )
+}

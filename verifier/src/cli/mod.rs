@@ -1,0 +1,371 @@
+//! The command line of `ncp-verify`.
+//!
+//! Every error is one message on stderr and an exit code of PROTOCOL.md, section 7. What is asked for goes to stdout;
+//! what happens meanwhile goes to stderr.
+
+mod check;
+mod explain;
+mod list;
+mod workspace;
+
+use std::io::{IsTerminal as _, Write as _};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use ncp_spec::catalogue::{Level, Role};
+
+use crate::peer::{ManifestError, StartError};
+use crate::report::{Exit, Style};
+use crate::run::Stop;
+use crate::suite::{Pattern, Selection, Suite, SuiteError};
+use crate::verdict::BaselineError;
+
+/// How wide a line is where there is no terminal to ask.
+const PIPED_WIDTH: usize = 100;
+
+/// Runs the program.
+#[must_use]
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            let exit = if error.use_stderr() {
+                Exit::Usage.code()
+            } else {
+                0
+            };
+            // Nothing is left to be done if even that cannot be printed.
+            let _ = error.print();
+            return ExitCode::from(exit);
+        }
+    };
+    let exit = run(&cli).unwrap_or_else(|error| {
+        let style = cli.style(std::io::stderr().is_terminal());
+        eprintln!("{} {error}", style.red("error:"));
+        error.exit()
+    });
+    ExitCode::from(exit.code())
+}
+
+fn run(cli: &Cli) -> Result<Exit, CliError> {
+    let stop = Stop::default();
+    listen(&stop)?;
+    let suite = match &cli.vectors {
+        Some(folder) if !folder.is_dir() => {
+            return Err(CliError::Usage(format!(
+                "--vectors {}: there is no such folder",
+                folder.display()
+            )));
+        }
+        Some(folder) => Suite::load(folder)?,
+        None => Suite::embedded()?,
+    };
+    let style = cli.style(std::io::stdout().is_terminal());
+    match &cli.command {
+        None => check::bundled(&suite, &cli.check, style, &stop),
+        Some(Command::Run(run)) => check::named(&suite, run, style, &stop),
+        Some(Command::List(list)) => list::list(&suite, list, style),
+        Some(Command::Explain(explain)) => explain::explain(&suite, &explain.id, style),
+    }
+}
+
+/// Asks the run to end on Ctrl-C and on a request to terminate; the second time, ends at once.
+fn listen(stop: &Stop) -> Result<(), CliError> {
+    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+        signal_hook::flag::register_conditional_shutdown(
+            signal,
+            i32::from(Exit::Interrupted.code()),
+            stop.flag(),
+        )
+        .and_then(|_| signal_hook::flag::register(signal, stop.flag()))
+        .map_err(|source| {
+            CliError::Harness(format!("the signal {signal} cannot be handled: {source}"))
+        })?;
+    }
+    Ok(())
+}
+
+/// Checks whether an implementation of NCP 0.5 conforms.
+///
+/// Without a command, builds and checks every bundled peer; with `run`, checks yours.
+#[derive(Debug, Parser)]
+#[command(
+    name = "ncp-verify",
+    version,
+    args_conflicts_with_subcommands = true,
+    styles = Styles::styled().header(AnsiColor::Green.on_default().bold()).literal(AnsiColor::Cyan.on_default().bold()),
+    after_help = AFTER_HELP,
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    check: CheckArgs,
+    /// Read the vectors of this folder instead of those built in
+    #[arg(long, value_name = "DIR", global = true)]
+    vectors: Option<PathBuf>,
+    /// When to use colours; NO_COLOR is respected
+    #[arg(long, value_name = "WHEN", global = true, default_value = "auto")]
+    color: Colour,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  ncp-verify                                            every bundled peer
+  ncp-verify run --peer-cmd 'python3 my_adapter.py'     your peer, by a command
+  ncp-verify run --peer my/peer --role body             the peer of a folder with peer.toml, as a body
+  ncp-verify run --peer my/peer --filter 'wire/*/seq/*' some cases only
+  ncp-verify list --filter duplicate                    which cases there are
+  ncp-verify explain NCP-WIRE-007                       a rule and the cases that test it
+
+Exit codes:
+    0  conformant, or exactly as the peer's expected failures say
+    1  not conformant
+    2  usage: the command line, a peer.toml, or a filter that selects nothing
+    3  a peer could not be started, or did not answer `describe`
+    4  the suite itself is at fault: a vector file, a report that cannot be written
+  130  interrupted; the report is written, with what was not run";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Check the peers that you name
+    #[command(after_help = RUN_HELP)]
+    Run(RunArgs),
+    /// List the cases, or the rules that they test
+    List(ListArgs),
+    /// Explain a case, a rule or a flag
+    #[command(
+        after_help = "Examples:\n  ncp-verify explain wire/command_frame/seq/null\n  ncp-verify explain NCP-WIRE-007\n  ncp-verify explain lenient-integers"
+    )]
+    Explain(ExplainArgs),
+}
+
+const RUN_HELP: &str = "\
+A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
+A copy of peers/PROTOCOL-starter.py is an adapter to begin with.
+
+Examples:
+  ncp-verify run --peer-cmd 'python3 peers/PROTOCOL-starter.py'
+  ncp-verify run --peer peers/rust --peer peers/typescript --level wire
+  ncp-verify run --peer my/peer --filter NCP-WIRE-01? --verbose
+  ncp-verify run --peer peers/rust --repeat 50 --jobs 2";
+
+#[derive(Debug, Args)]
+struct RunArgs {
+    /// A folder with a peer.toml (may be repeated)
+    #[arg(long, value_name = "DIR")]
+    peer: Vec<PathBuf>,
+    /// A command that starts a peer; quotes work as in a shell (may be repeated)
+    #[arg(long, value_name = "CMD")]
+    peer_cmd: Vec<String>,
+    #[command(flatten)]
+    check: CheckArgs,
+}
+
+#[derive(Debug, Args)]
+struct CheckArgs {
+    #[command(flatten)]
+    select: SelectArgs,
+    /// How many processes of each peer work side by side
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
+    /// Seconds that a peer may be silent while a request is in flight
+    #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
+    timeout: Duration,
+    /// Seconds until the first answer of a process
+    #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
+    start_timeout: Duration,
+    /// How often a peer's process is started anew after a fault, before the peer is given up
+    #[arg(long, value_name = "N", default_value_t = 32)]
+    max_restarts: u32,
+    /// Run every case N times and print the rate
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    repeat: u32,
+    /// Where to write the result as JSON [default: reports/run/result.json]
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Also write the result as JUnit XML
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Show every failing case, in full
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+#[derive(Debug, Args)]
+struct SelectArgs {
+    /// Judge this role, claimed or not, instead of all that the peer claims (may be repeated)
+    #[arg(long, value_name = "ROLE", value_parser = role)]
+    role: Vec<Role>,
+    /// Judge up to this level: wire, safety or strict [default: the highest that has a case]
+    #[arg(long, value_name = "LEVEL", value_parser = level)]
+    level: Option<Level>,
+    /// Only cases whose id, rule, flag or call holds this text, or fits it as a whole if it has * or ? (may be repeated)
+    #[arg(long, value_name = "PATTERN")]
+    filter: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+struct ListArgs {
+    #[command(flatten)]
+    select: SelectArgs,
+    /// List rules instead of cases
+    #[arg(long)]
+    requirements: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
+struct ExplainArgs {
+    /// The id of a case or a rule, or a flag
+    id: String,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Colour {
+    Auto,
+    Always,
+    Never,
+}
+
+impl Cli {
+    /// How to write to a stream, which is a terminal or not.
+    fn style(&self, terminal: bool) -> Style {
+        let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        let colour = match self.color {
+            Colour::Always => true,
+            Colour::Never => false,
+            Colour::Auto => terminal && !plain,
+        };
+        let columns = std::env::var("COLUMNS")
+            .ok()
+            .and_then(|columns| columns.parse().ok());
+        let asked = terminal_size::terminal_size()
+            .filter(|_| terminal)
+            .map(|(width, _)| usize::from(width.0));
+        Style {
+            colour,
+            width: asked.or(columns).unwrap_or(PIPED_WIDTH).clamp(40, 160),
+        }
+    }
+}
+
+impl SelectArgs {
+    fn selection(&self) -> Selection {
+        Selection {
+            patterns: self
+                .filter
+                .iter()
+                .map(|pattern| Pattern::new(pattern))
+                .collect(),
+            roles: self.role.clone(),
+            level: self.level,
+        }
+    }
+}
+
+/// What ends the program early.
+#[derive(Debug, thiserror::Error)]
+enum CliError {
+    #[error("{0}")]
+    Usage(String),
+    #[error(transparent)]
+    Manifest(#[from] ManifestError),
+    #[error("{peer}: {source}")]
+    Baseline { peer: String, source: BaselineError },
+    #[error(transparent)]
+    Start(#[from] StartError),
+    #[error("the suite: {0}")]
+    Suite(#[from] SuiteError),
+    #[error("{0}")]
+    Harness(String),
+}
+
+impl CliError {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Usage(_) | Self::Manifest(_) | Self::Baseline { .. } => Exit::Usage,
+            Self::Start(_) => Exit::NotStarted,
+            Self::Suite(_) | Self::Harness(_) => Exit::Harness,
+        }
+    }
+}
+
+/// Prints to stdout. That its reader has gone is no error of ours.
+fn print(text: &str) -> Result<(), CliError> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(CliError::Harness(
+            format!("the report cannot be printed: {error}"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn role(name: &str) -> Result<Role, String> {
+    Role::parse(name).ok_or_else(|| format!("one of {}", Role::ALL.map(Role::as_str).join(", ")))
+}
+
+fn level(name: &str) -> Result<Level, String> {
+    Level::parse(name).ok_or_else(|| format!("one of {}", Level::ALL.map(Level::as_str).join(", ")))
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| "a number of seconds".to_owned())?;
+    if !(0.001..=86_400.0).contains(&seconds) {
+        return Err("between 0.001 and 86400 seconds".to_owned());
+    }
+    Ok(Duration::from_secs_f64(seconds))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn options_stand_without_a_command_and_after_run() {
+        let cli = Cli::try_parse_from(["ncp-verify", "--level", "wire", "--jobs", "2"]).unwrap();
+        assert!(
+            cli.command.is_none()
+                && cli.check.jobs == 2
+                && cli.check.select.level == Some(Level::Wire)
+        );
+        let cli = Cli::try_parse_from(["ncp-verify", "run", "--peer-cmd", "x", "--timeout", "0.5"])
+            .unwrap();
+        let Some(Command::Run(run)) = cli.command else {
+            panic!()
+        };
+        assert_eq!(
+            (run.peer_cmd, run.check.timeout),
+            (vec!["x".to_owned()], Duration::from_millis(500))
+        );
+    }
+
+    #[test]
+    fn values_that_mean_nothing_are_refused() {
+        for bad in [
+            ["--role", "pilot"],
+            ["--level", "high"],
+            ["--jobs", "0"],
+            ["--repeat", "0"],
+            ["--timeout", "-1"],
+            ["--timeout", "NaN"],
+        ] {
+            assert!(
+                Cli::try_parse_from(["ncp-verify"].into_iter().chain(bad)).is_err(),
+                "{bad:?}"
+            );
+        }
+    }
+}

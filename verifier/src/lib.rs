@@ -1,0 +1,27 @@
+//! Holds any NCP 0.5 peer against the frozen vectors and says, case by case, whether it conforms.
+//!
+//! The program `ncp-verify` is [`cli::main`] around this library. Its rooms, in the order in which a run passes them:
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`cli`] | takes the command line apart, finds the bundled peers, decides the exit code |
+//! | [`suite`] | the cases, tied to the rules of the text |
+//! | [`peer`] | starts a peer and speaks the peer protocol with it |
+//! | [`run`](mod@run) | keeps requests in flight, and charges a fault to the case that causes it |
+//! | [`check`] | judges one answer by the relation that its case states |
+//! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
+//! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
+//! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
+//!
+//! No rule of NCP is written a second time here: what a frame, a block or a level means is asked of [`ncp_spec`].
+
+#![forbid(unsafe_code)]
+
+pub mod check;
+pub mod cli;
+pub mod json;
+pub mod peer;
+pub mod report;
+pub mod run;
+pub mod suite;
+pub mod verdict;

@@ -1,0 +1,293 @@
+//! A peer under test: how it is found, started, spoken to and stopped.
+//!
+//! A peer is any program that speaks the protocol of `peers/PROTOCOL.md` on its standard streams. This room
+//! knows processes and lines; it knows nothing of cases and verdicts.
+//!
+//! - [`Manifest`] reads a `peer.toml`; [`Launch`] is what it, or a bare command, comes down to.
+//! - [`Connection`] is one running process: bounded lines in, batched requests out, nothing that it does can block us.
+//! - [`describe`](handshake) is the first exchange with every process.
+//! - [`Reply`] is one line of its answers, taken apart.
+
+mod connection;
+mod handshake;
+mod manifest;
+mod protocol;
+
+pub use connection::{Connection, Ending, Incoming};
+pub use handshake::{Description, handshake};
+pub use manifest::{ExpectedFailure, Manifest, ManifestError, Setup, Target};
+pub use protocol::{Answer, Call, MAX_REQUEST_BYTES, Reply, ReplyFault, write_request};
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+/// How to start a peer: a program, its arguments, and the folder to start it in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Launch {
+    argv: Vec<String>,
+    folder: PathBuf,
+}
+
+/// Why a peer could not be started, or did not introduce itself. Ends in exit code 3.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// The command is empty, or its quotes do not match.
+    #[error("the command {0:?} cannot be taken apart into a program and its arguments")]
+    Command(String),
+    /// There is no such program.
+    #[error("there is no program `{program}`{}", if program.contains('/') { "" } else { " on PATH" })]
+    NotFound {
+        /// The program as it was named.
+        program: String,
+    },
+    /// The program is there but may not be executed.
+    #[error("`{program}` is not executable")]
+    NotExecutable {
+        /// The program as it was named.
+        program: String,
+    },
+    /// The operating system refused for another reason.
+    #[error("`{program}` cannot be started: {source}")]
+    Spawn {
+        /// The program as it was named.
+        program: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// It ended before it answered `describe`.
+    #[error(
+        "`{command}` {ending} before it answered `describe`{}",
+        last_words(stderr)
+    )]
+    Ended {
+        /// The whole command.
+        command: String,
+        /// How it ended.
+        ending: String,
+        /// The end of its log.
+        stderr: String,
+    },
+    /// It printed something that is no answer.
+    #[error(
+        "`{command}` does not speak the peer protocol: {why}; its first line: {line}{}",
+        last_words(stderr)
+    )]
+    NotAnAnswer {
+        /// The whole command.
+        command: String,
+        /// What is wrong with the line.
+        why: String,
+        /// The line, shortened.
+        line: String,
+        /// The end of its log.
+        stderr: String,
+    },
+    /// It said nothing.
+    #[error("`{command}` did not answer `describe` within {} s{}", waited.as_secs_f64(), last_words(stderr))]
+    Silent {
+        /// The whole command.
+        command: String,
+        /// How long it was given.
+        waited: Duration,
+        /// The end of its log.
+        stderr: String,
+    },
+    /// It refused to describe itself, or the description lacks something.
+    #[error("`{command}` answered `describe`, but {why}: {line}")]
+    Description {
+        /// The whole command.
+        command: String,
+        /// What is wrong with it.
+        why: String,
+        /// The line, shortened.
+        line: String,
+    },
+    /// A command that has to run before the first start failed.
+    #[error("its set-up failed: `{command}` {ending}{}", last_words(output))]
+    Setup {
+        /// The whole command.
+        command: String,
+        /// How it ended.
+        ending: String,
+        /// The end of what it printed.
+        output: String,
+    },
+    /// Ctrl-C, while it was being started.
+    #[error("interrupted before it answered")]
+    Interrupted,
+}
+
+impl Launch {
+    /// A program with its arguments, to be started in `folder`.
+    #[must_use]
+    pub fn new(argv: Vec<String>, folder: impl Into<PathBuf>) -> Self {
+        Self {
+            argv,
+            folder: folder.into(),
+        }
+    }
+
+    /// Takes a command line apart as a POSIX shell would, without running a shell.
+    ///
+    /// # Errors
+    /// [`StartError::Command`] if it is empty or a quote is not closed.
+    pub fn from_command_line(line: &str, folder: impl Into<PathBuf>) -> Result<Self, StartError> {
+        match shlex::split(line) {
+            Some(argv) if !argv.is_empty() => Ok(Self::new(argv, folder)),
+            _ => Err(StartError::Command(line.to_owned())),
+        }
+    }
+
+    /// The command as a person would type it.
+    #[must_use]
+    pub fn display(&self) -> String {
+        shlex::try_join(self.argv.iter().map(String::as_str))
+            .unwrap_or_else(|_| self.argv.join(" "))
+    }
+
+    /// The folder that it is started in.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    fn program(&self) -> &str {
+        self.argv.first().map_or("", String::as_str)
+    }
+
+    /// The command, in its folder and in a process group of its own, so that all of it can be ended at once.
+    fn command(&self) -> Command {
+        let program = self.program();
+        // A relative path counts from the folder; what a bare name means, PATH decides.
+        let program = if program.contains('/') {
+            self.folder.join(program).into_os_string()
+        } else {
+            OsString::from(program)
+        };
+        let mut command = Command::new(program);
+        command
+            .args(self.argv.iter().skip(1))
+            .current_dir(&self.folder);
+        #[cfg(unix)]
+        {
+            use std::os::unix::process::CommandExt as _;
+            command.process_group(0);
+        }
+        command
+    }
+
+    fn refused(&self, source: std::io::Error) -> StartError {
+        let program = self.program().to_owned();
+        match source.kind() {
+            std::io::ErrorKind::NotFound => StartError::NotFound { program },
+            std::io::ErrorKind::PermissionDenied => StartError::NotExecutable { program },
+            _ => StartError::Spawn { program, source },
+        }
+    }
+}
+
+/// Whether a program can be started: an executable file on PATH, or at that path if the name is one.
+#[must_use]
+pub fn is_on_path(program: &str) -> bool {
+    if program.contains('/') {
+        return is_executable(Path::new(program));
+    }
+    std::env::var_os("PATH").is_some_and(|path| {
+        std::env::split_paths(&path).any(|dir| is_executable(&dir.join(program)))
+    })
+}
+
+/// A line as it may be shown: readable, on one line, no longer than `most` characters.
+#[must_use]
+pub fn excerpt(bytes: &[u8], most: usize) -> String {
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(most * 4)]);
+    let mut shown: String = text.chars().take(most).flat_map(visible).collect();
+    if text.chars().nth(most).is_some() || bytes.len() > most * 4 {
+        shown.push_str(&format!("… ({} bytes)", bytes.len()));
+    }
+    shown
+}
+
+/// A character, or its escape if it would do something to a terminal.
+fn visible(c: char) -> impl Iterator<Item = char> {
+    let (plain, escaped) = if c.is_control() || is_bidi(c) {
+        (None, Some(c.escape_default()))
+    } else {
+        (Some(c), None)
+    };
+    plain.into_iter().chain(escaped.into_iter().flatten())
+}
+
+/// Characters that reorder the line that they stand in.
+fn is_bidi(c: char) -> bool {
+    matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+#[cfg(unix)]
+fn is_executable(path: &Path) -> bool {
+    use std::os::unix::fs::PermissionsExt as _;
+    path.metadata()
+        .is_ok_and(|meta| meta.is_file() && meta.permissions().mode() & 0o111 != 0)
+}
+
+#[cfg(not(unix))]
+fn is_executable(path: &Path) -> bool {
+    path.is_file() || path.with_extension("exe").is_file()
+}
+
+fn last_words(log: &str) -> String {
+    if log.trim().is_empty() {
+        String::new()
+    } else {
+        format!("\nit had written to stderr:\n{}", indented(log))
+    }
+}
+
+fn indented(text: &str) -> String {
+    text.trim_end()
+        .lines()
+        .map(|line| format!("  | {line}"))
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_line_is_split_as_a_shell_would() {
+        let launch = Launch::from_command_line("python3 'my adapter.py' --x=\"a b\"", ".").unwrap();
+        assert_eq!(launch.argv, ["python3", "my adapter.py", "--x=a b"]);
+        assert_eq!(
+            Launch::from_command_line(&launch.display(), ".").unwrap(),
+            launch
+        );
+        for line in ["", "  ", "a 'b"] {
+            assert!(
+                matches!(
+                    Launch::from_command_line(line, "."),
+                    Err(StartError::Command(_))
+                ),
+                "{line:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_excerpt_is_short_and_does_nothing_to_a_terminal() {
+        assert_eq!(excerpt(b"plain", 10), "plain");
+        assert_eq!(excerpt(b"\x1b[31mred\n\0", 40), "\\u{1b}[31mred\\n\\u{0}");
+        assert_eq!(excerpt(&[b'x'; 1000], 3), "xxx… (1000 bytes)");
+        assert_eq!(excerpt(&[0xff, b'a'], 10), "\u{fffd}a");
+    }
+
+    #[test]
+    fn a_program_that_is_nowhere_is_not_on_path() {
+        assert!(is_on_path("sh"));
+        assert!(!is_on_path("surely-no-such-program"));
+        assert!(!is_on_path("src/lib.rs"), "not executable");
+    }
+}

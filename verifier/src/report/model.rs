@@ -1,0 +1,631 @@
+//! The one model of a result. Its JSON form is that of `schemas/result.schema.json`.
+
+use std::collections::BTreeSet;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use ncp_spec::catalogue::{Level, Role};
+use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
+use serde::Serialize;
+
+use crate::check::{Differences, in_words};
+use crate::peer::{Description, excerpt};
+use crate::run::{Outcome, RunRecord};
+use crate::suite::{Case, Suite};
+use crate::verdict::{Conclusion, Judged, RoleVerdict, Status, Tally, Verdict};
+
+/// The format of the result file.
+const FORMAT: u32 = 1;
+/// How much of a request is kept for a case that did not pass.
+const KEPT_BYTES: usize = 2000;
+
+/// How the program ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Exit {
+    /// Every peer that was checked conforms, or does exactly what its list of expected failures says.
+    Conformant,
+    /// A peer does not conform.
+    NotConformant,
+    /// The command line asks for nothing that can be done.
+    Usage,
+    /// A peer could not be started.
+    NotStarted,
+    /// The suite itself is at fault.
+    Harness,
+    /// Ctrl-C.
+    Interrupted,
+}
+
+impl Exit {
+    /// The exit code.
+    #[must_use]
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Conformant => 0,
+            Self::NotConformant => 1,
+            Self::Usage => 2,
+            Self::NotStarted => 3,
+            Self::Harness => 4,
+            Self::Interrupted => 130,
+        }
+    }
+}
+
+/// What a run of the program found.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// The format of this model.
+    pub format: u32,
+    /// What made it.
+    pub tool: Tool,
+    /// When it began, RFC 3339 in UTC.
+    pub started: String,
+    /// How long it took, in seconds.
+    pub elapsed_s: f64,
+    /// The wire version of the text.
+    pub wire_version: &'static str,
+    /// The contract hash of the text.
+    pub contract_hash: &'static str,
+    /// The cases.
+    pub corpus: Corpus,
+    /// What was asked for.
+    pub asked: Asked,
+    /// Whether it was interrupted.
+    pub interrupted: bool,
+    /// The rules that the cases cite.
+    pub rules: Vec<Rule>,
+    /// The peers.
+    pub peers: Vec<PeerReport>,
+    /// The exit code of the program.
+    pub exit_code: u8,
+}
+
+/// What made a report.
+#[derive(Debug, Serialize)]
+pub struct Tool {
+    /// The program.
+    pub name: &'static str,
+    /// Its version.
+    pub version: &'static str,
+}
+
+/// The cases that a run could draw on.
+#[derive(Debug, Serialize)]
+pub struct Corpus {
+    /// How many files.
+    pub files: usize,
+    /// How many cases.
+    pub cases: usize,
+    /// The SHA-256 of `vectors/MANIFEST.sha256`.
+    pub sha256: String,
+}
+
+/// What was asked for.
+#[derive(Debug, Clone, Serialize)]
+pub struct Asked {
+    /// The highest level that was judged.
+    pub level: &'static str,
+    /// The roles that were asked for; empty: those that each peer claims.
+    pub roles: Vec<&'static str>,
+    /// The filters; empty: all cases.
+    pub filters: Vec<String>,
+    /// How often each case was run.
+    pub repeat: u32,
+    /// Whether the filters left cases out, so that a pass is no conformance.
+    pub partial: bool,
+}
+
+/// A rule that a case cites.
+#[derive(Debug, Serialize)]
+pub struct Rule {
+    /// Its id.
+    pub id: String,
+    /// Identifies its sentence.
+    pub digest: String,
+    /// Its keyword.
+    pub keyword: &'static str,
+    /// Its level.
+    pub level: &'static str,
+    /// The roles that it binds.
+    pub roles: Vec<&'static str>,
+    /// Its sentence.
+    pub sentence: String,
+    /// File and line.
+    pub place: String,
+}
+
+/// Whether a peer was checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum State {
+    /// It was.
+    Checked,
+    /// It was not, since a tool that it needs is not here.
+    Skipped,
+    /// It could not be started.
+    NotStarted,
+}
+
+/// What was found about one peer.
+#[derive(Debug, Serialize)]
+pub struct PeerReport {
+    /// Its name, as its `peer.toml` or it itself says.
+    pub name: String,
+    /// Where it comes from: its folder, or the command.
+    pub source: String,
+    /// Whether it was checked.
+    pub state: State,
+    /// Why not, if not.
+    pub reason: Option<String>,
+    /// What it says about itself.
+    pub description: Option<DescriptionReport>,
+    /// The verdict, if it was checked.
+    pub conclusion: Option<&'static str>,
+    /// The roles that were judged.
+    pub roles: Vec<RoleReport>,
+    /// All cases, whatever their role.
+    pub totals: TallyReport,
+    /// Expected failures that no longer fail.
+    pub stale_expected_failures: Vec<String>,
+    /// How the run went.
+    pub run: Option<RunReport>,
+    /// Every case.
+    pub cases: Vec<CaseReport>,
+}
+
+/// What a peer says about itself.
+#[derive(Debug, Serialize)]
+pub struct DescriptionReport {
+    /// The implementation's name.
+    pub name: String,
+    /// Its own version.
+    pub version: String,
+    /// Its language.
+    pub language: String,
+    /// The wire version that it states.
+    pub wire_version: String,
+    /// The contract hash that it states.
+    pub contract_hash: String,
+    /// The roles that it claims.
+    pub roles: Vec<String>,
+}
+
+/// One role of a peer.
+#[derive(Debug, Serialize)]
+pub struct RoleReport {
+    /// The role.
+    pub role: &'static str,
+    /// Whether the peer claims it.
+    pub claimed: bool,
+    /// The levels that have a case.
+    pub levels: Vec<LevelReport>,
+}
+
+/// One level of a role.
+#[derive(Debug, Serialize)]
+pub struct LevelReport {
+    /// The level.
+    pub level: &'static str,
+    /// Whether the role conforms at it.
+    pub conformant: bool,
+    /// Whether nothing failed that was not expected to.
+    pub as_expected: bool,
+    /// The cases of exactly this level.
+    pub cases: TallyReport,
+}
+
+/// How many cases count for what.
+#[derive(Debug, Default, Clone, Copy, Serialize)]
+pub struct TallyReport {
+    /// All.
+    pub total: usize,
+    /// Passed.
+    pub passed: usize,
+    /// Failed.
+    pub failed: usize,
+    /// Differ from advice.
+    pub advice: usize,
+    /// Failed as expected.
+    pub expected_failures: usize,
+    /// Not run.
+    pub not_run: usize,
+}
+
+/// How a run went.
+#[derive(Debug, Serialize)]
+pub struct RunReport {
+    /// How many answers were judged.
+    pub answers: u64,
+    /// How long that took, in seconds.
+    pub elapsed_s: f64,
+    /// How often a process was started anew.
+    pub restarts: u32,
+    /// Why the peer was given up, if it was.
+    pub given_up: Option<String>,
+    /// What else was noticed.
+    pub notes: Vec<String>,
+}
+
+/// What became of one case.
+#[derive(Debug, Serialize)]
+pub struct CaseReport {
+    /// Its id.
+    pub id: String,
+    /// What it shows.
+    pub title: String,
+    /// The rules that it cites.
+    pub rules: Vec<String>,
+    /// The roles that need it.
+    pub roles: Vec<&'static str>,
+    /// Its level.
+    pub level: &'static str,
+    /// Whether it decides the verdict.
+    pub binding: bool,
+    /// The call.
+    pub call: &'static str,
+    /// What became of it.
+    pub outcome: &'static str,
+    /// What it counts for.
+    pub status: &'static str,
+    /// What was expected, in words, unless it passed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected: Option<String>,
+    /// What differs.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub differences: Vec<DifferenceReport>,
+    /// How many more differences there are.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub more_differences: usize,
+    /// What happened, for a case without a proper answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub what: Option<String>,
+    /// What was sent, shortened, without its id, unless it passed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub request: Option<String>,
+    /// What came back, shortened.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub answer: Option<String>,
+    /// The end of the peer's log.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub log: Option<String>,
+    /// What else is worth knowing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+    /// Why it was expected to fail.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+/// One difference.
+#[derive(Debug, Serialize)]
+pub struct DifferenceReport {
+    /// Where, as a JSON pointer.
+    pub at: String,
+    /// What was expected there; `null`: nothing.
+    pub expected: Option<String>,
+    /// What was there; `null`: nothing.
+    pub got: Option<String>,
+    /// What else there is to say.
+    pub hint: Option<String>,
+    /// The whole in one line.
+    pub text: String,
+}
+
+impl Report {
+    /// Begins a report.
+    #[must_use]
+    pub fn new(suite: &Suite, asked: Asked, started: SystemTime) -> Self {
+        let corpus = Corpus {
+            files: suite.files(),
+            cases: suite.cases().len(),
+            sha256: suite.digest().to_owned(),
+        };
+        Self {
+            format: FORMAT,
+            tool: Tool {
+                name: "ncp-verify",
+                version: env!("CARGO_PKG_VERSION"),
+            },
+            started: rfc3339(started),
+            elapsed_s: 0.0,
+            wire_version: WIRE_VERSION,
+            contract_hash: CONTRACT_HASH,
+            corpus,
+            asked,
+            interrupted: false,
+            rules: rules(suite),
+            peers: Vec::new(),
+            exit_code: Exit::Conformant.code(),
+        }
+    }
+
+    /// Ends a report: the exit code follows from the peers.
+    pub fn close(&mut self, elapsed: Duration, interrupted: bool) -> Exit {
+        let states = |state: State| self.peers.iter().any(|peer| peer.state == state);
+        let exit = if interrupted {
+            Exit::Interrupted
+        } else if states(State::NotStarted) {
+            Exit::NotStarted
+        } else if self
+            .peers
+            .iter()
+            .any(|peer| peer.conclusion == Some(Conclusion::NotConformant.as_str()))
+            || !states(State::Checked)
+        {
+            // With every peer skipped, nothing was shown to conform.
+            Exit::NotConformant
+        } else {
+            Exit::Conformant
+        };
+        self.elapsed_s = elapsed.as_secs_f64();
+        self.interrupted = interrupted;
+        self.exit_code = exit.code();
+        exit
+    }
+
+    /// The JSON result file.
+    ///
+    /// # Errors
+    /// Only if a number in it cannot be written, which does not occur.
+    pub fn to_json(&self) -> Result<String, serde_json::Error> {
+        let mut text = serde_json::to_string_pretty(self)?;
+        text.push('\n');
+        Ok(text)
+    }
+}
+
+impl PeerReport {
+    /// A peer that was not checked.
+    #[must_use]
+    pub fn unchecked(name: String, source: String, state: State, reason: String) -> Self {
+        Self {
+            name,
+            source,
+            state,
+            reason: Some(reason),
+            description: None,
+            conclusion: None,
+            roles: Vec::new(),
+            totals: TallyReport::default(),
+            stale_expected_failures: Vec::new(),
+            run: None,
+            cases: Vec::new(),
+        }
+    }
+
+    /// A peer that was checked.
+    #[must_use]
+    pub fn checked(
+        name: String,
+        source: String,
+        description: &Description,
+        verdict: &Verdict<'_>,
+        run: &RunRecord,
+    ) -> Self {
+        let mut totals = TallyReport::default();
+        for judged in &verdict.cases {
+            totals.count(judged.status);
+        }
+        Self {
+            name,
+            source,
+            state: State::Checked,
+            reason: None,
+            description: Some(DescriptionReport {
+                name: description.name.clone(),
+                version: description.version.clone(),
+                language: description.language.clone(),
+                wire_version: description.wire_version.clone(),
+                contract_hash: description.contract_hash.clone(),
+                roles: description.roles.clone(),
+            }),
+            conclusion: Some(verdict.conclusion.as_str()),
+            roles: verdict.roles.iter().map(RoleReport::new).collect(),
+            totals,
+            stale_expected_failures: verdict.stale.clone(),
+            run: Some(RunReport {
+                answers: run.answers,
+                elapsed_s: run.elapsed.as_secs_f64(),
+                restarts: run.restarts,
+                given_up: run.given_up.clone(),
+                notes: run.notes.clone(),
+            }),
+            cases: verdict.cases.iter().map(CaseReport::new).collect(),
+        }
+    }
+}
+
+impl RoleReport {
+    fn new(verdict: &RoleVerdict) -> Self {
+        let levels = verdict.levels.iter().map(|level| LevelReport {
+            level: level.level.as_str(),
+            conformant: level.conformant,
+            as_expected: level.as_expected,
+            cases: level.tally.into(),
+        });
+        Self {
+            role: verdict.role.as_str(),
+            claimed: verdict.claimed,
+            levels: levels.collect(),
+        }
+    }
+}
+
+impl TallyReport {
+    fn count(&mut self, status: Status) {
+        self.total += 1;
+        *match status {
+            Status::Passed | Status::UnexpectedPass => &mut self.passed,
+            Status::Failed => &mut self.failed,
+            Status::Advice => &mut self.advice,
+            Status::ExpectedFailure => &mut self.expected_failures,
+            Status::NotRun => &mut self.not_run,
+        } += 1;
+    }
+}
+
+impl From<Tally> for TallyReport {
+    fn from(tally: Tally) -> Self {
+        Self {
+            total: tally.total(),
+            passed: tally.passed,
+            failed: tally.failed,
+            advice: tally.advice,
+            expected_failures: tally.expected_failures,
+            not_run: tally.not_run,
+        }
+    }
+}
+
+impl CaseReport {
+    fn new(judged: &Judged<'_>) -> Self {
+        let Judged {
+            case,
+            run,
+            status,
+            reason,
+        } = judged;
+        let passed = run.outcome == Outcome::Pass;
+        let (what, log) = match &run.outcome {
+            Outcome::Crash { what, log }
+            | Outcome::Timeout { what, log }
+            | Outcome::Protocol { what, log } => {
+                (Some(what.clone()), (!log.is_empty()).then(|| log.clone()))
+            }
+            Outcome::NotRun { why } => (Some(why.clone()), None),
+            Outcome::Pass | Outcome::Fail(_) | Outcome::Unsupported => (None, None),
+        };
+        let differences = match &run.outcome {
+            Outcome::Fail(differences) => differences.clone(),
+            _ => Differences::default(),
+        };
+        Self {
+            id: case.id.clone(),
+            title: case.title.clone(),
+            rules: case
+                .requirements
+                .iter()
+                .map(|rule| rule.id.clone())
+                .collect(),
+            roles: names(&case.roles),
+            level: case.level.as_str(),
+            binding: case.binding,
+            call: case.call.as_str(),
+            outcome: outcome_name(&run.outcome),
+            status: status.as_str(),
+            expected: (!passed).then(|| in_words(&case.expect)),
+            more_differences: differences.more,
+            differences: differences
+                .first
+                .into_iter()
+                .map(|difference| DifferenceReport {
+                    text: difference.to_string(),
+                    at: difference.at,
+                    expected: difference.expected,
+                    got: difference.got,
+                    hint: difference.hint,
+                })
+                .collect(),
+            what,
+            request: (!passed)
+                .then(|| excerpt(format!("{{{}", case.body()).as_bytes(), KEPT_BYTES)),
+            answer: run.answer.clone(),
+            log,
+            note: run.note.clone(),
+            reason: reason.clone(),
+        }
+    }
+}
+
+/// The name of an outcome in reports.
+#[must_use]
+pub fn outcome_name(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Pass => "pass",
+        Outcome::Fail(_) => "fail",
+        Outcome::Unsupported => "unsupported",
+        Outcome::Crash { .. } => "crash",
+        Outcome::Timeout { .. } => "timeout",
+        Outcome::Protocol { .. } => "protocol",
+        Outcome::NotRun { .. } => "not run",
+    }
+}
+
+fn names(roles: &[Role]) -> Vec<&'static str> {
+    roles.iter().map(|role| role.as_str()).collect()
+}
+
+fn rules(suite: &Suite) -> Vec<Rule> {
+    let cited: BTreeSet<&str> = std::iter::once(suite.describe())
+        .chain(suite.cases())
+        .flat_map(|case: &Case| case.requirements.iter().map(|rule| rule.id.as_str()))
+        .collect();
+    suite
+        .requirements()
+        .iter()
+        .filter(|rule| cited.contains(rule.id.as_str()))
+        .map(|rule| Rule {
+            id: rule.id.clone(),
+            digest: rule.digest.clone(),
+            keyword: rule.keyword.as_str(),
+            level: Level::as_str(rule.level),
+            roles: names(&rule.roles),
+            sentence: rule.sentence.clone(),
+            place: rule.place(),
+        })
+        .collect()
+}
+
+/// A time as RFC 3339 writes it, in UTC, to the second.
+fn rfc3339(time: SystemTime) -> String {
+    let seconds = time
+        .duration_since(UNIX_EPOCH)
+        .unwrap_or_default()
+        .as_secs();
+    let (days, second) = (seconds / 86_400, seconds % 86_400);
+    // Days to a civil date, counting years from March, so that the leap day is the last of its year.
+    let shifted = days + 719_468;
+    let (era, day_of_era) = (shifted / 146_097, shifted % 146_097);
+    let year_of_era =
+        (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let from_march = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * from_march + 2) / 5 + 1;
+    let month = if from_march < 10 {
+        from_march + 3
+    } else {
+        from_march - 9
+    };
+    let year = year_of_era + era * 400 + u64::from(month <= 2);
+    format!(
+        "{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z",
+        second / 3600,
+        second / 60 % 60,
+        second % 60
+    )
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_is_written_by_rfc_3339() {
+        for (seconds, text) in [
+            (0, "1970-01-01T00:00:00Z"),
+            (951_782_399, "2000-02-28T23:59:59Z"),
+            (951_782_400, "2000-02-29T00:00:00Z"),
+            (1_709_251_199, "2024-02-29T23:59:59Z"),
+            (4_107_542_400, "2100-03-01T00:00:00Z"),
+        ] {
+            assert_eq!(rfc3339(UNIX_EPOCH + Duration::from_secs(seconds)), text);
+        }
+    }
+}

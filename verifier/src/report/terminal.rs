@@ -1,0 +1,682 @@
+//! A report on a terminal, or in a pipe.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::layout::{Style, wrap};
+use super::model::{CaseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};
+
+/// How many failing cases a peer are shown in full, unless all are asked for.
+const IN_FULL: usize = 8;
+/// How many characters of what went over the wire are shown, unless all is asked for.
+const WIRE_CHARS: usize = 320;
+/// How many ids are listed where the cases themselves are not shown.
+const LISTED: usize = 5;
+/// The widest that a peer's name is in the table.
+const NAME_CHARS: usize = 16;
+
+/// How much to show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// The table, and the first failing cases in full.
+    Normal,
+    /// Everything.
+    Verbose,
+}
+
+/// Renders a report for people: a table of peers, roles and levels, then what failed, rule by rule.
+#[must_use]
+pub fn terminal(report: &Report, style: Style, detail: Detail) -> String {
+    let mut page = Page {
+        report,
+        style,
+        detail,
+        out: String::new(),
+    };
+    page.head();
+    page.table();
+    for peer in &report.peers {
+        page.peer(peer);
+    }
+    page.verdict();
+    page.out
+}
+
+struct Page<'r> {
+    report: &'r Report,
+    style: Style,
+    detail: Detail,
+    out: String,
+}
+
+impl Page<'_> {
+    fn line(&mut self, text: &str) {
+        self.out.push_str(text);
+        self.out.push('\n');
+    }
+
+    /// A paragraph, indented and broken to the width.
+    fn paragraph(&mut self, indent: usize, text: &str) {
+        let space = " ".repeat(indent);
+        let wrapped = wrap(text, self.style.width, &space, &space);
+        self.line(&wrapped);
+    }
+
+    /// A paragraph after a short word, the lines after the first aligned with it.
+    fn item(&mut self, indent: usize, word: &str, text: &str) {
+        let first = format!("{}{word} ", " ".repeat(indent));
+        let rest = " ".repeat(first.chars().count());
+        let wrapped = wrap(text, self.style.width, &first, &rest);
+        self.line(&wrapped);
+    }
+
+    fn head(&mut self) {
+        let Report {
+            asked,
+            corpus,
+            wire_version,
+            ..
+        } = self.report;
+        let cases = plural(corpus.cases, "case");
+        let files = plural(corpus.files, "file");
+        self.paragraph(
+            0,
+            &format!(
+                "NCP {wire_version}, level {}: {cases} in {files}",
+                asked.level
+            ),
+        );
+        if asked.partial {
+            let filters = asked.filters.join(", ");
+            self.paragraph(
+                0,
+                &format!("only those that fit {filters}: a part of the cases shows no conformance"),
+            );
+        }
+        self.line("");
+    }
+
+    fn table(&mut self) {
+        let mut levels: Vec<&str> = Vec::new();
+        for level in self
+            .report
+            .peers
+            .iter()
+            .flat_map(|peer| &peer.roles)
+            .flat_map(|role| &role.levels)
+        {
+            if !levels.contains(&level.level) {
+                levels.push(level.level);
+            }
+        }
+        let name_width = self
+            .report
+            .peers
+            .iter()
+            .map(|peer| peer.name.chars().count())
+            .max()
+            .unwrap_or(0)
+            .clamp(4, NAME_CHARS);
+        let cells: Vec<usize> = levels
+            .iter()
+            .map(|level| {
+                let found = |role: &RoleReport| {
+                    role.levels
+                        .iter()
+                        .find(|l| l.level == *level)
+                        .map(|l| cell(l).chars().count())
+                };
+                self.report
+                    .peers
+                    .iter()
+                    .flat_map(|peer| &peer.roles)
+                    .filter_map(found)
+                    .max()
+                    .unwrap_or(0)
+                    .max(level.len())
+            })
+            .collect();
+        let one_line =
+            name_width + 2 + ROLE_WIDTH + cells.iter().map(|width| width + 2).sum::<usize>()
+                <= self.style.width;
+        if one_line && !levels.is_empty() {
+            let mut head = format!("{:name_width$}  {:ROLE_WIDTH$}", "peer", "role");
+            for (level, width) in levels.iter().zip(&cells) {
+                let _ = write!(head, "  {level:width$}");
+            }
+            let head = self.style.bold(head.trim_end());
+            self.line(&head);
+        }
+        for peer in &self.report.peers {
+            let name: String = peer.name.chars().take(NAME_CHARS).collect();
+            match peer.state {
+                State::Checked => {
+                    let mut shown = name.as_str();
+                    for role in &peer.roles {
+                        self.row(
+                            shown,
+                            name_width,
+                            role,
+                            one_line.then_some((&levels, &cells)),
+                        );
+                        shown = "";
+                    }
+                    if peer.roles.is_empty() {
+                        let why = self.style.red("✗ no role was judged");
+                        self.line(&format!("{name:name_width$}  {why}"));
+                    }
+                }
+                State::Skipped => {
+                    let word = format!("{name:name_width$}  SKIPPED");
+                    self.unchecked(
+                        &word,
+                        peer.reason.as_deref().unwrap_or_default(),
+                        Style::yellow,
+                    );
+                }
+                State::NotStarted => {
+                    let word = format!("{name:name_width$}  NOT STARTED");
+                    let reason = peer.reason.as_deref().unwrap_or_default();
+                    self.unchecked(&word, reason.lines().next().unwrap_or_default(), Style::red);
+                }
+            }
+        }
+        self.line("");
+    }
+
+    fn unchecked(&mut self, word: &str, reason: &str, paint: fn(Style, &str) -> String) {
+        let rest = " ".repeat(word.chars().count() + 1);
+        for line in wrap(reason, self.style.width, &format!("{word} "), &rest).lines() {
+            let painted = paint(self.style, line);
+            self.line(&painted);
+        }
+    }
+
+    fn row(
+        &mut self,
+        name: &str,
+        name_width: usize,
+        role: &RoleReport,
+        table: Option<(&Vec<&str>, &Vec<usize>)>,
+    ) {
+        let head = format!("{name:name_width$}  {:ROLE_WIDTH$}", role.role);
+        let Some((levels, widths)) = table else {
+            // Too narrow for all levels side by side: one below the other.
+            for (i, level) in role.levels.iter().enumerate() {
+                let shown = if i == 0 {
+                    head.clone()
+                } else {
+                    " ".repeat(head.chars().count())
+                };
+                let painted = self.painted(level, 0);
+                self.line(&format!("{shown}  {:6}  {painted}", level.level));
+            }
+            return;
+        };
+        let mut line = head;
+        for (level, width) in levels.iter().zip(widths) {
+            line.push_str("  ");
+            match role.levels.iter().find(|l| l.level == *level) {
+                Some(level) => line.push_str(&self.painted(level, *width)),
+                None => line.push_str(&format!("{:width$}", "-")),
+            }
+        }
+        let line = line.trim_end().to_owned();
+        self.line(&line);
+    }
+
+    fn painted(&self, level: &LevelReport, width: usize) -> String {
+        let text = cell(level);
+        let pad = " ".repeat(width.saturating_sub(text.chars().count()));
+        let painted = match (level.conformant, level.as_expected) {
+            (true, _) => self.style.green(&text),
+            (false, true) => self.style.yellow(&text),
+            (false, false) => self.style.red(&text),
+        };
+        painted + &pad
+    }
+
+    fn peer(&mut self, peer: &PeerReport) {
+        let start = self.out.len();
+        match peer.state {
+            State::Skipped => return,
+            State::NotStarted => {
+                let title = self.style.bold(&format!("{}: not started", peer.name));
+                self.line(&title);
+                for line in peer.reason.as_deref().unwrap_or_default().lines() {
+                    self.line(&format!("  {line}"));
+                }
+                return self.line("");
+            }
+            State::Checked => {}
+        }
+        let title = match &peer.description {
+            Some(about) => format!(
+                "{}: {} {} ({})",
+                peer.name,
+                shown(&about.name),
+                shown(&about.version),
+                shown(&about.language)
+            ),
+            None => peer.name.clone(),
+        };
+        let title = self.style.bold(&title);
+        self.line(&title);
+        let body = self.out.len();
+        self.failures(peer);
+        self.unsupported(peer);
+        self.expected(peer);
+        self.not_run(peer);
+        self.advice(peer);
+        self.run_notes(peer);
+        if self.out.len() == body {
+            // Nothing to say but what the table says.
+            self.out.truncate(start);
+        } else {
+            self.line("");
+        }
+    }
+
+    /// The failing cases but the unsupported ones, rule by rule.
+    fn failures(&mut self, peer: &PeerReport) {
+        let failing: Vec<&CaseReport> = peer
+            .cases
+            .iter()
+            .filter(|case| case.status == "failed" && case.outcome != "unsupported")
+            .collect();
+        if failing.is_empty() {
+            return;
+        }
+        let count = self.style.red(&format!(
+            "{} of {} fail",
+            failing.len(),
+            plural(peer.totals.total, "case")
+        ));
+        self.line(&format!("  {count}"));
+        let limit = if self.detail == Detail::Verbose {
+            usize::MAX
+        } else {
+            IN_FULL
+        };
+        let mut in_full = 0;
+        let mut rest: Vec<String> = Vec::new();
+        for (rule, cases) in by_rule(failing.iter().copied()) {
+            if in_full >= limit {
+                rest.push(format!("{rule} ({})", cases.len()));
+                continue;
+            }
+            self.line("");
+            self.rule(rule, cases.len());
+            let room = limit - in_full;
+            for case in cases.iter().take(room) {
+                self.case(case);
+            }
+            in_full += cases.len().min(room);
+            if cases.len() > room {
+                rest.push(format!("{rule} ({})", cases.len() - room));
+            }
+        }
+        if !rest.is_empty() {
+            self.line("");
+            let more = failing.len() - in_full;
+            self.paragraph(
+                2,
+                &format!(
+                    "and {more} more (--verbose shows them), for: {}",
+                    rest.join(", ")
+                ),
+            );
+        }
+    }
+
+    fn rule(&mut self, id: &str, cases: usize) {
+        let Some(rule) = self.report.rules.iter().find(|rule| rule.id == id) else {
+            return self.line(&format!("  {id}"));
+        };
+        let title = self.style.bold(id);
+        let place = self.style.dim(&format!(
+            "{}, {}, {}",
+            rule.keyword,
+            rule.place,
+            plural(cases, "case")
+        ));
+        self.line(&format!("  {title} {place}"));
+        self.paragraph(2, &rule.sentence);
+    }
+
+    fn case(&mut self, case: &CaseReport) {
+        let mark = self.style.red("✗");
+        self.line(&format!("    {mark} {} [{}]", case.id, case.outcome));
+        self.paragraph(6, &case.title);
+        if let Some(what) = &case.what {
+            self.item(6, "it", what);
+        }
+        for difference in &case.differences {
+            self.paragraph(6, &difference.text);
+        }
+        if case.more_differences > 0 {
+            self.paragraph(
+                6,
+                &format!("and {} more", plural(case.more_differences, "difference")),
+            );
+        }
+        if let (Some(_), Some(expected)) = (&case.what, &case.expected) {
+            self.item(6, "expected", expected);
+        }
+        if let Some(request) = &case.request {
+            self.wire("sent", request);
+        }
+        if let Some(answer) = &case.answer {
+            self.wire("got ", answer);
+        }
+        if let Some(note) = &case.note {
+            self.item(6, "note", note);
+        }
+        for line in case.log.iter().flat_map(|log| log.lines()) {
+            let line = self.style.dim(&format!("| {line}"));
+            self.line(&format!("      {line}"));
+        }
+    }
+
+    fn wire(&mut self, word: &str, text: &str) {
+        let most = if self.detail == Detail::Verbose {
+            usize::MAX
+        } else {
+            WIRE_CHARS
+        };
+        let cut = text.char_indices().nth(most).map(|(at, _)| at);
+        match cut {
+            Some(at) => self.item(6, word, &format!("{}…", &text[..at])),
+            None => self.item(6, word, text),
+        }
+    }
+
+    fn unsupported(&mut self, peer: &PeerReport) {
+        let mut calls: BTreeMap<&str, usize> = BTreeMap::new();
+        for case in peer
+            .cases
+            .iter()
+            .filter(|case| case.status == "failed" && case.outcome == "unsupported")
+        {
+            *calls.entry(case.call).or_default() += 1;
+        }
+        if calls.is_empty() {
+            return;
+        }
+        let total: usize = calls.values().sum();
+        let list: Vec<String> = calls
+            .iter()
+            .map(|(call, count)| format!("{call} ({count})"))
+            .collect();
+        let title = self.style.red(&format!(
+            "{} of {} are unsupported in roles that were judged",
+            total,
+            plural(peer.totals.total, "case")
+        ));
+        self.line(&format!("  {title}"));
+        self.paragraph(4, &list.join(", "));
+    }
+
+    fn expected(&mut self, peer: &PeerReport) {
+        let mut reasons: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for case in peer
+            .cases
+            .iter()
+            .filter(|case| case.status == "expected failure")
+        {
+            reasons
+                .entry(case.reason.as_deref().unwrap_or_default())
+                .or_default()
+                .push(&case.id);
+        }
+        for (reason, ids) in reasons {
+            let title = self.style.yellow(&format!(
+                "{} as expected: {reason}",
+                plural_verb(ids.len(), "case fails", "cases fail")
+            ));
+            self.line(&format!("  {title}"));
+            self.ids(&ids);
+        }
+        for stale in &peer.stale_expected_failures {
+            let text = format!(
+                "the expected failure of {stale} no longer fails: take it out of peer.toml"
+            );
+            for line in wrap(&text, self.style.width, "  ", "  ").lines() {
+                let painted = self.style.red(line);
+                self.line(&painted);
+            }
+        }
+    }
+
+    fn not_run(&mut self, peer: &PeerReport) {
+        let missed: Vec<&CaseReport> = peer
+            .cases
+            .iter()
+            .filter(|case| case.status == "not run")
+            .collect();
+        if let Some(first) = missed.first() {
+            let why = first.what.as_deref().unwrap_or_default();
+            let title = self.style.red(&format!(
+                "{} not run",
+                plural_verb(missed.len(), "case was", "cases were")
+            ));
+            self.line(&format!("  {title}"));
+            for (i, line) in why.lines().enumerate() {
+                self.paragraph(if i == 0 { 4 } else { 6 }, line);
+            }
+        }
+    }
+
+    fn advice(&mut self, peer: &PeerReport) {
+        let differing: Vec<&CaseReport> = peer
+            .cases
+            .iter()
+            .filter(|case| case.status == "advice")
+            .collect();
+        if differing.is_empty() {
+            return;
+        }
+        let title = format!(
+            "{} from a SHOULD, which fails nobody",
+            plural_verb(differing.len(), "case differs", "cases differ")
+        );
+        let title = self.style.yellow(&title);
+        self.line(&format!("  {title}"));
+        for (rule, cases) in by_rule(differing.iter().copied()) {
+            let sentence = self
+                .report
+                .rules
+                .iter()
+                .find(|r| r.id == rule)
+                .map(|r| r.sentence.clone())
+                .unwrap_or_default();
+            self.item(4, rule, &sentence);
+            if self.detail == Detail::Verbose {
+                for case in cases {
+                    self.case(case);
+                }
+            } else {
+                let ids: Vec<&str> = cases.iter().map(|case| case.id.as_str()).collect();
+                self.ids(&ids);
+            }
+        }
+    }
+
+    fn ids(&mut self, ids: &[&str]) {
+        let most = if self.detail == Detail::Verbose {
+            usize::MAX
+        } else {
+            LISTED
+        };
+        for id in ids.iter().take(most) {
+            self.line(&format!("      {id}"));
+        }
+        if ids.len() > most {
+            self.line(&format!("      and {} more", ids.len() - most));
+        }
+    }
+
+    fn run_notes(&mut self, peer: &PeerReport) {
+        let Some(run) = &peer.run else { return };
+        for note in &run.notes {
+            self.item(2, "note:", note);
+        }
+        let noted: Vec<&CaseReport> = peer
+            .cases
+            .iter()
+            .filter(|case| case.note.is_some() && case.status == "passed")
+            .collect();
+        if self.detail == Detail::Verbose {
+            for case in &noted {
+                self.paragraph(
+                    2,
+                    &format!(
+                        "note: {}: {}",
+                        case.id,
+                        case.note.as_deref().unwrap_or_default()
+                    ),
+                );
+            }
+        }
+        if run.restarts > 0 {
+            self.item(
+                2,
+                "note:",
+                &format!(
+                    "it was started anew {}",
+                    plural(run.restarts as usize, "time")
+                ),
+            );
+        }
+        if self.report.asked.repeat > 1 || self.detail == Detail::Verbose {
+            let rate = (run.answers as f64 / run.elapsed_s.max(1e-9)).round();
+            let text = format!(
+                "{} in {:.2} s: {} a second",
+                plural_u64(run.answers, "case"),
+                run.elapsed_s,
+                thousands(rate as u64)
+            );
+            self.item(2, "rate:", &text);
+        }
+    }
+
+    fn verdict(&mut self) {
+        let count = |states: &dyn Fn(&PeerReport) -> bool| {
+            self.report.peers.iter().filter(|peer| states(peer)).count()
+        };
+        let checked = count(&|peer| peer.state == State::Checked);
+        let conformant = count(&|peer| peer.conclusion == Some("conformant"));
+        let as_expected = count(&|peer| peer.conclusion == Some("as expected"));
+        let skipped = count(&|peer| peer.state == State::Skipped);
+        let not_started = count(&|peer| peer.state == State::NotStarted);
+        let level = self.report.asked.level;
+        let mut parts = vec![match (checked, conformant) {
+            (0, _) => "no peer was checked".to_owned(),
+            (1, 1) => format!("the peer conforms at level {level}"),
+            (1, 0) => format!("the peer does not conform at level {level}"),
+            (all, some) if all == some => format!("all {all} peers conform at level {level}"),
+            (all, some) => format!("{some} of {all} peers conform at level {level}"),
+        }];
+        if as_expected > 0 {
+            parts.push(format!(
+                "{as_expected} exactly as its expected failures say"
+            ));
+        }
+        if not_started > 0 {
+            parts.push(format!("{not_started} could not be started"));
+        }
+        if skipped > 0 {
+            parts.push(format!("{skipped} skipped and so not shown to conform"));
+        }
+        if self.report.asked.partial {
+            parts.push("of all cases only a part was run".to_owned());
+        }
+        if self.report.interrupted {
+            parts.push("the run was interrupted".to_owned());
+        }
+        let text = parts.join("; ");
+        let good = self.report.exit_code == 0;
+        for line in wrap(&text, self.style.width, "", "").lines() {
+            let painted = if good {
+                self.style.green(line)
+            } else {
+                self.style.red(line)
+            };
+            self.line(&painted);
+        }
+    }
+}
+
+/// The widest role's name.
+const ROLE_WIDTH: usize = 9;
+
+/// A role at a level: whether it conforms, and how many of the deciding cases pass.
+fn cell(level: &LevelReport) -> String {
+    let TallyReport {
+        total,
+        passed,
+        advice,
+        ..
+    } = level.cases;
+    let mark = match (level.conformant, level.as_expected) {
+        (true, _) => '✓',
+        (false, true) => '~',
+        (false, false) => '✗',
+    };
+    format!(
+        "{mark} {}/{}",
+        thousands(passed as u64),
+        thousands((total - advice) as u64)
+    )
+}
+
+/// Cases by the first rule that they cite, in the order in which the rules first occur.
+fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
+    let mut groups: Vec<(&str, Vec<&CaseReport>)> = Vec::new();
+    for case in cases {
+        let rule = case.rules.first().map_or("", String::as_str);
+        match groups.iter_mut().find(|(known, _)| *known == rule) {
+            Some((_, group)) => group.push(case),
+            None => groups.push((rule, vec![case])),
+        }
+    }
+    groups
+}
+
+/// What a peer says about itself, made harmless.
+fn shown(text: &str) -> String {
+    crate::peer::excerpt(text.as_bytes(), 40)
+}
+
+fn plural(count: usize, word: &str) -> String {
+    plural_u64(count as u64, word)
+}
+
+fn plural_u64(count: u64, word: &str) -> String {
+    format!(
+        "{} {word}{}",
+        thousands(count),
+        if count == 1 { "" } else { "s" }
+    )
+}
+
+fn plural_verb(count: usize, one: &str, many: &str) -> String {
+    format!(
+        "{} {}",
+        thousands(count as u64),
+        if count == 1 { one } else { many }
+    )
+}
+
+/// A number with a comma between thousands.
+fn thousands(number: u64) -> String {
+    let digits = number.to_string();
+    let mut out = String::with_capacity(digits.len() + 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i) % 3 == 0 {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}

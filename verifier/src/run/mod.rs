@@ -1,0 +1,352 @@
+//! Running cases against a peer.
+//!
+//! [`run`] keeps many requests in flight and charges every fault to the case that causes it. It emits [`Event`]s as it
+//! goes and returns a [`RunRecord`]; it renders nothing and knows no verdict.
+//!
+//! # Faults
+//! When a peer dies, falls silent or prints something that is no answer, its process is ended, and the cases that
+//! were in flight are run again, one at a time, in a fresh process. The one that does it again is the guilty one; if
+//! none does, the fault is charged to the oldest request that was without an answer. A process is started anew at most
+//! [`Settings::max_restarts`] times; then the peer is given up, and what is left is *not run*.
+
+mod worker;
+
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::check::Differences;
+use crate::peer::{Connection, Launch};
+use crate::suite::Case;
+
+use worker::Worker;
+
+/// A peer that has not answered one case by this many restarts will not begin to.
+const FRUITLESS_RESTARTS: u32 = 3;
+
+/// How to run.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    /// How many processes of the peer work side by side.
+    pub jobs: usize,
+    /// How long a peer may be silent while a request is in flight. A large request is given a second more a MiB.
+    pub timeout: Duration,
+    /// How long a process may take to answer `describe`.
+    pub start_timeout: Duration,
+    /// How often a process may be started anew after a fault.
+    pub max_restarts: u32,
+    /// How often every case is run.
+    pub repeat: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            jobs: 1,
+            timeout: Duration::from_secs(10),
+            start_timeout: Duration::from_secs(10),
+            max_restarts: 32,
+            repeat: 1,
+        }
+    }
+}
+
+/// Asks everything that runs to come to an end, as on Ctrl-C.
+#[derive(Debug, Clone, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl Stop {
+    /// Asks.
+    pub fn set(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was asked.
+    #[must_use]
+    pub fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// The flag itself, for a signal handler.
+    #[must_use]
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.0)
+    }
+}
+
+/// What happened to one case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CaseRun {
+    /// What became of it.
+    pub outcome: Outcome,
+    /// The line that came back, shortened, unless the case passed.
+    pub answer: Option<String>,
+    /// What is worth knowing beside the outcome.
+    pub note: Option<String>,
+}
+
+/// What became of one case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Outcome {
+    /// The answer is right.
+    Pass,
+    /// The answer is wrong.
+    Fail(Differences),
+    /// The peer has no such function.
+    Unsupported,
+    /// The peer ended while it worked on the case.
+    Crash {
+        /// How.
+        what: String,
+        /// The end of its log.
+        log: String,
+    },
+    /// No answer came in time.
+    Timeout {
+        /// What was seen.
+        what: String,
+        /// The end of its log.
+        log: String,
+    },
+    /// What came broke the peer protocol.
+    Protocol {
+        /// How.
+        what: String,
+        /// The end of its log.
+        log: String,
+    },
+    /// The case was not run.
+    NotRun {
+        /// Why.
+        why: String,
+    },
+}
+
+impl Outcome {
+    /// How much it weighs when a case was run more than once: the worst counts.
+    fn weight(&self) -> u8 {
+        match self {
+            Self::NotRun { .. } => 0,
+            Self::Pass => 1,
+            Self::Unsupported => 2,
+            Self::Fail(_) => 3,
+            Self::Protocol { .. } => 4,
+            Self::Timeout { .. } => 5,
+            Self::Crash { .. } => 6,
+        }
+    }
+}
+
+/// What a run tells while it goes on.
+#[derive(Debug, Clone, Copy)]
+pub enum Event<'e> {
+    /// This many more answers were judged, of which so many were not right.
+    Judged {
+        /// How many.
+        answers: u64,
+        /// How many of them were not right.
+        wrong: u64,
+    },
+    /// A fault was charged to a case.
+    Fault {
+        /// The case.
+        case: &'e str,
+        /// What happened.
+        what: &'e str,
+    },
+    /// The peer was given up.
+    GivenUp {
+        /// Why.
+        why: &'e str,
+    },
+}
+
+/// Listens to a run. Called from the run's own threads.
+pub trait Listener: Sync {
+    /// Takes an event.
+    fn on(&self, event: Event<'_>);
+}
+
+/// Listens to nothing.
+#[derive(Debug, Clone, Copy)]
+pub struct Deaf;
+
+impl Listener for Deaf {
+    fn on(&self, _: Event<'_>) {}
+}
+
+/// What a run leaves.
+#[derive(Debug)]
+pub struct RunRecord {
+    /// What became of each case, in the order in which they were given.
+    pub cases: Vec<CaseRun>,
+    /// How many answers were judged.
+    pub answers: u64,
+    /// How long that took, without starting the first process.
+    pub elapsed: Duration,
+    /// How often a process was started anew.
+    pub restarts: u32,
+    /// Why the peer was given up, if it was.
+    pub given_up: Option<String>,
+    /// What else was noticed about the peer.
+    pub notes: Vec<String>,
+}
+
+/// Runs cases against a peer whose first process, `connection`, has already described itself.
+#[must_use]
+pub fn run(
+    launch: &Launch,
+    connection: Connection,
+    cases: &[&Case],
+    settings: &Settings,
+    listener: &dyn Listener,
+    stop: &Stop,
+) -> RunRecord {
+    let start = Instant::now();
+    let shared = Shared::new(launch, cases, settings, listener, stop);
+    let jobs = settings.jobs.clamp(1, cases.len().max(1));
+    let mut first = Some(connection);
+    let reports: Vec<_> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..jobs)
+            .map(|_| {
+                let worker = Worker::new(&shared, first.take());
+                scope.spawn(move || worker.work())
+            })
+            .collect();
+        workers
+            .into_iter()
+            .filter_map(|worker| worker.join().ok())
+            .collect()
+    });
+    let mut merged: Vec<Option<CaseRun>> = vec![None; cases.len()];
+    let mut notes = Vec::new();
+    for report in reports {
+        for (mine, theirs) in merged.iter_mut().zip(report.cases) {
+            if let Some(theirs) = theirs {
+                keep_worst(mine, theirs);
+            }
+        }
+        notes.extend(report.notes);
+    }
+    notes.dedup();
+    let given_up = shared.given_up();
+    let why = match &given_up {
+        _ if stop.is_set() => "the run was interrupted".to_owned(),
+        Some(why) => format!("the peer was given up: {why}"),
+        None => "its worker came to an end".to_owned(),
+    };
+    let not_run = || CaseRun {
+        outcome: Outcome::NotRun { why: why.clone() },
+        answer: None,
+        note: None,
+    };
+    RunRecord {
+        cases: merged
+            .into_iter()
+            .map(|case| case.unwrap_or_else(not_run))
+            .collect(),
+        answers: shared.answers.load(Ordering::Relaxed),
+        elapsed: start.elapsed(),
+        restarts: shared.restarts.load(Ordering::Relaxed),
+        given_up,
+        notes,
+    }
+}
+
+/// Keeps the worse of what is known and what is new.
+fn keep_worst(known: &mut Option<CaseRun>, new: CaseRun) {
+    if known
+        .as_ref()
+        .is_none_or(|known| known.outcome.weight() < new.outcome.weight())
+    {
+        *known = Some(new);
+    }
+}
+
+/// What the workers of one run share.
+struct Shared<'r> {
+    launch: &'r Launch,
+    cases: &'r [&'r Case],
+    settings: &'r Settings,
+    listener: &'r dyn Listener,
+    stop: &'r Stop,
+    next: AtomicUsize,
+    answers: AtomicU64,
+    restarts: AtomicU32,
+    given_up: Mutex<Option<String>>,
+    ended: AtomicBool,
+}
+
+impl<'r> Shared<'r> {
+    fn new(
+        launch: &'r Launch,
+        cases: &'r [&'r Case],
+        settings: &'r Settings,
+        listener: &'r dyn Listener,
+        stop: &'r Stop,
+    ) -> Self {
+        Self {
+            launch,
+            cases,
+            settings,
+            listener,
+            stop,
+            next: AtomicUsize::new(0),
+            answers: AtomicU64::new(0),
+            restarts: AtomicU32::new(0),
+            given_up: Mutex::new(None),
+            ended: AtomicBool::new(false),
+        }
+    }
+
+    /// The next case that no worker has taken, by its index.
+    fn take(&self) -> Option<usize> {
+        let total = self
+            .cases
+            .len()
+            .saturating_mul(self.settings.repeat as usize);
+        if self.next.load(Ordering::Relaxed) >= total {
+            return None;
+        }
+        let taken = self.next.fetch_add(1, Ordering::Relaxed);
+        (taken < total).then(|| taken % self.cases.len())
+    }
+
+    /// Whether to come to an end.
+    fn is_over(&self) -> bool {
+        self.stop.is_set() || self.ended.load(Ordering::Relaxed)
+    }
+
+    fn given_up(&self) -> Option<String> {
+        self.given_up
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone()
+    }
+
+    fn give_up(&self, why: String) {
+        let mut given_up = self.given_up.lock().unwrap_or_else(PoisonError::into_inner);
+        if given_up.is_none() {
+            self.listener.on(Event::GivenUp { why: &why });
+            *given_up = Some(why);
+        }
+        self.ended.store(true, Ordering::Relaxed);
+    }
+
+    /// Notes that a process has to be started anew because of `fault`, and gives the peer up if that is too often.
+    fn count_restart(&self, fault: &str) {
+        let restarts = self.restarts.fetch_add(1, Ordering::Relaxed) + 1;
+        if restarts > self.settings.max_restarts {
+            self.restarts.fetch_sub(1, Ordering::Relaxed);
+            self.give_up(format!(
+                "it was started anew {} times, and then {fault}",
+                self.settings.max_restarts
+            ));
+        } else if restarts >= FRUITLESS_RESTARTS && self.answers.load(Ordering::Relaxed) == 0 {
+            self.give_up(format!(
+                "it has not answered one case in {restarts} attempts; at last it {fault}"
+            ));
+        }
+    }
+}

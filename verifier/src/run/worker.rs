@@ -1,0 +1,581 @@
+//! One worker: it keeps a process of the peer busy, and finds out which case a fault belongs to.
+
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
+
+use super::{CaseRun, Event, Outcome, Shared, keep_worst};
+use crate::check::{Judgement, judge};
+use crate::peer::{
+    Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
+};
+use crate::suite::Case;
+
+/// How many requests may be in flight.
+const WINDOW: usize = 128;
+/// How many bytes of requests may be in flight, unless a single one is larger.
+const WINDOW_BYTES: usize = 1 << 20;
+/// How long an answer may be, beside eight times the largest request.
+const ANSWER_BYTES: usize = 16 << 20;
+/// How often we look up from waiting.
+const TICK: Duration = Duration::from_millis(50);
+/// How long a peer that no longer takes requests may go on answering.
+const DEAF_GRACE: Duration = Duration::from_secs(1);
+/// How long a process may take to end after the end of its input.
+const END_GRACE: Duration = Duration::from_secs(2);
+/// How long we listen, after the answer of a case that runs alone, for what does not belong there.
+const LINGER: Duration = Duration::from_millis(20);
+/// How many answers to requests that are long answered one process may give.
+const MAX_STRAYS: usize = 256;
+/// How much of an answer is kept.
+const KEPT_BYTES: usize = 2000;
+
+/// What a worker leaves.
+pub(super) struct Report {
+    pub(super) cases: Vec<Option<CaseRun>>,
+    pub(super) notes: Vec<String>,
+}
+
+pub(super) struct Worker<'r> {
+    shared: &'r Shared<'r>,
+    process: Option<Process>,
+    /// Cases to be run again, before new ones are taken.
+    again: VecDeque<usize>,
+    report: Report,
+}
+
+/// A process, and what is in flight to it.
+struct Process {
+    connection: Connection,
+    /// By request id less one: the case, and whether it was answered.
+    sent: Vec<(usize, bool)>,
+    /// Everything before this is answered.
+    low: usize,
+    waiting: usize,
+    waiting_bytes: usize,
+    last_answered: Option<usize>,
+    strays: usize,
+    /// When a request or an answer last passed.
+    progress: Instant,
+    /// Until when a peer that no longer takes requests may go on.
+    deaf_until: Option<Instant>,
+}
+
+/// What can go wrong with a process.
+enum Fault {
+    /// Its answers ended; how, is known once it is killed.
+    Ended,
+    /// It takes no more requests.
+    Deaf,
+    /// It was silent for too long.
+    Silent(Duration),
+    /// A line was no answer.
+    Garbage { why: String, line: Vec<u8> },
+    /// It answered again and again what was answered.
+    Strays,
+}
+
+/// A fault of a process that is gone by now.
+struct Post {
+    fault: Fault,
+    ending: Ending,
+    log: String,
+}
+
+impl<'r> Worker<'r> {
+    pub(super) fn new(shared: &'r Shared<'r>, connection: Option<Connection>) -> Self {
+        let report = Report {
+            cases: vec![None; shared.cases.len()],
+            notes: Vec::new(),
+        };
+        Self {
+            shared,
+            process: connection.map(Process::new),
+            again: VecDeque::new(),
+            report,
+        }
+    }
+
+    /// Runs cases until there are no more.
+    pub(super) fn work(mut self) -> Report {
+        while !self.shared.is_over() {
+            if self.process.is_none() && self.again.is_empty() {
+                match self.shared.take() {
+                    Some(case) => self.again.push_back(case),
+                    None => break,
+                }
+            }
+            let Some(mut process) = self.ready() else {
+                break;
+            };
+            match self.pipeline(&mut process) {
+                Ok(true) => match self.finish(&mut process) {
+                    Ok(()) => break,
+                    Err(fault) => self.isolate(process, fault),
+                },
+                Ok(false) => break,
+                Err(fault) => self.isolate(process, fault),
+            }
+        }
+        self.report
+    }
+
+    /// The process, started anew if there is none. `None` when the peer is given up or the run is over.
+    fn ready(&mut self) -> Option<Process> {
+        if let Some(process) = self.process.take() {
+            return Some(process);
+        }
+        while !self.shared.is_over() {
+            let started = Connection::open(self.shared.launch).and_then(|mut connection| {
+                handshake(
+                    &mut connection,
+                    self.shared.settings.start_timeout,
+                    self.shared.stop,
+                )?;
+                Ok(Process::new(connection))
+            });
+            match started {
+                Ok(process) => return Some(process),
+                Err(StartError::Interrupted) => return None,
+                Err(error) => self
+                    .shared
+                    .count_restart(&format!("could not be started again: {error}")),
+            }
+        }
+        None
+    }
+
+    /// Keeps requests in flight until all cases are answered (`true`) or the run is over (`false`).
+    fn pipeline(&mut self, process: &mut Process) -> Result<bool, Fault> {
+        loop {
+            if self.shared.is_over() {
+                return Ok(false);
+            }
+            if process.waiting <= WINDOW / 2 {
+                self.fill(process);
+            }
+            if process.waiting == 0 {
+                return Ok(true);
+            }
+            self.take_event(process)?;
+        }
+    }
+
+    /// Puts as many requests in flight as the window allows.
+    fn fill(&mut self, process: &mut Process) {
+        let mut lines = Vec::new();
+        while process.waiting < WINDOW
+            && (process.waiting_bytes < WINDOW_BYTES || process.waiting == 0)
+        {
+            let Some(index) = self.again.pop_front().or_else(|| self.shared.take()) else {
+                break;
+            };
+            let case = self.shared.cases[index];
+            if process.waiting > 0 && process.waiting_bytes + case.request_bytes() > WINDOW_BYTES {
+                self.again.push_front(index);
+                break;
+            }
+            process.put(index, case, &mut lines);
+        }
+        process.send(lines);
+    }
+
+    /// Waits for the next event, at most a tick, and deals with it.
+    fn take_event(&mut self, process: &mut Process) -> Result<(), Fault> {
+        match process.connection.receive(TICK) {
+            Incoming::Lines(lines) => self.take_lines(process, &lines),
+            Incoming::Overlong(line) => Err(Fault::Garbage {
+                why: "a line is longer than any answer may be".to_owned(),
+                line,
+            }),
+            Incoming::Partial(line) => Err(Fault::Garbage {
+                why: "its last line has no line feed".to_owned(),
+                line,
+            }),
+            Incoming::End => Err(Fault::Ended),
+            Incoming::Deaf => {
+                process
+                    .deaf_until
+                    .get_or_insert(Instant::now() + DEAF_GRACE);
+                Ok(())
+            }
+            Incoming::Nothing => {
+                let now = Instant::now();
+                let patience = process.patience(self.shared.settings.timeout);
+                if process.deaf_until.is_some_and(|until| now >= until) {
+                    Err(Fault::Deaf)
+                } else if process.waiting > 0 && now.duration_since(process.progress) >= patience {
+                    Err(Fault::Silent(patience))
+                } else {
+                    Ok(())
+                }
+            }
+        }
+    }
+
+    fn take_lines(&mut self, process: &mut Process, lines: &[u8]) -> Result<(), Fault> {
+        let (mut answers, mut wrong) = (0, 0);
+        let mut result = Ok(());
+        for line in lines.split_inclusive(|byte| *byte == b'\n') {
+            match self.take_line(process, line.strip_suffix(b"\n").unwrap_or(line)) {
+                Ok(right) => {
+                    answers += 1;
+                    wrong += u64::from(!right);
+                }
+                Err(fault) => {
+                    result = Err(fault);
+                    break;
+                }
+            }
+        }
+        self.shared
+            .answers
+            .fetch_add(answers, std::sync::atomic::Ordering::Relaxed);
+        self.shared.listener.on(Event::Judged { answers, wrong });
+        result
+    }
+
+    /// Judges one line; whether it was right.
+    fn take_line(&mut self, process: &mut Process, line: &[u8]) -> Result<bool, Fault> {
+        let garbage = |why: String| Fault::Garbage {
+            why,
+            line: line[..line.len().min(KEPT_BYTES)].to_vec(),
+        };
+        let parsed = Reply::parse(line);
+        let id = match &parsed {
+            Ok(reply) => reply.id,
+            Err(ReplyFault::Shape { id, .. }) => *id,
+            Err(fault) => return Err(garbage(fault.to_string())),
+        };
+        let slot = id
+            .checked_sub(1)
+            .and_then(|slot| usize::try_from(slot).ok());
+        let Some((slot, (index, answered))) =
+            slot.and_then(|slot| Some((slot, process.sent.get(slot).copied()?)))
+        else {
+            return Err(garbage(format!(
+                "it answers the request {id}, which is not in flight"
+            )));
+        };
+        let case = self.shared.cases[index];
+        let shown = || Some(excerpt(line, KEPT_BYTES));
+        if answered {
+            let outcome = Outcome::Protocol {
+                what: "the request was answered twice".to_owned(),
+                log: String::new(),
+            };
+            self.record(
+                index,
+                CaseRun {
+                    outcome,
+                    answer: shown(),
+                    note: None,
+                },
+            );
+            process.strays += 1;
+            return if process.strays > MAX_STRAYS {
+                Err(Fault::Strays)
+            } else {
+                Ok(false)
+            };
+        }
+        process.answered(slot, case);
+        let run = match parsed {
+            Ok(reply) => match judge(case, &reply.answer) {
+                Judgement::Pass { note } => CaseRun {
+                    outcome: Outcome::Pass,
+                    answer: None,
+                    note,
+                },
+                Judgement::Unsupported => CaseRun {
+                    outcome: Outcome::Unsupported,
+                    answer: None,
+                    note: None,
+                },
+                Judgement::Fail(differences) => CaseRun {
+                    outcome: Outcome::Fail(differences),
+                    answer: shown(),
+                    note: None,
+                },
+            },
+            Err(fault) => {
+                let outcome = Outcome::Protocol {
+                    what: fault.to_string(),
+                    log: String::new(),
+                };
+                CaseRun {
+                    outcome,
+                    answer: shown(),
+                    note: None,
+                }
+            }
+        };
+        let right = run.outcome == Outcome::Pass;
+        self.record(index, run);
+        Ok(right)
+    }
+
+    fn record(&mut self, index: usize, run: CaseRun) {
+        if let Some(known) = self.report.cases.get_mut(index) {
+            keep_worst(known, run);
+        }
+    }
+
+    /// Lets a process end in peace once everything is answered, and takes note if it does not.
+    fn finish(&mut self, process: &mut Process) -> Result<(), Fault> {
+        process.connection.close_requests();
+        let deadline = Instant::now() + END_GRACE;
+        while Instant::now() < deadline && !self.shared.is_over() {
+            match self.take_event(process) {
+                Ok(()) => {}
+                Err(Fault::Ended | Fault::Deaf) => break,
+                // What it prints now still belongs to what it answered.
+                Err(fault) => return Err(fault),
+            }
+        }
+        match process.connection.wait(END_GRACE) {
+            Ending::Exited(status) if status.success() => {}
+            Ending::Exited(status) => {
+                let code = status
+                    .code()
+                    .map_or_else(|| status.to_string(), |code| format!("status {code}"));
+                self.report.notes.push(format!(
+                    "at the end of its input it exited with {code} instead of 0"
+                ));
+            }
+            Ending::ClosedOutput | Ending::Killed => {
+                let seconds = END_GRACE.as_secs();
+                self.report.notes.push(format!(
+                    "{seconds} s after the end of its input it was still running, and was killed"
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends a faulty process and finds the case that the fault belongs to.
+    fn isolate(&mut self, process: Process, fault: Fault) {
+        let last = process.last_answered;
+        let mut waiting: VecDeque<usize> = process.waiting_cases().collect();
+        let silent = matches!(fault, Fault::Silent(_));
+        let strays = matches!(fault, Fault::Strays);
+        let post = process.end(fault);
+        self.shared.count_restart(&post.what());
+        let Some(suspect) = waiting.pop_front().or(last) else {
+            return;
+        };
+        if strays {
+            // Their cases are known, and charged already.
+            return self.again.extend(Some(suspect).into_iter().chain(waiting));
+        }
+        if silent && waiting.is_empty() {
+            // It was alone in flight.
+            return self.charge(suspect, &post, None);
+        }
+        let linger = if silent { Duration::ZERO } else { LINGER };
+        match self.alone(suspect, linger) {
+            Alone::Over => return self.charge(suspect, &post, Some("it could not be tried alone")),
+            Alone::Fault { post: again, .. } => {
+                self.charge(suspect, &again, None);
+                // Had it been the only one, the others are innocent; and if not, the next fault tells.
+                return self.again.extend(waiting);
+            }
+            Alone::Answered => {}
+        }
+        // Not the oldest one alone: then the one whose answer was the last, or one of the younger.
+        let younger = last
+            .into_iter()
+            .filter(|_| !silent && last != Some(suspect))
+            .chain(waiting);
+        let mut younger: VecDeque<usize> = younger.collect();
+        while let Some(case) = younger.pop_front() {
+            match self.alone(case, linger) {
+                Alone::Over => {
+                    self.again.push_back(case);
+                    break;
+                }
+                Alone::Answered => {}
+                Alone::Fault { post: again, fresh } => {
+                    if fresh || self.does_it_again(case, linger) {
+                        self.charge(case, &again, None);
+                        return self.again.extend(younger);
+                    }
+                    self.charge(
+                        case,
+                        &again,
+                        Some("in a fresh process it did not happen again"),
+                    );
+                    break;
+                }
+            }
+        }
+        self.again.extend(younger);
+        self.charge(
+            suspect,
+            &post,
+            Some("it was the oldest request in flight; alone, in a fresh process, it was answered"),
+        );
+    }
+
+    fn does_it_again(&mut self, case: usize, linger: Duration) -> bool {
+        self.process = None;
+        matches!(self.alone(case, linger), Alone::Fault { .. })
+    }
+
+    /// Runs one case with nothing else in flight.
+    fn alone(&mut self, index: usize, linger: Duration) -> Alone {
+        let Some(mut process) = self.ready() else {
+            return Alone::Over;
+        };
+        let fresh = process.sent.is_empty();
+        let mut lines = Vec::new();
+        process.put(index, self.shared.cases[index], &mut lines);
+        process.send(lines);
+        let mut answered: Option<Instant> = None;
+        let fault = loop {
+            if self.shared.is_over() {
+                return Alone::Over;
+            }
+            if let Err(fault) = self.take_event(&mut process) {
+                break fault;
+            }
+            if process.waiting == 0 && answered.get_or_insert_with(Instant::now).elapsed() >= linger
+            {
+                self.process = Some(process);
+                return Alone::Answered;
+            }
+        };
+        let post = process.end(fault);
+        self.shared.count_restart(&post.what());
+        Alone::Fault { post, fresh }
+    }
+
+    /// Charges a fault to a case.
+    fn charge(&mut self, index: usize, post: &Post, note: Option<&str>) {
+        let (what, log) = (post.what(), post.log.clone());
+        let case = self.shared.cases[index];
+        self.shared.listener.on(Event::Fault {
+            case: &case.id,
+            what: &what,
+        });
+        let (outcome, answer) = match &post.fault {
+            Fault::Ended | Fault::Deaf => (Outcome::Crash { what, log }, None),
+            Fault::Silent(_) => (Outcome::Timeout { what, log }, None),
+            Fault::Garbage { line, .. } => (
+                Outcome::Protocol { what, log },
+                Some(excerpt(line, KEPT_BYTES)),
+            ),
+            Fault::Strays => (Outcome::Protocol { what, log }, None),
+        };
+        self.record(
+            index,
+            CaseRun {
+                outcome,
+                answer,
+                note: note.map(str::to_owned),
+            },
+        );
+    }
+}
+
+/// How a case went that ran alone.
+enum Alone {
+    /// It was answered and judged.
+    Answered,
+    /// The process failed; `fresh` if the case was its first.
+    Fault { post: Post, fresh: bool },
+    /// The run is over.
+    Over,
+}
+
+impl Process {
+    fn new(connection: Connection) -> Self {
+        Self {
+            connection,
+            sent: Vec::new(),
+            low: 0,
+            waiting: 0,
+            waiting_bytes: 0,
+            last_answered: None,
+            strays: 0,
+            progress: Instant::now(),
+            deaf_until: None,
+        }
+    }
+
+    /// Appends the request of a case to `lines` and counts it as in flight.
+    fn put(&mut self, index: usize, case: &Case, lines: &mut Vec<u8>) {
+        let start = lines.len();
+        self.sent.push((index, false));
+        write_request(lines, self.sent.len() as u64, &case.body());
+        self.connection
+            .allow_line(ANSWER_BYTES + 8 * (lines.len() - start));
+        if self.waiting == 0 {
+            self.progress = Instant::now();
+        }
+        self.waiting += 1;
+        self.waiting_bytes += case.request_bytes();
+    }
+
+    fn send(&self, lines: Vec<u8>) {
+        if !lines.is_empty() {
+            self.connection.send(lines);
+        }
+    }
+
+    fn answered(&mut self, slot: usize, case: &Case) {
+        if let Some((index, answered)) = self.sent.get_mut(slot) {
+            *answered = true;
+            self.last_answered = Some(*index);
+        }
+        self.waiting -= 1;
+        self.waiting_bytes -= case.request_bytes();
+        self.progress = Instant::now();
+        while self
+            .sent
+            .get(self.low)
+            .is_some_and(|(_, answered)| *answered)
+        {
+            self.low += 1;
+        }
+    }
+
+    /// The cases in flight, the oldest first.
+    fn waiting_cases(&self) -> impl Iterator<Item = usize> {
+        self.sent[self.low..]
+            .iter()
+            .filter(|(_, answered)| !answered)
+            .map(|(index, _)| *index)
+    }
+
+    /// How long the peer may be silent: what was asked, and a second more for each MiB in flight.
+    fn patience(&self, timeout: Duration) -> Duration {
+        timeout + Duration::from_secs((self.waiting_bytes >> 20) as u64)
+    }
+
+    fn end(mut self, fault: Fault) -> Post {
+        let ending = self.connection.kill();
+        Post {
+            fault,
+            ending,
+            log: self.connection.log(),
+        }
+    }
+}
+
+impl Post {
+    /// What happened, in words that follow "it".
+    fn what(&self) -> String {
+        match &self.fault {
+            Fault::Ended => self.ending.describe(),
+            Fault::Deaf => match self.ending {
+                Ending::Exited(_) => self.ending.describe(),
+                _ => "closed its standard input".to_owned(),
+            },
+            Fault::Silent(patience) => {
+                format!("gave no answer within {} s", patience.as_secs_f64())
+            }
+            Fault::Garbage { why, .. } => format!("printed something that is no answer: {why}"),
+            Fault::Strays => format!("answered more than {MAX_STRAYS} requests twice"),
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! One case.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use ncp_spec::ErrorCode;
+use ncp_spec::catalogue::{Level, Requirement, Role};
+
+use super::template::Template;
+use crate::peer::Call;
+
+/// Requests up to this size are kept ready to be sent; larger ones are made each time.
+const KEPT_BYTES: usize = 64 << 10;
+
+/// One case: a call, and what a peer has to answer.
+#[derive(Debug)]
+pub struct Case {
+    /// Its id, `area/file/…`.
+    pub id: String,
+    /// What it shows, in a sentence.
+    pub title: String,
+    /// The rules that it tests, never empty.
+    pub requirements: Vec<Arc<Requirement>>,
+    /// The bug classes that it catches.
+    pub flags: Vec<String>,
+    /// The roles that need it, never empty.
+    pub roles: Vec<Role>,
+    /// The highest level among its rules.
+    pub level: Level,
+    /// Whether a failure decides the verdict: one of its rules is a MUST or MUST NOT.
+    pub binding: bool,
+    /// The call.
+    pub call: Call,
+    /// What has to come back.
+    pub expect: Expect,
+    /// From which sentence of the text the expectation follows.
+    pub why: String,
+    /// The vector file that holds it.
+    pub file: Arc<str>,
+    args: Template,
+    kept: Option<String>,
+}
+
+/// What a peer has to answer, and by which relation the answer is compared with it.
+#[derive(Debug)]
+pub enum Expect {
+    /// An error, whatever its code except `internal`. The code is the one that the text suggests.
+    Reject(ErrorCode),
+    /// A result, whatever it holds.
+    Accept,
+    /// A result that is equal as a JSON value.
+    Json(Template),
+    /// A result whose `text` is the same message.
+    Message {
+        /// The frame.
+        text: Text,
+        /// JSON pointers to what does not count.
+        ignore: Vec<String>,
+    },
+    /// A result whose `text` has the same members in the same order, spelled by the rules of encoders.
+    Encoding(Text),
+    /// A result whose `block` is exactly these bytes.
+    Bytes(Vec<u8>),
+    /// A result whose `block`, read by the spec, holds exactly these columns.
+    Columns(Template),
+}
+
+/// An expected frame, expanded when it is needed unless it is small.
+#[derive(Debug)]
+pub struct Text {
+    template: Template,
+    kept: Option<String>,
+}
+
+impl Case {
+    /// Puts a case together.
+    pub(super) fn new(parts: Parts) -> Self {
+        let Parts {
+            id,
+            title,
+            requirements,
+            flags,
+            roles,
+            call,
+            args,
+            expect,
+            why,
+            file,
+        } = parts;
+        let level = requirements
+            .iter()
+            .map(|rule| rule.level)
+            .max()
+            .unwrap_or(Level::Wire);
+        let binding = requirements.iter().any(|rule| rule.keyword.is_binding());
+        let mut case = Self {
+            id,
+            title,
+            requirements,
+            flags,
+            roles,
+            level,
+            binding,
+            call,
+            expect,
+            why,
+            file,
+            args,
+            kept: None,
+        };
+        if case.args.bytes() <= KEPT_BYTES {
+            case.kept = Some(case.make_body());
+        }
+        case
+    }
+
+    /// The request after its id: `"call":…,"args":…}`.
+    #[must_use]
+    pub fn body(&self) -> Cow<'_, str> {
+        match &self.kept {
+            Some(body) => Cow::Borrowed(body),
+            None => Cow::Owned(self.make_body()),
+        }
+    }
+
+    /// About how many bytes a request of this case has.
+    #[must_use]
+    pub fn request_bytes(&self) -> usize {
+        self.args.bytes() + 64
+    }
+
+    /// Whether the case concerns one of these roles.
+    #[must_use]
+    pub fn concerns(&self, roles: &[Role]) -> bool {
+        self.roles.iter().any(|role| roles.contains(role))
+    }
+
+    fn make_body(&self) -> String {
+        format!(
+            "\"call\":\"{}\",\"args\":{}}}",
+            self.call.as_str(),
+            self.args.expand()
+        )
+    }
+}
+
+impl Text {
+    /// Takes a template of a string.
+    pub(super) fn new(template: Template) -> Self {
+        let kept = (template.bytes() <= KEPT_BYTES).then(|| template.text());
+        Self { template, kept }
+    }
+
+    /// The frame.
+    #[must_use]
+    pub fn get(&self) -> Cow<'_, str> {
+        match &self.kept {
+            Some(text) => Cow::Borrowed(text),
+            None => Cow::Owned(self.template.text()),
+        }
+    }
+}
+
+/// What a case is put together from.
+pub(super) struct Parts {
+    pub(super) id: String,
+    pub(super) title: String,
+    pub(super) requirements: Vec<Arc<Requirement>>,
+    pub(super) flags: Vec<String>,
+    pub(super) roles: Vec<Role>,
+    pub(super) call: Call,
+    pub(super) args: Template,
+    pub(super) expect: Expect,
+    pub(super) why: String,
+    pub(super) file: Arc<str>,
+}

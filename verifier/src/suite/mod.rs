@@ -1,0 +1,394 @@
+//! The suite: the frozen cases, tied to the rules that they test.
+//!
+//! A [`Suite`] is read from vector files, either those that are built into the program or those of a folder.
+//! Reading is strict: an unknown member, a rule that the text does not have, or an id that stands twice is a
+//! [`SuiteError`] that names file and case, never a case that silently tests nothing.
+
+mod case;
+mod file;
+mod filter;
+mod template;
+
+pub use case::{Case, Expect};
+pub use filter::{Pattern, Selection};
+pub use template::{Template, TemplateError};
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ncp_spec::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
+use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
+use sha2::{Digest as _, Sha256};
+
+use crate::peer::Call;
+use case::Parts;
+
+/// The id of the case of `describe`.
+const DESCRIBE: &str = "describe";
+/// Stands for the file of a case that no file holds.
+const BUILT_IN: &str = "built in";
+
+include!(concat!(env!("OUT_DIR"), "/embedded.rs"));
+
+/// All cases, with the rules that they cite.
+#[derive(Debug)]
+pub struct Suite {
+    cases: Vec<Case>,
+    describe: Case,
+    requirements: Vec<Arc<Requirement>>,
+    notes: BTreeMap<String, Vec<String>>,
+    digest: String,
+    files: usize,
+}
+
+/// Why the suite cannot be used. Ends in exit code 4, since no peer is to blame.
+#[derive(Debug, thiserror::Error)]
+pub enum SuiteError {
+    /// The normative text itself is faulty.
+    #[error("the normative text: {0}")]
+    Catalogue(#[from] CatalogueError),
+    /// A folder or a file cannot be read.
+    #[error("{}: {source}", path.display())]
+    Read {
+        /// The folder or the file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A file is not a vector file.
+    #[error("{file}: {message}")]
+    File {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        message: String,
+    },
+    /// A case is wrong.
+    #[error("{file}: the case {id}: {message}")]
+    Case {
+        /// The file.
+        file: String,
+        /// The case, or its number if it has no id.
+        id: String,
+        /// What is wrong.
+        message: String,
+    },
+    /// There is not one case.
+    #[error("there is no vector file in {0}")]
+    Empty(String),
+}
+
+impl Suite {
+    /// The suite that is built into the program.
+    ///
+    /// # Errors
+    /// [`SuiteError`] if one of its files is faulty.
+    pub fn embedded() -> Result<Self, SuiteError> {
+        Self::read(EMBEDDED.iter().copied(), "the program")
+    }
+
+    /// The suite of a folder: every `<folder>/<area>/<name>.json`.
+    ///
+    /// # Errors
+    /// [`SuiteError`] if the folder cannot be read or one of its files is faulty.
+    pub fn load(folder: &Path) -> Result<Self, SuiteError> {
+        let mut files = Vec::new();
+        for area in entries(folder)?.into_iter().filter(|path| path.is_dir()) {
+            for file in entries(&area)?
+                .into_iter()
+                .filter(|path| path.extension().is_some_and(|e| e == "json"))
+            {
+                let text = std::fs::read_to_string(&file).map_err(|source| SuiteError::Read {
+                    path: file.clone(),
+                    source,
+                })?;
+                let name = file
+                    .strip_prefix(folder)
+                    .unwrap_or(&file)
+                    .to_string_lossy()
+                    .replace('\\', "/");
+                files.push((name, text));
+            }
+        }
+        Self::read(
+            files
+                .iter()
+                .map(|(name, text)| (name.as_str(), text.as_str())),
+            &folder.to_string_lossy(),
+        )
+    }
+
+    /// Every case, in the order of the files.
+    #[must_use]
+    pub fn cases(&self) -> &[Case] {
+        &self.cases
+    }
+
+    /// The case that every run begins with: what the peer says about itself. No file holds it.
+    #[must_use]
+    pub fn describe(&self) -> &Case {
+        &self.describe
+    }
+
+    /// Every rule of the text, in its order, tested or not.
+    #[must_use]
+    pub fn requirements(&self) -> &[Arc<Requirement>] {
+        &self.requirements
+    }
+
+    /// What a flag means: the bug class that it catches, in the words of the files that use it.
+    #[must_use]
+    pub fn notes(&self, flag: &str) -> &[String] {
+        self.notes.get(flag).map_or(&[], Vec::as_slice)
+    }
+
+    /// Every flag.
+    pub fn flags(&self) -> impl Iterator<Item = &str> {
+        self.notes.keys().map(String::as_str)
+    }
+
+    /// How many files there are.
+    #[must_use]
+    pub fn files(&self) -> usize {
+        self.files
+    }
+
+    /// The SHA-256 of the list of the files' SHA-256: that of `vectors/MANIFEST.sha256`.
+    #[must_use]
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
+    /// The highest level that has a case.
+    #[must_use]
+    pub fn highest_level(&self) -> Level {
+        self.cases
+            .iter()
+            .map(|case| case.level)
+            .max()
+            .unwrap_or(Level::Wire)
+    }
+
+    /// The case of this id.
+    #[must_use]
+    pub fn case(&self, id: &str) -> Option<&Case> {
+        std::iter::once(&self.describe)
+            .chain(&self.cases)
+            .find(|case| case.id == id)
+    }
+
+    /// The rule of this id.
+    #[must_use]
+    pub fn requirement(&self, id: &str) -> Option<&Arc<Requirement>> {
+        self.requirements.iter().find(|rule| rule.id == id)
+    }
+
+    fn read<'f>(
+        files: impl Iterator<Item = (&'f str, &'f str)>,
+        place: &str,
+    ) -> Result<Self, SuiteError> {
+        let catalogue = Catalogue::load()?;
+        let requirements: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
+        let rules: HashMap<&str, &Arc<Requirement>> = requirements
+            .iter()
+            .map(|rule| (rule.id.as_str(), rule))
+            .collect();
+        let mut cases = Vec::new();
+        let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        let mut manifest = String::new();
+        let mut count = 0;
+        for (name, text) in files {
+            let file = file::read(name, text, &rules)?;
+            for (flag, note) in file.notes {
+                let known = notes.entry(flag).or_default();
+                if !known.contains(&note) {
+                    known.push(note);
+                }
+            }
+            cases.extend(file.cases);
+            manifest.push_str(&format!("{}  {name}\n", hex(&Sha256::digest(text))));
+            count += 1;
+        }
+        if cases.is_empty() {
+            return Err(SuiteError::Empty(place.to_owned()));
+        }
+        let mut seen: HashMap<&str, &Case> = HashMap::with_capacity(cases.len());
+        for case in &cases {
+            if let Some(first) = seen.insert(&case.id, case) {
+                return Err(SuiteError::Case {
+                    file: case.file.to_string(),
+                    id: case.id.clone(),
+                    message: "its id stands twice".to_owned(),
+                });
+            }
+        }
+        let digest = hex(&Sha256::digest(&manifest));
+        let describe = describe(&rules)?;
+        Ok(Self {
+            cases,
+            describe,
+            requirements,
+            notes,
+            digest,
+            files: count,
+        })
+    }
+}
+
+/// The case of `describe`.
+fn describe(rules: &HashMap<&str, &Arc<Requirement>>) -> Result<Case, SuiteError> {
+    let fault = |message: String| SuiteError::Case {
+        file: BUILT_IN.to_owned(),
+        id: DESCRIBE.to_owned(),
+        message,
+    };
+    let cited = ["NCP-VER-020", "NCP-VER-021"].map(|id| {
+        rules
+            .get(id)
+            .map(|rule| Arc::clone(rule))
+            .ok_or_else(|| fault(format!("the text has no rule {id}")))
+    });
+    let expected =
+        format!(r#"{{"wire_version":"{WIRE_VERSION}","contract_hash":"{CONTRACT_HASH}"}}"#);
+    let template = |raw: &str| Template::new(raw).map_err(|error| fault(error.to_string()));
+    Ok(Case::new(Parts {
+        id: DESCRIBE.to_owned(),
+        title:
+            "The peer states the wire version and the contract hash of 0.5, and claims known roles."
+                .to_owned(),
+        requirements: cited.into_iter().collect::<Result<_, _>>()?,
+        flags: Vec::new(),
+        roles: Role::ALL.to_vec(),
+        call: Call::Describe,
+        args: template("{}")?,
+        expect: Expect::Json(template(&expected)?),
+        why: "Both values stand in chapter 2 of the text; the roles are those of PROTOCOL.md."
+            .to_owned(),
+        file: BUILT_IN.into(),
+    }))
+}
+
+fn entries(folder: &Path) -> Result<Vec<PathBuf>, SuiteError> {
+    let read = |source| SuiteError::Read {
+        path: folder.to_owned(),
+        source,
+    };
+    let mut paths = std::fs::read_dir(folder)
+        .map_err(read)?
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(read)?;
+    paths.sort();
+    Ok(paths)
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+pub(crate) mod testing {
+    //! Cases for the tests of other rooms.
+
+    use super::*;
+    use crate::peer::{ExpectedFailure, Target};
+    use crate::verdict::Baseline;
+
+    /// A case of `decode` that cites these rules.
+    pub(crate) fn case(id: &str, rules: &[&str], roles: &[Role]) -> Case {
+        let catalogue = Catalogue::load().unwrap();
+        Case::new(Parts {
+            id: id.to_owned(),
+            title: "A title.".to_owned(),
+            requirements: rules
+                .iter()
+                .map(|rule| Arc::new(catalogue.get(rule).unwrap().clone()))
+                .collect(),
+            flags: Vec::new(),
+            roles: roles.to_vec(),
+            call: Call::Decode,
+            args: Template::new(r#"{"kind":"command_frame","text":"{}"}"#).unwrap(),
+            expect: Expect::Accept,
+            why: "Why.".to_owned(),
+            file: "test.json".into(),
+        })
+    }
+
+    /// Expected failures, `("case" or "requirement", id)`.
+    pub(crate) fn baseline(entries: &[(&str, &str)]) -> Baseline {
+        let entry = |(what, id): &(&str, &str)| ExpectedFailure {
+            target: if *what == "case" {
+                Target::Case((*id).to_owned())
+            } else {
+                Target::Requirement((*id).to_owned())
+            },
+            reason: "known".to_owned(),
+        };
+        Baseline::unchecked(entries.iter().map(entry).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn suite(files: &[(&str, &str)]) -> Result<Suite, SuiteError> {
+        Suite::read(files.iter().copied(), "the test")
+    }
+
+    fn file(name: &str, id: &str) -> String {
+        format!(
+            r#"{{"format":1,"area":"wire","name":"{name}","about":"A.","notes":{{"f":"Catches {name}."}},"cases":[{{
+                "id":"{id}","title":"T.","requirements":["NCP-WIRE-010","NCP-WIRE-008"],"flags":["f"],"roles":["body"],
+                "call":"decode","args":{{"kind":"command_frame","text":"{{}}"}},"expect":{{"reject":"type"}},"why":"W."}}]}}"#
+        )
+    }
+
+    #[test]
+    fn the_embedded_suite_is_without_fault() {
+        let suite = Suite::embedded().unwrap_or_else(|fault| panic!("{fault}"));
+        assert!(suite.cases().len() >= 1200, "{}", suite.cases().len());
+    }
+
+    #[test]
+    fn cases_find_their_rules_and_flags_their_notes() {
+        let (a, b) = (file("a", "wire/a/x"), file("b", "wire/b/x"));
+        let suite = suite(&[("wire/a.json", &a), ("wire/b.json", &b)]).unwrap();
+        let case = suite.case("wire/b/x").unwrap();
+        assert_eq!(case.requirements[0].id, "NCP-WIRE-010");
+        assert!(case.binding);
+        assert_eq!(suite.notes("f"), ["Catches a.", "Catches b."]);
+        assert_eq!(suite.files(), 2);
+        assert_eq!(suite.highest_level(), Level::Wire);
+    }
+
+    #[test]
+    fn an_id_that_stands_twice_is_an_error_that_names_it() {
+        let one = file("a", "wire/a/x");
+        let case = &one[one.find("{\n").unwrap_or(0)..];
+        let start = one.find("\"cases\":[").unwrap() + 9;
+        let case_text = one[start..].strip_suffix("]}").unwrap_or(case);
+        let twice = one.replace(case_text, &format!("{case_text},{case_text}"));
+        let error = suite(&[("wire/a.json", &twice)]).unwrap_err().to_string();
+        assert_eq!(error, "wire/a.json: the case wire/a/x: its id stands twice");
+    }
+
+    #[test]
+    fn the_digest_changes_with_one_character_of_one_file() {
+        let (a, b) = (
+            file("a", "wire/a/x"),
+            file("a", "wire/a/x").replace("W.", "V."),
+        );
+        let digest = |text: &str| suite(&[("wire/a.json", text)]).unwrap().digest().to_owned();
+        assert_eq!(digest(&a), digest(&a));
+        assert_ne!(digest(&a), digest(&b));
+        let line = format!("{}  wire/a.json\n", hex(&Sha256::digest(&a)));
+        assert_eq!(digest(&a), hex(&Sha256::digest(line)));
+    }
+
+    #[test]
+    fn a_suite_without_cases_is_an_error() {
+        assert!(matches!(suite(&[]), Err(SuiteError::Empty(place)) if place == "the test"));
+    }
+}

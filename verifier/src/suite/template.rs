@@ -1,0 +1,336 @@
+//! Templates, which keep vector files small.
+//!
+//! Where a string stands in a case's arguments or expectation, an object may stand instead:
+//! `{"$repeat": "x", "times": 1000}`, `{"$concat": [part, …]}`, `{"$base64": template}`. Peers never see them.
+
+use std::borrow::Cow;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::json::{Json, JsonError, write_string};
+use crate::peer::MAX_REQUEST_BYTES;
+
+/// How deep templates may stand within each other.
+const MAX_DEPTH: usize = 8;
+
+/// A JSON value of a vector file, its templates not yet expanded.
+#[derive(Debug, Clone)]
+pub struct Template {
+    raw: Box<str>,
+    bytes: usize,
+}
+
+/// Why a template cannot be expanded.
+#[derive(Debug, thiserror::Error)]
+pub enum TemplateError {
+    /// The value around it is not JSON.
+    #[error(transparent)]
+    Json(#[from] JsonError),
+    /// An object begins like a template but is none.
+    #[error("`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`")]
+    Unknown(String),
+    /// A member of a template has the wrong type.
+    #[error("`{name}` of a template is not {expected}")]
+    Type {
+        /// The member.
+        name: &'static str,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// Too large to be sent.
+    #[error("the templates expand to more than {MAX_REQUEST_BYTES} bytes")]
+    Size,
+    /// Too deep.
+    #[error("templates stand within each other more than {MAX_DEPTH} deep")]
+    Depth,
+}
+
+impl Template {
+    /// Takes a JSON value, and makes sure that it can be expanded.
+    ///
+    /// # Errors
+    /// [`TemplateError`] if it is not JSON, or a template in it is faulty or too large.
+    pub fn new(raw: &str) -> Result<Self, TemplateError> {
+        let bytes = size(&Json::parse(raw)?)?;
+        Ok(Self {
+            raw: raw.into(),
+            bytes,
+        })
+    }
+
+    /// About how many bytes it expands to.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// Whether this is a string, or a template of one.
+    #[must_use]
+    pub fn is_text(&self) -> bool {
+        self.raw.starts_with('"')
+            || self
+                .raw
+                .trim_start_matches(['{', ' ', '\t', '\r', '\n'])
+                .starts_with("\"$")
+    }
+
+    /// The value as JSON text without white space, its templates expanded and its numbers spelled as in the file.
+    #[must_use]
+    pub fn expand(&self) -> String {
+        let mut out = String::with_capacity(self.bytes + 64);
+        // It was read when it was made.
+        if let Ok(value) = Json::parse(&self.raw) {
+            write_expanded(&value, &mut out);
+        }
+        out
+    }
+
+    /// The string that it stands for, if [`is_text`](Self::is_text).
+    #[must_use]
+    pub fn text(&self) -> String {
+        match Json::parse(&self.raw) {
+            Ok(Json::String(text)) => text.into_owned(),
+            Ok(value) => template_text(&value),
+            Err(_) => String::new(),
+        }
+    }
+}
+
+/// A template, taken apart.
+enum Form<'v, 'a> {
+    Text(&'v str),
+    Repeat(&'v Json<'a>, usize),
+    Concat(&'v [Json<'a>]),
+    Base64(&'v Json<'a>),
+}
+
+/// The template that a value is, or none if it is an ordinary value.
+fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateError> {
+    let members = match value {
+        Json::String(text) => return Ok(Some(Form::Text(text))),
+        Json::Object(members) => members,
+        _ => return Ok(None),
+    };
+    let names: Vec<&str> = members.iter().map(|(name, _)| name.as_ref()).collect();
+    let Some(name) = names.iter().find(|name| name.starts_with('$')) else {
+        return Ok(None);
+    };
+    match (names.as_slice(), members.as_slice()) {
+        (["$repeat", "times"], [(_, part), (_, times)]) => {
+            let times = match times {
+                Json::Number(spelling) => spelling.parse().ok(),
+                _ => None,
+            };
+            let times = times.ok_or(TemplateError::Type {
+                name: "times",
+                expected: "a count",
+            })?;
+            Ok(Some(Form::Repeat(part, times)))
+        }
+        (["$concat"], [(_, Json::Array(parts))]) => Ok(Some(Form::Concat(parts))),
+        (["$concat"], _) => Err(TemplateError::Type {
+            name: "$concat",
+            expected: "an array",
+        }),
+        (["$base64"], [(_, part)]) => Ok(Some(Form::Base64(part))),
+        _ => Err(TemplateError::Unknown((*name).to_owned())),
+    }
+}
+
+/// The form of a part of a template, which cannot be an ordinary value.
+fn part<'v, 'a>(value: &'v Json<'a>) -> Result<Form<'v, 'a>, TemplateError> {
+    form(value)?.ok_or(TemplateError::Type {
+        name: "a part",
+        expected: "a string or a template",
+    })
+}
+
+/// About how many bytes a value expands to, as JSON.
+fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
+    let total = match (form(value)?, value) {
+        (Some(form), _) => text_size(&form, 0)? + 2,
+        (None, Json::Array(items)) => items.iter().try_fold(2, |sum: usize, item| {
+            Ok::<_, TemplateError>(sum.saturating_add(size(item)? + 1))
+        })?,
+        (None, Json::Object(members)) => {
+            members.iter().try_fold(2, |sum: usize, (name, member)| {
+                Ok::<_, TemplateError>(sum.saturating_add(name.len() + 4 + size(member)?))
+            })?
+        }
+        (None, Json::Number(spelling)) => spelling.len(),
+        (None, _) => 5,
+    };
+    if total > MAX_REQUEST_BYTES {
+        Err(TemplateError::Size)
+    } else {
+        Ok(total)
+    }
+}
+
+fn text_size(form: &Form<'_, '_>, depth: usize) -> Result<usize, TemplateError> {
+    if depth > MAX_DEPTH {
+        return Err(TemplateError::Depth);
+    }
+    let total = match form {
+        // In JSON a quote takes two bytes and a control character six.
+        Form::Text(text) => text
+            .bytes()
+            .map(|b| {
+                if b < 0x20 {
+                    6
+                } else {
+                    1 + usize::from(b == b'"' || b == b'\\')
+                }
+            })
+            .sum(),
+        Form::Repeat(repeated, times) => {
+            text_size(&part(repeated)?, depth + 1)?.saturating_mul(*times)
+        }
+        Form::Concat(parts) => parts.iter().try_fold(0_usize, |sum, each| {
+            Ok::<_, TemplateError>(sum.saturating_add(text_size(&part(each)?, depth + 1)?))
+        })?,
+        Form::Base64(encoded) => (text_size(&part(encoded)?, depth + 1)? / 3 + 1).saturating_mul(4),
+    };
+    if total > MAX_REQUEST_BYTES {
+        Err(TemplateError::Size)
+    } else {
+        Ok(total)
+    }
+}
+
+fn write_expanded(value: &Json<'_>, out: &mut String) {
+    match (form(value), value) {
+        (Ok(Some(Form::Text(text))), _) => write_string(text, out),
+        (Ok(Some(_)), _) => write_string(&template_text(value), out),
+        (_, Json::Array(items)) => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                if i > 0 {
+                    out.push(',');
+                }
+                write_expanded(item, out);
+            }
+            out.push(']');
+        }
+        (_, Json::Object(members)) => {
+            out.push('{');
+            for (i, (name, member)) in members.iter().enumerate() {
+                if i > 0 {
+                    out.push(',');
+                }
+                write_string(name, out);
+                out.push(':');
+                write_expanded(member, out);
+            }
+            out.push('}');
+        }
+        (_, plain) => plain.write_to(out),
+    }
+}
+
+/// The string that a value stands for. Its form and size were judged when it was read.
+fn template_text(value: &Json<'_>) -> String {
+    fn build<'v>(value: &'v Json<'_>) -> Cow<'v, str> {
+        match form(value) {
+            Ok(Some(Form::Text(text))) => Cow::Borrowed(text),
+            Ok(Some(Form::Repeat(repeated, times))) => Cow::Owned(build(repeated).repeat(times)),
+            Ok(Some(Form::Concat(parts))) => Cow::Owned(parts.iter().map(build).collect()),
+            Ok(Some(Form::Base64(encoded))) => {
+                Cow::Owned(STANDARD.encode(build(encoded).as_bytes()))
+            }
+            Ok(None) | Err(_) => Cow::Borrowed(""),
+        }
+    }
+    build(value).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn expand(raw: &str) -> String {
+        Template::new(raw).unwrap().expand()
+    }
+
+    #[test]
+    fn templates_become_strings_wherever_they_stand() {
+        assert_eq!(
+            expand(r#"{"text": {"$repeat": "ab", "times": 3}}"#),
+            r#"{"text":"ababab"}"#
+        );
+        assert_eq!(
+            expand(r#"[{"$concat": ["a", {"$repeat": "\"", "times": 2}, "z"]}]"#),
+            r#"["a\"\"z"]"#
+        );
+        assert_eq!(
+            expand(r#"{"$base64": {"$concat": ["any", " carnal"]}}"#),
+            r#""YW55IGNhcm5hbA==""#
+        );
+        assert_eq!(
+            expand(r#"{"$repeat": {"$base64": "a"}, "times": 2}"#),
+            r#""YQ==YQ==""#
+        );
+        assert_eq!(expand(r#"{"$repeat": "x", "times": 0}"#), r#""""#);
+    }
+
+    #[test]
+    fn what_is_no_template_keeps_its_order_and_spelling() {
+        let raw = r#"{"b": 5.0, "a": [-0, 1e3, null, true], "x": {}}"#;
+        assert_eq!(expand(raw), r#"{"b":5.0,"a":[-0,1e3,null,true],"x":{}}"#);
+    }
+
+    #[test]
+    fn the_text_of_a_template_is_the_string_itself() {
+        let template = Template::new("{\n \"$concat\": [\"a\\n\", \"b\"]}").unwrap();
+        assert!(template.is_text());
+        assert_eq!(template.text(), "a\nb");
+        assert!(Template::new("\"a\"").unwrap().is_text());
+        assert!(!Template::new("{\"a\":1}").unwrap().is_text());
+    }
+
+    #[test]
+    fn a_faulty_template_is_refused() {
+        let fault = |raw: &str| Template::new(raw).unwrap_err().to_string();
+        assert!(fault(r#"{"$repat": "x", "times": 1}"#).contains("`$repat` is no template"));
+        assert!(fault(r#"{"$repeat": "x"}"#).contains("no template"));
+        assert!(fault(r#"{"$repeat": "x", "times": 1, "a": 1}"#).contains("no template"));
+        assert!(
+            fault(r#"{"$repeat": "x", "times": -1}"#)
+                .contains("`times` of a template is not a count")
+        );
+        assert!(fault(r#"{"$repeat": 1, "times": 1}"#).contains("not a string or a template"));
+        assert!(fault(r#"{"$concat": "x"}"#).contains("not an array"));
+        assert!(fault(r#"{"a": {"$concat": [[]]}}"#).contains("not a string or a template"));
+    }
+
+    #[test]
+    fn a_template_cannot_grow_beyond_what_may_be_sent() {
+        let mut raw = r#""xxxxxxxxxx""#.to_owned();
+        for _ in 0..8 {
+            raw = format!(r#"{{"$repeat": {raw}, "times": 1000}}"#);
+        }
+        assert!(matches!(Template::new(&raw), Err(TemplateError::Size)));
+        let huge = format!(r#"{{"$repeat": "ab", "times": {}}}"#, usize::MAX);
+        assert!(matches!(Template::new(&huge), Err(TemplateError::Size)));
+        let mut deep = r#""""#.to_owned();
+        for _ in 0..20 {
+            deep = format!(r#"{{"$concat": [{deep}]}}"#);
+        }
+        assert!(matches!(Template::new(&deep), Err(TemplateError::Depth)));
+    }
+
+    proptest! {
+        #[test]
+        fn the_size_is_never_less_than_what_is_sent(part in any::<String>(), times in 0_usize..50) {
+            let mut raw = String::from(r#"{"text":{"$concat":[{"$repeat":"#);
+            write_string(&part, &mut raw);
+            raw.push_str(&format!(r#","times":{times}}},{{"$base64":"#));
+            write_string(&part, &mut raw);
+            raw.push_str("}]}}");
+            let template = Template::new(&raw).unwrap();
+            prop_assert!(template.expand().len() <= template.bytes());
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Finds the number of tests in what a test program printed.
+
+use std::ops::AddAssign;
+
+/// So many tests passed and failed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Count {
+    pub(crate) passed: u64,
+    pub(crate) failed: u64,
+}
+
+impl Count {
+    /// One check, counted as one test.
+    pub(crate) fn one(passed: bool) -> Self {
+        Self {
+            passed: u64::from(passed),
+            failed: u64::from(!passed),
+        }
+    }
+}
+
+impl AddAssign for Count {
+    fn add_assign(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+    }
+}
+
+/// Adds up the `test result:` lines of `cargo test`: one for each test program and one
+/// for the documentation tests of each crate.
+pub(crate) fn cargo(output: &str) -> Count {
+    let mut count = Count::default();
+    for line in output
+        .lines()
+        .filter(|line| line.starts_with("test result: "))
+    {
+        let number = |label| {
+            let before = line.split_once(label)?.0.trim_end();
+            before.rsplit(' ').next()?.parse().ok()
+        };
+        count += Count {
+            passed: number("passed;").unwrap_or(0),
+            failed: number("failed;").unwrap_or(0),
+        };
+    }
+    count
+}
+
+/// Adds up the closing lines of `node --test`: `# pass 3` of the TAP reporter,
+/// `ℹ pass 3` of the other one.
+pub(crate) fn node(output: &str) -> Count {
+    let number = |label| {
+        output
+            .lines()
+            .filter_map(|line| line.strip_prefix("# ").or_else(|| line.strip_prefix("ℹ ")))
+            .filter_map(|line| line.strip_prefix(label)?.trim().parse::<u64>().ok())
+            .sum()
+    };
+    Count {
+        passed: number("pass "),
+        failed: number("fail "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_test_programs_of_cargo_are_added_up() {
+        let output = "\
+running 2 tests
+test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.02s
+
+   Doc-tests ncp_spec
+test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.50s
+";
+        assert_eq!(
+            cargo(output),
+            Count {
+                passed: 15,
+                failed: 2
+            }
+        );
+    }
+
+    #[test]
+    fn a_test_name_that_looks_like_a_result_is_not_counted() {
+        assert_eq!(
+            cargo("test the_test result: ok. 9 passed; ... ok\n"),
+            Count::default()
+        );
+    }
+
+    #[test]
+    fn both_reporters_of_node_are_understood() {
+        assert_eq!(
+            node("# tests 5\n# pass 4\n# fail 1\n"),
+            Count {
+                passed: 4,
+                failed: 1
+            }
+        );
+        assert_eq!(
+            node("ℹ tests 5\nℹ pass 5\nℹ fail 0\n"),
+            Count {
+                passed: 5,
+                failed: 0
+            }
+        );
+        assert_eq!(node("ok 1 - # pass 4 looks odd\n"), Count::default());
+    }
+}

@@ -1,0 +1,66 @@
+//! Where things are, and how programs are started.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::Error;
+
+/// The checked-out project.
+pub(crate) struct Project {
+    root: PathBuf,
+}
+
+impl Project {
+    /// The project that this program belongs to.
+    ///
+    /// # Errors
+    /// The program was not started by cargo, which says where it lies.
+    pub(crate) fn find() -> Result<Self, Error> {
+        let xtask = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(Error::NoProject)?;
+        let root = Path::new(&xtask)
+            .parent()
+            .ok_or(Error::NoProject)?
+            .to_owned();
+        Ok(Self { root })
+    }
+
+    /// A path within the project.
+    pub(crate) fn path(&self, relative: &str) -> PathBuf {
+        self.root.join(relative)
+    }
+
+    /// A program, to be started in a folder of the project without input and colours.
+    pub(crate) fn program(
+        &self,
+        program: impl Into<OsString>,
+        args: &[&str],
+        folder: &str,
+    ) -> Command {
+        let mut command = Command::new(program.into());
+        command
+            .args(args)
+            .current_dir(self.path(folder))
+            .stdin(Stdio::null())
+            .env("NO_COLOR", "1")
+            .env("CARGO_TERM_COLOR", "never");
+        command
+    }
+
+    /// The cargo that started this program.
+    pub(crate) fn cargo(&self, args: &[&str]) -> Command {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        self.program(cargo, args, "")
+    }
+}
+
+/// A program and its arguments, as somebody would type them.
+pub(crate) fn shown(command: &Command) -> String {
+    let program = Path::new(command.get_program());
+    let program = program.file_stem().unwrap_or(program.as_os_str());
+    let words = std::iter::once(program).chain(command.get_args());
+    words
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect::<Vec<_>>()
+        .join(" ")
+}
