@@ -44,7 +44,10 @@ impl Catalogue {
             for requirement in chapter.requirements()? {
                 if let Some(&first) = seen.get(&requirement.id) {
                     let line = requirement.line;
-                    let first = requirements.get(first).map(Requirement::place).unwrap_or_default();
+                    let first = requirements
+                        .get(first)
+                        .map(Requirement::place)
+                        .unwrap_or_default();
                     return Err(chapter.fault(line, RuleProblem::RepeatedId { first }));
                 }
                 seen.insert(requirement.id.clone(), requirements.len());
@@ -57,7 +60,9 @@ impl Catalogue {
     /// The rule of that id, such as `NCP-WIRE-007`.
     #[must_use]
     pub fn get(&self, id: &str) -> Option<&Requirement> {
-        self.requirements.iter().find(|requirement| requirement.id == id)
+        self.requirements
+            .iter()
+            .find(|requirement| requirement.id == id)
     }
 
     /// All rules, in the text's order.
@@ -84,7 +89,10 @@ impl<'a> IntoIterator for &'a Catalogue {
 /// A file of `spec/text` with its name.
 macro_rules! chapter {
     ($file:literal) => {
-        Chapter { file: $file, text: include_str!(concat!("../text/", $file)) }
+        Chapter {
+            file: $file,
+            text: include_str!(concat!("../text/", $file)),
+        }
     };
 }
 
@@ -180,9 +188,14 @@ pub enum Keyword {
 }
 
 impl Keyword {
-    /// All keywords; one that begins with another stands before it.
-    pub const ALL: [Self; 5] =
-        [Self::MustNot, Self::Must, Self::ShouldNot, Self::Should, Self::May];
+    /// All keywords.
+    pub const ALL: [Self; 5] = [
+        Self::Must,
+        Self::MustNot,
+        Self::Should,
+        Self::ShouldNot,
+        Self::May,
+    ];
 
     /// As the text writes it.
     #[must_use]
@@ -204,18 +217,19 @@ impl Keyword {
 
     /// The first keyword of a sentence.
     fn first_of(sentence: &str) -> Option<Self> {
-        let starts_here = |word: &&str| Self::ALL.iter().any(|k| k.leading_word() == *word);
-        let words: Vec<&str> =
-            sentence.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect();
-        let at = words.iter().position(|word| starts_here(&word))?;
-        let negated = words.get(at + 1) == Some(&"NOT");
-        Self::ALL.into_iter().find(|k| {
-            Some(&k.leading_word()) == words.get(at) && k.as_str().ends_with("NOT") == negated
-        })
-    }
-
-    fn leading_word(self) -> &'static str {
-        self.as_str().split(' ').next().unwrap_or_default()
+        let words = sentence.split(|c: char| !c.is_alphanumeric());
+        let mut words = words.filter(|word| !word.is_empty()).peekable();
+        while let Some(word) = words.next() {
+            match (word, words.peek() == Some(&"NOT")) {
+                ("MUST", false) => return Some(Self::Must),
+                ("MUST", true) => return Some(Self::MustNot),
+                ("SHOULD", false) => return Some(Self::Should),
+                ("SHOULD", true) => return Some(Self::ShouldNot),
+                ("MAY", _) => return Some(Self::May),
+                _ => {}
+            }
+        }
+        None
     }
 }
 
@@ -384,15 +398,23 @@ impl Chapter {
     }
 
     fn fault(&self, line: usize, problem: RuleProblem) -> CatalogueError {
-        CatalogueError { file: self.file, line, problem }
+        CatalogueError {
+            file: self.file,
+            line,
+            problem,
+        }
     }
 }
 
 /// Parses one list item; file, section and line are for the caller to fill in.
 fn parse_rule(item: &str) -> Result<Requirement, RuleProblem> {
     let folded = item.split_whitespace().collect::<Vec<_>>().join(" ");
-    let rule = folded.strip_prefix("- **[").filter(|_| item.starts_with("- "));
-    let (id, rest) = rule.and_then(|r| r.split_once("]** ")).ok_or(RuleProblem::NotAListItem)?;
+    let rule = folded
+        .strip_prefix("- **[")
+        .filter(|_| item.starts_with("- "));
+    let (id, rest) = rule
+        .and_then(|r| r.split_once("]** "))
+        .ok_or(RuleProblem::NotAListItem)?;
     if rest.contains("**[") {
         return Err(RuleProblem::NotAListItem);
     }
@@ -437,7 +459,10 @@ fn parse_roles(list: &str) -> Option<Vec<Role>> {
     if list == "all" {
         return Some(Role::ALL.to_vec());
     }
-    let mut roles = list.split(", ").map(Role::parse).collect::<Option<Vec<_>>>()?;
+    let mut roles = list
+        .split(", ")
+        .map(Role::parse)
+        .collect::<Option<Vec<_>>>()?;
     let stated = roles.len();
     roles.sort_unstable();
     roles.dedup();
@@ -483,13 +508,18 @@ mod tests {
             "# 9. Test\n\n## 9.1 Part\n\ntext\n\n- **[NCP-TEST-012]** A peer\n  SHOULD NOT  do `x`.\n  *(safety; server, commander)*\n- other\n",
         )
         .unwrap();
-        let [rule] = catalogue.requirements() else { panic!("{catalogue:?}") };
+        let [rule] = catalogue.requirements() else {
+            panic!("{catalogue:?}")
+        };
         assert_eq!(rule.id, "NCP-TEST-012");
         assert_eq!(rule.sentence, "A peer SHOULD NOT do `x`.");
         assert_eq!(rule.keyword, Keyword::ShouldNot);
         assert_eq!(rule.level, Level::Safety);
         assert_eq!(rule.roles, [Role::Commander, Role::Server]);
-        assert_eq!((rule.file, rule.section.as_str(), rule.line), ("x.md", "9.1 Part", 7));
+        assert_eq!(
+            (rule.file, rule.section.as_str(), rule.line),
+            ("x.md", "9.1 Part", 7)
+        );
         assert_eq!(rule.area(), "TEST");
         assert!(rule.binds(Role::Server) && !rule.binds(Role::Body));
         assert!(catalogue.get("NCP-TEST-012").is_some() && catalogue.get("NCP-TEST-013").is_none());
@@ -518,28 +548,61 @@ mod tests {
     fn white_space_does_not_change_the_digest_and_words_do() {
         let digest_of = |text| parse(text).unwrap().requirements()[0].digest.clone();
         let one = digest_of("- **[NCP-A-001]** A peer MUST do x. *(wire; all)*");
-        assert_eq!(one, digest_of("- **[NCP-A-002]** A peer\n  MUST  do x. *(strict; body)*"));
-        assert_ne!(one, digest_of("- **[NCP-A-001]** A peer MUST do y. *(wire; all)*"));
+        assert_eq!(
+            one,
+            digest_of("- **[NCP-A-002]** A peer\n  MUST  do x. *(strict; body)*")
+        );
+        assert_ne!(
+            one,
+            digest_of("- **[NCP-A-001]** A peer MUST do y. *(wire; all)*")
+        );
         assert!(one.len() == 8 && one.bytes().all(|b| b.is_ascii_hexdigit()));
     }
 
     #[test]
     fn a_faulty_rule_is_named_with_its_line() {
         use RuleProblem::*;
-        assert_eq!(fault("\n- **[NCP-A-1]** A MUST. *(wire; all)*"), (2, Id("NCP-A-1".into())));
-        assert_eq!(fault("- **[ncp-a-001]** A MUST. *(wire; all)*"), (1, Id("ncp-a-001".into())));
+        assert_eq!(
+            fault("\n- **[NCP-A-1]** A MUST. *(wire; all)*"),
+            (2, Id("NCP-A-1".into()))
+        );
+        assert_eq!(
+            fault("- **[ncp-a-001]** A MUST. *(wire; all)*"),
+            (1, Id("ncp-a-001".into()))
+        );
         assert_eq!(fault("- **[NCP-A-001]** A MUST."), (1, NoTag));
         assert_eq!(fault("- **[NCP-A-001]** A MUST. *(wire)*"), (1, NoTag));
-        assert_eq!(fault("- **[NCP-A-001]** A MUST. *(wired; all)*"), (1, Level("wired".into())));
+        assert_eq!(
+            fault("- **[NCP-A-001]** A MUST. *(wired; all)*"),
+            (1, Level("wired".into()))
+        );
         for roles in ["", "pilot", "body, body", "all, body"] {
             let rule = format!("- **[NCP-A-001]** A MUST. *(wire; {roles})*");
-            assert!(matches!(parse_rule(&rule), Err(Roles(_) | NoTag)), "{roles}");
+            assert!(
+                matches!(parse_rule(&rule), Err(Roles(_) | NoTag)),
+                "{roles}"
+            );
         }
-        assert_eq!(fault("- **[NCP-A-001]** A peer does. *(wire; all)*"), (1, NoKeyword));
-        assert_eq!(fault("- **[NCP-A-001]** A peer MUST *(wire; all)*"), (1, NotASentence));
-        assert_eq!(fault("  - **[NCP-A-001]** A MUST. *(wire; all)*"), (1, NotAListItem));
-        assert_eq!(fault("**[NCP-A-001]** A MUST. *(wire; all)*"), (1, NotAListItem));
-        assert_eq!(fault("- **[NCP-A-001** A MUST. *(wire; all)*"), (1, NotAListItem));
+        assert_eq!(
+            fault("- **[NCP-A-001]** A peer does. *(wire; all)*"),
+            (1, NoKeyword)
+        );
+        assert_eq!(
+            fault("- **[NCP-A-001]** A peer MUST *(wire; all)*"),
+            (1, NotASentence)
+        );
+        assert_eq!(
+            fault("  - **[NCP-A-001]** A MUST. *(wire; all)*"),
+            (1, NotAListItem)
+        );
+        assert_eq!(
+            fault("**[NCP-A-001]** A MUST. *(wire; all)*"),
+            (1, NotAListItem)
+        );
+        assert_eq!(
+            fault("- **[NCP-A-001** A MUST. *(wire; all)*"),
+            (1, NotAListItem)
+        );
         assert_eq!(
             fault("- **[NCP-A-001]** A MUST. - **[NCP-A-002]** B MUST. *(wire; all)*"),
             (1, NotAListItem)
@@ -550,8 +613,14 @@ mod tests {
     fn an_id_stands_once_in_the_whole_text() {
         let rule = "- **[NCP-A-001]** A MUST. *(wire; all)*\n";
         let error = Catalogue::parse(&[
-            Chapter { file: "a.md", text: rule },
-            Chapter { file: "b.md", text: rule },
+            Chapter {
+                file: "a.md",
+                text: rule,
+            },
+            Chapter {
+                file: "b.md",
+                text: rule,
+            },
         ])
         .unwrap_err();
         assert_eq!(error.to_string(), "b.md:1: the same id is at a.md:1");

@@ -80,7 +80,11 @@ impl RateCodec {
         };
         Self {
             encoders: vec![error(0, "err_x"), error(1, "err_y"), error(2, "err_z")],
-            decoders: vec![velocity(0, "vel_x"), velocity(1, "vel_y"), velocity(2, "vel_z")],
+            decoders: vec![
+                velocity(0, "vel_x"),
+                velocity(1, "vel_y"),
+                velocity(2, "vel_z"),
+            ],
         }
     }
 
@@ -106,15 +110,25 @@ impl RateCodec {
         frame_id: impl Into<Text>,
         mode: Mode,
     ) -> CommandFrame {
-        let mut command =
-            CommandFrame { t, seq, frame_id: frame_id.into(), mode, ..CommandFrame::default() };
+        let mut command = CommandFrame {
+            t,
+            seq,
+            frame_id: frame_id.into(),
+            mode,
+            ..CommandFrame::default()
+        };
         for mapping in usable(&self.decoders) {
             let value = mapping.decode(rates.get(mapping.population.as_ref()).copied());
             if !command.channels.contains_key(&mapping.channel) {
-                let empty = ChannelValue { data: Vec::new(), unit: mapping.unit.clone() };
+                let empty = ChannelValue {
+                    data: Vec::new(),
+                    unit: mapping.unit.clone(),
+                };
                 command.channels.insert(mapping.channel.clone(), empty);
             }
-            let Some(channel) = command.channels.get_mut(&mapping.channel) else { continue };
+            let Some(channel) = command.channels.get_mut(&mapping.channel) else {
+                continue;
+            };
             if channel.data.len() <= mapping.component {
                 channel.data.resize(mapping.component + 1, 0.0); // [NCP-CODEC-010]
             }
@@ -128,7 +142,9 @@ impl RateCodec {
 
 /// `[NCP-CODEC-008]`
 fn usable(mappings: &[Mapping]) -> impl Iterator<Item = &Mapping> {
-    mappings.iter().filter(|mapping| mapping.component < MAX_COMPONENTS)
+    mappings
+        .iter()
+        .filter(|mapping| mapping.component < MAX_COMPONENTS)
 }
 
 /// The linear map from one range to the other, clamped; the middle of the target for what cannot be
@@ -143,5 +159,9 @@ fn map(value: Option<f64>, from: (f64, f64), to: (f64, f64)) -> f64 {
     let mapped = to.0 + (value - from.0) / span * (to.1 - to.0);
     let (low, high) = if to.0 <= to.1 { to } else { (to.1, to.0) };
     // `max` and `min` choose the bound over a NaN, and never panic as `clamp` does.
-    if mapped.is_nan() { middle } else { mapped.max(low).min(high) }
+    if mapped.is_nan() {
+        middle
+    } else {
+        mapped.max(low).min(high)
+    }
 }

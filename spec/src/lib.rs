@@ -50,6 +50,7 @@
 #![forbid(unsafe_code)]
 
 pub mod bulk;
+pub mod bus;
 pub mod catalogue;
 pub mod codec;
 pub mod contract;

@@ -60,18 +60,23 @@ pub fn explicit_message(name: &str) -> Json {
     })
 }
 
-/// A frame in which every field has a value that is not its default.
+/// A frame in which every field has a value that is not its default, but for the version and the
+/// pins.
 #[must_use]
 pub fn full(kind: &str) -> Json {
     let Some(message) = tables().kind(kind) else { return Json::Null };
-    full_message(&message.name).with("ncp_version", Json::string("0.5"))
+    full_message(&message.name)
 }
 
-/// A message in which every field has a value that is not its default.
+/// A message in which every field has a value that is not its default, but for the version and the
+/// pins.
 #[must_use]
 pub fn full_message(name: &str) -> Json {
     let Some(message) = tables().message(name) else { return Json::Null };
-    let fields = message.fields.iter().map(|field| (field.name.clone(), sample(message, field)));
+    let fields = message.fields.iter().map(|field| match field.name.as_str() {
+        "ncp_version" => (field.name.clone(), Json::string("0.5")),
+        _ => (field.name.clone(), sample(message, field)),
+    });
     Json::Object(fields.collect())
 }
 

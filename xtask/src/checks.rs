@@ -1,31 +1,22 @@
 //! What `cargo xtask test` checks, what fails fastest first.
 
-use std::process::Command;
+use std::fmt::Display;
+use std::fs;
+
+use serde_json::Value;
 
 use crate::count::{self, Count};
 use crate::generate;
-use crate::project::Project;
-use crate::setup::{self, SetupError};
+use crate::setup;
+use crate::test::{Failure, Work};
 
 /// One named check.
 pub(crate) struct Check {
     pub(crate) name: &'static str,
     /// What it checks, for `--list`.
     pub(crate) about: &'static str,
-    pub(crate) work: Work,
-}
-
-/// How a check is carried out.
-pub(crate) enum Work {
-    /// Within this program; an error says what is wrong.
-    Library(fn(&Project) -> Result<(), String>),
-    /// By a program, which has to succeed.
-    Program {
-        /// Sets up what the program needs, saying what it installs, and gives the program.
-        program: fn(&Project, &mut dyn FnMut(&str)) -> Result<Command, SetupError>,
-        /// Counts the tests in what it prints; without it, it is one test.
-        count: Option<fn(&str) -> Count>,
-    },
+    /// Checks it, and gives the number of tests that passed.
+    pub(crate) run: fn(&mut Work<'_>) -> Result<Count, Failure>,
 }
 
 /// All checks, in order.
@@ -33,171 +24,173 @@ pub(crate) const CHECKS: &[Check] = &[
     Check {
         name: "format",
         about: "the Rust code is formatted (rustfmt)",
-        work: Work::Program {
-            program: |project, _| {
-                Ok(project.cargo(&["fmt", "--all", "--check", "--", "--color", "never"]))
-            },
-            count: None,
+        run: |work| {
+            let cargo = work
+                .project
+                .cargo(&["fmt", "--all", "--check", "--", "--color", "never"]);
+            work.program(cargo)
         },
     },
     Check {
         name: "contract",
-        about: "proto and projection break nothing of the frozen 0.5 (our check)",
-        work: Work::Library(contract),
+        about: "proto and projection break nothing of the frozen 0.5 (our own check)",
+        run: |_| nothing_wrong(&ncp_proto::compat::check_current(), ""),
     },
     Check {
         name: "schemas",
-        about: "schemas/ is what the contract generates",
-        work: Work::Library(|project| fresh(project, "schemas/")),
+        about: "schemas/ holds what the contract generates",
+        run: |work| fresh(work, "schemas/"),
     },
     Check {
         name: "vectors",
-        about: "vectors/ and its manifest are what the specification generates",
-        work: Work::Library(|project| fresh(project, "vectors/")),
+        about: "vectors/ and its manifest hold what the generator generates",
+        run: |work| fresh(work, "vectors/"),
     },
     Check {
         name: "buf-lint",
         about: "the proto follows buf's rules",
-        work: Work::Program {
-            program: buf_lint,
-            count: None,
+        run: |work| {
+            let buf = work.set_up(setup::buf)?;
+            work.program(work.project.program(buf, &["lint"], "proto"))
         },
     },
     Check {
         name: "buf-breaking",
-        about: "the proto breaks nothing of the frozen 0.5 image (buf: FILE, WIRE_JSON)",
-        work: Work::Program {
-            program: buf_breaking,
-            count: None,
+        about: "the proto breaks nothing of the frozen 0.5 image (buf: FILE and WIRE_JSON)",
+        run: |work| {
+            let buf = work.set_up(setup::buf)?;
+            let against = ["breaking", "--against", "baseline/ncp-0.5.binpb"];
+            work.program(work.project.program(buf, &against, "proto"))
         },
     },
     Check {
         name: "clippy",
         about: "the Rust code is free of warnings (clippy, all targets)",
-        work: Work::Program {
-            program: |project, _| Ok(project.cargo(CLIPPY)),
-            count: None,
+        run: |work| {
+            let targets = ["clippy", "--workspace", "--all-targets", "--quiet"];
+            work.program(
+                work.project
+                    .cargo(&[&targets[..], &["--", "-D", "warnings"]].concat()),
+            )
         },
     },
     Check {
         name: "typescript",
         about: "the TypeScript peer's own tests",
-        work: Work::Program {
-            program: typescript,
-            count: Some(count::node),
+        run: |work| {
+            work.set_up(setup::typescript)?;
+            let mut npm =
+                work.project
+                    .program(setup::NPM, &["test", "--silent"], "peers/typescript");
+            // This reporter repeats at the end what failed.
+            npm.env("NODE_OPTIONS", "--test-reporter=spec");
+            work.tests(npm, count::node)
         },
     },
     Check {
         name: "rust",
         about: "all tests of all crates, and those in their documentation",
-        work: Work::Program {
-            program: |project, _| {
-                Ok(project.cargo(&["test", "--workspace", "--no-fail-fast", "--quiet"]))
-            },
-            count: Some(count::cargo),
+        run: |work| {
+            let all = ["test", "--workspace", "--no-fail-fast", "--quiet"];
+            work.tests(work.project.cargo(&all), count::cargo)
         },
     },
     Check {
         name: "buf-evidence",
         about: "buf sees of each planted change what proto/README.md says that it sees",
-        work: Work::Program {
-            program: buf_evidence,
-            count: Some(count::cargo),
+        run: |work| {
+            let buf = work.set_up(setup::buf)?;
+            let only = [
+                "test",
+                "--quiet",
+                "-p",
+                "ncp-proto",
+                "--test",
+                "buf",
+                "--",
+                "--ignored",
+            ];
+            let mut cargo = work.project.cargo(&only);
+            cargo.env("NCP_BUF", buf);
+            work.tests(cargo, count::cargo)
         },
     },
     Check {
         name: "conformance",
         about: "every bundled peer conforms at level wire (ncp-verify, release)",
-        work: Work::Program {
-            program: conformance,
-            count: None,
-        },
+        run: conformance,
     },
 ];
 
-const CLIPPY: &[&str] = &[
-    "clippy",
-    "--workspace",
-    "--all-targets",
-    "--quiet",
-    "--",
-    "-D",
-    "warnings",
-];
-
-const BUF_EVIDENCE: &[&str] = &[
-    "test",
-    "--quiet",
-    "-p",
-    "ncp-proto",
-    "--test",
-    "buf",
-    "--",
-    "--ignored",
-];
-
-fn contract(_: &Project) -> Result<(), String> {
-    let violations = ncp_proto::compat::check_current();
-    if violations.is_empty() {
-        Ok(())
-    } else {
-        Err(lines(&violations))
-    }
+/// The generated files of a folder are what would be generated.
+fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
+    let stale = generate::check(work.project, folder)
+        .map_err(|error| Failure::of_one(error.to_string()))?;
+    nothing_wrong(&stale, "\nif this is meant: cargo xtask generate")
 }
 
-fn fresh(project: &Project, folder: &str) -> Result<(), String> {
-    let stale = generate::check(project, folder).map_err(|error| error.to_string())?;
-    if stale.is_empty() {
-        return Ok(());
-    }
-    Err(format!(
-        "{}\nif this is meant: cargo xtask generate",
-        lines(&stale)
-    ))
-}
-
-fn buf_lint(project: &Project, say: &mut dyn FnMut(&str)) -> Result<Command, SetupError> {
-    let buf = setup::buf(project, say)?;
-    Ok(project.program(buf, &["lint"], "proto"))
-}
-
-fn buf_breaking(project: &Project, say: &mut dyn FnMut(&str)) -> Result<Command, SetupError> {
-    let buf = setup::buf(project, say)?;
-    let against = ["breaking", "--against", "baseline/ncp-0.5.binpb"];
-    Ok(project.program(buf, &against, "proto"))
-}
-
-fn typescript(project: &Project, say: &mut dyn FnMut(&str)) -> Result<Command, SetupError> {
-    setup::typescript(project, say)?;
-    let mut npm = project.program(setup::NPM, &["test", "--silent"], "peers/typescript");
-    // This reporter repeats at the end what failed.
-    npm.env("NODE_OPTIONS", "--test-reporter=spec");
-    Ok(npm)
-}
-
-fn buf_evidence(project: &Project, say: &mut dyn FnMut(&str)) -> Result<Command, SetupError> {
-    let mut tests = project.cargo(BUF_EVIDENCE);
-    tests.env("NCP_BUF", setup::buf(project, say)?);
-    Ok(tests)
-}
-
-fn conformance(project: &Project, say: &mut dyn FnMut(&str)) -> Result<Command, SetupError> {
-    setup::typescript(project, say)?;
-    Ok(project.cargo(&[
+fn conformance(work: &mut Work<'_>) -> Result<Count, Failure> {
+    const RESULT: &str = ".tools/logs/conformance.json";
+    let verify = [
         "run",
         "--quiet",
         "--release",
         "-p",
         "ncp-verifier",
         "--",
-        "run",
-    ]))
+        "--level",
+        "wire",
+    ];
+    let cargo = work
+        .project
+        .cargo(&[&verify[..], &["--json", RESULT]].concat());
+    let count = work.program(cargo)?;
+
+    // For the verifier a peer without its toolchain is skipped, which is no failure. Here it
+    // is one: every bundled peer has to be shown to conform.
+    let unreadable = |error: &dyn Display| Failure::of_one(format!("{RESULT}: {error}"));
+    let text = fs::read(work.project.path(RESULT)).map_err(|error| unreadable(&error))?;
+    let result: Value = serde_json::from_slice(&text).map_err(|error| unreadable(&error))?;
+    let unchecked = unchecked_peers(&result).ok_or_else(|| unreadable(&"no list of peers"))?;
+    nothing_wrong(&unchecked, "").map(|_| count)
 }
 
-fn lines<T: std::fmt::Display>(items: &[T]) -> String {
-    items
+/// The peers that a result of `ncp-verify` does not judge, with the reason.
+fn unchecked_peers(result: &Value) -> Option<Vec<String>> {
+    let unchecked = result["peers"]
+        .as_array()?
         .iter()
-        .map(T::to_string)
-        .collect::<Vec<_>>()
-        .join("\n")
+        .filter(|peer| peer["state"] != "checked");
+    Some(
+        unchecked
+            .map(|peer| format!("{}: {}", peer["name"], peer["reason"]))
+            .collect(),
+    )
+}
+
+/// One passed test if there is nothing wrong; else one failed test that shows it.
+fn nothing_wrong<T: Display>(wrong: &[T], remedy: &str) -> Result<Count, Failure> {
+    if wrong.is_empty() {
+        return Ok(Count::one(true));
+    }
+    let lines: Vec<String> = wrong.iter().map(T::to_string).collect();
+    Err(Failure::of_one(lines.join("\n") + remedy))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_peer_that_was_not_checked_is_named_with_its_reason() {
+        let result = json!({"peers": [
+            {"name": "rust", "state": "checked", "reason": null},
+            {"name": "typescript", "state": "skipped", "reason": "node is not on PATH"},
+        ]});
+        let unchecked = unchecked_peers(&result).unwrap();
+        assert_eq!(unchecked, [r#""typescript": "node is not on PATH""#]);
+        assert_eq!(unchecked_peers(&json!({})), None);
+    }
 }

@@ -18,11 +18,16 @@ impl Project {
     /// The program was not started by cargo, which says where it lies.
     pub(crate) fn find() -> Result<Self, Error> {
         let xtask = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(Error::NoProject)?;
-        let root = Path::new(&xtask)
-            .parent()
-            .ok_or(Error::NoProject)?
-            .to_owned();
-        Ok(Self { root })
+        Ok(Self::at(
+            Path::new(&xtask).parent().ok_or(Error::NoProject)?,
+        ))
+    }
+
+    /// The project in a folder.
+    pub(crate) fn at(root: &Path) -> Self {
+        Self {
+            root: root.to_owned(),
+        }
     }
 
     /// A path within the project.

@@ -16,6 +16,9 @@ const BUF_VERSION: &str = "1.75.0";
 const VENV: &str = ".tools/venv";
 const TYPESCRIPT: &str = "peers/typescript";
 
+/// Tells the person who waits what is being installed.
+pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
+
 /// Sets up everything.
 ///
 /// # Errors
@@ -32,7 +35,7 @@ pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
 ///
 /// # Errors
 /// No Python, or one that cannot make a virtual environment, or no PyPI.
-pub(crate) fn buf(project: &Project, say: &mut dyn FnMut(&str)) -> Result<PathBuf, SetupError> {
+pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let bin = project
         .path(VENV)
         .join(if cfg!(windows) { "Scripts" } else { "bin" });
@@ -72,7 +75,7 @@ pub(crate) fn buf(project: &Project, say: &mut dyn FnMut(&str)) -> Result<PathBu
 ///
 /// # Errors
 /// No npm, or no registry.
-pub(crate) fn typescript(project: &Project, say: &mut dyn FnMut(&str)) -> Result<(), SetupError> {
+pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     let lock = project.path(TYPESCRIPT).join("package-lock.json");
     let wanted = fs::read(&lock).map_err(|source| SetupError::File { path: lock, source })?;
     // The lock file that was installed, beside what was installed from it.

@@ -2,14 +2,15 @@
 
 use std::fs::{self, File};
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::Error;
-use crate::checks::{CHECKS, Check, Work};
+use crate::checks::{CHECKS, Check};
 use crate::count::Count;
 use crate::project::{self, Project};
+use crate::setup::{Say, SetupError};
 
 /// Prints the checks.
 pub(crate) fn list() {
@@ -37,12 +38,12 @@ pub(crate) fn select(mut args: &[&str]) -> Result<Vec<&'static Check>, Error> {
                 let check = CHECKS.iter().find(|check| check.name == *name);
                 names.push(
                     check
-                        .ok_or_else(|| usage(format!("`{name}` is no check")))?
+                        .ok_or_else(|| usage(&format!("`{name}` is no check")))?
                         .name,
                 );
                 args = rest;
             }
-            [other, ..] => return Err(usage(format!("`{other}` is no option of `test`"))),
+            [other, ..] => return Err(usage(&format!("`{other}` is no option of `test`"))),
         }
     }
 }
@@ -63,86 +64,118 @@ pub(crate) fn run(project: &Project, checks: &[&Check]) -> Result<bool, Error> {
     for check in checks {
         screen.begin(check.name);
         let start = Instant::now();
-        let outcome = match &check.work {
-            Work::Library(work) => match work(project) {
-                Ok(()) => Outcome {
-                    count: Count::one(true),
-                    failure: None,
-                },
-                Err(failure) => Outcome::failed(failure),
-            },
-            Work::Program { program, count } => {
-                let log = logs.join(format!("{}.log", check.name));
-                match program(project, &mut |line| screen.say(line)) {
-                    Ok(program) => carry_out(program, *count, &log)
-                        .map_err(|source| Error::File { path: log, source })?,
-                    Err(error) => Outcome::failed(error.to_string()),
-                }
-            }
-        };
+        let log = logs.join(format!("{}.log", check.name));
+        let outcome = (check.run)(&mut Work {
+            project,
+            log,
+            screen: &mut screen,
+        });
         screen.end(check.name, start.elapsed(), &outcome);
-        total += outcome.count;
+        total += match outcome {
+            Ok(count) | Err(Failure { count, .. }) => count,
+        };
     }
     println!("{} passed, {} failed", total.passed, total.failed);
     Ok(total.failed == 0)
 }
 
-const LOGS: &str = ".tools/logs";
-
-fn usage(what: String) -> Error {
-    Error::Usage {
-        what: format!("{what}; `cargo xtask test --list` shows the checks"),
-    }
+/// What a check works with.
+pub(crate) struct Work<'a> {
+    pub(crate) project: &'a Project,
+    /// Where all that the check's program prints can be read afterwards.
+    log: PathBuf,
+    screen: &'a mut Screen,
 }
 
-/// How a check ended.
-struct Outcome {
+/// How a check failed.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    /// At least one failed test.
     count: Count,
-    /// What to show if it failed.
-    failure: Option<String>,
+    /// What to show.
+    text: String,
 }
 
-impl Outcome {
-    /// A check that failed as a whole.
-    fn failed(failure: String) -> Self {
+impl Failure {
+    /// A check that is one test, and failed.
+    pub(crate) fn of_one(text: String) -> Self {
         Self {
             count: Count::one(false),
-            failure: Some(failure),
+            text,
         }
     }
 }
 
-/// Runs a program, with all that it prints going to a log.
-fn carry_out(
-    mut program: Command,
-    counter: Option<fn(&str) -> Count>,
-    log: &Path,
-) -> io::Result<Outcome> {
-    let file = File::create(log)?;
-    let status = program.stdout(file.try_clone()?).stderr(file).status();
-    let ended = match status {
-        Ok(status) if status.success() => None,
-        Ok(status) => Some(format!("{} ended with {status}", project::shown(&program))),
-        Err(error) => Some(format!(
-            "{} could not be started: {error}",
-            project::shown(&program)
-        )),
-    };
-    let printed = String::from_utf8_lossy(&fs::read(log)?).into_owned();
-    let mut count = counter.map_or_else(Count::default, |counter| counter(&printed));
-    // What does not count its tests is one; what fails without a failed test, such as code
-    // that does not compile, has failed once.
-    if count == Count::default() || (ended.is_some() && count.failed == 0) {
-        count += Count::one(ended.is_none());
+impl From<SetupError> for Failure {
+    fn from(error: SetupError) -> Self {
+        Self::of_one(error.to_string())
     }
-    let failure = ended.map(|ended| {
-        format!(
-            "{}\n{ended}\nall that it printed: {}",
-            excerpt(&printed),
-            log.display()
-        )
-    });
-    Ok(Outcome { count, failure })
+}
+
+impl Work<'_> {
+    /// Sets up what the check needs, showing what is installed.
+    ///
+    /// # Errors
+    /// It could not be set up.
+    pub(crate) fn set_up<T>(
+        &mut self,
+        set_up: fn(&Project, Say<'_>) -> Result<T, SetupError>,
+    ) -> Result<T, SetupError> {
+        set_up(self.project, &mut |line| self.screen.say(line))
+    }
+
+    /// Runs a program that is one test: it has to succeed.
+    ///
+    /// # Errors
+    /// It did not, or could not be started.
+    pub(crate) fn program(&mut self, program: Command) -> Result<Count, Failure> {
+        self.tests(program, |_| Count::default())
+    }
+
+    /// Runs a program that runs tests, and counts those.
+    ///
+    /// # Errors
+    /// It did not succeed, or could not be started.
+    pub(crate) fn tests(
+        &mut self,
+        mut program: Command,
+        counter: fn(&str) -> Count,
+    ) -> Result<Count, Failure> {
+        let shown = project::shown(&program);
+        let unusable = |error| Failure::of_one(format!("{}: {error}", self.log.display()));
+        let out = File::create(&self.log).map_err(unusable)?;
+        let err = out.try_clone().map_err(unusable)?;
+        let ended = match program.stdout(out).stderr(err).status() {
+            Ok(status) if status.success() => None,
+            Ok(status) => Some(format!("{shown} ended with {status}")),
+            Err(error) => Some(format!("{shown} could not be started: {error}")),
+        };
+        let printed = fs::read(&self.log).map_err(unusable)?;
+        let printed = String::from_utf8_lossy(&printed);
+
+        let mut count = counter(&printed);
+        // A program without tests is a test itself; so is one that fails without a failed
+        // test, such as a compiler that finds an error.
+        if count == Count::default() || (ended.is_some() && count.failed == 0) {
+            count += Count::one(ended.is_none());
+        }
+        match ended {
+            None => Ok(count),
+            Some(ended) => {
+                let log = self.log.display();
+                let text = format!("{}\n{ended}\nall of its output: {log}", excerpt(&printed));
+                Err(Failure { count, text })
+            }
+        }
+    }
+}
+
+const LOGS: &str = ".tools/logs";
+
+fn usage(what: &str) -> Error {
+    Error::Usage {
+        what: format!("{what}; `cargo xtask test --list` shows the checks"),
+    }
 }
 
 /// What matters most of what a failed program printed: the failures that test programs
@@ -201,12 +234,11 @@ impl Screen {
     }
 
     /// Shows how the check ended.
-    fn end(&mut self, name: &str, time: Duration, outcome: &Outcome) {
+    fn end(&mut self, name: &str, time: Duration, outcome: &Result<Count, Failure>) {
         self.clear();
-        let Count { passed, failed } = outcome.count;
-        let (state, colour) = match (&outcome.failure, failed) {
-            (None, 0) => ("ok", "32"),
-            _ => ("FAILED", "31"),
+        let (state, colour, count, text) = match outcome {
+            Ok(count) => ("ok", "32", count, ""),
+            Err(Failure { count, text }) => ("FAILED", "31", count, text.as_str()),
         };
         let state = format!("{state:8}");
         let state = if self.colours {
@@ -214,13 +246,13 @@ impl Screen {
         } else {
             state
         };
-        let tests = match passed + failed {
-            0 | 1 => String::new(),
-            _ if failed == 0 => format!("   {passed} passed"),
-            _ => format!("   {passed} passed, {failed} failed"),
+        let tests = match count {
+            Count { passed, failed } if passed + failed < 2 => String::new(),
+            Count { passed, failed: 0 } => format!("   {passed} passed"),
+            Count { passed, failed } => format!("   {passed} passed, {failed} failed"),
         };
         println!("{state} {name:14} {:>7.1} s{tests}", time.as_secs_f64());
-        for line in outcome.failure.iter().flat_map(|failure| failure.lines()) {
+        for line in text.lines() {
             println!("         | {line}");
         }
     }
@@ -293,50 +325,58 @@ mod tests {
     mod with_programs {
         use super::*;
 
-        fn run_shell(script: &str, counter: Option<fn(&str) -> Count>) -> Outcome {
+        fn tests(program: &str, args: &[&str]) -> Result<Count, Failure> {
             let folder = tempfile::tempdir().unwrap();
-            let mut shell = Command::new("sh");
-            shell.args(["-c", script]);
-            carry_out(shell, counter, &folder.path().join("log")).unwrap()
+            let project = Project::at(folder.path());
+            let (log, mut screen) = (folder.path().join("log"), Screen::new());
+            let mut work = Work {
+                project: &project,
+                log,
+                screen: &mut screen,
+            };
+            let program = project.program(program, args, "");
+            work.tests(program, crate::count::cargo)
+        }
+
+        fn shell(script: &str) -> Result<Count, Failure> {
+            tests("sh", &["-c", script])
         }
 
         #[test]
-        fn a_program_that_succeeds_is_one_passed_test() {
-            let outcome = run_shell("echo fine", None);
+        fn a_program_that_succeeds_without_tests_is_one_passed_test() {
             assert_eq!(
-                outcome.count,
+                shell("echo fine").unwrap(),
                 Count {
                     passed: 1,
                     failed: 0
                 }
             );
-            assert_eq!(outcome.failure, None);
         }
 
         #[test]
         fn a_program_that_fails_before_any_test_is_one_failed_test() {
-            let outcome = run_shell(
-                "echo 'error: no such thing' >&2; exit 3",
-                Some(crate::count::cargo),
-            );
+            let failure = shell("echo 'error: no such thing' >&2; exit 3").unwrap_err();
             assert_eq!(
-                outcome.count,
+                failure.count,
                 Count {
                     passed: 0,
                     failed: 1
                 }
             );
-            let failure = outcome.failure.unwrap();
-            assert!(failure.contains("error: no such thing"), "{failure}");
-            assert!(failure.contains("exit status: 3"), "{failure}");
+            assert!(
+                failure.text.contains("error: no such thing"),
+                "{}",
+                failure.text
+            );
+            assert!(failure.text.contains("exit status: 3"), "{}", failure.text);
         }
 
         #[test]
         fn a_crash_behind_passed_tests_is_a_failed_test() {
             let script = "echo 'test result: ok. 7 passed; 0 failed; 0 ignored'; kill -ABRT $$";
-            let outcome = run_shell(script, Some(crate::count::cargo));
+            let failure = shell(script).unwrap_err();
             assert_eq!(
-                outcome.count,
+                failure.count,
                 Count {
                     passed: 7,
                     failed: 1
@@ -346,21 +386,18 @@ mod tests {
 
         #[test]
         fn a_program_that_cannot_be_started_is_named() {
-            let folder = tempfile::tempdir().unwrap();
-            let program = Command::new("no-such-program-anywhere");
-            let outcome = carry_out(program, None, &folder.path().join("log")).unwrap();
+            let failure = tests("no-such-program-anywhere", &[]).unwrap_err();
             assert_eq!(
-                outcome.count,
+                failure.count,
                 Count {
                     passed: 0,
                     failed: 1
                 }
             );
             assert!(
-                outcome
-                    .failure
-                    .unwrap()
-                    .contains("no-such-program-anywhere")
+                failure.text.contains("no-such-program-anywhere"),
+                "{}",
+                failure.text
             );
         }
     }

@@ -97,7 +97,11 @@ const CALLS: ReadonlyMap<string, Call> = new Map<string, Call>([
     "observation.unpack",
     (args) => {
       const { times, values, senders } = unpack(bytesIn(textIn(args, "block")));
-      return { times: Array.from(times, doubleOut), values: Array.from(values, doubleOut), senders: Array.from(senders, String) };
+      return {
+        times: Array.from(times, doubleOut),
+        values: Array.from(values, doubleOut),
+        senders: Array.from(senders, String),
+      };
     },
   ],
   [
@@ -195,7 +199,8 @@ function columnIn(column: Json): Column {
 }
 
 function columnOut({ name, dtype, data }: Column): Json {
-  const values = dtype === "i64" ? Array.from(data, String) : dtype === "i32" ? Array.from(data) : Array.from(data, doubleOut);
+  const values =
+    dtype === "i64" ? Array.from(data, String) : dtype === "i32" ? Array.from(data) : Array.from(data, doubleOut);
   return { name, dtype, data: values };
 }
 

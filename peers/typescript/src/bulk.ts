@@ -26,14 +26,15 @@ export type Column =
  * columns never take more memory than the block. [NCP-BULK-024]
  *
  * @param block - the bytes of the whole block and no others
- * @returns the columns in the order of the directory
+ * @returns the columns in the order of the directory [NCP-BULK-021]
  * @throws {@link BulkError} when the block is rejected
  *
  * Rules: NCP-BULK-001 to NCP-BULK-024.
  */
 export function decodeBlock(block: Uint8Array): Column[] {
   const length = block.length;
-  if (length > BLOCK_BYTES) throw new BulkError(`the block has more than ${BLOCK_BYTES} bytes`, "limit"); // [NCP-BULK-015]
+  // [NCP-BULK-015]
+  if (length > BLOCK_BYTES) throw new BulkError(`the block has more than ${BLOCK_BYTES} bytes`, "limit");
   if (length < HEADER_BYTES) throw new BulkError("the block is shorter than its header"); // [NCP-BULK-001]
   const view = new DataView(block.buffer, block.byteOffset, length);
   if (view.getUint32(0) !== MAGIC) throw new BulkError("the block does not begin with NCPB"); // [NCP-BULK-002]
@@ -41,7 +42,8 @@ export function decodeBlock(block: Uint8Array): Column[] {
   if (view.getUint8(5) !== 0) throw new BulkError("the block's flags are not 0"); // [NCP-BULK-004]
   const count = view.getUint16(6, true);
   if (view.getUint32(8, true) !== length) throw new BulkError("total_len is not the block's length"); // [NCP-BULK-005]
-  if (count > BLOCK_COLUMNS) throw new BulkError(`the block has more than ${BLOCK_COLUMNS} columns`, "limit"); // [NCP-BULK-016]
+  // [NCP-BULK-016] [NCP-BULK-017]
+  if (count > BLOCK_COLUMNS) throw new BulkError(`the block has more than ${BLOCK_COLUMNS} columns`, "limit");
   const directoryEnd = HEADER_BYTES + ENTRY_BYTES * count;
   if (directoryEnd > length) throw new BulkError("the directory does not fit into the block"); // [NCP-BULK-006]
 
@@ -60,7 +62,8 @@ export function decodeBlock(block: Uint8Array): Column[] {
   const names = new Set<string>();
   return entries.map((entry, n) => {
     const name = readName(block, entry, n);
-    if (names.size === names.add(name).size) throw new BulkError(`column ${n} repeats the name of another`); // [NCP-BULK-013]
+    if (names.has(name)) throw new BulkError(`column ${n} repeats the name of another`); // [NCP-BULK-013]
+    names.add(name);
     return readColumn(block, name, entry);
   });
 }
@@ -105,7 +108,10 @@ export function encodeBlock(columns: readonly Column[]): Uint8Array<ArrayBuffer>
     view.setUint32(at + 8, data.length, true);
     view.setUint32(at + 12, dataOffsets[n]!, true);
     block.set(names[n]!, nameOffsets[n]!);
-    block.set(littleEndian(new Uint8Array(data.buffer, data.byteOffset, data.byteLength), WIDTHS[dtype]), dataOffsets[n]!);
+    block.set(
+      littleEndian(new Uint8Array(data.buffer, data.byteOffset, data.byteLength), WIDTHS[dtype]),
+      dataOffsets[n]!,
+    );
   });
   return block;
 }
@@ -160,7 +166,8 @@ function readName(block: Uint8Array, { nameOffset, nameLength }: Entry, n: numbe
 function readColumn(block: Uint8Array, name: string, { dtype, rows, dataOffset }: Entry): Column {
   const width = WIDTHS[dtype];
   let bytes = block.subarray(dataOffset, dataOffset + rows * width);
-  if (bytes.byteOffset % width !== 0) bytes = bytes.slice();
+  // Not `slice`, which is a view where the bytes are a Node buffer.
+  if (bytes.byteOffset % width !== 0) bytes = new Uint8Array(bytes);
   bytes = littleEndian(bytes, width);
   const data = new ARRAYS[dtype](bytes.buffer as ArrayBuffer, bytes.byteOffset, rows);
   return { name, dtype, data } as Column;
@@ -169,7 +176,7 @@ function readColumn(block: Uint8Array, name: string, { dtype, rows, dataOffset }
 /** The bytes of values of this width, turned round if the host is big-endian. */
 function littleEndian(bytes: Uint8Array, width: number): Uint8Array {
   if (HOST_IS_LITTLE_ENDIAN) return bytes;
-  const turned = bytes.slice();
+  const turned = new Uint8Array(bytes);
   for (let at = 0; at < turned.length; at += width) turned.subarray(at, at + width).reverse();
   return turned;
 }
@@ -182,7 +189,10 @@ function encodeName(name: string): Uint8Array {
   return bytes;
 }
 
-/** The regions of a block: each must lie within it, and no two may share a byte. */
+/**
+ * The regions of a block: each must lie within it, and no two may share a byte. What lies between them
+ * belongs to none and has no meaning. [NCP-BULK-020]
+ */
 class Regions {
   private readonly length: number;
   /** Each region that is not empty as begin · 2^27 + end: a block ends before 2^27, so this sorts by begin. */

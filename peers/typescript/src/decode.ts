@@ -9,7 +9,15 @@ import { DecodeError } from "./errors.js";
 import { frameBytesOf, JsonReader } from "./json.js";
 import { isSegment } from "./keys.js";
 import { ENTRIES, frameBytes, OBSERVATION_FRAME_BYTES } from "./limits.js";
-import { isKind, TABLES, type Kind, type Message, type Messages, type RunRequest, type StepRequest } from "./messages.js";
+import {
+  isKind,
+  TABLES,
+  type Kind,
+  type Message,
+  type Messages,
+  type RunRequest,
+  type StepRequest,
+} from "./messages.js";
 import type { Names } from "./names.js";
 import type { NamedField, Shape, Table } from "./table.js";
 
@@ -21,11 +29,13 @@ import type { NamedField, Shape, Table } from "./table.js";
  * @returns the complete message: absent fields have their defaults, unset optional ones are `null`
  * @throws {@link DecodeError} when the frame is rejected
  *
+ * The value of `ncp_version` is not judged, which is the version guard's matter. [NCP-WIRE-033]
+ *
  * Rules: NCP-WIRE-001 to NCP-WIRE-070, NCP-PROV-001 to NCP-PROV-006.
  */
 export function decode<K extends Kind>(kind: K, frame: string | Uint8Array): Messages[K] {
   if (!isKind(kind)) throw new DecodeError("kind", "the kind that is expected is not a known one");
-  const bytes = frameBytesOf(frame, frameBytes(kind)); // [NCP-WIRE-060] to [NCP-WIRE-063]
+  const bytes = frameBytesOf(frame, frameBytes(kind)); // [NCP-WIRE-060] [NCP-WIRE-061] [NCP-WIRE-062] [NCP-WIRE-063]
   const reader = new JsonReader(bytes);
   beginObject(reader);
   const message = readMessage(reader, TABLES[kind]) as unknown as Messages[K];

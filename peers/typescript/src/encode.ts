@@ -146,7 +146,10 @@ class Builder extends Walker {
     const map = new Map<string, unknown>();
     for (const [name, value] of entries) {
       if (typeof name !== "string") throw this.error("type", "the name of an entry is not a string");
-      map.set(name, this.within(name, () => this.value(of, value)));
+      map.set(
+        name,
+        this.within(name, () => this.value(of, value)),
+      );
     }
     return map;
   }

@@ -22,7 +22,7 @@ export function stringText(bytes: Uint8Array, start: number, end: number, escape
 export function unescape(raw: Uint8Array): Uint8Array {
   const out = new Uint8Array(raw.length);
   let length = 0;
-  for (let pos = 0; pos < raw.length; ) {
+  for (let pos = 0; pos < raw.length;) {
     const byte = raw[pos]!;
     if (byte !== BACKSLASH) {
       out[length++] = byte;

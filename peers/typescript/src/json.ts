@@ -142,7 +142,8 @@ export class JsonReader {
   integer(): number {
     this.scanNumber();
     if (!this.plainInteger) throw this.error("type", "the number is not spelled as an integer"); // [NCP-WIRE-010]
-    if (!Number.isSafeInteger(this.value)) throw this.error("value", "the integer is beyond ±(2^53 − 1)"); // [NCP-WIRE-011]
+    // [NCP-WIRE-011]
+    if (!Number.isSafeInteger(this.value)) throw this.error("value", "the integer is beyond ±(2^53 − 1)");
     return this.value;
   }
 
@@ -218,7 +219,8 @@ export class JsonReader {
   }
 
   private enter(): void {
-    if (++this.levels > LEVELS) throw this.error("limit", `there are more than ${LEVELS} levels`); // [NCP-WIRE-064]
+    // [NCP-WIRE-064] [NCP-WIRE-065]
+    if (++this.levels > LEVELS) throw this.error("limit", `there are more than ${LEVELS} levels`);
     this.pos++;
   }
 

@@ -430,7 +430,10 @@ const COMMAND_FRAME = table("CommandFrame", {
   t: number(0),
   /** The reference frame. */
   frame_id: text("world"),
-  /** Only `active` moves the plant. Absent from a frame: `hold`; not named by a program: `active`. [NCP-WIRE-024] [NCP-WIRE-088] */
+  /**
+   * Only `active` moves the plant. Absent from a frame it is `hold` [NCP-WIRE-024]; a program that does
+   * not name it means `active` [NCP-WIRE-088].
+   */
   mode: builtAs(field<Mode>(MODE, "hold"), "active"),
   /** How long the command may be acted upon, ms from its arrival. */
   ttl_ms: number(200),

@@ -73,7 +73,7 @@ export function unpack(block: Uint8Array): UnpackedSamples {
 }
 
 /**
- * An observation with its samples packed, for the observation plane. [NCP-OBS-011]
+ * An observation with its samples packed, for the observation plane and no other. [NCP-OBS-010] [NCP-OBS-011]
  *
  * @throws {@link BulkError} when the arrays that are not empty differ in length
  */

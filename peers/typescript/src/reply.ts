@@ -41,7 +41,8 @@ export function checkReply<R extends Request>(request: R, reply: string | Uint8A
     throw new ReplyError(`the reply is for the session ${JSON.stringify(message.session_id)}`); // [NCP-SESS-002]
   }
   const compatible = refusing("the reply's version is malformed", () => checkVersion(message.ncp_version));
-  if (!compatible) throw new ReplyError(`the reply's version ${message.ncp_version} is not compatible`); // [NCP-SESS-003]
+  // [NCP-SESS-003]
+  if (!compatible) throw new ReplyError(`the reply's version ${message.ncp_version} is not compatible`);
   if ("ok" in message && !message.ok) {
     const reason = message.kind === "session_opened" ? message.error : null;
     throw new ReplyError(reason ?? `the server reports that ${request.kind} failed`); // [NCP-SESS-004]

@@ -59,16 +59,18 @@ export interface NamedField extends Field {
 }
 
 /** The complete message of a table. */
-export type MessageOf<T> = T extends Table<infer F>
-  ? { -readonly [K in keyof F]: F[K] extends Field<infer Out, unknown, boolean> ? Out : never }
-  : never;
+export type MessageOf<T> =
+  T extends Table<infer F>
+    ? { -readonly [K in keyof F]: F[K] extends Field<infer Out, unknown, boolean> ? Out : never }
+    : never;
 
 /** What a program gives to build the message of a table. */
-export type InputOf<T> = T extends Table<infer F>
-  ? { readonly [K in keyof F as F[K] extends Field<unknown, unknown, true> ? K : never]: Given<F[K]> } & {
-      readonly [K in keyof F as F[K] extends Field<unknown, unknown, true> ? never : K]?: Given<F[K]> | undefined;
-    }
-  : never;
+export type InputOf<T> =
+  T extends Table<infer F>
+    ? { readonly [K in keyof F as F[K] extends Field<unknown, unknown, true> ? K : never]: Given<F[K]> } & {
+        readonly [K in keyof F as F[K] extends Field<unknown, unknown, true> ? never : K]?: Given<F[K]> | undefined;
+      }
+    : never;
 
 type Given<F> = F extends Field<unknown, infer In, boolean> ? In : never;
 

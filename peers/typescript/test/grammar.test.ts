@@ -10,8 +10,20 @@ const counted = (spelling: string): string => `{"kind":"sensor_frame","seq":${sp
 
 test("a frame that is not UTF-8 is rejected, wherever the bytes stand", () => {
   const faulty = [
-    [0x80], [0xc3], [0xc0, 0xaf], [0xc1, 0xbf], [0xe2, 0x82], [0xe0, 0x9f, 0xbf], [0xed, 0xa0, 0x80], [0xed, 0xbf, 0xbf],
-    [0xf0, 0x8f, 0xbf, 0xbf], [0xf4, 0x90, 0x80, 0x80], [0xf5, 0x80, 0x80, 0x80], [0xff], [0xe2, 0x82, 0x41], [0xf0, 0x9f, 0x98],
+    [0x80],
+    [0xc3],
+    [0xc0, 0xaf],
+    [0xc1, 0xbf],
+    [0xe2, 0x82],
+    [0xe0, 0x9f, 0xbf],
+    [0xed, 0xa0, 0x80],
+    [0xed, 0xbf, 0xbf],
+    [0xf0, 0x8f, 0xbf, 0xbf],
+    [0xf4, 0x90, 0x80, 0x80],
+    [0xf5, 0x80, 0x80, 0x80],
+    [0xff],
+    [0xe2, 0x82, 0x41],
+    [0xf0, 0x9f, 0x98],
   ];
   for (const sequence of faulty) {
     rejects("sensor_frame", bytes('{"kind":"sensor_frame","frame_id":"', sequence, '"}'), "malformed");
@@ -22,7 +34,18 @@ test("a frame that is not UTF-8 is rejected, wherever the bytes stand", () => {
 });
 
 test("every well-formed UTF-8 sequence is read as its character", () => {
-  for (const text of ["\u007f", "\u0080", "\u07ff", "\u0800", "\ud7ff", "\ue000", "\uffff", "\u{10000}", "\u{10ffff}", "\ufeff"]) {
+  for (const text of [
+    "\u007f",
+    "\u0080",
+    "\u07ff",
+    "\u0800",
+    "\ud7ff",
+    "\ue000",
+    "\uffff",
+    "\u{10000}",
+    "\u{10ffff}",
+    "\ufeff",
+  ]) {
     assert.equal(decode("sensor_frame", bytes('{"kind":"sensor_frame","frame_id":"', text, '"}')).frame_id, text);
   }
 });
@@ -33,14 +56,53 @@ test("a frame with a byte order mark is rejected", () => {
 });
 
 test("a frame that is not one object is rejected", () => {
-  const faulty = ["", " ", "null", "true", "1", '"x"', "[]", '[{"kind":"sensor_frame"}]', "{", "}", '{"kind":"sensor_frame"',
-    '{"kind":"sensor_frame"}{}', '{"kind":"sensor_frame"},', '{"kind":"sensor_frame"}x', '{"kind":"sensor_frame"}\0'];
+  const faulty = [
+    "",
+    " ",
+    "null",
+    "true",
+    "1",
+    '"x"',
+    "[]",
+    '[{"kind":"sensor_frame"}]',
+    "{",
+    "}",
+    '{"kind":"sensor_frame"',
+    '{"kind":"sensor_frame"}{}',
+    '{"kind":"sensor_frame"},',
+    '{"kind":"sensor_frame"}x',
+    '{"kind":"sensor_frame"}\0',
+  ];
   for (const frame of faulty) rejects("sensor_frame", frame, "malformed");
 });
 
 test("white space is accepted between all tokens, and only JSON's", () => {
   const frame = (space: string): string =>
-    ["", "{", '"kind"', ":", '"sensor_frame"', ",", '"channels"', ":", "{", '"a"', ":", "{", '"data"', ":", "[", "1", ",", "2", "]", "}", "}", "}", ""].join(space);
+    [
+      "",
+      "{",
+      '"kind"',
+      ":",
+      '"sensor_frame"',
+      ",",
+      '"channels"',
+      ":",
+      "{",
+      '"a"',
+      ":",
+      "{",
+      '"data"',
+      ":",
+      "[",
+      "1",
+      ",",
+      "2",
+      "]",
+      "}",
+      "}",
+      "}",
+      "",
+    ].join(space);
   for (const space of [" ", "\t", "\n", "\r", " \t\r\n "]) {
     assert.deepEqual([...decode("sensor_frame", frame(space)).channels.get("a")!.data], [1, 2]);
   }
@@ -48,9 +110,51 @@ test("white space is accepted between all tokens, and only JSON's", () => {
 });
 
 test("text that the JSON grammar lacks is rejected, also within an ignored member", () => {
-  const faulty = ["", "01", "-01", "1.", ".5", "+1", "1e", "1e+", "1.e1", "- 1", "-", "0x10", "1_0", "NaN", "Infinity", "-Infinity",
-    "nul", "nulll", "True", "tru", "'a'", "[1,]", "[,1]", "[1 2]", "[", "]", "{,}", '{"a"}', '{"a":}', '{"a":1,}', '{"a" 1}',
-    "{a:1}", '"a', '"\\x"', '"\\u12"', '"\\u12G4"', '"\\U1234"', '"\t"', '"\n"', '"\u0000"', "1/**/", "//\n1", "undefined"];
+  const faulty = [
+    "",
+    "01",
+    "-01",
+    "1.",
+    ".5",
+    "+1",
+    "1e",
+    "1e+",
+    "1.e1",
+    "- 1",
+    "-",
+    "0x10",
+    "1_0",
+    "NaN",
+    "Infinity",
+    "-Infinity",
+    "nul",
+    "nulll",
+    "True",
+    "tru",
+    "'a'",
+    "[1,]",
+    "[,1]",
+    "[1 2]",
+    "[",
+    "]",
+    "{,}",
+    '{"a"}',
+    '{"a":}',
+    '{"a":1,}',
+    '{"a" 1}',
+    "{a:1}",
+    '"a',
+    '"\\x"',
+    '"\\u12"',
+    '"\\u12G4"',
+    '"\\U1234"',
+    '"\t"',
+    '"\n"',
+    '"\u0000"',
+    "1/**/",
+    "//\n1",
+    "undefined",
+  ];
   for (const json of faulty) rejects("close_session", ignoring(json), "malformed");
 });
 
@@ -84,7 +188,15 @@ test("a repetition is found among many names", () => {
 });
 
 test("an escaped surrogate without its partner is rejected", () => {
-  for (const escape of ["\\ud800", "\\udfff", "\\ude00\\ud83d", "\\ud83d\\u0041", "\\ud83dx", "\\ud83d\\n", "\\ud83d\\ud83d\\ude00"]) {
+  for (const escape of [
+    "\\ud800",
+    "\\udfff",
+    "\\ude00\\ud83d",
+    "\\ud83d\\u0041",
+    "\\ud83dx",
+    "\\ud83d\\n",
+    "\\ud83d\\ud83d\\ude00",
+  ]) {
     rejects("sensor_frame", `{"kind":"sensor_frame","frame_id":"${escape}"}`, "malformed");
     rejects("close_session", ignoring(`"${escape}"`), "malformed");
     rejects("close_session", ignoring(`{"${escape}":0}`), "malformed");
@@ -93,7 +205,10 @@ test("an escaped surrogate without its partner is rejected", () => {
 });
 
 test("escapes are resolved in values and in names", () => {
-  const frame = decode("sensor_frame", '{"k\\u0069nd":"sensor_fram\\u0065","frame_id":"\\"\\\\\\/\\b\\f\\n\\r\\t\\u0000\\u00E9\\uffff\\uD83D\\uDE00 é😀"}');
+  const frame = decode(
+    "sensor_frame",
+    '{"k\\u0069nd":"sensor_fram\\u0065","frame_id":"\\"\\\\\\/\\b\\f\\n\\r\\t\\u0000\\u00E9\\uffff\\uD83D\\uDE00 é😀"}',
+  );
   assert.equal(frame.frame_id, '"\\/\b\f\n\r\t\0é\uffff😀 é😀');
 });
 
@@ -108,12 +223,32 @@ test("a frame of 64 levels is read and one of 65 is rejected", () => {
 
 test("a number is read as the nearest double, however it is spelled", () => {
   const spellings: [string, number][] = [
-    ["0", 0], ["-0", -0], ["-0.0", -0], ["0e9", 0], ["-0E-9", -0], ["5", 5], ["5.0", 5], ["50e-1", 5], ["0.05E+2", 5], ["1e22", 1e22],
-    ["9007199254740993", 9007199254740992], ["9007199254740995", 9007199254740996], ["0.1", 0.1], ["123456789012345e-22", 123456789012345e-22],
-    ["1.7976931348623158e308", Number.MAX_VALUE], ["4.9e-324", Number.MIN_VALUE], ["2.4703282292062328e-324", Number.MIN_VALUE],
-    ["2.4703282292062327e-324", 0], ["-1e-400", -0], ["1e-99999999999999999999", 0], ["0e99999999999999999999", 0],
-    ["2.2250738585072011e-308", 2.225073858507201e-308], ["1.00000000000000011102230246251565", 1],
-    ["1.00000000000000011102230246251566", 1 + Number.EPSILON], [`0.${"0".repeat(400)}1e401`, 1], [`1${"0".repeat(400)}e-400`, 1],
+    ["0", 0],
+    ["-0", -0],
+    ["-0.0", -0],
+    ["0e9", 0],
+    ["-0E-9", -0],
+    ["5", 5],
+    ["5.0", 5],
+    ["50e-1", 5],
+    ["0.05E+2", 5],
+    ["1e22", 1e22],
+    ["9007199254740993", 9007199254740992],
+    ["9007199254740995", 9007199254740996],
+    ["0.1", 0.1],
+    ["123456789012345e-22", 123456789012345e-22],
+    ["1.7976931348623158e308", Number.MAX_VALUE],
+    ["4.9e-324", Number.MIN_VALUE],
+    ["2.4703282292062328e-324", Number.MIN_VALUE],
+    ["2.4703282292062327e-324", 0],
+    ["-1e-400", -0],
+    ["1e-99999999999999999999", 0],
+    ["0e99999999999999999999", 0],
+    ["2.2250738585072011e-308", 2.225073858507201e-308],
+    ["1.00000000000000011102230246251565", 1],
+    ["1.00000000000000011102230246251566", 1 + Number.EPSILON],
+    [`0.${"0".repeat(400)}1e401`, 1],
+    [`1${"0".repeat(400)}e-400`, 1],
     ["3.14159265358979323846264338327950288419716939937510", Math.PI],
   ];
   for (const [spelling, value] of spellings) {
@@ -124,7 +259,13 @@ test("a number is read as the nearest double, however it is spelled", () => {
 });
 
 test("a number beyond the largest double is rejected, also where it is ignored", () => {
-  for (const spelling of ["1e309", "-1e309", "1.7976931348623159e308", "1e99999999999999999999", `1${"0".repeat(309)}`]) {
+  for (const spelling of [
+    "1e309",
+    "-1e309",
+    "1.7976931348623159e308",
+    "1e99999999999999999999",
+    `1${"0".repeat(309)}`,
+  ]) {
     rejects("sensor_frame", timed(spelling), "malformed");
     rejects("sensor_frame", `{"kind":"sensor_frame","channels":{"a":{"data":[0,${spelling}]}}}`, "malformed");
     rejects("close_session", ignoring(spelling), "malformed");
@@ -133,9 +274,23 @@ test("a number beyond the largest double is rejected, also where it is ignored",
 
 test("every double survives decoding and encoding bit for bit", () => {
   const random = new Random(1);
-  const edges = [0, -0, Number.MIN_VALUE, -Number.MIN_VALUE, Number.MAX_VALUE, -Number.MAX_VALUE, 2.2250738585072014e-308, 1e21, 1e-7, 0.1 + 0.2];
+  const edges = [
+    0,
+    -0,
+    Number.MIN_VALUE,
+    -Number.MIN_VALUE,
+    Number.MAX_VALUE,
+    -Number.MAX_VALUE,
+    2.2250738585072014e-308,
+    1e21,
+    1e-7,
+    0.1 + 0.2,
+  ];
   for (const value of [...edges, ...Array.from({ length: 3_000 }, () => random.double())]) {
-    for (const spelling of [Object.is(value, -0) ? "-0" : String(value), value.toExponential(20), value.toPrecision(17)]) {
+    const sign = Object.is(value, -0) ? "-" : "";
+    for (const spelling of [String(value), value.toExponential(20), value.toPrecision(17)].map(
+      (digits) => sign + digits,
+    )) {
       const frame = decode("sensor_frame", timed(spelling));
       assert.ok(Object.is(frame.t, value), spelling);
       const again = decode("sensor_frame", encode(frame));
@@ -156,11 +311,20 @@ test("random decimals are read as the double whose half-way points enclose them"
 });
 
 test("an integer in another spelling or out of range is rejected", () => {
-  for (const spelling of ["1.0", "1e3", "-0", "0.0", "1E0", "-0.0", "10e-1"]) rejects("sensor_frame", counted(spelling), "type");
+  for (const spelling of ["1.0", "1e3", "-0", "0.0", "1E0", "-0.0", "10e-1"])
+    rejects("sensor_frame", counted(spelling), "type");
   for (const spelling of ["9007199254740992", "-9007199254740992", "9007199254740993", "18446744073709551616"]) {
     rejects("sensor_frame", counted(spelling), "value");
-    rejects("open_session", `{"kind":"open_session","session_id":"a","network":{"population_sizes":{"a":${spelling}}}}`, "value");
-    rejects("open_session", `{"kind":"open_session","session_id":"a","network":{},"record":{"targets":[{"ids":[1,${spelling}]}]}}`, "value");
+    rejects(
+      "open_session",
+      `{"kind":"open_session","session_id":"a","network":{"population_sizes":{"a":${spelling}}}}`,
+      "value",
+    );
+    rejects(
+      "open_session",
+      `{"kind":"open_session","session_id":"a","network":{},"record":{"targets":[{"ids":[1,${spelling}]}]}}`,
+      "value",
+    );
   }
   for (const value of [0, 1, -1, 9007199254740991, -9007199254740991]) {
     assert.equal(decode("sensor_frame", counted(String(value))).seq, value);
@@ -181,10 +345,15 @@ test("an ignored value is accepted exactly when the language's own reader accept
 
 test("random bytes and frames cut short never do more than be rejected", () => {
   const random = new Random(4);
-  const frame = Buffer.from('{"kind":"command_frame","mode":"active","channels":{"a":{"data":[1.5,-2e3],"unit":"m/s"}},"horizon":[{"é":{}}],"x":[{"y":null}]}');
+  const frame = Buffer.from(
+    '{"kind":"command_frame","mode":"active","channels":{"a":{"data":[1.5,-2e3],"unit":"m/s"}},"horizon":[{"é":{}}],"x":[{"y":null}]}',
+  );
   for (let length = 0; length < frame.length; length++) {
     assert.equal(isAccepted("command_frame", frame.subarray(0, length)), false);
-    isAccepted("command_frame", Uint8Array.from({ length }, () => random.below(256)));
+    isAccepted(
+      "command_frame",
+      Uint8Array.from({ length }, () => random.below(256)),
+    );
   }
 });
 
@@ -255,7 +424,9 @@ function randomJson(random: Random, level: number): string {
     case 1:
       return space + String(random.integer());
     case 2:
-      return space + random.pick([random.double().toString(), random.double().toExponential(), "-0", "1e400", "1E-400"]);
+      return (
+        space + random.pick([random.double().toString(), random.double().toExponential(), "-0", "1e400", "1E-400"])
+      );
     case 3:
     case 4:
       return space + randomString(random) + space;
@@ -269,13 +440,33 @@ function randomJson(random: Random, level: number): string {
 }
 
 function randomString(random: Random): string {
-  if (random.chance(8)) return random.pick(['"\\ud83d"', '"\\ude00"', '"\\ud83d\\ude00"', '"\\u0041\\/"', '"a"', '"\\u0061"']);
+  if (random.chance(8))
+    return random.pick(['"\\ud83d"', '"\\ude00"', '"\\ud83d\\ude00"', '"\\u0041\\/"', '"a"', '"\\u0061"']);
   return JSON.stringify(random.text(3));
 }
 
 function mutated(random: Random, json: string): string {
   if (random.chance(2) || json.length === 0) return json;
   const at = random.below(json.length);
-  const put = random.pick(["", "", '"', "\\", ",", ":", "{", "}", "[", "]", "0", "-", ".", "e", "\u0001", " ", "u", "a"]);
+  const put = random.pick([
+    "",
+    "",
+    '"',
+    "\\",
+    ",",
+    ":",
+    "{",
+    "}",
+    "[",
+    "]",
+    "0",
+    "-",
+    ".",
+    "e",
+    "\u0001",
+    " ",
+    "u",
+    "a",
+  ]);
   return json.slice(0, at) + put + json.slice(at + random.below(2));
 }

@@ -64,9 +64,27 @@ export class Random {
 }
 
 const CHARACTERS = [
-  ..."abcXYZ019_- /\"\\",
-  "\0", "\b", "\t", "\n", "\u001f", "\u007f", "\u0080", "é", "ß", "߿", "ࠀ", "\u2028", "€", "\ud7ff", "\ue000",
-  "\ufeff", "\uff5e", "\uffff", "😀", "\u{10ffff}",
+  ...'abcXYZ019_- /"\\',
+  "\0",
+  "\b",
+  "\t",
+  "\n",
+  "\u001f",
+  "\u007f",
+  "\u0080",
+  "é",
+  "ß",
+  "߿",
+  "ࠀ",
+  "\u2028",
+  "€",
+  "\ud7ff",
+  "\ue000",
+  "\ufeff",
+  "\uff5e",
+  "\uffff",
+  "😀",
+  "\u{10ffff}",
 ];
 
 /** Asserts that the action throws an error of the library with this code. */

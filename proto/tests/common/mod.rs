@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test program uses its part")]
 
+pub(crate) mod frames;
+
 use ncp_proto::{PROJECTION_TEXT, PROTO_TEXT, contract::Contract};
 use protox::file::{File, FileResolver};
 use serde::Deserialize;

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 /// Times pairs; without `--bench` (as under `cargo test`) everything runs once, to see that it
 /// works.
-pub struct Bench {
+pub(crate) struct Bench {
     quick: bool,
 }
 
@@ -14,12 +14,14 @@ impl Bench {
     const SAMPLES: usize = 201;
 
     /// As the command line says.
-    pub fn from_args() -> Self {
-        Self { quick: !std::env::args().any(|arg| arg == "--bench") }
+    pub(crate) fn from_args() -> Self {
+        Self {
+            quick: !std::env::args().any(|arg| arg == "--bench"),
+        }
     }
 
     /// Prints the time of `work` as a multiple of the time of `other`, whose name is `against`.
-    pub fn ratio<T, U>(
+    pub(crate) fn ratio<T, U>(
         &self,
         name: &str,
         against: &str,
@@ -29,11 +31,15 @@ impl Bench {
     ) {
         let calls = self.calls(&mut work).max(self.calls(&mut other));
         let samples = if self.quick { 1 } else { Self::SAMPLES };
-        let (work, other): (Vec<_>, Vec<_>) =
-            (0..samples).map(|_| (sample(calls, &mut work), sample(calls, &mut other))).unzip();
+        let (work, other): (Vec<_>, Vec<_>) = (0..samples)
+            .map(|_| (sample(calls, &mut work), sample(calls, &mut other)))
+            .unzip();
         let (work, other) = (median(work), median(other));
         let (work_ns, other_ns) = (work * 1e9, other * 1e9);
-        println!("ratio  {name} vs {against}  {:.2} ({aim}); {work_ns:.0} ns against {other_ns:.0} ns", work / other);
+        println!(
+            "ratio  {name} vs {against}  {:.2} ({aim}); {work_ns:.0} ns against {other_ns:.0} ns",
+            work / other
+        );
     }
 
     /// Warms up, and says how many calls make a sample of about 2 ms.

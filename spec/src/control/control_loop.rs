@@ -68,7 +68,15 @@ impl<C: Controller> ControlLoop<C> {
         if !is_duration(period_ms) {
             return Err(LoopError::Period { period_ms });
         }
-        Ok(Self { controller, governor, link, period_ms, newest: None, ticks: 0, t: 0.0 })
+        Ok(Self {
+            controller,
+            governor,
+            link,
+            period_ms,
+            newest: None,
+            ticks: 0,
+            t: 0.0,
+        })
     }
 
     /// Takes every sensor frame that arrives, at `now_s`. Keeps it if it is newer than the one that
@@ -108,7 +116,9 @@ impl<C: Controller> ControlLoop<C> {
         self.governor.note_link(self.link.burst()); // [NCP-CTRL-016]
         // [NCP-CTRL-015]
         let wanted = command.mode;
-        let decision = self.governor.govern(&mut command, now_s, sensor, last_sensor_s);
+        let decision = self
+            .governor
+            .govern(&mut command, now_s, sensor, last_sensor_s);
 
         // [NCP-CTRL-017]
         self.ticks = self.ticks.saturating_add(1);
@@ -122,7 +132,11 @@ impl<C: Controller> ControlLoop<C> {
             note: overran.then_some(Text::Borrowed("the tick before overran its period")), // [NCP-CTRL-019]
             ..ControlStatus::default()
         };
-        Tick { command, status, decision }
+        Tick {
+            command,
+            status,
+            decision,
+        }
     }
 
     /// The governor, for a supervisor's reset.

@@ -62,11 +62,19 @@ impl ActionBuffer {
                     return Received::Dropped;
                 }
                 self.command = command;
-                if self.estop { Received::Stopped } else { Received::Accepted }
+                if self.estop {
+                    Received::Stopped
+                } else {
+                    Received::Accepted
+                }
             }
             // [NCP-SAFE-001] [NCP-RES-023] [NCP-RES-024]
             Mode::Init | Mode::Hold => {
-                if self.watchdog.on_hold(command.seq) { Received::Held } else { Received::Dropped }
+                if self.watchdog.on_hold(command.seq) {
+                    Received::Held
+                } else {
+                    Received::Dropped
+                }
             }
         }
     }
@@ -78,7 +86,10 @@ impl ActionBuffer {
         }
         let received_s = self.watchdog.received_s()?;
         // [NCP-RES-026] [NCP-RES-027]
-        let dt_ms = self.command.horizon_dt_ms.filter(|&dt_ms| kernel::is_duration(dt_ms));
+        let dt_ms = self
+            .command
+            .horizon_dt_ms
+            .filter(|&dt_ms| kernel::is_duration(dt_ms));
         let Some(dt_ms) = dt_ms.filter(|_| !self.command.horizon.is_empty()) else {
             return Some(&self.command.channels);
         };
@@ -118,7 +129,10 @@ impl ActionBuffer {
 /// the search, since what follows it cannot be told from its value.
 #[must_use]
 pub fn is_estop(frame: &[u8]) -> bool {
-    let mut scan = Scan { bytes: frame, at: 0 };
+    let mut scan = Scan {
+        bytes: frame,
+        at: 0,
+    };
     let (mut is_command, mut is_stop) = (false, false);
     scan.space();
     if !scan.eat(b'{') {
@@ -189,7 +203,9 @@ impl Scan<'_> {
             match rest.next() {
                 Some('u') => {
                     let digits: String = rest.by_ref().take(4).collect();
-                    let unit = u32::from_str_radix(&digits, 16).ok().and_then(char::from_u32);
+                    let unit = u32::from_str_radix(&digits, 16)
+                        .ok()
+                        .and_then(char::from_u32);
                     plain.push(unit.unwrap_or(char::REPLACEMENT_CHARACTER));
                 }
                 // No other escape stands for a letter of the words that are looked for.

@@ -49,8 +49,11 @@ impl LinkMonitor {
     /// above `threshold`. `[NCP-RES-051] [NCP-RES-052]`
     #[must_use]
     pub fn new(ref_loss: f64, threshold: f64) -> Self {
-        let ref_loss =
-            if ref_loss.is_finite() { ref_loss.clamp(0.0, MAX_REF_LOSS) } else { DEFAULT_REF_LOSS };
+        let ref_loss = if ref_loss.is_finite() {
+            ref_loss.clamp(0.0, MAX_REF_LOSS)
+        } else {
+            DEFAULT_REF_LOSS
+        };
         let usable = threshold.is_finite() && threshold > 0.0;
         Self {
             ref_loss,
@@ -112,7 +115,9 @@ impl LinkMonitor {
     #[must_use]
     #[expect(clippy::cast_precision_loss)]
     pub fn loss_rate(&self) -> f64 {
-        let Some((first, last)) = self.seen else { return 0.0 };
+        let Some((first, last)) = self.seen else {
+            return 0.0;
+        };
         let expected = last.abs_diff(first) as f64 + 1.0;
         (self.lost as f64 / expected).clamp(0.0, 1.0)
     }

@@ -15,7 +15,10 @@ impl CommandWatchdog {
     /// A watchdog that holds until the first command. `[NCP-RES-006]`
     #[must_use]
     pub const fn new() -> Self {
-        Self { last_seq: None, deadline: None }
+        Self {
+            last_seq: None,
+            deadline: None,
+        }
     }
 
     /// Takes note of a command received at `now_s`. Only one that advances refreshes the deadline;

@@ -95,9 +95,16 @@ impl SafetyGovernor {
         };
         governor.config_fault |=
             !bound(governor.fence_m, sensor_channels, POSITION_CHANNEL, METRES)
-                || !bound(governor.speed_mps, command_channels, VELOCITY_CHANNEL, METRES_PER_SECOND);
-        governor.channels =
-            command_channels.iter().map(|spec| (spec.name.clone(), spec.unit.clone())).collect();
+                || !bound(
+                    governor.speed_mps,
+                    command_channels,
+                    VELOCITY_CHANNEL,
+                    METRES_PER_SECOND,
+                );
+        governor.channels = command_channels
+            .iter()
+            .map(|spec| (spec.name.clone(), spec.unit.clone()))
+            .collect();
         governor
     }
 
@@ -165,7 +172,11 @@ impl SafetyGovernor {
             Some(Ok(truncated)) => truncated,
             None => false,
         };
-        if limited || truncated { Decision::Limited } else { Decision::Passed }
+        if limited || truncated {
+            Decision::Limited
+        } else {
+            Decision::Passed
+        }
     }
 
     /// Takes note of the link: a burst of losses latches ESTOP. `[NCP-SAFE-006] [NCP-SAFE-007]`
@@ -217,7 +228,10 @@ impl SafetyGovernor {
                 let zero = if name == VELOCITY_CHANNEL {
                     ChannelValue::new([0.0; 3], METRES_PER_SECOND)
                 } else {
-                    ChannelValue { data: vec![0.0], unit: unit.clone() }
+                    ChannelValue {
+                        data: vec![0.0],
+                        unit: unit.clone(),
+                    }
                 };
                 command.channels.insert(name.clone(), zero);
             }
@@ -233,7 +247,11 @@ impl SafetyGovernor {
         }
         let mut limited = self.limit_tick(&mut command.channels)?; // [NCP-SAFE-063] [NCP-SAFE-064]
         for tick in 0..command.horizon.len() {
-            match command.horizon.get_mut(tick).map(|step| self.limit_tick(step)) {
+            match command
+                .horizon
+                .get_mut(tick)
+                .map(|step| self.limit_tick(step))
+            {
                 Some(Ok(changed)) => limited |= changed, // [NCP-SAFE-066]
                 // [NCP-SAFE-067]
                 Some(Err(_)) | None => {
@@ -246,17 +264,25 @@ impl SafetyGovernor {
     }
 
     fn limit_tick(&self, channels: &mut ChannelMap) -> Result<bool, Reason> {
-        if !channels.values().all(|channel| kernel::all_finite(&channel.data)) {
+        if !channels
+            .values()
+            .all(|channel| kernel::all_finite(&channel.data))
+        {
             return Err(Reason::NotFinite);
         }
-        let Limit::Enabled(max_mps) = self.speed_mps else { return Ok(false) };
+        let Limit::Enabled(max_mps) = self.speed_mps else {
+            return Ok(false);
+        };
         if velocity_of(channels).is_none() {
             return Err(Reason::NoVelocity);
         }
         let mut limited = false;
         for (name, channel) in channels.iter_mut() {
             // [NCP-SAFE-065]
-            let unit = channel.unit.as_deref().or_else(|| self.negotiated_unit(name));
+            let unit = channel
+                .unit
+                .as_deref()
+                .or_else(|| self.negotiated_unit(name));
             if unit == Some(METRES_PER_SECOND) {
                 limited |= kernel::norm(&channel.data) > max_mps;
                 if !kernel::clamp(&mut channel.data, max_mps) {
@@ -272,7 +298,10 @@ impl SafetyGovernor {
         if name == VELOCITY_CHANNEL {
             return Some(METRES_PER_SECOND);
         }
-        self.channels.iter().find(|(known, _)| known == name).and_then(|(_, unit)| unit.as_deref())
+        self.channels
+            .iter()
+            .find(|(known, _)| known == name)
+            .and_then(|(_, unit)| unit.as_deref())
     }
 }
 
@@ -325,8 +354,7 @@ fn keep_inside(
     if had_horizon {
         let dt_ms = command.horizon_dt_ms.unwrap_or(f64::NAN);
         let share_ms = |tick| kernel::tick_share_ms(tick, dt_ms, ttl_ms);
-        let mut place =
-            after(&position, &velocity, share_ms(0)).ok_or(Reason::LeavesFence)?; // [NCP-SAFE-051]
+        let mut place = after(&position, &velocity, share_ms(0)).ok_or(Reason::LeavesFence)?; // [NCP-SAFE-051]
         let mut kept = 0;
         for step in &command.horizon {
             let next = velocity_of(step).and_then(|v| after(&place, &v, share_ms(kept + 1)));

@@ -93,7 +93,9 @@ pub fn enforced_ttl_ms<S: Scalar>(ttl_ms: S) -> Option<S> {
 /// the plant's clock.
 #[inline]
 pub fn within_deadline<S: Scalar>(now_s: S, received_s: S, ttl_ms: S) -> bool {
-    let Some(ttl_ms) = enforced_ttl_ms(ttl_ms) else { return false };
+    let Some(ttl_ms) = enforced_ttl_ms(ttl_ms) else {
+        return false;
+    };
     // [NCP-RES-007] [NCP-RES-008]
     if !now_s.is_finite() || !received_s.is_finite() || !received_s.le(now_s) {
         return false;
@@ -163,7 +165,9 @@ pub enum Limit<S> {
 /// Reads a limit. `// [NCP-SAFE-012] [NCP-SAFE-013]`
 #[inline]
 pub fn limit<S: Scalar>(value: Option<S>) -> Limit<S> {
-    let Some(value) = value else { return Limit::Disabled };
+    let Some(value) = value else {
+        return Limit::Disabled;
+    };
     let zero = S::constant(0.0);
     if !value.is_finite() || value.lt(zero) {
         Limit::Faulty
@@ -210,7 +214,11 @@ pub fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool {
 pub fn travel<S: Scalar>(position: &[S; 3], velocity: &[S; 3], time_s: S) -> [S; 3] {
     let [x, y, z] = *position;
     let [u, v, w] = *velocity;
-    [x.add(u.mul(time_s)), y.add(v.mul(time_s)), z.add(w.mul(time_s))]
+    [
+        x.add(u.mul(time_s)),
+        y.add(v.mul(time_s)),
+        z.add(w.mul(time_s)),
+    ]
 }
 
 /// The part of tick `k`, [k·dt, (k+1)·dt), that lies before the end of the ttl; both in ms. 0 when
@@ -255,6 +263,8 @@ pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
     // A little below `max`, by more than the roundings that follow can add.
     let length = norm(vector);
     let scale = max.mul(S::constant(1.0 - 1e-15)).div(length);
+    // A norm that overflows may belong to a vector within `max`: that one is not to grow.
+    let scale = if largest.lt(scale) { largest } else { scale };
     for x in vector.iter_mut() {
         *x = x.mul(scale);
     }

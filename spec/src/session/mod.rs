@@ -7,6 +7,6 @@ mod backend;
 mod reference;
 mod service;
 
-pub use backend::{BackendError, Opened, SimulationBackend, Simulation};
+pub use backend::{BackendError, Opened, Simulation, SimulationBackend};
 pub use reference::ReferenceBackend;
 pub use service::SessionService;

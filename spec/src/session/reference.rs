@@ -30,7 +30,11 @@ impl SimulationBackend for ReferenceBackend {
             .iter()
             .map(|population| (population.name.clone(), to_i64(population.neurons.len())))
             .collect();
-        Ok(Opened { simulation: Box::new(network), resolved, seed: None })
+        Ok(Opened {
+            simulation: Box::new(network),
+            resolved,
+            seed: None,
+        })
     }
 }
 
@@ -78,8 +82,19 @@ struct Record {
 }
 
 enum Model {
-    Lif { propagator: f64, gain: f64, e_l: f64, v_th: f64, v_reset: f64, i_e: f64, t_ref: u64 },
-    Rate { propagator: f64, mu: f64 },
+    Lif {
+        propagator: f64,
+        gain: f64,
+        e_l: f64,
+        v_th: f64,
+        v_reset: f64,
+        i_e: f64,
+        t_ref: u64,
+    },
+    Rate {
+        propagator: f64,
+        mu: f64,
+    },
 }
 
 impl Model {
@@ -103,7 +118,10 @@ impl Model {
                 });
             }
         };
-        let refuse = |name: &str, value| BackendError::Parameter { name: name.to_owned(), value };
+        let refuse = |name: &str, value| BackendError::Parameter {
+            name: name.to_owned(),
+            value,
+        };
         for (name, &value) in network.params.iter() {
             if !known.iter().any(|(known, _)| *known == name) {
                 return Err(refuse(name, value));
@@ -111,17 +129,27 @@ impl Model {
         }
         let param = |name: &str| {
             network.params.get(name).copied().or_else(|| {
-                known.iter().find(|(known, _)| *known == name).map(|(_, default)| *default)
+                known
+                    .iter()
+                    .find(|(known, _)| *known == name)
+                    .map(|(_, default)| *default)
             })
         };
         let positive = |name| {
             let value = param(name).unwrap_or(f64::NAN);
-            if is_duration(value) { Ok(value) } else { Err(refuse(name, value)) }
+            if is_duration(value) {
+                Ok(value)
+            } else {
+                Err(refuse(name, value))
+            }
         };
         let plain = |name| param(name).unwrap_or(0.0);
         if network.reference == "ncp.reference.rate" {
             let tau = positive("tau")?;
-            return Ok(Self::Rate { propagator: (-dt_ms / tau).exp(), mu: plain("mu") });
+            return Ok(Self::Rate {
+                propagator: (-dt_ms / tau).exp(),
+                mu: plain("mu"),
+            });
         }
         let (tau, c_m) = (positive("tau_m")?, positive("C_m")?);
         let t_ref = plain("t_ref");
@@ -156,14 +184,21 @@ impl Model {
         neuron.spiked = false;
         match *self {
             Self::Rate { propagator, mu } => {
-                neuron.state =
-                    neuron.state * propagator + (mu + neuron.input) * (1.0 - propagator);
+                neuron.state = neuron.state * propagator + (mu + neuron.input) * (1.0 - propagator);
             }
             Self::Lif { v_reset, .. } if neuron.refractory > 0 => {
                 neuron.refractory -= 1;
                 neuron.state = v_reset;
             }
-            Self::Lif { propagator, gain, e_l, v_th, v_reset, i_e, t_ref } => {
+            Self::Lif {
+                propagator,
+                gain,
+                e_l,
+                v_th,
+                v_reset,
+                i_e,
+                t_ref,
+            } => {
                 neuron.state = e_l
                     + (neuron.state - e_l) * propagator
                     + (i_e + neuron.input) * gain * (1.0 - propagator);
@@ -195,23 +230,39 @@ impl Network {
     fn build(request: &OpenSession) -> Result<Self, BackendError> {
         let dt_ms = request.sim.dt_ms;
         if !is_duration(dt_ms) {
-            return Err(BackendError::Time { name: "dt_ms", value_ms: dt_ms });
+            return Err(BackendError::Time {
+                name: "dt_ms",
+                value_ms: dt_ms,
+            });
         }
         if !is_duration(request.sim.chunk_ms) {
-            return Err(BackendError::Time { name: "chunk_ms", value_ms: request.sim.chunk_ms });
+            return Err(BackendError::Time {
+                name: "chunk_ms",
+                value_ms: request.sim.chunk_ms,
+            });
         }
         let model = Model::build(&request.network, dt_ms)?;
-        let rest = Neuron { state: model.rest(), refractory: 0, input: 0.0, spiked: false };
+        let rest = Neuron {
+            state: model.rest(),
+            refractory: 0,
+            input: 0.0,
+            spiked: false,
+        };
         let mut populations = Vec::new();
         let mut room = MAX_NEURONS;
         for (name, &size) in request.network.population_sizes.iter() {
             let neurons = usize::try_from(size)
                 .ok()
                 .filter(|_| size <= room)
-                .ok_or_else(|| BackendError::PopulationSize { name: name.to_owned(), size })?;
+                .ok_or_else(|| BackendError::PopulationSize {
+                    name: name.to_owned(),
+                    size,
+                })?;
             room -= size;
-            populations
-                .push(Population { name: name.to_owned().into(), neurons: vec![rest; neurons] });
+            populations.push(Population {
+                name: name.to_owned().into(),
+                neurons: vec![rest; neurons],
+            });
         }
         let mut network = Self {
             model,
@@ -242,7 +293,11 @@ impl Network {
             }
             let port = network.port(&target.port, &target.target, &target.ids)?;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 1 and 1e7
-            network.records.push(Record { port, target: target.clone(), every: every as u64 });
+            network.records.push(Record {
+                port,
+                target: target.clone(),
+                every: every as u64,
+            });
         }
         Ok(network)
     }
@@ -268,12 +323,20 @@ impl Network {
                     usize::try_from(id.saturating_sub(1))
                         .ok()
                         .filter(|&at| at < neurons)
-                        .ok_or_else(|| BackendError::UnknownNeuron { port: name.to_string(), id })
+                        .ok_or_else(|| BackendError::UnknownNeuron {
+                            port: name.to_string(),
+                            id,
+                        })
                 })
                 .collect::<Result<Vec<_>, _>>()?
         };
         let values = vec![0.0; neurons.len()];
-        Ok(Port { name: name.clone(), population, neurons, values })
+        Ok(Port {
+            name: name.clone(),
+            population,
+            neurons,
+            values,
+        })
     }
 
     /// What all ports together give each neuron.
@@ -284,7 +347,9 @@ impl Network {
             }
         }
         for port in &self.stimuli {
-            let Some(population) = self.populations.get_mut(port.population) else { continue };
+            let Some(population) = self.populations.get_mut(port.population) else {
+                continue;
+            };
             for (at, value) in port.neurons.iter().zip(&port.values) {
                 if let Some(neuron) = population.neurons.get_mut(*at) {
                     neuron.input += value;
@@ -307,7 +372,9 @@ impl Simulation for Network {
                 .stimuli
                 .iter()
                 .position(|port| port.name == name)
-                .ok_or_else(|| BackendError::UnknownPort { port: name.to_owned() })?;
+                .ok_or_else(|| BackendError::UnknownPort {
+                    port: name.to_owned(),
+                })?;
             let expected = self.stimuli.get(at).map_or(0, |port| port.neurons.len());
             let per_neuron = match value.data.as_slice() {
                 [one] => vec![*one; expected],
@@ -332,7 +399,10 @@ impl Simulation for Network {
     }
 
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
-        let refuse = || BackendError::Time { name: "advance_ms", value_ms: advance_ms };
+        let refuse = || BackendError::Time {
+            name: "advance_ms",
+            value_ms: advance_ms,
+        };
         let wanted_ms = self.rest_ms + advance_ms;
         // A whole number of steps must not be lost to the rounding of dt.
         let steps = (wanted_ms / self.dt_ms + 1e-9).floor();
@@ -353,8 +423,11 @@ impl Simulation for Network {
             return Err(refuse());
         }
         self.rest_ms = (wanted_ms - steps * self.dt_ms).max(0.0);
-        let mut observations: Vec<Observation> =
-            self.records.iter().map(|record| empty_observation(&record.target)).collect();
+        let mut observations: Vec<Observation> = self
+            .records
+            .iter()
+            .map(|record| empty_observation(&record.target))
+            .collect();
         for _ in 0..steps_now {
             for population in &mut self.populations {
                 for neuron in &mut population.neurons {
@@ -372,7 +445,9 @@ impl Simulation for Network {
                     continue; // [NCP-SESS-053]
                 }
                 for &at in &record.port.neurons {
-                    let Some(neuron) = population.neurons.get(at) else { continue };
+                    let Some(neuron) = population.neurons.get(at) else {
+                        continue;
+                    };
                     if spikes && !neuron.spiked {
                         continue;
                     }
@@ -415,7 +490,10 @@ fn empty_observation(target: &RecordTarget) -> Observation {
 }
 
 fn unsupported(port: &str, what: &str) -> BackendError {
-    BackendError::Unsupported { port: port.to_owned(), what: what.to_owned() }
+    BackendError::Unsupported {
+        port: port.to_owned(),
+        what: what.to_owned(),
+    }
 }
 
 fn to_i64(count: usize) -> i64 {

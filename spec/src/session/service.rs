@@ -6,8 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::backend::{BackendError, Simulation, SimulationBackend};
 use crate::version::check_version;
 use crate::wire::{
-    ChannelMap, CloseSession, ErrorFrame, Message, ObservationFrame, OpenSession,
-    SessionClosed, SessionOpened, SimProvenance, StimulusFrame, Text, decode_any,
+    ChannelMap, CloseSession, ErrorFrame, Message, ObservationFrame, OpenSession, SessionClosed,
+    SessionOpened, SimProvenance, StimulusFrame, Text, decode_any,
 };
 
 /// Serves sessions over one backend.
@@ -25,7 +25,10 @@ struct Session {
 impl<B: SimulationBackend> SessionService<B> {
     /// A service without sessions.
     pub const fn new(backend: B) -> Self {
-        Self { backend, sessions: BTreeMap::new() }
+        Self {
+            backend,
+            sessions: BTreeMap::new(),
+        }
     }
 
     /// The one reply to a request, whatever its bytes. `[NCP-SESS-020]`
@@ -37,7 +40,9 @@ impl<B: SimulationBackend> SessionService<B> {
         reply.encode().unwrap_or_else(|error| {
             // The backend gave what no frame can hold. [NCP-SESS-037]
             let reply = failure(None, error);
-            reply.encode().unwrap_or_else(|_| r#"{"kind":"error","error":"no reply"}"#.to_owned())
+            reply
+                .encode()
+                .unwrap_or_else(|_| r#"{"kind":"error","error":"no reply"}"#.to_owned())
         })
     }
 
@@ -49,15 +54,22 @@ impl<B: SimulationBackend> SessionService<B> {
     fn answer(&mut self, request: Message) -> Message {
         match request {
             Message::OpenSession(request) => Message::SessionOpened(self.open(&request)),
-            Message::StepRequest(request) => {
-                self.run(&request.session_id, request.advance_ms, request.stimulus.as_ref())
-            }
-            Message::RunRequest(request) => {
-                self.run(&request.session_id, Some(request.duration_ms), request.stimulus.as_ref())
-            }
+            Message::StepRequest(request) => self.run(
+                &request.session_id,
+                request.advance_ms,
+                request.stimulus.as_ref(),
+            ),
+            Message::RunRequest(request) => self.run(
+                &request.session_id,
+                Some(request.duration_ms),
+                request.stimulus.as_ref(),
+            ),
             Message::CloseSession(request) => Message::SessionClosed(self.close(&request)),
             // [NCP-SESS-022]
-            other => failure(None, format_args!("{} is no request", other.kind().as_str())),
+            other => failure(
+                None,
+                format_args!("{} is no request", other.kind().as_str()),
+            ),
         }
     }
 
@@ -75,7 +87,10 @@ impl<B: SimulationBackend> SessionService<B> {
         }
         // [NCP-SESS-030]
         if self.sessions.contains_key(&request.session_id) {
-            return refused(format!("the session {:?} is open already", request.session_id));
+            return refused(format!(
+                "the session {:?} is open already",
+                request.session_id
+            ));
         }
         let backend = &mut self.backend;
         let opened = match guarded(|| backend.open(request)) {

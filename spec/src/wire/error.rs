@@ -51,7 +51,11 @@ impl DecodeError {
 
     #[cold]
     pub(crate) fn new(problem: DecodeProblem, offset: usize) -> Self {
-        Self(Box::new(Details { problem, path: Path::default(), offset: Some(offset) }))
+        Self(Box::new(Details {
+            problem,
+            path: Path::default(),
+            offset: Some(offset),
+        }))
     }
 
     /// The same error, seen from the object that has `name` as a member.
@@ -73,13 +77,21 @@ impl From<Breach> for DecodeError {
     #[cold]
     fn from(breach: Breach) -> Self {
         let path = Path(breach.field.to_owned());
-        Self(Box::new(Details { problem: breach.rule.into(), path, offset: None }))
+        Self(Box::new(Details {
+            problem: breach.rule.into(),
+            path,
+            offset: None,
+        }))
     }
 }
 
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Details { problem, path, offset } = &*self.0;
+        let Details {
+            problem,
+            path,
+            offset,
+        } = &*self.0;
         if !path.0.is_empty() {
             write!(f, "{}: ", path.0)?;
         }
@@ -267,7 +279,10 @@ impl EncodeError {
 impl From<Breach> for EncodeError {
     #[cold]
     fn from(breach: Breach) -> Self {
-        Self(Box::new((breach.rule.into(), Path(breach.field.to_owned()))))
+        Self(Box::new((
+            breach.rule.into(),
+            Path(breach.field.to_owned()),
+        )))
     }
 }
 
@@ -373,12 +388,20 @@ struct Path(String);
 
 impl Path {
     fn prepend_member(&mut self, name: &str) {
-        let joint = if self.0.is_empty() || self.0.starts_with('[') { "" } else { "." };
+        let joint = if self.0.is_empty() || self.0.starts_with('[') {
+            ""
+        } else {
+            "."
+        };
         self.0 = format!("{}{joint}{}", shown(name), self.0);
     }
 
     fn prepend_item(&mut self, nth: usize) {
-        let joint = if self.0.is_empty() || self.0.starts_with('[') { "" } else { "." };
+        let joint = if self.0.is_empty() || self.0.starts_with('[') {
+            ""
+        } else {
+            "."
+        };
         self.0 = format!("[{nth}]{joint}{}", self.0);
     }
 }

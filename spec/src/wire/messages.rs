@@ -38,12 +38,18 @@ record! {
 impl ChannelValue {
     /// Components in a unit.
     pub fn new(data: impl Into<Vec<f64>>, unit: impl Into<Text>) -> Self {
-        Self { data: data.into(), unit: Some(unit.into()) }
+        Self {
+            data: data.into(),
+            unit: Some(unit.into()),
+        }
     }
 
     /// Components in the negotiated unit.
     pub fn without_unit(data: impl Into<Vec<f64>>) -> Self {
-        Self { data: data.into(), unit: None }
+        Self {
+            data: data.into(),
+            unit: None,
+        }
     }
 }
 
@@ -473,9 +479,21 @@ impl ErrorFrame {
         message: "ErrorFrame",
         kind: Some(Kind::Error),
         fields: &[
-            Field { name: "kind", json: JsonType::String, required: true },
-            Field { name: "error", json: JsonType::String, required: true },
-            Field { name: "session_id", json: <Option<Text>>::JSON, required: false },
+            Field {
+                name: "kind",
+                json: JsonType::String,
+                required: true,
+            },
+            Field {
+                name: "error",
+                json: JsonType::String,
+                required: true,
+            },
+            Field {
+                name: "session_id",
+                json: <Option<Text>>::JSON,
+                required: false,
+            },
         ],
     };
 
@@ -501,7 +519,10 @@ impl ErrorFrame {
         if error.is_none() {
             r.lacks("error")?; // [NCP-WIRE-101]
         }
-        Ok(Self { error: error.unwrap_or_default(), session_id: session_id.flatten() })
+        Ok(Self {
+            error: error.unwrap_or_default(),
+            session_id: session_id.flatten(),
+        })
     }
 }
 
@@ -586,10 +607,20 @@ impl Rules for OpenSession {
 impl Rules for SessionOpened {
     fn check(&self) -> Result<(), Breach> {
         check_session_id(&self.session_id)?;
-        let Some(provenance) = &self.provenance else { return Ok(()) };
+        let Some(provenance) = &self.provenance else {
+            return Ok(());
+        };
         // [NCP-PROV-003] [NCP-PROV-004]
-        check_pin("provenance.calibrated_posterior", provenance.calibrated_posterior, false)?;
-        check_pin("provenance.is_simulation_output", provenance.is_simulation_output, true)
+        check_pin(
+            "provenance.calibrated_posterior",
+            provenance.calibrated_posterior,
+            false,
+        )?;
+        check_pin(
+            "provenance.is_simulation_output",
+            provenance.is_simulation_output,
+            true,
+        )
     }
 }
 
@@ -601,7 +632,12 @@ impl Rules for StimulusFrame {
 
 impl Rules for StepRequest {
     fn inherit(&mut self, left_out: LeftOut) {
-        inherit(self.stimulus.as_mut(), left_out, &self.ncp_version, &self.session_id);
+        inherit(
+            self.stimulus.as_mut(),
+            left_out,
+            &self.ncp_version,
+            &self.session_id,
+        );
     }
 
     fn check(&self) -> Result<(), Breach> {
@@ -612,7 +648,12 @@ impl Rules for StepRequest {
 
 impl Rules for RunRequest {
     fn inherit(&mut self, left_out: LeftOut) {
-        inherit(self.stimulus.as_mut(), left_out, &self.ncp_version, &self.session_id);
+        inherit(
+            self.stimulus.as_mut(),
+            left_out,
+            &self.ncp_version,
+            &self.session_id,
+        );
     }
 
     fn check(&self) -> Result<(), Breach> {
@@ -646,12 +687,22 @@ impl Rules for SessionClosed {
 fn check_session_id(id: &str) -> Result<(), Breach> {
     match segment_problem(id) {
         None => Ok(()),
-        Some(problem) => Err(Breach { field: "session_id", rule: Rule::SessionId(problem) }),
+        Some(problem) => Err(Breach {
+            field: "session_id",
+            rule: Rule::SessionId(problem),
+        }),
     }
 }
 
 fn check_pin(field: &'static str, value: bool, pinned: bool) -> Result<(), Breach> {
-    if value == pinned { Ok(()) } else { Err(Breach { field, rule: Rule::Pin { pinned } }) }
+    if value == pinned {
+        Ok(())
+    } else {
+        Err(Breach {
+            field,
+            rule: Rule::Pin { pinned },
+        })
+    }
 }
 
 // [NCP-WIRE-035]
@@ -675,12 +726,20 @@ fn check_stimulus(
     ncp_version: &str,
     session_id: &str,
 ) -> Result<(), Breach> {
-    let Some(stimulus) = stimulus else { return Ok(()) };
+    let Some(stimulus) = stimulus else {
+        return Ok(());
+    };
     if stimulus.session_id != session_id {
-        return Err(Breach { field: "stimulus.session_id", rule: Rule::StimulusSession }); // [NCP-WIRE-037]
+        return Err(Breach {
+            field: "stimulus.session_id",
+            rule: Rule::StimulusSession,
+        }); // [NCP-WIRE-037]
     }
     if stimulus.ncp_version != ncp_version {
-        return Err(Breach { field: "stimulus.ncp_version", rule: Rule::StimulusVersion }); // [NCP-WIRE-038]
+        return Err(Breach {
+            field: "stimulus.ncp_version",
+            rule: Rule::StimulusVersion,
+        }); // [NCP-WIRE-038]
     }
     Ok(())
 }

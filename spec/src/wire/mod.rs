@@ -248,7 +248,10 @@ impl Kind {
     fn check_len(self, len: usize) -> Result<(), DecodeError> {
         let limit = self.max_bytes();
         if len > limit {
-            return Err(DecodeError::new(DecodeProblem::TooLong { len, limit }, limit));
+            return Err(DecodeError::new(
+                DecodeProblem::TooLong { len, limit },
+                limit,
+            ));
         }
         Ok(())
     }

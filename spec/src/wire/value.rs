@@ -91,7 +91,9 @@ impl Value for Vec<u8> {
     fn read(r: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let at = r.at();
         let text = r.string()?;
-        BASE64.decode(&*text).map_err(|_| DecodeError::new(DecodeProblem::NotBase64, at))
+        BASE64
+            .decode(&*text)
+            .map_err(|_| DecodeError::new(DecodeProblem::NotBase64, at))
     }
 
     fn write(&self, w: &mut Writer) -> Result<(), EncodeError> {
@@ -181,6 +183,10 @@ impl<V: Value> Value for SortedMap<V> {
     fn read(r: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let mut entries = Vec::new();
         let mut more = r.open_object(Self::JSON)?;
+        if more {
+            // Most maps have one entry or two, and a frame may hold many maps.
+            entries.reserve_exact(2);
+        }
         while more {
             if entries.len() == MAX_ENTRIES {
                 return Err(r.error(DecodeProblem::TooManyEntries)); // [NCP-WIRE-066]

@@ -15,12 +15,13 @@ pub(super) fn file() -> File {
                 (Is::Other, true) => ("an error", "A strict guard answers what is not compatible with an error."),
                 (Is::Malformed, _) => ("an error", "It is not one or two unsigned integers of ASCII digits with one dot between."),
             };
-            // A version that only a guard by value can read may be an error for any other guard:
-            // strict or not, it must not be compatible.
+            // A guard that does not compare by value may answer large numbers with an error, which
+            // is what a strict one has to do anyway: only there the binding rule decides.
             let advisory = rules.first() == Some(&"NCP-VER-009");
-            if advisory && *is == Is::Other && strict {
-                rules = vec!["NCP-VER-003"];
-            } else if !advisory {
+            if advisory {
+                let decides = usize::from(strict && *is == Is::Other);
+                rules = rules.get(decides).into_iter().copied().collect();
+            } else {
                 match (is, strict) {
                     (Is::Compatible, _) => rules.push("NCP-VER-008"),
                     (Is::Other, true) => rules.push("NCP-VER-006"),
@@ -85,17 +86,17 @@ const VERSIONS: &[Version] = &[
     other("no-minor", "0", &["NCP-VER-002", "NCP-VER-003"]),
     other("no-minor-next-major", "1", &["NCP-VER-002", "NCP-VER-004"]),
     other("no-minor-five", "5", &["NCP-VER-002", "NCP-VER-004"]),
-    other("large", "4294967295.4294967295", &["NCP-VER-004"]),
+    other("large", "4294967295.4294967295", &["NCP-VER-009", "NCP-VER-004"]),
     Version { name: "leading-zero-minor", text: "0.05", rules: &["NCP-VER-009"], is: Is::Compatible },
     Version { name: "leading-zeros", text: "000.0005", rules: &["NCP-VER-009"], is: Is::Compatible },
     Version { name: "leading-zero-major", text: "00.5", rules: &["NCP-VER-009"], is: Is::Compatible },
-    other("minor-wraps-at-2-to-8", "0.261", &["NCP-VER-003"]),
-    other("minor-wraps-at-2-to-16", "0.65541", &["NCP-VER-003"]),
-    other("minor-wraps-at-2-to-32", "0.4294967301", &["NCP-VER-009"]),
-    other("minor-wraps-at-2-to-64", "0.18446744073709551621", &["NCP-VER-009"]),
-    other("major-wraps-at-2-to-32", "4294967296.5", &["NCP-VER-009"]),
-    other("major-wraps-at-2-to-64", "18446744073709551616.5", &["NCP-VER-009"]),
-    other("minor-rounds-as-a-double", "0.5000000000000000000000000000000000000001", &["NCP-VER-009"]),
+    other("minor-wraps-at-2-to-8", "0.261", &["NCP-VER-009", "NCP-VER-003"]),
+    other("minor-wraps-at-2-to-16", "0.65541", &["NCP-VER-009", "NCP-VER-003"]),
+    other("minor-wraps-at-2-to-32", "0.4294967301", &["NCP-VER-009", "NCP-VER-003"]),
+    other("minor-wraps-at-2-to-64", "0.18446744073709551621", &["NCP-VER-009", "NCP-VER-003"]),
+    other("major-wraps-at-2-to-32", "4294967296.5", &["NCP-VER-009", "NCP-VER-004"]),
+    other("major-wraps-at-2-to-64", "18446744073709551616.5", &["NCP-VER-009", "NCP-VER-004"]),
+    other("minor-rounds-as-a-double", "0.5000000000000000000000000000000000000001", &["NCP-VER-009", "NCP-VER-003"]),
     malformed("empty", ""),
     malformed("dot", "."),
     malformed("empty-minor", "0."),

@@ -139,8 +139,14 @@ impl Place {
     }
 }
 
-/// Puts `leaf` where `path` leads to from `object`.
-fn put(message: &Message, object: Json, path: &[String], leaf: Json, ground: Ground) -> Json {
+/// Puts `leaf` where `path` leads to from `object`, with what must surround it.
+pub(super) fn put(
+    message: &Message,
+    object: Json,
+    path: &[String],
+    leaf: Json,
+    ground: Ground,
+) -> Json {
     let Some((name, rest)) = path.split_first() else { return leaf };
     let Some(field) = message.field(name) else { return object };
     object.with(name, wrap(&field.shape, rest, leaf, ground))

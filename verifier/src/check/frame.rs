@@ -124,7 +124,7 @@ fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, found: &mut Vec
                 at.push_str(&pointer_token(name));
                 match got.get(name) {
                     Some(got) if !got.is_null() || expected.is_null() => {
-                        compare(expected, got, at, found)
+                        compare(expected, got, at, found);
                     }
                     _ if expected.is_null() => {}
                     _ => found.push(Difference {
@@ -157,13 +157,17 @@ fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, found: &mut Vec
                 at.truncate(length);
             }
         }
-        (Json::Number(expected_spelling), Json::Number(got_spelling)) => {
-            if !Number::read(expected_spelling).same(Number::read(got_spelling)) {
+        _ => {
+            let same = match (expected, got) {
+                (Json::Number(expected), Json::Number(got)) => {
+                    Number::read(expected).same(Number::read(got))
+                }
+                _ => expected == got,
+            };
+            if !same {
                 found.push(values(at, expected, got, None));
             }
         }
-        _ if expected != got => found.push(values(at, expected, got, None)),
-        _ => {}
     }
 }
 

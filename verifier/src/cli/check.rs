@@ -23,7 +23,7 @@ const RESULT: &str = "reports/run/result.json";
 pub(super) fn bundled(
     suite: &Suite,
     args: &CheckArgs,
-    style: Style,
+    styles: Styles,
     stop: &Stop,
 ) -> Result<Exit, CliError> {
     let here = current_dir()?;
@@ -46,14 +46,14 @@ pub(super) fn bundled(
             Source::folder(folder, shown, &workspace.root, &target, suite)
         })
         .collect::<Result<_, _>>()?;
-    check(suite, sources, args, style, &workspace.root, stop)
+    check(suite, sources, args, styles, &workspace.root, stop)
 }
 
 /// Checks the peers that were named.
 pub(super) fn named(
     suite: &Suite,
     args: &RunArgs,
-    style: Style,
+    styles: Styles,
     stop: &Stop,
 ) -> Result<Exit, CliError> {
     if args.peer.is_empty() && args.peer_cmd.is_empty() {
@@ -86,7 +86,14 @@ pub(super) fn named(
         });
     }
     let root = Workspace::above(&here).map_or(here, |workspace| workspace.root);
-    check(suite, sources, &args.check, style, &root, stop)
+    check(suite, sources, &args.check, styles, &root, stop)
+}
+
+/// How to write to stdout and to stderr.
+#[derive(Clone, Copy)]
+pub(super) struct Styles {
+    pub(super) out: Style,
+    pub(super) error: Style,
 }
 
 /// A peer that is to be checked.
@@ -125,7 +132,7 @@ impl Source {
     }
 
     fn name(&self) -> &str {
-        self.name.as_deref().unwrap_or("peer")
+        self.name.as_deref().unwrap_or(&self.shown)
     }
 }
 
@@ -137,6 +144,7 @@ struct Check<'c> {
     level: Level,
     settings: Settings,
     visible: bool,
+    error_style: Style,
     stop: &'c Stop,
 }
 
@@ -144,7 +152,7 @@ fn check(
     suite: &Suite,
     sources: Vec<Source>,
     args: &CheckArgs,
-    style: Style,
+    styles: Styles,
     root: &Path,
     stop: &Stop,
 ) -> Result<Exit, CliError> {
@@ -175,22 +183,27 @@ fn check(
             repeat: args.repeat,
         },
         visible: std::io::stderr().is_terminal(),
+        error_style: styles.error,
         stop,
     };
     let mut report = Report::new(suite, asked, started);
     for source in sources {
-        if stop.is_set() {
-            break;
-        }
         report.peers.push(check.peer(source)?);
     }
     let exit = report.close(clock.elapsed(), stop.is_set());
-    let detail = if args.verbose {
-        Detail::Verbose
-    } else {
-        Detail::Normal
-    };
-    print(&terminal(&report, style, detail))?;
+    // When none could be started, all there is to say has been said.
+    let silent = report
+        .peers
+        .iter()
+        .all(|peer| peer.state == State::NotStarted);
+    if !silent {
+        let detail = if args.verbose {
+            Detail::Verbose
+        } else {
+            Detail::Normal
+        };
+        print(&terminal(&report, styles.out, detail))?;
+    }
     let json = report
         .to_json()
         .map_err(|error| CliError::Harness(format!("the result cannot be written: {error}")))?;
@@ -200,7 +213,12 @@ fn check(
         .json
         .as_ref()
         .map_or(RESULT.to_owned(), |file| file.display().to_string());
-    print(&format!("{}\n", style.dim(&format!("result: {shown}"))))?;
+    if !silent {
+        print(&format!(
+            "{}\n",
+            styles.out.dim(&format!("result: {shown}"))
+        ))?;
+    }
     if let Some(file) = &args.junit {
         let xml = junit(&report).map_err(|error| {
             CliError::Harness(format!("the JUnit file cannot be written: {error}"))
@@ -222,6 +240,9 @@ impl Check<'_> {
                 reason,
             ))
         };
+        if self.stop.is_set() {
+            return unchecked(State::NotStarted, "the run was interrupted".to_owned());
+        }
         if let Some(manifest) = &source.manifest {
             let missing = manifest.missing_tools();
             if !missing.is_empty() {
@@ -232,7 +253,14 @@ impl Check<'_> {
         }
         let (connection, description) = match self.start(&source) {
             Ok(started) => started,
-            Err(error) => return unchecked(State::NotStarted, error.to_string()),
+            Err(error) => {
+                let of = source
+                    .name
+                    .as_ref()
+                    .map_or(String::new(), |name| format!("{name}: "));
+                eprintln!("{} {of}{error}", self.error_style.red("error:"));
+                return unchecked(State::NotStarted, error.to_string());
+            }
         };
         let name = source
             .name

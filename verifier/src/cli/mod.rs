@@ -64,9 +64,13 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
         None => Suite::embedded()?,
     };
     let style = cli.style(std::io::stdout().is_terminal());
+    let styles = check::Styles {
+        out: style,
+        error: cli.style(std::io::stderr().is_terminal()),
+    };
     match &cli.command {
-        None => check::bundled(&suite, &cli.check, style, &stop),
-        Some(Command::Run(run)) => check::named(&suite, run, style, &stop),
+        None => check::bundled(&suite, &cli.check, styles, &stop),
+        Some(Command::Run(run)) => check::named(&suite, run, styles, &stop),
         Some(Command::List(list)) => list::list(&suite, list, style),
         Some(Command::Explain(explain)) => explain::explain(&suite, &explain.id, style),
     }

@@ -341,7 +341,8 @@ fn keep_log(mut stderr: ChildStderr, log: &Mutex<VecDeque<u8>>) {
     }
 }
 
-#[cfg(all(test, unix))]
+#[cfg(unix)]
+#[cfg(test)]
 mod tests {
     use super::*;
 

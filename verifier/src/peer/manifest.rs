@@ -280,10 +280,10 @@ mod tests {
         )
         .unwrap();
         assert_eq!(
-            manifest.launch.display(),
-            "/the/target/release/peer --root=/the/root"
+            manifest.launch.argv,
+            ["/the/target/release/peer", "--root=/the/root"]
         );
-        assert_eq!(manifest.setup[0].launch.display(), "make -C /the/root");
+        assert_eq!(manifest.setup[0].launch.argv, ["make", "-C", "/the/root"]);
         assert_eq!(manifest.missing_tools(), ["surely-no-such-program"]);
         assert_eq!(
             manifest.expected_failures[0].target,

@@ -156,7 +156,9 @@ impl<'a> Reply<'a> {
                 return wrong("the answer has none of `result`, `error` and `unsupported`");
             }
             _ => {
-                return wrong("the answer has more than one of `result`, `error` and `unsupported`");
+                return wrong(
+                    "the answer has more than one of `result`, `error` and `unsupported`",
+                );
             }
         };
         Ok(Self { id, answer })

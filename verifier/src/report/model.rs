@@ -237,8 +237,8 @@ pub struct RunReport {
     pub answers: u64,
     /// How long that took, in seconds.
     pub elapsed_s: f64,
-    /// How often a process was started anew.
-    pub restarts: u32,
+    /// How many processes ended in a fault.
+    pub faults: u32,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
     /// What else was noticed.
@@ -425,7 +425,7 @@ impl PeerReport {
             run: Some(RunReport {
                 answers: run.answers,
                 elapsed_s: run.elapsed.as_secs_f64(),
-                restarts: run.restarts,
+                faults: run.faults,
                 given_up: run.given_up.clone(),
                 notes: run.notes.clone(),
             }),

@@ -25,6 +25,8 @@ pub enum Detail {
 }
 
 /// Renders a report for people: a table of peers, roles and levels, then what failed, rule by rule.
+///
+/// Why a peer could not be started is said when it happens; the table holds the first line of it.
 #[must_use]
 pub fn terminal(report: &Report, style: Style, detail: Detail) -> String {
     let mut page = Page {
@@ -238,17 +240,8 @@ impl Page<'_> {
 
     fn peer(&mut self, peer: &PeerReport) {
         let start = self.out.len();
-        match peer.state {
-            State::Skipped => return,
-            State::NotStarted => {
-                let title = self.style.bold(&format!("{}: not started", peer.name));
-                self.line(&title);
-                for line in peer.reason.as_deref().unwrap_or_default().lines() {
-                    self.line(&format!("  {line}"));
-                }
-                return self.line("");
-            }
-            State::Checked => {}
+        if peer.state != State::Checked {
+            return;
         }
         let title = match &peer.description {
             Some(about) => format!(
@@ -287,11 +280,11 @@ impl Page<'_> {
         if failing.is_empty() {
             return;
         }
-        let count = self.style.red(&format!(
-            "{} of {} fail",
-            failing.len(),
-            plural(peer.totals.total, "case")
-        ));
+        let verb = if failing.len() == 1 { "fails" } else { "fail" };
+        let total = plural(peer.totals.total, "case");
+        let count = self
+            .style
+            .red(&format!("{} of {total} {verb}", failing.len()));
         self.line(&format!("  {count}"));
         let limit = if self.detail == Detail::Verbose {
             usize::MAX
@@ -538,14 +531,12 @@ impl Page<'_> {
                 );
             }
         }
-        if run.restarts > 0 {
+        if run.faults > 0 {
+            let count = plural(run.faults as usize, "fault");
             self.item(
                 2,
                 "note:",
-                &format!(
-                    "it was started anew {}",
-                    plural(run.restarts as usize, "time")
-                ),
+                &format!("its process was replaced after {count}"),
             );
         }
         if self.report.asked.repeat > 1 || self.detail == Detail::Verbose {
@@ -673,7 +664,7 @@ fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let mut out = String::with_capacity(digits.len() + 3);
     for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
             out.push(',');
         }
         out.push(digit);

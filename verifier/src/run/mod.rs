@@ -22,8 +22,8 @@ use crate::suite::Case;
 
 use worker::Worker;
 
-/// A peer that has not answered one case by this many restarts will not begin to.
-const FRUITLESS_RESTARTS: u32 = 3;
+/// A peer that has not answered one case by this many faults will not begin to.
+const FRUITLESS_FAULTS: u32 = 3;
 
 /// How to run.
 #[derive(Debug, Clone)]
@@ -185,8 +185,8 @@ pub struct RunRecord {
     pub answers: u64,
     /// How long that took, without starting the first process.
     pub elapsed: Duration,
-    /// How often a process was started anew.
-    pub restarts: u32,
+    /// How many processes ended in a fault.
+    pub faults: u32,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
     /// What else was noticed about the peer.
@@ -248,7 +248,7 @@ pub fn run(
             .collect(),
         answers: shared.answers.load(Ordering::Relaxed),
         elapsed: start.elapsed(),
-        restarts: shared.restarts.load(Ordering::Relaxed),
+        faults: shared.faults.load(Ordering::Relaxed),
         given_up,
         notes,
     }
@@ -273,7 +273,7 @@ struct Shared<'r> {
     stop: &'r Stop,
     next: AtomicUsize,
     answers: AtomicU64,
-    restarts: AtomicU32,
+    faults: AtomicU32,
     given_up: Mutex<Option<String>>,
     ended: AtomicBool,
 }
@@ -294,7 +294,7 @@ impl<'r> Shared<'r> {
             stop,
             next: AtomicUsize::new(0),
             answers: AtomicU64::new(0),
-            restarts: AtomicU32::new(0),
+            faults: AtomicU32::new(0),
             given_up: Mutex::new(None),
             ended: AtomicBool::new(false),
         }
@@ -334,18 +334,17 @@ impl<'r> Shared<'r> {
         self.ended.store(true, Ordering::Relaxed);
     }
 
-    /// Notes that a process has to be started anew because of `fault`, and gives the peer up if that is too often.
-    fn count_restart(&self, fault: &str) {
-        let restarts = self.restarts.fetch_add(1, Ordering::Relaxed) + 1;
-        if restarts > self.settings.max_restarts {
-            self.restarts.fetch_sub(1, Ordering::Relaxed);
+    /// Notes that a process ended in a fault, and gives the peer up if that is too often.
+    fn count_fault(&self, fault: &str) {
+        let faults = self.faults.fetch_add(1, Ordering::Relaxed) + 1;
+        if faults > self.settings.max_restarts {
             self.give_up(format!(
-                "it was started anew {} times, and then {fault}",
+                "after {} restarts it {fault}",
                 self.settings.max_restarts
             ));
-        } else if restarts >= FRUITLESS_RESTARTS && self.answers.load(Ordering::Relaxed) == 0 {
+        } else if faults >= FRUITLESS_FAULTS && self.answers.load(Ordering::Relaxed) == 0 {
             self.give_up(format!(
-                "it has not answered one case in {restarts} attempts; at last it {fault}"
+                "it has not answered one case in {faults} attempts; at last it {fault}"
             ));
         }
     }

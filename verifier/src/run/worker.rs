@@ -108,10 +108,10 @@ impl<'r> Worker<'r> {
                 break;
             };
             match self.pipeline(&mut process) {
-                Ok(true) => match self.finish(&mut process) {
-                    Ok(()) => break,
-                    Err(fault) => self.isolate(process, fault),
-                },
+                Ok(true) => {
+                    self.finish(process);
+                    break;
+                }
                 Ok(false) => break,
                 Err(fault) => self.isolate(process, fault),
             }
@@ -138,7 +138,7 @@ impl<'r> Worker<'r> {
                 Err(StartError::Interrupted) => return None,
                 Err(error) => self
                     .shared
-                    .count_restart(&format!("could not be started again: {error}")),
+                    .count_fault(&format!("could not be started again: {error}")),
             }
         }
         None
@@ -260,7 +260,7 @@ impl<'r> Worker<'r> {
         let shown = || Some(excerpt(line, KEPT_BYTES));
         if answered {
             let outcome = Outcome::Protocol {
-                what: "the request was answered twice".to_owned(),
+                what: "answered the request twice".to_owned(),
                 log: String::new(),
             };
             self.record(
@@ -299,7 +299,7 @@ impl<'r> Worker<'r> {
             },
             Err(fault) => {
                 let outcome = Outcome::Protocol {
-                    what: fault.to_string(),
+                    what: format!("gave a faulty answer: {fault}"),
                     log: String::new(),
                 };
                 CaseRun {
@@ -321,26 +321,24 @@ impl<'r> Worker<'r> {
     }
 
     /// Lets a process end in peace once everything is answered, and takes note if it does not.
-    fn finish(&mut self, process: &mut Process) -> Result<(), Fault> {
+    fn finish(&mut self, mut process: Process) {
         process.connection.close_requests();
         let deadline = Instant::now() + END_GRACE;
         while Instant::now() < deadline && !self.shared.is_over() {
-            match self.take_event(process) {
+            match self.take_event(&mut process) {
                 Ok(()) => {}
                 Err(Fault::Ended | Fault::Deaf) => break,
-                // What it prints now still belongs to what it answered.
-                Err(fault) => return Err(fault),
+                Err(fault) => return self.finish_badly(process, fault),
             }
         }
-        match process.connection.wait(END_GRACE) {
+        let patience = deadline.saturating_duration_since(Instant::now());
+        match process.connection.wait(patience) {
             Ending::Exited(status) if status.success() => {}
-            Ending::Exited(status) => {
-                let code = status
-                    .code()
-                    .map_or_else(|| status.to_string(), |code| format!("status {code}"));
-                self.report.notes.push(format!(
-                    "at the end of its input it exited with {code} instead of 0"
-                ));
+            ending @ Ending::Exited(_) => {
+                let ending = ending.describe();
+                self.report
+                    .notes
+                    .push(format!("at the end of its input it {ending} instead of 0"));
             }
             Ending::ClosedOutput | Ending::Killed => {
                 let seconds = END_GRACE.as_secs();
@@ -349,7 +347,20 @@ impl<'r> Worker<'r> {
                 ));
             }
         }
-        Ok(())
+    }
+
+    /// Finds out whether what a process printed when everything was answered belongs to the last answer.
+    fn finish_badly(&mut self, process: Process, fault: Fault) {
+        let last = process.last_answered;
+        let post = process.end(fault);
+        self.shared.count_fault(&post.what());
+        match last.map(|case| (case, self.alone(case, LINGER))) {
+            Some((case, Alone::Fault { post, .. })) => self.charge(case, &post, None),
+            _ => self
+                .report
+                .notes
+                .push(format!("at the end of its input it {}", post.what())),
+        }
     }
 
     /// Ends a faulty process and finds the case that the fault belongs to.
@@ -359,7 +370,7 @@ impl<'r> Worker<'r> {
         let silent = matches!(fault, Fault::Silent(_));
         let strays = matches!(fault, Fault::Strays);
         let post = process.end(fault);
-        self.shared.count_restart(&post.what());
+        self.shared.count_fault(&post.what());
         let Some(suspect) = waiting.pop_front().or(last) else {
             return;
         };
@@ -445,7 +456,7 @@ impl<'r> Worker<'r> {
             }
         };
         let post = process.end(fault);
-        self.shared.count_restart(&post.what());
+        self.shared.count_fault(&post.what());
         Alone::Fault { post, fresh }
     }
 

@@ -19,7 +19,7 @@ use crate::suite::Case;
 pub enum Status {
     /// It passed.
     Passed,
-    /// It did not pass, and decides the verdict.
+    /// It did not pass, and decides the verdict: a rule that it cites is a MUST, or the peer crashed or hung.
     Failed,
     /// It did not pass, but cites only SHOULD and MAY rules.
     Advice,
@@ -212,9 +212,19 @@ fn status(case: &Case, outcome: &Outcome, listed: bool, named: bool) -> Status {
         Outcome::Pass if named => Status::UnexpectedPass,
         Outcome::Pass => Status::Passed,
         _ if listed => Status::ExpectedFailure,
-        _ if case.binding => Status::Failed,
+        _ if decides(case, outcome) => Status::Failed,
         _ => Status::Advice,
     }
+}
+
+/// Whether a case that does not pass decides the verdict. A SHOULD leaves open what to answer, but not whether: a peer
+/// that crashes or hangs is not doing otherwise for a good reason.
+fn decides(case: &Case, outcome: &Outcome) -> bool {
+    case.binding
+        || matches!(
+            outcome,
+            Outcome::Crash { .. } | Outcome::Timeout { .. } | Outcome::Protocol { .. }
+        )
 }
 
 /// Judges a role level by level; `None` if it has no case.
@@ -233,11 +243,10 @@ fn judge_role(
             .filter(|judged| judged.case.level == level && judged.case.roles.contains(&role))
         {
             tally.count(judged.status);
-            let passed = matches!(judged.status, Status::Passed | Status::UnexpectedPass);
-            let expected = judged.status == Status::ExpectedFailure;
-            if judged.case.binding {
+            if decides(judged.case, &judged.run.outcome) {
+                let passed = matches!(judged.status, Status::Passed | Status::UnexpectedPass);
                 conformant &= passed;
-                as_expected &= passed || expected;
+                as_expected &= passed || judged.status == Status::ExpectedFailure;
             }
         }
         if tally.total() > 0 {
@@ -365,6 +374,19 @@ mod tests {
         assert_eq!(
             (conclusion, statuses),
             (Conclusion::Conformant, vec![Status::Advice, Status::Passed])
+        );
+    }
+
+    #[test]
+    fn a_crash_decides_also_where_the_rule_is_advice() {
+        let crash = Outcome::Crash {
+            what: String::new(),
+            log: String::new(),
+        };
+        let (conclusion, _, statuses, _) = verdict(&[("a", SHOULD, &[Role::Body], crash)], &[]);
+        assert_eq!(
+            (conclusion, statuses),
+            (Conclusion::NotConformant, vec![Status::Failed])
         );
     }
 

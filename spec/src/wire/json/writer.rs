@@ -14,7 +14,9 @@ pub(crate) struct Writer {
 impl Writer {
     pub(crate) fn new() -> Self {
         // A frame of the hot planes fits without growing.
-        Self { text: Vec::with_capacity(256) }
+        Self {
+            text: Vec::with_capacity(256),
+        }
     }
 
     /// The text, unless no receiver would take a frame of that length.

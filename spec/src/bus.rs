@@ -1,0 +1,254 @@
+//! A bus within one process: queryable RPC, publish and subscribe, with Zenoh's key matching.
+//!
+//! It shows what a transport must do, and carries the tests and examples that need one. Publishing never
+//! waits for a subscriber: a full queue drops its oldest frame. `[NCP-TRANS-009]`
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+
+use thiserror::Error;
+
+use crate::keys::{KeyError, Keys, matches};
+use crate::reply::{ReplyError, check_reply};
+use crate::wire::{
+    CloseSession, EncodeError, Kind, Message, ObservationFrame, OpenSession, RunRequest, SessionClosed,
+    SessionOpened, StepRequest, Text,
+};
+
+/// How many frames a subscription keeps that nobody has taken.
+pub const QUEUE_FRAMES: usize = 1_024;
+
+type Handler = dyn FnMut(&[u8]) -> Vec<u8> + Send;
+
+/// The bus. Clones share it.
+#[derive(Clone, Default)]
+pub struct LocalBus {
+    shared: Arc<Mutex<Shared>>,
+}
+
+#[derive(Default)]
+struct Shared {
+    queues: Vec<Weak<Queue>>,
+    servers: Vec<Weak<Server>>,
+}
+
+struct Queue {
+    pattern: String,
+    frames: Mutex<VecDeque<Delivery>>,
+}
+
+struct Server {
+    key: String,
+    handler: Mutex<Box<Handler>>,
+}
+
+/// A frame that a subscription received.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Delivery {
+    /// The key on which it was published.
+    pub key: String,
+    /// Its bytes, as they were published. `[NCP-TRANS-001]`
+    pub frame: Arc<[u8]>,
+}
+
+/// Why the bus, or a client on it, could not.
+#[derive(Debug, Error)]
+pub enum BusError {
+    /// A key or a pattern is not a key expression.
+    #[error(transparent)]
+    Key(#[from] KeyError),
+    /// Nobody answers on this key.
+    #[error("nobody answers on {key:?}")]
+    NoServer {
+        /// The key.
+        key: String,
+    },
+    /// The request cannot be written.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// The reply is not accepted.
+    #[error(transparent)]
+    Reply(#[from] ReplyError),
+}
+
+impl LocalBus {
+    /// A bus with nobody on it.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Hands a frame to every subscription whose pattern matches the key; to how many.
+    ///
+    /// # Errors
+    /// The key is not one.
+    pub fn publish(&self, key: &str, frame: &[u8]) -> Result<usize, BusError> {
+        matches(key, key)?;
+        let frame: Arc<[u8]> = frame.into();
+        let mut delivered = 0;
+        for queue in self.queues() {
+            if matches(&queue.pattern, key)? {
+                let mut frames = lock(&queue.frames);
+                if frames.len() == QUEUE_FRAMES {
+                    frames.pop_front();
+                }
+                frames.push_back(Delivery { key: key.to_owned(), frame: Arc::clone(&frame) });
+                delivered += 1;
+            }
+        }
+        Ok(delivered)
+    }
+
+    /// Subscribes to the keys that a pattern covers, until the handle is dropped. `[NCP-TRANS-008]`
+    ///
+    /// # Errors
+    /// The pattern is not a key expression.
+    pub fn subscribe(&self, pattern: &str) -> Result<Subscription, BusError> {
+        matches(pattern, "ncp")?;
+        let queue = Arc::new(Queue {
+            pattern: pattern.to_owned(),
+            frames: Mutex::new(VecDeque::new()),
+        });
+        lock(&self.shared).queues.push(Arc::downgrade(&queue));
+        Ok(Subscription { queue })
+    }
+
+    /// Answers the requests on a key, until the handle is dropped. `[NCP-TRANS-010]`
+    ///
+    /// # Errors
+    /// The key is not one.
+    pub fn serve(
+        &self,
+        key: &str,
+        handler: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static,
+    ) -> Result<Serving, BusError> {
+        matches(key, key)?;
+        let server =
+            Arc::new(Server { key: key.to_owned(), handler: Mutex::new(Box::new(handler)) });
+        lock(&self.shared).servers.push(Arc::downgrade(&server));
+        Ok(Serving { _server: server })
+    }
+
+    /// Asks whoever serves a key.
+    ///
+    /// # Errors
+    /// Nobody does.
+    pub fn query(&self, key: &str, request: &[u8]) -> Result<Vec<u8>, BusError> {
+        let server = {
+            let mut shared = lock(&self.shared);
+            shared.servers.retain(|server| server.strong_count() > 0);
+            shared.servers.iter().filter_map(Weak::upgrade).find(|server| server.key == key)
+        };
+        let server = server.ok_or_else(|| BusError::NoServer { key: key.to_owned() })?;
+        let mut handler = lock(&server.handler);
+        Ok(handler(request))
+    }
+
+    fn queues(&self) -> Vec<Arc<Queue>> {
+        let mut shared = lock(&self.shared);
+        shared.queues.retain(|queue| queue.strong_count() > 0);
+        shared.queues.iter().filter_map(Weak::upgrade).collect()
+    }
+}
+
+/// Frames of the keys that a pattern covers. Dropping it ends it.
+pub struct Subscription {
+    queue: Arc<Queue>,
+}
+
+impl Subscription {
+    /// The oldest frame that was not taken yet.
+    #[must_use]
+    pub fn next_frame(&self) -> Option<Delivery> {
+        lock(&self.queue.frames).pop_front()
+    }
+}
+
+/// A key that is served. Dropping it ends that.
+pub struct Serving {
+    _server: Arc<Server>,
+}
+
+/// A client of the simulation service. It closes, on its own account, only sessions that it opened.
+/// `[NCP-SESS-040]`
+pub struct NeuroSimClient {
+    bus: LocalBus,
+    rpc_key: String,
+    opened: Vec<Text>,
+}
+
+impl NeuroSimClient {
+    /// A client in a realm; none: the default one.
+    ///
+    /// # Errors
+    /// The realm is not one.
+    pub fn new(bus: LocalBus, realm: Option<&str>) -> Result<Self, BusError> {
+        Ok(Self { bus, rpc_key: Keys::new(realm)?.rpc()?, opened: Vec::new() })
+    }
+
+    /// Opens a session.
+    ///
+    /// # Errors
+    /// The request cannot be sent, or its reply is not accepted.
+    pub fn open(&mut self, request: OpenSession) -> Result<SessionOpened, BusError> {
+        let id = request.session_id.clone();
+        match self.ask(&Message::OpenSession(request))? {
+            Message::SessionOpened(opened) => {
+                self.opened.push(id);
+                Ok(opened)
+            }
+            other => Err(unfitting(Kind::SessionOpened, &other)),
+        }
+    }
+
+    /// Advances a session.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn step(&self, request: StepRequest) -> Result<ObservationFrame, BusError> {
+        self.observe(&Message::StepRequest(request))
+    }
+
+    /// Runs a session for a stated time.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn run(&self, request: RunRequest) -> Result<ObservationFrame, BusError> {
+        self.observe(&Message::RunRequest(request))
+    }
+
+    /// Closes a session if this client opened it; none, and nothing is sent, if it did not.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn close(&mut self, session_id: &str) -> Result<Option<SessionClosed>, BusError> {
+        let Some(at) = self.opened.iter().position(|id| id == session_id) else { return Ok(None) };
+        let session_id = self.opened.remove(at);
+        let request = CloseSession { session_id, ..CloseSession::default() };
+        match self.ask(&Message::CloseSession(request))? {
+            Message::SessionClosed(closed) => Ok(Some(closed)),
+            other => Err(unfitting(Kind::SessionClosed, &other)),
+        }
+    }
+
+    fn observe(&self, request: &Message) -> Result<ObservationFrame, BusError> {
+        match self.ask(request)? {
+            Message::ObservationFrame(frame) => Ok(frame),
+            other => Err(unfitting(Kind::ObservationFrame, &other)),
+        }
+    }
+
+    fn ask(&self, request: &Message) -> Result<Message, BusError> {
+        let reply = self.bus.query(&self.rpc_key, request.encode()?.as_bytes())?;
+        Ok(check_reply(request, &reply)?)
+    }
+}
+
+fn unfitting(expected: Kind, reply: &Message) -> BusError {
+    ReplyError::Kind { expected, found: reply.kind() }.into()
+}
+
+/// A handler that panicked left its own state in doubt, not the bus's.
+fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

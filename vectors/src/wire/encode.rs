@@ -1,0 +1,517 @@
+//! What encoders write: order, defaults, nulls, numbers, enums, maps, strings.
+
+use super::WRITE;
+use super::place::{Ground, put};
+use crate::case::Role::{self, Commander, Server};
+use crate::case::{Case, File};
+use crate::json::{Json, object};
+use crate::model::{CONTRACT_HASH, explicit, full, meaning, minimal};
+use crate::roles::{a, writers};
+use crate::text::{Default, Message, Shape, tables};
+
+/// A file a kind.
+pub(super) fn files() -> Vec<File> {
+    let kinds = tables().messages.iter().filter_map(|message| Some((message.kind.as_deref()?, message)));
+    kinds
+        .map(|(kind, message)| {
+            let encoder = Encoder { kind, message };
+            let cases = if kind == "error" { error_frames() } else { encoder.cases() };
+            let about = format!("What an encoder writes for {}.", a(kind).to_lowercase());
+            File::new("wire", format!("encode_{kind}"), about, cases)
+        })
+        .collect()
+}
+
+struct Encoder {
+    kind: &'static str,
+    message: &'static Message,
+}
+
+impl Encoder {
+    fn cases(&self) -> Vec<Case> {
+        let mut cases = self.shapes();
+        cases.extend(self.programs());
+        cases.extend(self.leaves());
+        cases.extend(self.special());
+        cases.extend(self.refused_ids());
+        cases
+    }
+
+    /// Only what must be set, everything, everything but what is optional.
+    fn shapes(&self) -> Vec<Case> {
+        let mut cases = Vec::new();
+        let required = self.fields(minimal(self.kind));
+        // `mode` and `contract_hash` have cases of their own: what a program gets for them is not
+        // in the tables.
+        let required = self.with_program_defaults(required);
+        let mut rules = vec!["NCP-WIRE-081", "NCP-WIRE-090"];
+        if self.has_optional() {
+            rules.push("NCP-WIRE-082");
+        }
+        cases.push(
+            self.writes("defaults", &rules, &required)
+                .title(format!("{} that a program builds from what it must name has every other field, at its default.", a(self.kind)))
+                .flags(&["omitted-fields"])
+                .because("Every field of the table is written, in its order, an unset optional one as null."),
+        );
+        let all = self.fields(full(self.kind));
+        cases.push(
+            self.writes("everything", &["NCP-WIRE-080", "NCP-WIRE-081"], &reversed(all.clone()))
+                .title(format!("{} whose fields are all set, from the last to the first, is written in the order of the table.", a(self.kind)))
+                .flags(&["field-order"])
+                .because("The order is the table's, at every level, and not the one in which a program sets the fields."),
+        );
+        // A null `contract_hash` may be read as one that was not named, so it stays set.
+        let unset = without_optional(self.message, all.clone(), true);
+        if unset != all {
+            cases.push(
+                self.writes("optional-unset", &["NCP-WIRE-082"], &unset)
+                    .title(format!("{} whose optional fields are unset, at every level, has a null for each.", a(self.kind)))
+                    .flags(&["omitted-nulls"])
+                    .because("An unset optional field is written, as null."),
+            );
+        }
+        let control = "\"\\/\u{8}\u{c}\n\r\t\u{0}\u{1}\u{1f}\u{7f}\u{80}\u{e9}\u{2028}\u{2029}\u{feff}\u{ffff}\u{1f681}";
+        if let Some(field) = self.free_string() {
+            cases.push(
+                self.says("string", &[WRITE, "NCP-WIRE-092"], &self.fields(explicit(self.kind)).with(field, Json::string(control)))
+                    .title(format!("{} whose `{field}` holds quotes, control characters and characters of every width is written as JSON that says the same.", a(self.kind)))
+                    .flags(&["string-escapes"])
+                    .because("The field is written, in UTF-8, and JSON has an escape for what may not stand in a string."),
+            );
+        }
+        cases
+    }
+
+    /// What a program gets that the tables do not give.
+    fn programs(&self) -> Vec<Case> {
+        let mut cases = Vec::new();
+        if self.kind == "command_frame" {
+            let expected = meaning(self.kind, &object! { "mode" => "active" });
+            cases.push(
+                self.case("mode", &["NCP-WIRE-088"])
+                    .title("A `command_frame` that a program builds without naming a mode is `active`.")
+                    .flags(&["program-defaults"])
+                    .encode(self.kind, Json::object())
+                    .writes(expected.text())
+                    .because("A program that builds a command means it; only a receiver reads `hold` into silence."),
+            );
+        }
+        if self.message.field("contract_hash").is_some() {
+            let fields = self.fields(minimal(self.kind));
+            let expected = meaning(self.kind, &fields.clone().with("contract_hash", CONTRACT_HASH.into()));
+            cases.push(
+                self.case("contract-hash", &["NCP-WIRE-089", "NCP-VER-020"])
+                    .title(format!("{} that a program builds without naming a contract hash has that of its build.", a(self.kind)))
+                    .flags(&["program-defaults"])
+                    .encode(self.kind, fields)
+                    .writes(expected.text())
+                    .because("A build of wire 0.5 has the contract hash of wire 0.5."),
+            );
+        }
+        cases
+    }
+
+    /// Every number, integer, enum and map of the kind, wherever it stands.
+    fn leaves(&self) -> Vec<Case> {
+        let mut leaves = Vec::new();
+        collect(self.message, &mut Vec::new(), &mut leaves);
+        leaves.iter().flat_map(|leaf| self.leaf(leaf)).collect()
+    }
+
+    fn leaf(&self, leaf: &Leaf) -> Vec<Case> {
+        // What is judged by its value stands among written-out defaults, so that the case does not
+        // depend on what a peer fills in. What is judged by its spelling stands in a full message,
+        // so that it does not depend on how a peer writes what is unset.
+        let among_defaults = |value: Json| {
+            self.fields(put(self.message, explicit(self.kind), &leaf.path, value, Ground::Explicit))
+        };
+        let in_full = |value: Json| {
+            let path: Vec<&str> = leaf.path.iter().map(String::as_str).collect();
+            self.fields(full(self.kind)).edit(&path, |_| value)
+        };
+        let name = leaf.name();
+        let shown = leaf.shown();
+        let roles = writers(self.kind);
+        let mut cases = Vec::new();
+        match &leaf.shape {
+            Shape::Number => {
+                for (what, value) in [("nan", "NaN"), ("infinity", "Infinity"), ("minus-infinity", "-Infinity")] {
+                    cases.push(
+                        Case::new(format!("{name}/{what}"), &["NCP-WIRE-086"], roles)
+                            .title(format!("{} whose `{shown}` is {value} is refused.", a(self.kind)))
+                            .flags(&["non-finite-numbers"])
+                            .encode(self.kind, among_defaults(Json::string(value)))
+                            .rejects("non_finite")
+                            .because("JSON has no such number, and null would say something else."),
+                    );
+                }
+                for (what, literal) in DOUBLES {
+                    // "-0" is how the peer protocol names the negative zero.
+                    let value = if *literal == "-0.0" { Json::string("-0") } else { Json::literal(*literal) };
+                    let expected = meaning(self.kind, &among_defaults(Json::literal(*literal)));
+                    cases.push(
+                        Case::new(format!("{name}/{what}"), &["NCP-WIRE-084", "NCP-WIRE-015"], roles)
+                            .title(format!("{} whose `{shown}` is {literal} is written so that it reads back.", a(self.kind)))
+                            .flags(&["lossy-doubles"])
+                            .encode(self.kind, among_defaults(value))
+                            .means(expected.text())
+                            .because("Whatever the digits, the nearest double of them has the same bits."),
+                    );
+                }
+            }
+            Shape::Integer => {
+                for (what, literal) in [("largest", "9007199254740991"), ("smallest", "-9007199254740991"), ("zero", "0")] {
+                    cases.push(
+                        self.at(&name, what, &["NCP-WIRE-085"], in_full(Json::literal(literal)))
+                            .title(format!("{} whose `{shown}` is {literal} has it as a plain integer.", a(self.kind)))
+                            .flags(&["integer-spelling"])
+                            .because("No string, no fraction, no exponent, and no digit lost."),
+                    );
+                }
+                for (what, literal) in [("two-to-53", "9007199254740992"), ("minus-two-to-53", "-9007199254740992")] {
+                    cases.push(
+                        Case::new(format!("{name}/{what}"), &["NCP-WIRE-091"], roles)
+                            .title(format!("{} whose `{shown}` is {literal} should be refused.", a(self.kind)))
+                            .flags(&["integer-spelling"])
+                            .encode(self.kind, in_full(Json::literal(literal)))
+                            .rejects("value")
+                            .because("No receiver would accept the frame."),
+                    );
+                }
+            }
+            Shape::Enum(enumeration) => {
+                let strings = tables().enumeration(enumeration).map_or(&[][..], |known| &known.strings);
+                for string in strings {
+                    let fields = among_defaults(Json::string(string));
+                    cases.push(
+                        self.says(&format!("{name}/{}", string.to_lowercase()), &["NCP-WIRE-087"], &fields)
+                            .title(format!("{} whose `{shown}` is `{string}` has that wire string.", a(self.kind)))
+                            .flags(&["enum-constants"])
+                            .because(format!("`{string}` is a wire string of {enumeration}.")),
+                    );
+                }
+            }
+            Shape::Map(value) => {
+                let sample = leaf.sample.members().first().map(|(_, value)| value.clone()).unwrap_or(Json::Null);
+                for (what, keys, says) in ORDERS {
+                    let entries = keys.iter().map(|key| ((*key).to_owned(), sample.clone())).collect();
+                    cases.push(
+                        self.at(&name, &format!("order-of-{what}"), &["NCP-WIRE-083"], in_full(Json::Object(entries)))
+                            .title(format!("{} has the entries of `{shown}` sorted by the code points of their keys: {says}.", a(self.kind)))
+                            .flags(&["map-order"])
+                            .because("Code points decide: not the order of insertion, not UTF-16 units, not letter case, not numbers."),
+                    );
+                }
+                if matches!(**value, Shape::Message(_)) {
+                    cases.push(
+                        self.at(&name, "defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], in_full(object! { "a" => Json::object() }))
+                            .title(format!("{} with an entry of `{shown}` of which nothing is set has every field of it.", a(self.kind)))
+                            .flags(&["omitted-fields"])
+                            .because("The rules for encoders hold at every level."),
+                    );
+                }
+            }
+            _ => {}
+        }
+        cases
+    }
+
+    /// What concerns one kind alone.
+    fn special(&self) -> Vec<Case> {
+        let mut cases = Vec::new();
+        match self.kind {
+            "command_frame" => {
+                let step = |x: &str| object! { "v" => object! { "data" => [x].into_iter().map(Json::literal).collect::<Json>(), "unit" => "m/s" } };
+                let fields = object! {
+                    "mode" => "active",
+                    "horizon" => Json::Array(vec![step("1.0"), step("0.5"), Json::object()]),
+                    "horizon_dt_ms" => Json::literal("20.0"),
+                };
+                cases.push(
+                    self.writes("horizon/plain-maps", &["NCP-WIRE-051"], &fields)
+                        .title("A `command_frame` has its horizon as an array of plain channel maps, an empty one included.")
+                        .flags(&["proto-json-names"])
+                        .because("The member that wraps a map in the proto does not travel."),
+                );
+            }
+            "observation_frame" => {
+                cases.push(
+                    self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &self.fields(minimal(self.kind)))
+                        .title("An `observation_frame` that a program builds carries both pins, at their values.")
+                        .flags(&["unchecked-pins"])
+                        .because("Both pins stand on every `observation_frame`."),
+                );
+            }
+            "session_opened" => {
+                let fields = self.with_program_defaults(self.fields(minimal(self.kind))).with("provenance", Json::object());
+                cases.push(
+                    self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &fields)
+                        .title("A `session_opened` with a provenance of which nothing is set carries both pins, at their values.")
+                        .flags(&["unchecked-pins"])
+                        .because("Both pins stand in every `provenance`."),
+                );
+            }
+            "open_session" => {
+                let fields = self
+                    .with_program_defaults(self.fields(minimal(self.kind)))
+                    .with("record", object! { "targets" => Json::Array(vec![Json::object()]) })
+                    .with("stimulus", object! { "targets" => Json::Array(vec![Json::object()]) })
+                    .with("bindings", Json::Array(vec![Json::object(), object! { "entity" => Json::object() }]))
+                    .with("sim", Json::object());
+                cases.push(
+                    self.writes("defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &fields)
+                        .title("An `open_session` with targets, bindings and a configuration of which nothing is set has every field of them.")
+                        .flags(&["omitted-fields"])
+                        .because("The rules for encoders hold at every level."),
+                );
+            }
+            "capabilities" => {
+                let fields = self.fields(minimal(self.kind)).with("sensor_channels", Json::Array(vec![Json::object()])).with("safety", Json::object());
+                cases.push(
+                    self.writes("defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &fields)
+                        .title("A `capabilities` frame with a channel and limits of which nothing is set has every field of them.")
+                        .flags(&["omitted-fields"])
+                        .because("The rules for encoders hold at every level."),
+                );
+            }
+            _ => {}
+        }
+        cases
+    }
+
+    /// Session ids that no receiver would take.
+    fn refused_ids(&self) -> Vec<Case> {
+        let is_required = self.message.field("session_id").is_some_and(|field| field.default == Default::Required);
+        if !is_required {
+            return Vec::new();
+        }
+        [("empty", ""), ("slash", "a/b"), ("star", "*"), ("at", "@a")]
+            .into_iter()
+            .map(|(what, session)| {
+                let fields = self.fields(minimal(self.kind)).with("session_id", session.into());
+                self.case(&format!("session_id/{what}"), &["NCP-WIRE-091"])
+                    .title(format!("{} of the session `{session}` should be refused.", a(self.kind)))
+                    .flags(&["unchecked-session-id"])
+                    .encode(self.kind, fields)
+                    .rejects("value")
+                    .because("No receiver would accept the frame.")
+            })
+            .collect()
+    }
+
+    fn at(&self, name: &str, what: &str, rules: &[&'static str], fields: Json) -> Case {
+        self.writes(&format!("{name}/{what}"), rules, &fields)
+    }
+
+    fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
+        self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text())
+    }
+
+    /// Judged by what it says, however it is spelled.
+    fn says(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
+        self.case(what, rules).encode(self.kind, fields.clone()).means(meaning(self.kind, fields).text())
+    }
+
+    fn case(&self, what: &str, rules: &[&'static str]) -> Case {
+        Case::new(what, rules, writers(self.kind))
+    }
+
+    /// What `encode` takes: a frame without `kind`, also within its stimulus frame, and with the
+    /// version left to the implementation.
+    fn fields(&self, frame: Json) -> Json {
+        let frame = frame.without("kind").without("ncp_version");
+        if self.message.field("stimulus").is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned())) {
+            return frame.edit(&["stimulus"], |stimulus| stimulus.without("kind").without("ncp_version"));
+        }
+        frame
+    }
+
+    fn with_program_defaults(&self, fields: Json) -> Json {
+        let fields = match self.message.field("contract_hash") {
+            Some(_) => fields.with("contract_hash", CONTRACT_HASH.into()),
+            None => fields,
+        };
+        if self.kind == "command_frame" { fields.with("mode", "hold".into()) } else { fields }
+    }
+
+    fn has_optional(&self) -> bool {
+        self.message.fields.iter().any(|field| field.optional && field.name != "contract_hash")
+    }
+
+    /// A string field whose value means nothing to the wire.
+    fn free_string(&self) -> Option<&'static str> {
+        const FREE: [&str; 5] = ["frame_id", "note", "backend", "controller_id", "error"];
+        self.message.fields.iter().map(|field| field.name.as_str()).find(|name| FREE.contains(name))
+    }
+}
+
+/// Error frames, whose table has no defaults.
+fn error_frames() -> Vec<Case> {
+    let roles: &[Role] = &[Server];
+    vec![
+        Case::new("without-session", &["NCP-WIRE-102"], roles)
+            .title("An error frame without a session has the members `kind` and `error`.")
+            .flags(&["field-order"])
+            .encode("error", object! { "error" => "no such session" })
+            .means(object! { "kind" => "error", "error" => "no such session" }.text())
+            .because("No other member than `session_id` may stand beside them."),
+        Case::new("with-session", &["NCP-WIRE-102"], roles)
+            .title("An error frame of a session has the members `kind`, `error` and `session_id`.")
+            .flags(&["field-order"])
+            .encode("error", object! { "error" => "no such model", "session_id" => "s1" })
+            .writes(object! { "kind" => "error", "error" => "no such model", "session_id" => "s1" }.text())
+            .because("The members of the table, and no others."),
+        Case::new("string", &["NCP-WIRE-102", WRITE], roles)
+            .title("An error frame whose text holds quotes and control characters is JSON that says the same.")
+            .flags(&["string-escapes"])
+            .encode("error", object! { "error" => "\"\\\n\0\u{1f}\u{e9}\u{1f681}" })
+            .means(object! { "kind" => "error", "error" => "\"\\\n\0\u{1f}\u{e9}\u{1f681}" }.text())
+            .because("JSON has an escape for what may not stand in a string."),
+    ]
+}
+
+/// A value of a kind that is probed by itself.
+struct Leaf {
+    /// Members, indices and map keys that lead to it in a full frame.
+    path: Vec<String>,
+    shape: Shape,
+    /// What stands there in a full frame.
+    sample: Json,
+}
+
+impl Leaf {
+    /// The part of a case's id.
+    fn name(&self) -> String {
+        let parts = self.path.iter().map(String::as_str).filter(|part| !matches!(*part, "0" | "a"));
+        parts.collect::<Vec<_>>().join("/")
+    }
+
+    fn shown(&self) -> String {
+        let mut out = String::new();
+        for part in &self.path {
+            match part.as_str() {
+                "0" => out.push_str("[0]"),
+                part => {
+                    out.push_str(if out.is_empty() { "" } else { "." });
+                    out.push_str(part);
+                }
+            }
+        }
+        out
+    }
+}
+
+/// Every number, integer, enum and map below a message, as a full frame has them.
+fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
+    for field in &message.fields {
+        if matches!(field.default, Default::Kind) {
+            continue;
+        }
+        path.push(field.name.clone());
+        collect_shape(&field.shape, crate::model::sample(message, field), path, leaves);
+        path.pop();
+    }
+}
+
+fn collect_shape(shape: &Shape, sample: Json, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
+    let step = match shape {
+        Shape::List(_) => Some("0"),
+        Shape::Map(_) => Some("a"),
+        _ => None,
+    };
+    match shape {
+        Shape::Number | Shape::Integer | Shape::Enum(_) | Shape::Map(_) => {
+            leaves.push(Leaf { path: path.clone(), shape: shape.clone(), sample: sample.clone() });
+        }
+        Shape::Message(name) => {
+            if let Some(message) = tables().message(name) {
+                collect(message, path, leaves);
+            }
+        }
+        _ => {}
+    }
+    if let (Some(step), Shape::List(inner) | Shape::Map(inner)) = (step, shape) {
+        let within = match &sample {
+            Json::Array(items) => items.first().cloned(),
+            sample => sample.get("a").cloned(),
+        };
+        path.push(step.to_owned());
+        collect_shape(inner, within.unwrap_or(Json::Null), path, leaves);
+        path.pop();
+    }
+}
+
+/// The members of an object from the last to the first, at every level.
+fn reversed(value: Json) -> Json {
+    match value {
+        Json::Object(members) => {
+            Json::Object(members.into_iter().rev().map(|(name, value)| (name, reversed(value))).collect())
+        }
+        Json::Array(items) => items.into_iter().map(reversed).collect(),
+        scalar => scalar,
+    }
+}
+
+/// The message with its optional fields left out, at every level.
+fn without_optional(message: &Message, object: Json, is_frame: bool) -> Json {
+    message.fields.iter().fold(object, |object, field| {
+        if field.optional && !(is_frame && field.name == "contract_hash") {
+            return object.without(&field.name);
+        }
+        object.edit(&[&field.name], |value| without_optional_in(&field.shape, value))
+    })
+}
+
+fn without_optional_in(shape: &Shape, value: Json) -> Json {
+    match (shape, value) {
+        (Shape::Message(name), value) => match tables().message(name) {
+            Some(message) => without_optional(message, value, false),
+            None => value,
+        },
+        (Shape::List(item), Json::Array(items)) => {
+            items.into_iter().map(|value| without_optional_in(item, value)).collect()
+        }
+        (Shape::Map(inner), Json::Object(members)) => {
+            let members = members.into_iter().map(|(key, value)| (key, without_optional_in(inner, value)));
+            Json::Object(members.collect())
+        }
+        (_, value) => value,
+    }
+}
+
+/// Doubles that a careless writer changes.
+const DOUBLES: &[(&str, &str)] = &[
+    ("negative-zero", "-0.0"),
+    ("smallest", "5e-324"),
+    ("seventeen-digits", "0.30000000000000004"),
+    ("largest", "1.7976931348623157e308"),
+];
+
+/// Keys of a map as a program inserts them, and what the case shows.
+const ORDERS: &[(&str, &[&str], &str)] = &[
+    ("letters", &["b", "a", "B", "_"], "capitals before `_` before small letters"),
+    ("astral", &["\u{1f600}", "\u{ff5e}", "z"], "U+FF5E before U+1F600"),
+    ("digits", &["9", "10", "1", "2"], "`10` before `2`"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_frame_has_its_numbers_integers_enums_and_maps_probed() {
+        let mut leaves = Vec::new();
+        collect(tables().kind("command_frame").unwrap(), &mut Vec::new(), &mut leaves);
+        let shown: Vec<_> = leaves.iter().map(Leaf::shown).collect();
+        assert_eq!(
+            shown,
+            ["seq", "t", "mode", "ttl_ms", "channels", "channels.a.data[0]", "horizon[0]", "horizon[0].a.data[0]", "horizon_dt_ms"]
+        );
+    }
+
+    #[test]
+    fn only_a_commander_writes_what_only_a_commander_sends() {
+        assert_eq!(writers("command_frame"), [Commander]);
+    }
+}

@@ -1,0 +1,176 @@
+//! A peer for the verifier's own tests: it answers honestly over `ncp-spec`, until it does what its mode says.
+//!
+//! The trigger is the request that asks for version `9.9`, or the n-th request of the process.
+
+#![forbid(unsafe_code)]
+
+use std::io::{BufRead as _, Read as _, Write as _};
+use std::process::exit;
+use std::thread::sleep;
+use std::time::Duration;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use ncp_spec::version::check_version;
+use ncp_spec::wire::{Kind, decode};
+use serde_json::{Value, json};
+
+fn main() {
+    let mode = std::env::args().nth(1).unwrap_or_default();
+    match mode.as_str() {
+        "exits-at-once" => {
+            eprintln!("no configuration found");
+            exit(7);
+        }
+        "says-hello" => println!("Hello, I am a peer."),
+        _ => {}
+    }
+    let mut held = Vec::new();
+    for (count, line) in (1..).zip(std::io::stdin().lock().lines()) {
+        let Ok(line) = line else { break };
+        let Ok(request) = serde_json::from_str::<Value>(&line) else {
+            exit(9)
+        };
+        let answer = answer(&mode, &request);
+        let target = request["args"]["version"] == "9.9";
+        let case = request["call"] != "describe";
+        match mode.as_str() {
+            "die-on-7th" if count == 7 => exit(101),
+            "die-on-target" if target => {
+                eprintln!("assertion failed: version < 9");
+                std::process::abort();
+            }
+            "die-after-target" if target => {
+                say(&answer);
+                exit(3);
+            }
+            "die-on-every-case" if case => exit(1),
+            "sleep-forever" if case => forever(),
+            "sleep-on-target" if target => forever(),
+            "binary-on-target" if target => raw(&[0, 0xff, 0xfe, b'{', 7, b'\n']),
+            "binary-on-every-case" if case => raw(&[0, 0xff, 0xfe, b'{', 7, b'\n']),
+            "prints-after-target" if target => {
+                say(&answer);
+                raw(b"DEBUG: answered\n");
+            }
+            "twice-on-target" if target => {
+                say(&answer);
+                say(&answer);
+            }
+            "twice-always" if case => {
+                say(&answer);
+                say(&answer);
+            }
+            "skips-target" if target => {}
+            "skips-7th" if count == 7 => {}
+            "unknown-id-on-target" if target => say(&json!({"id": 999_999, "result": {}})),
+            "no-result-on-target" if target => say(&json!({"id": request["id"]})),
+            "huge-line-on-target" if target => {
+                // 1 GiB, unless nobody reads any more.
+                let piece = [b'x'; 1 << 16];
+                let mut out = std::io::stdout().lock();
+                while out.write_all(&piece).is_ok() {}
+                forever();
+            }
+            "floods-stderr" => {
+                let piece = [b'e'; 1 << 16];
+                for _ in 0..32 {
+                    let _ = std::io::stderr().write_all(&piece);
+                }
+                say(&answer);
+            }
+            "slow" => {
+                sleep(Duration::from_millis(120));
+                say(&answer);
+            }
+            "unordered" if case => {
+                held.push(answer);
+                if held.len() == 5 {
+                    held.drain(..).rev().for_each(|answer| say(&answer));
+                }
+            }
+            "stops-reading" if count == 2 => forever(),
+            "half-a-line-on-target" if target => {
+                raw(b"{\"id\":");
+                exit(0);
+            }
+            _ => say(&answer),
+        }
+    }
+    held.iter().rev().for_each(say);
+    match mode.as_str() {
+        "never-ends" => forever(),
+        "ends-badly" => exit(5),
+        "prints-at-the-end" => raw(b"bye\n"),
+        _ => {}
+    }
+}
+
+fn answer(mode: &str, request: &Value) -> Value {
+    let args = &request["args"];
+    let text = |name: &str| args[name].as_str().unwrap_or_default().to_owned();
+    let outcome = match request["call"].as_str() {
+        Some("describe") => Ok(describe(mode)),
+        _ if mode == "unsupported" => return json!({"id": request["id"], "unsupported": true}),
+        _ if mode == "panics" => Err(("internal", "a panic was caught".to_owned())),
+        Some("version.check") => check_version(&text("version"), args["strict"] == true)
+            .map(|compatible| json!({"compatible": compatible != (mode == "wrong-answer" && text("version") == "9.9")}))
+            .map_err(|error| ("version", error.to_string())),
+        Some("decode") => {
+            let frame = if args["base64"].is_string() {
+                STANDARD.decode(text("base64")).unwrap_or_default()
+            } else {
+                text("text").into_bytes()
+            };
+            let kind = Kind::parse(&text("kind")).unwrap_or(Kind::Error);
+            decode(kind, &frame)
+                .map_err(|error| (error.code().as_str(), error.to_string()))
+                .and_then(|message| {
+                    message.encode().map_err(|error| (error.code().as_str(), error.to_string()))
+                })
+                .map(|text| json!({ "text": text }))
+        }
+        _ => return json!({"id": request["id"], "unsupported": true}),
+    };
+    match outcome {
+        Ok(result) => json!({"id": request["id"], "result": result}),
+        Err((code, message)) => {
+            let code = if mode == "other-codes" { "limit" } else { code };
+            json!({"id": request["id"], "error": {"code": code, "message": message}})
+        }
+    }
+}
+
+fn describe(mode: &str) -> Value {
+    let mut about = json!({
+        "name": "hostile", "version": "1.0", "language": "Rust", "wire_version": "0.5",
+        "contract_hash": "24e8e6e31e1dec8a", "roles": ["body", "observer"],
+    });
+    match mode {
+        "wrong-describe" => about["contract_hash"] = json!("2cf0763ad61e4f1c"),
+        "claims-nothing" => about["roles"] = json!([]),
+        "half-described" => about["roles"] = Value::Null,
+        _ => {}
+    }
+    about
+}
+
+fn say(answer: &Value) {
+    raw(format!("{answer}\n").as_bytes());
+}
+
+fn raw(bytes: &[u8]) {
+    let mut out = std::io::stdout().lock();
+    if out.write_all(bytes).and_then(|()| out.flush()).is_err() {
+        exit(0);
+    }
+}
+
+/// Longer than any test waits.
+fn forever() -> ! {
+    // Even the end of the input changes nothing.
+    let _ = std::io::stdin().lock().read_to_end(&mut Vec::new());
+    loop {
+        sleep(Duration::from_secs(600));
+    }
+}

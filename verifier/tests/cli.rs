@@ -1,0 +1,508 @@
+//! The real program as people use it: what it prints, what it writes, how it ends.
+
+#![cfg(unix)]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+struct Run {
+    exit: i32,
+    stdout: String,
+    stderr: String,
+}
+
+fn program() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ncp-verify"));
+    command
+        .stdin(Stdio::null())
+        .env_remove("NO_COLOR")
+        .env_remove("COLUMNS");
+    command
+}
+
+fn run(command: &mut Command) -> Run {
+    let output = command.output().unwrap();
+    Run {
+        exit: output.status.code().unwrap(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// Runs a subcommand on the test vectors.
+fn verify(args: &[&str]) -> Run {
+    run(program()
+        .args(args)
+        .args(["--vectors", "tests/data/vectors"]))
+}
+
+fn peer(mode: &str) -> String {
+    let examples = Path::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        .parent()
+        .unwrap()
+        .join("examples");
+    format!("{} {mode}", examples.join("hostile-peer").display())
+}
+
+/// A report on the hostile peer in a mode, as wide as `columns`, with what differs from run to run made even.
+fn report(mode: &str, columns: &str, args: &[&str]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("result.json");
+    let run = run(program()
+        .env("COLUMNS", columns)
+        .args([
+            "run",
+            "--vectors",
+            "tests/data/vectors",
+            "--timeout",
+            "1",
+            "--peer-cmd",
+            &peer(mode),
+            "--json",
+        ])
+        .arg(&file)
+        .args(args));
+    run.stdout.replace(&file.display().to_string(), "RESULT")
+}
+
+#[test]
+fn a_report_on_a_conformant_peer_is_a_table_and_a_verdict() {
+    insta::assert_snapshot!(report("honest", "100", &[]));
+}
+
+#[test]
+fn a_report_names_each_failing_case_under_its_rule() {
+    insta::assert_snapshot!("report_wide", report("wrong-answer", "100", &[]));
+}
+
+#[test]
+fn a_report_fits_a_narrow_terminal() {
+    let text = report("unsupported", "60", &["--role", "body", "--role", "server"]);
+    assert!(
+        text.lines().all(|line| line.chars().count() <= 60),
+        "{text}"
+    );
+    insta::assert_snapshot!("report_narrow", text);
+    let text = report("panics", "60", &[]);
+    assert!(
+        text.lines().all(|line| line.chars().count() <= 60),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_crash_is_reported_with_the_end_of_the_log() {
+    insta::assert_snapshot!("report_crash", report("die-on-target", "80", &[]));
+}
+
+#[test]
+fn colours_are_written_when_asked_for_and_not_into_a_pipe() {
+    assert!(report("wrong-answer", "100", &["--color", "always"]).contains("\u{1b}[1;31m"));
+    assert!(!report("wrong-answer", "100", &[]).contains('\u{1b}'));
+}
+
+#[test]
+fn a_case_is_explained_with_rule_input_expectation_and_reason() {
+    insta::assert_snapshot!(
+        "explain_case",
+        verify(&["explain", "wire/tiny/02-seq-string"]).stdout
+    );
+    insta::assert_snapshot!(
+        "explain_message",
+        verify(&["explain", "wire/tiny/01-whole"]).stdout
+    );
+}
+
+#[test]
+fn a_long_input_is_explained_abbreviated() {
+    let text = verify(&["explain", "wire/tiny/05-long"]).stdout;
+    assert!(text.contains("… (10486"), "{text}");
+    assert!(text.len() < 4000, "{}", text.len());
+}
+
+#[test]
+fn a_rule_and_a_flag_are_explained_with_their_cases() {
+    insta::assert_snapshot!("explain_rule", verify(&["explain", "ncp-ver-004"]).stdout);
+    insta::assert_snapshot!(
+        "explain_flag",
+        verify(&["explain", "lenient-reader"]).stdout
+    );
+}
+
+#[test]
+fn a_misspelt_id_is_answered_with_the_nearest_ones() {
+    let run = verify(&["explain", "wire/tiny/02-seq-strnig"]);
+    assert_eq!(run.exit, 2);
+    assert!(
+        run.stderr
+            .contains("do you mean one of these?\n  wire/tiny/02-seq-string"),
+        "{}",
+        run.stderr
+    );
+    let run = verify(&["explain", "NCP-WIER-007"]);
+    assert!(run.stderr.contains("NCP-WIRE-007"), "{}", run.stderr);
+    let run = verify(&["explain", "qqqqqqqq"]);
+    assert!(
+        run.stderr.contains("ncp-verify list shows all"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn cases_are_listed_by_filter_role_and_flag() {
+    insta::assert_snapshot!("list", verify(&["list"]).stdout);
+    let ids = |args: &[&str]| {
+        verify(args)
+            .stdout
+            .lines()
+            .map(|l| l.split(' ').next().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        ids(&["list", "--filter", "NCP-WIRE-007"]),
+        ["wire/tiny/03-twice"]
+    );
+    assert_eq!(
+        ids(&["list", "--filter", "*-strict"]),
+        [
+            "version/tiny/02-same-strict",
+            "version/tiny/04-older-strict"
+        ]
+    );
+    assert_eq!(ids(&["list", "--filter", "lenient-reader"]).len(), 6);
+    let none = verify(&["list", "--role", "server"]);
+    assert_eq!((none.exit, none.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn lists_are_printed_as_json_on_request() {
+    let cases: Value = serde_json::from_str(&verify(&["list", "--json"]).stdout).unwrap();
+    assert_eq!(cases.as_array().unwrap().len(), 16);
+    assert_eq!(cases[0]["id"], "version/tiny/01-same");
+    let rules: Value =
+        serde_json::from_str(&verify(&["list", "--requirements", "--json"]).stdout).unwrap();
+    let rule = rules
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|rule| rule["id"] == "NCP-VER-001")
+        .unwrap();
+    assert_eq!(
+        (rule["cases"].as_u64(), rule["keyword"].as_str()),
+        (Some(3), Some("MUST"))
+    );
+}
+
+#[test]
+fn rules_are_listed_with_the_number_of_their_cases() {
+    insta::assert_snapshot!(
+        "list_rules",
+        verify(&["list", "--requirements", "--filter", "NCP-VER-00?"]).stdout
+    );
+}
+
+#[test]
+fn what_cannot_be_done_is_a_usage_error_with_one_message() {
+    for (args, message) in [
+        (&["run"][..], "name a peer: --peer"),
+        (
+            &["run", "--peer-cmd", "true", "--filter", "nonsense"],
+            "no case fits --filter nonsense; see ncp-verify list",
+        ),
+        (&["run", "--peer", "tests/data"], "tests/data/peer.toml: "),
+        (
+            &["run", "--peer-cmd", "true", "--level", "highest"],
+            "invalid value 'highest'",
+        ),
+        (&["frobnicate"], "unrecognized subcommand"),
+    ] {
+        let run = verify(args);
+        assert_eq!((run.exit, run.stdout.as_str()), (2, ""), "{args:?}");
+        assert!(run.stderr.contains(message), "{args:?}: {}", run.stderr);
+    }
+    let missing = run(program().args(["list", "--vectors", "no/such/folder"]));
+    assert_eq!(missing.exit, 2);
+}
+
+#[test]
+fn a_filter_that_leaves_a_peer_without_a_case_is_a_usage_error() {
+    let run = verify(&[
+        "run",
+        "--peer-cmd",
+        &peer("honest"),
+        "--filter",
+        "tiny",
+        "--role",
+        "server",
+    ]);
+    assert_eq!(run.exit, 2, "{}", run.stdout);
+}
+
+#[test]
+fn a_filtered_run_claims_no_conformance() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("result.json");
+    let run = verify(&[
+        "run",
+        "--peer-cmd",
+        &peer("wrong-answer"),
+        "--filter",
+        "wire/*",
+        "--json",
+        file.to_str().unwrap(),
+    ]);
+    assert_eq!(run.exit, 0, "{}", run.stdout);
+    assert!(
+        run.stdout.contains("of all cases only a part was run"),
+        "{}",
+        run.stdout
+    );
+    let result: Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
+    assert_eq!(result["asked"]["partial"], true);
+}
+
+#[test]
+fn a_faulty_vector_file_is_the_suites_own_fault() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("wire")).unwrap();
+    let text = std::fs::read_to_string("tests/data/vectors/wire/tiny.json").unwrap();
+    std::fs::write(
+        folder.path().join("wire/tiny.json"),
+        text.replacen("NCP-WIRE-015", "NCP-WIRE-999", 1),
+    )
+    .unwrap();
+    let run = run(program().args(["list", "--vectors"]).arg(folder.path()));
+    assert_eq!(run.exit, 4);
+    assert!(
+        run.stderr.contains(
+            "wire/tiny.json: the case wire/tiny/01-whole: the text has no rule NCP-WIRE-999"
+        ),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn a_repeated_run_prints_its_rate() {
+    let text = report(
+        "honest",
+        "100",
+        &["--repeat", "20", "--filter", "version/*"],
+    );
+    let rate = text.lines().find(|line| line.contains("rate:")).unwrap();
+    assert!(
+        rate.contains("200 cases in ") && rate.ends_with(" a second"),
+        "{rate}"
+    );
+}
+
+#[test]
+fn junit_has_a_test_for_each_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let (json, xml) = (folder.path().join("r.json"), folder.path().join("r.xml"));
+    let run = verify(&[
+        "run",
+        "--peer-cmd",
+        &peer("die-on-target"),
+        "--json",
+        json.to_str().unwrap(),
+        "--junit",
+        xml.to_str().unwrap(),
+    ]);
+    assert_eq!(run.exit, 1);
+    let xml = std::fs::read_to_string(xml).unwrap();
+    assert_eq!(xml.matches("<testcase ").count(), 17);
+    assert!(
+        xml.contains(r#"<testsuite name="hostile" tests="17" skipped="0" errors="1" failures="0""#),
+        "{}",
+        &xml[..400]
+    );
+    assert!(xml.contains("version/tiny/07-target"));
+}
+
+/// A workspace with bundled peers, and the program run in it.
+fn bundled(peers: &[(&str, &str)], args: &[&str]) -> (Run, PathBuf, tempfile::TempDir) {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, manifest) in peers {
+        let peer = folder.path().join("peers").join(name);
+        std::fs::create_dir_all(&peer).unwrap();
+        std::fs::write(peer.join("peer.toml"), manifest).unwrap();
+    }
+    let inner = folder.path().join("peers");
+    let vectors = std::path::absolute("tests/data/vectors").unwrap();
+    let run = run(program()
+        .current_dir(inner)
+        .args(args)
+        .arg("--vectors")
+        .arg(vectors));
+    let result = folder.path().join("reports/run/result.json");
+    (run, result, folder)
+}
+
+fn manifest(name: &str, mode: &str, more: &str) -> String {
+    let words: Vec<String> = peer(mode)
+        .split(' ')
+        .map(|word| format!("{word:?}"))
+        .collect();
+    format!(
+        "name = {name:?}\nlanguage = \"Rust\"\ncommand = [{}]\n{more}",
+        words.join(", ")
+    )
+}
+
+#[test]
+fn without_a_command_every_bundled_peer_is_set_up_and_checked() {
+    let setup =
+        "[[setup]]\nsay = \"make a file\"\ncommand = [\"sh\", \"-c\", \"echo {root} > made\"]\n";
+    let (a, b) = (
+        manifest("first", "honest", setup),
+        manifest("second", "honest", ""),
+    );
+    let (run, result, folder) = bundled(&[("b", &b), ("a", &a)], &[]);
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    assert!(
+        run.stdout.contains("all 2 peers conform at level wire"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stderr.contains("first: make a file"), "{}", run.stderr);
+    let made = std::fs::read_to_string(folder.path().join("peers/a/made")).unwrap();
+    assert_eq!(
+        Path::new(made.trim()).canonicalize().unwrap(),
+        folder.path().canonicalize().unwrap()
+    );
+    let result: Value = serde_json::from_str(&std::fs::read_to_string(result).unwrap()).unwrap();
+    assert_eq!(
+        (
+            result["peers"][0]["name"].as_str(),
+            result["peers"][1]["name"].as_str()
+        ),
+        (Some("first"), Some("second"))
+    );
+    assert_eq!(result["peers"][0]["source"], "peers/a");
+}
+
+#[test]
+fn a_peer_whose_tool_is_missing_is_skipped_loudly_and_never_counts_as_passed() {
+    let (good, lacking) = (
+        manifest("good", "honest", ""),
+        manifest("lacking", "honest", "requires = [\"surely-no-such-tool\"]"),
+    );
+    let (run, result, _folder) = bundled(&[("good", &good), ("lacking", &lacking)], &[]);
+    assert_eq!(run.exit, 0, "{}", run.stdout);
+    assert!(
+        run.stdout
+            .contains("lacking  SKIPPED not on PATH: surely-no-such-tool"),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stdout.contains("1 skipped and so not shown to conform"),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stderr
+            .contains("lacking: SKIPPED, not on PATH: surely-no-such-tool"),
+        "{}",
+        run.stderr
+    );
+    let result: Value = serde_json::from_str(&std::fs::read_to_string(result).unwrap()).unwrap();
+    assert_eq!(
+        (
+            result["peers"][1]["state"].as_str(),
+            &result["peers"][1]["conclusion"]
+        ),
+        (Some("skipped"), &Value::Null)
+    );
+    let (run, ..) = bundled(&[("lacking", &lacking)], &[]);
+    assert_eq!(
+        run.exit, 1,
+        "with nothing checked, nothing conforms: {}",
+        run.stdout
+    );
+}
+
+#[test]
+fn one_peer_that_does_not_conform_fails_the_run_and_one_that_does_not_start_too() {
+    let (good, bad) = (
+        manifest("good", "honest", ""),
+        manifest("bad", "wrong-answer", ""),
+    );
+    let (run, ..) = bundled(&[("good", &good), ("bad", &bad)], &[]);
+    assert_eq!(run.exit, 1);
+    assert!(
+        run.stdout.contains("1 of 2 peers conform at level wire"),
+        "{}",
+        run.stdout
+    );
+    let broken = "[[setup]]\nsay = \"build\"\ncommand = [\"sh\", \"-c\", \"echo undefined symbol; exit 2\"]\n";
+    let (run, ..) = bundled(
+        &[
+            ("good", &good),
+            ("bad", &manifest("broken", "honest", broken)),
+        ],
+        &[],
+    );
+    assert_eq!(run.exit, 3);
+    assert!(
+        run.stderr.contains("broken: its set-up failed: ")
+            && run.stderr.contains("| undefined symbol"),
+        "{}",
+        run.stderr
+    );
+    assert!(
+        run.stdout.contains("broken  NOT STARTED"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn an_expected_failure_passes_the_run_without_claiming_conformance() {
+    let known = "[[expected-failures]]\ncase = \"version/tiny/07-target\"\nreason = \"issue 7\"\n";
+    let (run, ..) = bundled(&[("p", &manifest("p", "wrong-answer", known))], &[]);
+    assert_eq!(run.exit, 0, "{}", run.stdout);
+    assert!(
+        run.stdout.contains(
+            "the peer does not conform at level wire; 1 exactly as its expected failures say"
+        ),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stdout.contains("1 case fails as expected: issue 7"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn an_expected_failure_that_passes_fails_the_run() {
+    let known = "[[expected-failures]]\ncase = \"version/tiny/07-target\"\nreason = \"issue 7\"\n";
+    let (run, ..) = bundled(&[("p", &manifest("p", "honest", known))], &[]);
+    assert_eq!(run.exit, 1, "{}", run.stdout);
+    assert!(
+        run.stdout
+            .contains("the expected failure of case version/tiny/07-target no longer fails"),
+        "{}",
+        run.stdout
+    );
+    let (run, ..) = bundled(
+        &[(
+            "p",
+            &manifest("p", "honest", &known.replace("07-target", "77")),
+        )],
+        &[],
+    );
+    assert_eq!(run.exit, 2);
+    assert!(
+        run.stderr
+            .contains("names the case version/tiny/77, which the suite does not have"),
+        "{}",
+        run.stderr
+    );
+}

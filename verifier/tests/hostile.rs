@@ -1,0 +1,484 @@
+//! The real program against peers that do what a peer may not: each ends in bounded time, with the right exit code
+//! and the right case named.
+
+#![cfg(unix)]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+const TARGET: &str = "version/tiny/07-target";
+/// Far more than any of these runs may take, far less than a peer that hangs.
+const BOUND: Duration = Duration::from_secs(45);
+
+/// What a run of the program left.
+struct Run {
+    exit: i32,
+    stdout: String,
+    stderr: String,
+    result: Option<Value>,
+}
+
+impl Run {
+    /// The cases that did not pass: id and outcome.
+    fn faults(&self) -> BTreeMap<String, String> {
+        let cases = self.result.as_ref().unwrap()["peers"][0]["cases"]
+            .as_array()
+            .unwrap();
+        let text = |value: &Value| value.as_str().unwrap().to_owned();
+        cases
+            .iter()
+            .filter(|c| c["outcome"] != "pass")
+            .map(|c| (text(&c["id"]), text(&c["outcome"])))
+            .collect()
+    }
+
+    fn case(&self, id: &str) -> &Value {
+        let cases = self.result.as_ref().unwrap()["peers"][0]["cases"]
+            .as_array()
+            .unwrap();
+        cases.iter().find(|case| case["id"] == id).unwrap()
+    }
+}
+
+fn example(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        .parent()
+        .unwrap()
+        .join("examples")
+        .join(name)
+}
+
+fn verify(args: &[&str]) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("result.json");
+    let start = Instant::now();
+    let output: Output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        .args([
+            "run",
+            "--vectors",
+            "tests/data/vectors",
+            "--timeout",
+            "1",
+            "--start-timeout",
+            "2",
+            "--json",
+        ])
+        .arg(&file)
+        .args(args)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap();
+    assert!(
+        start.elapsed() < BOUND,
+        "{args:?} took {:?}",
+        start.elapsed()
+    );
+    let result = std::fs::read_to_string(&file)
+        .ok()
+        .map(|text| serde_json::from_str(&text).unwrap());
+    if let Some(result) = &result {
+        check_schema(result);
+    }
+    Run {
+        exit: output.status.code().unwrap(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+        result,
+    }
+}
+
+/// Runs the hostile peer in a mode.
+fn hostile(mode: &str, args: &[&str]) -> Run {
+    let command = format!("{} {mode}", example("hostile-peer").display());
+    verify(&[&["--peer-cmd", &command], args].concat())
+}
+
+/// Runs a shell script as a peer, after it has described itself.
+fn script(script: &str) -> Run {
+    let describe = r#"{"id":0,"result":{"name":"sh","version":"1","language":"sh","wire_version":"0.5","contract_hash":"24e8e6e31e1dec8a","roles":["body"]}}"#;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("peer.sh");
+    std::fs::write(&file, format!("read line\necho '{describe}'\n{script}\n")).unwrap();
+    verify(&["--peer-cmd", &format!("sh {}", file.display())])
+}
+
+/// Every result file is one by its schema.
+fn check_schema(result: &Value) {
+    let text = std::fs::read_to_string("../schemas/result.schema.json").unwrap();
+    let schema: Value = serde_json::from_str(&text).unwrap();
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    let faults: Vec<String> = validator
+        .iter_errors(result)
+        .map(|e| format!("{}: {e}", e.instance_path()))
+        .collect();
+    assert!(faults.is_empty(), "{faults:?}");
+}
+
+#[test]
+fn an_honest_peer_conforms() {
+    let run = hostile("honest", &[]);
+    assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("the peer conforms at level wire"),
+        "{}",
+        run.stdout
+    );
+    assert_eq!(run.result.unwrap()["peers"][0]["conclusion"], "conformant");
+}
+
+#[test]
+fn a_fault_that_belongs_to_one_case_is_charged_to_that_case_alone() {
+    for (mode, outcome) in [
+        ("wrong-answer", "fail"),
+        ("die-on-target", "crash"),
+        ("die-after-target", "crash"),
+        ("sleep-on-target", "timeout"),
+        ("skips-target", "timeout"),
+        ("binary-on-target", "protocol"),
+        ("prints-after-target", "protocol"),
+        ("twice-on-target", "protocol"),
+        ("unknown-id-on-target", "protocol"),
+        ("no-result-on-target", "protocol"),
+        ("huge-line-on-target", "protocol"),
+        ("half-a-line-on-target", "protocol"),
+    ] {
+        let run = hostile(mode, &[]);
+        let expected = BTreeMap::from([(TARGET.to_owned(), outcome.to_owned())]);
+        assert_eq!(
+            (run.exit, run.faults()),
+            (1, expected),
+            "{mode}: {}",
+            run.stdout
+        );
+        assert!(
+            run.stdout.contains(&format!("✗ {TARGET} [{outcome}]")),
+            "{mode}: {}",
+            run.stdout
+        );
+    }
+}
+
+#[test]
+fn a_fault_is_found_with_several_processes_and_repetitions_too() {
+    let run = hostile("die-on-target", &["--jobs", "3", "--repeat", "5"]);
+    assert_eq!((run.exit, run.faults().len()), (1, 1), "{}", run.stdout);
+    assert_eq!(run.case(TARGET)["outcome"], "crash");
+}
+
+#[test]
+fn a_peer_that_dies_on_its_7th_request_is_charged_with_the_request_that_was_open() {
+    // `describe` is the first request of a process, so the seventh is the sixth case.
+    for (mode, outcome) in [("die-on-7th", "crash"), ("skips-7th", "timeout")] {
+        let run = hostile(mode, &[]);
+        assert_eq!(run.exit, 1, "{mode}");
+        assert_eq!(
+            run.case("version/tiny/06-letter")["outcome"],
+            outcome,
+            "{mode}: {}",
+            run.stdout
+        );
+    }
+    let run = hostile("die-on-7th", &[]);
+    let note = run.case("version/tiny/06-letter")["note"]
+        .as_str()
+        .unwrap()
+        .to_owned();
+    assert!(
+        note.contains("alone, in a fresh process, it was answered"),
+        "{note}"
+    );
+}
+
+#[test]
+fn what_a_peer_wrote_to_its_log_is_shown_with_its_crash() {
+    let run = hostile("die-on-target", &[]);
+    assert!(
+        run.stdout.contains("it died of signal: 6 (SIGABRT)"),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stdout.contains("| assertion failed: version < 9"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn a_peer_that_answers_nothing_is_given_up_and_the_rest_is_not_run() {
+    for mode in [
+        "die-on-every-case",
+        "sleep-forever",
+        "binary-on-every-case",
+        "stops-reading",
+    ] {
+        let run = hostile(mode, &[]);
+        assert_eq!(run.exit, 1, "{mode}");
+        let faults = run.faults();
+        assert!(
+            faults.contains_key("version/tiny/01-same"),
+            "{mode}: {faults:?}"
+        );
+        assert_ne!(faults["version/tiny/01-same"], "not run", "{mode}");
+        assert!(
+            faults
+                .values()
+                .filter(|outcome| *outcome == "not run")
+                .count()
+                >= 10,
+            "{mode}: {faults:?}"
+        );
+        assert!(
+            run.stdout
+                .contains("it has not answered one case in 3 attempts"),
+            "{mode}: {}",
+            run.stdout
+        );
+    }
+}
+
+#[test]
+fn restarts_are_bounded() {
+    let run = hostile("die-on-7th", &["--max-restarts", "0"]);
+    assert_eq!(run.exit, 1);
+    assert_eq!(run.case("version/tiny/06-letter")["outcome"], "crash");
+    assert!(run.faults().values().any(|outcome| outcome == "not run"));
+    assert!(
+        run.stdout
+            .contains("the peer was given up: after 0 restarts it exited with status 101"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn a_peer_that_answers_everything_twice_is_charged_case_by_case() {
+    let run = hostile("twice-always", &[]);
+    assert_eq!(run.exit, 1);
+    assert_eq!(
+        run.faults()
+            .values()
+            .filter(|outcome| *outcome == "protocol")
+            .count(),
+        16,
+        "{:?}",
+        run.faults()
+    );
+}
+
+#[test]
+fn what_is_odd_but_harmless_costs_nothing() {
+    for mode in ["floods-stderr", "slow", "other-codes"] {
+        let run = hostile(mode, &[]);
+        assert_eq!(
+            (run.exit, run.faults().len()),
+            (0, 0),
+            "{mode}: {}",
+            run.stdout
+        );
+    }
+    let run = hostile("unordered", &["--filter", "version/*"]);
+    assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
+}
+
+#[test]
+fn another_error_code_is_noted_and_not_judged() {
+    let run = hostile("other-codes", &["--verbose"]);
+    assert_eq!(
+        run.case("version/tiny/05-empty")["note"],
+        "refused as `limit`; the text suggests `version`"
+    );
+    assert!(
+        run.stdout.contains("refused as `limit`; the text suggests"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn a_caught_crash_is_no_refusal() {
+    let run = hostile("panics", &[]);
+    assert_eq!(run.case("version/tiny/05-empty")["outcome"], "fail");
+    assert!(
+        run.stdout.contains("a crash is no refusal"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn how_a_peer_ends_is_noted() {
+    for (mode, note) in [
+        (
+            "never-ends",
+            "2 s after the end of its input it was still running, and was killed",
+        ),
+        (
+            "ends-badly",
+            "at the end of its input it exited with status 5 instead of 0",
+        ),
+        (
+            "prints-at-the-end",
+            "at the end of its input it printed something that is no answer",
+        ),
+    ] {
+        let run = hostile(mode, &[]);
+        assert_eq!(run.exit, 0, "{mode}: {}", run.stdout);
+        let notes = run.result.unwrap()["peers"][0]["run"]["notes"].to_string();
+        assert!(notes.contains(note), "{mode}: {notes}");
+    }
+}
+
+#[test]
+fn unsupported_calls_in_a_claimed_role_fail_and_are_summed_up_by_call() {
+    let run = hostile("unsupported", &[]);
+    assert_eq!(run.exit, 1);
+    assert!(
+        run.stdout
+            .contains("14 of 17 cases are unsupported in roles that were judged"),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stdout.contains("decode (5), version.check (9)"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn a_peer_that_cannot_be_started_is_told_at_once_in_one_message() {
+    for (command, message) in [
+        (
+            "surely-no-such-program",
+            "error: there is no program `surely-no-such-program` on PATH",
+        ),
+        (
+            "./no/such/peer",
+            "error: there is no program `./no/such/peer`",
+        ),
+        (
+            "tests/data/vectors/wire/tiny.json",
+            "error: `tests/data/vectors/wire/tiny.json` is not executable",
+        ),
+        (
+            "true",
+            "error: `true` exited with status 0 before it answered `describe`",
+        ),
+        ("cat", "error: `cat` does not speak the peer protocol: "),
+        (
+            "echo hello",
+            "error: `echo hello` does not speak the peer protocol: ",
+        ),
+        (
+            "sh -c 'exec >&-; sleep 60'",
+            "closed its standard output but kept running before it answered `describe`",
+        ),
+        (
+            "sleep 60",
+            "error: `sleep 60` did not answer `describe` within 2 s",
+        ),
+        ("'unclosed", "cannot be taken apart"),
+    ] {
+        let start = Instant::now();
+        let run = verify(&["--peer-cmd", command]);
+        assert_eq!(run.exit, 3, "{command}: {}", run.stderr);
+        assert!(run.stderr.contains(message), "{command}: {}", run.stderr);
+        assert_eq!(
+            (run.stderr.matches("error:").count(), run.stdout.as_str()),
+            (1, ""),
+            "{command}"
+        );
+        assert!(start.elapsed() < Duration::from_secs(10), "{command}");
+    }
+    for (mode, message) in [
+        (
+            "exits-at-once",
+            "exited with status 7 before it answered `describe`\nit had written to stderr:\n  | no configuration found",
+        ),
+        ("says-hello", "its first line: Hello, I am a peer."),
+        ("half-described", "its `roles` is null, not an array"),
+    ] {
+        let run = hostile(mode, &[]);
+        assert_eq!(run.exit, 3, "{mode}");
+        assert!(run.stderr.contains(message), "{mode}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn a_wrong_description_fails_the_case_of_describe() {
+    for mode in ["wrong-describe", "claims-nothing"] {
+        let run = hostile(mode, &[]);
+        assert_eq!(
+            (run.exit, run.case("describe")["outcome"].as_str()),
+            (1, Some("fail")),
+            "{mode}"
+        );
+    }
+}
+
+#[test]
+fn a_peer_that_closes_its_output_and_runs_on_is_a_crash_of_the_case() {
+    let run = script("read line; exec >&-; trap '' TERM; sleep 60");
+    assert_eq!(run.exit, 1);
+    assert_eq!(run.case("version/tiny/01-same")["outcome"], "crash");
+    assert_eq!(
+        run.case("version/tiny/01-same")["what"],
+        "closed its standard output but kept running"
+    );
+}
+
+#[test]
+fn a_peer_whose_child_outlives_it_is_ended_with_its_child() {
+    let folder = tempfile::tempdir().unwrap();
+    let pid = folder.path().join("pid");
+    let run = script(&format!(
+        "sleep 300 & echo $! > {}; read line; exit 4",
+        pid.display()
+    ));
+    assert_eq!(
+        run.case("version/tiny/01-same")["what"],
+        "exited with status 4"
+    );
+    let pid = std::fs::read_to_string(pid).unwrap();
+    let stat = std::fs::read_to_string(format!("/proc/{}/stat", pid.trim())).unwrap_or_default();
+    assert!(stat.is_empty() || stat.contains(") Z "), "{stat}");
+}
+
+#[test]
+fn ctrl_c_ends_the_peer_and_still_writes_the_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("result.json");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        .args(["run", "--vectors", "tests/data/vectors", "--json"])
+        .arg(&file)
+        .arg("--peer-cmd")
+        .arg(format!(
+            "{} sleep-on-target",
+            example("hostile-peer").display()
+        ))
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(1500));
+    let pid = rustix::process::Pid::from_child(&child);
+    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    let start = Instant::now();
+    let status = child.wait().unwrap();
+    assert!(start.elapsed() < Duration::from_secs(5));
+    assert_eq!(status.code(), Some(130));
+    let result: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    check_schema(&result);
+    assert_eq!(result["interrupted"], true);
+    let cases = result["peers"][0]["cases"].as_array().unwrap();
+    let outcome = |id: &str| cases.iter().find(|case| case["id"] == id).unwrap()["outcome"].clone();
+    assert_eq!(
+        (outcome("version/tiny/01-same"), outcome(TARGET)),
+        ("pass".into(), "not run".into())
+    );
+}
