@@ -13,7 +13,7 @@ import sys
 
 
 class Refused(Exception):
-    """The implementation refused, for the reason that the code names (PROTOCOL.md, section 4)."""
+    """The implementation refused, for the reason that the code names (PROTOCOL.md, section 5)."""
 
     def __init__(self, code, message):
         super().__init__(message)

@@ -176,7 +176,9 @@ impl fmt::Display for Loss {
             Lost::EmptyString => write!(f, "{path} is set to \"\", which reads back as unset"),
             Lost::Zero => write!(f, "{path} is set to 0, which reads back as unset"),
             Lost::ZeroSign => write!(f, "{path} is -0.0, which reads back as 0.0"),
-            Lost::UnknownString(string) => write!(f, "{path} is {string:?}, for which there is no number"),
+            Lost::UnknownString(string) => {
+                write!(f, "{path} is {string:?}, for which there is no number")
+            }
         }
     }
 }

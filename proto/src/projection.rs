@@ -205,7 +205,9 @@ impl Shape {
 
 /// A type that is not in the notation.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("`{0}` is not a JSON type: expected integer, number, string, boolean, a name, [type] or {{string: type}}, with |null or without")]
+#[error(
+    "`{0}` is not a JSON type: expected integer, number, string, boolean, a name, [type] or {{string: type}}, with |null or without"
+)]
 pub struct JsonTypeError(String);
 
 impl FromStr for JsonType {
@@ -220,7 +222,10 @@ impl FromStr for JsonType {
             Some(shape) => (shape, true),
             None => (text, false),
         };
-        Ok(Self { shape: Shape::parse(shape)?, nullable })
+        Ok(Self {
+            shape: Shape::parse(shape)?,
+            nullable,
+        })
     }
 }
 
@@ -234,10 +239,16 @@ impl TryFrom<String> for JsonType {
 
 impl Shape {
     fn parse(text: &str) -> Result<Self, JsonTypeError> {
-        if let Some(items) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        if let Some(items) = text
+            .strip_prefix('[')
+            .and_then(|rest| rest.strip_suffix(']'))
+        {
             return Ok(Self::Array(Box::new(Self::parse(items)?)));
         }
-        if let Some(values) = text.strip_prefix("{string: ").and_then(|rest| rest.strip_suffix('}')) {
+        if let Some(values) = text
+            .strip_prefix("{string: ")
+            .and_then(|rest| rest.strip_suffix('}'))
+        {
             return Ok(Self::Map(Box::new(Self::parse(values)?)));
         }
         match text {
@@ -245,7 +256,9 @@ impl Shape {
             "number" => Ok(Self::Number),
             "string" => Ok(Self::String),
             "boolean" => Ok(Self::Boolean),
-            name if name.starts_with(|c: char| c.is_ascii_uppercase()) && name.bytes().all(|b| b.is_ascii_alphanumeric()) => {
+            name if name.starts_with(|c: char| c.is_ascii_uppercase())
+                && name.bytes().all(|b| b.is_ascii_alphanumeric()) =>
+            {
                 Ok(Self::Named(name.to_owned()))
             }
             other => Err(JsonTypeError(other.to_owned())),
@@ -255,7 +268,12 @@ impl Shape {
 
 impl fmt::Display for JsonType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{}", self.shape, if self.nullable { "|null" } else { "" })
+        write!(
+            f,
+            "{}{}",
+            self.shape,
+            if self.nullable { "|null" } else { "" }
+        )
     }
 }
 
@@ -294,14 +312,31 @@ mod tests {
 
     #[test]
     fn a_type_reads_and_writes_in_the_notation_of_the_text() {
-        for text in ["integer", "string|null", "[RecordTarget]", "[{string: ChannelValue}]", "{string: integer}", "SimProvenance|null"] {
+        for text in [
+            "integer",
+            "string|null",
+            "[RecordTarget]",
+            "[{string: ChannelValue}]",
+            "{string: integer}",
+            "SimProvenance|null",
+        ] {
             assert_eq!(text.parse::<JsonType>().unwrap().to_string(), text);
         }
     }
 
     #[test]
     fn a_type_outside_the_notation_is_an_error() {
-        for text in ["", "int", "[", "[number", "{number: string}", "string|nil", "null", "[string|null]", &"[".repeat(10_000)] {
+        for text in [
+            "",
+            "int",
+            "[",
+            "[number",
+            "{number: string}",
+            "string|nil",
+            "null",
+            "[string|null]",
+            &"[".repeat(10_000),
+        ] {
             assert!(text.parse::<JsonType>().is_err(), "{text}");
         }
     }

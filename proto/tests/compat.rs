@@ -1,5 +1,11 @@
 //! The breaking check, on planted changes.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test that cannot go on has failed"
+)]
+
 mod common;
 
 use std::collections::BTreeSet;
@@ -23,11 +29,21 @@ fn every_planted_change_is_reported_with_its_rule_and_place_and_nothing_else_is(
         let frozen = contract(&change.frozen_proto(), BASELINE_PROJECTION);
         let changed = contract(&change.changed_proto(), &change.changed_projection());
         let violations = check(&frozen, &changed);
-        let reports: Vec<_> = violations.iter().map(|found| format!("{} in {}", found.rule.code(), found.place)).collect();
+        let reports: Vec<_> = violations
+            .iter()
+            .map(|found| format!("{} in {}", found.rule.code(), found.place))
+            .collect();
         if reports != change.reports {
-            wrong += &format!("{}\n  expected {:#?}\n  found {reports:#?}\n", change.name, change.reports);
+            wrong += &format!(
+                "{}\n  expected {:#?}\n  found {reports:#?}\n",
+                change.name, change.reports
+            );
         }
-        assert!(violations.iter().all(|found| found.was != found.is), "{}", change.name);
+        assert!(
+            violations.iter().all(|found| found.was != found.is),
+            "{}",
+            change.name
+        );
     }
     assert!(wrong.is_empty(), "{wrong}");
 }
@@ -47,8 +63,16 @@ fn every_change_of_a_declaration_changes_the_contract_hash() {
 
 #[test]
 fn each_rule_has_a_planted_change_or_a_test_below() {
-    let planted: BTreeSet<_> = changes().iter().flat_map(|change| change.reports.clone()).map(|report| report.split(' ').next().unwrap().to_owned()).collect();
-    let unplanted: Vec<_> = Rule::ALL.iter().map(|rule| rule.code()).filter(|code| !planted.contains(*code)).collect();
+    let planted: BTreeSet<_> = changes()
+        .iter()
+        .flat_map(|change| change.reports.clone())
+        .map(|report| report.split(' ').next().unwrap().to_owned())
+        .collect();
+    let unplanted: Vec<_> = Rule::ALL
+        .iter()
+        .map(|rule| rule.code())
+        .filter(|code| !planted.contains(*code))
+        .collect();
     assert_eq!(unplanted, ["unreadable", "syntax-changed"]);
 }
 
@@ -58,7 +82,13 @@ fn another_syntax_is_reported() {
     let mut changed = frozen.clone();
     changed.syntax = "proto2".to_owned();
     let violations = check(&frozen, &changed);
-    assert_eq!(violations.iter().map(|found| found.rule).collect::<Vec<_>>(), [Rule::SyntaxChanged]);
+    assert_eq!(
+        violations
+            .iter()
+            .map(|found| found.rule)
+            .collect::<Vec<_>>(),
+        [Rule::SyntaxChanged]
+    );
 }
 
 #[test]
@@ -66,7 +96,10 @@ fn a_contract_that_cannot_be_read_is_an_error() {
     let descriptor = ncp_proto::DESCRIPTOR_SET;
     assert!(Contract::new(&descriptor[..descriptor.len() - 1], PROJECTION_TEXT).is_err());
     assert!(Contract::new(&[], PROJECTION_TEXT).is_err(), "no file");
-    assert!(Contract::new(&[descriptor, descriptor].concat(), PROJECTION_TEXT).is_err(), "two files");
+    assert!(
+        Contract::new(&[descriptor, descriptor].concat(), PROJECTION_TEXT).is_err(),
+        "two files"
+    );
     assert!(Contract::new(descriptor, "{}").is_err());
     let misspelt = PROJECTION_TEXT.replacen("\"pinned\"", "\"pined\"", 1);
     assert!(Contract::new(descriptor, &misspelt).is_err());
@@ -74,11 +107,21 @@ fn a_contract_that_cannot_be_read_is_an_error() {
 
 #[test]
 fn a_violation_says_what_where_what_was_what_is_and_why() {
-    let chosen = ["an int64 becomes an int32", "a wire string changes one letter", "an RPC's answer becomes a stream", "an absent mode is read as active"];
+    let chosen = [
+        "an int64 becomes an int32",
+        "a wire string changes one letter",
+        "an RPC's answer becomes a stream",
+        "an absent mode is read as active",
+    ];
     let shown: Vec<_> = changes()
         .into_iter()
         .filter(|change| chosen.contains(&change.name.as_str()))
-        .flat_map(|change| check(&contract(&change.frozen_proto(), BASELINE_PROJECTION), &contract(&change.changed_proto(), &change.changed_projection())))
+        .flat_map(|change| {
+            check(
+                &contract(&change.frozen_proto(), BASELINE_PROJECTION),
+                &contract(&change.changed_proto(), &change.changed_projection()),
+            )
+        })
         .map(|found| found.to_string())
         .collect();
     insta::assert_snapshot!(shown.join("\n\n"));

@@ -97,7 +97,7 @@ macro_rules! chapter {
 }
 
 /// The chapters of the text, in order.
-pub const CHAPTERS: [Chapter; 7] = [
+pub const CHAPTERS: [Chapter; 14] = [
     chapter!("00-introduction.md"),
     chapter!("01-wire.md"),
     chapter!("02-version-and-identity.md"),
@@ -105,6 +105,13 @@ pub const CHAPTERS: [Chapter; 7] = [
     chapter!("04-sessions.md"),
     chapter!("05-observations-and-bulk.md"),
     chapter!("06-provenance.md"),
+    chapter!("07-safety.md"),
+    chapter!("08-resilience.md"),
+    chapter!("09-codec.md"),
+    chapter!("10-control-loop.md"),
+    chapter!("11-transports.md"),
+    chapter!("12-security.md"),
+    chapter!("13-conformance.md"),
 ];
 
 /// A chapter of the text.

@@ -1,1 +1,60 @@
-mod case; mod flags; mod json; mod model; mod template; mod text;
+//! The golden corpus of the NCP conformance suite, and the generator that wrote it.
+//!
+//! The corpus is what a peer is held against: JSON files of cases in the folders beside `src`, one
+//! folder an area, frozen by `MANIFEST.sha256`. It is made by a program so that it is systematic:
+//! every field of every message, every type, every boundary. What each case expects follows from
+//! the normative text, not from an implementation: defaults, types and orders are read from the
+//! tables of `spec/text/01-wire.md`, the golden block from chapter 5, and everything else is typed
+//! by hand in the tables of this crate. `ncp-spec` is a second source and no part of the
+//! generator; the tests run every case against it.
+//!
+//! ```
+//! let files = ncp_vectors::generate();
+//! let (path, text) = &files[0];
+//! assert!(path.ends_with(".json") && text.starts_with('{'));
+//! ```
+
+#![forbid(unsafe_code)]
+
+mod bulk;
+mod case;
+mod flags;
+mod hostile;
+mod json;
+mod keys;
+mod model;
+mod roles;
+mod template;
+mod text;
+mod version;
+mod wire;
+
+use std::fmt::Write as _;
+
+use sha2::{Digest as _, Sha256};
+
+/// Every file of the corpus: its path below `vectors/`, such as `wire/command_frame.json`, and its
+/// text. Sorted by path; the same in every run.
+#[must_use]
+pub fn generate() -> Vec<(String, String)> {
+    let areas = [wire::files(), version::files(), keys::files(), bulk::files(), hostile::files()];
+    let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();
+    files.sort();
+    files
+}
+
+/// The manifest of those files: a line `<sha256>  <path>` for each, sorted by path.
+#[must_use]
+pub fn manifest(files: &[(String, String)]) -> String {
+    let mut files: Vec<_> = files.iter().collect();
+    files.sort();
+    let mut out = String::new();
+    for (path, text) in files {
+        for byte in Sha256::digest(text) {
+            // Writing to a string does not fail.
+            let _ = write!(out, "{byte:02x}");
+        }
+        let _ = writeln!(out, "  {path}");
+    }
+    out
+}

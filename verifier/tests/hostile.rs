@@ -2,6 +2,7 @@
 //! and the right case named.
 
 #![cfg(unix)]
+#![expect(clippy::unwrap_used, reason = "a test may fail that way")]
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

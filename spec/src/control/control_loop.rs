@@ -89,7 +89,7 @@ impl<C: Controller> ControlLoop<C> {
             if frame.seq == 0 || kept.seq == 0 {
                 frame.t > kept.t
             } else {
-                frame.seq > kept.seq && frame.t > kept.t
+                frame.seq > kept.seq
             }
         });
         if is_newer {

@@ -266,16 +266,22 @@ impl Check<'_> {
             .name
             .clone()
             .unwrap_or_else(|| description.name.clone());
-        let roles = self.roles(&description);
+        let mut roles = self.roles(&description);
         let cases = self.cases(&roles);
-        if cases.is_empty() && !roles.is_empty() && !self.patterns.is_empty() {
-            let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
+        // That a peer describes itself rightly is no evidence for a role of which nothing is known.
+        let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
+        if cases.is_empty() && !roles.is_empty() {
+            let claimed = claimed.join(", ");
             return Err(CliError::Usage(format!(
-                "the filter selects no case of the roles of {name}: {}",
-                claimed.join(", ")
+                "no case is selected for the roles of {name}: {claimed}"
             )));
         }
-        let total = cases.len() as u64 * u64::from(self.settings.repeat);
+        roles.retain(|(role, _)| cases.iter().any(|case| case.roles.contains(role)));
+        let repeat = u64::from(self.settings.repeat);
+        let total = cases
+            .iter()
+            .map(|case| if case.is_large() { 1 } else { repeat })
+            .sum();
         let progress = Progress::new(&name, total, self.visible);
         let record = run::run(
             &source.launch,

@@ -185,7 +185,7 @@ struct CheckArgs {
     /// How often a peer's process is started anew after a fault, before the peer is given up
     #[arg(long, value_name = "N", default_value_t = 32)]
     max_restarts: u32,
-    /// Run every case N times and print the rate
+    /// Run every case N times, those above 64 KiB once, and print the rate
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     repeat: u32,
     /// Where to write the result as JSON [default: reports/run/result.json]

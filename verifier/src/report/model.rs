@@ -237,12 +237,25 @@ pub struct RunReport {
     pub answers: u64,
     /// How long that took, in seconds.
     pub elapsed_s: f64,
+    /// How fast the cases with requests of up to 64 KiB were answered, if all were.
+    pub rate: Option<RateReport>,
     /// How many processes ended in a fault.
     pub faults: u32,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
     /// What else was noticed.
     pub notes: Vec<String>,
+}
+
+/// So many answers in so much time.
+#[derive(Debug, Serialize)]
+pub struct RateReport {
+    /// How many answers were judged.
+    pub answers: u64,
+    /// How long that took, in seconds.
+    pub elapsed_s: f64,
+    /// How many that makes a second.
+    pub per_second: f64,
 }
 
 /// What became of one case.
@@ -425,6 +438,14 @@ impl PeerReport {
             run: Some(RunReport {
                 answers: run.answers,
                 elapsed_s: run.elapsed.as_secs_f64(),
+                rate: run.rate.map(|rate| {
+                    let elapsed_s = rate.elapsed.as_secs_f64().max(1e-9);
+                    RateReport {
+                        answers: rate.answers,
+                        elapsed_s,
+                        per_second: rate.answers as f64 / elapsed_s,
+                    }
+                }),
                 faults: run.faults,
                 given_up: run.given_up.clone(),
                 notes: run.notes.clone(),

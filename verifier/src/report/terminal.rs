@@ -244,13 +244,19 @@ impl Page<'_> {
             return;
         }
         let title = match &peer.description {
-            Some(about) => format!(
-                "{}: {} {} ({})",
-                peer.name,
-                shown(&about.name),
-                shown(&about.version),
-                shown(&about.language)
-            ),
+            Some(about) => {
+                let own = if about.name == peer.name {
+                    String::new()
+                } else {
+                    format!("{}: ", peer.name)
+                };
+                format!(
+                    "{own}{} {} ({})",
+                    shown(&about.name),
+                    shown(&about.version),
+                    shown(&about.language)
+                )
+            }
             None => peer.name.clone(),
         };
         let title = self.style.bold(&title);
@@ -539,13 +545,16 @@ impl Page<'_> {
                 &format!("its process was replaced after {count}"),
             );
         }
-        if self.report.asked.repeat > 1 || self.detail == Detail::Verbose {
-            let rate = (run.answers as f64 / run.elapsed_s.max(1e-9)).round();
+        if let Some(rate) = run
+            .rate
+            .as_ref()
+            .filter(|_| self.report.asked.repeat > 1 || self.detail == Detail::Verbose)
+        {
+            let count = plural_u64(rate.answers, "case");
+            let a_second = thousands(rate.per_second as u64);
             let text = format!(
-                "{} in {:.2} s: {} a second",
-                plural_u64(run.answers, "case"),
-                run.elapsed_s,
-                thousands(rate as u64)
+                "{count} of up to 64 KiB in {:.2} s: {a_second} a second",
+                rate.elapsed_s
             );
             self.item(2, "rate:", &text);
         }

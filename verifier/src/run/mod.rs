@@ -12,7 +12,7 @@
 mod worker;
 
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -36,7 +36,7 @@ pub struct Settings {
     pub start_timeout: Duration,
     /// How often a process may be started anew after a fault.
     pub max_restarts: u32,
-    /// How often every case is run.
+    /// How often every case is run. The [large](Case::is_large) ones are run once, after the others.
     pub repeat: u32,
 }
 
@@ -185,12 +185,23 @@ pub struct RunRecord {
     pub answers: u64,
     /// How long that took, without starting the first process.
     pub elapsed: Duration,
+    /// How fast the cases that are not [large](Case::is_large) were answered, if all of them were.
+    pub rate: Option<Rate>,
     /// How many processes ended in a fault.
     pub faults: u32,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
     /// What else was noticed about the peer.
     pub notes: Vec<String>,
+}
+
+/// So many answers in so much time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rate {
+    /// How many answers were judged.
+    pub answers: u64,
+    /// How long that took.
+    pub elapsed: Duration,
 }
 
 /// Runs cases against a peer whose first process, `connection`, has already described itself.
@@ -203,7 +214,6 @@ pub fn run(
     listener: &dyn Listener,
     stop: &Stop,
 ) -> RunRecord {
-    let start = Instant::now();
     let shared = Shared::new(launch, cases, settings, listener, stop);
     let jobs = settings.jobs.clamp(1, cases.len().max(1));
     let mut first = Some(connection);
@@ -247,7 +257,8 @@ pub fn run(
             .map(|case| case.unwrap_or_else(not_run))
             .collect(),
         answers: shared.answers.load(Ordering::Relaxed),
-        elapsed: start.elapsed(),
+        elapsed: shared.start.elapsed(),
+        rate: shared.rate.get().copied(),
         faults: shared.faults.load(Ordering::Relaxed),
         given_up,
         notes,
@@ -271,8 +282,14 @@ struct Shared<'r> {
     settings: &'r Settings,
     listener: &'r dyn Listener,
     stop: &'r Stop,
+    start: Instant,
+    /// The cases that are repeated, and those that are not, by their indices.
+    small: Vec<usize>,
+    large: Vec<usize>,
     next: AtomicUsize,
     answers: AtomicU64,
+    small_answers: AtomicU64,
+    rate: OnceLock<Rate>,
     faults: AtomicU32,
     given_up: Mutex<Option<String>>,
     ended: AtomicBool,
@@ -286,12 +303,18 @@ impl<'r> Shared<'r> {
         listener: &'r dyn Listener,
         stop: &'r Stop,
     ) -> Self {
+        let (large, small) = (0..cases.len()).partition(|index| cases[*index].is_large());
         Self {
             launch,
             cases,
             settings,
             listener,
             stop,
+            start: Instant::now(),
+            small,
+            large,
+            small_answers: AtomicU64::new(0),
+            rate: OnceLock::new(),
             next: AtomicUsize::new(0),
             answers: AtomicU64::new(0),
             faults: AtomicU32::new(0),
@@ -302,15 +325,34 @@ impl<'r> Shared<'r> {
 
     /// The next case that no worker has taken, by its index.
     fn take(&self) -> Option<usize> {
-        let total = self
-            .cases
-            .len()
-            .saturating_mul(self.settings.repeat as usize);
+        let repeated = self.small_total();
+        let total = repeated + self.large.len();
         if self.next.load(Ordering::Relaxed) >= total {
             return None;
         }
-        let taken = self.next.fetch_add(1, Ordering::Relaxed);
-        (taken < total).then(|| taken % self.cases.len())
+        match self.next.fetch_add(1, Ordering::Relaxed) {
+            taken if taken < repeated => self.small.get(taken % self.small.len()).copied(),
+            taken => self.large.get(taken - repeated).copied(),
+        }
+    }
+
+    fn small_total(&self) -> usize {
+        self.small
+            .len()
+            .saturating_mul(self.settings.repeat as usize)
+    }
+
+    /// Counts answers, `small` of them to cases that are not large.
+    fn count_answers(&self, answers: u64, small: u64) {
+        self.answers.fetch_add(answers, Ordering::Relaxed);
+        let answered = self.small_answers.fetch_add(small, Ordering::Relaxed) + small;
+        if small > 0 && answered >= self.small_total() as u64 {
+            // Only the first time counts: after a fault, cases are answered again.
+            self.rate.get_or_init(|| Rate {
+                answers: answered,
+                elapsed: self.start.elapsed(),
+            });
+        }
     }
 
     /// Whether to come to an end.

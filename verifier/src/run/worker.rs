@@ -213,29 +213,33 @@ impl<'r> Worker<'r> {
     }
 
     fn take_lines(&mut self, process: &mut Process, lines: &[u8]) -> Result<(), Fault> {
-        let (mut answers, mut wrong) = (0, 0);
+        let (mut answers, mut small, mut wrong) = (0, 0, 0);
         let mut result = Ok(());
         for line in lines.split_inclusive(|byte| *byte == b'\n') {
             match self.take_line(process, line.strip_suffix(b"\n").unwrap_or(line)) {
-                Ok(right) => {
+                Ok(Some((case, right))) => {
                     answers += 1;
+                    small += u64::from(!case.is_large());
                     wrong += u64::from(!right);
                 }
+                Ok(None) => wrong += 1,
                 Err(fault) => {
                     result = Err(fault);
                     break;
                 }
             }
         }
-        self.shared
-            .answers
-            .fetch_add(answers, std::sync::atomic::Ordering::Relaxed);
+        self.shared.count_answers(answers, small);
         self.shared.listener.on(Event::Judged { answers, wrong });
         result
     }
 
-    /// Judges one line; whether it was right.
-    fn take_line(&mut self, process: &mut Process, line: &[u8]) -> Result<bool, Fault> {
+    /// Judges one line: its case, and whether it was right. `None` if that case was answered before.
+    fn take_line(
+        &mut self,
+        process: &mut Process,
+        line: &[u8],
+    ) -> Result<Option<(&'r Case, bool)>, Fault> {
         let garbage = |why: String| Fault::Garbage {
             why,
             line: line[..line.len().min(KEPT_BYTES)].to_vec(),
@@ -275,7 +279,7 @@ impl<'r> Worker<'r> {
             return if process.strays > MAX_STRAYS {
                 Err(Fault::Strays)
             } else {
-                Ok(false)
+                Ok(None)
             };
         }
         process.answered(slot, case);
@@ -311,7 +315,7 @@ impl<'r> Worker<'r> {
         };
         let right = run.outcome == Outcome::Pass;
         self.record(index, run);
-        Ok(right)
+        Ok(Some((case, right)))
     }
 
     fn record(&mut self, index: usize, run: CaseRun) {

@@ -129,6 +129,12 @@ impl Case {
         self.args.bytes() + 64
     }
 
+    /// Whether its request is so large that sending it, not answering it, is what takes time: more than 64 KiB.
+    #[must_use]
+    pub fn is_large(&self) -> bool {
+        self.args.bytes() > KEPT_BYTES
+    }
+
     /// Whether the case concerns one of these roles.
     #[must_use]
     pub fn concerns(&self, roles: &[Role]) -> bool {

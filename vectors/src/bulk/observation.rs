@@ -1,0 +1,221 @@
+//! Observations packed in blocks, and taken out of them.
+
+use super::READERS;
+use super::build::{Block, Column, Part, Values, f32s, f64s, golden, i32s, i64s};
+use super::columns_json;
+use crate::case::Role::Server;
+use crate::case::{Case, File};
+use crate::json::{Json, object};
+use crate::template::Text;
+
+pub(super) fn file() -> File {
+    let mut cases = packed();
+    cases.extend(not_packed());
+    cases.extend(unpacked());
+    cases.extend(not_unpacked());
+    File::new("bulk", "observation", "Observations packed in BulkBlocks, and taken out of them.", cases)
+}
+
+/// An observation: times, values, senders.
+struct Samples {
+    times: Vec<f64>,
+    values: Vec<f64>,
+    senders: Vec<i64>,
+}
+
+fn samples(times: &[f64], values: &[f64], senders: &[i64]) -> Samples {
+    Samples { times: times.to_vec(), values: values.to_vec(), senders: senders.to_vec() }
+}
+
+impl Samples {
+    fn json(&self) -> Json {
+        object! {
+            "times" => Values::F64(self.times.clone()).json(),
+            "values" => Values::F64(self.values.clone()).json(),
+            "senders" => Values::I64(self.senders.clone()).json(),
+        }
+    }
+
+    /// The columns of the arrays that are not empty.
+    fn columns(&self) -> Vec<Column> {
+        let mut columns = Vec::new();
+        if !self.times.is_empty() {
+            columns.push(f64s("times", self.times.clone()));
+        }
+        if !self.values.is_empty() {
+            columns.push(f64s("values", self.values.clone()));
+        }
+        if !self.senders.is_empty() {
+            columns.push(i64s("senders", self.senders.clone()));
+        }
+        columns
+    }
+}
+
+/// Observations that can be packed, and what is special about them.
+fn fitting() -> Vec<(&'static str, Samples, &'static str)> {
+    vec![
+        ("all-three", samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9]), "with all three arrays"),
+        ("times-and-values", samples(&[0.1, 0.2], &[-65.0, -64.5], &[]), "without senders"),
+        ("times-and-senders", samples(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]), "without values"),
+        ("times-alone", samples(&[1.5], &[], &[]), "with times alone"),
+        ("values-alone", samples(&[], &[1.5, 2.5], &[]), "with values alone"),
+        ("senders-alone", samples(&[], &[], &[1, 2]), "with senders alone"),
+        ("special", samples(&[0.0, -0.0, 5e-324], &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY], &[0, -1, 1]), "with zeros, a NaN and infinities"),
+        ("large-senders", samples(&[], &[], &[i64::MAX, i64::MIN, (1 << 53) + 1]), "with senders beyond 2^53"),
+    ]
+}
+
+fn packed() -> Vec<Case> {
+    let mut cases = vec![
+        pack("golden", &["NCP-BULK-035", "NCP-OBS-001"], &samples(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]))
+            .gives_bytes(&golden().bytes())
+            .title("The times and senders of the golden block are packed as its 104 bytes.")
+            .flags(&["byte-order"])
+            .because("The text prints the bytes."),
+    ];
+    cases.extend(fitting().into_iter().map(|(what, samples, says)| {
+        let has_empty = samples.columns().len() < 3;
+        let rules: &[_] = if has_empty { &["NCP-OBS-001", "NCP-OBS-002"] } else { &["NCP-OBS-001"] };
+        pack(what, rules, &samples)
+            .gives_columns(columns_json(&samples.columns()))
+            .title(format!("An observation {says} is packed as the columns of what is not empty."))
+            .flags(&["lossy-blocks"])
+            .because("Times, values and senders in this order, and no column for an empty array.")
+    }));
+    cases
+}
+
+/// Arrays that differ in length.
+fn uneven() -> Vec<(&'static str, Samples, &'static str)> {
+    vec![
+        ("fewer-values", samples(&[0.1, 0.2], &[-65.0], &[7, 9]), "fewer values than times"),
+        ("more-values", samples(&[0.1], &[-65.0, -64.5], &[]), "more values than times"),
+        ("fewer-senders", samples(&[0.1, 0.2], &[], &[7]), "fewer senders than times"),
+        ("more-senders", samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9, 11]), "more senders than times and values"),
+        ("values-and-senders", samples(&[], &[-65.0, -64.5], &[7]), "no times, and fewer senders than values"),
+    ]
+}
+
+fn not_packed() -> Vec<Case> {
+    let cases = uneven().into_iter().map(|(what, samples, says)| {
+        pack(&format!("refused/{what}"), &["NCP-OBS-003"], &samples)
+            .rejects("block")
+            .title(format!("An observation with {says} is not packed."))
+            .flags(&["uneven-arrays"])
+            .because("The arrays that are not empty differ in length.")
+    });
+    cases.collect()
+}
+
+fn unpacked() -> Vec<Case> {
+    let mut cases: Vec<Case> = fitting()
+        .into_iter()
+        .map(|(what, samples, says)| {
+            let has_empty = samples.columns().len() < 3;
+            let rules: &[_] = if has_empty { &["NCP-OBS-005"] } else { &["NCP-BULK-023"] };
+            unpack(what, rules, &Block::new(samples.columns()).bytes())
+                .gives(samples.json())
+                .title(format!("The block of an observation {says} is unpacked as it was packed."))
+                .flags(&["lossy-blocks"])
+                .because("A column that is not there is an empty array, and every value is given exactly.")
+        })
+        .collect();
+    let (times, values, senders) = (|| f64s("times", [0.1, 0.2]), || f64s("values", [-65.0, -64.5]), || i64s("senders", [7, 9]));
+    let whole = samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9]);
+    let orders = [
+        ("senders-first", [senders(), times(), values()]),
+        ("reversed", [senders(), values(), times()]),
+        ("values-first", [values(), times(), senders()]),
+    ];
+    cases.extend(orders.into_iter().map(|(what, columns)| {
+        unpack(format!("order/{what}"), &["NCP-OBS-008"], &Block::new(columns).bytes())
+            .gives(whole.json())
+            .title("The columns of an observation may stand in any order.")
+            .flags(&["fixed-layout"])
+            .because("Columns are known by their names.")
+    }));
+    cases.push(
+        unpack("no-columns", &["NCP-OBS-005"], &Block::new([]).bytes())
+            .gives(samples(&[], &[], &[]).json())
+            .title("A block without columns is unpacked as three empty arrays.")
+            .flags(&["empty-blocks"])
+            .because("A column that is not there is an empty array."),
+    );
+    let some_empty = Block::new([times(), f64s("values", []), senders()]);
+    cases.push(
+        unpack("empty-column", &["NCP-OBS-004", "NCP-BULK-019"], &some_empty.bytes())
+            .gives(samples(&[0.1, 0.2], &[], &[7, 9]).json())
+            .title("A block with a column without rows beside others that have some is unpacked.")
+            .flags(&["empty-blocks"])
+            .because("Only columns that are not empty have to agree in length."),
+    );
+    let more = Block::new([times(), f64s("weights", [1.0, 2.0, 3.0]), senders()]);
+    cases.push(
+        unpack("other-columns", &["NCP-OBS-007"], &more.bytes())
+            .gives(samples(&[0.1, 0.2], &[], &[7, 9]).json())
+            .title("A column of another name should be ignored, also when it is longer.")
+            .flags(&["closed-objects"])
+            .because("Only the three names mean anything here."),
+    );
+    let capital = Block::new([times(), f64s("Values", [1.0, 2.0])]);
+    cases.push(
+        unpack("other-case", &["NCP-OBS-007"], &capital.bytes())
+            .gives(samples(&[0.1, 0.2], &[], &[]).json())
+            .title("A column named `Values` should be ignored.")
+            .flags(&["case-folded-names"])
+            .because("Names are compared by their letters."),
+    );
+    cases
+}
+
+fn not_unpacked() -> Vec<Case> {
+    let mut cases: Vec<Case> = uneven()
+        .into_iter()
+        .map(|(what, samples, says)| {
+            unpack(format!("refused/{what}"), &["NCP-OBS-004"], &Block::new(samples.columns()).bytes())
+                .rejects("block")
+                .title(format!("A block with {says} is not unpacked."))
+                .flags(&["uneven-arrays"])
+                .because("The columns that are not empty differ in length.")
+        })
+        .collect();
+    let dtypes = [
+        ("times-f32", vec![f32s("times", [0.5]), i64s("senders", [7])], "`times` of f32"),
+        ("values-i64", vec![f64s("times", [0.5]), i64s("values", [7])], "`values` of i64"),
+        ("senders-i32", vec![f64s("times", [0.5]), i32s("senders", [7])], "`senders` of i32"),
+        ("senders-f64", vec![f64s("times", [0.5]), f64s("senders", [7.0])], "`senders` of f64"),
+    ];
+    cases.extend(dtypes.into_iter().map(|(what, columns, says)| {
+        unpack(format!("refused/{what}"), &["NCP-OBS-006"], &Block::new(columns).bytes())
+            .rejects("block")
+            .title(format!("A block with {says} should not be unpacked."))
+            .flags(&["unchecked-dtypes"])
+            .because("The three columns are packed as f64, f64 and i64.")
+    }));
+    let golden = golden();
+    let alone = Block::new([f64s("times", [0.1])]);
+    let broken = [
+        ("magic", golden.patched(0, b"ncpb"), "NCP-BULK-002", "with another magic"),
+        ("total-len", golden.patched(8, &[105]), "NCP-BULK-005", "whose total_len is one too many"),
+        ("overlap", golden.entry(1, Part::DataOff, 0x38), "NCP-BULK-012", "whose columns share their bytes"),
+        ("rows", alone.entry(0, Part::Rows, 2), "NCP-BULK-011", "whose only column reaches beyond the end"),
+    ];
+    cases.extend(broken.into_iter().map(|(what, bytes, rule, says)| {
+        unpack(format!("refused/{what}"), &[rule], &bytes)
+            .rejects("block")
+            .title(format!("A block {says} is not unpacked."))
+            .flags(&["unchecked-header"])
+            .because("What is no block holds no observation.")
+    }));
+    cases
+}
+
+fn pack(what: &str, rules: &[&'static str], samples: &Samples) -> Case {
+    Case::new(format!("pack/{what}"), rules, &[Server]).call("observation.pack", samples.json())
+}
+
+fn unpack(what: impl Into<String>, rules: &[&'static str], bytes: &[u8]) -> Case {
+    Case::new(format!("unpack/{}", what.into()), rules, READERS)
+        .call("observation.unpack", object! { "block" => Text::base64_of(bytes) })
+}

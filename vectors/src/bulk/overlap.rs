@@ -1,0 +1,133 @@
+//! Regions that share bytes, and regions that only touch.
+
+use super::build::{Block, f32s, f64s, i32s, i64s};
+use super::header::short_name;
+use super::{read, rejected};
+use crate::case::{Case, File};
+
+pub(super) fn file() -> File {
+    let mut cases = shared();
+    cases.extend(amplified());
+    cases.extend(apart());
+    let about = "Regions of a BulkBlock that share bytes, which no block may have, and regions that only touch.";
+    File::new("bulk", "overlap", about, cases)
+}
+
+/// Two columns of two doubles each, with room around every part: names at 48 and 56, data at 64
+/// and 88, 112 bytes in all.
+fn roomy() -> Block {
+    Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [3.5, 4.5])]).laid_out(&[48, 56], &[64, 88], 112)
+}
+
+fn shared() -> Vec<Case> {
+    let at = |names: [usize; 2], data: [usize; 2]| roomy().laid_out(&names, &data, 112).bytes();
+    let one_row = |nth: usize, bytes: &[u8]| {
+        // A single row, so that one region lies within the other.
+        let mut bytes = bytes.to_vec();
+        bytes[12 + 16 * nth + 8] = 1;
+        bytes
+    };
+    let narrow = Block::new([f64s("ab", [1.5, 2.5]), f32s("cd", [3.5])]);
+    let integers = Block::new([f64s("ab", [1.5]), i64s("cd", [7])]);
+    let name_in_name = Block::new([f64s("abc", [1.5]), f64s("b", [2.5])]);
+    let table: Vec<(&str, Vec<u8>, &str)> = vec![
+        ("data-data/same", at([48, 56], [64, 64]), "the data of two columns at the same place"),
+        ("data-data/same-of-other-dtype", integers.clone().laid_out(&[44, 46], &[48, 48], 56).bytes(), "the data of a column of doubles and of one of integers at the same place"),
+        ("data-data/by-one-byte", at([48, 56], [64, 79]), "the last byte of one column's data and the first of another's"),
+        ("data-data/by-one-byte-before", at([48, 56], [80, 65]), "the first byte of one column's data and the last of another's"),
+        ("data-data/by-one-row", at([48, 56], [64, 72]), "the last row of one column and the first of another"),
+        ("data-data/within", one_row(1, &at([48, 56], [64, 68])), "the data of one column within another's"),
+        ("data-data/around", one_row(0, &at([48, 56], [68, 64])), "the data of one column around another's"),
+        ("data-data/same-beginning", one_row(1, &at([48, 56], [64, 64])), "the data of one column at the beginning of another's"),
+        ("data-data/same-end", one_row(1, &at([48, 56], [64, 72])), "the data of one column at the end of another's"),
+        ("data-data/narrow-within-wide", narrow.clone().laid_out(&[44, 46], &[48, 52], 64).bytes(), "four bytes within the data of another column"),
+        ("name-name/same", at([48, 48], [64, 88]), "the names of two columns at the same place"),
+        ("name-name/by-one-byte", at([48, 49], [64, 88]), "the last byte of one name and the first of another"),
+        ("name-name/within", name_in_name.laid_out(&[44, 45], &[48, 56], 64).bytes(), "one name within another"),
+        ("name-data/first-byte", at([48, 63], [64, 88]), "a name's last byte and the first of another column's data"),
+        ("name-data/last-byte", at([79, 56], [64, 88]), "a name's first byte and the last of its column's own data"),
+        ("name-data/other-column", at([48, 66], [64, 88]), "a name within another column's data"),
+        ("name-header/magic", at([0, 56], [64, 88]), "a name and the magic"),
+        ("name-header/last-byte", at([11, 56], [64, 88]), "a name's first byte and the header's last"),
+        ("name-directory/first-entry", at([12, 56], [64, 88]), "a name and its own directory entry"),
+        ("name-directory/last-byte", at([43, 56], [64, 88]), "a name's first byte and the directory's last"),
+        ("data-header/magic", at([48, 56], [0, 88]), "a column's data and the header"),
+        ("data-header/last-byte", one_row(0, &at([48, 56], [11, 88])), "a column's data from the header's last byte on"),
+        ("data-directory/first-entry", at([48, 56], [12, 88]), "a column's data and its own directory entry"),
+        ("data-directory/last-entry", at([48, 56], [28, 88]), "a column's data and the entry of another column"),
+        ("data-directory/last-byte", one_row(0, &at([52, 56], [43, 88])), "a column's data from the directory's last byte on"),
+        ("data-name/before", one_row(0, &at([48, 56], [45, 88])), "a column's data around its own name"),
+        ("data-name/other-column", one_row(0, &at([48, 56], [50, 88])), "a column's data and another column's name"),
+    ];
+    table
+        .into_iter()
+        .map(|(what, bytes, says)| {
+            rejected(what, &["NCP-BULK-012"], &bytes)
+                .title(format!("A block in which {} share a byte is rejected.", says))
+                .flags(&["L01", "overlapping-regions"])
+                .because("Header with directory, names and data are regions, and no two may share a byte.")
+        })
+        .collect()
+}
+
+/// Many columns over the same bytes.
+fn amplified() -> Vec<Case> {
+    let shared = |count: usize, rows: usize| {
+        let names: Vec<String> = (0..count).map(short_name).collect();
+        let columns: Vec<_> = names.iter().map(|name| f64s(name, [])).collect();
+        let block = Block::new(columns);
+        let begin = block.len.next_multiple_of(8);
+        let len = begin + 8 * rows;
+        let block = block.clone().laid_out(&block.names, &vec![begin; count], len);
+        let mut bytes = block.bytes();
+        for nth in 0..count {
+            let at = 12 + 16 * nth + 8;
+            bytes[at..at + 4].copy_from_slice(&super::build::le32(rows));
+        }
+        bytes
+    };
+    [(16, 16), (256, 256), (4096, 512)]
+        .into_iter()
+        .map(|(count, rows)| {
+            let bytes = shared(count, rows);
+            rejected(format!("amplified/{count}-columns"), &["NCP-BULK-012", "NCP-BULK-024"], &bytes)
+                .title(format!("A block of {} bytes in which {count} columns share {rows} doubles is rejected.", bytes.len()))
+                .flags(&["L01", "amplification"])
+                .because(format!("Copied, the columns would take {} bytes; that is what the rule against overlaps is for.", 8 * count * rows))
+        })
+        .collect()
+}
+
+/// Regions that share nothing.
+fn apart() -> Vec<Case> {
+    let touching = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [3.5, 4.5])]).laid_out(&[44, 46], &[48, 64], 80);
+    let three = Block::new([i32s("a", [1]), i32s("b", [2]), i32s("c", [3])]).laid_out(&[60, 61, 62], &[71, 63, 67], 75);
+    let mut cases = vec![
+        read("apart/touching", &["NCP-BULK-018", "NCP-BULK-012"], &touching)
+            .title("A block whose regions follow each other without a gap is read.")
+            .flags(&["over-strict"])
+            .because("Regions that touch share no byte."),
+        read("apart/touching-in-another-order", &["NCP-BULK-018", "NCP-BULK-021"], &three)
+            .title("A block whose columns lie without a gap in another order than the directory's is read, in the directory's order.")
+            .flags(&["fixed-layout"])
+            .because("Regions that touch share no byte, and the directory gives the order."),
+    ];
+    let empty = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [])]);
+    let empty = empty.laid_out(&[48, 56], &[64, 88], 112);
+    for (what, at, says) in [
+        ("header", 0, "the header"),
+        ("directory", 20, "the directory"),
+        ("name", 49, "another column's name"),
+        ("data", 70, "another column's data"),
+        ("own-name", 57, "its own name"),
+    ] {
+        let place = empty.clone().laid_out(&[48, 56], &[64, at], 112);
+        cases.push(
+            read(format!("apart/empty-within-{what}"), &["NCP-BULK-019", "NCP-BULK-012"], &place)
+                .title(format!("A block with a column without rows whose data begins within {says} is read."))
+                .flags(&["empty-blocks"])
+                .because("An empty region shares no byte with anything."),
+        );
+    }
+    cases
+}
