@@ -1,12 +1,15 @@
-//! The breaking check: what of a frozen contract would a change take away from the peers that speak it?
+//! The breaking check: what of a frozen contract would a change take away from the peers that speak
+//! it?
 //!
-//! `buf breaking` compares protos. It cannot see wire strings, defaults, required fields or limits, because they are
-//! no part of the proto text, and some of its categories let through what breaks JSON peers. `proto/README.md` lists
-//! the evidence. This check compares two [`Contract`]s, proto and projection alike, and reports each difference that
-//! a peer of the frozen one could notice, with what stood there and what stands there now.
+//! `buf breaking` compares protos. It cannot see wire strings, defaults, required fields or limits,
+//! because they are no part of the proto text, and some of its categories let through what breaks
+//! JSON peers. `proto/README.md` lists the evidence. This check compares two [`Contract`]s, proto
+//! and projection alike, and reports each difference that a peer of the frozen one could notice,
+//! with what stood there and what stands there now.
 //!
-//! Additions pass (receivers ignore what they don't know [NCP-WIRE-026]) unless an old peer would reject the frame:
-//! a new required field, or a new value of an enum whose unknown strings are rejected.
+//! Additions pass (receivers ignore what they don't know [NCP-WIRE-026]) unless an old peer would
+//! reject the frame: a new required field, or a new value of an enum whose unknown strings are
+//! rejected.
 
 use std::{collections::BTreeMap, fmt};
 
@@ -43,7 +46,8 @@ impl fmt::Display for Violation {
 
 /// Holds the contract of this build against the frozen one of wire 0.5.
 ///
-/// Empty when nothing breaks. A contract that cannot be read is a violation of [`Rule::Unreadable`].
+/// Empty when nothing breaks. A contract that cannot be read is a violation of
+/// [`Rule::Unreadable`].
 pub fn check_current() -> Vec<Violation> {
     match (Contract::baseline(), Contract::current()) {
         (Ok(baseline), Ok(current)) => check(&baseline, &current),
@@ -59,7 +63,8 @@ pub fn check_current() -> Vec<Violation> {
     }
 }
 
-/// Everything in `current` that breaks a peer of `baseline`, and everywhere that `current` contradicts itself.
+/// Everything in `current` that breaks a peer of `baseline`, and everywhere that `current`
+/// contradicts itself.
 pub fn check(baseline: &Contract, current: &Contract) -> Vec<Violation> {
     let mut check = Check { found: Vec::new() };
     check.contract(baseline, current);
@@ -537,7 +542,8 @@ impl Check {
             &is.unknown,
         );
         for (constant, string) in &was.values {
-            // A constant without a string disagrees with the proto, or is gone from it: reported there.
+            // A constant without a string disagrees with the proto, or is gone from it: reported
+            // there.
             if let Some(now) = is.values.get(constant) {
                 self.differ(
                     Rule::WireStringChanged,

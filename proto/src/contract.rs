@@ -1,7 +1,8 @@
 //! The contract as one model: what the proto declares, and beside it how that travels as JSON.
 //!
-//! A [`Contract`] is made from two inputs, an encoded descriptor set (or a buf image) and the text of a projection.
-//! The two are maintained by hand, so [`Contract::disagreements`] holds them against each other.
+//! A [`Contract`] is made from two inputs, an encoded descriptor set (or a buf image) and the text
+//! of a projection. The two are maintained by hand, so [`Contract::disagreements`] holds them
+//! against each other.
 
 use std::{collections::BTreeSet, fmt};
 
@@ -173,7 +174,8 @@ pub struct Disagreement {
 }
 
 impl Contract {
-    /// Reads a contract from an encoded descriptor set (or buf image) of one file, and the text of its projection.
+    /// Reads a contract from an encoded descriptor set (or buf image) of one file, and the text of
+    /// its projection.
     ///
     /// # Errors
     /// When one of the two cannot be read. That they fit each other is [`Contract::disagreements`]' business.
@@ -705,7 +707,8 @@ impl Audit<'_> {
     fn has_type(&self, value: &Value, field: &FieldProjection, what: &str) -> bool {
         match value {
             Value::Null => field.ty.nullable && what != "pinned",
-            // An optional field that is absent has no other default: null and absent are one. [NCP-WIRE-022]
+            // An optional field that is absent has no other default: null and absent are one.
+            // [NCP-WIRE-022]
             _ if what == "default" && field.ty.nullable => false,
             _ => self.has_shape(value, &field.ty.shape),
         }

@@ -1,17 +1,19 @@
 //! Protobuf binary ↔ the messages of `ncp-spec`.
 //!
-//! JSON is what travels; this is for storing frames, and for tools that speak protobuf. [`to_binary`] and
-//! [`from_binary`] work on whole frames, [`Convert`] on the prost types.
+//! JSON is what travels; this is for storing frames, and for tools that speak protobuf.
+//! [`to_binary`] and [`from_binary`] work on whole frames, [`Convert`] on the prost types.
 //!
 //! # What crosses, and what does not
 //!
-//! Every field is carried as its value. The defaults of JSON play no part: a `frame_id` of `world` is written as
-//! `world`, and an empty one is read as empty. So a program that writes protobuf by hand must set every field; one
-//! that leaves `is_simulation_output` out has said `false`, and its frame is rejected.
+//! Every field is carried as its value. The defaults of JSON play no part: a `frame_id` of `world`
+//! is written as `world`, and an empty one is read as empty. So a program that writes protobuf by
+//! hand must set every field; one that leaves `is_simulation_output` out has said `false`, and its
+//! frame is rejected.
 //!
-//! proto3 has no `null`. An unset optional field is written as the empty value of its type and the empty value is
-//! read as unset, so an optional field that is *set* to its empty value cannot cross. That and two more are a
-//! [`Loss`], which [`to_binary`] refuses and [`Convert::to_proto`] lists:
+//! proto3 has no `null`. An unset optional field is written as the empty value of its type and the
+//! empty value is read as unset, so an optional field that is *set* to its empty value cannot
+//! cross. That and two more are a [`Loss`], which [`to_binary`] refuses and [`Convert::to_proto`]
+//! lists:
 //!
 //! | in the message | in protobuf | read back as |
 //! |---|---|---|
@@ -20,10 +22,11 @@
 //! | −0.0 in a field or in a map (in an array it crosses) | nothing: prost leaves zeros out | 0.0 |
 //! | an unknown string of a descriptive enum | the zero constant | an error |
 //!
-//! The other way, [`Convert::from_proto`] gives only messages that a sender may send. What protobuf can hold and a
-//! frame cannot is a [`FromProtoError`]: the wrong `kind`, a number of an enum that has no wire string (but see
-//! below), a missing `network`, a non-finite double, an integer beyond ±(2^53 − 1), a pin that does not hold, an
-//! invalid session id, anything over a limit. Of the rest, this is normalised:
+//! The other way, [`Convert::from_proto`] gives only messages that a sender may send. What protobuf
+//! can hold and a frame cannot is a [`FromProtoError`]: the wrong `kind`, a number of an enum that
+//! has no wire string (but see below), a missing `network`, a non-finite double, an integer beyond
+//! ±(2^53 − 1), a pin that does not hold, an invalid session id, anything over a limit. Of the
+//! rest, this is normalised:
 //!
 //! | in protobuf | in the message |
 //! |---|---|
@@ -32,8 +35,8 @@
 //! | a stimulus frame inside a request with an empty `kind`, `ncp_version` or `session_id` | what the request says [NCP-WIRE-035] |
 //! | unknown fields | nothing [NCP-WIRE-026] |
 //!
-//! A message without a loss comes back as it was, bit for bit, and so does a protobuf message that needs no
-//! normalising. The RPC error frame has no message in the proto and does not cross.
+//! A message without a loss comes back as it was, bit for bit, and so does a protobuf message that
+//! needs no normalising. The RPC error frame has no message in the proto and does not cross.
 //!
 //! ```
 //! use ncp_proto::convert::{from_binary, to_binary};

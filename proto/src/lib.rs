@@ -11,8 +11,9 @@
     doc = "| [`convert`] | protobuf binary ↔ JSON model |"
 )]
 //!
-//! The JSON form is what travels. The protobuf form is for storage and for tools, and nothing on a run-time path
-//! depends on this crate. The contract hash is not computed here: `ncp_spec::contract::hash_of` has the canonicaliser.
+//! The JSON form is what travels. The protobuf form is for storage and for tools, and nothing on a
+//! run-time path depends on this crate. The contract hash is not computed here:
+//! `ncp_spec::contract::hash_of` has the canonicaliser.
 #![forbid(unsafe_code)]
 
 pub mod compat;

@@ -1,7 +1,8 @@
 //! The JSON projection: how the messages of the proto travel as JSON.
 //!
-//! The proto text says nothing about wire strings, defaults, required fields, `null` or limits. `projection.json`
-//! does, and this module reads it. It is data for the schema generator and for the breaking check; no codec uses it.
+//! The proto text says nothing about wire strings, defaults, required fields, `null` or limits.
+//! `projection.json` does, and this module reads it. It is data for the schema generator and for
+//! the breaking check; no codec uses it.
 
 use std::{collections::BTreeMap, fmt, str::FromStr};
 
@@ -128,7 +129,8 @@ pub struct FieldProjection {
     /// Its JSON type.
     #[serde(rename = "type")]
     pub ty: JsonType,
-    /// What an absent field is read as; `None` for a field that must be there. `Some(null)` is absent.
+    /// What an absent field is read as; `None` for a field that must be there. `Some(null)` is
+    /// absent.
     #[serde(default, deserialize_with = "present")]
     pub default: Option<Value>,
     /// What a program that builds the message gets, where that is not the default.
@@ -167,7 +169,8 @@ pub enum Unset {
     Omit,
 }
 
-/// A JSON type in the notation of the text: `integer`, `string|null`, `[RecordTarget]`, `{string: ChannelValue}`.
+/// A JSON type in the notation of the text: `integer`, `string|null`, `[RecordTarget]`,
+/// `{string: ChannelValue}`.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "String")]
 pub struct JsonType {

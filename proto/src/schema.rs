@@ -1,8 +1,8 @@
 //! JSON Schemas (draft 2020-12) of every kind, made from the proto and its projection.
 //!
-//! A schema file stands alone: whatever it refers to is in its own `$defs`, so a validator needs one file and no
-//! network. It describes what a receiver must accept, and says as much of it as JSON Schema can; [`GAPS`] lists the
-//! rest. The descriptions are the comments of the proto.
+//! A schema file stands alone: whatever it refers to is in its own `$defs`, so a validator needs
+//! one file and no network. It describes what a receiver must accept, and says as much of it as
+//! JSON Schema can; [`GAPS`] lists the rest. The descriptions are the comments of the proto.
 
 use std::collections::BTreeMap;
 
@@ -17,8 +17,8 @@ use crate::{
 
 /// The schema files of this build as (file name, text), a file a kind and one for the error frame.
 ///
-/// It is empty only if `projection.json` cannot be read, which [`crate::compat::check_current`] reports and the tests
-/// rule out.
+/// It is empty only if `projection.json` cannot be read, which [`crate::compat::check_current`]
+/// reports and the tests rule out.
 pub fn generate() -> Vec<(String, String)> {
     Contract::current()
         .map(|contract| generate_from(&contract))
@@ -118,7 +118,8 @@ pub const GAPS: &[Gap] = &[
     },
 ];
 
-/// The gap that a requirement falls into: a frame that breaks only such requirements may satisfy its schema.
+/// The gap that a requirement falls into: a frame that breaks only such requirements may satisfy
+/// its schema.
 pub fn gap(requirement: &str) -> Option<&'static Gap> {
     let concerns = |pattern: &&str| {
         if pattern.ends_with('-') {
@@ -166,7 +167,8 @@ impl Generator<'_> {
         Value::Object(schema)
     }
 
-    /// The assertions about an object. Members that the contract does not have are allowed. [NCP-WIRE-026]
+    /// The assertions about an object. Members that the contract does not have are allowed.
+    /// [NCP-WIRE-026]
     fn object(
         &mut self,
         message: &MessageShape,
@@ -314,8 +316,9 @@ impl Generator<'_> {
         })
     }
 
-    /// [NCP-KEY-010] to [NCP-KEY-017], as far as code points tell. Patterns of what is forbidden read alike in every
-    /// dialect of regular expressions; one anchored pattern of what is allowed does not.
+    /// [NCP-KEY-010] to [NCP-KEY-017], as far as code points tell. Patterns of what is forbidden
+    /// read alike in every dialect of regular expressions; one anchored pattern of what is allowed
+    /// does not.
     fn segment(&mut self) -> Map<String, Value> {
         let bytes = self.contract.projection.limits.segment_bytes;
         self.define("segment", |_| {
@@ -368,7 +371,8 @@ fn enumeration(contract: &Contract, item: &EnumShape) -> Map<String, Value> {
     ])
 }
 
-/// The error frame as a message, so that it is made like the others; the proto has none. `None` without a kind.
+/// The error frame as a message, so that it is made like the others; the proto has none. `None`
+/// without a kind.
 fn error_frame(contract: &Contract) -> Option<(String, MessageShape)> {
     let projected = &contract.projection.error_frame;
     let doc = |name: &str| match name {

@@ -1,5 +1,5 @@
-//! Three sources, made apart, that must agree: the projection (and the schemas made from it), the tables of the
-//! specification, and its decoder.
+//! Three sources, made apart, that must agree: the projection (and the schemas made from it), the
+//! tables of the specification, and its decoder.
 
 #![allow(
     clippy::unwrap_used,
@@ -131,8 +131,8 @@ static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
         .collect()
 });
 
-/// A value to plant somewhere, or none: then what stands there is taken away. No double without a fraction is among
-/// them, since a schema cannot tell it from an integer.
+/// A value to plant somewhere, or none: then what stands there is taken away. No double without a
+/// fraction is among them, since a schema cannot tell it from an integer.
 fn odd_value() -> impl Strategy<Value = Option<Value>> {
     let values = [
         json!(null),

@@ -1,6 +1,7 @@
 //! What buf sees of the planted changes: the evidence behind the table of README.md.
 //!
-//! It needs the buf CLI 1.75.0: `NCP_BUF=/path/to/buf cargo test -p ncp-proto --test buf -- --ignored`.
+//! It needs the buf CLI 1.75.0: `NCP_BUF=/path/to/buf cargo test -p ncp-proto --test buf --
+//! --ignored`.
 
 #![allow(
     clippy::unwrap_used,

@@ -1,4 +1,5 @@
-//! The proto, its projection and the frozen baseline: they are what they claim to be, and fit each other and the text.
+//! The proto, its projection and the frozen baseline: they are what they claim to be, and fit each
+//! other and the text.
 
 #![allow(
     clippy::unwrap_used,
@@ -320,8 +321,8 @@ fn the_projection_says_what_the_enum_table_of_the_text_says() {
     }
 }
 
-/// A proto's declarations from its descriptor, laid out as the canonical text is: in the order, and on the lines,
-/// that the source had.
+/// A proto's declarations from its descriptor, laid out as the canonical text is: in the order, and
+/// on the lines, that the source had.
 fn written_out(file: &FileDescriptorProto) -> String {
     let contract = Contract::new(
         &FileDescriptorSet {
@@ -438,7 +439,8 @@ fn tables(text: &str) -> BTreeMap<String, Table> {
             name = message.to_owned();
             tables.insert(name.clone(), (kind, Vec::new()));
         } else if line.starts_with("## ") {
-            // Of the later sections only chapter 5's last has such a table, for a message without a heading.
+            // Of the later sections only chapter 5's last has such a table, for a message without a
+            // heading.
             name = "BulkObservation".to_owned();
             tables.insert(
                 name.clone(),

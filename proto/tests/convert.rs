@@ -1,5 +1,5 @@
-//! Protobuf binary ↔ JSON model, in both directions, against a reader that knows only the descriptor and the
-//! projection.
+//! Protobuf binary ↔ JSON model, in both directions, against a reader that knows only the
+//! descriptor and the projection.
 
 #![allow(
     clippy::unwrap_used,
@@ -429,7 +429,8 @@ fn there_and_back(message: &Message) -> (Result<Message, FromProtoError>, Vec<Lo
           Capabilities SensorFrame CommandFrame ControlStatus LinkStatus)
 }
 
-/// Protobuf forms of any kind, made from the descriptor: mostly, not always, of what a frame can hold.
+/// Protobuf forms of any kind, made from the descriptor: mostly, not always, of what a frame can
+/// hold.
 fn any_protobuf() -> impl Strategy<Value = (Kind, Vec<u8>)> {
     let kinds = [
         Kind::OpenSession,
@@ -548,7 +549,8 @@ fn random_value(
     }
 }
 
-/// Reads a protobuf form as JSON by descriptor and projection alone, as a second source for [`to_binary`].
+/// Reads a protobuf form as JSON by descriptor and projection alone, as a second source for
+/// [`to_binary`].
 struct Reader {
     contract: Contract,
     pool: DescriptorPool,

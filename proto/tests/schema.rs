@@ -157,7 +157,8 @@ fn each_field_rejects_every_wrong_json_type_and_takes_null_only_where_it_is_opti
                     fits += 1;
                 }
             }
-            // A number field takes both numbers; a pin may take none of the samples, and so may what needs members.
+            // A number field takes both numbers; a pin may take none of the samples, and so may
+            // what needs members.
             let most = if projection.ty.shape.to_string() == "number" {
                 2
             } else {
@@ -391,7 +392,8 @@ fn a_horizon_is_an_array_of_channel_maps_without_a_wrapper() {
         "command_frame",
         &json!({"kind": "command_frame", "horizon": [{"v": {"data": [1, 2.5]}}, {}]}),
     );
-    // A wrapped step would be a map with a channel named `channels`, whose value is no ChannelValue.
+    // A wrapped step would be a map with a channel named `channels`, whose value is no
+    // ChannelValue.
     schemas.reject(
         "command_frame",
         &json!({"kind": "command_frame", "horizon": [{"channels": {"data": {"data": [1]}}}]}),
@@ -496,7 +498,7 @@ fn a_vector_file_is_accepted_with_every_relation_and_template() {
         case("key.build", json!({"key": "rpc", "realm": "a/b"}), json!({"accept": true})),
         case("negotiate", json!({"version": "0.5", "contract_hash": null}), json!({"reject": "version"})),
     ]);
-    let file = json!({"format": 1, "area": "wire", "name": "frames", "about": "Frames.", "notes": {"lenient-integers": "A bug."}, "cases": cases});
+    let file = json!({"format": 1, "area": "wire", "name": "frames", "about": "Frames.", "notes": {"lenient-integers": "A bug.", "L01": "A finding."}, "cases": cases});
     let errors: Vec<_> = validator
         .iter_errors(&file)
         .map(|error| format!("{}: {error}", error.instance_path()))

@@ -6,7 +6,7 @@ use crate::template::Text;
 
 /// A part that a peer plays; a case is asked of the peers that claim one of its roles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Role {
+pub(crate) enum Role {
     /// Opens sessions, reads sensors, sends commands.
     Commander,
     /// Sends sensors, obeys commands.
@@ -19,11 +19,10 @@ pub enum Role {
 
 impl Role {
     /// All four.
-    pub const ALL: [Self; 4] = [Self::Commander, Self::Body, Self::Server, Self::Observer];
+    pub(crate) const ALL: [Self; 4] = [Self::Commander, Self::Body, Self::Server, Self::Observer];
 
     /// As the files write it.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
+    pub(crate) const fn as_str(self) -> &'static str {
         match self {
             Self::Commander => "commander",
             Self::Body => "body",
@@ -35,7 +34,7 @@ impl Role {
 
 /// One question to a peer, with the answer that the text demands.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub(crate) struct Case {
     /// What follows `area/name/` in the id.
     pub(crate) path: String,
     pub(crate) title: String,

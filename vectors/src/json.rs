@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 /// A JSON value by its spelling.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Json {
+pub(crate) enum Json {
     /// `null`
     Null,
     /// `true` or `false`
@@ -24,24 +24,22 @@ pub enum Json {
 
 impl Json {
     /// An empty object.
-    #[must_use]
-    pub const fn object() -> Self {
+    pub(crate) const fn object() -> Self {
         Self::Object(Vec::new())
     }
 
     /// A number, or any other text, as it is.
-    pub fn literal(text: impl Into<String>) -> Self {
+    pub(crate) fn literal(text: impl Into<String>) -> Self {
         Self::Literal(text.into())
     }
 
     /// A string.
-    pub fn string(text: impl Into<String>) -> Self {
+    pub(crate) fn string(text: impl Into<String>) -> Self {
         Self::String(text.into())
     }
 
     /// The members, if it is an object.
-    #[must_use]
-    pub fn members(&self) -> &[(String, Json)] {
+    pub(crate) fn members(&self) -> &[(String, Json)] {
         match self {
             Self::Object(members) => members,
             _ => &[],
@@ -49,14 +47,12 @@ impl Json {
     }
 
     /// The first member of that name.
-    #[must_use]
-    pub fn get(&self, name: &str) -> Option<&Json> {
+    pub(crate) fn get(&self, name: &str) -> Option<&Json> {
         self.members().iter().find(|(known, _)| known == name).map(|(_, value)| value)
     }
 
     /// The string, if it is one.
-    #[must_use]
-    pub fn as_str(&self) -> Option<&str> {
+    pub(crate) fn as_str(&self) -> Option<&str> {
         match self {
             Self::String(text) => Some(text),
             _ => None,
@@ -64,8 +60,7 @@ impl Json {
     }
 
     /// The object with that member set, in its place if it is there, else at the end.
-    #[must_use]
-    pub fn with(mut self, name: &str, value: Json) -> Self {
+    pub(crate) fn with(mut self, name: &str, value: Json) -> Self {
         if let Self::Object(members) = &mut self {
             match members.iter_mut().find(|(known, _)| known == name) {
                 Some((_, old)) => *old = value,
@@ -76,8 +71,7 @@ impl Json {
     }
 
     /// The object with that member at its end, also when the name is there already.
-    #[must_use]
-    pub fn and(mut self, name: &str, value: Json) -> Self {
+    pub(crate) fn and(mut self, name: &str, value: Json) -> Self {
         if let Self::Object(members) = &mut self {
             members.push((name.to_owned(), value));
         }
@@ -85,8 +79,7 @@ impl Json {
     }
 
     /// The object without that member.
-    #[must_use]
-    pub fn without(mut self, name: &str) -> Self {
+    pub(crate) fn without(mut self, name: &str) -> Self {
         if let Self::Object(members) = &mut self {
             members.retain(|(known, _)| known != name);
         }
@@ -94,8 +87,7 @@ impl Json {
     }
 
     /// The value with what stands at a path of member names and indices changed.
-    #[must_use]
-    pub fn edit(self, path: &[&str], change: impl FnOnce(Json) -> Json) -> Self {
+    pub(crate) fn edit(self, path: &[&str], change: impl FnOnce(Json) -> Json) -> Self {
         let Some((head, rest)) = path.split_first() else { return change(self) };
         match self {
             Self::Object(mut members) => {
@@ -116,16 +108,14 @@ impl Json {
     }
 
     /// The text without white space, as a frame travels; characters beyond ASCII stand as they are.
-    #[must_use]
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let mut out = String::new();
         self.write(&mut out, Style { spaced: false, ascii: false });
         out
     }
 
     /// The text for a file: ASCII, two spaces a level, whatever fits on a line on one line.
-    #[must_use]
-    pub fn pretty(&self) -> String {
+    pub(crate) fn pretty(&self) -> String {
         let mut out = String::new();
         self.write_pretty(&mut out, 0);
         out.push('\n');

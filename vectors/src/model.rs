@@ -9,8 +9,7 @@ use crate::text::{Default, Field, Message, Shape, Unknown, tables};
 /// The frame as a decoder reads it: every field of its kind in the order of the tables, absent
 /// ones at their defaults, members that the tables do not list left out. The frame has to be
 /// acceptable; what the text rejects has no meaning.
-#[must_use]
-pub fn meaning(kind: &str, frame: &Json) -> Json {
+pub(crate) fn meaning(kind: &str, frame: &Json) -> Json {
     let Some(message) = tables().kind(kind) else { return Json::Null };
     let read = fields_of(message, frame).with("kind", Json::string(kind));
     if !matches!(read.get("stimulus"), Some(Json::Object(_))) || kind == "open_session" {
@@ -30,8 +29,7 @@ pub fn meaning(kind: &str, frame: &Json) -> Json {
 }
 
 /// A frame that says only what it must: its kind and its required fields.
-#[must_use]
-pub fn minimal(kind: &str) -> Json {
+pub(crate) fn minimal(kind: &str) -> Json {
     let Some(message) = tables().kind(kind) else { return Json::Null };
     let required = message.fields.iter().filter(|field| field.default == Default::Required);
     let frame = Json::object().with("kind", Json::string(kind));
@@ -41,8 +39,7 @@ pub fn minimal(kind: &str) -> Json {
 /// A frame that writes out every default, and leaves out only what is optional. Its
 /// `contract_hash` is the one of wire 0.5. Used as the ground of cases that are to accept: a peer
 /// whose defaults are wrong does not fail there.
-#[must_use]
-pub fn explicit(kind: &str) -> Json {
+pub(crate) fn explicit(kind: &str) -> Json {
     let read = without_nulls(meaning(kind, &minimal(kind)));
     let Some(message) = tables().kind(kind) else { return Json::Null };
     match message.field("contract_hash") {
@@ -52,8 +49,7 @@ pub fn explicit(kind: &str) -> Json {
 }
 
 /// A message that stands in others, every default written out, optional fields left out.
-#[must_use]
-pub fn explicit_message(name: &str) -> Json {
+pub(crate) fn explicit_message(name: &str) -> Json {
     tables().message(name).map_or(Json::Null, |message| {
         let read = without_nulls(fields_of(message, &Json::object()));
         if message.name == "StimulusFrame" { explicit("stimulus_frame") } else { read }
@@ -62,16 +58,14 @@ pub fn explicit_message(name: &str) -> Json {
 
 /// A frame in which every field has a value that is not its default, but for the version and the
 /// pins.
-#[must_use]
-pub fn full(kind: &str) -> Json {
+pub(crate) fn full(kind: &str) -> Json {
     let Some(message) = tables().kind(kind) else { return Json::Null };
     full_message(&message.name)
 }
 
 /// A message in which every field has a value that is not its default, but for the version and the
 /// pins.
-#[must_use]
-pub fn full_message(name: &str) -> Json {
+pub(crate) fn full_message(name: &str) -> Json {
     let Some(message) = tables().message(name) else { return Json::Null };
     let fields = message.fields.iter().map(|field| match field.name.as_str() {
         "ncp_version" => (field.name.clone(), Json::string("0.5")),
@@ -81,8 +75,7 @@ pub fn full_message(name: &str) -> Json {
 }
 
 /// A value of a field that is allowed and not its default.
-#[must_use]
-pub fn sample(message: &Message, field: &Field) -> Json {
+pub(crate) fn sample(message: &Message, field: &Field) -> Json {
     if field.default == Default::Kind {
         return Json::string(message.kind.as_deref().unwrap_or_default());
     }
@@ -98,22 +91,20 @@ pub fn sample(message: &Message, field: &Field) -> Json {
 }
 
 /// Whether the field is one of the two that chapter 6 pins.
-#[must_use]
-pub fn is_pin(field: &str) -> bool {
+pub(crate) fn is_pin(field: &str) -> bool {
     matches!(field, "calibrated_posterior" | "is_simulation_output")
 }
 
 /// A double as the shortest text that reads back, always with a fraction or an exponent.
-#[must_use]
-pub fn double(value: f64) -> Json {
+pub(crate) fn double(value: f64) -> Json {
     Json::literal(format!("{value:?}"))
 }
 
 /// The contract hash of wire 0.5, by section 2.2.
-pub const CONTRACT_HASH: &str = "24e8e6e31e1dec8a";
+pub(crate) const CONTRACT_HASH: &str = "24e8e6e31e1dec8a";
 
 /// The session of all samples.
-pub const SESSION: &str = "s1";
+pub(crate) const SESSION: &str = "s1";
 
 fn fields_of(message: &Message, object: &Json) -> Json {
     let read = message.fields.iter().map(|field| {

@@ -7,7 +7,7 @@ use crate::json::{Json, object};
 
 /// A text of `args` or `expect`, written out or as a template that the runner expands.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Text {
+pub(crate) enum Text {
     /// The text itself.
     Plain(String),
     /// A text so many times.
@@ -20,24 +20,22 @@ pub enum Text {
 
 impl Text {
     /// Texts one after the other.
-    pub fn concat<const N: usize>(parts: [Text; N]) -> Self {
+    pub(crate) fn concat<const N: usize>(parts: [Text; N]) -> Self {
         Self::Concat(parts.into())
     }
 
     /// A text so many times.
-    pub fn repeat(text: impl Into<String>, times: usize) -> Self {
+    pub(crate) fn repeat(text: impl Into<String>, times: usize) -> Self {
         Self::Repeat(text.into(), times)
     }
 
     /// The base64 of bytes, written out.
-    #[must_use]
-    pub fn base64_of(bytes: &[u8]) -> Self {
+    pub(crate) fn base64_of(bytes: &[u8]) -> Self {
         Self::Plain(STANDARD.encode(bytes))
     }
 
     /// As the vector file writes it.
-    #[must_use]
-    pub fn json(&self) -> Json {
+    pub(crate) fn json(&self) -> Json {
         match self {
             Self::Plain(text) => Json::string(text),
             Self::Repeat(text, times) => {

@@ -9,8 +9,7 @@ use std::sync::LazyLock;
 use crate::json::Json;
 
 /// The tables of chapter 1.
-#[must_use]
-pub fn tables() -> &'static Tables {
+pub(crate) fn tables() -> &'static Tables {
     static TABLES: LazyLock<Tables> =
         LazyLock::new(|| Tables::read(include_str!("../../spec/text/01-wire.md")));
     &TABLES
@@ -18,27 +17,27 @@ pub fn tables() -> &'static Tables {
 
 /// The enums and messages of chapter 1.
 #[derive(Debug)]
-pub struct Tables {
+pub(crate) struct Tables {
     /// Section 1.4.
-    pub enums: Vec<Enum>,
+    pub(crate) enums: Vec<Enum>,
     /// Section 1.8, in its order, the RPC error frame last.
-    pub messages: Vec<Message>,
+    pub(crate) messages: Vec<Message>,
 }
 
 /// An enum.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Enum {
+pub(crate) struct Enum {
     /// Its name, such as `Mode`.
-    pub name: String,
+    pub(crate) name: String,
     /// Its wire strings.
-    pub strings: Vec<String>,
+    pub(crate) strings: Vec<String>,
     /// What a receiver does with another string.
-    pub unknown: Unknown,
+    pub(crate) unknown: Unknown,
 }
 
 /// What a receiver does with an enum string that it does not know.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Unknown {
+pub(crate) enum Unknown {
     /// Keeps it.
     Kept,
     /// Reads it as this one.
@@ -49,39 +48,38 @@ pub enum Unknown {
 
 /// A message.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Message {
+pub(crate) struct Message {
     /// Its name, such as `CommandFrame`; the error frame's is `ErrorFrame`.
-    pub name: String,
+    pub(crate) name: String,
     /// Its `kind`, if it travels by itself.
-    pub kind: Option<String>,
+    pub(crate) kind: Option<String>,
     /// Its fields, in order.
-    pub fields: Vec<Field>,
+    pub(crate) fields: Vec<Field>,
 }
 
 impl Message {
     /// The field of that name.
-    #[must_use]
-    pub fn field(&self, name: &str) -> Option<&Field> {
+    pub(crate) fn field(&self, name: &str) -> Option<&Field> {
         self.fields.iter().find(|field| field.name == name)
     }
 }
 
 /// A field.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Field {
+pub(crate) struct Field {
     /// Its member name.
-    pub name: String,
+    pub(crate) name: String,
     /// Its JSON type.
-    pub shape: Shape,
+    pub(crate) shape: Shape,
     /// Whether `null` stands for absent.
-    pub optional: bool,
+    pub(crate) optional: bool,
     /// What it is when it is absent.
-    pub default: Default,
+    pub(crate) default: Default,
 }
 
 /// A JSON type of the tables.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Shape {
+pub(crate) enum Shape {
     /// `string`
     String,
     /// `boolean`
@@ -102,7 +100,7 @@ pub enum Shape {
 
 /// What an absent field is.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Default {
+pub(crate) enum Default {
     /// This value.
     Value(Json),
     /// Absent: `null` when written.
@@ -117,20 +115,17 @@ pub enum Default {
 
 impl Tables {
     /// The message of that name.
-    #[must_use]
-    pub fn message(&self, name: &str) -> Option<&Message> {
+    pub(crate) fn message(&self, name: &str) -> Option<&Message> {
         self.messages.iter().find(|message| message.name == name)
     }
 
     /// The message of that kind.
-    #[must_use]
-    pub fn kind(&self, kind: &str) -> Option<&Message> {
+    pub(crate) fn kind(&self, kind: &str) -> Option<&Message> {
         self.messages.iter().find(|message| message.kind.as_deref() == Some(kind))
     }
 
     /// The enum of that name.
-    #[must_use]
-    pub fn enumeration(&self, name: &str) -> Option<&Enum> {
+    pub(crate) fn enumeration(&self, name: &str) -> Option<&Enum> {
         self.enums.iter().find(|known| known.name == name)
     }
 

@@ -8,11 +8,15 @@
 //! NCP: what a frame means is asked of [`ncp_spec`].
 
 use std::borrow::Cow;
-use std::collections::HashSet;
+use std::cell::OnceCell;
+use std::collections::{HashMap, HashSet};
 use std::fmt::{self, Write as _};
 
 /// How deep arrays and objects may nest. Answers are a few levels deep; hostile nesting travels inside strings.
 const MAX_DEPTH: usize = 160;
+
+/// Up to how many members of an object are compared one by one.
+const FEW: usize = 12;
 
 /// A JSON value, borrowed from its text where that is possible.
 #[derive(Debug, Clone, PartialEq)]
@@ -217,6 +221,48 @@ impl fmt::Display for Json<'_> {
         let mut out = String::new();
         self.write_to(&mut out);
         f.write_str(&out)
+    }
+}
+
+/// The members of an object, to be looked up many times: by place, else by name.
+#[derive(Debug)]
+pub struct Members<'v, 'a> {
+    list: &'v [(Cow<'a, str>, Json<'a>)],
+    index: OnceCell<HashMap<&'v str, usize>>,
+}
+
+impl<'v, 'a> Members<'v, 'a> {
+    /// The members of an object.
+    #[must_use]
+    pub fn new(list: &'v [(Cow<'a, str>, Json<'a>)]) -> Self {
+        Self {
+            list,
+            index: OnceCell::new(),
+        }
+    }
+
+    /// The member of this name, which is most likely at this place.
+    #[must_use]
+    pub fn get(&self, name: &str, place: usize) -> Option<&'v Json<'a>> {
+        match self.list.get(place) {
+            Some((there, value)) if there == name => Some(value),
+            _ if self.list.len() <= FEW => self
+                .list
+                .iter()
+                .find(|(key, _)| key == name)
+                .map(|(_, value)| value),
+            _ => {
+                let index = || {
+                    self.list
+                        .iter()
+                        .enumerate()
+                        .map(|(i, (key, _))| (key.as_ref(), i))
+                        .collect()
+                };
+                let place = *self.index.get_or_init(index).get(name)?;
+                self.list.get(place).map(|(_, value)| value)
+            }
+        }
     }
 }
 
@@ -512,7 +558,7 @@ impl<'a> Reader<'a> {
 
 /// A name that stands twice, if there is one.
 fn repeated<'m>(members: &'m [(Cow<'_, str>, Json<'_>)]) -> Option<&'m str> {
-    if members.len() <= 12 {
+    if members.len() <= FEW {
         let twice = |(i, (name, _)): (usize, &'m (Cow<'_, str>, Json<'_>))| {
             members[..i]
                 .iter()
@@ -612,6 +658,27 @@ mod tests {
         assert!(!same("9007199254740993", "9007199254740992"));
         assert!(!same("9007199254740993", "9007199254740992.0"));
         assert!(!same("0.1", "0.10000000000000002"));
+    }
+
+    #[test]
+    fn members_are_found_wherever_they_stand() {
+        for count in [3, 100] {
+            let text: Vec<String> = (0..count).map(|i| format!("\"k{i}\":{i}")).collect();
+            let object = Json::parse(&format!("{{{}}}", text.join(",")))
+                .unwrap()
+                .to_string();
+            let Json::Object(list) = Json::parse(&object).unwrap() else {
+                panic!()
+            };
+            let members = Members::new(&list);
+            for (name, place) in [("k2", 2), ("k2", 0), ("k0", 999)] {
+                assert_eq!(
+                    members.get(name, place),
+                    Some(&Json::Number(name[1..].into()))
+                );
+            }
+            assert_eq!(members.get("k", 1), None);
+        }
     }
 
     #[test]

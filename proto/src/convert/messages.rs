@@ -1,7 +1,7 @@
 //! The messages, field by field.
 //!
-//! A field converts as its types say (see [`super::fields`]), so a declaration here is a list of names. The compiler
-//! checks that no field of either side is forgotten.
+//! A field converts as its types say (see [`super::fields`]), so a declaration here is a list of
+//! names. The compiler checks that no field of either side is forgotten.
 
 use ncp_spec::wire::{
     self, BulkObservation, Capabilities, ChannelKind, ChannelSpec, ChannelValue, CloseSession,
@@ -126,7 +126,8 @@ macro_rules! frames {
 
                 fn from_proto(proto: v0::$name) -> Result<Self, FromProtoError> {
                     let message: Self = Record::from(proto)?;
-                    // An encoder refuses what a receiver would reject. [NCP-WIRE-091] [NCP-PROV-006]
+                    // An encoder refuses what a receiver would reject. [NCP-WIRE-091]
+                    // [NCP-PROV-006]
                     message.encode()?;
                     Ok(message)
                 }
@@ -169,7 +170,8 @@ macro_rules! descriptive {
                 }
             }
 
-            // A number that is not known has no wire string, and none may be invented. [NCP-WIRE-045]
+            // A number that is not known has no wire string, and none may be invented.
+            // [NCP-WIRE-045]
             fn from(proto: i32) -> Result<Self, FromProtoError> {
                 match v0::$name::try_from(proto) {
                     $(Ok(v0::$name::$proto) => Ok(Self::$value),)*

@@ -79,7 +79,8 @@ impl Change {
     }
 }
 
-/// The proto as its canonical text, which compiles: a declaration a line, so that edits need no whitespace.
+/// The proto as its canonical text, which compiles: a declaration a line, so that edits need no
+/// whitespace.
 pub(crate) fn plain_proto() -> String {
     format!(
         "syntax = \"proto3\";\npackage ncp.v0;\n{}",

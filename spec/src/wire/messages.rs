@@ -311,7 +311,7 @@ record! {
         unit: Option<Text> = None;
         /// The simulator's name of the quantity.
         recordable: Option<Text> = None;
-        /// The BulkBlock, in base64 on the wire; [`bulk`](crate::bulk) reads it.
+        /// The BulkBlock, in base64 on the wire; [`bulk`](crate::bulk) reads it. `// [NCP-OBS-011]`
         block: Vec<u8> = Vec::new();
     }
 }
@@ -389,7 +389,8 @@ record! {
 record! {
     /// Perception: what the body senses.
     frame SensorFrame of SensorFrame "sensor_frame" {
-        /// Counts the frames of this stream; 0: not stamped.
+        /// Counts the frames of this stream, not of the session; 0: not stamped.
+        /// `// [NCP-PLANE-005]`
         seq: i64 = 0;
         /// Seconds on the sender's monotonic clock.
         t: f64 = 0.0;
@@ -404,6 +405,7 @@ record! {
     /// Action: what the body is to do.
     frame CommandFrame of CommandFrame "command_frame" {
         /// The `seq` of the sensor frame that it was computed from; 0: not stamped.
+        /// `// [NCP-PLANE-006]`
         seq: i64 = 0;
         /// Seconds on the sender's monotonic clock.
         t: f64 = 0.0;

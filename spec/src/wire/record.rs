@@ -158,7 +158,7 @@ macro_rules! record {
                 r.no_repeats(mark)?;
 
                 $(record!(@settle $kind r has_kind $first);)?
-                // [NCP-WIRE-023] [NCP-WIRE-024] [NCP-WIRE-025]
+                // [NCP-WIRE-023] [NCP-WIRE-024] [NCP-WIRE-025] [NCP-PROV-005]
                 Ok(Self {
                     $first: match $first {
                         Some(value) => value,

@@ -10,7 +10,7 @@ use super::table::JsonType;
 use super::text::keep;
 use super::{SortedMap, Text};
 
-/// A type that a field can have.
+/// A type that a field can have, wherever the field stands. `// [NCP-WIRE-050]`
 pub(crate) trait Value: Sized {
     /// As the tables write it.
     const JSON: JsonType;
@@ -189,7 +189,7 @@ impl<V: Value> Value for SortedMap<V> {
         }
         while more {
             if entries.len() == MAX_ENTRIES {
-                return Err(r.error(DecodeProblem::TooManyEntries)); // [NCP-WIRE-066]
+                return Err(r.error(DecodeProblem::TooManyEntries)); // [NCP-WIRE-066] [NCP-WIRE-068]
             }
             let name = keep(r.name()?);
             let value = V::read(r).map_err(|e| e.inside(&name))?;

@@ -28,13 +28,21 @@ pub(crate) fn disguise(frame: &Value, seed: u64) -> String {
 /// A double of any size, with an accent on those that are hard to spell.
 pub(crate) fn double() -> impl Strategy<Value = f64> {
     prop_oneof![
-        4 => (-1000i32..1000, 0i32..4).prop_map(|(n, scale)| f64::from(n) / 10f64.powi(scale)),
+        4 => short(),
+        2 => (short(), -2i64..3).prop_map(|(d, ulps)| f64::from_bits(d.to_bits().wrapping_add_signed(ulps)))
+            .prop_filter("finite", |d| d.is_finite()),
         4 => any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |d| d.is_finite()),
         1 => Just(-0.0),
         1 => Just(f64::from_bits(1)),
         1 => Just(f64::MAX),
         1 => (any::<i64>(), -30i32..30).prop_map(|(n, scale)| n as f64 * 10f64.powi(scale)),
     ]
+}
+
+/// A decimal of a few digits.
+fn short() -> impl Strategy<Value = f64> {
+    (-100_000_000i32..100_000_000, 0i32..6, 0u32..8)
+        .prop_map(|(n, scale, digits)| f64::from(n / 10i32.pow(digits)) / 10f64.powi(scale))
 }
 
 fn object(table: Table) -> BoxedStrategy<Value> {

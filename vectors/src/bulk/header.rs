@@ -184,9 +184,10 @@ pub(super) fn short_name(nth: usize) -> String {
 /// A block without columns that has 64 MiB and a byte.
 fn too_large() -> Case {
     const LEN: usize = (64 << 20) + 1;
-    // Every byte of the header is ASCII, so the block can be a template.
+    // Every byte of the header is ASCII, so the block can be a template. What follows the header
+    // belongs to nothing.
     let header: String = [b"NCPB", &[1, 0][..], &le16(0), &le32(LEN)].concat().into_iter().map(char::from).collect();
-    let block = Text::Base64(Box::new(Text::concat([header.into(), Text::repeat("\0", LEN - HEADER)])));
+    let block = Text::Base64(Box::new(Text::concat([header.into(), Text::repeat("x", LEN - HEADER)])));
     Case::new("size/beyond-limit", &["NCP-BULK-015"], READERS)
         .title("A block of 64 MiB and a byte is rejected.")
         .flags(&["missing-limits", "slow"])

@@ -74,6 +74,13 @@ fn packed() -> Vec<Case> {
             .flags(&["byte-order"])
             .because("The text prints the bytes."),
     ];
+    cases.push(
+        pack("empty", &["NCP-OBS-002"], &samples(&[], &[], &[]))
+            .gives_bytes(&Block::new([]).bytes())
+            .title("An observation without samples is packed as the 12 bytes of a block without columns.")
+            .flags(&["empty-blocks"])
+            .because("An empty array has no column, and all three are empty."),
+    );
     cases.extend(fitting().into_iter().map(|(what, samples, says)| {
         let has_empty = samples.columns().len() < 3;
         let rules: &[_] = if has_empty { &["NCP-OBS-001", "NCP-OBS-002"] } else { &["NCP-OBS-001"] };

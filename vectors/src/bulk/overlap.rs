@@ -129,5 +129,20 @@ fn apart() -> Vec<Case> {
                 .because("An empty region shares no byte with anything."),
         );
     }
+    let unnamed = Block::new([f64s("", [1.5, 2.5]), f64s("cd", [3.5])]);
+    for (what, at, says) in [
+        ("behind-the-directory", 44, "behind the directory"),
+        ("header", 0, "within the header"),
+        ("data", 70, "within its own data"),
+        ("end", 96, "at the block's end"),
+    ] {
+        let place = unnamed.clone().laid_out(&[at, 56], &[64, 88], 96);
+        cases.push(
+            read(format!("apart/empty-name-{what}"), &["NCP-BULK-012", "NCP-BULK-018"], &place)
+                .title(format!("A block with a column of an empty name that begins {says} is read."))
+                .flags(&["empty-blocks"])
+                .because("An empty region shares no byte with anything, wherever in the buffer it begins."),
+        );
+    }
     cases
 }

@@ -2,7 +2,7 @@
 
 use super::with_raw;
 use crate::case::{Case, File};
-use crate::json::{Json, object};
+use crate::json::Json;
 use crate::model::{explicit, explicit_message, meaning, minimal};
 use crate::roles::{ANY, a, readers};
 use crate::template::Text;
@@ -24,6 +24,7 @@ pub(super) fn file() -> File {
     cases.extend(arrays());
     cases.extend(numeric_arrays());
     cases.extend(small_values());
+    cases.extend(wide_unknown());
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
     File::new("hostile", "limits", about, cases)
 }
@@ -309,6 +310,33 @@ fn small_values() -> Vec<Case> {
     cases
 }
 
+/// Unknown members, for which only bytes and levels count.
+fn wide_unknown() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for kind in ANY {
+        let marked = with_raw(&explicit(kind).text(), &format!("\"novel\":{MARK}"));
+        cases.push(
+            Case::new(format!("{kind}/unknown/4097-items"), &["NCP-WIRE-026"], readers(kind))
+                .title(format!("{} with 4,097 items in an unknown array is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, list(&marked, "{}", ENTRIES + 1))
+                .means(meaning(kind, &explicit(kind)).text())
+                .because("Of the limits only the bytes and the levels hold within an ignored member."),
+        );
+    }
+    let kind = "close_session";
+    let entries = (0..=ENTRIES).map(|nth| (base_36(nth), Json::literal("1"))).collect();
+    cases.push(
+        Case::new(format!("{kind}/unknown/4097-entries"), &["NCP-WIRE-026"], readers(kind))
+            .title(format!("{} with 4,097 members in an unknown object is read.", a(kind)))
+            .flags(&["low-limits"])
+            .decode(kind, explicit(kind).and("novel", Json::Object(entries)).text())
+            .means(meaning(kind, &explicit(kind)).text())
+            .because("Of the limits only the bytes and the levels hold within an ignored member."),
+    );
+    cases
+}
+
 /// Stands for an array that is written as a template.
 const MARK: &str = "%ITEMS%";
 
@@ -400,7 +428,7 @@ mod tests {
     fn a_value_is_set_wherever_the_path_leads() {
         let frame = set(minimal("command_frame"), &["horizon", "0", "a", "data"], Json::literal("7"));
         assert_eq!(frame.text(), r#"{"kind":"command_frame","horizon":[{"a":{"data":7}}]}"#);
-        assert_eq!(set(object! {}, &["a"], Json::Null).text(), r#"{"a":null}"#);
+        assert_eq!(set(Json::object(), &["a"], Json::Null).text(), r#"{"a":null}"#);
     }
 
     #[test]

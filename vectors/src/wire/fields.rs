@@ -16,7 +16,7 @@ pub(super) fn files() -> Vec<File> {
         File::new("wire", kind, about, cases_at(&place))
     });
     let nested = tables().messages.iter().filter(|message| message.kind.is_none()).map(|message| {
-        let cases = Place::nested().into_iter().filter(|place| place.message == message);
+        let cases = Place::nested().into_iter().filter(|place| place.message == message && !place.is_twin());
         let about = format!("The fields of `{}`, wherever it stands within a frame.", message.name);
         File::new("wire", snake(&message.name), about, cases.flat_map(|p| cases_at(&p)).collect())
     });
@@ -392,7 +392,10 @@ impl Probe<'_> {
             ("empty", String::new()),
             ("sentinel", "unknown".to_owned()),
         ];
-        for (what, string) in strings {
+        // A mode moves a plant, so it gets all of them.
+        let kept = known.unknown == Unknown::Kept;
+        let few = ["novel", "constant", "sentinel"];
+        for (what, string) in strings.into_iter().filter(|(what, _)| !kept || few.contains(what)) {
             let value = Json::string(&string);
             let says = match string.as_str() {
                 "" => "is the empty string".to_owned(),
@@ -414,7 +417,7 @@ impl Probe<'_> {
                     .rejects("value")
                     .because(format!("{} has no reading for another string.", known.name)),
             });
-            if known.unknown == Unknown::Kept && what == "novel" {
+            if kept && what == "novel" {
                 let frame = self.frame(Ground::Explicit, Some(value));
                 cases.push(
                     self.case("unknown-accepted", &["NCP-WIRE-042"])

@@ -81,6 +81,11 @@ impl Place {
         !self.path.is_empty()
     }
 
+    /// Whether the message stands in the same kind in the same way under another name.
+    pub(super) fn is_twin(&self) -> bool {
+        self.path.first().is_some_and(|name| name == "command_channels")
+    }
+
     /// The first part of a case's id: nothing for a frame, else the kind and the members that
     /// lead there.
     pub(super) fn label(&self) -> String {

@@ -1,5 +1,6 @@
 //! The grammar of a required `session_id`.
 
+use super::READ;
 use crate::case::{Case, File};
 use crate::json::Json;
 use crate::keys::segments::{self, Segment};
@@ -14,13 +15,17 @@ pub(super) fn file() -> File {
         message.kind.as_deref().filter(|_| required)
     });
     for kind in with_session {
-        // The whole grammar for one kind of each role, a sample for the others.
-        let all = matches!(kind, "close_session" | "observation_frame");
+        // The whole grammar for one kind; the builders of area `keys` show it to the other roles.
+        let all = kind == "close_session";
         let refused = if all { segments::refused() } else { segments::refused_sample() };
         cases.extend(refused.iter().map(|segment| rejected(kind, segment)));
         let accepted = if all { segments::accepted() } else { segments::accepted_sample() };
         cases.extend(accepted.iter().map(|segment| read(kind, segment)));
+        if all {
+            cases.extend(segments::discouraged().iter().map(|segment| advised_against(kind, segment)));
+        }
     }
+    cases.extend(free());
     let about = "A required `session_id` is an id segment by chapter 3.";
     File::new("wire", "session_id", about, cases)
 }
@@ -33,6 +38,36 @@ fn rejected(kind: &'static str, segment: &Segment) -> Case {
         .decode(kind, frame.text())
         .rejects("value")
         .because("No key could be built from the id, so no peer could have the session.")
+}
+
+/// What chapter 3 only advises against is only advised against here.
+fn advised_against(kind: &'static str, segment: &Segment) -> Case {
+    let frame = minimal(kind).with("session_id", Json::string(&segment.text));
+    Case::new(format!("{kind}/discouraged/{}", segment.name), &[segment.rule], readers(kind))
+        .title(format!("{} whose `session_id` {} should be rejected.", a(kind), segment.says))
+        .flags(&[segment.flag])
+        .decode(kind, frame.text())
+        .rejects("value")
+        .because("What chapter 3 says with SHOULD is SHOULD for a frame too.")
+}
+
+/// Ids that are any strings.
+fn free() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (kind, field) in [("link_status", "session_id"), ("capabilities", "controller_id")] {
+        for (what, text) in [("empty", ""), ("slash", "a/b"), ("star", "*"), ("at", "@a"), ("space", "a b"), ("nul", "a\0b")] {
+            let frame = explicit(kind).with(field, Json::string(text));
+            cases.push(
+                Case::new(format!("{kind}/free/{what}"), &[READ], readers(kind))
+                    .title(format!("{} whose `{field}` is {} is read.", a(kind), Json::string(text).text()))
+                    .flags(&["over-strict"])
+                    .decode(kind, frame.text())
+                    .means(meaning(kind, &frame).text())
+                    .because(format!("No key is built from it: the `{field}` of {} is any string.", a(kind).to_lowercase())),
+            );
+        }
+    }
+    cases
 }
 
 fn read(kind: &'static str, segment: &Segment) -> Case {

@@ -115,7 +115,7 @@ fn misfits(kind: &'static str) -> Vec<Case> {
     for (name, session) in [("other", "s2"), ("empty", ""), ("other-case", "S1"), ("longer", "s1 "), ("invalid", "s/1")] {
         table.push((format!("session-{name}"), object! { "session_id" => session }, "NCP-WIRE-037", "value", format!("has the session `{session}`")));
     }
-    for (name, version) in [("older", "0.4"), ("newer", "0.6"), ("empty", ""), ("malformed", "x")] {
+    for (name, version) in [("older", "0.4"), ("newer", "0.6"), ("empty", ""), ("malformed", "x"), ("other-spelling", "00.5")] {
         table.push((format!("version-{name}"), object! { "ncp_version" => version }, "NCP-WIRE-038", "value", format!("has the version `{version}`")));
     }
     for member in ["kind", "session_id", "ncp_version"] {

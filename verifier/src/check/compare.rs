@@ -1,7 +1,7 @@
 //! Equal as JSON values.
 
 use super::{Difference, Differences, short};
-use crate::json::{Json, Number, pointer_token};
+use crate::json::{Json, Members, Number, pointer_token};
 
 /// Compares two JSON values: objects whatever their order, numbers by value and the sign of a zero. The strings
 /// `"NaN"`, `"Infinity"`, `"-Infinity"` and `"-0"` stand for those numbers (PROTOCOL.md, section 2).
@@ -43,10 +43,11 @@ fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, differences: &m
             }
         }
         (Json::Object(expected_members), Json::Object(got_members)) => {
-            for (name, expected) in expected_members {
+            let (in_expected, in_got) = (Members::new(expected_members), Members::new(got_members));
+            for (i, (name, expected)) in expected_members.iter().enumerate() {
                 at.push('/');
                 at.push_str(&pointer_token(name));
-                match got.get(name) {
+                match in_got.get(name, i) {
                     Some(got) => compare(expected, got, at, differences),
                     None => differences.push(Difference {
                         at: at.clone(),
@@ -57,10 +58,10 @@ fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, differences: &m
                 }
                 at.truncate(length);
             }
-            for (name, value) in got_members
-                .iter()
-                .filter(|(name, _)| expected.get(name).is_none())
-            {
+            for (i, (name, value)) in got_members.iter().enumerate() {
+                if in_expected.get(name, i).is_some() {
+                    continue;
+                }
                 differences.push(Difference {
                     at: format!("{at}/{}", pointer_token(name)),
                     expected: None,

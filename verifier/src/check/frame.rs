@@ -1,9 +1,11 @@
 //! Equal frames: as messages, and as encodings.
 
+use std::collections::BTreeSet;
+
 use ncp_spec::wire::{self, Kind};
 
 use super::{Difference, Differences, short};
-use crate::json::{Json, Number, is_integer, pointer_token};
+use crate::json::{Json, Members, Number, is_integer, pointer_token};
 
 /// Compares a frame with the expected one as messages.
 ///
@@ -17,41 +19,31 @@ pub(super) fn same_message(
     differences: &mut Differences,
 ) {
     // The suite was read before; and an answer letter for letter as expected needs no second look.
-    let (false, Ok(expected)) = (expected == got, Json::parse(expected)) else {
+    let (false, Ok(expected_frame)) = (expected == got, Json::parse(expected)) else {
         return;
     };
     let Some(got_frame) = parse(got, differences) else {
         return;
     };
-    let mut found = Vec::new();
-    compare(&expected, &got_frame, &mut String::new(), &mut found);
-    let spared = |at: &str| {
-        ignore.iter().any(|spared| {
-            at.strip_prefix(spared.as_str())
-                .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
-        })
-    };
-    found.retain(|difference| !spared(&difference.at));
-    if found
-        .iter()
-        .all(|difference| difference.expected.is_some() && difference.got.is_some())
-    {
-        return found
-            .into_iter()
-            .for_each(|difference| differences.push(difference));
-    }
-    // A member is there on one side only: what the frame means without it, or with it, the spec knows.
-    match normalise(&expected, got) {
-        Ok(normal) => {
-            if let Ok(normal) = Json::parse(&normal) {
-                found.retain(|difference| !is_settled(difference, &expected, &normal));
+    let mut found = differing(&expected_frame, &got_frame);
+    found.retain(|difference| {
+        !ignore
+            .iter()
+            .any(|spared| is_within(&difference.at, spared))
+    });
+    if found.iter().any(is_one_sided) {
+        // What the frame means with such a member, or without it, the spec knows.
+        match (
+            normalise(&expected_frame, expected),
+            normalise(&expected_frame, got),
+        ) {
+            (Ok(expected), Ok(got)) => settle(&mut found, &expected, &got),
+            (_, Err(why)) | (Err(why), _) => {
+                let hint = format!("and the spec refuses the frame: {why}");
+                found
+                    .iter_mut()
+                    .for_each(|difference| difference.hint = Some(hint.clone()));
             }
-        }
-        Err(why) => {
-            let hint = format!("and the spec refuses the frame: {why}");
-            found
-                .iter_mut()
-                .for_each(|difference| difference.hint = Some(hint.clone()));
         }
     }
     found
@@ -86,43 +78,72 @@ fn parse<'g>(got: &'g str, differences: &mut Differences) -> Option<Json<'g>> {
     None
 }
 
-/// What the spec reads in the frame, as the spec writes it.
-fn normalise(expected: &Json<'_>, got: &str) -> Result<String, String> {
+/// What the spec reads in a frame of the expected one's kind, as the spec writes it.
+fn normalise(expected: &Json<'_>, frame: &str) -> Result<String, String> {
     let kind = expected
         .get("kind")
         .and_then(Json::as_str)
-        .and_then(Kind::parse)
-        .ok_or("it has no known kind")?;
-    let message = wire::decode(kind, got.as_bytes()).map_err(|error| error.to_string())?;
+        .and_then(Kind::parse);
+    let kind = kind.ok_or("it has no known kind")?;
+    let message = wire::decode(kind, frame.as_bytes()).map_err(|error| error.to_string())?;
     message.encode().map_err(|error| error.to_string())
 }
 
-/// Whether a member that is there on one side only means nothing: left out, it has the expected value by default;
-/// added, the message is the same without it.
-fn is_settled(difference: &Difference, expected: &Json<'_>, normal: &Json<'_>) -> bool {
-    let at = difference.at.as_str();
-    match (&difference.expected, &difference.got) {
-        (Some(_), None) => match (expected.pointer(at), normal.pointer(at)) {
-            (Some(expected), Some(normal)) => {
-                let mut found = Vec::new();
-                compare(expected, normal, &mut String::new(), &mut found);
-                found.is_empty()
-            }
-            _ => false,
-        },
-        (None, Some(_)) => normal.pointer(at).is_none_or(Json::is_null),
-        _ => false,
-    }
+/// Whether a member stands on one side only.
+fn is_one_sided(difference: &Difference) -> bool {
+    difference.expected.is_none() || difference.got.is_none()
+}
+
+/// Whether a path leads to `place` or to something in it.
+fn is_within(path: &str, place: &str) -> bool {
+    path.strip_prefix(place)
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+}
+
+/// Drops the members on one side only that mean nothing: where the two frames, both as the spec writes them, agree.
+fn settle(found: &mut Vec<Difference>, expected: &str, got: &str) {
+    // The spec's own encoding is JSON.
+    let (Ok(expected), Ok(got)) = (Json::parse(expected), Json::parse(got)) else {
+        return;
+    };
+    let remaining = differing(&expected, &got);
+    let places: BTreeSet<&str> = remaining
+        .iter()
+        .map(|difference| difference.at.as_str())
+        .collect();
+    let remains = |at: &str| {
+        let below = format!("{at}/");
+        let within = || {
+            places
+                .range(below.as_str()..)
+                .next()
+                .is_some_and(|place| place.starts_with(&below))
+        };
+        let above = || {
+            at.match_indices('/')
+                .any(|(end, _)| places.contains(&at[..end]))
+        };
+        places.contains(at) || within() || above()
+    };
+    found.retain(|difference| !is_one_sided(difference) || remains(&difference.at));
+}
+
+/// What differs between two frames as messages.
+fn differing(expected: &Json<'_>, got: &Json<'_>) -> Vec<Difference> {
+    let mut found = Vec::new();
+    compare(expected, got, &mut String::new(), &mut found);
+    found
 }
 
 fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, found: &mut Vec<Difference>) {
     let length = at.len();
     match (expected, got) {
         (Json::Object(expected_members), Json::Object(got_members)) => {
-            for (name, expected) in expected_members {
+            let (in_expected, in_got) = (Members::new(expected_members), Members::new(got_members));
+            for (i, (name, expected)) in expected_members.iter().enumerate() {
                 at.push('/');
                 at.push_str(&pointer_token(name));
-                match got.get(name) {
+                match in_got.get(name, i) {
                     Some(got) if !got.is_null() || expected.is_null() => {
                         compare(expected, got, at, found);
                     }
@@ -136,8 +157,8 @@ fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, found: &mut Vec
                 }
                 at.truncate(length);
             }
-            for (name, value) in got_members {
-                if !value.is_null() && expected.get(name).is_none() {
+            for (i, (name, value)) in got_members.iter().enumerate() {
+                if !value.is_null() && in_expected.get(name, i).is_none() {
                     found.push(Difference {
                         at: format!("{at}/{}", pointer_token(name)),
                         expected: None,
@@ -180,11 +201,12 @@ fn compare_encoding(
     let length = at.len();
     match (expected, got) {
         (Json::Object(expected_members), Json::Object(got_members)) => {
+            let (in_expected, in_got) = (Members::new(expected_members), Members::new(got_members));
             let mut complete = expected_members.len() == got_members.len();
-            for (name, expected) in expected_members {
+            for (i, (name, expected)) in expected_members.iter().enumerate() {
                 at.push('/');
                 at.push_str(&pointer_token(name));
-                if let Some(got) = got.get(name) {
+                if let Some(got) = in_got.get(name, i) {
                     compare_encoding(expected, got, at, differences);
                 } else {
                     complete = false;
@@ -203,10 +225,10 @@ fn compare_encoding(
                 }
                 at.truncate(length);
             }
-            for (name, value) in got_members
-                .iter()
-                .filter(|(name, _)| expected.get(name).is_none())
-            {
+            for (i, (name, value)) in got_members.iter().enumerate() {
+                if in_expected.get(name, i).is_some() {
+                    continue;
+                }
                 complete = false;
                 differences.push(Difference {
                     at: format!("{at}/{}", pointer_token(name)),
@@ -382,6 +404,31 @@ mod tests {
             message(&changed(r#"{"data":[],"unit":"m/s"}"#, "null")).len(),
             1,
             "a channel that became null is lost"
+        );
+    }
+
+    #[test]
+    fn an_expectation_may_leave_out_defaults_too() {
+        let short = r#"{"kind":"command_frame","seq":7,"channels":{"a":{}}}"#;
+        let whole = |unit: &str| {
+            format!(
+                r#"{{"ncp_version":"0.5","kind":"command_frame","seq":7,"t":0,"frame_id":"world","mode":"hold","ttl_ms":2e2,
+                "channels":{{"a":{{"data":[],"unit":{unit}}}}},"horizon":[],"horizon_dt_ms":null}}"#
+            )
+        };
+        let differ = |got: &str| {
+            let mut differences = Differences::default();
+            same_message(short, got, &[], &mut differences);
+            differences
+                .first
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(differ(&whole("null")), Vec::<String>::new());
+        assert_eq!(
+            differ(&whole("\"m\"")),
+            [r#"/channels/a/unit: expected nothing there, got "m""#]
         );
     }
 

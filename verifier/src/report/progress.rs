@@ -25,7 +25,7 @@ impl Progress {
         };
         let bar = ProgressBar::with_draw_target(Some(total), target);
         if let Ok(style) =
-            ProgressStyle::with_template("{prefix} {bar:24} {pos}/{len} {per_sec} {msg}")
+            ProgressStyle::with_template("{prefix} {bar:24} {pos}/{len} {elapsed} {msg}")
         {
             bar.set_style(style);
         }

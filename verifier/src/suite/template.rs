@@ -149,7 +149,7 @@ fn part<'v, 'a>(value: &'v Json<'a>) -> Result<Form<'v, 'a>, TemplateError> {
 /// About how many bytes a value expands to, as JSON.
 fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
     let total = match (form(value)?, value) {
-        (Some(form), _) => text_size(&form, 0)? + 2,
+        (Some(form), _) => text_size(&form, Spelling::Json, 0)? + 2,
         (None, Json::Array(items)) => items.iter().try_fold(2, |sum: usize, item| {
             Ok::<_, TemplateError>(sum.saturating_add(size(item)? + 1))
         })?,
@@ -168,35 +168,50 @@ fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
     }
 }
 
-fn text_size(form: &Form<'_, '_>, depth: usize) -> Result<usize, TemplateError> {
+/// About how many bytes a string takes, in JSON or as it is.
+fn text_size(
+    form: &Form<'_, '_>,
+    spelling: Spelling,
+    depth: usize,
+) -> Result<usize, TemplateError> {
     if depth > MAX_DEPTH {
         return Err(TemplateError::Depth);
     }
+    let inner = |value, spelling| text_size(&part(value)?, spelling, depth + 1);
     let total = match form {
-        // In JSON a quote takes two bytes and a control character six.
-        Form::Text(text) => text
-            .bytes()
-            .map(|b| {
-                if b < 0x20 {
-                    6
-                } else {
-                    1 + usize::from(b == b'"' || b == b'\\')
-                }
-            })
-            .sum(),
-        Form::Repeat(repeated, times) => {
-            text_size(&part(repeated)?, depth + 1)?.saturating_mul(*times)
-        }
+        Form::Text(text) => match spelling {
+            Spelling::Plain => text.len(),
+            // In JSON a quote takes two bytes and a control character up to six.
+            Spelling::Json => text
+                .bytes()
+                .map(|b| {
+                    if b < 0x20 {
+                        6
+                    } else {
+                        1 + usize::from(b == b'"' || b == b'\\')
+                    }
+                })
+                .sum(),
+        },
+        Form::Repeat(repeated, times) => inner(repeated, spelling)?.saturating_mul(*times),
         Form::Concat(parts) => parts.iter().try_fold(0_usize, |sum, each| {
-            Ok::<_, TemplateError>(sum.saturating_add(text_size(&part(each)?, depth + 1)?))
+            Ok::<_, TemplateError>(sum.saturating_add(inner(each, spelling)?))
         })?,
-        Form::Base64(encoded) => (text_size(&part(encoded)?, depth + 1)? / 3 + 1).saturating_mul(4),
+        // Base64 has nothing to escape.
+        Form::Base64(encoded) => (inner(encoded, Spelling::Plain)? / 3 + 1).saturating_mul(4),
     };
     if total > MAX_REQUEST_BYTES {
         Err(TemplateError::Size)
     } else {
         Ok(total)
     }
+}
+
+/// How the bytes of a string are counted.
+#[derive(Clone, Copy)]
+enum Spelling {
+    Plain,
+    Json,
 }
 
 fn write_expanded(value: &Json<'_>, out: &mut String) {

@@ -50,7 +50,7 @@ impl Writer {
         Ok(())
     }
 
-    /// Writes a double that is a multiple of a thousandth and below a million, as most setpoints
+    /// Writes a double that is a multiple of a thousandth and below four million, as most setpoints
     /// are; says whether it did.
     ///
     /// A decimal of so few digits is the only one of up to 15 digits that reads back as the double
@@ -59,10 +59,10 @@ impl Writer {
     fn short_decimal(&mut self, value: f64) -> bool {
         let magnitude = value.abs();
         let thousandths = (magnitude * 1000.0) as u32; // saturates, and is 0 for a NaN
-        if f64::from(thousandths) / 1000.0 != magnitude || thousandths >= 1_000_000_000 {
+        if f64::from(thousandths) / 1000.0 != magnitude {
             return false;
         }
-        // Six digits, point, three digits; the point stands at byte 8.
+        // A sign, seven digits, point, three digits; the point stands at byte 8.
         const POINT: usize = 8;
         let mut digits = *b"00000000.0000000";
         let (mut whole, fraction) = (thousandths / 1000, thousandths % 1000);
