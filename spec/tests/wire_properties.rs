@@ -51,8 +51,9 @@ proptest! {
         }
         let bare = frame.to_string();
         let read = decode(kind, bare.as_bytes());
-        // A request whose version is gone may no longer fit its stimulus.
-        prop_assume!(!matches!(&read, Err(e) if e.path() == "stimulus.ncp_version"));
+        if matches!(&read, Err(e) if e.path() == "stimulus.ncp_version") {
+            return Ok(()); // A request whose version is gone no longer fits its stimulus.
+        }
         let written: Value = serde_json::from_str(&read.unwrap().encode().unwrap()).unwrap();
         let silent = format!(r#"{{"kind":"{kind}","session_id":"s","network":{{}},"duration_ms":0,"controller_id":"","error":""}}"#);
         let silent = match kind {

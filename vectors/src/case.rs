@@ -102,7 +102,10 @@ impl Case {
 
     /// `decode` of bytes that need not be UTF-8.
     pub(crate) fn decode_bytes(self, kind: &str, bytes: &[u8]) -> Self {
-        self.call("decode", object! { "kind" => kind, "base64" => Text::base64_of(bytes) })
+        self.call(
+            "decode",
+            object! { "kind" => kind, "base64" => Text::base64_of(bytes) },
+        )
     }
 
     /// `encode` of fields.
@@ -187,16 +190,27 @@ impl File {
         about: impl Into<String>,
         cases: Vec<Case>,
     ) -> Self {
-        Self { area, name: name.into(), about: about.into(), cases }
+        Self {
+            area,
+            name: name.into(),
+            about: about.into(),
+            cases,
+        }
     }
 
     /// The path below `vectors/`, and the text.
     pub(crate) fn render(self) -> (String, String) {
         let prefix = format!("{}/{}", self.area, self.name);
-        let mut used: Vec<&str> = self.cases.iter().flat_map(|case| case.flags.clone()).collect();
+        let mut used: Vec<&str> = self
+            .cases
+            .iter()
+            .flat_map(|case| case.flags.clone())
+            .collect();
         used.sort_unstable();
         used.dedup();
-        let notes = used.iter().map(|flag| ((*flag).to_owned(), Json::from(flags::note(flag))));
+        let notes = used
+            .iter()
+            .map(|flag| ((*flag).to_owned(), Json::from(flags::note(flag))));
         let file = object! {
             "format" => Json::literal("1"),
             "area" => self.area,

@@ -2,127 +2,447 @@
 
 /// What a flag says: the bug class that its cases catch, in one sentence.
 pub(crate) fn note(flag: &str) -> &'static str {
-    NOTES.binary_search_by_key(&flag, |(known, _)| known).map_or("", |at| NOTES[at].1)
+    NOTES
+        .binary_search_by_key(&flag, |(known, _)| known)
+        .map_or("", |at| NOTES[at].1)
 }
 
 /// Sorted by flag.
 const NOTES: &[(&str, &str)] = &[
-    ("L01", "Audited finding L01: columns that share bytes multiply the memory that decoding takes."),
-    ("L21", "Audited finding L21: an encoder cuts a count or a length to the width of its field."),
-    ("L22", "Audited finding L22: a realm goes into a key unchecked."),
-    ("L24", "Audited finding L24: a key builder crashes on a segment that it should refuse."),
-    ("absent-mode-moves", "A command without a mode moves the plant, because the receiver fills in what a program would."),
-    ("alignment", "A reader casts bytes in place and fails, or reads other values, where a column is not aligned."),
-    ("allocation-by-claim", "Memory is reserved for as many rows as the directory claims, before the claim is checked."),
-    ("amplification", "A small input takes many times its size in memory."),
-    ("byte-order", "Multi-byte values are read or written in the machine's order instead of little-endian."),
-    ("byte-order-mark", "A byte order mark is skipped in silence, or counted as white space."),
-    ("bytes-not-characters", "A limit in bytes is applied to characters or UTF-16 units."),
-    ("case-folded-kinds", "Kinds are compared without regard to case."),
-    ("case-folded-names", "Member names are compared without regard to case or punctuation."),
-    ("changed-segments", "A name is normalised, decoded, trimmed or changed in case on its way."),
-    ("closed-enums", "A descriptive enum that does not know a value costs the whole frame, so that no later value can be added."),
-    ("closed-objects", "Unknown members cost the whole frame, or change what it means."),
-    ("column-order", "Columns come back in the order of a map instead of the directory's."),
-    ("contract-matching", "Contract hashes are compared loosely: by a prefix, without regard to case, trimmed, or as numbers."),
+    (
+        "L01",
+        "Audited finding L01: columns that share bytes multiply the memory that decoding takes.",
+    ),
+    (
+        "L21",
+        "Audited finding L21: an encoder cuts a count or a length to the width of its field.",
+    ),
+    (
+        "L22",
+        "Audited finding L22: a realm goes into a key unchecked.",
+    ),
+    (
+        "L24",
+        "Audited finding L24: a key builder crashes on a segment that it should refuse.",
+    ),
+    (
+        "absent-mode-moves",
+        "A command without a mode moves the plant, because the receiver fills in what a program would.",
+    ),
+    (
+        "alignment",
+        "A reader casts bytes in place and fails, or reads other values, where a column is not aligned.",
+    ),
+    (
+        "allocation-by-claim",
+        "Memory is reserved for as many rows as the directory claims, before the claim is checked.",
+    ),
+    (
+        "amplification",
+        "A small input takes many times its size in memory.",
+    ),
+    (
+        "byte-order",
+        "Multi-byte values are read or written in the machine's order instead of little-endian.",
+    ),
+    (
+        "byte-order-mark",
+        "A byte order mark is skipped in silence, or counted as white space.",
+    ),
+    (
+        "bytes-not-characters",
+        "A limit in bytes is applied to characters or UTF-16 units.",
+    ),
+    (
+        "case-folded-kinds",
+        "Kinds are compared without regard to case.",
+    ),
+    (
+        "case-folded-names",
+        "Member names are compared without regard to case or punctuation.",
+    ),
+    (
+        "changed-segments",
+        "A name is normalised, decoded, trimmed or changed in case on its way.",
+    ),
+    (
+        "closed-enums",
+        "A descriptive enum that does not know a value costs the whole frame, so that no later value can be added.",
+    ),
+    (
+        "closed-objects",
+        "Unknown members cost the whole frame, or change what it means.",
+    ),
+    (
+        "column-order",
+        "Columns come back in the order of a map instead of the directory's.",
+    ),
+    (
+        "contract-matching",
+        "Contract hashes are compared loosely: by a prefix, without regard to case, trimmed, or as numbers.",
+    ),
     ("control-characters", "Control characters pass into a key."),
-    ("dot-segment", "The segments `.` and `..` are resolved like a path, or refused where they are only a part."),
-    ("duplicate-columns", "Of two columns of one name one is lost in silence."),
-    ("duplicate-members", "Of two members of one name one is lost in silence, so that two receivers can read one frame differently."),
-    ("empty-blocks", "A block or a column without content is taken for a broken one."),
-    ("empty-input", "Empty input crashes the decoder, or reads as an empty message."),
-    ("empty-segment", "An empty segment makes a key of another meaning."),
-    ("enum-constants", "Enums travel as the constants or the numbers of the proto instead of the wire strings."),
-    ("exponents", "Spellings with an exponent or trailing zeros are refused, or an exponent overflows."),
-    ("field-order", "Fields are written in the order in which they were set, or sorted by name."),
-    ("filled-in-contract-hash", "A receiver fills its own hash into a frame that has none, and then finds that it matches."),
-    ("fixed-layout", "A reader expects names and data where encoders put them, instead of where the directory says."),
+    (
+        "dot-segment",
+        "The segments `.` and `..` are resolved like a path, or refused where they are only a part.",
+    ),
+    (
+        "duplicate-columns",
+        "Of two columns of one name one is lost in silence.",
+    ),
+    (
+        "duplicate-members",
+        "Of two members of one name one is lost in silence, so that two receivers can read one frame differently.",
+    ),
+    (
+        "empty-blocks",
+        "A block or a column without content is taken for a broken one.",
+    ),
+    (
+        "empty-input",
+        "Empty input crashes the decoder, or reads as an empty message.",
+    ),
+    (
+        "empty-segment",
+        "An empty segment makes a key of another meaning.",
+    ),
+    (
+        "enum-constants",
+        "Enums travel as the constants or the numbers of the proto instead of the wire strings.",
+    ),
+    (
+        "exponents",
+        "Spellings with an exponent or trailing zeros are refused, or an exponent overflows.",
+    ),
+    (
+        "field-order",
+        "Fields are written in the order in which they were set, or sorted by name.",
+    ),
+    (
+        "filled-in-contract-hash",
+        "A receiver fills its own hash into a frame that has none, and then finds that it matches.",
+    ),
+    (
+        "fixed-layout",
+        "A reader expects names and data where encoders put them, instead of where the directory says.",
+    ),
     ("guessed-encodings", "A decoder guesses UTF-16 or UTF-32."),
-    ("hidden-segment", "Segments that begin with `@`, which Zenoh hides from wildcards, are used or matched like others."),
-    ("integer-precision", "Integers pass through a double or wrap, and come out as other integers."),
-    ("integer-spelled-doubles", "A double that is spelled like an integer is refused, or read as an integer of limited width."),
-    ("integer-spelling", "Integers are written as strings, with a fraction, or with an exponent."),
-    ("invalid-expressions", "What is no key expression is matched as if it were one."),
-    ("invalid-utf8", "Bytes that are no UTF-8 are replaced, kept or skipped instead of refused."),
-    ("invented-sentinel", "A peer replaces a value that it does not know by a placeholder of its own."),
-    ("kind-confusion", "A frame is decoded as the kind that was expected, whatever it says that it is."),
-    ("kind-matching", "Kinds are matched by a prefix, a default or another name."),
-    ("largest-double", "The largest doubles overflow, or round to infinity."),
-    ("leading-input", "A decoder searches for the object and skips what stands before it."),
-    ("lenient-grammar", "A decoder reads a dialect of JSON, such as JSON5 or a programming language's literals."),
-    ("lenient-integers", "Integer fields take numbers that are spelled as fractions or with an exponent."),
-    ("lenient-numbers", "Numbers are read by a general conversion routine, which takes more spellings than JSON has."),
-    ("lenient-sim-mode", "An unknown simulation mode is replaced by a default, and another simulation runs than was asked for."),
-    ("lenient-strings", "Strings take raw control characters, or escapes that JSON does not have."),
-    ("lenient-versions", "Versions are read by a general conversion routine or a pattern without ends."),
-    ("literal-patterns", "Characters that are special to regular expressions or file patterns are special in key expressions."),
-    ("lone-surrogates", "Half a surrogate pair becomes a string that has no UTF-8 form."),
-    ("lossy-blocks", "Columns do not come back from a block as they went in."),
-    ("lossy-doubles", "Doubles lose bits, the sign of a zero, or a NaN on their way."),
-    ("lost-fields", "A field is not read, or comes back as another value."),
-    ("low-limits", "A limit is lower than the text's, so that a correct frame is refused."),
-    ("many-digits", "A conversion routine looks only at the first digits of a long number."),
-    ("map-order", "Map entries are written as inserted, or sorted by UTF-16 units, by number or without regard to case."),
+    (
+        "hidden-segment",
+        "Segments that begin with `@`, which Zenoh hides from wildcards, are used or matched like others.",
+    ),
+    (
+        "integer-precision",
+        "Integers pass through a double or wrap, and come out as other integers.",
+    ),
+    (
+        "integer-spelled-doubles",
+        "A double that is spelled like an integer is refused, or read as an integer of limited width.",
+    ),
+    (
+        "integer-spelling",
+        "Integers are written as strings, with a fraction, or with an exponent.",
+    ),
+    (
+        "invalid-expressions",
+        "What is no key expression is matched as if it were one.",
+    ),
+    (
+        "invalid-utf8",
+        "Bytes that are no UTF-8 are replaced, kept or skipped instead of refused.",
+    ),
+    (
+        "invented-sentinel",
+        "A peer replaces a value that it does not know by a placeholder of its own.",
+    ),
+    (
+        "kind-confusion",
+        "A frame is decoded as the kind that was expected, whatever it says that it is.",
+    ),
+    (
+        "kind-matching",
+        "Kinds are matched by a prefix, a default or another name.",
+    ),
+    (
+        "largest-double",
+        "The largest doubles overflow, or round to infinity.",
+    ),
+    (
+        "leading-input",
+        "A decoder searches for the object and skips what stands before it.",
+    ),
+    (
+        "lenient-grammar",
+        "A decoder reads a dialect of JSON, such as JSON5 or a programming language's literals.",
+    ),
+    (
+        "lenient-integers",
+        "Integer fields take numbers that are spelled as fractions or with an exponent.",
+    ),
+    (
+        "lenient-numbers",
+        "Numbers are read by a general conversion routine, which takes more spellings than JSON has.",
+    ),
+    (
+        "lenient-sim-mode",
+        "An unknown simulation mode is replaced by a default, and another simulation runs than was asked for.",
+    ),
+    (
+        "lenient-strings",
+        "Strings take raw control characters, or escapes that JSON does not have.",
+    ),
+    (
+        "lenient-versions",
+        "Versions are read by a general conversion routine or a pattern without ends.",
+    ),
+    (
+        "literal-patterns",
+        "Characters that are special to regular expressions or file patterns are special in key expressions.",
+    ),
+    (
+        "lone-surrogates",
+        "Half a surrogate pair becomes a string that has no UTF-8 form.",
+    ),
+    (
+        "lossy-blocks",
+        "Columns do not come back from a block as they went in.",
+    ),
+    (
+        "lossy-doubles",
+        "Doubles lose bits, the sign of a zero, or a NaN on their way.",
+    ),
+    (
+        "lost-fields",
+        "A field is not read, or comes back as another value.",
+    ),
+    (
+        "low-limits",
+        "A limit is lower than the text's, so that a correct frame is refused.",
+    ),
+    (
+        "many-digits",
+        "A conversion routine looks only at the first digits of a long number.",
+    ),
+    (
+        "map-order",
+        "Map entries are written as inserted, or sorted by UTF-16 units, by number or without regard to case.",
+    ),
     ("missing-limits", "A limit of the text is not kept."),
-    ("narrow-integers", "Integers are read with another width or signedness, or as doubles."),
-    ("negotiation-by-hash", "A matching contract hash lets an incompatible version pass."),
-    ("nested-stimulus", "A stimulus frame within a request is not held against the request, or must repeat what the request says."),
-    ("non-finite-literals", "Literals such as `NaN` are read as numbers."),
-    ("non-finite-numbers", "A non-finite number is written as null, as a word, or as another number."),
+    (
+        "narrow-integers",
+        "Integers are read with another width or signedness, or as doubles.",
+    ),
+    (
+        "negotiation-by-hash",
+        "A matching contract hash lets an incompatible version pass.",
+    ),
+    (
+        "nested-stimulus",
+        "A stimulus frame within a request is not held against the request, or must repeat what the request says.",
+    ),
+    (
+        "non-finite-literals",
+        "Literals such as `NaN` are read as numbers.",
+    ),
+    (
+        "non-finite-numbers",
+        "A non-finite number is written as null, as a word, or as another number.",
+    ),
     ("nul-terminated-names", "A string ends at its first U+0000."),
-    ("null-as-default", "A null in a field that is not optional reads as its default."),
-    ("null-optional", "A null in an optional field is refused, or is another thing than absence."),
-    ("omitted-fields", "Fields that have their default are not written."),
+    (
+        "null-as-default",
+        "A null in a field that is not optional reads as its default.",
+    ),
+    (
+        "null-optional",
+        "A null in an optional field is refused, or is another thing than absence.",
+    ),
+    (
+        "omitted-fields",
+        "Fields that have their default are not written.",
+    ),
     ("omitted-nulls", "Unset optional fields are not written."),
     ("over-strict", "What the text allows is refused."),
-    ("overflow", "A number beyond a double becomes infinite, or the largest double, in silence."),
-    ("overlapping-regions", "Regions of a block that share bytes are not detected."),
-    ("partial-wildcards", "`$*` is not read, crosses a chunk, or needs at least one character."),
-    ("positional-structs", "A message is read from an array of its fields, or a scalar is taken for one."),
-    ("program-defaults", "What a program gets without naming it is mistaken for what a receiver reads."),
-    ("proto-json-names", "The names and wrappers of Protobuf's own JSON mapping are used instead of NCP's."),
-    ("prototype-names", "Names such as `__proto__` reach the prototype of an object instead of its members."),
-    ("raw-names", "Names are compared or written as they are spelled, without their escapes resolved."),
-    ("rounding", "A decimal number does not become the nearest double, ties to even."),
-    ("segment-length", "The limit of a segment is missing, one off, or applied to the whole key."),
-    ("seventeen-digits", "A double that needs seventeen digits loses its last bit."),
+    (
+        "overflow",
+        "A number beyond a double becomes infinite, or the largest double, in silence.",
+    ),
+    (
+        "overlapping-regions",
+        "Regions of a block that share bytes are not detected.",
+    ),
+    (
+        "partial-wildcards",
+        "`$*` is not read, crosses a chunk, or needs at least one character.",
+    ),
+    (
+        "positional-structs",
+        "A message is read from an array of its fields, or a scalar is taken for one.",
+    ),
+    (
+        "program-defaults",
+        "What a program gets without naming it is mistaken for what a receiver reads.",
+    ),
+    (
+        "proto-json-names",
+        "The names and wrappers of Protobuf's own JSON mapping are used instead of NCP's.",
+    ),
+    (
+        "prototype-names",
+        "Names such as `__proto__` reach the prototype of an object instead of its members.",
+    ),
+    (
+        "raw-names",
+        "Names are compared or written as they are spelled, without their escapes resolved.",
+    ),
+    (
+        "rounding",
+        "A decimal number does not become the nearest double, ties to even.",
+    ),
+    (
+        "segment-length",
+        "The limit of a segment is missing, one off, or applied to the whole key.",
+    ),
+    (
+        "seventeen-digits",
+        "A double that needs seventeen digits loses its last bit.",
+    ),
     ("signed-zero", "The negative zero loses its sign."),
     ("slow", "Not a bug class: the input has tens of megabytes."),
     ("stack-overflow", "Deep nesting ends the process."),
-    ("string-escapes", "Escapes are read or written wrongly, or characters that need none are refused."),
-    ("stringly-numbers", "Numbers are read from strings, as Protobuf's own JSON mapping does."),
+    (
+        "string-escapes",
+        "Escapes are read or written wrongly, or characters that need none are refused.",
+    ),
+    (
+        "stringly-numbers",
+        "Numbers are read from strings, as Protobuf's own JSON mapping does.",
+    ),
     ("subnormals", "Subnormal numbers are flushed to zero."),
-    ("swallowed-failures", "A client takes a failure for a success."),
-    ("top-level-values", "A top-level value that is no object crashes the decoder or reads as an empty message."),
-    ("trailing-input", "A decoder stops at the end of the first object and ignores the rest."),
-    ("trimmed-kinds", "Kinds are trimmed before they are compared."),
-    ("trimmed-names", "Member names are trimmed before they are compared."),
-    ("truncated-counts", "A count or a length is cut to the width of its field."),
-    ("truncated-input", "Input that is cut off is read as far as it goes, or crashes the decoder."),
-    ("trusted-lengths", "A length or an offset of the input is used without being checked."),
-    ("truthy-booleans", "Booleans are read from strings or numbers."),
-    ("truthy-pins", "A pin is tested for truth instead of for its exact value."),
-    ("unchecked-dtypes", "A column of another dtype is reinterpreted or converted in silence."),
-    ("unchecked-header", "A field of a block that has one allowed value is not checked."),
-    ("unchecked-pins", "An epistemic pin is not checked, or not written."),
-    ("unchecked-replies", "A client takes whatever comes back for the reply to its request."),
-    ("unchecked-reply-version", "A client does not hold a reply's version against its own."),
-    ("unchecked-required", "A required field that is absent reads as an empty value."),
-    ("unchecked-session-id", "A session id from which no key can be built is accepted."),
-    ("unchecked-types", "A value of another JSON type is converted or dropped in silence."),
-    ("underflow", "A number too small for a subnormal is refused, or loses its sign."),
-    ("uneven-arrays", "Arrays that must agree in length are cut or padded to do so."),
-    ("unknown-mode-moves", "A mode that is not known moves the plant, or costs the frame."),
-    ("version-arithmetic", "Versions are compared as texts or decimals, or with the rules of another scheme."),
-    ("version-in-decoder", "Decoding judges the version, and so hides it from the version guard."),
-    ("version-overflow", "Large version numbers wrap, round or crash."),
-    ("white-space-segment", "White space passes into a key, or characters that are none in ASCII are refused."),
-    ("wildcard-injection", "A wildcard or a separator passes into a key and widens it."),
-    ("wildcards", "`*` or `**` covers too many chunks, or too few."),
-    ("wrapping-offsets", "The sum or product of offsets and lengths wraps, and passes the check."),
-    ("wrong-defaults", "An absent field reads as another value than its default."),
-    ("wrong-key", "A key is built in another form, and meets nobody."),
-    ("wrong-qos", "A plane has another quality of service than the one that it needs."),
+    (
+        "swallowed-failures",
+        "A client takes a failure for a success.",
+    ),
+    (
+        "top-level-values",
+        "A top-level value that is no object crashes the decoder or reads as an empty message.",
+    ),
+    (
+        "trailing-input",
+        "A decoder stops at the end of the first object and ignores the rest.",
+    ),
+    (
+        "trimmed-kinds",
+        "Kinds are trimmed before they are compared.",
+    ),
+    (
+        "trimmed-names",
+        "Member names are trimmed before they are compared.",
+    ),
+    (
+        "truncated-counts",
+        "A count or a length is cut to the width of its field.",
+    ),
+    (
+        "truncated-input",
+        "Input that is cut off is read as far as it goes, or crashes the decoder.",
+    ),
+    (
+        "trusted-lengths",
+        "A length or an offset of the input is used without being checked.",
+    ),
+    (
+        "truthy-booleans",
+        "Booleans are read from strings or numbers.",
+    ),
+    (
+        "truthy-pins",
+        "A pin is tested for truth instead of for its exact value.",
+    ),
+    (
+        "unchecked-dtypes",
+        "A column of another dtype is reinterpreted or converted in silence.",
+    ),
+    (
+        "unchecked-header",
+        "A field of a block that has one allowed value is not checked.",
+    ),
+    (
+        "unchecked-pins",
+        "An epistemic pin is not checked, or not written.",
+    ),
+    (
+        "unchecked-replies",
+        "A client takes whatever comes back for the reply to its request.",
+    ),
+    (
+        "unchecked-reply-version",
+        "A client does not hold a reply's version against its own.",
+    ),
+    (
+        "unchecked-required",
+        "A required field that is absent reads as an empty value.",
+    ),
+    (
+        "unchecked-session-id",
+        "A session id from which no key can be built is accepted.",
+    ),
+    (
+        "unchecked-types",
+        "A value of another JSON type is converted or dropped in silence.",
+    ),
+    (
+        "underflow",
+        "A number too small for a subnormal is refused, or loses its sign.",
+    ),
+    (
+        "uneven-arrays",
+        "Arrays that must agree in length are cut or padded to do so.",
+    ),
+    (
+        "unknown-mode-moves",
+        "A mode that is not known moves the plant, or costs the frame.",
+    ),
+    (
+        "version-arithmetic",
+        "Versions are compared as texts or decimals, or with the rules of another scheme.",
+    ),
+    (
+        "version-in-decoder",
+        "Decoding judges the version, and so hides it from the version guard.",
+    ),
+    (
+        "version-overflow",
+        "Large version numbers wrap, round or crash.",
+    ),
+    (
+        "white-space-segment",
+        "White space passes into a key, or characters that are none in ASCII are refused.",
+    ),
+    (
+        "wildcard-injection",
+        "A wildcard or a separator passes into a key and widens it.",
+    ),
+    (
+        "wildcards",
+        "`*` or `**` covers too many chunks, or too few.",
+    ),
+    (
+        "wrapping-offsets",
+        "The sum or product of offsets and lengths wraps, and passes the check.",
+    ),
+    (
+        "wrong-defaults",
+        "An absent field reads as another value than its default.",
+    ),
+    (
+        "wrong-key",
+        "A key is built in another form, and meets nobody.",
+    ),
+    (
+        "wrong-qos",
+        "A plane has another quality of service than the one that it needs.",
+    ),
 ];
 
 #[cfg(test)]
@@ -132,6 +452,10 @@ mod tests {
     #[test]
     fn the_notes_are_sorted_so_that_each_is_found() {
         assert!(NOTES.is_sorted_by_key(|(flag, _)| flag));
-        assert!(NOTES.iter().all(|(flag, text)| note(flag) == *text && text.ends_with('.')));
+        assert!(
+            NOTES
+                .iter()
+                .all(|(flag, text)| note(flag) == *text && text.ends_with('.'))
+        );
     }
 }

@@ -48,7 +48,10 @@ impl Json {
 
     /// The first member of that name.
     pub(crate) fn get(&self, name: &str) -> Option<&Json> {
-        self.members().iter().find(|(known, _)| known == name).map(|(_, value)| value)
+        self.members()
+            .iter()
+            .find(|(known, _)| known == name)
+            .map(|(_, value)| value)
     }
 
     /// The string, if it is one.
@@ -88,7 +91,9 @@ impl Json {
 
     /// The value with what stands at a path of member names and indices changed.
     pub(crate) fn edit(self, path: &[&str], change: impl FnOnce(Json) -> Json) -> Self {
-        let Some((head, rest)) = path.split_first() else { return change(self) };
+        let Some((head, rest)) = path.split_first() else {
+            return change(self);
+        };
         match self {
             Self::Object(mut members) => {
                 if let Some((_, value)) = members.iter_mut().find(|(name, _)| name == head) {
@@ -97,7 +102,10 @@ impl Json {
                 Self::Object(members)
             }
             Self::Array(mut items) => {
-                let item = head.parse::<usize>().ok().and_then(|nth| items.get_mut(nth));
+                let item = head
+                    .parse::<usize>()
+                    .ok()
+                    .and_then(|nth| items.get_mut(nth));
                 if let Some(item) = item {
                     *item = std::mem::replace(item, Self::Null).edit(rest, change);
                 }
@@ -110,7 +118,13 @@ impl Json {
     /// The text without white space, as a frame travels; characters beyond ASCII stand as they are.
     pub(crate) fn text(&self) -> String {
         let mut out = String::new();
-        self.write(&mut out, Style { spaced: false, ascii: false });
+        self.write(
+            &mut out,
+            Style {
+                spaced: false,
+                ascii: false,
+            },
+        );
         out
     }
 
@@ -151,7 +165,13 @@ impl Json {
 
     fn write_pretty(&self, out: &mut String, indent: usize) {
         let mut line = String::new();
-        self.write(&mut line, Style { spaced: true, ascii: true });
+        self.write(
+            &mut line,
+            Style {
+                spaced: true,
+                ascii: true,
+            },
+        );
         let is_long_list = matches!(self, Self::Array(items) if items.len() > LONG_LIST);
         let is_scalar = !matches!(self, Self::Array(_) | Self::Object(_));
         if is_scalar || is_long_list || indent + line.len() <= LINE {

@@ -37,8 +37,18 @@ use sha2::{Digest as _, Sha256};
 /// text. Sorted by path; the same in every run.
 #[must_use]
 pub fn generate() -> Vec<(String, String)> {
-    let areas = [wire::files(), version::files(), keys::files(), bulk::files(), hostile::files()];
-    let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();
+    let areas = [
+        wire::files(),
+        version::files(),
+        keys::files(),
+        bulk::files(),
+        hostile::files(),
+    ];
+    let mut files: Vec<_> = areas
+        .into_iter()
+        .flatten()
+        .map(case::File::render)
+        .collect();
     files.sort();
     files
 }

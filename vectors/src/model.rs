@@ -10,13 +10,20 @@ use crate::text::{Default, Field, Message, Shape, Unknown, tables};
 /// ones at their defaults, members that the tables do not list left out. The frame has to be
 /// acceptable; what the text rejects has no meaning.
 pub(crate) fn meaning(kind: &str, frame: &Json) -> Json {
-    let Some(message) = tables().kind(kind) else { return Json::Null };
+    let Some(message) = tables().kind(kind) else {
+        return Json::Null;
+    };
     let read = fields_of(message, frame).with("kind", Json::string(kind));
     if !matches!(read.get("stimulus"), Some(Json::Object(_))) || kind == "open_session" {
         return read;
     }
     // Section 1.3: what a stimulus frame leaves out, the request says.
-    let said = |name: &str| frame.get("stimulus").and_then(|stimulus| stimulus.get(name)).cloned();
+    let said = |name: &str| {
+        frame
+            .get("stimulus")
+            .and_then(|stimulus| stimulus.get(name))
+            .cloned()
+    };
     let inherited = |name: &str| said(name).or_else(|| read.get(name).cloned());
     let version = inherited("ncp_version").unwrap_or(Json::Null);
     let session = inherited("session_id").unwrap_or(Json::Null);
@@ -30,10 +37,17 @@ pub(crate) fn meaning(kind: &str, frame: &Json) -> Json {
 
 /// A frame that says only what it must: its kind and its required fields.
 pub(crate) fn minimal(kind: &str) -> Json {
-    let Some(message) = tables().kind(kind) else { return Json::Null };
-    let required = message.fields.iter().filter(|field| field.default == Default::Required);
+    let Some(message) = tables().kind(kind) else {
+        return Json::Null;
+    };
+    let required = message
+        .fields
+        .iter()
+        .filter(|field| field.default == Default::Required);
     let frame = Json::object().with("kind", Json::string(kind));
-    required.fold(frame, |frame, field| frame.with(&field.name, required_value(field)))
+    required.fold(frame, |frame, field| {
+        frame.with(&field.name, required_value(field))
+    })
 }
 
 /// A frame that writes out every default, and leaves out only what is optional. Its
@@ -41,7 +55,9 @@ pub(crate) fn minimal(kind: &str) -> Json {
 /// whose defaults are wrong does not fail there.
 pub(crate) fn explicit(kind: &str) -> Json {
     let read = without_nulls(meaning(kind, &minimal(kind)));
-    let Some(message) = tables().kind(kind) else { return Json::Null };
+    let Some(message) = tables().kind(kind) else {
+        return Json::Null;
+    };
     match message.field("contract_hash") {
         Some(_) => read.with("contract_hash", Json::string(CONTRACT_HASH)),
         None => read,
@@ -52,25 +68,36 @@ pub(crate) fn explicit(kind: &str) -> Json {
 pub(crate) fn explicit_message(name: &str) -> Json {
     tables().message(name).map_or(Json::Null, |message| {
         let read = without_nulls(fields_of(message, &Json::object()));
-        if message.name == "StimulusFrame" { explicit("stimulus_frame") } else { read }
+        if message.name == "StimulusFrame" {
+            explicit("stimulus_frame")
+        } else {
+            read
+        }
     })
 }
 
 /// A frame in which every field has a value that is not its default, but for the version and the
 /// pins.
 pub(crate) fn full(kind: &str) -> Json {
-    let Some(message) = tables().kind(kind) else { return Json::Null };
+    let Some(message) = tables().kind(kind) else {
+        return Json::Null;
+    };
     full_message(&message.name)
 }
 
 /// A message in which every field has a value that is not its default, but for the version and the
 /// pins.
 pub(crate) fn full_message(name: &str) -> Json {
-    let Some(message) = tables().message(name) else { return Json::Null };
-    let fields = message.fields.iter().map(|field| match field.name.as_str() {
-        "ncp_version" => (field.name.clone(), Json::string("0.5")),
-        _ => (field.name.clone(), sample(message, field)),
-    });
+    let Some(message) = tables().message(name) else {
+        return Json::Null;
+    };
+    let fields = message
+        .fields
+        .iter()
+        .map(|field| match field.name.as_str() {
+            "ncp_version" => (field.name.clone(), Json::string("0.5")),
+            _ => (field.name.clone(), sample(message, field)),
+        });
     Json::Object(fields.collect())
 }
 
@@ -108,7 +135,9 @@ pub(crate) const SESSION: &str = "s1";
 
 fn fields_of(message: &Message, object: &Json) -> Json {
     let read = message.fields.iter().map(|field| {
-        let given = object.get(&field.name).filter(|value| **value != Json::Null);
+        let given = object
+            .get(&field.name)
+            .filter(|value| **value != Json::Null);
         let value = match (given, &field.default) {
             (Some(given), _) => value_of(&field.shape, given),
             (None, Default::Value(default)) => value_of(&field.shape, default),
@@ -132,15 +161,17 @@ fn value_of(shape: &Shape, given: &Json) -> Json {
             },
             _ => given.clone(),
         },
-        (Shape::Message(name), Json::Object(_)) => {
-            tables().message(name).map_or(Json::Null, |message| fields_of(message, given))
-        }
+        (Shape::Message(name), Json::Object(_)) => tables()
+            .message(name)
+            .map_or(Json::Null, |message| fields_of(message, given)),
         (Shape::List(item), Json::Array(items)) => {
             items.iter().map(|given| value_of(item, given)).collect()
         }
         (Shape::Map(value), Json::Object(members)) => {
-            let mut read: Vec<_> =
-                members.iter().map(|(key, given)| (key.clone(), value_of(value, given))).collect();
+            let mut read: Vec<_> = members
+                .iter()
+                .map(|(key, given)| (key.clone(), value_of(value, given)))
+                .collect();
             // Strings of Rust compare by their UTF-8 bytes, which is by code point.
             read.sort_by(|(a, _), (b, _)| a.cmp(b));
             Json::Object(read)
@@ -152,8 +183,13 @@ fn value_of(shape: &Shape, given: &Json) -> Json {
 fn without_nulls(value: Json) -> Json {
     match value {
         Json::Object(members) => {
-            let set = members.into_iter().filter(|(_, value)| *value != Json::Null);
-            Json::Object(set.map(|(name, value)| (name, without_nulls(value))).collect())
+            let set = members
+                .into_iter()
+                .filter(|(_, value)| *value != Json::Null);
+            Json::Object(
+                set.map(|(name, value)| (name, without_nulls(value)))
+                    .collect(),
+            )
         }
         Json::Array(items) => items.into_iter().map(without_nulls).collect(),
         scalar => scalar,
@@ -178,7 +214,9 @@ fn sample_of(shape: &Shape, name: &str, default: &Default) -> Json {
         Shape::Integer => Json::literal("7"),
         Shape::Number => Json::literal("12.5"),
         Shape::Enum(name) => {
-            let strings = tables().enumeration(name).map_or(&[][..], |known| &known.strings);
+            let strings = tables()
+                .enumeration(name)
+                .map_or(&[][..], |known| &known.strings);
             let other = strings.iter().rev().find(|s| match default {
                 Default::Value(value) => value.as_str() != Some(s),
                 _ => true,
@@ -191,9 +229,7 @@ fn sample_of(shape: &Shape, name: &str, default: &Default) -> Json {
             Shape::Integer => ["3", "-1", "2"].into_iter().map(Json::literal).collect(),
             item => Json::Array(vec![sample_of(item, name, &Default::Absent)]),
         },
-        Shape::Map(value) => {
-            Json::object().with("a", sample_of(value, name, &Default::Absent))
-        }
+        Shape::Map(value) => Json::object().with("a", sample_of(value, name, &Default::Absent)),
     }
 }
 
@@ -243,7 +279,10 @@ mod tests {
             .with("ncp_version", Json::string("0.6"))
             .with("stimulus", object! { "t" => Json::literal("2") });
         assert_eq!(
-            meaning("step_request", &request).get("stimulus").unwrap().text(),
+            meaning("step_request", &request)
+                .get("stimulus")
+                .unwrap()
+                .text(),
             concat!(
                 r#"{"ncp_version":"0.6","kind":"stimulus_frame","session_id":"s1","#,
                 r#""t":2.0,"values":{}}"#
@@ -257,7 +296,10 @@ mod tests {
             let defaults = meaning(kind, &minimal(kind));
             for (name, value) in full(kind).members() {
                 let is_fixed = matches!(name.as_str(), "kind" | "ncp_version");
-                assert!(is_fixed || defaults.get(name) != Some(value), "{kind}.{name}");
+                assert!(
+                    is_fixed || defaults.get(name) != Some(value),
+                    "{kind}.{name}"
+                );
             }
         }
     }
@@ -269,8 +311,13 @@ mod tests {
             object! { "\u{1f600}" => Json::object(), "\u{ff5e}" => Json::object() },
         );
         let read = meaning("sensor_frame", &frame);
-        let keys: Vec<_> =
-            read.get("channels").unwrap().members().iter().map(|(key, _)| key.as_str()).collect();
+        let keys: Vec<_> = read
+            .get("channels")
+            .unwrap()
+            .members()
+            .iter()
+            .map(|(key, _)| key.as_str())
+            .collect();
         assert_eq!(keys, ["\u{ff5e}", "\u{1f600}"]);
     }
 }

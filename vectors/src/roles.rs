@@ -36,6 +36,10 @@ pub(crate) const ANY: [&str; 3] = ["sensor_frame", "command_frame", "close_sessi
 /// `A` or `An`, and the kind or message.
 pub(crate) fn a(kind: &str) -> String {
     let is_vowel = |c: char| "aeiouAEIOU".contains(c);
-    let article = if kind.starts_with(is_vowel) { "An" } else { "A" };
+    let article = if kind.starts_with(is_vowel) {
+        "An"
+    } else {
+        "A"
+    };
     format!("{article} `{kind}`")
 }

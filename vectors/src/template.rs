@@ -41,7 +41,9 @@ impl Text {
             Self::Repeat(text, times) => {
                 object! { "$repeat" => text.as_str(), "times" => Json::literal(times.to_string()) }
             }
-            Self::Concat(parts) => object! { "$concat" => parts.iter().map(Self::json).collect::<Json>() },
+            Self::Concat(parts) => {
+                object! { "$concat" => parts.iter().map(Self::json).collect::<Json>() }
+            }
             Self::Base64(text) => object! { "$base64" => text.json() },
         }
     }

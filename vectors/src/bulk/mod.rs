@@ -31,7 +31,8 @@ const READERS: &[Role] = &[Commander, Observer];
 
 /// A `bulk.decode` that still lacks its answer.
 fn decode(what: impl Into<String>, rules: &[&'static str], bytes: &[u8]) -> Case {
-    Case::new(what, rules, READERS).call("bulk.decode", object! { "block" => Text::base64_of(bytes) })
+    Case::new(what, rules, READERS)
+        .call("bulk.decode", object! { "block" => Text::base64_of(bytes) })
 }
 
 /// A block that is rejected.

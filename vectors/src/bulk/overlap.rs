@@ -31,33 +31,141 @@ fn shared() -> Vec<Case> {
     let integers = Block::new([f64s("ab", [1.5]), i64s("cd", [7])]);
     let name_in_name = Block::new([f64s("abc", [1.5]), f64s("b", [2.5])]);
     let table: Vec<(&str, Vec<u8>, &str)> = vec![
-        ("data-data/same", at([48, 56], [64, 64]), "the data of two columns at the same place"),
-        ("data-data/same-of-other-dtype", integers.clone().laid_out(&[44, 46], &[48, 48], 56).bytes(), "the data of a column of doubles and of one of integers at the same place"),
-        ("data-data/by-one-byte", at([48, 56], [64, 79]), "the last byte of one column's data and the first of another's"),
-        ("data-data/by-one-byte-before", at([48, 56], [80, 65]), "the first byte of one column's data and the last of another's"),
-        ("data-data/by-one-row", at([48, 56], [64, 72]), "the last row of one column and the first of another"),
-        ("data-data/within", one_row(1, &at([48, 56], [64, 68])), "the data of one column within another's"),
-        ("data-data/around", one_row(0, &at([48, 56], [68, 64])), "the data of one column around another's"),
-        ("data-data/same-beginning", one_row(1, &at([48, 56], [64, 64])), "the data of one column at the beginning of another's"),
-        ("data-data/same-end", one_row(1, &at([48, 56], [64, 72])), "the data of one column at the end of another's"),
-        ("data-data/narrow-within-wide", narrow.clone().laid_out(&[44, 46], &[48, 52], 64).bytes(), "four bytes within the data of another column"),
-        ("name-name/same", at([48, 48], [64, 88]), "the names of two columns at the same place"),
-        ("name-name/by-one-byte", at([48, 49], [64, 88]), "the last byte of one name and the first of another"),
-        ("name-name/within", name_in_name.laid_out(&[44, 45], &[48, 56], 64).bytes(), "one name within another"),
-        ("name-data/first-byte", at([48, 63], [64, 88]), "a name's last byte and the first of another column's data"),
-        ("name-data/last-byte", at([79, 56], [64, 88]), "a name's first byte and the last of its column's own data"),
-        ("name-data/other-column", at([48, 66], [64, 88]), "a name within another column's data"),
-        ("name-header/magic", at([0, 56], [64, 88]), "a name and the magic"),
-        ("name-header/last-byte", at([11, 56], [64, 88]), "a name's first byte and the header's last"),
-        ("name-directory/first-entry", at([12, 56], [64, 88]), "a name and its own directory entry"),
-        ("name-directory/last-byte", at([43, 56], [64, 88]), "a name's first byte and the directory's last"),
-        ("data-header/magic", at([48, 56], [0, 88]), "a column's data and the header"),
-        ("data-header/last-byte", one_row(0, &at([48, 56], [11, 88])), "a column's data from the header's last byte on"),
-        ("data-directory/first-entry", at([48, 56], [12, 88]), "a column's data and its own directory entry"),
-        ("data-directory/last-entry", at([48, 56], [28, 88]), "a column's data and the entry of another column"),
-        ("data-directory/last-byte", one_row(0, &at([52, 56], [43, 88])), "a column's data from the directory's last byte on"),
-        ("data-name/before", one_row(0, &at([48, 56], [45, 88])), "a column's data around its own name"),
-        ("data-name/other-column", one_row(0, &at([48, 56], [50, 88])), "a column's data and another column's name"),
+        (
+            "data-data/same",
+            at([48, 56], [64, 64]),
+            "the data of two columns at the same place",
+        ),
+        (
+            "data-data/same-of-other-dtype",
+            integers.clone().laid_out(&[44, 46], &[48, 48], 56).bytes(),
+            "the data of a column of doubles and of one of integers at the same place",
+        ),
+        (
+            "data-data/by-one-byte",
+            at([48, 56], [64, 79]),
+            "the last byte of one column's data and the first of another's",
+        ),
+        (
+            "data-data/by-one-byte-before",
+            at([48, 56], [80, 65]),
+            "the first byte of one column's data and the last of another's",
+        ),
+        (
+            "data-data/by-one-row",
+            at([48, 56], [64, 72]),
+            "the last row of one column and the first of another",
+        ),
+        (
+            "data-data/within",
+            one_row(1, &at([48, 56], [64, 68])),
+            "the data of one column within another's",
+        ),
+        (
+            "data-data/around",
+            one_row(0, &at([48, 56], [68, 64])),
+            "the data of one column around another's",
+        ),
+        (
+            "data-data/same-beginning",
+            one_row(1, &at([48, 56], [64, 64])),
+            "the data of one column at the beginning of another's",
+        ),
+        (
+            "data-data/same-end",
+            one_row(1, &at([48, 56], [64, 72])),
+            "the data of one column at the end of another's",
+        ),
+        (
+            "data-data/narrow-within-wide",
+            narrow.clone().laid_out(&[44, 46], &[48, 52], 64).bytes(),
+            "four bytes within the data of another column",
+        ),
+        (
+            "name-name/same",
+            at([48, 48], [64, 88]),
+            "the names of two columns at the same place",
+        ),
+        (
+            "name-name/by-one-byte",
+            at([48, 49], [64, 88]),
+            "the last byte of one name and the first of another",
+        ),
+        (
+            "name-name/within",
+            name_in_name.laid_out(&[44, 45], &[48, 56], 64).bytes(),
+            "one name within another",
+        ),
+        (
+            "name-data/first-byte",
+            at([48, 63], [64, 88]),
+            "a name's last byte and the first of another column's data",
+        ),
+        (
+            "name-data/last-byte",
+            at([79, 56], [64, 88]),
+            "a name's first byte and the last of its column's own data",
+        ),
+        (
+            "name-data/other-column",
+            at([48, 66], [64, 88]),
+            "a name within another column's data",
+        ),
+        (
+            "name-header/magic",
+            at([0, 56], [64, 88]),
+            "a name and the magic",
+        ),
+        (
+            "name-header/last-byte",
+            at([11, 56], [64, 88]),
+            "a name's first byte and the header's last",
+        ),
+        (
+            "name-directory/first-entry",
+            at([12, 56], [64, 88]),
+            "a name and its own directory entry",
+        ),
+        (
+            "name-directory/last-byte",
+            at([43, 56], [64, 88]),
+            "a name's first byte and the directory's last",
+        ),
+        (
+            "data-header/magic",
+            at([48, 56], [0, 88]),
+            "a column's data and the header",
+        ),
+        (
+            "data-header/last-byte",
+            one_row(0, &at([48, 56], [11, 88])),
+            "a column's data from the header's last byte on",
+        ),
+        (
+            "data-directory/first-entry",
+            at([48, 56], [12, 88]),
+            "a column's data and its own directory entry",
+        ),
+        (
+            "data-directory/last-entry",
+            at([48, 56], [28, 88]),
+            "a column's data and the entry of another column",
+        ),
+        (
+            "data-directory/last-byte",
+            one_row(0, &at([52, 56], [43, 88])),
+            "a column's data from the directory's last byte on",
+        ),
+        (
+            "data-name/before",
+            one_row(0, &at([48, 56], [45, 88])),
+            "a column's data around its own name",
+        ),
+        (
+            "data-name/other-column",
+            one_row(0, &at([48, 56], [50, 88])),
+            "a column's data and another column's name",
+        ),
     ];
     table
         .into_iter()
@@ -78,7 +186,9 @@ fn amplified() -> Vec<Case> {
         let block = Block::new(columns);
         let begin = block.len.next_multiple_of(8);
         let len = begin + 8 * rows;
-        let block = block.clone().laid_out(&block.names, &vec![begin; count], len);
+        let block = block
+            .clone()
+            .laid_out(&block.names, &vec![begin; count], len);
         let mut bytes = block.bytes();
         for nth in 0..count {
             let at = 12 + 16 * nth + 8;
@@ -100,8 +210,16 @@ fn amplified() -> Vec<Case> {
 
 /// Regions that share nothing.
 fn apart() -> Vec<Case> {
-    let touching = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [3.5, 4.5])]).laid_out(&[44, 46], &[48, 64], 80);
-    let three = Block::new([i32s("a", [1]), i32s("b", [2]), i32s("c", [3])]).laid_out(&[60, 61, 62], &[71, 63, 67], 75);
+    let touching = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [3.5, 4.5])]).laid_out(
+        &[44, 46],
+        &[48, 64],
+        80,
+    );
+    let three = Block::new([i32s("a", [1]), i32s("b", [2]), i32s("c", [3])]).laid_out(
+        &[60, 61, 62],
+        &[71, 63, 67],
+        75,
+    );
     let mut cases = vec![
         read("apart/touching", &["NCP-BULK-018", "NCP-BULK-012"], &touching)
             .title("A block whose regions follow each other without a gap is read.")
@@ -123,10 +241,16 @@ fn apart() -> Vec<Case> {
     ] {
         let place = empty.clone().laid_out(&[48, 56], &[64, at], 112);
         cases.push(
-            read(format!("apart/empty-within-{what}"), &["NCP-BULK-019", "NCP-BULK-012"], &place)
-                .title(format!("A block with a column without rows whose data begins within {says} is read."))
-                .flags(&["empty-blocks"])
-                .because("An empty region shares no byte with anything."),
+            read(
+                format!("apart/empty-within-{what}"),
+                &["NCP-BULK-019", "NCP-BULK-012"],
+                &place,
+            )
+            .title(format!(
+                "A block with a column without rows whose data begins within {says} is read."
+            ))
+            .flags(&["empty-blocks"])
+            .because("An empty region shares no byte with anything."),
         );
     }
     let unnamed = Block::new([f64s("", [1.5, 2.5]), f64s("cd", [3.5])]);
@@ -138,10 +262,18 @@ fn apart() -> Vec<Case> {
     ] {
         let place = unnamed.clone().laid_out(&[at, 56], &[64, 88], 96);
         cases.push(
-            read(format!("apart/empty-name-{what}"), &["NCP-BULK-012", "NCP-BULK-018"], &place)
-                .title(format!("A block with a column of an empty name that begins {says} is read."))
-                .flags(&["empty-blocks"])
-                .because("An empty region shares no byte with anything, wherever in the buffer it begins."),
+            read(
+                format!("apart/empty-name-{what}"),
+                &["NCP-BULK-012", "NCP-BULK-018"],
+                &place,
+            )
+            .title(format!(
+                "A block with a column of an empty name that begins {says} is read."
+            ))
+            .flags(&["empty-blocks"])
+            .because(
+                "An empty region shares no byte with anything, wherever in the buffer it begins.",
+            ),
         );
     }
     cases

@@ -32,7 +32,10 @@ pub(super) fn file() -> File {
 /// Frames of 1 MiB and of a byte more.
 fn sizes() -> Vec<Case> {
     let mut cases = Vec::new();
-    let kinds = tables().messages.iter().filter_map(|message| message.kind.as_deref());
+    let kinds = tables()
+        .messages
+        .iter()
+        .filter_map(|message| message.kind.as_deref());
     for kind in kinds.filter(|kind| *kind != "observation_frame") {
         cases.push(
             too_large(kind, "padded", padded(&minimal(kind).text(), MIB + 1, "x"))
@@ -42,18 +45,35 @@ fn sizes() -> Vec<Case> {
     for kind in ANY {
         let frame = explicit(kind).text();
         cases.push(
-            too_large(kind, "padded-with-two-bytes", padded(&minimal(kind).text(), MIB + 1, "\u{e9}"))
-                .flags(&["bytes-not-characters"])
-                .title(format!("{} of 1 MiB and a byte is rejected, though it has half as many characters.", a(kind))),
+            too_large(
+                kind,
+                "padded-with-two-bytes",
+                padded(&minimal(kind).text(), MIB + 1, "\u{e9}"),
+            )
+            .flags(&["bytes-not-characters"])
+            .title(format!(
+                "{} of 1 MiB and a byte is rejected, though it has half as many characters.",
+                a(kind)
+            )),
         );
         cases.push(
-            too_large(kind, "white-space", spaced(&minimal(kind).text(), MIB + 1))
-                .title(format!("{} of 1 MiB and a byte, most of it white space, is rejected.", a(kind))),
+            too_large(kind, "white-space", spaced(&minimal(kind).text(), MIB + 1)).title(format!(
+                "{} of 1 MiB and a byte, most of it white space, is rejected.",
+                a(kind)
+            )),
         );
         let table = [
             ("padded", padded(&frame, MIB, "x"), "of exactly 1 MiB"),
-            ("padded-with-two-bytes", padded(&frame, MIB, "\u{e9}"), "of exactly 1 MiB in half as many characters"),
-            ("white-space", spaced(&frame, MIB), "of exactly 1 MiB, most of it white space,"),
+            (
+                "padded-with-two-bytes",
+                padded(&frame, MIB, "\u{e9}"),
+                "of exactly 1 MiB in half as many characters",
+            ),
+            (
+                "white-space",
+                spaced(&frame, MIB),
+                "of exactly 1 MiB, most of it white space,",
+            ),
         ];
         for (what, text, says) in table {
             cases.push(
@@ -74,11 +94,15 @@ fn observation_sizes() -> Vec<Case> {
     let kind = "observation_frame";
     let frame = explicit(kind).text();
     let read = |what: &str, text: Text| {
-        Case::new(format!("{kind}/size/{what}"), &["NCP-WIRE-063"], readers(kind))
-            .flags(&["low-limits"])
-            .decode(kind, text)
-            .means(meaning(kind, &explicit(kind)).text())
-            .because("An `observation_frame` may have 64 MiB.")
+        Case::new(
+            format!("{kind}/size/{what}"),
+            &["NCP-WIRE-063"],
+            readers(kind),
+        )
+        .flags(&["low-limits"])
+        .decode(kind, text)
+        .means(meaning(kind, &explicit(kind)).text())
+        .because("An `observation_frame` may have 64 MiB.")
     };
     vec![
         read("beyond-1-mib", padded(&frame, MIB + 1, "x"))
@@ -88,21 +112,29 @@ fn observation_sizes() -> Vec<Case> {
         read("at-limit", padded(&frame, OBSERVATION, "x"))
             .flags(&["slow"])
             .title("An `observation_frame` of exactly 64 MiB is read."),
-        Case::new(format!("{kind}/size/beyond-limit"), &["NCP-WIRE-062"], readers(kind))
-            .title("An `observation_frame` of 64 MiB and a byte is rejected.")
-            .flags(&["missing-limits", "slow"])
-            .decode(kind, padded(&minimal(kind).text(), OBSERVATION + 1, "x"))
-            .rejects("limit")
-            .because("An `observation_frame` may have 64 MiB, and this one has a byte more."),
+        Case::new(
+            format!("{kind}/size/beyond-limit"),
+            &["NCP-WIRE-062"],
+            readers(kind),
+        )
+        .title("An `observation_frame` of 64 MiB and a byte is rejected.")
+        .flags(&["missing-limits", "slow"])
+        .decode(kind, padded(&minimal(kind).text(), OBSERVATION + 1, "x"))
+        .rejects("limit")
+        .because("An `observation_frame` may have 64 MiB, and this one has a byte more."),
     ]
 }
 
 fn too_large(kind: &str, what: &str, text: Text) -> Case {
-    Case::new(format!("{kind}/size/{what}-beyond-limit"), &["NCP-WIRE-060"], readers(kind))
-        .flags(&["missing-limits"])
-        .decode(kind, text)
-        .rejects("limit")
-        .because("Every kind but `observation_frame` may have 1 MiB, and this frame has a byte more.")
+    Case::new(
+        format!("{kind}/size/{what}-beyond-limit"),
+        &["NCP-WIRE-060"],
+        readers(kind),
+    )
+    .flags(&["missing-limits"])
+    .decode(kind, text)
+    .rejects("limit")
+    .because("Every kind but `observation_frame` may have 1 MiB, and this frame has a byte more.")
 }
 
 /// Levels of arrays and objects within an unknown member; the frame itself is the first level.
@@ -124,14 +156,22 @@ fn depths() -> Vec<Case> {
         let kinds = [("arrays", "[", "]"), ("objects", "{\"a\":", "}")];
         for (what, open, close) in kinds {
             cases.push(
-                Case::new(format!("{kind}/depth/{what}-at-limit"), &["NCP-WIRE-065"], readers(kind))
-                    .title(format!("{} of 64 levels of {what} is read.", a(kind)))
-                    .flags(&["low-limits"])
-                    .decode(kind, nest(&explicit(kind), open, close, LEVELS))
-                    .means(meaning(kind, &explicit(kind)).text())
-                    .because("The frame itself is the first level, and the unknown member has 63."),
+                Case::new(
+                    format!("{kind}/depth/{what}-at-limit"),
+                    &["NCP-WIRE-065"],
+                    readers(kind),
+                )
+                .title(format!("{} of 64 levels of {what} is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, nest(&explicit(kind), open, close, LEVELS))
+                .means(meaning(kind, &explicit(kind)).text())
+                .because("The frame itself is the first level, and the unknown member has 63."),
             );
-            for (name, levels) in [("beyond-limit", LEVELS + 1), ("far-beyond-limit", 1000), ("to-the-stack", 100_000)] {
+            for (name, levels) in [
+                ("beyond-limit", LEVELS + 1),
+                ("far-beyond-limit", 1000),
+                ("to-the-stack", 100_000),
+            ] {
                 cases.push(
                     Case::new(format!("{kind}/depth/{what}-{name}"), &["NCP-WIRE-064"], readers(kind))
                         .title(format!("{} of {levels} levels of {what} is rejected.", a(kind)))
@@ -143,23 +183,35 @@ fn depths() -> Vec<Case> {
             }
         }
         let read = |what: &str, text: Text, says: &str| {
-            Case::new(format!("{kind}/depth/{what}"), &["NCP-WIRE-065"], readers(kind))
-                .title(format!("{} with {says} is read.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, text)
-                .means(meaning(kind, &explicit(kind)).text())
-                .because("Levels are nested objects and arrays, at most 64 at a time.")
+            Case::new(
+                format!("{kind}/depth/{what}"),
+                &["NCP-WIRE-065"],
+                readers(kind),
+            )
+            .title(format!("{} with {says} is read.", a(kind)))
+            .flags(&["low-limits"])
+            .decode(kind, text)
+            .means(meaning(kind, &explicit(kind)).text())
+            .because("Levels are nested objects and arrays, at most 64 at a time.")
         };
         let frame = explicit(kind).text();
         let open_frame = frame.strip_suffix('}').unwrap_or(&frame);
         cases.push(read(
             "brackets-in-a-string",
-            Text::concat([format!("{open_frame},\"novel\":\"").into(), Text::repeat("[", 1000), "\"}".into()]),
+            Text::concat([
+                format!("{open_frame},\"novel\":\"").into(),
+                Text::repeat("[", 1000),
+                "\"}".into(),
+            ]),
             "a thousand brackets within a string",
         ));
         cases.push(read(
             "side-by-side",
-            Text::concat([format!("{open_frame},\"novel\":[").into(), Text::repeat("[[]],", 1000), "[]]}".into()]),
+            Text::concat([
+                format!("{open_frame},\"novel\":[").into(),
+                Text::repeat("[[]],", 1000),
+                "[]]}".into(),
+            ]),
             "a thousand nested arrays side by side",
         ));
         cases.push(read(
@@ -192,30 +244,60 @@ fn maps() -> Vec<Case> {
         ("open_session", &["stimulus", "targets", "0", "params"], "1"),
     ];
     // At the limit, one for each role is enough: the entries have to be written out.
-    const READ: [&str; 4] = ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
+    const READ: [&str; 4] = [
+        "sensor_frame/channels",
+        "command_frame/channels",
+        "open_session/network-params",
+        "observation_frame/records",
+    ];
     let mut cases = Vec::new();
     for (kind, path, value) in places {
-        let entries = |count: usize| Json::Object((0..count).map(|nth| (base_36(nth), Json::literal(value))).collect());
-        let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
+        let entries = |count: usize| {
+            Json::Object(
+                (0..count)
+                    .map(|nth| (base_36(nth), Json::literal(value)))
+                    .collect(),
+            )
+        };
+        let place = path
+            .iter()
+            .filter(|part| **part != "0")
+            .copied()
+            .collect::<Vec<_>>()
+            .join("-");
         let member = path.join(".").replace(".0", "[0]");
         let frame = set(minimal(kind), path, entries(ENTRIES + 1));
         cases.push(
-            Case::new(format!("{kind}/map/{place}-beyond-limit"), &["NCP-WIRE-066"], readers(kind))
-                .title(format!("{} with 4,097 entries in `{member}` is rejected.", a(kind)))
-                .flags(&["missing-limits"])
-                .decode(kind, frame.text())
-                .rejects("limit")
-                .because("A map of the tables may have 4,096 entries."),
+            Case::new(
+                format!("{kind}/map/{place}-beyond-limit"),
+                &["NCP-WIRE-066"],
+                readers(kind),
+            )
+            .title(format!(
+                "{} with 4,097 entries in `{member}` is rejected.",
+                a(kind)
+            ))
+            .flags(&["missing-limits"])
+            .decode(kind, frame.text())
+            .rejects("limit")
+            .because("A map of the tables may have 4,096 entries."),
         );
         if READ.contains(&format!("{kind}/{place}").as_str()) {
             let text = set(explicit(kind), path, entries(ENTRIES)).text();
             cases.push(
-                Case::new(format!("{kind}/map/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
-                    .title(format!("{} with 4,096 entries in `{member}` is read.", a(kind)))
-                    .flags(&["low-limits"])
-                    .decode(kind, text.clone())
-                    .means(text)
-                    .because("A map may have 4,096 entries; what each leaves out has its default."),
+                Case::new(
+                    format!("{kind}/map/{place}-at-limit"),
+                    &["NCP-WIRE-068"],
+                    readers(kind),
+                )
+                .title(format!(
+                    "{} with 4,096 entries in `{member}` is read.",
+                    a(kind)
+                ))
+                .flags(&["low-limits"])
+                .decode(kind, text.clone())
+                .means(text)
+                .because("A map may have 4,096 entries; what each leaves out has its default."),
             );
         }
     }
@@ -230,29 +312,63 @@ fn arrays() -> Vec<Case> {
         ("capabilities", &["command_channels"], "{}"),
         ("open_session", &["bindings"], "{}"),
         ("open_session", &["record", "targets"], "{}"),
-        ("open_session", &["record", "targets", "0", "recordables"], "\"x\""),
+        (
+            "open_session",
+            &["record", "targets", "0", "recordables"],
+            "\"x\"",
+        ),
         ("open_session", &["stimulus", "targets"], "{}"),
     ];
     let mut cases = Vec::new();
     for (kind, path, item) in places {
-        let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
+        let place = path
+            .iter()
+            .filter(|part| **part != "0")
+            .copied()
+            .collect::<Vec<_>>()
+            .join("-");
         let member = path.join(".").replace(".0", "[0]");
         cases.push(
-            Case::new(format!("{kind}/array/{place}-beyond-limit"), &["NCP-WIRE-067"], readers(kind))
-                .title(format!("{} with 4,097 items in `{member}` is rejected.", a(kind)))
-                .flags(&["missing-limits"])
-                .decode(kind, list(&set(minimal(kind), path, Json::literal(MARK)).text(), item, ENTRIES + 1))
-                .rejects("limit")
-                .because("An array of the tables whose items are no numbers may have 4,096 items."),
+            Case::new(
+                format!("{kind}/array/{place}-beyond-limit"),
+                &["NCP-WIRE-067"],
+                readers(kind),
+            )
+            .title(format!(
+                "{} with 4,097 items in `{member}` is rejected.",
+                a(kind)
+            ))
+            .flags(&["missing-limits"])
+            .decode(
+                kind,
+                list(
+                    &set(minimal(kind), path, Json::literal(MARK)).text(),
+                    item,
+                    ENTRIES + 1,
+                ),
+            )
+            .rejects("limit")
+            .because("An array of the tables whose items are no numbers may have 4,096 items."),
         );
-        let text = list(&set(explicit(kind), path, Json::literal(MARK)).text(), item, ENTRIES);
+        let text = list(
+            &set(explicit(kind), path, Json::literal(MARK)).text(),
+            item,
+            ENTRIES,
+        );
         cases.push(
-            Case::new(format!("{kind}/array/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
-                .title(format!("{} with 4,096 items in `{member}` is read.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, text.clone())
-                .means(text)
-                .because("An array may have 4,096 items; what each leaves out has its default."),
+            Case::new(
+                format!("{kind}/array/{place}-at-limit"),
+                &["NCP-WIRE-068"],
+                readers(kind),
+            )
+            .title(format!(
+                "{} with 4,096 items in `{member}` is read.",
+                a(kind)
+            ))
+            .flags(&["low-limits"])
+            .decode(kind, text.clone())
+            .means(text)
+            .because("An array may have 4,096 items; what each leaves out has its default."),
         );
     }
     cases
@@ -264,27 +380,68 @@ fn numeric_arrays() -> Vec<Case> {
         ("sensor_frame", &["channels", "a", "data"], "0.25", 5_000),
         ("sensor_frame", &["channels", "b", "data"], "0.25", 200_000),
         ("command_frame", &["channels", "a", "data"], "-1.5", 5_000),
-        ("command_frame", &["horizon", "0", "a", "data"], "-1.5", 5_000),
+        (
+            "command_frame",
+            &["horizon", "0", "a", "data"],
+            "-1.5",
+            5_000,
+        ),
         ("stimulus_frame", &["values", "a", "data"], "100", 5_000),
-        ("observation_frame", &["records", "a", "times"], "0.1", 400_000),
-        ("observation_frame", &["records", "a", "values"], "-65.0", 5_000),
-        ("observation_frame", &["records", "a", "senders"], "7", 5_000),
-        ("open_session", &["record", "targets", "0", "ids"], "7", 5_000),
+        (
+            "observation_frame",
+            &["records", "a", "times"],
+            "0.1",
+            400_000,
+        ),
+        (
+            "observation_frame",
+            &["records", "a", "values"],
+            "-65.0",
+            5_000,
+        ),
+        (
+            "observation_frame",
+            &["records", "a", "senders"],
+            "7",
+            5_000,
+        ),
+        (
+            "open_session",
+            &["record", "targets", "0", "ids"],
+            "7",
+            5_000,
+        ),
     ];
     places
         .into_iter()
         .map(|(kind, path, item, count)| {
-            let place = path.iter().filter(|part| !matches!(**part, "0" | "a")).copied().collect::<Vec<_>>().join("-");
+            let place = path
+                .iter()
+                .filter(|part| !matches!(**part, "0" | "a"))
+                .copied()
+                .collect::<Vec<_>>()
+                .join("-");
             let member = path.join(".").replace(".0", "[0]");
             let frame = set(explicit(kind), path, Json::literal(MARK));
             let text = list(&frame.text(), item, count);
-            let rules: &[_] = if count > 300_000 { &["NCP-WIRE-069", "NCP-WIRE-063"] } else { &["NCP-WIRE-069"] };
-            Case::new(format!("{kind}/numbers/{place}-{count}"), rules, readers(kind))
-                .title(format!("{} with {count} numbers in `{member}` is read.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, text.clone())
-                .means(text)
-                .because("Nothing but the bytes of the frame limits a numeric array.")
+            let rules: &[_] = if count > 300_000 {
+                &["NCP-WIRE-069", "NCP-WIRE-063"]
+            } else {
+                &["NCP-WIRE-069"]
+            };
+            Case::new(
+                format!("{kind}/numbers/{place}-{count}"),
+                rules,
+                readers(kind),
+            )
+            .title(format!(
+                "{} with {count} numbers in `{member}` is read.",
+                a(kind)
+            ))
+            .flags(&["low-limits"])
+            .decode(kind, text.clone())
+            .means(text)
+            .because("Nothing but the bytes of the frame limits a numeric array.")
         })
         .collect()
 }
@@ -294,7 +451,12 @@ fn small_values() -> Vec<Case> {
     let mut cases = Vec::new();
     for kind in ANY {
         let frame = explicit(kind).text();
-        for (what, item, says) in [("arrays", "[]", "empty arrays"), ("objects", "{}", "empty objects"), ("zeros", "0", "zeros"), ("strings", "\"\"", "empty strings")] {
+        for (what, item, says) in [
+            ("arrays", "[]", "empty arrays"),
+            ("objects", "{}", "empty objects"),
+            ("zeros", "0", "zeros"),
+            ("strings", "\"\"", "empty strings"),
+        ] {
             let marked = with_raw(&frame, &format!("\"novel\":{MARK}"));
             let room = (MIB - marked.len()) / (item.len() + 1);
             cases.push(
@@ -316,23 +478,42 @@ fn wide_unknown() -> Vec<Case> {
     for kind in ANY {
         let marked = with_raw(&explicit(kind).text(), &format!("\"novel\":{MARK}"));
         cases.push(
-            Case::new(format!("{kind}/unknown/4097-items"), &["NCP-WIRE-026"], readers(kind))
-                .title(format!("{} with 4,097 items in an unknown array is read.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, list(&marked, "{}", ENTRIES + 1))
-                .means(meaning(kind, &explicit(kind)).text())
-                .because("Of the limits only the bytes and the levels hold within an ignored member."),
+            Case::new(
+                format!("{kind}/unknown/4097-items"),
+                &["NCP-WIRE-026"],
+                readers(kind),
+            )
+            .title(format!(
+                "{} with 4,097 items in an unknown array is read.",
+                a(kind)
+            ))
+            .flags(&["low-limits"])
+            .decode(kind, list(&marked, "{}", ENTRIES + 1))
+            .means(meaning(kind, &explicit(kind)).text())
+            .because("Of the limits only the bytes and the levels hold within an ignored member."),
         );
     }
     let kind = "close_session";
-    let entries = (0..=ENTRIES).map(|nth| (base_36(nth), Json::literal("1"))).collect();
+    let entries = (0..=ENTRIES)
+        .map(|nth| (base_36(nth), Json::literal("1")))
+        .collect();
     cases.push(
-        Case::new(format!("{kind}/unknown/4097-entries"), &["NCP-WIRE-026"], readers(kind))
-            .title(format!("{} with 4,097 members in an unknown object is read.", a(kind)))
-            .flags(&["low-limits"])
-            .decode(kind, explicit(kind).and("novel", Json::Object(entries)).text())
-            .means(meaning(kind, &explicit(kind)).text())
-            .because("Of the limits only the bytes and the levels hold within an ignored member."),
+        Case::new(
+            format!("{kind}/unknown/4097-entries"),
+            &["NCP-WIRE-026"],
+            readers(kind),
+        )
+        .title(format!(
+            "{} with 4,097 members in an unknown object is read.",
+            a(kind)
+        ))
+        .flags(&["low-limits"])
+        .decode(
+            kind,
+            explicit(kind).and("novel", Json::Object(entries)).text(),
+        )
+        .means(meaning(kind, &explicit(kind)).text())
+        .because("Of the limits only the bytes and the levels hold within an ignored member."),
     );
     cases
 }
@@ -356,18 +537,28 @@ fn padded(frame: &str, total: usize, unit: &str) -> Text {
     let before = format!("{open},\"pad\":\"");
     let room = total - before.len() - 2;
     let rest = "x".repeat(room % unit.len());
-    Text::concat([before.into(), Text::repeat(unit, room / unit.len()), format!("{rest}\"}}").into()])
+    Text::concat([
+        before.into(),
+        Text::repeat(unit, room / unit.len()),
+        format!("{rest}\"}}").into(),
+    ])
 }
 
 /// The frame with so much white space before its last brace that the whole has `total` bytes.
 fn spaced(frame: &str, total: usize) -> Text {
     let open = frame.strip_suffix('}').unwrap_or(frame);
-    Text::concat([open.into(), Text::repeat(" ", total - frame.len()), "}".into()])
+    Text::concat([
+        open.into(),
+        Text::repeat(" ", total - frame.len()),
+        "}".into(),
+    ])
 }
 
 /// The frame with a value at a path; what the path needs is made.
 fn set(frame: Json, path: &[&str], value: Json) -> Json {
-    let Some((name, rest)) = path.split_first() else { return value };
+    let Some((name, rest)) = path.split_first() else {
+        return value;
+    };
     let inner = match frame.get(name) {
         Some(known) if !rest.is_empty() && !known.members().is_empty() => known.clone(),
         _ => Json::object(),
@@ -421,14 +612,27 @@ mod tests {
 
     #[test]
     fn a_list_has_the_items_that_it_should_have() {
-        assert_eq!(expanded(&list("{\"a\":%ITEMS%}", "0", 3)), "{\"a\":[0,0,0]}");
+        assert_eq!(
+            expanded(&list("{\"a\":%ITEMS%}", "0", 3)),
+            "{\"a\":[0,0,0]}"
+        );
     }
 
     #[test]
     fn a_value_is_set_wherever_the_path_leads() {
-        let frame = set(minimal("command_frame"), &["horizon", "0", "a", "data"], Json::literal("7"));
-        assert_eq!(frame.text(), r#"{"kind":"command_frame","horizon":[{"a":{"data":7}}]}"#);
-        assert_eq!(set(Json::object(), &["a"], Json::Null).text(), r#"{"a":null}"#);
+        let frame = set(
+            minimal("command_frame"),
+            &["horizon", "0", "a", "data"],
+            Json::literal("7"),
+        );
+        assert_eq!(
+            frame.text(),
+            r#"{"kind":"command_frame","horizon":[{"a":{"data":7}}]}"#
+        );
+        assert_eq!(
+            set(Json::object(), &["a"], Json::Null).text(),
+            r#"{"a":null}"#
+        );
     }
 
     #[test]

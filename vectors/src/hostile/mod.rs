@@ -9,7 +9,12 @@ use crate::roles::readers;
 use crate::template::Text;
 
 pub(crate) fn files() -> Vec<File> {
-    vec![encoding::file(), grammar::structure_file(), grammar::token_file(), limits::file()]
+    vec![
+        encoding::file(),
+        grammar::structure_file(),
+        grammar::token_file(),
+        limits::file(),
+    ]
 }
 
 /// Kinds that between them every role reads: where nothing but the bytes matters, one of each.

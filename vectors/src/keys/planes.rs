@@ -14,7 +14,12 @@ pub(super) fn file() -> File {
             .gives(object! { "congestion" => *congestion, "priority" => *priority, "express" => *express })
             .because("The row of the plane in section 3.1.")
     });
-    File::new("keys", "planes", "The quality of service of the four planes.", cases.collect())
+    File::new(
+        "keys",
+        "planes",
+        "The quality of service of the four planes.",
+        cases.collect(),
+    )
 }
 
 struct Plane {
@@ -27,8 +32,36 @@ struct Plane {
 }
 
 const PLANES: [Plane; 4] = [
-    Plane { name: "control", congestion: "block", priority: "Data", express: false, rule: "NCP-PLANE-001", roles: &[Commander, Server] },
-    Plane { name: "perception", congestion: "drop", priority: "DataHigh", express: false, rule: "NCP-PLANE-002", roles: &[Commander, Body] },
-    Plane { name: "action", congestion: "drop", priority: "RealTime", express: true, rule: "NCP-PLANE-003", roles: &[Commander, Body] },
-    Plane { name: "observation", congestion: "block", priority: "Data", express: false, rule: "NCP-PLANE-004", roles: &[Server] },
+    Plane {
+        name: "control",
+        congestion: "block",
+        priority: "Data",
+        express: false,
+        rule: "NCP-PLANE-001",
+        roles: &[Commander, Server],
+    },
+    Plane {
+        name: "perception",
+        congestion: "drop",
+        priority: "DataHigh",
+        express: false,
+        rule: "NCP-PLANE-002",
+        roles: &[Commander, Body],
+    },
+    Plane {
+        name: "action",
+        congestion: "drop",
+        priority: "RealTime",
+        express: true,
+        rule: "NCP-PLANE-003",
+        roles: &[Commander, Body],
+    },
+    Plane {
+        name: "observation",
+        congestion: "block",
+        priority: "Data",
+        express: false,
+        rule: "NCP-PLANE-004",
+        roles: &[Server],
+    },
 ];

@@ -11,11 +11,18 @@ use crate::text::{Default, Message, Shape, tables};
 
 /// A file a kind.
 pub(super) fn files() -> Vec<File> {
-    let kinds = tables().messages.iter().filter_map(|message| Some((message.kind.as_deref()?, message)));
+    let kinds = tables()
+        .messages
+        .iter()
+        .filter_map(|message| Some((message.kind.as_deref()?, message)));
     kinds
         .map(|(kind, message)| {
             let encoder = Encoder { kind, message };
-            let cases = if kind == "error" { error_frames() } else { encoder.cases() };
+            let cases = if kind == "error" {
+                error_frames()
+            } else {
+                encoder.cases()
+            };
             let about = format!("What an encoder writes for {}.", a(kind).to_lowercase());
             File::new("wire", format!("encode_{kind}"), about, cases)
         })
@@ -66,7 +73,10 @@ impl Encoder {
         if unset != all {
             cases.push(
                 self.writes("optional-unset", &["NCP-WIRE-082"], &unset)
-                    .title(format!("{} whose optional fields are unset, at every level, has a null for each.", a(self.kind)))
+                    .title(format!(
+                        "{} whose optional fields are unset, at every level, has a null for each.",
+                        a(self.kind)
+                    ))
                     .flags(&["omitted-nulls"])
                     .because("An unset optional field is written, as null."),
             );
@@ -99,7 +109,10 @@ impl Encoder {
         }
         if self.message.field("contract_hash").is_some() {
             let fields = self.fields(minimal(self.kind));
-            let expected = meaning(self.kind, &fields.clone().with("contract_hash", CONTRACT_HASH.into()));
+            let expected = meaning(
+                self.kind,
+                &fields.clone().with("contract_hash", CONTRACT_HASH.into()),
+            );
             cases.push(
                 self.case("contract-hash", &["NCP-WIRE-089", "NCP-VER-020"])
                     .title(format!("{} that a program builds without naming a contract hash has that of its build.", a(self.kind)))
@@ -124,7 +137,13 @@ impl Encoder {
         // depend on what a peer fills in. What is judged by its spelling stands in a full message,
         // so that it does not depend on how a peer writes what is unset.
         let among_defaults = |value: Json| {
-            self.fields(put(self.message, explicit(self.kind), &leaf.path, value, Ground::Explicit))
+            self.fields(put(
+                self.message,
+                explicit(self.kind),
+                &leaf.path,
+                value,
+                Ground::Explicit,
+            ))
         };
         let in_full = |value: Json| {
             let path: Vec<&str> = leaf.path.iter().map(String::as_str).collect();
@@ -136,10 +155,17 @@ impl Encoder {
         let mut cases = Vec::new();
         match &leaf.shape {
             Shape::Number => {
-                for (what, value) in [("nan", "NaN"), ("infinity", "Infinity"), ("minus-infinity", "-Infinity")] {
+                for (what, value) in [
+                    ("nan", "NaN"),
+                    ("infinity", "Infinity"),
+                    ("minus-infinity", "-Infinity"),
+                ] {
                     cases.push(
                         Case::new(format!("{name}/{what}"), &["NCP-WIRE-086"], roles)
-                            .title(format!("{} whose `{shown}` is {value} is refused.", a(self.kind)))
+                            .title(format!(
+                                "{} whose `{shown}` is {value} is refused.",
+                                a(self.kind)
+                            ))
                             .flags(&["non-finite-numbers"])
                             .encode(self.kind, among_defaults(Json::string(value)))
                             .rejects("non_finite")
@@ -148,31 +174,62 @@ impl Encoder {
                 }
                 for (what, literal) in leaf.doubles() {
                     // "-0" is how the peer protocol names the negative zero.
-                    let value = if *literal == "-0.0" { Json::string("-0") } else { Json::literal(*literal) };
+                    let value = if *literal == "-0.0" {
+                        Json::string("-0")
+                    } else {
+                        Json::literal(*literal)
+                    };
                     let expected = meaning(self.kind, &among_defaults(Json::literal(*literal)));
                     cases.push(
-                        Case::new(format!("{name}/{what}"), &["NCP-WIRE-084", "NCP-WIRE-015"], roles)
-                            .title(format!("{} whose `{shown}` is {literal} is written so that it reads back.", a(self.kind)))
-                            .flags(&["lossy-doubles"])
-                            .encode(self.kind, among_defaults(value))
-                            .means(expected.text())
-                            .because("Whatever the digits, the nearest double of them has the same bits."),
+                        Case::new(
+                            format!("{name}/{what}"),
+                            &["NCP-WIRE-084", "NCP-WIRE-015"],
+                            roles,
+                        )
+                        .title(format!(
+                            "{} whose `{shown}` is {literal} is written so that it reads back.",
+                            a(self.kind)
+                        ))
+                        .flags(&["lossy-doubles"])
+                        .encode(self.kind, among_defaults(value))
+                        .means(expected.text())
+                        .because(
+                            "Whatever the digits, the nearest double of them has the same bits.",
+                        ),
                     );
                 }
             }
             Shape::Integer => {
-                for (what, literal) in [("largest", "9007199254740991"), ("smallest", "-9007199254740991"), ("zero", "0")] {
+                for (what, literal) in [
+                    ("largest", "9007199254740991"),
+                    ("smallest", "-9007199254740991"),
+                    ("zero", "0"),
+                ] {
                     cases.push(
-                        self.at(&name, what, &["NCP-WIRE-085"], in_full(Json::literal(literal)))
-                            .title(format!("{} whose `{shown}` is {literal} has it as a plain integer.", a(self.kind)))
-                            .flags(&["integer-spelling"])
-                            .because("No string, no fraction, no exponent, and no digit lost."),
+                        self.at(
+                            &name,
+                            what,
+                            &["NCP-WIRE-085"],
+                            in_full(Json::literal(literal)),
+                        )
+                        .title(format!(
+                            "{} whose `{shown}` is {literal} has it as a plain integer.",
+                            a(self.kind)
+                        ))
+                        .flags(&["integer-spelling"])
+                        .because("No string, no fraction, no exponent, and no digit lost."),
                     );
                 }
-                for (what, literal) in [("two-to-53", "9007199254740992"), ("minus-two-to-53", "-9007199254740992")] {
+                for (what, literal) in [
+                    ("two-to-53", "9007199254740992"),
+                    ("minus-two-to-53", "-9007199254740992"),
+                ] {
                     cases.push(
                         Case::new(format!("{name}/{what}"), &["NCP-WIRE-091"], roles)
-                            .title(format!("{} whose `{shown}` is {literal} should be refused.", a(self.kind)))
+                            .title(format!(
+                                "{} whose `{shown}` is {literal} should be refused.",
+                                a(self.kind)
+                            ))
                             .flags(&["integer-spelling"])
                             .encode(self.kind, in_full(Json::literal(literal)))
                             .rejects("value")
@@ -181,21 +238,38 @@ impl Encoder {
                 }
             }
             Shape::Enum(enumeration) => {
-                let strings = tables().enumeration(enumeration).map_or(&[][..], |known| &known.strings);
+                let strings = tables()
+                    .enumeration(enumeration)
+                    .map_or(&[][..], |known| &known.strings);
                 for string in strings {
                     let fields = among_defaults(Json::string(string));
                     cases.push(
-                        self.says(&format!("{name}/{}", string.to_lowercase()), &["NCP-WIRE-087"], &fields)
-                            .title(format!("{} whose `{shown}` is `{string}` has that wire string.", a(self.kind)))
-                            .flags(&["enum-constants"])
-                            .because(format!("`{string}` is a wire string of {enumeration}.")),
+                        self.says(
+                            &format!("{name}/{}", string.to_lowercase()),
+                            &["NCP-WIRE-087"],
+                            &fields,
+                        )
+                        .title(format!(
+                            "{} whose `{shown}` is `{string}` has that wire string.",
+                            a(self.kind)
+                        ))
+                        .flags(&["enum-constants"])
+                        .because(format!("`{string}` is a wire string of {enumeration}.")),
                     );
                 }
             }
             Shape::Map(value) => {
-                let sample = leaf.sample.members().first().map(|(_, value)| value.clone()).unwrap_or(Json::Null);
+                let sample = leaf
+                    .sample
+                    .members()
+                    .first()
+                    .map(|(_, value)| value.clone())
+                    .unwrap_or(Json::Null);
                 for (what, keys, says) in ORDERS {
-                    let entries = keys.iter().map(|key| ((*key).to_owned(), sample.clone())).collect();
+                    let entries = keys
+                        .iter()
+                        .map(|key| ((*key).to_owned(), sample.clone()))
+                        .collect();
                     cases.push(
                         self.at(&name, &format!("order-of-{what}"), &["NCP-WIRE-083"], in_full(Json::Object(entries)))
                             .title(format!("{} has the entries of `{shown}` sorted by the code points of their keys: {says}.", a(self.kind)))
@@ -244,7 +318,9 @@ impl Encoder {
                 );
             }
             "session_opened" => {
-                let fields = self.with_program_defaults(self.fields(minimal(self.kind))).with("provenance", Json::object());
+                let fields = self
+                    .with_program_defaults(self.fields(minimal(self.kind)))
+                    .with("provenance", Json::object());
                 cases.push(
                     self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &fields)
                         .title("A `session_opened` with a provenance of which nothing is set carries both pins, at their values.")
@@ -255,9 +331,18 @@ impl Encoder {
             "open_session" => {
                 let fields = self
                     .with_program_defaults(self.fields(minimal(self.kind)))
-                    .with("record", object! { "targets" => Json::Array(vec![Json::object()]) })
-                    .with("stimulus", object! { "targets" => Json::Array(vec![Json::object()]) })
-                    .with("bindings", Json::Array(vec![Json::object(), object! { "entity" => Json::object() }]))
+                    .with(
+                        "record",
+                        object! { "targets" => Json::Array(vec![Json::object()]) },
+                    )
+                    .with(
+                        "stimulus",
+                        object! { "targets" => Json::Array(vec![Json::object()]) },
+                    )
+                    .with(
+                        "bindings",
+                        Json::Array(vec![Json::object(), object! { "entity" => Json::object() }]),
+                    )
                     .with("sim", Json::object());
                 cases.push(
                     self.writes("defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &fields)
@@ -267,7 +352,10 @@ impl Encoder {
                 );
             }
             "capabilities" => {
-                let fields = self.fields(minimal(self.kind)).with("sensor_channels", Json::Array(vec![Json::object()])).with("safety", Json::object());
+                let fields = self
+                    .fields(minimal(self.kind))
+                    .with("sensor_channels", Json::Array(vec![Json::object()]))
+                    .with("safety", Json::object());
                 cases.push(
                     self.writes("defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &fields)
                         .title("A `capabilities` frame with a channel and limits of which nothing is set has every field of them.")
@@ -282,16 +370,24 @@ impl Encoder {
 
     /// Session ids that no receiver would take.
     fn refused_ids(&self) -> Vec<Case> {
-        let is_required = self.message.field("session_id").is_some_and(|field| field.default == Default::Required);
+        let is_required = self
+            .message
+            .field("session_id")
+            .is_some_and(|field| field.default == Default::Required);
         if !is_required {
             return Vec::new();
         }
         [("empty", ""), ("slash", "a/b"), ("star", "*"), ("at", "@a")]
             .into_iter()
             .map(|(what, session)| {
-                let fields = self.fields(minimal(self.kind)).with("session_id", session.into());
+                let fields = self
+                    .fields(minimal(self.kind))
+                    .with("session_id", session.into());
                 self.case(&format!("session_id/{what}"), &["NCP-WIRE-091"])
-                    .title(format!("{} of the session `{session}` should be refused.", a(self.kind)))
+                    .title(format!(
+                        "{} of the session `{session}` should be refused.",
+                        a(self.kind)
+                    ))
                     .flags(&["unchecked-session-id"])
                     .encode(self.kind, fields)
                     .rejects("value")
@@ -305,12 +401,16 @@ impl Encoder {
     }
 
     fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
-        self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text())
+        self.case(what, rules)
+            .encode(self.kind, fields.clone())
+            .writes(meaning(self.kind, fields).text())
     }
 
     /// Judged by what it says, however it is spelled.
     fn says(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
-        self.case(what, rules).encode(self.kind, fields.clone()).means(meaning(self.kind, fields).text())
+        self.case(what, rules)
+            .encode(self.kind, fields.clone())
+            .means(meaning(self.kind, fields).text())
     }
 
     fn case(&self, what: &str, rules: &[&'static str]) -> Case {
@@ -321,8 +421,14 @@ impl Encoder {
     /// version left to the implementation.
     fn fields(&self, frame: Json) -> Json {
         let frame = frame.without("kind").without("ncp_version");
-        if self.message.field("stimulus").is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned())) {
-            return frame.edit(&["stimulus"], |stimulus| stimulus.without("kind").without("ncp_version"));
+        if self
+            .message
+            .field("stimulus")
+            .is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned()))
+        {
+            return frame.edit(&["stimulus"], |stimulus| {
+                stimulus.without("kind").without("ncp_version")
+            });
         }
         frame
     }
@@ -332,17 +438,28 @@ impl Encoder {
             Some(_) => fields.with("contract_hash", CONTRACT_HASH.into()),
             None => fields,
         };
-        if self.kind == "command_frame" { fields.with("mode", "hold".into()) } else { fields }
+        if self.kind == "command_frame" {
+            fields.with("mode", "hold".into())
+        } else {
+            fields
+        }
     }
 
     fn has_optional(&self) -> bool {
-        self.message.fields.iter().any(|field| field.optional && field.name != "contract_hash")
+        self.message
+            .fields
+            .iter()
+            .any(|field| field.optional && field.name != "contract_hash")
     }
 
     /// A string field whose value means nothing to the wire.
     fn free_string(&self) -> Option<&'static str> {
         const FREE: [&str; 5] = ["frame_id", "note", "backend", "controller_id", "error"];
-        self.message.fields.iter().map(|field| field.name.as_str()).find(|name| FREE.contains(name))
+        self.message
+            .fields
+            .iter()
+            .map(|field| field.name.as_str())
+            .find(|name| FREE.contains(name))
     }
 }
 
@@ -383,13 +500,21 @@ struct Leaf {
 impl Leaf {
     /// The part of a case's id.
     fn name(&self) -> String {
-        let parts = self.path.iter().map(String::as_str).filter(|part| !matches!(*part, "0" | "a"));
+        let parts = self
+            .path
+            .iter()
+            .map(String::as_str)
+            .filter(|part| !matches!(*part, "0" | "a"));
         parts.collect::<Vec<_>>().join("/")
     }
 
     /// Doubles to write: all of them within channel data, two elsewhere.
     fn doubles(&self) -> &'static [(&'static str, &'static str)] {
-        if self.path.iter().any(|part| part == "data") { DOUBLES } else { &DOUBLES[..2] }
+        if self.path.iter().any(|part| part == "data") {
+            DOUBLES
+        } else {
+            &DOUBLES[..2]
+        }
     }
 
     fn shown(&self) -> String {
@@ -414,7 +539,12 @@ fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
             continue;
         }
         path.push(field.name.clone());
-        collect_shape(&field.shape, crate::model::sample(message, field), path, leaves);
+        collect_shape(
+            &field.shape,
+            crate::model::sample(message, field),
+            path,
+            leaves,
+        );
         path.pop();
     }
 }
@@ -427,7 +557,11 @@ fn collect_shape(shape: &Shape, sample: Json, path: &mut Vec<String>, leaves: &m
     };
     match shape {
         Shape::Number | Shape::Integer | Shape::Enum(_) | Shape::Map(_) => {
-            leaves.push(Leaf { path: path.clone(), shape: shape.clone(), sample: sample.clone() });
+            leaves.push(Leaf {
+                path: path.clone(),
+                shape: shape.clone(),
+                sample: sample.clone(),
+            });
         }
         Shape::Message(name) => {
             if let Some(message) = tables().message(name) {
@@ -450,9 +584,13 @@ fn collect_shape(shape: &Shape, sample: Json, path: &mut Vec<String>, leaves: &m
 /// The members of an object from the last to the first, at every level.
 fn reversed(value: Json) -> Json {
     match value {
-        Json::Object(members) => {
-            Json::Object(members.into_iter().rev().map(|(name, value)| (name, reversed(value))).collect())
-        }
+        Json::Object(members) => Json::Object(
+            members
+                .into_iter()
+                .rev()
+                .map(|(name, value)| (name, reversed(value)))
+                .collect(),
+        ),
         Json::Array(items) => items.into_iter().map(reversed).collect(),
         scalar => scalar,
     }
@@ -464,7 +602,9 @@ fn without_optional(message: &Message, object: Json, is_frame: bool) -> Json {
         if field.optional && !(is_frame && field.name == "contract_hash") {
             return object.without(&field.name);
         }
-        object.edit(&[&field.name], |value| without_optional_in(&field.shape, value))
+        object.edit(&[&field.name], |value| {
+            without_optional_in(&field.shape, value)
+        })
     })
 }
 
@@ -474,11 +614,14 @@ fn without_optional_in(shape: &Shape, value: Json) -> Json {
             Some(message) => without_optional(message, value, false),
             None => value,
         },
-        (Shape::List(item), Json::Array(items)) => {
-            items.into_iter().map(|value| without_optional_in(item, value)).collect()
-        }
+        (Shape::List(item), Json::Array(items)) => items
+            .into_iter()
+            .map(|value| without_optional_in(item, value))
+            .collect(),
         (Shape::Map(inner), Json::Object(members)) => {
-            let members = members.into_iter().map(|(key, value)| (key, without_optional_in(inner, value)));
+            let members = members
+                .into_iter()
+                .map(|(key, value)| (key, without_optional_in(inner, value)));
             Json::Object(members.collect())
         }
         (_, value) => value,
@@ -499,8 +642,16 @@ const DOUBLES: &[(&str, &str)] = &[
 
 /// Keys of a map as a program inserts them, and what the case shows.
 const ORDERS: &[(&str, &[&str], &str)] = &[
-    ("letters", &["b", "a", "B", "_"], "capitals before `_` before small letters"),
-    ("astral", &["\u{1f600}", "\u{ff5e}", "z"], "U+FF5E before U+1F600"),
+    (
+        "letters",
+        &["b", "a", "B", "_"],
+        "capitals before `_` before small letters",
+    ),
+    (
+        "astral",
+        &["\u{1f600}", "\u{ff5e}", "z"],
+        "U+FF5E before U+1F600",
+    ),
     ("digits", &["9", "10", "1", "2"], "`10` before `2`"),
 ];
 
@@ -511,12 +662,25 @@ mod tests {
     #[test]
     fn a_command_frame_has_its_numbers_integers_enums_and_maps_probed() {
         let mut leaves = Vec::new();
-        collect(tables().kind("command_frame").unwrap(), &mut Vec::new(), &mut leaves);
+        collect(
+            tables().kind("command_frame").unwrap(),
+            &mut Vec::new(),
+            &mut leaves,
+        );
         let shown: Vec<_> = leaves.iter().map(Leaf::shown).collect();
         assert_eq!(
             shown,
-            ["seq", "t", "mode", "ttl_ms", "channels", "channels.a.data[0]", "horizon[0]", "horizon[0].a.data[0]", "horizon_dt_ms"]
+            [
+                "seq",
+                "t",
+                "mode",
+                "ttl_ms",
+                "channels",
+                "channels.a.data[0]",
+                "horizon[0]",
+                "horizon[0].a.data[0]",
+                "horizon_dt_ms"
+            ]
         );
     }
-
 }

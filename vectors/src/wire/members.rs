@@ -30,16 +30,32 @@ fn unknown_values() -> Vec<Case> {
         ("large-integer", Json::literal("18446744073709551617")),
         ("string", Json::string("x")),
         ("empty-array", Json::Array(Vec::new())),
-        ("mixed-array", Json::Array(vec![Json::literal("1"), Json::Null, Json::string("x"), Json::object()])),
+        (
+            "mixed-array",
+            Json::Array(vec![
+                Json::literal("1"),
+                Json::Null,
+                Json::string("x"),
+                Json::object(),
+            ]),
+        ),
         ("empty-object", Json::object()),
-        ("object-of-known-names", object! { "kind" => Json::literal("5"), "seq" => "x", "session_id" => Json::Null }),
+        (
+            "object-of-known-names",
+            object! { "kind" => Json::literal("5"), "seq" => "x", "session_id" => Json::Null },
+        ),
     ];
     let mut cases = Vec::new();
     for kind in ANY {
         for (what, value) in &values {
             let frame = explicit(kind).and("novel", value.clone());
-            cases.push(ignored(&format!("unknown-value/{what}"), kind, &frame)
-                .title(format!("{} with an unknown member whose value is {} is read as one without it.", a(kind), value.text())));
+            cases.push(
+                ignored(&format!("unknown-value/{what}"), kind, &frame).title(format!(
+                    "{} with an unknown member whose value is {} is read as one without it.",
+                    a(kind),
+                    value.text()
+                )),
+            );
         }
     }
     cases
@@ -50,18 +66,36 @@ fn unknown_everywhere() -> Vec<Case> {
     let places = Place::frames().chain(Place::nested());
     places
         .map(|place| {
-            let message = place.alone(Ground::Explicit).and("novel", object! { "t" => Json::literal("1") });
+            let message = place
+                .alone(Ground::Explicit)
+                .and("novel", object! { "t" => Json::literal("1") });
             let frame = place.frame(Ground::Explicit, message);
             let (what, title) = match place.member("") {
-                member if member.is_empty() => ("unknown-member".to_owned(), format!("{} with an unknown member is read as one without it.", a(place.kind))),
+                member if member.is_empty() => (
+                    "unknown-member".to_owned(),
+                    format!(
+                        "{} with an unknown member is read as one without it.",
+                        a(place.kind)
+                    ),
+                ),
                 member => {
                     let path = member.replace("[0]", "");
                     let parts: Vec<&str> = path.split('.').filter(|part| *part != "a").collect();
-                    (format!("unknown-member-in-{}", parts.join("-")), format!("{} whose `{member}` has an unknown member is read as one without it.", a(place.kind)))
+                    (
+                        format!("unknown-member-in-{}", parts.join("-")),
+                        format!(
+                            "{} whose `{member}` has an unknown member is read as one without it.",
+                            a(place.kind)
+                        ),
+                    )
                 }
             };
             let case = ignored(&what, place.kind, &frame).title(title);
-            if place.is_nested() { with_rule(case, "NCP-WIRE-050") } else { case }
+            if place.is_nested() {
+                with_rule(case, "NCP-WIRE-050")
+            } else {
+                case
+            }
         })
         .collect()
 }
@@ -71,16 +105,36 @@ fn unknown_names() -> Vec<Case> {
     let five = Json::literal("5");
     let near = [
         ("command_frame", "ttlMs", "camel-case", "proto-json-names"),
-        ("command_frame", "horizonDtMs", "camel-case-optional", "proto-json-names"),
+        (
+            "command_frame",
+            "horizonDtMs",
+            "camel-case-optional",
+            "proto-json-names",
+        ),
         ("sensor_frame", "frameId", "camel-case", "proto-json-names"),
-        ("step_request", "advanceMs", "camel-case", "proto-json-names"),
+        (
+            "step_request",
+            "advanceMs",
+            "camel-case",
+            "proto-json-names",
+        ),
         ("command_frame", "Seq", "capital", "case-folded-names"),
         ("command_frame", "MODE", "upper-case", "case-folded-names"),
         ("sensor_frame", "seq ", "trailing-space", "trimmed-names"),
         ("sensor_frame", " seq", "leading-space", "trimmed-names"),
-        ("close_session", "Session_id", "capital", "case-folded-names"),
+        (
+            "close_session",
+            "Session_id",
+            "capital",
+            "case-folded-names",
+        ),
         ("sensor_frame", "", "empty", "over-strict"),
-        ("command_frame", "seq\u{0}", "with-nul", "nul-terminated-names"),
+        (
+            "command_frame",
+            "seq\u{0}",
+            "with-nul",
+            "nul-terminated-names",
+        ),
         ("command_frame", "ttl-ms", "hyphen", "case-folded-names"),
     ];
     let mut cases: Vec<Case> = near
@@ -89,20 +143,33 @@ fn unknown_names() -> Vec<Case> {
             let frame = explicit(kind).and(name, five.clone());
             ignored(&format!("unknown-name/{what}"), kind, &frame)
                 .flags(&[flag])
-                .title(format!("{} with the member {} is read as one without it.", a(kind), Json::string(name).text()))
+                .title(format!(
+                    "{} with the member {} is read as one without it.",
+                    a(kind),
+                    Json::string(name).text()
+                ))
         })
         .collect();
     for kind in ANY {
         for name in ["__proto__", "constructor", "toString", "hasOwnProperty"] {
             let frame = explicit(kind).and(name, object! { "seq" => five.clone() });
             cases.push(
-                ignored(&format!("unknown-name/{}", name.trim_matches('_').to_lowercase()), kind, &frame)
-                    .flags(&["prototype-names"])
-                    .title(format!("{} with a member named `{name}` is read as one without it.", a(kind))),
+                ignored(
+                    &format!("unknown-name/{}", name.trim_matches('_').to_lowercase()),
+                    kind,
+                    &frame,
+                )
+                .flags(&["prototype-names"])
+                .title(format!(
+                    "{} with a member named `{name}` is read as one without it.",
+                    a(kind)
+                )),
             );
         }
     }
-    let frame = explicit("command_frame").without("mode").and("__proto__", object! { "mode" => "active" });
+    let frame = explicit("command_frame")
+        .without("mode")
+        .and("__proto__", object! { "mode" => "active" });
     cases.push(
         Case::new("command_frame/unknown-name/proto-with-mode", &["NCP-WIRE-024", "NCP-WIRE-026"], readers("command_frame"))
             .title("A `command_frame` without `mode`, but with a `__proto__` that has one, reads as `hold`.")
@@ -118,12 +185,22 @@ fn unknown_names() -> Vec<Case> {
 fn unknown_overflow() -> Vec<Case> {
     ANY.into_iter()
         .map(|kind| {
-            Case::new(format!("{kind}/unknown-value/overflow"), &["NCP-WIRE-014"], readers(kind))
-                .title(format!("{} with an unknown member of 1e309 should be rejected.", a(kind)))
-                .flags(&["overflow"])
-                .decode(kind, minimal(kind).and("novel", Json::literal("1e309")).text())
-                .rejects("malformed")
-                .because("The nearest double is infinite, also where nobody looks.")
+            Case::new(
+                format!("{kind}/unknown-value/overflow"),
+                &["NCP-WIRE-014"],
+                readers(kind),
+            )
+            .title(format!(
+                "{} with an unknown member of 1e309 should be rejected.",
+                a(kind)
+            ))
+            .flags(&["overflow"])
+            .decode(
+                kind,
+                minimal(kind).and("novel", Json::literal("1e309")).text(),
+            )
+            .rejects("malformed")
+            .because("The nearest double is infinite, also where nobody looks.")
         })
         .collect()
 }
@@ -157,7 +234,11 @@ fn repeated() -> Vec<Case> {
             "close_session" => frame.text().replace('}', r#","s\u0065ssion_id":"s2"}"#),
             _ => frame.text().replace('}', r#","seq":1,"s\u0065q":2}"#),
         };
-        let far = (0..40).fold(frame.clone().and("n", one()), |frame, nth| frame.and(&format!("n{nth}"), one())).and("n", one());
+        let far = (0..40)
+            .fold(frame.clone().and("n", one()), |frame, nth| {
+                frame.and(&format!("n{nth}"), one())
+            })
+            .and("n", one());
         let long = "n".repeat(300);
         table.extend([
             (kind, "known".into(), known, "a known member twice"),
@@ -249,12 +330,18 @@ fn repeated() -> Vec<Case> {
     table
         .into_iter()
         .map(|(kind, what, frame, says)| {
-            Case::new(format!("{kind}/repeated/{what}"), &["NCP-WIRE-007"], readers(kind))
-                .title(format!("{} with {says} is rejected.", a(kind)))
-                .flags(&["duplicate-members"])
-                .decode(kind, frame.text())
-                .rejects("malformed")
-                .because("One object has one member name twice; where that object stands does not matter.")
+            Case::new(
+                format!("{kind}/repeated/{what}"),
+                &["NCP-WIRE-007"],
+                readers(kind),
+            )
+            .title(format!("{} with {says} is rejected.", a(kind)))
+            .flags(&["duplicate-members"])
+            .decode(kind, frame.text())
+            .rejects("malformed")
+            .because(
+                "One object has one member name twice; where that object stands does not matter.",
+            )
         })
         .collect()
 }
@@ -267,12 +354,45 @@ fn not_repeated() -> Vec<Case> {
     for kind in ANY {
         let frame = explicit(kind);
         let table = [
-            ("other-case", frame.clone().and("novel", one()).and("Novel", one()), "two unknown members whose names differ in case"),
-            ("other-normal-form", frame.clone().and("\u{e9}", one()).and("e\u{301}", one()), "two unknown members whose names differ in their normal form"),
-            ("other-depth", frame.clone().and("novel", object! { "novel" => object! { "novel" => one() } }), "the same unknown name at three depths"),
-            ("siblings", frame.clone().and("novel", Json::Array(vec![object! { "x" => one() }, object! { "x" => one() }])), "the same name in two unknown objects side by side"),
-            ("prefix", frame.clone().and("a", one()).and("aa", one()).and("a\u{0}", one()), "unknown names of which one begins another"),
-            ("known-names-below", frame.clone().and("novel", full(kind)), "its own field names again within an unknown member"),
+            (
+                "other-case",
+                frame.clone().and("novel", one()).and("Novel", one()),
+                "two unknown members whose names differ in case",
+            ),
+            (
+                "other-normal-form",
+                frame.clone().and("\u{e9}", one()).and("e\u{301}", one()),
+                "two unknown members whose names differ in their normal form",
+            ),
+            (
+                "other-depth",
+                frame
+                    .clone()
+                    .and("novel", object! { "novel" => object! { "novel" => one() } }),
+                "the same unknown name at three depths",
+            ),
+            (
+                "siblings",
+                frame.clone().and(
+                    "novel",
+                    Json::Array(vec![object! { "x" => one() }, object! { "x" => one() }]),
+                ),
+                "the same name in two unknown objects side by side",
+            ),
+            (
+                "prefix",
+                frame
+                    .clone()
+                    .and("a", one())
+                    .and("aa", one())
+                    .and("a\u{0}", one()),
+                "unknown names of which one begins another",
+            ),
+            (
+                "known-names-below",
+                frame.clone().and("novel", full(kind)),
+                "its own field names again within an unknown member",
+            ),
         ];
         for (what, frame, says) in table {
             cases.push(
@@ -284,16 +404,44 @@ fn not_repeated() -> Vec<Case> {
     }
     for kind in ["sensor_frame", "command_frame"] {
         let maps = [
-            ("channels-other-case", object! { "a" => channel("m"), "A" => channel("rad") }, "two channels whose names differ in case"),
-            ("channels-other-normal-form", object! { "\u{e9}" => channel("m"), "e\u{301}" => channel("rad") }, "two channels whose names differ in their normal form"),
-            ("channels-of-prototype", object! { "__proto__" => channel("m"), "constructor" => channel("rad"), "toString" => channel("m/s") }, "channels named `__proto__`, `constructor` and `toString`"),
-            ("channels-of-digits", object! { "10" => channel("m"), "9" => channel("rad"), "1" => channel("m/s") }, "channels named by numbers"),
-            ("channel-of-empty-name", object! { "" => channel("m") }, "a channel of an empty name"),
-            ("channel-of-field-name", object! { "seq" => channel("m"), "kind" => channel("rad") }, "channels named like fields"),
+            (
+                "channels-other-case",
+                object! { "a" => channel("m"), "A" => channel("rad") },
+                "two channels whose names differ in case",
+            ),
+            (
+                "channels-other-normal-form",
+                object! { "\u{e9}" => channel("m"), "e\u{301}" => channel("rad") },
+                "two channels whose names differ in their normal form",
+            ),
+            (
+                "channels-of-prototype",
+                object! { "__proto__" => channel("m"), "constructor" => channel("rad"), "toString" => channel("m/s") },
+                "channels named `__proto__`, `constructor` and `toString`",
+            ),
+            (
+                "channels-of-digits",
+                object! { "10" => channel("m"), "9" => channel("rad"), "1" => channel("m/s") },
+                "channels named by numbers",
+            ),
+            (
+                "channel-of-empty-name",
+                object! { "" => channel("m") },
+                "a channel of an empty name",
+            ),
+            (
+                "channel-of-field-name",
+                object! { "seq" => channel("m"), "kind" => channel("rad") },
+                "channels named like fields",
+            ),
         ];
         for (what, channels, says) in maps {
             let frame = explicit(kind).with("channels", channels);
-            let flag = if what.ends_with("prototype") { "prototype-names" } else { "lost-fields" };
+            let flag = if what.ends_with("prototype") {
+                "prototype-names"
+            } else {
+                "lost-fields"
+            };
             cases.push(
                 Case::new(format!("{kind}/not-repeated/{what}"), &["NCP-WIRE-068"], readers(kind))
                     .title(format!("{} with {says} keeps each of them.", a(kind)))
@@ -304,14 +452,20 @@ fn not_repeated() -> Vec<Case> {
             );
         }
     }
-    let frame = explicit("close_session").text().replace("\"kind\"", r#""k\u0069nd""#);
+    let frame = explicit("close_session")
+        .text()
+        .replace("\"kind\"", r#""k\u0069nd""#);
     cases.push(
-        Case::new("close_session/not-repeated/escaped-kind", &[READ], readers("close_session"))
-            .title("A `close_session` whose `kind` is spelled with an escape in its name is read.")
-            .flags(&["raw-names"])
-            .decode("close_session", frame)
-            .means(explicit("close_session").text())
-            .because("Member names are equal when they are so after their escapes are resolved."),
+        Case::new(
+            "close_session/not-repeated/escaped-kind",
+            &[READ],
+            readers("close_session"),
+        )
+        .title("A `close_session` whose `kind` is spelled with an escape in its name is read.")
+        .flags(&["raw-names"])
+        .decode("close_session", frame)
+        .means(explicit("close_session").text())
+        .because("Member names are equal when they are so after their escapes are resolved."),
     );
     cases
 }

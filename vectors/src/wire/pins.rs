@@ -7,10 +7,34 @@ use crate::roles::{a, readers};
 
 /// The kind, whether the pins stand in its `provenance`, the pin, its value, and the rule.
 const PINS: [(&str, bool, &str, bool, &str); 4] = [
-    ("observation_frame", false, "calibrated_posterior", false, "NCP-PROV-001"),
-    ("observation_frame", false, "is_simulation_output", true, "NCP-PROV-002"),
-    ("session_opened", true, "calibrated_posterior", false, "NCP-PROV-003"),
-    ("session_opened", true, "is_simulation_output", true, "NCP-PROV-004"),
+    (
+        "observation_frame",
+        false,
+        "calibrated_posterior",
+        false,
+        "NCP-PROV-001",
+    ),
+    (
+        "observation_frame",
+        false,
+        "is_simulation_output",
+        true,
+        "NCP-PROV-002",
+    ),
+    (
+        "session_opened",
+        true,
+        "calibrated_posterior",
+        false,
+        "NCP-PROV-003",
+    ),
+    (
+        "session_opened",
+        true,
+        "is_simulation_output",
+        true,
+        "NCP-PROV-004",
+    ),
 ];
 
 pub(super) fn file() -> File {
@@ -25,13 +49,21 @@ pub(super) fn file() -> File {
             true => explicit(kind).with("provenance", change(explicit_message("SimProvenance"))),
             false => change(explicit(kind)),
         };
-        let member = if nested { format!("provenance.{pin}") } else { pin.to_owned() };
+        let member = if nested {
+            format!("provenance.{pin}")
+        } else {
+            pin.to_owned()
+        };
         let broken = [
             ("flipped", Json::Bool(!pinned), None),
             ("null", Json::Null, Some("NCP-WIRE-021")),
             ("zero", Json::literal("0"), Some("NCP-WIRE-020")),
             ("one", Json::literal("1"), Some("NCP-WIRE-020")),
-            ("string", Json::string(if pinned { "true" } else { "false" }), Some("NCP-WIRE-020")),
+            (
+                "string",
+                Json::string(if pinned { "true" } else { "false" }),
+                Some("NCP-WIRE-020"),
+            ),
             ("empty-string", Json::string(""), Some("NCP-WIRE-020")),
             ("array", Json::Array(Vec::new()), Some("NCP-WIRE-020")),
             ("object", Json::object(), Some("NCP-WIRE-020")),
@@ -40,19 +72,40 @@ pub(super) fn file() -> File {
             let mut rules = vec![rule];
             rules.extend(also);
             Case::new(id(what), &rules, readers(kind))
-                .title(format!("{} whose `{member}` is {} is rejected.", a(kind), value.text()))
-                .flags(&[if also.is_some() { "truthy-pins" } else { "unchecked-pins" }])
+                .title(format!(
+                    "{} whose `{member}` is {} is rejected.",
+                    a(kind),
+                    value.text()
+                ))
+                .flags(&[if also.is_some() {
+                    "truthy-pins"
+                } else {
+                    "unchecked-pins"
+                }])
                 .decode(kind, bare(value).text())
                 .rejects("provenance")
                 .because(format!("The pin is present and not exactly `{pinned}`."))
         }));
         for (what, frame, says, rule) in [
-            ("pinned", whole(&|message| message), format!("is {pinned}"), rule),
-            ("absent", whole(&|message| message.without(pin)), "is absent".to_owned(), "NCP-PROV-005"),
+            (
+                "pinned",
+                whole(&|message| message),
+                format!("is {pinned}"),
+                rule,
+            ),
+            (
+                "absent",
+                whole(&|message| message.without(pin)),
+                "is absent".to_owned(),
+                "NCP-PROV-005",
+            ),
         ] {
             cases.push(
                 Case::new(id(what), &[rule], readers(kind))
-                    .title(format!("{} whose `{member}` {says} is read, with the pin at {pinned}.", a(kind)))
+                    .title(format!(
+                        "{} whose `{member}` {says} is read, with the pin at {pinned}.",
+                        a(kind)
+                    ))
                     .flags(&["wrong-defaults"])
                     .decode(kind, frame.text())
                     .means(meaning(kind, &frame).text())
@@ -69,8 +122,18 @@ pub(super) fn file() -> File {
 fn beside() -> Vec<Case> {
     let session = || explicit("session_opened");
     let table = [
-        ("provenance-null", session().with("provenance", Json::Null), "NCP-WIRE-022", "whose `provenance` is null is read as one without it"),
-        ("provenance-empty", session().with("provenance", Json::object()), "NCP-PROV-005", "whose `provenance` is an empty object is read with both pins at their values"),
+        (
+            "provenance-null",
+            session().with("provenance", Json::Null),
+            "NCP-WIRE-022",
+            "whose `provenance` is null is read as one without it",
+        ),
+        (
+            "provenance-empty",
+            session().with("provenance", Json::object()),
+            "NCP-PROV-005",
+            "whose `provenance` is an empty object is read with both pins at their values",
+        ),
         (
             "pin-beside-provenance",
             session().with("calibrated_posterior", true.into()),
@@ -81,15 +144,24 @@ fn beside() -> Vec<Case> {
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(what, frame, rule, says)| {
-            Case::new(format!("session_opened/{what}"), &[rule], readers("session_opened"))
-                .title(format!("A `session_opened` {says}."))
-                .flags(&["over-strict"])
-                .decode("session_opened", frame.text())
-                .means(meaning("session_opened", &frame).text())
-                .because("The pins stand on an `observation_frame` and within a `provenance`, nowhere else.")
+            Case::new(
+                format!("session_opened/{what}"),
+                &[rule],
+                readers("session_opened"),
+            )
+            .title(format!("A `session_opened` {says}."))
+            .flags(&["over-strict"])
+            .decode("session_opened", frame.text())
+            .means(meaning("session_opened", &frame).text())
+            .because(
+                "The pins stand on an `observation_frame` and within a `provenance`, nowhere else.",
+            )
         })
         .collect();
-    let record = minimal("observation_frame").with("records", object! { "v" => object! { "calibrated_posterior" => true } });
+    let record = minimal("observation_frame").with(
+        "records",
+        object! { "v" => object! { "calibrated_posterior" => true } },
+    );
     let explicit_record = explicit("observation_frame").with(
         "records",
         object! { "v" => explicit_message("Observation").with("calibrated_posterior", true.into()) },
@@ -102,7 +174,9 @@ fn beside() -> Vec<Case> {
             .means(meaning("observation_frame", &record).text())
             .because("A record has no pins; there the name is an unknown one."),
     );
-    let failed = minimal("session_opened").with("ok", false.into()).with("provenance", object! { "calibrated_posterior" => true });
+    let failed = minimal("session_opened")
+        .with("ok", false.into())
+        .with("provenance", object! { "calibrated_posterior" => true });
     cases.push(
         Case::new("session_opened/pin-of-failure", &["NCP-PROV-003"], readers("session_opened"))
             .title("A `session_opened` that reports a failure is rejected all the same when a pin is broken.")

@@ -30,7 +30,11 @@ impl Place {
     pub(super) fn frames() -> impl Iterator<Item = Self> {
         tables().messages.iter().filter_map(|message| {
             let kind = message.kind.as_deref()?;
-            Some(Self { kind, path: Vec::new(), message })
+            Some(Self {
+                kind,
+                path: Vec::new(),
+                message,
+            })
         })
     }
 
@@ -64,7 +68,11 @@ impl Place {
                     }
                     Shape::Message(name) => {
                         if let Some(message) = tables().message(name) {
-                            let place = Self { kind: self.kind, path, message };
+                            let place = Self {
+                                kind: self.kind,
+                                path,
+                                message,
+                            };
                             places.push(place.clone());
                             place.enter(places);
                         }
@@ -83,7 +91,9 @@ impl Place {
 
     /// Whether the message stands in the same kind in the same way under another name.
     pub(super) fn is_twin(&self) -> bool {
-        self.path.first().is_some_and(|name| name == "command_channels")
+        self.path
+            .first()
+            .is_some_and(|name| name == "command_channels")
     }
 
     /// The first part of a case's id: nothing for a frame, else the kind and the members that
@@ -92,8 +102,13 @@ impl Place {
         if !self.is_nested() {
             return String::new();
         }
-        let members = self.path.iter().filter(|part| !matches!(part.as_str(), "0" | "a"));
-        let parts: Vec<&str> = std::iter::once(self.kind).chain(members.map(String::as_str)).collect();
+        let members = self
+            .path
+            .iter()
+            .filter(|part| !matches!(part.as_str(), "0" | "a"));
+        let parts: Vec<&str> = std::iter::once(self.kind)
+            .chain(members.map(String::as_str))
+            .collect();
         parts.join("/") + "/"
     }
 
@@ -134,7 +149,9 @@ impl Place {
             Ground::Minimal => model::minimal(self.kind),
             Ground::Explicit => model::explicit(self.kind),
         };
-        let Some(host) = tables().kind(self.kind) else { return frame };
+        let Some(host) = tables().kind(self.kind) else {
+            return frame;
+        };
         put(host, frame, &self.path, message, ground)
     }
 
@@ -152,8 +169,12 @@ pub(super) fn put(
     leaf: Json,
     ground: Ground,
 ) -> Json {
-    let Some((name, rest)) = path.split_first() else { return leaf };
-    let Some(field) = message.field(name) else { return object };
+    let Some((name, rest)) = path.split_first() else {
+        return leaf;
+    };
+    let Some(field) = message.field(name) else {
+        return object;
+    };
     object.with(name, wrap(&field.shape, rest, leaf, ground))
 }
 
@@ -165,7 +186,9 @@ fn wrap(shape: &Shape, path: &[String], leaf: Json, ground: Ground) -> Json {
             Json::object().with(key, wrap(value, rest, leaf, ground))
         }
         (Shape::Message(name), _) => {
-            let Some(message) = tables().message(name) else { return leaf };
+            let Some(message) = tables().message(name) else {
+                return leaf;
+            };
             let object = match ground {
                 Ground::Minimal => Json::object(),
                 Ground::Explicit => model::explicit_message(name),

@@ -24,60 +24,131 @@ pub(super) fn file() -> File {
         cases.extend(failures(request, reply));
         cases.extend(broken(request, reply));
     }
-    File::new("wire", "reply", "What a client accepts as the reply to its request.", cases)
+    File::new(
+        "wire",
+        "reply",
+        "What a client accepts as the reply to its request.",
+        cases,
+    )
 }
 
 fn fitting(request: &str, reply: &str) -> Vec<Case> {
     let mut table = vec![
-        ("explicit", explicit(reply), "that writes out its defaults", &["NCP-SESS-007"][..]),
-        ("minimal", minimal(reply), "that says only what it must", &["NCP-SESS-007"]),
-        ("without-version", explicit(reply).without("ncp_version"), "without a version", &["NCP-SESS-007", "NCP-WIRE-032"]),
-        ("unknown-member", explicit(reply).and("novel", Json::Null), "with an unknown member", &["NCP-SESS-007", "NCP-WIRE-026"]),
+        (
+            "explicit",
+            explicit(reply),
+            "that writes out its defaults",
+            &["NCP-SESS-007"][..],
+        ),
+        (
+            "minimal",
+            minimal(reply),
+            "that says only what it must",
+            &["NCP-SESS-007"],
+        ),
+        (
+            "without-version",
+            explicit(reply).without("ncp_version"),
+            "without a version",
+            &["NCP-SESS-007", "NCP-WIRE-032"],
+        ),
+        (
+            "unknown-member",
+            explicit(reply).and("novel", Json::Null),
+            "with an unknown member",
+            &["NCP-SESS-007", "NCP-WIRE-026"],
+        ),
     ];
     if reply == "session_opened" {
         let other_hash = explicit(reply).with("contract_hash", "2cf0763ad61e4f1c".into());
-        table.push(("other-contract-hash", other_hash, "of another contract hash", &["NCP-SESS-007", "NCP-VER-025"]));
+        table.push((
+            "other-contract-hash",
+            other_hash,
+            "of another contract hash",
+            &["NCP-SESS-007", "NCP-VER-025"],
+        ));
         let without_hash = explicit(reply).without("contract_hash");
-        table.push(("without-contract-hash", without_hash, "without a contract hash", &["NCP-SESS-007", "NCP-WIRE-025"]));
+        table.push((
+            "without-contract-hash",
+            without_hash,
+            "without a contract hash",
+            &["NCP-SESS-007", "NCP-WIRE-025"],
+        ));
     }
     if reply == "observation_frame" {
-        let filled = explicit(reply).with("records", object! { "v" => object! { "times" => Json::Array(vec![Json::literal("0.1")]) } });
+        let filled = explicit(reply).with(
+            "records",
+            object! { "v" => object! { "times" => Json::Array(vec![Json::literal("0.1")]) } },
+        );
         table.push(("records", filled, "with a record", &["NCP-SESS-007"]));
     }
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(what, frame, says, rules)| {
-            ask(request, &format!("accepted/{what}"), rules, &minimal(request), &frame.text())
-                .title(format!("A client accepts {} {says} as the reply to its `{request}`.", a(reply).to_lowercase()))
-                .flags(&["over-strict"])
-                .accepts()
-                .because("Kind, session and version fit, and nothing failed.")
+            ask(
+                request,
+                &format!("accepted/{what}"),
+                rules,
+                &minimal(request),
+                &frame.text(),
+            )
+            .title(format!(
+                "A client accepts {} {says} as the reply to its `{request}`.",
+                a(reply).to_lowercase()
+            ))
+            .flags(&["over-strict"])
+            .accepts()
+            .because("Kind, session and version fit, and nothing failed.")
         })
         .collect();
     let session = Json::string("caf\u{e9}");
     let asked = minimal(request).with("session_id", session.clone());
     cases.push(
-        ask(request, "accepted/other-session", &["NCP-SESS-007"], &asked, &minimal(reply).with("session_id", session).text())
-            .title(format!("A client accepts a reply to its `{request}` of a session that is not in ASCII."))
-            .flags(&["over-strict"])
-            .accepts()
-            .because("The reply's session is the request's."),
+        ask(
+            request,
+            "accepted/other-session",
+            &["NCP-SESS-007"],
+            &asked,
+            &minimal(reply).with("session_id", session).text(),
+        )
+        .title(format!(
+            "A client accepts a reply to its `{request}` of a session that is not in ASCII."
+        ))
+        .flags(&["over-strict"])
+        .accepts()
+        .because("The reply's session is the request's."),
     );
     cases
 }
 
 fn wrong_kinds(request: &str, reply: &str) -> Vec<Case> {
     let replies = ["session_opened", "observation_frame", "session_closed"];
-    let others = replies.into_iter().filter(|kind| *kind != reply).chain([request, "stimulus_frame", "link_status"]);
+    let others = replies.into_iter().filter(|kind| *kind != reply).chain([
+        request,
+        "stimulus_frame",
+        "link_status",
+    ]);
     others
         .map(|kind| {
             // An echo of the request, or any frame with the right session: only the kind is wrong.
             let frame = explicit(kind).with("session_id", "s1".into());
-            ask(request, &format!("kind/{}", kind.replace('_', "-")), &["NCP-SESS-001"], &minimal(request), &frame.text())
-                .title(format!("A client rejects {} as the reply to its `{request}`.", a(kind).to_lowercase()))
-                .flags(&["unchecked-replies"])
-                .rejects("reply")
-                .because(format!("A `{request}` is answered by {}.", a(reply).to_lowercase()))
+            ask(
+                request,
+                &format!("kind/{}", kind.replace('_', "-")),
+                &["NCP-SESS-001"],
+                &minimal(request),
+                &frame.text(),
+            )
+            .title(format!(
+                "A client rejects {} as the reply to its `{request}`.",
+                a(kind).to_lowercase()
+            ))
+            .flags(&["unchecked-replies"])
+            .rejects("reply")
+            .because(format!(
+                "A `{request}` is answered by {}.",
+                a(reply).to_lowercase()
+            ))
         })
         .collect()
 }
@@ -97,28 +168,60 @@ fn wrong_sessions(request: &str, reply: &str) -> Vec<Case> {
 }
 
 fn wrong_versions(request: &str, reply: &str) -> Vec<Case> {
-    [("older", "0.4"), ("newer", "0.6"), ("next-major", "1.0"), ("no-minor", "0"), ("three-parts", "0.5.0"), ("empty", ""), ("line-feed", "0.5\n")]
-        .into_iter()
-        .map(|(what, version)| {
-            let frame = explicit(reply).with("ncp_version", version.into());
-            ask(request, &format!("version/{what}"), &["NCP-SESS-003"], &minimal(request), &frame.text())
-                .title(format!("A client rejects a reply of version {} to its `{request}`.", Json::string(version).text()))
-                .flags(&["unchecked-reply-version"])
-                .rejects("version")
-                .because("The version guard does not hold the version compatible with 0.5.")
-        })
-        .collect()
+    [
+        ("older", "0.4"),
+        ("newer", "0.6"),
+        ("next-major", "1.0"),
+        ("no-minor", "0"),
+        ("three-parts", "0.5.0"),
+        ("empty", ""),
+        ("line-feed", "0.5\n"),
+    ]
+    .into_iter()
+    .map(|(what, version)| {
+        let frame = explicit(reply).with("ncp_version", version.into());
+        ask(
+            request,
+            &format!("version/{what}"),
+            &["NCP-SESS-003"],
+            &minimal(request),
+            &frame.text(),
+        )
+        .title(format!(
+            "A client rejects a reply of version {} to its `{request}`.",
+            Json::string(version).text()
+        ))
+        .flags(&["unchecked-reply-version"])
+        .rejects("version")
+        .because("The version guard does not hold the version compatible with 0.5.")
+    })
+    .collect()
 }
 
 fn failures(request: &str, reply: &str) -> Vec<Case> {
     let error = || minimal("error");
     let mut table = vec![
         ("error", error(), "NCP-SESS-005", "an error frame"),
-        ("error-of-session", error().and("session_id", "s1".into()), "NCP-SESS-005", "an error frame of its session"),
-        ("error-of-null-session", error().and("session_id", Json::Null), "NCP-SESS-005", "an error frame whose session is null"),
+        (
+            "error-of-session",
+            error().and("session_id", "s1".into()),
+            "NCP-SESS-005",
+            "an error frame of its session",
+        ),
+        (
+            "error-of-null-session",
+            error().and("session_id", Json::Null),
+            "NCP-SESS-005",
+            "an error frame whose session is null",
+        ),
     ];
     if reply != "observation_frame" {
-        table.push(("not-ok", explicit(reply).with("ok", false.into()), "NCP-SESS-004", "a reply with `ok` false"));
+        table.push((
+            "not-ok",
+            explicit(reply).with("ok", false.into()),
+            "NCP-SESS-004",
+            "a reply with `ok` false",
+        ));
         table.push((
             "not-ok-minimal",
             minimal(reply).with("ok", false.into()),
@@ -129,11 +232,19 @@ fn failures(request: &str, reply: &str) -> Vec<Case> {
     table
         .into_iter()
         .map(|(what, frame, rule, says)| {
-            ask(request, &format!("failure/{what}"), &[rule], &minimal(request), &frame.text())
-                .title(format!("A client reports {says} to its `{request}` as an error."))
-                .flags(&["swallowed-failures"])
-                .rejects("reply")
-                .because("The reply says that the request failed.")
+            ask(
+                request,
+                &format!("failure/{what}"),
+                &[rule],
+                &minimal(request),
+                &frame.text(),
+            )
+            .title(format!(
+                "A client reports {says} to its `{request}` as an error."
+            ))
+            .flags(&["swallowed-failures"])
+            .rejects("reply")
+            .because("The reply says that the request failed.")
         })
         .collect()
 }
@@ -145,35 +256,87 @@ fn broken(request: &str, reply: &str) -> Vec<Case> {
         ("not-json", "ok".to_owned(), "is no JSON", "NCP-WIRE-002"),
         ("empty", String::new(), "is empty", "NCP-WIRE-002"),
         ("array", format!("[{text}]"), "is an array", "NCP-WIRE-003"),
-        ("truncated", text[..text.len() - 1].to_owned(), "is cut off", "NCP-WIRE-002"),
-        ("two-documents", format!("{text}{text}"), "is two documents", "NCP-WIRE-004"),
-        ("duplicate", minimal(reply).and("session_id", "s1".into()).text(), "has a member twice", "NCP-WIRE-007"),
-        ("no-kind", minimal(reply).without("kind").text(), "has no kind", "NCP-WIRE-028"),
-        ("session-null", minimal(reply).with("session_id", Json::Null).text(), "has a session of null", "NCP-WIRE-021"),
+        (
+            "truncated",
+            text[..text.len() - 1].to_owned(),
+            "is cut off",
+            "NCP-WIRE-002",
+        ),
+        (
+            "two-documents",
+            format!("{text}{text}"),
+            "is two documents",
+            "NCP-WIRE-004",
+        ),
+        (
+            "duplicate",
+            minimal(reply).and("session_id", "s1".into()).text(),
+            "has a member twice",
+            "NCP-WIRE-007",
+        ),
+        (
+            "no-kind",
+            minimal(reply).without("kind").text(),
+            "has no kind",
+            "NCP-WIRE-028",
+        ),
+        (
+            "session-null",
+            minimal(reply).with("session_id", Json::Null).text(),
+            "has a session of null",
+            "NCP-WIRE-021",
+        ),
     ];
     match reply {
         "observation_frame" => {
-            table.push(("pin", minimal(reply).with("is_simulation_output", false.into()).text(), "has a broken pin", "NCP-PROV-002"));
+            table.push((
+                "pin",
+                minimal(reply)
+                    .with("is_simulation_output", false.into())
+                    .text(),
+                "has a broken pin",
+                "NCP-PROV-002",
+            ));
         }
-        _ => table.push(("ok-string", minimal(reply).with("ok", "true".into()).text(), "has an `ok` that is a string", "NCP-WIRE-020")),
+        _ => table.push((
+            "ok-string",
+            minimal(reply).with("ok", "true".into()).text(),
+            "has an `ok` that is a string",
+            "NCP-WIRE-020",
+        )),
     }
     if reply == "session_opened" {
         let provenance = object! { "calibrated_posterior" => true };
-        table.push(("pin", minimal(reply).with("provenance", provenance).text(), "has a broken pin", "NCP-PROV-003"));
+        table.push((
+            "pin",
+            minimal(reply).with("provenance", provenance).text(),
+            "has a broken pin",
+            "NCP-PROV-003",
+        ));
     }
     table
         .into_iter()
         .map(|(what, reply, says, rule)| {
-            ask(request, &format!("broken/{what}"), &["NCP-SESS-006", rule], &minimal(request), &reply)
-                .title(format!("A client rejects a reply to its `{request}` that {says}."))
-                .flags(&["unchecked-replies"])
-                .rejects("reply")
-                .because("No decoder accepts such a frame.")
+            ask(
+                request,
+                &format!("broken/{what}"),
+                &["NCP-SESS-006", rule],
+                &minimal(request),
+                &reply,
+            )
+            .title(format!(
+                "A client rejects a reply to its `{request}` that {says}."
+            ))
+            .flags(&["unchecked-replies"])
+            .rejects("reply")
+            .because("No decoder accepts such a frame.")
         })
         .collect()
 }
 
 fn ask(request: &str, what: &str, rules: &[&'static str], asked: &Json, reply: &str) -> Case {
-    Case::new(format!("{request}/{what}"), rules, &[Commander])
-        .call("reply.check", object! { "request" => asked.text(), "reply" => reply })
+    Case::new(format!("{request}/{what}"), rules, &[Commander]).call(
+        "reply.check",
+        object! { "request" => asked.text(), "reply" => reply },
+    )
 }

@@ -2,7 +2,8 @@
 
 use ncp_spec::bulk::{Block, ColumnView, Dtype};
 
-use super::{Difference, Differences, compare};
+use super::compare::{Relation, compare};
+use super::{Difference, Differences};
 use crate::json::{Json, write_string};
 
 /// How many bytes around a difference are shown.
@@ -56,7 +57,9 @@ pub(super) fn same_columns(expected: &str, got: &[u8], differences: &mut Differe
     let text = as_json(&block);
     // The suite was read before, and we have just written the other.
     if let (Ok(expected), Ok(got)) = (Json::parse(expected), Json::parse(&text)) {
-        compare::values(&expected, &got, differences);
+        compare(Relation::Values, &expected, &got)
+            .iter()
+            .for_each(|found| found.note(differences));
     }
 }
 

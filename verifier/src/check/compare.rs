@@ -1,89 +1,266 @@
-//! Equal as JSON values.
+//! Two JSON values side by side, under one of three relations.
 
 use super::{Difference, Differences, short};
-use crate::json::{Json, Members, Number, pointer_token};
+use crate::json::{Json, Members, Number, is_integer, pointer_token};
 
-/// Compares two JSON values: objects whatever their order, numbers by value and the sign of a zero. The strings
-/// `"NaN"`, `"Infinity"`, `"-Infinity"` and `"-0"` stand for those numbers (PROTOCOL.md, section 2).
-pub(super) fn values(expected: &Json<'_>, got: &Json<'_>, differences: &mut Differences) {
-    compare(expected, got, &mut String::new(), differences);
+/// When two values are the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Relation {
+    /// As JSON values: objects whatever their order, numbers by value and the sign of a zero. The strings `"NaN"`,
+    /// `"Infinity"`, `"-Infinity"` and `"-0"` stand for those numbers (PROTOCOL.md, section 2).
+    Values,
+    /// As messages: as values, and `null` is as good as absent.
+    Message,
+    /// As encodings: the same members in the same order, and integers spelled as integers.
+    Encoding,
 }
 
-/// The number that a value is or stands for.
+/// A difference that was found, in terms of the values themselves.
+#[derive(Debug)]
+pub(super) struct Found<'v> {
+    /// Where, as a JSON pointer.
+    pub(super) at: String,
+    what: What<'v>,
+}
+
+#[derive(Debug)]
+enum What<'v> {
+    Values {
+        expected: &'v Json<'v>,
+        got: &'v Json<'v>,
+        hint: Option<&'static str>,
+    },
+    Missing {
+        expected: &'v Json<'v>,
+        hint: Option<&'static str>,
+    },
+    Added {
+        got: &'v Json<'v>,
+    },
+    Items {
+        expected: usize,
+        got: usize,
+    },
+    Order {
+        place: usize,
+        expected: &'v str,
+        got: &'v str,
+    },
+}
+
+/// All that differs.
+pub(super) fn compare<'v>(
+    relation: Relation,
+    expected: &'v Json<'v>,
+    got: &'v Json<'v>,
+) -> Vec<Found<'v>> {
+    let mut walk = Walk {
+        relation,
+        path: Vec::new(),
+        found: Vec::new(),
+    };
+    walk.visit(expected, got);
+    walk.found
+}
+
+impl Found<'_> {
+    /// Whether a member stands on one side only.
+    pub(super) fn is_one_sided(&self) -> bool {
+        matches!(self.what, What::Missing { .. } | What::Added { .. })
+    }
+
+    /// Puts it into words.
+    pub(super) fn note(&self, differences: &mut Differences) {
+        let items = |count: usize| Some(format!("{count} items"));
+        let (expected, got, hint) = match &self.what {
+            What::Values {
+                expected,
+                got,
+                hint,
+            } => (
+                Some(short(expected)),
+                Some(short(got)),
+                hint.map(str::to_owned),
+            ),
+            What::Missing { expected, hint } => {
+                (Some(short(expected)), None, hint.map(str::to_owned))
+            }
+            What::Added { got } => (None, Some(short(got)), None),
+            What::Items { expected, got } => (items(*expected), items(*got), None),
+            What::Order {
+                place,
+                expected,
+                got,
+            } => {
+                let hint = format!("as member {} of the object: the order differs", place + 1);
+                (
+                    Some(format!("{expected:?}")),
+                    Some(format!("{got:?}")),
+                    Some(hint),
+                )
+            }
+        };
+        differences.push(Difference {
+            at: self.at.clone(),
+            expected,
+            got,
+            hint,
+        });
+    }
+}
+
+/// A step on the way to a value.
+enum Step<'v> {
+    Member(&'v str),
+    Item(usize),
+}
+
+struct Walk<'v> {
+    relation: Relation,
+    path: Vec<Step<'v>>,
+    found: Vec<Found<'v>>,
+}
+
+impl<'v> Walk<'v> {
+    fn visit(&mut self, expected: &'v Json<'v>, got: &'v Json<'v>) {
+        match (expected, got) {
+            (Json::Object(expected), Json::Object(got)) => self.objects(expected, got),
+            (Json::Array(expected), Json::Array(got)) => {
+                if expected.len() != got.len() {
+                    self.note(What::Items {
+                        expected: expected.len(),
+                        got: got.len(),
+                    });
+                }
+                for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
+                    self.path.push(Step::Item(i));
+                    self.visit(expected, got);
+                    self.path.pop();
+                }
+            }
+            _ => {
+                if let Err(hint) = self.leaves(expected, got) {
+                    self.note(What::Values {
+                        expected,
+                        got,
+                        hint,
+                    });
+                }
+            }
+        }
+    }
+
+    fn objects(&mut self, expected: &'v [Member<'v>], got: &'v [Member<'v>]) {
+        let (in_expected, in_got) = (Members::new(expected), Members::new(got));
+        let mut complete = expected.len() == got.len();
+        let lenient = self.relation == Relation::Message;
+        for (i, (name, value)) in expected.iter().enumerate() {
+            self.path.push(Step::Member(name));
+            match in_got.get(name, i) {
+                Some(got) if !(lenient && got.is_null()) || value.is_null() => {
+                    self.visit(value, got)
+                }
+                _ if lenient && value.is_null() => {}
+                _ => {
+                    complete = false;
+                    self.note(What::Missing {
+                        expected: value,
+                        hint: self.why_written(value),
+                    });
+                }
+            }
+            self.path.pop();
+        }
+        for (i, (name, value)) in got.iter().enumerate() {
+            if in_expected.get(name, i).is_none() && !(lenient && value.is_null()) {
+                complete = false;
+                self.path.push(Step::Member(name));
+                self.note(What::Added { got: value });
+                self.path.pop();
+            }
+        }
+        if self.relation == Relation::Encoding && complete {
+            // [NCP-WIRE-080] [NCP-WIRE-083]
+            let names = expected
+                .iter()
+                .zip(got)
+                .map(|((expected, _), (got, _))| (expected.as_ref(), got.as_ref()));
+            if let Some((place, (expected, got))) = names
+                .enumerate()
+                .find(|(_, (expected, got))| expected != got)
+            {
+                self.note(What::Order {
+                    place,
+                    expected,
+                    got,
+                });
+            }
+        }
+    }
+
+    /// Compares values that are not both objects or both arrays.
+    fn leaves(&self, expected: &Json<'_>, got: &Json<'_>) -> Result<(), Option<&'static str>> {
+        let number = match self.relation {
+            Relation::Values => number_or_name,
+            Relation::Message | Relation::Encoding => number,
+        };
+        let same = match (number(expected), number(got)) {
+            (Some(expected), Some(got)) => expected.same(got),
+            _ => expected == got,
+        };
+        if !same {
+            return Err(None);
+        }
+        // An expectation spells its integers, and only those, without fraction and exponent.
+        match (self.relation, expected, got) {
+            (Relation::Encoding, Json::Number(expected), Json::Number(got))
+                if is_integer(expected) && expected != "-0" && expected != got =>
+            {
+                Err(Some("an integer is written without fraction and exponent")) // [NCP-WIRE-085]
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Why a member should have been written.
+    fn why_written(&self, value: &Json<'_>) -> Option<&'static str> {
+        match (self.relation, value) {
+            (Relation::Encoding, Json::Null) => Some("an unset optional field is written as null"), // [NCP-WIRE-082]
+            (Relation::Encoding, _) => Some("every field is written"), // [NCP-WIRE-081]
+            _ => None,
+        }
+    }
+
+    fn note(&mut self, what: What<'v>) {
+        let mut at = String::new();
+        for step in &self.path {
+            at.push('/');
+            match step {
+                Step::Member(name) => at.push_str(&pointer_token(name)),
+                Step::Item(index) => at.push_str(&index.to_string()),
+            }
+        }
+        self.found.push(Found { at, what });
+    }
+}
+
+type Member<'v> = (std::borrow::Cow<'v, str>, Json<'v>);
+
 fn number(value: &Json<'_>) -> Option<Number> {
     match value {
         Json::Number(spelling) => Some(Number::read(spelling)),
-        Json::String(text) => match text.as_ref() {
-            "NaN" => Some(Number::Double(f64::NAN)),
-            "Infinity" => Some(Number::Double(f64::INFINITY)),
-            "-Infinity" => Some(Number::Double(f64::NEG_INFINITY)),
-            "-0" => Some(Number::Double(-0.0)),
-            _ => None,
-        },
         _ => None,
     }
 }
 
-fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, differences: &mut Differences) {
-    let length = at.len();
-    match (expected, got) {
-        (Json::Array(expected), Json::Array(got)) => {
-            if expected.len() != got.len() {
-                differences.push(Difference {
-                    at: at.clone(),
-                    expected: Some(format!("{} items", expected.len())),
-                    got: Some(format!("{} items", got.len())),
-                    hint: None,
-                });
-            }
-            for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
-                at.push_str(&format!("/{i}"));
-                compare(expected, got, at, differences);
-                at.truncate(length);
-            }
-        }
-        (Json::Object(expected_members), Json::Object(got_members)) => {
-            let (in_expected, in_got) = (Members::new(expected_members), Members::new(got_members));
-            for (i, (name, expected)) in expected_members.iter().enumerate() {
-                at.push('/');
-                at.push_str(&pointer_token(name));
-                match in_got.get(name, i) {
-                    Some(got) => compare(expected, got, at, differences),
-                    None => differences.push(Difference {
-                        at: at.clone(),
-                        expected: Some(short(expected)),
-                        got: None,
-                        hint: None,
-                    }),
-                }
-                at.truncate(length);
-            }
-            for (i, (name, value)) in got_members.iter().enumerate() {
-                if in_expected.get(name, i).is_some() {
-                    continue;
-                }
-                differences.push(Difference {
-                    at: format!("{at}/{}", pointer_token(name)),
-                    expected: None,
-                    got: Some(short(value)),
-                    hint: None,
-                });
-            }
-        }
-        _ => {
-            let same = match (number(expected), number(got)) {
-                (Some(expected), Some(got)) => expected.same(got),
-                _ => expected == got,
-            };
-            if !same {
-                differences.push(Difference {
-                    at: at.clone(),
-                    expected: Some(short(expected)),
-                    got: Some(short(got)),
-                    hint: None,
-                });
-            }
-        }
+/// The number that a value is, or that its string stands for.
+fn number_or_name(value: &Json<'_>) -> Option<Number> {
+    match value.as_str() {
+        Some("NaN") => Some(Number::Double(f64::NAN)),
+        Some("Infinity") => Some(Number::Double(f64::INFINITY)),
+        Some("-Infinity") => Some(Number::Double(f64::NEG_INFINITY)),
+        Some("-0") => Some(Number::Double(-0.0)),
+        _ => number(value),
     }
 }
 
@@ -93,12 +270,11 @@ mod tests {
     use proptest::prelude::*;
 
     fn differ(expected: &str, got: &str) -> Vec<String> {
+        let (expected, got) = (Json::parse(expected).unwrap(), Json::parse(got).unwrap());
         let mut differences = Differences::default();
-        values(
-            &Json::parse(expected).unwrap(),
-            &Json::parse(got).unwrap(),
-            &mut differences,
-        );
+        compare(Relation::Values, &expected, &got)
+            .iter()
+            .for_each(|found| found.note(&mut differences));
         differences.first.iter().map(ToString::to_string).collect()
     }
 

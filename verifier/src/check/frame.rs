@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use ncp_spec::wire::{self, Kind};
 
-use super::{Difference, Differences, short};
-use crate::json::{Json, Members, Number, is_integer, pointer_token};
+use super::compare::{Found, Relation, compare};
+use super::{Difference, Differences};
+use crate::json::Json;
 
 /// Compares a frame with the expected one as messages.
 ///
@@ -25,30 +26,27 @@ pub(super) fn same_message(
     let Some(got_frame) = parse(got, differences) else {
         return;
     };
-    let mut found = differing(&expected_frame, &got_frame);
-    found.retain(|difference| {
-        !ignore
-            .iter()
-            .any(|spared| is_within(&difference.at, spared))
-    });
-    if found.iter().any(is_one_sided) {
+    let mut found = compare(Relation::Message, &expected_frame, &got_frame);
+    found.retain(|found| !ignore.iter().any(|spared| is_within(&found.at, spared)));
+    let mut refused = None;
+    if found.iter().any(Found::is_one_sided) {
         // What the frame means with such a member, or without it, the spec knows.
         match (
             normalise(&expected_frame, expected),
             normalise(&expected_frame, got),
         ) {
             (Ok(expected), Ok(got)) => settle(&mut found, &expected, &got),
-            (_, Err(why)) | (Err(why), _) => {
-                let hint = format!("and the spec refuses the frame: {why}");
-                found
-                    .iter_mut()
-                    .for_each(|difference| difference.hint = Some(hint.clone()));
-            }
+            (_, Err(why)) | (Err(why), _) => refused = Some(why),
         }
     }
-    found
-        .into_iter()
-        .for_each(|difference| differences.push(difference));
+    found.iter().for_each(|found| found.note(differences));
+    if let Some(why) = refused {
+        let hint = format!("and the spec refuses the frame: {why}");
+        differences
+            .first
+            .iter_mut()
+            .for_each(|difference| difference.hint = Some(hint.clone()));
+    }
 }
 
 /// Compares a frame with the expected one as encodings: the same members in the same order, unset optionals `null`,
@@ -58,7 +56,9 @@ pub(super) fn same_encoding(expected: &str, got: &str, differences: &mut Differe
         return;
     };
     if let Some(got) = parse(got, differences) {
-        compare_encoding(&expected, &got, &mut String::new(), differences);
+        compare(Relation::Encoding, &expected, &got)
+            .iter()
+            .for_each(|found| found.note(differences));
     }
 }
 
@@ -89,11 +89,6 @@ fn normalise(expected: &Json<'_>, frame: &str) -> Result<String, String> {
     message.encode().map_err(|error| error.to_string())
 }
 
-/// Whether a member stands on one side only.
-fn is_one_sided(difference: &Difference) -> bool {
-    difference.expected.is_none() || difference.got.is_none()
-}
-
 /// Whether a path leads to `place` or to something in it.
 fn is_within(path: &str, place: &str) -> bool {
     path.strip_prefix(place)
@@ -101,16 +96,13 @@ fn is_within(path: &str, place: &str) -> bool {
 }
 
 /// Drops the members on one side only that mean nothing: where the two frames, both as the spec writes them, agree.
-fn settle(found: &mut Vec<Difference>, expected: &str, got: &str) {
+fn settle(found: &mut Vec<Found<'_>>, expected: &str, got: &str) {
     // The spec's own encoding is JSON.
     let (Ok(expected), Ok(got)) = (Json::parse(expected), Json::parse(got)) else {
         return;
     };
-    let remaining = differing(&expected, &got);
-    let places: BTreeSet<&str> = remaining
-        .iter()
-        .map(|difference| difference.at.as_str())
-        .collect();
+    let remaining = compare(Relation::Message, &expected, &got);
+    let places: BTreeSet<&str> = remaining.iter().map(|found| found.at.as_str()).collect();
     let remains = |at: &str| {
         let below = format!("{at}/");
         let within = || {
@@ -125,184 +117,7 @@ fn settle(found: &mut Vec<Difference>, expected: &str, got: &str) {
         };
         places.contains(at) || within() || above()
     };
-    found.retain(|difference| !is_one_sided(difference) || remains(&difference.at));
-}
-
-/// What differs between two frames as messages.
-fn differing(expected: &Json<'_>, got: &Json<'_>) -> Vec<Difference> {
-    let mut found = Vec::new();
-    compare(expected, got, &mut String::new(), &mut found);
-    found
-}
-
-fn compare(expected: &Json<'_>, got: &Json<'_>, at: &mut String, found: &mut Vec<Difference>) {
-    let length = at.len();
-    match (expected, got) {
-        (Json::Object(expected_members), Json::Object(got_members)) => {
-            let (in_expected, in_got) = (Members::new(expected_members), Members::new(got_members));
-            for (i, (name, expected)) in expected_members.iter().enumerate() {
-                at.push('/');
-                at.push_str(&pointer_token(name));
-                match in_got.get(name, i) {
-                    Some(got) if !got.is_null() || expected.is_null() => {
-                        compare(expected, got, at, found);
-                    }
-                    _ if expected.is_null() => {}
-                    _ => found.push(Difference {
-                        at: at.clone(),
-                        expected: Some(short(expected)),
-                        got: None,
-                        hint: None,
-                    }),
-                }
-                at.truncate(length);
-            }
-            for (i, (name, value)) in got_members.iter().enumerate() {
-                if !value.is_null() && in_expected.get(name, i).is_none() {
-                    found.push(Difference {
-                        at: format!("{at}/{}", pointer_token(name)),
-                        expected: None,
-                        got: Some(short(value)),
-                        hint: None,
-                    });
-                }
-            }
-        }
-        (Json::Array(expected), Json::Array(got)) => {
-            if expected.len() != got.len() {
-                found.push(items(at, expected.len(), got.len()));
-            }
-            for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
-                at.push_str(&format!("/{i}"));
-                compare(expected, got, at, found);
-                at.truncate(length);
-            }
-        }
-        _ => {
-            let same = match (expected, got) {
-                (Json::Number(expected), Json::Number(got)) => {
-                    Number::read(expected).same(Number::read(got))
-                }
-                _ => expected == got,
-            };
-            if !same {
-                found.push(values(at, expected, got, None));
-            }
-        }
-    }
-}
-
-fn compare_encoding(
-    expected: &Json<'_>,
-    got: &Json<'_>,
-    at: &mut String,
-    differences: &mut Differences,
-) {
-    let length = at.len();
-    match (expected, got) {
-        (Json::Object(expected_members), Json::Object(got_members)) => {
-            let (in_expected, in_got) = (Members::new(expected_members), Members::new(got_members));
-            let mut complete = expected_members.len() == got_members.len();
-            for (i, (name, expected)) in expected_members.iter().enumerate() {
-                at.push('/');
-                at.push_str(&pointer_token(name));
-                if let Some(got) = in_got.get(name, i) {
-                    compare_encoding(expected, got, at, differences);
-                } else {
-                    complete = false;
-                    // [NCP-WIRE-081] [NCP-WIRE-082]
-                    let hint = if expected.is_null() {
-                        "an unset optional field is written as null"
-                    } else {
-                        "every field is written"
-                    };
-                    differences.push(Difference {
-                        at: at.clone(),
-                        expected: Some(short(expected)),
-                        got: None,
-                        hint: Some(hint.to_owned()),
-                    });
-                }
-                at.truncate(length);
-            }
-            for (i, (name, value)) in got_members.iter().enumerate() {
-                if in_expected.get(name, i).is_some() {
-                    continue;
-                }
-                complete = false;
-                differences.push(Difference {
-                    at: format!("{at}/{}", pointer_token(name)),
-                    expected: None,
-                    got: Some(short(value)),
-                    hint: None,
-                });
-            }
-            let misplaced = expected_members
-                .iter()
-                .zip(got_members)
-                .position(|((expected, _), (got, _))| expected != got);
-            if let (true, Some(place)) = (complete, misplaced) {
-                // [NCP-WIRE-080] [NCP-WIRE-083]
-                let name = |members: &[(std::borrow::Cow<'_, str>, Json<'_>)]| {
-                    members.get(place).map(|(name, _)| format!("{name:?}"))
-                };
-                differences.push(Difference {
-                    at: at.clone(),
-                    expected: name(expected_members),
-                    got: name(got_members),
-                    hint: Some(format!(
-                        "as member {} of the object: the order differs",
-                        place + 1
-                    )),
-                });
-            }
-        }
-        (Json::Array(expected), Json::Array(got)) => {
-            if expected.len() != got.len() {
-                differences.push(items(at, expected.len(), got.len()));
-            }
-            for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
-                at.push_str(&format!("/{i}"));
-                compare_encoding(expected, got, at, differences);
-                at.truncate(length);
-            }
-        }
-        (Json::Number(expected_spelling), Json::Number(got_spelling)) => {
-            // An expectation spells its integers, and only those, without fraction and exponent.
-            if is_integer(expected_spelling) && expected_spelling != "-0" {
-                if expected_spelling != got_spelling {
-                    // [NCP-WIRE-085]
-                    let spelled = Number::read(expected_spelling).same(Number::read(got_spelling));
-                    let hint = spelled
-                        .then(|| "an integer is written without fraction and exponent".to_owned());
-                    differences.push(values(at, expected, got, hint));
-                }
-            } else if !Number::read(expected_spelling).same(Number::read(got_spelling)) {
-                // [NCP-WIRE-084]
-                differences.push(values(at, expected, got, None));
-            }
-        }
-        _ if expected != got => differences.push(values(at, expected, got, None)),
-        _ => {}
-    }
-}
-
-fn values(at: &str, expected: &Json<'_>, got: &Json<'_>, hint: Option<String>) -> Difference {
-    Difference {
-        at: at.to_owned(),
-        expected: Some(short(expected)),
-        got: Some(short(got)),
-        hint,
-    }
-}
-
-fn items(at: &str, expected: usize, got: usize) -> Difference {
-    Difference {
-        at: at.to_owned(),
-        expected: Some(format!("{expected} items")),
-        got: Some(format!("{got} items")),
-        hint: None,
-    }
+    found.retain(|found| !found.is_one_sided() || (!places.is_empty() && remains(&found.at)));
 }
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use ncp_spec::ErrorCode;
 
+use compare::{Relation, compare};
+
 use crate::json::Json;
 use crate::peer::{Answer, excerpt};
 use crate::suite::{Case, Expect};
@@ -95,7 +97,9 @@ pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
             let expected = expected.expand();
             // It was read when the suite was.
             if let Ok(expected) = Json::parse(&expected) {
-                compare::values(&expected, result, &mut differences);
+                compare(Relation::Values, &expected, result)
+                    .iter()
+                    .for_each(|found| found.note(&mut differences));
             }
         }
         (Answer::Result(result), Expect::Message { text, ignore }) => {

@@ -6,11 +6,8 @@ use std::sync::Arc;
 use ncp_spec::ErrorCode;
 use ncp_spec::catalogue::{Level, Requirement, Role};
 
-use super::template::Template;
+use super::template::{KEPT_BYTES, Template};
 use crate::peer::Call;
-
-/// Requests up to this size are kept ready to be sent; larger ones are made each time.
-const KEPT_BYTES: usize = 64 << 10;
 
 /// One case: a call, and what a peer has to answer.
 #[derive(Debug)]

@@ -280,7 +280,9 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             base64,
             columns,
         } => match (relation.as_str(), value, expected, ignore, base64, columns) {
-            ("json", Some(value), None, None, None, None) => Ok(Expect::Json(template(value)?)),
+            ("json", Some(value), None, None, None, None) => {
+                Ok(Expect::Json(template(value)?.keep()))
+            }
             ("message", None, Some(expected), ignore, None, None) => Ok(Expect::Message {
                 text: text(expected)?,
                 ignore: ignore.unwrap_or_default(),
@@ -295,7 +297,7 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             ("columns", None, None, None, None, Some(columns))
                 if columns.get().starts_with('[') =>
             {
-                Ok(Expect::Columns(template(columns)?))
+                Ok(Expect::Columns(template(columns)?.keep()))
             }
             ("json" | "message" | "encoding" | "bytes" | "columns", ..) => Err(format!(
                 "its expectation has not what the relation `{relation}` needs, or has more"

@@ -11,6 +11,8 @@ use base64::engine::general_purpose::STANDARD;
 use crate::json::{Json, JsonError, write_string};
 use crate::peer::MAX_REQUEST_BYTES;
 
+/// Up to this size an expanded text is kept at hand.
+pub(super) const KEPT_BYTES: usize = 64 << 10;
 /// How deep templates may stand within each other.
 const MAX_DEPTH: usize = 8;
 
@@ -19,6 +21,7 @@ const MAX_DEPTH: usize = 8;
 pub struct Template {
     raw: Box<str>,
     bytes: usize,
+    kept: Option<Box<str>>,
 }
 
 /// Why a template cannot be expanded.
@@ -56,6 +59,7 @@ impl Template {
         Ok(Self {
             raw: raw.into(),
             bytes,
+            kept: None,
         })
     }
 
@@ -75,15 +79,27 @@ impl Template {
                 .starts_with("\"$")
     }
 
+    /// Keeps the expanded text at hand, unless it is large.
+    #[must_use]
+    pub fn keep(mut self) -> Self {
+        if self.bytes <= KEPT_BYTES {
+            self.kept = Some(self.expand().into());
+        }
+        self
+    }
+
     /// The value as JSON text without white space, its templates expanded and its numbers spelled as in the file.
     #[must_use]
-    pub fn expand(&self) -> String {
+    pub fn expand(&self) -> Cow<'_, str> {
+        if let Some(kept) = &self.kept {
+            return Cow::Borrowed(kept);
+        }
         let mut out = String::with_capacity(self.bytes + 64);
         // It was read when it was made.
         if let Ok(value) = Json::parse(&self.raw) {
             write_expanded(&value, &mut out);
         }
-        out
+        Cow::Owned(out)
     }
 
     /// The string that it stands for, if [`is_text`](Self::is_text).
@@ -266,7 +282,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn expand(raw: &str) -> String {
-        Template::new(raw).unwrap().expand()
+        Template::new(raw).unwrap().expand().into_owned()
     }
 
     #[test]

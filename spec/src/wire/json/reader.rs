@@ -85,10 +85,10 @@ impl<'a> Reader<'a> {
     /// The beginning of the frame: white space up to the object that a frame is.
     pub(crate) fn begin(&mut self) -> Result<()> {
         self.space();
-        match self.peek() {
-            b'{' => Ok(()),
-            _ => Err(self.other_than(JsonType::Object("frame"), DecodeProblem::NotAnObject)), // [NCP-WIRE-003]
+        if self.peek() == b'{' {
+            return Ok(());
         }
+        Err(self.error(DecodeProblem::NotAnObject)) // [NCP-WIRE-003]
     }
 
     /// The end of the frame: nothing but white space. `// [NCP-WIRE-004]`
@@ -748,14 +748,6 @@ impl<'a> Reader<'a> {
             _ => DecodeProblem::Syntax("a value"),
         };
         self.error(problem)
-    }
-
-    #[cold]
-    fn other_than(&self, expected: JsonType, problem: DecodeProblem) -> DecodeError {
-        match self.wrong_type(expected).problem() {
-            DecodeProblem::Syntax(_) => self.syntax("an object"),
-            _ => self.error(problem),
-        }
     }
 }
 
