@@ -11,8 +11,8 @@ use thiserror::Error;
 use crate::keys::{KeyError, Keys, matches};
 use crate::reply::{ReplyError, check_reply};
 use crate::wire::{
-    CloseSession, EncodeError, Kind, Message, ObservationFrame, OpenSession, RunRequest, SessionClosed,
-    SessionOpened, StepRequest, Text,
+    CloseSession, EncodeError, Kind, Message, ObservationFrame, OpenSession, RunRequest,
+    SessionClosed, SessionOpened, StepRequest, Text,
 };
 
 /// How many frames a subscription keeps that nobody has taken.
@@ -92,7 +92,10 @@ impl LocalBus {
                 if frames.len() == QUEUE_FRAMES {
                     frames.pop_front();
                 }
-                frames.push_back(Delivery { key: key.to_owned(), frame: Arc::clone(&frame) });
+                frames.push_back(Delivery {
+                    key: key.to_owned(),
+                    frame: Arc::clone(&frame),
+                });
                 delivered += 1;
             }
         }
@@ -123,8 +126,10 @@ impl LocalBus {
         handler: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static,
     ) -> Result<Serving, BusError> {
         matches(key, key)?;
-        let server =
-            Arc::new(Server { key: key.to_owned(), handler: Mutex::new(Box::new(handler)) });
+        let server = Arc::new(Server {
+            key: key.to_owned(),
+            handler: Mutex::new(Box::new(handler)),
+        });
         lock(&self.shared).servers.push(Arc::downgrade(&server));
         Ok(Serving { _server: server })
     }
@@ -137,9 +142,15 @@ impl LocalBus {
         let server = {
             let mut shared = lock(&self.shared);
             shared.servers.retain(|server| server.strong_count() > 0);
-            shared.servers.iter().filter_map(Weak::upgrade).find(|server| server.key == key)
+            shared
+                .servers
+                .iter()
+                .filter_map(Weak::upgrade)
+                .find(|server| server.key == key)
         };
-        let server = server.ok_or_else(|| BusError::NoServer { key: key.to_owned() })?;
+        let server = server.ok_or_else(|| BusError::NoServer {
+            key: key.to_owned(),
+        })?;
         let mut handler = lock(&server.handler);
         Ok(handler(request))
     }
@@ -183,7 +194,11 @@ impl NeuroSimClient {
     /// # Errors
     /// The realm is not one.
     pub fn new(bus: LocalBus, realm: Option<&str>) -> Result<Self, BusError> {
-        Ok(Self { bus, rpc_key: Keys::new(realm)?.rpc()?, opened: Vec::new() })
+        Ok(Self {
+            bus,
+            rpc_key: Keys::new(realm)?.rpc()?,
+            opened: Vec::new(),
+        })
     }
 
     /// Opens a session.
@@ -222,10 +237,19 @@ impl NeuroSimClient {
     /// # Errors
     /// As [`open`](Self::open).
     pub fn close(&mut self, session_id: &str) -> Result<Option<SessionClosed>, BusError> {
-        let Some(at) = self.opened.iter().position(|id| id == session_id) else { return Ok(None) };
-        let session_id = self.opened.remove(at);
-        let request = CloseSession { session_id, ..CloseSession::default() };
-        match self.ask(&Message::CloseSession(request))? {
+        let Some(at) = self.opened.iter().position(|id| id == session_id) else {
+            return Ok(None);
+        };
+        let request = CloseSession {
+            session_id: session_id.to_owned().into(),
+            ..CloseSession::default()
+        };
+        let reply = self.ask(&Message::CloseSession(request));
+        // Whatever the server says, the session is not this client's any more; if none was asked, it is.
+        if !matches!(reply, Err(BusError::NoServer { .. })) {
+            self.opened.remove(at);
+        }
+        match reply? {
             Message::SessionClosed(closed) => Ok(Some(closed)),
             other => Err(unfitting(Kind::SessionClosed, &other)),
         }
@@ -239,13 +263,19 @@ impl NeuroSimClient {
     }
 
     fn ask(&self, request: &Message) -> Result<Message, BusError> {
-        let reply = self.bus.query(&self.rpc_key, request.encode()?.as_bytes())?;
+        let reply = self
+            .bus
+            .query(&self.rpc_key, request.encode()?.as_bytes())?;
         Ok(check_reply(request, &reply)?)
     }
 }
 
 fn unfitting(expected: Kind, reply: &Message) -> BusError {
-    ReplyError::Kind { expected, found: reply.kind() }.into()
+    ReplyError::Kind {
+        expected,
+        found: reply.kind(),
+    }
+    .into()
 }
 
 /// A handler that panicked left its own state in doubt, not the bus's.

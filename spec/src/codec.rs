@@ -156,7 +156,14 @@ fn map(value: Option<f64>, from: (f64, f64), to: (f64, f64)) -> f64 {
     else {
         return middle;
     };
-    let mapped = to.0 + (value - from.0) / span * (to.1 - to.0);
+    let share = (value - from.0) / span;
+    let width = to.1 - to.0;
+    // The same map, for a range that is wider than any double.
+    let mapped = if width.is_finite() {
+        to.0 + share * width
+    } else {
+        to.0 * (1.0 - share) + to.1 * share
+    };
     let (low, high) = if to.0 <= to.1 { to } else { (to.1, to.0) };
     // `max` and `min` choose the bound over a NaN, and never panic as `clamp` does.
     if mapped.is_nan() {

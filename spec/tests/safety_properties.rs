@@ -1,8 +1,8 @@
 //! The invariants of the safety chapters, over random traces.
 
-use ncp_spec::control::{
-    ControlLoop, Controller, LoopConfig, ReflexConfig, ReflexController,
-};
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use ncp_spec::control::{ControlLoop, Controller, LoopConfig, ReflexConfig, ReflexController};
 use ncp_spec::resilience::{ActionBuffer, CommandWatchdog, LinkMonitor, is_estop, max_horizon_len};
 use ncp_spec::safety::{Decision, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL, kernel};
 use ncp_spec::wire::{
@@ -28,9 +28,14 @@ fn mode() -> impl Strategy<Value = Mode> {
 }
 
 fn velocity() -> impl Strategy<Value = ChannelValue> {
-    (prop::collection::vec(any_double(), 3), prop::option::weighted(0.7, Just("m/s"))).prop_map(
-        |(data, unit)| ChannelValue { data, unit: unit.map(Into::into) },
+    (
+        prop::collection::vec(any_double(), 3),
+        prop::option::weighted(0.7, Just("m/s")),
     )
+        .prop_map(|(data, unit)| ChannelValue {
+            data,
+            unit: unit.map(Into::into),
+        })
 }
 
 fn tick() -> impl Strategy<Value = ChannelMap> {
@@ -57,8 +62,13 @@ prop_compose! {
 }
 
 fn at(position: [f64; 3]) -> SensorFrame {
-    let mut frame = SensorFrame { seq: 1, ..SensorFrame::default() };
-    frame.channels.insert(POSITION_CHANNEL, ChannelValue::new(position, "m"));
+    let mut frame = SensorFrame {
+        seq: 1,
+        ..SensorFrame::default()
+    };
+    frame
+        .channels
+        .insert(POSITION_CHANNEL, ChannelValue::new(position, "m"));
     frame
 }
 
@@ -71,7 +81,10 @@ fn fenced(radius_m: f64, max_speed_mps: Option<f64>) -> SafetyLimits {
 }
 
 fn setpoint(channels: &ChannelMap) -> [f64; 3] {
-    channels.get(VELOCITY_CHANNEL).and_then(|v| v.data.as_slice().try_into().ok()).unwrap()
+    channels
+        .get(VELOCITY_CHANNEL)
+        .and_then(|v| v.data.as_slice().try_into().ok())
+        .unwrap()
 }
 
 proptest! {

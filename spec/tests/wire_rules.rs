@@ -7,10 +7,10 @@
 
 use ncp_spec::ErrorCode;
 use ncp_spec::wire::{
-    BulkObservation, Capabilities, ChannelValue, CommandFrame, DecodeError, ErrorFrame, Frame,
-    Kind, MAX_FRAME_BYTES, MAX_OBSERVATION_BYTES, Message, Mode, NetworkRef, Observable,
-    ObservationFrame, OpenSession, RunRequest, SensorFrame, SessionOpened, SimProvenance,
-    StepRequest, StimulusFrame, build, decode, decode_any,
+    BulkObservation, Capabilities, ChannelMap, ChannelValue, CommandFrame, DecodeError, ErrorFrame,
+    Frame, Kind, MAX_ENTRIES, MAX_FRAME_BYTES, MAX_ITEMS, MAX_OBSERVATION_BYTES, Message, Mode,
+    NetworkRef, Observable, ObservationFrame, OpenSession, RunRequest, SensorFrame, SessionOpened,
+    SimProvenance, StepRequest, StimulusFrame, build, decode, decode_any,
 };
 
 fn command(members: &str) -> Result<CommandFrame, DecodeError> {
@@ -1076,5 +1076,42 @@ fn a_program_may_name_numbers_that_json_lacks_and_no_field_that_is_not_there() {
     assert_eq!(
         command(r#","t":"NaN""#).unwrap_err().code(),
         ErrorCode::Type
+    );
+}
+
+#[test]
+fn what_a_message_holds_is_shown_whatever_it_is() {
+    let unsendable = Message::from(CommandFrame {
+        seq: -i64::MAX,
+        t: f64::INFINITY,
+        ttl_ms: f64::NEG_INFINITY,
+        horizon_dt_ms: Some(-0.0),
+        ..Default::default()
+    });
+    assert!(unsendable.encode().is_err());
+    let again = build(Kind::CommandFrame, unsendable.fields().as_bytes());
+    assert_eq!(again.unwrap(), unsendable);
+    for kind in Kind::ALL {
+        let built = build(kind, b"{}").unwrap();
+        assert_eq!(build(kind, built.fields().as_bytes()).unwrap(), built);
+    }
+
+    let lost = Message::from(SensorFrame {
+        t: f64::NAN,
+        ..Default::default()
+    });
+    assert!(lost.fields().contains(r#""t":"NaN","#), "{}", lost.fields());
+    let name = |nth: usize| (nth.to_string(), ChannelValue::default());
+    let many = Message::from(CommandFrame {
+        horizon: vec![ChannelMap::new(); MAX_ITEMS + 1],
+        channels: (0..=MAX_ENTRIES).map(name).collect(),
+        ..Default::default()
+    });
+    assert!(many.encode().is_err());
+    let shown: serde_json::Value = serde_json::from_str(&many.fields()).unwrap();
+    assert_eq!(shown["horizon"].as_array().unwrap().len(), MAX_ITEMS + 1);
+    assert_eq!(
+        shown["channels"].as_object().unwrap().len(),
+        MAX_ENTRIES + 1
     );
 }

@@ -68,40 +68,94 @@ pub enum JsonFault {
     Depth,
 }
 
-/// A number by its meaning: an exact integer if it is spelled as one, else a double.
+/// A number by its meaning: the nearest double, and the exact integer if it is spelled as one.
 #[derive(Debug, Clone, Copy)]
-pub enum Number {
-    /// Spelled without fraction and exponent, and not `-0`.
-    Integer(i128),
-    /// Anything else.
-    Double(f64),
+pub struct Number {
+    /// The integer, if it is spelled without fraction and exponent and is not `-0`.
+    integer: Option<i128>,
+    double: f64,
 }
 
 impl Number {
     /// Reads the spelling of a JSON number.
     #[must_use]
     pub fn read(spelling: &str) -> Self {
-        if is_integer(spelling)
-            && spelling != "-0"
-            && let Ok(integer) = spelling.parse()
-        {
-            return Self::Integer(integer);
+        let integer = if is_integer(spelling) && spelling != "-0" {
+            spelling.parse().ok()
+        } else {
+            None
+        };
+        Self {
+            integer,
+            double: spelling.parse().unwrap_or(f64::NAN),
         }
-        Self::Double(spelling.parse().unwrap_or(f64::NAN))
     }
 
-    /// Whether both are the same number: integers exactly, doubles by their bits, so that −0 is not 0.
-    /// An integer and a double are the same when the double is exactly that integer.
+    /// The number that a value is, or that its string stands for: `"NaN"`, `"Infinity"`, `"-Infinity"`, `"-0"`.
     #[must_use]
-    pub fn same(self, other: Self) -> bool {
-        match (self, other) {
-            (Self::Integer(a), Self::Integer(b)) => a == b,
-            (Self::Double(a), Self::Double(b)) => {
-                a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+    pub fn of(value: &Json<'_>) -> Option<Self> {
+        let double = match value {
+            Json::Number(spelling) => return Some(Self::read(spelling)),
+            Json::String(name) => match name.as_ref() {
+                "NaN" => f64::NAN,
+                "Infinity" => f64::INFINITY,
+                "-Infinity" => f64::NEG_INFINITY,
+                "-0" => -0.0,
+                _ => return None,
+            },
+            _ => return None,
+        };
+        Some(Self {
+            integer: None,
+            double,
+        })
+    }
+
+    /// The nearest double.
+    #[must_use]
+    pub fn as_double(self) -> f64 {
+        self.double
+    }
+
+    /// Whether another number is this one but for `tolerance`, which is relative, with a floor of the same size:
+    /// |a − b| ≤ tolerance · max(1, |a|, |b|). 0 is −0, and integers are compared exactly if there is no tolerance.
+    #[must_use]
+    pub fn is_near(self, got: Self, tolerance: f64) -> bool {
+        let (a, b) = (self.double, got.double);
+        match (self.integer, got.integer) {
+            (Some(expected), Some(got)) if tolerance == 0.0 => expected == got,
+            _ if a.is_finite() && b.is_finite() => {
+                (a - b).abs() <= tolerance * a.abs().max(b.abs()).max(1.0)
             }
-            (Self::Integer(a), Self::Double(b)) | (Self::Double(b), Self::Integer(a)) => {
-                is_exactly(b, a)
+            _ => a == b || (a.is_nan() && b.is_nan()),
+        }
+    }
+
+    /// Whether another number is the one that is expected here.
+    ///
+    /// Where a double is expected, that is the same double by its bits, so that −0 is not 0, however many digits spell
+    /// it. Where an integer is expected, that is exactly this integer.
+    #[must_use]
+    pub fn is_met_by(self, got: Self) -> bool {
+        match (self.integer, got.integer) {
+            (Some(expected), Some(got)) => expected == got,
+            (Some(expected), None) => is_exactly(got.double, expected),
+            (None, _) => {
+                self.double.to_bits() == got.double.to_bits()
+                    || (self.double.is_nan() && got.double.is_nan())
             }
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.integer, self.double) {
+            (Some(integer), _) => write!(f, "{integer}"),
+            (None, f64::INFINITY) => f.write_str("\"Infinity\""),
+            (None, f64::NEG_INFINITY) => f.write_str("\"-Infinity\""),
+            (None, double) if double.is_nan() => f.write_str("\"NaN\""),
+            (None, double) => write!(f, "{double:?}"),
         }
     }
 }
@@ -651,13 +705,30 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_the_same_by_value_and_sign_of_zero() {
-        let same = |a: &str, b: &str| Number::read(a).same(Number::read(b));
-        assert!(same("5", "5.0") && same("5", "50e-1") && same("-0.0", "-0") && same("0", "0.0"));
-        assert!(!same("0", "-0") && !same("0.0", "-0.0") && !same("1", "2"));
-        assert!(!same("9007199254740993", "9007199254740992"));
-        assert!(!same("9007199254740993", "9007199254740992.0"));
-        assert!(!same("0.1", "0.10000000000000002"));
+    fn a_number_is_met_by_value_and_sign_of_zero() {
+        let met = |expected: &str, got: &str| Number::read(expected).is_met_by(Number::read(got));
+        for (a, b) in [
+            ("5", "5.0"),
+            ("5", "50e-1"),
+            ("-0.0", "-0"),
+            ("0", "0.0"),
+            ("1e2", "100"),
+        ] {
+            assert!(met(a, b) && met(b, a), "{a} {b}");
+        }
+        for (a, b) in [
+            ("0", "-0"),
+            ("0.0", "-0.0"),
+            ("1", "2"),
+            ("9007199254740993", "9007199254740992"),
+            ("9007199254740993", "9007199254740992.0"),
+            ("0.1", "0.10000000000000002"),
+        ] {
+            assert!(!met(a, b), "{a} {b}");
+        }
+        // The shortest digits that read back as 2^63 are not 2^63; they are that double all the same.
+        assert!(met("9.223372036854775808e18", "9223372036854776000"));
+        assert!(!met("9223372036854775808", "9223372036854776000"));
     }
 
     #[test]

@@ -4,9 +4,9 @@ use thiserror::Error;
 
 use super::Controller;
 use crate::resilience::LinkMonitor;
-use crate::safety::kernel::{MAX_TTL_MS, is_duration};
+use crate::safety::kernel::is_duration;
 use crate::safety::{Decision, SafetyGovernor};
-use crate::wire::{CommandFrame, ControlStatus, SensorFrame, Text};
+use crate::wire::{CommandFrame, ControlStatus, MAX_ITEMS, SensorFrame, Text};
 
 /// How a loop runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,10 +109,16 @@ impl<C: Controller> ControlLoop<C> {
         }
         command.t = self.t;
         command.seq = sensor.map_or(0, |frame| frame.seq); // [NCP-CTRL-013]
-        // [NCP-CTRL-014] No plant enforces more than the longest ttl, and no frame holds an infinite one.
-        let least_ms = 2.0 * self.period_ms;
-        command.ttl_ms = command.ttl_ms.min(MAX_TTL_MS).max(least_ms);
+        // [NCP-CTRL-014] A ttl that is no number is no time, so it is raised like any that is too short.
+        let least_ms = (2.0 * self.period_ms).min(f64::MAX);
+        command.ttl_ms = if command.ttl_ms.is_finite() {
+            command.ttl_ms.max(least_ms)
+        } else {
+            least_ms
+        };
+        // What no frame holds is not to go out: a plant without the rest of a horizon holds sooner.
         command.horizon_dt_ms = command.horizon_dt_ms.filter(|dt_ms| dt_ms.is_finite());
+        command.horizon.truncate(MAX_ITEMS);
         self.governor.note_link(self.link.burst()); // [NCP-CTRL-016]
         // [NCP-CTRL-015]
         let wanted = command.mode;

@@ -113,6 +113,13 @@ impl Controller for ReflexController {
                 for (u, ((p, v), target)) in setpoint.iter_mut().zip(axes) {
                     let wanted = -kp * (p - target) - kd * v;
                     *u = wanted.max(-max_speed_mps).min(max_speed_mps);
+                    if wanted.is_nan() {
+                        command.mode = Mode::Hold;
+                    }
+                }
+                // Terms that overflow against each other say nothing, and `max` would pick a bound.
+                if command.mode == Mode::Hold {
+                    setpoint = [0.0; 3];
                 }
             }
         }

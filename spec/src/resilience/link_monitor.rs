@@ -6,9 +6,11 @@ use std::collections::BTreeSet;
 const MAX_UPDATES: u64 = 256;
 /// The most missing seqs that are remembered. `[NCP-RES-048]`
 const MAX_MISSING: usize = 4_096;
-const DEFAULT_REF_LOSS: f64 = 0.05;
+/// The share of losses that is usual, unless it is said otherwise. `[NCP-RES-051]`
+pub const DEFAULT_REF_LOSS: f64 = 0.05;
 const MAX_REF_LOSS: f64 = 0.99;
-const DEFAULT_THRESHOLD: f64 = 5.0;
+/// The detector's threshold, unless it is said otherwise. `[NCP-RES-052]`
+pub const DEFAULT_THRESHOLD: f64 = 5.0;
 
 /// Counts what a stream loses, by the `seq` of every frame that arrives.
 #[derive(Debug, Clone)]

@@ -5,7 +5,7 @@ mod link_monitor;
 mod watchdog;
 
 pub use action_buffer::{ActionBuffer, Received, is_estop};
-pub use link_monitor::{LinkMonitor, LinkReport};
+pub use link_monitor::{DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, LinkReport};
 pub use watchdog::CommandWatchdog;
 
 use crate::safety::kernel;

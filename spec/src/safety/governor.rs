@@ -167,7 +167,7 @@ impl SafetyGovernor {
             Ok(limited) => limited,
             Err(reason) => return self.hold(command, reason),
         };
-        let truncated = match place.map(|place| keep_inside(command, &place)) {
+        let truncated = match place.map(|place| self.keep_inside(command, &place)) {
             Some(Err(reason)) => return self.hold(command, reason),
             Some(Ok(truncated)) => truncated,
             None => false,
@@ -264,111 +264,111 @@ impl SafetyGovernor {
     }
 
     fn limit_tick(&self, channels: &mut ChannelMap) -> Result<bool, Reason> {
-        if !channels
-            .values()
-            .all(|channel| kernel::all_finite(&channel.data))
-        {
-            return Err(Reason::NotFinite);
-        }
-        let Limit::Enabled(max_mps) = self.speed_mps else {
-            return Ok(false);
-        };
-        if velocity_of(channels).is_none() {
-            return Err(Reason::NoVelocity);
-        }
-        let mut limited = false;
+        let (mut limited, mut has_velocity) = (false, false);
         for (name, channel) in channels.iter_mut() {
-            // [NCP-SAFE-065]
-            let unit = channel
-                .unit
-                .as_deref()
-                .or_else(|| self.negotiated_unit(name));
-            if unit == Some(METRES_PER_SECOND) {
-                limited |= kernel::norm(&channel.data) > max_mps;
-                if !kernel::clamp(&mut channel.data, max_mps) {
-                    return Err(Reason::NoVelocity);
-                }
+            if !kernel::all_finite(&channel.data) {
+                return Err(Reason::NotFinite);
             }
+            let Limit::Enabled(max_mps) = self.speed_mps else {
+                continue;
+            };
+            // [NCP-SAFE-065]
+            if self.unit_of(name, channel) != Some(METRES_PER_SECOND) {
+                continue;
+            }
+            has_velocity |= channel.data.len() == 3 && name == VELOCITY_CHANNEL;
+            limited |=
+                kernel::bring_within(&mut channel.data, max_mps).ok_or(Reason::NoVelocity)?;
+        }
+        if self.speed_mps != Limit::Disabled && !has_velocity {
+            return Err(Reason::NoVelocity);
         }
         Ok(limited)
     }
 
-    /// The unit of a channel whose frame does not say. `[NCP-SAFE-042]`
-    fn negotiated_unit(&self, name: &str) -> Option<&str> {
-        if name == VELOCITY_CHANNEL {
-            return Some(METRES_PER_SECOND);
+    /// The velocity in m/s, if the tick has one that is 3 wide. `[NCP-SAFE-052] [NCP-SAFE-063]`
+    fn velocity_of(&self, channels: &ChannelMap) -> Option<[f64; 3]> {
+        let channel = channels.get(VELOCITY_CHANNEL)?;
+        (self.unit_of(VELOCITY_CHANNEL, channel) == Some(METRES_PER_SECOND))
+            .then(|| channel.data.as_slice().try_into().ok())?
+    }
+
+    /// The unit of a command's channel: the frame's, or the negotiated one where the frame does not
+    /// say. `[NCP-SAFE-042]`
+    fn unit_of<'a>(&'a self, name: &str, channel: &'a ChannelValue) -> Option<&'a str> {
+        channel.unit.as_deref().or_else(|| {
+            self.channels
+                .iter()
+                .find(|(known, _)| known == name)
+                .and_then(|(_, unit)| unit.as_deref())
+        })
+    }
+
+    /// Truncates the horizon before the first step that ends outside the fence. Whether it did; an
+    /// error when tick 0 itself leads out.
+    fn keep_inside(
+        &self,
+        command: &mut CommandFrame,
+        &(position, radius_m): &([f64; 3], f64),
+    ) -> Result<bool, Reason> {
+        // [NCP-SAFE-052]
+        let velocity = self
+            .velocity_of(&command.channels)
+            .ok_or(Reason::NoVelocity)?;
+        // A plant does not act on a command whose ttl is no time.
+        let ttl_ms = kernel::enforced_ttl_ms(command.ttl_ms).unwrap_or(0.0);
+        let after = |from: &[f64; 3], velocity: &[f64; 3], time_ms: f64| {
+            Some(kernel::travel(from, velocity, time_ms / 1000.0))
+                .filter(|end| kernel::inside(end, radius_m))
+        };
+        let had_horizon = !command.horizon.is_empty();
+        if had_horizon {
+            let dt_ms = command.horizon_dt_ms.unwrap_or(f64::NAN);
+            let share_ms = |tick| kernel::tick_share_ms(tick, dt_ms, ttl_ms);
+            // [NCP-SAFE-051]
+            let mut place = after(&position, &velocity, share_ms(0)).ok_or(Reason::LeavesFence)?;
+            let mut kept = 0;
+            for step in &command.horizon {
+                let next = self
+                    .velocity_of(step)
+                    .and_then(|v| after(&place, &v, share_ms(kept + 1)));
+                let Some(next) = next else { break };
+                place = next;
+                kept += 1;
+            }
+            let truncated = kept < command.horizon.len();
+            command.horizon.truncate(kept); // [NCP-SAFE-050]
+            if kept > 0 {
+                return Ok(truncated);
+            }
         }
-        self.channels
-            .iter()
-            .find(|(known, _)| known == name)
-            .and_then(|(_, unit)| unit.as_deref())
+        // [NCP-SAFE-053] Without a horizon, tick 0 is followed until the ttl ends.
+        after(&position, &velocity, ttl_ms).ok_or(Reason::LeavesFence)?;
+        Ok(had_horizon)
     }
 }
 
-/// Whether a channel is declared in its unit and 3 wide.
+/// Whether a channel is declared, and never but in its unit and 3 wide.
 /// `[NCP-SAFE-014] [NCP-SAFE-015] [NCP-SAFE-016]`
 fn is_declared(channels: &[ChannelSpec], name: &str, unit: &str) -> bool {
-    channels.iter().any(|spec| {
-        let is_wide = match spec.kind {
-            ChannelKind::Vec3 => spec.size.is_none_or(|size| size == 3),
-            ChannelKind::Array => spec.size == Some(3),
-            _ => false,
-        };
-        spec.name == name && spec.unit.as_deref() == Some(unit) && is_wide
-    })
+    let mut declared = channels.iter().filter(|spec| spec.name == name).peekable();
+    declared.peek().is_some()
+        && declared.all(|spec| {
+            let is_wide = match spec.kind {
+                ChannelKind::Vec3 => spec.size.is_none_or(|size| size == 3),
+                ChannelKind::Array => spec.size == Some(3),
+                _ => false,
+            };
+            spec.unit.as_deref() == Some(unit) && is_wide
+        })
 }
 
-/// The position in metres, if the frame has one that is 3 wide.
-/// `[NCP-SAFE-040] [NCP-SAFE-041] [NCP-SAFE-042]`
+/// The position in metres, if the frame has one that is 3 wide. Where the fence is enabled, metres are
+/// what was negotiated. `[NCP-SAFE-040] [NCP-SAFE-041] [NCP-SAFE-042]`
 fn position_of(sensor: &SensorFrame) -> Option<[f64; 3]> {
-    vector(&sensor.channels, POSITION_CHANNEL, METRES)
-}
-
-/// The velocity in m/s, if the tick has one that is 3 wide. `[NCP-SAFE-052] [NCP-SAFE-063]`
-fn velocity_of(channels: &ChannelMap) -> Option<[f64; 3]> {
-    vector(channels, VELOCITY_CHANNEL, METRES_PER_SECOND)
-}
-
-fn vector(channels: &ChannelMap, name: &str, unit: &str) -> Option<[f64; 3]> {
-    let channel = channels.get(name)?;
-    if channel.unit.as_deref().is_some_and(|found| found != unit) {
+    let channel = sensor.channels.get(POSITION_CHANNEL)?;
+    if channel.unit.as_deref().is_some_and(|unit| unit != METRES) {
         return None;
     }
     channel.data.as_slice().try_into().ok()
-}
-
-/// Truncates the horizon before the first step that ends outside the fence. Whether it did; an
-/// error when tick 0 itself leads out.
-fn keep_inside(
-    command: &mut CommandFrame,
-    &(position, radius_m): &([f64; 3], f64),
-) -> Result<bool, Reason> {
-    let velocity = velocity_of(&command.channels).ok_or(Reason::NoVelocity)?; // [NCP-SAFE-052]
-    // A plant does not act on a command whose ttl is no time.
-    let ttl_ms = kernel::enforced_ttl_ms(command.ttl_ms).unwrap_or(0.0);
-    let after = |from: &[f64; 3], velocity: &[f64; 3], time_ms: f64| {
-        Some(kernel::travel(from, velocity, time_ms / 1000.0))
-            .filter(|end| kernel::inside(end, radius_m))
-    };
-    let had_horizon = !command.horizon.is_empty();
-    if had_horizon {
-        let dt_ms = command.horizon_dt_ms.unwrap_or(f64::NAN);
-        let share_ms = |tick| kernel::tick_share_ms(tick, dt_ms, ttl_ms);
-        let mut place = after(&position, &velocity, share_ms(0)).ok_or(Reason::LeavesFence)?; // [NCP-SAFE-051]
-        let mut kept = 0;
-        for step in &command.horizon {
-            let next = velocity_of(step).and_then(|v| after(&place, &v, share_ms(kept + 1)));
-            let Some(next) = next else { break };
-            place = next;
-            kept += 1;
-        }
-        let truncated = kept < command.horizon.len();
-        command.horizon.truncate(kept); // [NCP-SAFE-050]
-        if kept > 0 {
-            return Ok(truncated);
-        }
-    }
-    // [NCP-SAFE-053] Without a horizon, tick 0 is followed until the ttl ends.
-    after(&position, &velocity, ttl_ms).ok_or(Reason::LeavesFence)?;
-    Ok(had_horizon)
 }

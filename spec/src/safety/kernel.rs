@@ -243,28 +243,41 @@ pub fn tick_share_ms<S: Scalar>(tick: usize, dt_ms: S, ttl_ms: S) -> S {
 /// above it, the vector becomes zero.
 #[inline]
 pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
+    bring_within(vector, max).is_some()
+}
+
+/// [`clamp`], which also says whether the vector was above the bound; none for what is not to be used.
+#[inline]
+pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
     let zero = S::constant(0.0);
     if !all_finite(vector) || !max.is_finite() || !zero.lt(max) {
-        return false;
+        return None;
     }
-    if norm(vector).le(max) {
-        return true; // [NCP-SAFE-062]
+    let mut length = norm(vector);
+    if length.le(max) {
+        return Some(false); // [NCP-SAFE-062]
     }
-    // [NCP-SAFE-060] [NCP-SAFE-061] By the largest component first, so that no square overflows.
-    let mut largest = zero;
-    for x in vector.iter() {
-        if largest.lt(x.abs()) {
-            largest = x.abs();
+    // [NCP-SAFE-060] [NCP-SAFE-061] Where a square leaves the range of a double, by the largest
+    // component first. Such a vector may be within `max` for all that: it is not to grow.
+    let mut most = S::constant(1.0);
+    if !S::constant(1e-140).lt(length) || !length.lt(S::constant(1e140)) {
+        most = zero;
+        for x in vector.iter() {
+            if most.lt(x.abs()) {
+                most = x.abs();
+            }
         }
+        for x in vector.iter_mut() {
+            *x = x.div(most);
+        }
+        length = norm(vector);
     }
-    for x in vector.iter_mut() {
-        *x = x.div(largest);
-    }
-    // A little below `max`, by more than the roundings that follow can add.
-    let length = norm(vector);
-    let scale = max.mul(S::constant(1.0 - 1e-15)).div(length);
-    // A norm that overflows may belong to a vector within `max`: that one is not to grow.
-    let scale = if largest.lt(scale) { largest } else { scale };
+    // A little below `max`, by more than the roundings can add: half an ulp for each component and a
+    // few for the rest.
+    #[expect(clippy::cast_precision_loss)]
+    let margin = 1.0 - (vector.len() as f64 + 8.0) * (f64::EPSILON / 2.0);
+    let scale = max.mul(S::constant(margin)).div(length);
+    let scale = if most.lt(scale) { most } else { scale };
     for x in vector.iter_mut() {
         *x = x.mul(scale);
     }
@@ -273,5 +286,5 @@ pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
             *x = zero;
         }
     }
-    true
+    Some(true)
 }

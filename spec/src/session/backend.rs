@@ -34,6 +34,16 @@ pub trait Simulation {
     /// A port is unknown, or its value does not fit.
     fn stimulate(&mut self, values: &ChannelMap) -> Result<(), BackendError>;
 
+    /// Whether `advance_ms` can be run now. It is asked before the values of ports are set, so that a
+    /// request that fails changes nothing. `[NCP-SESS-037]`
+    ///
+    /// # Errors
+    /// The time cannot be run.
+    fn check_advance(&self, advance_ms: f64) -> Result<(), BackendError> {
+        let _ = advance_ms;
+        Ok(())
+    }
+
     /// Runs for `advance_ms` of simulation time, and gives what was recorded meanwhile, by port.
     ///
     /// # Errors

@@ -12,7 +12,9 @@ const MAX_NEURONS: i64 = 100_000;
 /// The most integration steps of a request.
 const MAX_STEPS: f64 = 1e7;
 /// The most samples that a request records.
-const MAX_SAMPLES: usize = 1_000_000;
+const MAX_SAMPLES: f64 = 1e6;
+/// The most neuron steps of a request, what records look at included: some seconds of work.
+const MAX_WORK: f64 = 1e9;
 
 /// Offers `ncp.reference.lif` and `ncp.reference.rate`.
 #[derive(Debug, Clone, Default)]
@@ -77,8 +79,50 @@ struct Port {
 struct Record {
     port: Port,
     target: RecordTarget,
-    /// Steps between two samples.
-    every: u64,
+    /// Steps between two samples; not a whole number where the cadence is no multiple of dt.
+    every: f64,
+}
+
+impl Record {
+    /// A cadence that is a multiple of dt but for rounding is one.
+    fn new(port: Port, target: &RecordTarget, dt_ms: f64) -> Result<Self, BackendError> {
+        let ratio = target.cadence_ms / dt_ms;
+        if !is_duration(target.cadence_ms) || !is_duration(ratio) {
+            return Err(BackendError::Time {
+                name: "cadence_ms",
+                value_ms: target.cadence_ms,
+            });
+        }
+        let whole = ratio.round();
+        let is_whole = (ratio - whole).abs() <= 1e-9 * ratio;
+        Ok(Self {
+            port,
+            target: target.clone(),
+            every: if is_whole { whole } else { ratio },
+        })
+    }
+
+    /// Whether this step, counted from 1, reaches a multiple of the cadence that the one before did
+    /// not. `[NCP-SESS-053]`
+    fn is_due(&self, step: u64) -> bool {
+        #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
+        let reached = |step: u64| (step as f64 / self.every * (1.0 + 1e-12)).floor();
+        reached(step) > reached(step - 1)
+    }
+
+    fn is_of_spikes(&self) -> bool {
+        self.target.observable == Observable::Spikes
+    }
+
+    /// The most samples of `steps` steps, of a network whose neurons rest for `rest` steps after a spike.
+    fn most_samples(&self, steps: f64, rest: f64) -> f64 {
+        let every = if self.is_of_spikes() {
+            1.0 + rest
+        } else {
+            self.every.max(1.0)
+        };
+        (steps / every + 1.0).min(steps) * count(self.port.neurons.len())
+    }
 }
 
 enum Model {
@@ -176,6 +220,15 @@ impl Model {
     fn rest(&self) -> f64 {
         match self {
             Self::Lif { e_l, .. } => *e_l,
+            Self::Rate { .. } => 0.0,
+        }
+    }
+
+    /// For how many steps a neuron rests after a spike.
+    #[expect(clippy::cast_precision_loss)] // within 0 and 1e7
+    fn rest_steps(&self) -> f64 {
+        match self {
+            Self::Lif { t_ref, .. } => *t_ref as f64,
             Self::Rate { .. } => 0.0,
         }
     }
@@ -284,20 +337,8 @@ impl Network {
             if !network.model.records(&target.observable) {
                 return Err(unsupported(&target.port, target.observable.as_str()));
             }
-            let every = (target.cadence_ms / dt_ms).round();
-            if !(1.0..=MAX_STEPS).contains(&every) {
-                return Err(BackendError::Time {
-                    name: "cadence_ms",
-                    value_ms: target.cadence_ms,
-                });
-            }
             let port = network.port(&target.port, &target.target, &target.ids)?;
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 1 and 1e7
-            network.records.push(Record {
-                port,
-                target: target.clone(),
-                every: every as u64,
-            });
+            network.records.push(Record::new(port, target, dt_ms)?);
         }
         Ok(network)
     }
@@ -358,6 +399,12 @@ impl Network {
         }
     }
 
+    /// How many steps a request makes, with what the requests before left over.
+    fn steps_of(&self, advance_ms: f64) -> f64 {
+        // A whole number of steps must not be lost to the rounding of dt.
+        ((self.rest_ms + advance_ms) / self.dt_ms + 1e-9).floor()
+    }
+
     #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
     fn time_of(&self, step: u64) -> f64 {
         step as f64 * self.dt_ms
@@ -398,31 +445,44 @@ impl Simulation for Network {
         Ok(())
     }
 
-    fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
-        let refuse = || BackendError::Time {
-            name: "advance_ms",
-            value_ms: advance_ms,
-        };
-        let wanted_ms = self.rest_ms + advance_ms;
-        // A whole number of steps must not be lost to the rounding of dt.
-        let steps = (wanted_ms / self.dt_ms + 1e-9).floor();
-        if !(advance_ms >= 0.0 && steps <= MAX_STEPS) {
-            return Err(refuse());
-        }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
-        let steps_now = steps as u64;
-        let samples: usize = self
+    fn check_advance(&self, advance_ms: f64) -> Result<(), BackendError> {
+        let steps = self.steps_of(advance_ms);
+        let neurons: f64 = self
+            .populations
+            .iter()
+            .map(|p| count(p.neurons.len()))
+            .sum();
+        let watched: f64 = self
             .records
             .iter()
-            .map(|record| {
-                let times = usize::try_from(steps_now / record.every + 1).unwrap_or(usize::MAX);
-                times.saturating_mul(record.port.neurons.len())
+            .map(|r| count(r.port.neurons.len()))
+            .sum();
+        let rest = self.model.rest_steps();
+        let samples: f64 = self
+            .records
+            .iter()
+            .map(|r| r.most_samples(steps, rest))
+            .sum();
+        let can = advance_ms >= 0.0
+            && steps <= MAX_STEPS
+            && steps * (neurons + watched) <= MAX_WORK
+            && samples <= MAX_SAMPLES;
+        if can {
+            Ok(())
+        } else {
+            Err(BackendError::Time {
+                name: "advance_ms",
+                value_ms: advance_ms,
             })
-            .fold(0, usize::saturating_add);
-        if samples > MAX_SAMPLES {
-            return Err(refuse());
         }
-        self.rest_ms = (wanted_ms - steps * self.dt_ms).max(0.0);
+    }
+
+    fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
+        self.check_advance(advance_ms)?;
+        let steps = self.steps_of(advance_ms);
+        self.rest_ms = (self.rest_ms + advance_ms - steps * self.dt_ms).max(0.0);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
+        let steps_now = steps as u64;
         let mut observations: Vec<Observation> = self
             .records
             .iter()
@@ -440,8 +500,8 @@ impl Simulation for Network {
                 let Some(population) = self.populations.get(record.port.population) else {
                     continue;
                 };
-                let spikes = record.target.observable == Observable::Spikes;
-                if !spikes && !self.steps.is_multiple_of(record.every) {
+                let spikes = record.is_of_spikes();
+                if !spikes && !record.is_due(self.steps) {
                     continue; // [NCP-SESS-053]
                 }
                 for &at in &record.port.neurons {
@@ -494,6 +554,11 @@ fn unsupported(port: &str, what: &str) -> BackendError {
         port: port.to_owned(),
         what: what.to_owned(),
     }
+}
+
+#[expect(clippy::cast_precision_loss)] // far below 2^53
+fn count(items: usize) -> f64 {
+    items as f64
 }
 
 fn to_i64(count: usize) -> i64 {

@@ -127,7 +127,7 @@ impl<B: SimulationBackend> SessionService<B> {
         }
     }
 
-    /// `[NCP-SESS-026] [NCP-SESS-027] [NCP-SESS-031] [NCP-SESS-032] [NCP-SESS-035]`
+    /// `[NCP-SESS-026] [NCP-SESS-027] [NCP-SESS-031] [NCP-SESS-035]`
     fn run(
         &mut self,
         session_id: &Text,
@@ -141,9 +141,16 @@ impl<B: SimulationBackend> SessionService<B> {
             );
         };
         let advance_ms = advance_ms.unwrap_or(session.chunk_ms);
+        // [NCP-SESS-032]
+        if !(advance_ms.is_finite() && advance_ms >= 0.0) {
+            let name = "advance_ms";
+            let value_ms = advance_ms;
+            return failure(Some(session_id), BackendError::Time { name, value_ms });
+        }
         let none = ChannelMap::new();
         let values = stimulus.map_or(&none, |frame| &frame.values);
         let records = guarded(|| {
+            session.simulation.check_advance(advance_ms)?;
             session.simulation.stimulate(values)?;
             session.simulation.advance(advance_ms)
         });

@@ -11,7 +11,7 @@ use super::json::{LeftOut, Purpose, Reader, Writer};
 use super::record::record;
 use super::table::{Field, JsonType, Table};
 use super::value::{Item, Value};
-use super::{Build, Frame, Kind, SortedMap, Text};
+use super::{Fields, Frame, Kind, SortedMap, Text};
 use crate::keys::segment_problem;
 use crate::{CONTRACT_HASH, WIRE_VERSION};
 
@@ -526,6 +526,17 @@ impl ErrorFrame {
             session_id: session_id.flatten(),
         })
     }
+
+    // [NCP-WIRE-102]
+    fn write_members(&self, w: &mut Writer) {
+        w.literal(r#"{"kind":"error","error":"#);
+        w.string(&self.error);
+        if let Some(session_id) = &self.session_id {
+            w.literal(r#","session_id":"#);
+            w.string(session_id);
+        }
+        w.literal("}");
+    }
 }
 
 impl Frame for ErrorFrame {
@@ -541,27 +552,25 @@ impl Frame for ErrorFrame {
         Ok(message)
     }
 
-    // [NCP-WIRE-102]
     fn encode(&self) -> Result<String, EncodeError> {
         let mut w = Writer::new();
-        w.literal(r#"{"kind":"error","error":"#);
-        w.string(&self.error);
-        if let Some(session_id) = &self.session_id {
-            w.literal(r#","session_id":"#);
-            w.string(session_id);
-        }
-        w.literal("}");
+        self.write_members(&mut w);
         w.finish(Self::KIND)
     }
 }
 
-impl Build for ErrorFrame {
+impl Fields for ErrorFrame {
     fn build(fields: &[u8]) -> Result<Self, DecodeError> {
         let mut r = Reader::new(fields, Purpose::Build)?;
         r.begin()?;
         let message = Self::read_members(&mut r)?;
         r.end()?;
         Ok(message)
+    }
+
+    fn show(&self, w: &mut Writer) -> Result<(), EncodeError> {
+        self.write_members(w);
+        Ok(())
     }
 }
 

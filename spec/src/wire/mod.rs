@@ -54,7 +54,7 @@ pub use messages::{
 pub use table::{Field, JsonType, Table};
 pub use text::Text;
 
-use json::{Purpose, Reader};
+use json::{Purpose, Reader, Writer};
 
 /// Decodes a frame of the kind that the receiver expects.
 ///
@@ -110,9 +110,13 @@ pub trait Frame: Sized {
     fn encode(&self) -> Result<String, EncodeError>;
 }
 
-/// What a [`build`] builds.
-trait Build: Sized {
+/// A message as the fields that a program sets and sees.
+trait Fields: Sized {
+    /// See [`build`].
     fn build(fields: &[u8]) -> Result<Self, DecodeError>;
+
+    /// See [`Message::fields`].
+    fn show(&self, w: &mut Writer) -> Result<(), EncodeError>;
 }
 
 /// Declares the kinds by their wire strings, in the contract's order.
@@ -190,6 +194,22 @@ macro_rules! kinds {
                 match self {
                     $(Self::$kind(message) => message.encode(),)*
                 }
+            }
+
+            /// Every field of the message as a JSON object, whatever it holds: the opposite of
+            /// [`build`].
+            ///
+            /// This is for adapters and tests, which show what a program holds and may not send:
+            /// no rule is checked, and a number that JSON lacks is spelled `"NaN"`, `"Infinity"` or
+            /// `"-Infinity"`.
+            #[must_use]
+            pub fn fields(&self) -> String {
+                let mut w = Writer::showing();
+                let shown = match self {
+                    $(Self::$kind(message) => message.show(&mut w),)*
+                };
+                debug_assert!(shown.is_ok(), "such a writer refuses nothing");
+                w.into_text()
             }
         }
 

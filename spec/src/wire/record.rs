@@ -45,13 +45,17 @@ macro_rules! record {
             }
         }
 
-        impl Build for $name {
+        impl Fields for $name {
             fn build(fields: &[u8]) -> Result<Self, DecodeError> {
                 let mut r = Reader::new(fields, Purpose::Build)?;
                 r.begin()?;
                 let message = Self::read_members(&mut r)?;
                 r.end()?;
                 Ok(message)
+            }
+
+            fn show(&self, w: &mut Writer) -> Result<(), EncodeError> {
+                self.write_members(w)
             }
         }
     };

@@ -3,7 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 
-use super::error::{DecodeError, DecodeProblem, EncodeError, EncodeProblem};
+use super::error::{DecodeError, DecodeProblem, EncodeError};
 use super::json::{Reader, Writer};
 use super::limits::{MAX_ENTRIES, MAX_ITEMS};
 use super::table::JsonType;
@@ -161,8 +161,8 @@ impl<T: Item> Value for Vec<T> {
 
     #[inline]
     fn write(&self, w: &mut Writer) -> Result<(), EncodeError> {
-        if !T::IS_NUMERIC && self.len() > MAX_ITEMS {
-            return Err(EncodeError::new(EncodeProblem::TooManyItems(self.len()))); // [NCP-WIRE-091]
+        if !T::IS_NUMERIC {
+            w.check_items(self.len())?;
         }
         w.literal("[");
         for (nth, item) in self.iter().enumerate() {
@@ -202,9 +202,7 @@ impl<V: Value> Value for SortedMap<V> {
 
     #[inline]
     fn write(&self, w: &mut Writer) -> Result<(), EncodeError> {
-        if self.len() > MAX_ENTRIES {
-            return Err(EncodeError::new(EncodeProblem::TooManyEntries(self.len()))); // [NCP-WIRE-091]
-        }
+        w.check_entries(self.len())?;
         w.literal("{");
         // [NCP-WIRE-083]
         for (nth, (name, value)) in self.iter().enumerate() {

@@ -282,7 +282,7 @@ fn data() -> Vec<Case> {
         let empty = Block::new([f64s("times", [])]);
         let mut bytes = empty.entry(0, Part::Rows, count);
         bytes[18] = dtype;
-        rejected(format!("data/{what}"), &["NCP-BULK-011", "NCP-BULK-024"], &bytes)
+        rejected(format!("data/{what}"), &["NCP-BULK-024", "NCP-BULK-011"], &bytes)
             .title(format!("A block of {} bytes that claims {count} rows is rejected, before anything is allocated for them.", bytes.len()))
             .flags(&["allocation-by-claim"])
             .because("The data does not lie within the buffer, and what is allocated must not exceed the block.")

@@ -135,7 +135,7 @@ fn round_trips() -> Vec<Case> {
         .gives_columns(long_name)
         .title("A column with a name of 65,535 bytes is written as a block that holds just that.")
         .flags(&["low-limits"])
-        .because("name_len has 16 bits, so the name fits."),
+        .because("The field name_len has 16 bits, so the name fits."),
     );
     cases
 }
@@ -194,7 +194,7 @@ fn refused() -> Vec<Case> {
             .title(format!("A name of {bytes} bytes, {says}, is refused."))
             .flags(&["L21", "truncated-counts"])
             .because(
-                "name_len has 16 bits, and a length that does not fit is an error, never cut.",
+                "The field name_len has 16 bits, and a length that does not fit is an error, never cut.",
             ),
         );
     }
@@ -207,7 +207,7 @@ fn refused() -> Vec<Case> {
         .rejects("block")
         .title("A name of 65,538 bytes in 32,769 characters is refused.")
         .flags(&["L21", "bytes-not-characters"])
-        .because("name_len counts bytes."),
+        .because("The field name_len counts bytes."),
     );
     let twice = columns_json(&[f64s("times", [1.5]), f64s("times", [2.5])]);
     cases.push(

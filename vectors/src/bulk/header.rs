@@ -3,7 +3,7 @@
 use super::build::{Block, HEADER, f32s, golden, le16, le32};
 use super::{READERS, decode, read, rejected};
 use crate::case::{Case, File};
-use crate::json::{Json, object};
+use crate::json::object;
 use crate::template::Text;
 
 pub(super) fn file() -> File {
@@ -129,7 +129,7 @@ fn lengths() -> Vec<Case> {
             )
             .title(format!("A block whose total_len is {says} is rejected."))
             .flags(&["trusted-lengths"])
-            .because("total_len is the length of the buffer, no more and no less.")
+            .because("The field total_len is the length of the buffer, no more and no less.")
         })
         .collect();
     for (what, extra) in [
@@ -148,7 +148,7 @@ fn lengths() -> Vec<Case> {
                 extra.len()
             ))
             .flags(&["trailing-input"])
-            .because("total_len is not the length of the buffer."),
+            .because("The field total_len is not the length of the buffer."),
         );
     }
     let cuts = [
@@ -171,7 +171,7 @@ fn lengths() -> Vec<Case> {
             "A block of which only the first {at} of 104 bytes are there is rejected."
         ))
         .flags(&["truncated-input"])
-        .because("total_len is not the length of the buffer.")
+        .because("The field total_len is not the length of the buffer.")
     }));
     cases
 }
@@ -264,7 +264,7 @@ fn too_large() -> Case {
     Case::new("size/beyond-limit", &["NCP-BULK-015"], READERS)
         .title("A block of 64 MiB and a byte is rejected.")
         .flags(&["missing-limits", "slow"])
-        .call("bulk.decode", Json::from(object! { "block" => block }))
+        .call("bulk.decode", object! { "block" => block })
         .rejects("limit")
         .because("A block may have 64 MiB.")
 }

@@ -171,7 +171,7 @@ fn shared() -> Vec<Case> {
         .into_iter()
         .map(|(what, bytes, says)| {
             rejected(what, &["NCP-BULK-012"], &bytes)
-                .title(format!("A block in which {} share a byte is rejected.", says))
+                .title(format!("A block in which {says} share a byte is rejected."))
                 .flags(&["L01", "overlapping-regions"])
                 .because("Header with directory, names and data are regions, and no two may share a byte.")
         })

@@ -287,6 +287,7 @@ fn names() -> Vec<Case> {
         ("astral", "\u{1f9e0}", "is a character beyond the BMP"),
         ("slashes", "v/m.x", "holds a slash and a dot"),
         ("prototype", "__proto__", "is `__proto__`"),
+        ("mark-first", "\u{feff}v", "begins with U+FEFF"),
     ];
     table
         .into_iter()

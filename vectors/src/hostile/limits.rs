@@ -24,7 +24,7 @@ pub(super) fn file() -> File {
     cases.extend(arrays());
     cases.extend(numeric_arrays());
     cases.extend(small_values());
-    cases.extend(wide_unknown());
+
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
     File::new("hostile", "limits", about, cases)
 }
@@ -457,10 +457,13 @@ fn small_values() -> Vec<Case> {
             ("zeros", "0", "zeros"),
             ("strings", "\"\"", "empty strings"),
         ] {
+            // In rows, since a receiver may hold ignored arrays to 4,096 items too. [NCP-WIRE-071]
+            let row = format!("[{}{item}]", format!("{item},").repeat(299));
+            let item = row.as_str();
             let marked = with_raw(&frame, &format!("\"novel\":{MARK}"));
             let room = (MIB - marked.len()) / (item.len() + 1);
             cases.push(
-                Case::new(format!("{kind}/small-values/{what}"), &["NCP-WIRE-061", "NCP-WIRE-070"], readers(kind))
+                Case::new(format!("{kind}/small-values/{what}"), &["NCP-WIRE-070", "NCP-WIRE-061"], readers(kind))
                     .title(format!("{} of nearly 1 MiB that is full of {says} is read.", a(kind)))
                     .flags(&["amplification"])
                     .decode(kind, list(&marked, item, room))
@@ -469,52 +472,6 @@ fn small_values() -> Vec<Case> {
             );
         }
     }
-    cases
-}
-
-/// Unknown members, for which only bytes and levels count.
-fn wide_unknown() -> Vec<Case> {
-    let mut cases = Vec::new();
-    for kind in ANY {
-        let marked = with_raw(&explicit(kind).text(), &format!("\"novel\":{MARK}"));
-        cases.push(
-            Case::new(
-                format!("{kind}/unknown/4097-items"),
-                &["NCP-WIRE-026"],
-                readers(kind),
-            )
-            .title(format!(
-                "{} with 4,097 items in an unknown array is read.",
-                a(kind)
-            ))
-            .flags(&["low-limits"])
-            .decode(kind, list(&marked, "{}", ENTRIES + 1))
-            .means(meaning(kind, &explicit(kind)).text())
-            .because("Of the limits only the bytes and the levels hold within an ignored member."),
-        );
-    }
-    let kind = "close_session";
-    let entries = (0..=ENTRIES)
-        .map(|nth| (base_36(nth), Json::literal("1")))
-        .collect();
-    cases.push(
-        Case::new(
-            format!("{kind}/unknown/4097-entries"),
-            &["NCP-WIRE-026"],
-            readers(kind),
-        )
-        .title(format!(
-            "{} with 4,097 members in an unknown object is read.",
-            a(kind)
-        ))
-        .flags(&["low-limits"])
-        .decode(
-            kind,
-            explicit(kind).and("novel", Json::Object(entries)).text(),
-        )
-        .means(meaning(kind, &explicit(kind)).text())
-        .because("Of the limits only the bytes and the levels hold within an ignored member."),
-    );
     cases
 }
 

@@ -37,9 +37,15 @@ pub(super) fn file() -> File {
                 let decides = usize::from(strict && *is == Is::Other);
                 rules = rules.get(decides).into_iter().copied().collect();
             } else {
+                // A guard that compares wrongly fails both ways, one that ignores how it was asked
+                // fails one: so each of the two rules comes first somewhere.
                 match (is, strict) {
-                    (Is::Compatible, _) => rules.push("NCP-VER-008"),
-                    (Is::Other, true) => rules.push("NCP-VER-006"),
+                    (Is::Compatible, true) => rules.insert(0, "NCP-VER-008"),
+                    (Is::Compatible, false) => rules.push("NCP-VER-008"),
+                    (Is::Other, true) => rules.insert(0, "NCP-VER-006"),
+                    (Is::Other, false) if rules.contains(&"NCP-VER-004") => {
+                        rules.insert(0, "NCP-VER-007");
+                    }
                     (Is::Other, false) => rules.push("NCP-VER-007"),
                     (Is::Malformed, _) => {}
                 }

@@ -61,6 +61,12 @@ impl Encoder {
                 .flags(&["omitted-fields"])
                 .because("Every field of the table is written, in its order, an unset optional one as null."),
         );
+        cases.push(
+            self.says("default-values", &["NCP-WIRE-090"], &required)
+                .title(format!("{} that a program builds from what it must name means the defaults in every other field.", a(self.kind)))
+                .flags(&["wrong-defaults"])
+                .because("What a program does not name has the default of the table."),
+        );
         let all = self.fields(full(self.kind));
         cases.push(
             self.writes("everything", &["NCP-WIRE-080", "NCP-WIRE-081"], &reversed(all.clone()))
@@ -210,7 +216,7 @@ impl Encoder {
                             &name,
                             what,
                             &["NCP-WIRE-085"],
-                            in_full(Json::literal(literal)),
+                            &in_full(Json::literal(literal)),
                         )
                         .title(format!(
                             "{} whose `{shown}` is {literal} has it as a plain integer.",
@@ -243,6 +249,10 @@ impl Encoder {
                     .map_or(&[][..], |known| &known.strings);
                 for string in strings {
                     let fields = among_defaults(Json::string(string));
+                    // What a program gets without naming it is in the case of the defaults.
+                    if fields == self.fields(explicit(self.kind)) && enumeration != "Mode" {
+                        continue;
+                    }
                     cases.push(
                         self.says(
                             &format!("{name}/{}", string.to_lowercase()),
@@ -271,7 +281,7 @@ impl Encoder {
                         .map(|key| ((*key).to_owned(), sample.clone()))
                         .collect();
                     cases.push(
-                        self.at(&name, &format!("order-of-{what}"), &["NCP-WIRE-083"], in_full(Json::Object(entries)))
+                        self.at(&name, &format!("order-of-{what}"), &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
                             .title(format!("{} has the entries of `{shown}` sorted by the code points of their keys: {says}.", a(self.kind)))
                             .flags(&["map-order"])
                             .because("Code points decide: not the order of insertion, not UTF-16 units, not letter case, not numbers."),
@@ -279,7 +289,7 @@ impl Encoder {
                 }
                 if matches!(**value, Shape::Message(_)) {
                     cases.push(
-                        self.at(&name, "defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], in_full(object! { "a" => Json::object() }))
+                        self.at(&name, "defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &in_full(object! { "a" => Json::object() }))
                             .title(format!("{} with an entry of `{shown}` of which nothing is set has every field of it.", a(self.kind)))
                             .flags(&["omitted-fields"])
                             .because("The rules for encoders hold at every level."),
@@ -396,8 +406,8 @@ impl Encoder {
             .collect()
     }
 
-    fn at(&self, name: &str, what: &str, rules: &[&'static str], fields: Json) -> Case {
-        self.writes(&format!("{name}/{what}"), rules, &fields)
+    fn at(&self, name: &str, what: &str, rules: &[&'static str], fields: &Json) -> Case {
+        self.writes(&format!("{name}/{what}"), rules, fields)
     }
 
     fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
@@ -541,7 +551,7 @@ fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
         path.push(field.name.clone());
         collect_shape(
             &field.shape,
-            crate::model::sample(message, field),
+            &crate::model::sample(message, field),
             path,
             leaves,
         );
@@ -549,12 +559,7 @@ fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
     }
 }
 
-fn collect_shape(shape: &Shape, sample: Json, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
-    let step = match shape {
-        Shape::List(_) => Some("0"),
-        Shape::Map(_) => Some("a"),
-        _ => None,
-    };
+fn collect_shape(shape: &Shape, sample: &Json, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
     match shape {
         Shape::Number | Shape::Integer | Shape::Enum(_) | Shape::Map(_) => {
             leaves.push(Leaf {
@@ -570,15 +575,14 @@ fn collect_shape(shape: &Shape, sample: Json, path: &mut Vec<String>, leaves: &m
         }
         _ => {}
     }
-    if let (Some(step), Shape::List(inner) | Shape::Map(inner)) = (step, shape) {
-        let within = match &sample {
-            Json::Array(items) => items.first().cloned(),
-            sample => sample.get("a").cloned(),
-        };
-        path.push(step.to_owned());
-        collect_shape(inner, within.unwrap_or(Json::Null), path, leaves);
-        path.pop();
-    }
+    let (step, inner, within) = match (shape, sample) {
+        (Shape::List(inner), Json::Array(items)) => ("0", inner, items.first()),
+        (Shape::Map(inner), sample) => ("a", inner, sample.get("a")),
+        _ => return,
+    };
+    path.push(step.to_owned());
+    collect_shape(inner, within.unwrap_or(&Json::Null), path, leaves);
+    path.pop();
 }
 
 /// The members of an object from the last to the first, at every level.

@@ -44,7 +44,15 @@ pub(super) fn cases_at(place: &Place) -> Vec<Case> {
     let mut cases = Vec::new();
     if !in_request {
         cases.push(whole(place, Ground::Minimal));
-        if place.kind != "error" {
+        // A message whose defaults are those of the frame around it says nothing that the frame
+        // does not say by itself.
+        let around = Place::frames()
+            .chain(Place::nested())
+            .filter(|other| other.surrounds(place));
+        let adds = around
+            .into_iter()
+            .all(|other| explicit_at(&other) != explicit_at(place));
+        if place.kind != "error" && adds {
             cases.push(whole(place, Ground::Explicit));
         }
     }
@@ -84,6 +92,11 @@ fn snake(name: &str) -> String {
     out
 }
 
+/// A frame whose message writes out its defaults.
+fn explicit_at(place: &Place) -> Json {
+    place.frame(Ground::Explicit, place.alone(Ground::Explicit))
+}
+
 /// The message that says nothing, and the one that says all that it need not.
 fn whole(place: &Place, ground: Ground) -> Case {
     let message = place.alone(ground);
@@ -101,8 +114,10 @@ fn whole(place: &Place, ground: Ground) -> Case {
         ),
         Ground::Explicit => (
             "explicit",
-            "that writes out its defaults is read as they say",
-            format!("Each field has the type that the table of {name} gives."),
+            "that writes out its defaults, and leaves out what is optional, is read as it says",
+            format!(
+                "Each field has the type that the table of {name} gives, or is optional and absent."
+            ),
         ),
     };
     let title = if place.is_nested() {
@@ -142,17 +157,25 @@ struct Probe<'a> {
 
 impl Probe<'_> {
     fn cases(&self) -> Vec<Case> {
-        let mut cases = vec![self.absent(), self.null()];
+        let mut cases = vec![self.null()];
+        // What is optional is left out of every explicit message anyway. The hash is not: there
+        // absence means something. A message without its only field is the minimal one.
+        let without = self.place.alone(Ground::Explicit).without(&self.field.name);
+        let is_minimal = self.place.is_nested() && without == self.place.alone(Ground::Minimal);
+        if (!self.field.optional || self.field.name == "contract_hash") && !is_minimal {
+            cases.push(self.absent());
+        }
+        // A kind and a session are there anyway, and every string of an enum has its own case.
         let is_known = matches!(self.field.name.as_str(), "kind" | "session_id")
             && matches!(self.field.default, Default::Kind | Default::Required);
-        if !is_known {
+        if !is_known && !matches!(self.field.shape, Shape::Enum(_)) {
             cases.push(self.value());
         }
         cases.extend(self.wrong_types());
         cases.extend(self.wrong_elements());
         match self.scalar() {
             Shape::Number => {
-                cases.extend(self.doubles(numbers::few_doubles(), numbers::few_infinite()))
+                cases.extend(self.doubles(numbers::few_doubles(), numbers::few_infinite()));
             }
             Shape::Integer => cases.extend(self.integers(false)),
             Shape::Enum(name) => {
@@ -464,6 +487,9 @@ impl Probe<'_> {
         let mut cases = Vec::new();
         for (name, digits) in spread(&numbers::INTEGERS, &numbers::MORE_INTEGERS) {
             let value = within(&self.field.shape, Json::literal(*digits));
+            if self.field.default == Default::Value(value.clone()) {
+                continue;
+            }
             let flag = if name.ends_with("est") {
                 "integer-precision"
             } else {
@@ -524,9 +550,13 @@ impl Probe<'_> {
 
     /// Every wire string of an enum, and strings that are none.
     fn strings(&self, known: &Enum) -> Vec<Case> {
+        // The default is what every explicit frame has; of a mode it is worth a case.
+        let is_default = |string: &str| self.field.default == Default::Value(Json::string(string));
+        let other = |string: &&String| known.name == "Mode" || !is_default(string);
         let mut cases: Vec<Case> = known
             .strings
             .iter()
+            .filter(other)
             .map(|string| {
                 let says = format!("is `{string}`");
                 self.accept(

@@ -148,7 +148,6 @@ fn twin(kind: &str) -> Option<&'static str> {
 
 fn versions() -> Vec<Case> {
     let versions = [
-        ("older", "0.4"),
         ("newer", "0.6"),
         ("major", "1.0"),
         ("malformed", "not a version"),

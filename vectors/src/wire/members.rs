@@ -430,6 +430,11 @@ fn not_repeated() -> Vec<Case> {
                 "a channel of an empty name",
             ),
             (
+                "channel-of-mark",
+                object! { "\u{feff}a" => channel("m"), "a" => channel("rad") },
+                "channels of which one has the other's name behind U+FEFF",
+            ),
+            (
                 "channel-of-field-name",
                 object! { "seq" => channel("m"), "kind" => channel("rad") },
                 "channels named like fields",

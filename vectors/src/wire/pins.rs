@@ -123,12 +123,6 @@ fn beside() -> Vec<Case> {
     let session = || explicit("session_opened");
     let table = [
         (
-            "provenance-null",
-            session().with("provenance", Json::Null),
-            "NCP-WIRE-022",
-            "whose `provenance` is null is read as one without it",
-        ),
-        (
             "provenance-empty",
             session().with("provenance", Json::object()),
             "NCP-PROV-005",

@@ -89,6 +89,13 @@ impl Place {
         !self.path.is_empty()
     }
 
+    /// Whether the other message stands within this one.
+    pub(super) fn surrounds(&self, other: &Self) -> bool {
+        self.kind == other.kind
+            && other.path.len() > self.path.len()
+            && other.path.starts_with(&self.path)
+    }
+
     /// Whether the message stands in the same kind in the same way under another name.
     pub(super) fn is_twin(&self) -> bool {
         self.path

@@ -196,7 +196,6 @@ fn misfits(kind: &'static str) -> Vec<Case> {
         ("newer", "0.6"),
         ("empty", ""),
         ("malformed", "x"),
-        ("other-spelling", "00.5"),
     ] {
         table.push((
             format!("version-{name}"),

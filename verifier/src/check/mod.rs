@@ -6,6 +6,7 @@
 mod columns;
 mod compare;
 mod frame;
+mod pattern;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -77,6 +78,12 @@ pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
                 };
             }
         }
+        (
+            Answer::Error { code, .. },
+            Expect::Pattern {
+                or_reject: true, ..
+            },
+        ) if code != ErrorCode::Internal.as_str() => {}
         (Answer::Error { code, message }, expect) => {
             let got = format!(
                 "the error `{}`, {}",
@@ -97,7 +104,7 @@ pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
             let expected = expected.expand();
             // It was read when the suite was.
             if let Ok(expected) = Json::parse(&expected) {
-                compare(Relation::Values, &expected, result)
+                compare(Relation::Values, &expected, &listed(&expected, result))
                     .iter()
                     .for_each(|found| found.note(&mut differences));
             }
@@ -122,6 +129,12 @@ pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
                 columns::same_columns(&expected.expand(), &got, &mut differences);
             }
         }
+        (
+            Answer::Result(result),
+            Expect::Pattern {
+                shape, tolerance, ..
+            },
+        ) => pattern::fits(shape, *tolerance, result, &mut differences),
     }
     if differences.is_empty() {
         Judgement::Pass { note: None }
@@ -146,6 +159,13 @@ pub fn in_words(expect: &Expect) -> String {
             "a block with the columns {}",
             excerpt(columns.expand().as_bytes(), SHOWN)
         ),
+        Expect::Pattern {
+            shape, or_reject, ..
+        } => {
+            let shape = excerpt(shape.to_string().as_bytes(), SHOWN);
+            let or_reject = if *or_reject { ", or an error" } else { "" };
+            format!("a result like {shape}{or_reject}")
+        }
     }
 }
 
@@ -154,6 +174,11 @@ impl Differences {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.first.is_empty()
+    }
+
+    /// How many there are.
+    fn count(&self) -> usize {
+        self.first.len() + self.more
     }
 
     fn push(&mut self, difference: Difference) {
@@ -185,6 +210,20 @@ impl std::fmt::Display for Difference {
         self.hint
             .as_ref()
             .map_or(Ok(()), |hint| write!(f, " ({hint})"))
+    }
+}
+
+/// The members of a result that are expected; what else a peer tells is not looked at (PROTOCOL.md, section 1).
+fn listed<'a>(expected: &Json<'_>, result: &Json<'a>) -> Json<'a> {
+    match (expected, result) {
+        (Json::Object(_), Json::Object(members)) => Json::Object(
+            members
+                .iter()
+                .filter(|(name, _)| expected.get(name).is_some())
+                .cloned()
+                .collect(),
+        ),
+        _ => result.clone(),
     }
 }
 

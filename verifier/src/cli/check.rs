@@ -159,6 +159,12 @@ fn check(
     let (started, clock) = (SystemTime::now(), Instant::now());
     let selection = args.select.selection();
     let level = args.select.level.unwrap_or_else(|| suite.highest_level());
+    if level > suite.highest_level() {
+        let highest = suite.highest_level();
+        return Err(CliError::Usage(format!(
+            "there is no case of level {level} yet; the highest is {highest}"
+        )));
+    }
     let partial = !selection.patterns.is_empty();
     if !suite.cases().iter().any(|case| selection.meets(case)) {
         return Err(CliError::Usage(nothing_selected(args)));

@@ -8,7 +8,9 @@ use crate::report::{Exit, Style, wrap};
 use crate::suite::{Case, Expect, Suite};
 
 /// How many characters of an input are shown.
-const SHOWN: usize = 1200;
+const SHOWN: usize = 800;
+/// How many characters of a large input are shown, which its file says how to make.
+const SHOWN_OF_LARGE: usize = 200;
 /// How many ids are suggested for one that is not known.
 const SUGGESTED: usize = 3;
 /// How alike an id has to be to be suggested, from 0 to 1.
@@ -93,10 +95,18 @@ impl Page {
             self.rule(rule);
         }
         self.heading("Input");
+        let shown = if case.is_large() {
+            SHOWN_OF_LARGE
+        } else {
+            SHOWN
+        };
         self.paragraph(
             2,
-            &excerpt(format!("{{\"id\":1,{}", case.body()).as_bytes(), SHOWN),
+            &excerpt(format!("{{\"id\":1,{}", case.body()).as_bytes(), shown),
         );
+        if let Some(made) = case.made_of() {
+            self.paragraph(2, &format!("made of {}", excerpt(made.as_bytes(), SHOWN)));
+        }
         self.heading("Expected");
         for line in expectation(&case.expect) {
             self.paragraph(2, &line);
@@ -198,6 +208,21 @@ fn expectation(expect: &Expect) -> Vec<String> {
         }
         Expect::Columns(columns) => {
             vec!["a result whose `block` is a valid block that holds exactly these columns:".to_owned(), text(&columns.expand())]
+        }
+        Expect::Pattern { shape, tolerance, or_reject } => {
+            let mut lines = vec![
+                "a result that has this shape; members of objects that it does not name are free, and null is as good as \
+                 absent:"
+                    .to_owned(),
+                text(&shape.to_string()),
+            ];
+            if *tolerance > 0.0 {
+                lines.push(format!("numbers may be off by {tolerance:e}, relatively, or by that much below 1"));
+            }
+            if *or_reject {
+                lines.push("an error will do as well, unless its code is `internal`".to_owned());
+            }
+            lines
         }
     }
 }

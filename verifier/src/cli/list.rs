@@ -189,6 +189,7 @@ fn relation(expect: &Expect) -> &'static str {
         Expect::Encoding(_) => "encoding",
         Expect::Bytes(_) => "bytes",
         Expect::Columns(_) => "columns",
+        Expect::Pattern { .. } => "pattern",
     }
 }
 

@@ -1,4 +1,4 @@
-//! The lines of the peer protocol, `peers/PROTOCOL.md` sections 1 and 3.
+//! The lines of the peer protocol, `peers/PROTOCOL.md` sections 1, 3 and 4.
 
 use crate::json::{Json, JsonError};
 
@@ -55,6 +55,26 @@ calls! {
     ObservationUnpack = "observation.unpack",
     /// What a client does with a reply.
     ReplyCheck = "reply.check",
+    /// A trace of the safety governor.
+    GovernorRun = "governor.run",
+    /// A trace of the command watchdog.
+    WatchdogRun = "watchdog.run",
+    /// A trace of the action buffer.
+    BufferRun = "buffer.run",
+    /// The longest horizon.
+    HorizonMaxLen = "horizon.max_len",
+    /// A trace of the link monitor.
+    LinkRun = "link.run",
+    /// Sensor channels to rates.
+    CodecEncode = "codec.encode",
+    /// Rates to a command.
+    CodecDecode = "codec.decode",
+    /// One step of the reflex controller.
+    ReflexStep = "reflex.step",
+    /// A trace of the control loop.
+    LoopRun = "loop.run",
+    /// Requests to a server, in order.
+    SessionRun = "session.run",
 }
 
 impl Call {

@@ -281,7 +281,7 @@ impl Page<'_> {
         let failing: Vec<&CaseReport> = peer
             .cases
             .iter()
-            .filter(|case| case.status == "failed" && case.outcome != "unsupported")
+            .filter(|case| case.status == "failed" && !is_unsupported(case))
             .collect();
         if failing.is_empty() {
             return;
@@ -390,29 +390,26 @@ impl Page<'_> {
         }
     }
 
+    /// The unsupported cases, call by call. Which rules they cite says little: the calls are what is lacking.
     fn unsupported(&mut self, peer: &PeerReport) {
-        let mut calls: BTreeMap<&str, usize> = BTreeMap::new();
-        for case in peer
-            .cases
-            .iter()
-            .filter(|case| case.status == "failed" && case.outcome == "unsupported")
-        {
+        let mut calls: BTreeMap<&str, u64> = BTreeMap::new();
+        for case in peer.cases.iter().filter(|case| is_unsupported(case)) {
             *calls.entry(case.call).or_default() += 1;
         }
         if calls.is_empty() {
             return;
         }
-        let total: usize = calls.values().sum();
+        let total = thousands(calls.values().sum());
+        let all = plural(peer.totals.total, "case");
+        let title = format!("{total} of {all} are unsupported in roles that were judged");
+        for line in wrap(&title, self.style.width, "  ", "  ").lines() {
+            let painted = self.style.red(line);
+            self.line(&painted);
+        }
         let list: Vec<String> = calls
             .iter()
-            .map(|(call, count)| format!("{call} ({count})"))
+            .map(|(call, count)| format!("{call} ({})", thousands(*count)))
             .collect();
-        let title = self.style.red(&format!(
-            "{} of {} are unsupported in roles that were judged",
-            total,
-            plural(peer.totals.total, "case")
-        ));
-        self.line(&format!("  {title}"));
         self.paragraph(4, &list.join(", "));
     }
 
@@ -470,7 +467,7 @@ impl Page<'_> {
         let differing: Vec<&CaseReport> = peer
             .cases
             .iter()
-            .filter(|case| case.status == "advice")
+            .filter(|case| case.status == "advice" && !is_unsupported(case))
             .collect();
         if differing.is_empty() {
             return;
@@ -574,6 +571,7 @@ impl Page<'_> {
             (0, _) => "no peer was checked".to_owned(),
             (1, 1) => format!("the peer conforms at level {level}"),
             (1, 0) => format!("the peer does not conform at level {level}"),
+            (2, 2) => format!("both peers conform at level {level}"),
             (all, some) if all == some => format!("all {all} peers conform at level {level}"),
             (all, some) => format!("{some} of {all} peers conform at level {level}"),
         }];
@@ -643,6 +641,11 @@ fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec
     groups
 }
 
+/// Whether a case was answered by `unsupported`, and not expected to be.
+fn is_unsupported(case: &CaseReport) -> bool {
+    case.outcome == "unsupported" && matches!(case.status, "failed" | "advice")
+}
+
 /// What a peer says about itself, made harmless.
 fn shown(text: &str) -> String {
     crate::peer::excerpt(text.as_bytes(), 40)
@@ -679,4 +682,140 @@ fn thousands(number: u64) -> String {
         out.push(digit);
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::model::{Asked, Corpus, Exit, Tool};
+    use super::*;
+
+    fn level(level: &'static str, passed: usize, failed: usize, conformant: bool) -> LevelReport {
+        let cases = TallyReport {
+            total: passed + failed + 2,
+            passed,
+            failed,
+            advice: 2,
+            ..TallyReport::default()
+        };
+        LevelReport {
+            level,
+            conformant,
+            as_expected: conformant,
+            cases,
+        }
+    }
+
+    fn report() -> Report {
+        let role = |role, levels| RoleReport {
+            role,
+            claimed: true,
+            levels,
+        };
+        let skipped = "not on PATH: cmake, and without it nothing of this peer can be built or run"
+            .to_owned();
+        let mut checked = PeerReport::unchecked(
+            "gateway".into(),
+            "peers/gateway".into(),
+            State::Checked,
+            String::new(),
+        );
+        checked.conclusion = Some("not conformant");
+        checked.roles = vec![
+            role(
+                "commander",
+                vec![
+                    level("wire", 2600, 0, true),
+                    level("safety", 411, 1, false),
+                    level("strict", 20, 0, false),
+                ],
+            ),
+            role("observer", vec![level("wire", 900, 0, true)]),
+        ];
+        Report {
+            format: 1,
+            tool: Tool {
+                name: "ncp-verify",
+                version: "0",
+            },
+            started: String::new(),
+            elapsed_s: 1.0,
+            wire_version: "0.5",
+            contract_hash: "",
+            corpus: Corpus {
+                files: 80,
+                cases: 6100,
+                sha256: String::new(),
+            },
+            asked: Asked {
+                level: "strict",
+                roles: Vec::new(),
+                filters: Vec::new(),
+                repeat: 1,
+                partial: false,
+            },
+            interrupted: false,
+            rules: Vec::new(),
+            peers: vec![
+                checked,
+                PeerReport::unchecked("cpp".into(), "peers/cpp".into(), State::Skipped, skipped),
+            ],
+            exit_code: Exit::NotConformant.code(),
+        }
+    }
+
+    #[test]
+    fn levels_stand_side_by_side_where_there_is_room() {
+        let text = terminal(
+            &report(),
+            Style {
+                colour: false,
+                width: 80,
+            },
+            Detail::Normal,
+        );
+        insta::assert_snapshot!(text, @"
+        NCP 0.5, level strict: 6,100 cases in 80 files
+
+        peer     role       wire           safety     strict
+        gateway  commander  ✓ 2,600/2,600  ✗ 411/412  ✗ 20/20
+                 observer   ✓ 900/900      -          -
+        cpp      SKIPPED not on PATH: cmake, and without it nothing of this peer can be
+                         built or run
+
+        the peer does not conform at level strict; 1 skipped and so not shown to conform
+        ");
+    }
+
+    #[test]
+    fn levels_stand_below_each_other_where_there_is_none() {
+        let text = terminal(
+            &report(),
+            Style {
+                colour: false,
+                width: 44,
+            },
+            Detail::Normal,
+        );
+        insta::assert_snapshot!(text, @"
+        NCP 0.5, level strict: 6,100 cases in 80
+        files
+
+        gateway  commander  wire    ✓ 2,600/2,600
+                            safety  ✗ 411/412
+                            strict  ✗ 20/20
+                 observer   wire    ✓ 900/900
+        cpp      SKIPPED not on PATH: cmake, and
+                         without it nothing of this
+                         peer can be built or run
+
+        the peer does not conform at level strict; 1
+        skipped and so not shown to conform
+        ");
+    }
+
+    #[test]
+    fn numbers_have_a_comma_between_thousands() {
+        let written = [0, 7, 999, 1000, 12_345, 1_234_567].map(thousands);
+        assert_eq!(written, ["0", "7", "999", "1,000", "12,345", "1,234,567"]);
+    }
 }

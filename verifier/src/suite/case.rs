@@ -6,6 +6,7 @@ use std::sync::Arc;
 use ncp_spec::ErrorCode;
 use ncp_spec::catalogue::{Level, Requirement, Role};
 
+use super::pattern::Shape;
 use super::template::{KEPT_BYTES, Template};
 use crate::peer::Call;
 
@@ -60,6 +61,15 @@ pub enum Expect {
     Bytes(Vec<u8>),
     /// A result whose `block`, read by the spec, holds exactly these columns.
     Columns(Template),
+    /// A result that has a shape, as far as the shape says.
+    Pattern {
+        /// The shape.
+        shape: Shape,
+        /// By how much a number may be off, relatively, with a floor of the same size; 0: not at all.
+        tolerance: f64,
+        /// Whether an error will do as well, unless its code is `internal`.
+        or_reject: bool,
+    },
 }
 
 /// An expected frame, expanded when it is needed unless it is small.
@@ -118,6 +128,12 @@ impl Case {
             Some(body) => Cow::Borrowed(body),
             None => Cow::Owned(self.make_body()),
         }
+    }
+
+    /// The templates that a large request is made of, as the file has them.
+    #[must_use]
+    pub fn made_of(&self) -> Option<String> {
+        self.is_large().then(|| self.args.unexpanded())
     }
 
     /// About how many bytes a request of this case has.

@@ -12,12 +12,15 @@ use serde_json::value::RawValue;
 
 use super::SuiteError;
 use super::case::{Case, Expect, Parts, Text};
+use super::pattern::Shape;
 use super::template::Template;
 use crate::json::Json;
 use crate::peer::Call;
 
 /// The format that this program reads.
 const FORMAT: u64 = 1;
+/// The relations of an expectation.
+const RELATIONS: [&str; 6] = ["json", "message", "encoding", "bytes", "columns", "pattern"];
 
 /// A vector file, read.
 #[derive(Debug)]
@@ -112,6 +115,8 @@ struct RawExpect<'a> {
     base64: Option<String>,
     #[serde(borrow)]
     columns: Option<&'a RawValue>,
+    tolerance: Option<f64>,
+    or_reject: Option<bool>,
 }
 
 fn present<'de, D: serde::Deserializer<'de>>(
@@ -245,6 +250,18 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
     };
     match raw {
         RawExpect {
+            relation: Some(relation),
+            value: Some(value),
+            tolerance,
+            or_reject,
+            accept: None,
+            reject: None,
+            text: None,
+            ignore: None,
+            base64: None,
+            columns: None,
+        } if relation == "pattern" => pattern(value, tolerance, or_reject),
+        RawExpect {
             reject: Some(code),
             accept: None,
             relation: None,
@@ -253,6 +270,8 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             ignore: None,
             base64: None,
             columns: None,
+            tolerance: None,
+            or_reject: None,
         } => match ErrorCode::parse(&code) {
             Some(ErrorCode::Invalid | ErrorCode::Internal) => {
                 Err(format!("`{code}` says nothing about the case"))
@@ -269,6 +288,8 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             ignore: None,
             base64: None,
             columns: None,
+            tolerance: None,
+            or_reject: None,
         } => Ok(Expect::Accept),
         RawExpect {
             relation: Some(relation),
@@ -279,6 +300,8 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             ignore,
             base64,
             columns,
+            tolerance: None,
+            or_reject: None,
         } => match (relation.as_str(), value, expected, ignore, base64, columns) {
             ("json", Some(value), None, None, None, None) => {
                 Ok(Expect::Json(template(value)?.keep()))
@@ -299,16 +322,46 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             {
                 Ok(Expect::Columns(template(columns)?.keep()))
             }
-            ("json" | "message" | "encoding" | "bytes" | "columns", ..) => Err(format!(
-                "its expectation has not what the relation `{relation}` needs, or has more"
-            )),
-            _ => Err(format!(
-                "`{relation}` is not a relation: json, message, encoding, bytes, columns"
-            )),
+            _ => Err(misfit(&relation)),
         },
+        RawExpect {
+            relation: Some(relation),
+            accept: None,
+            reject: None,
+            ..
+        } => Err(misfit(&relation)),
         _ => {
             Err("its expectation is not one of `reject`, `accept: true` and `relation`".to_owned())
         }
+    }
+}
+
+fn pattern(
+    value: &RawValue,
+    tolerance: Option<f64>,
+    or_reject: Option<bool>,
+) -> Result<Expect, String> {
+    let tolerance = tolerance.unwrap_or(0.0);
+    if !(tolerance.is_finite() && tolerance >= 0.0) {
+        return Err("its `tolerance` is negative".to_owned());
+    }
+    if or_reject == Some(false) {
+        return Err("its `or_reject` is not true".to_owned());
+    }
+    let shape = Shape::parse(value.get()).map_err(|error| format!("its expectation: {error}"))?;
+    Ok(Expect::Pattern {
+        shape,
+        tolerance,
+        or_reject: or_reject.is_some(),
+    })
+}
+
+/// What is wrong with an expectation whose members do not fit its relation.
+fn misfit(relation: &str) -> String {
+    if RELATIONS.contains(&relation) {
+        format!("its expectation has not what the relation `{relation}` needs, or has more")
+    } else {
+        format!("`{relation}` is not a relation: {}", RELATIONS.join(", "))
     }
 }
 
@@ -452,6 +505,22 @@ mod tests {
             expectation(r#"{"relation":"columns","columns":[]}"#),
             Ok(Expect::Columns(_))
         ));
+        assert!(matches!(
+            expectation(r#"{"relation":"pattern","value":{"steps":[{"$error":true}]}}"#),
+            Ok(Expect::Pattern {
+                tolerance: 0.0,
+                or_reject: false,
+                ..
+            })
+        ));
+        assert!(matches!(
+            expectation(r#"{"relation":"pattern","value":null,"tolerance":1e-9,"or_reject":true}"#),
+            Ok(Expect::Pattern {
+                tolerance: 1e-9,
+                or_reject: true,
+                ..
+            })
+        ));
     }
 
     #[test]
@@ -492,6 +561,35 @@ mod tests {
                 r#"{"relation":"json","values":1}"#,
                 "unknown field `values`",
             ),
+            (
+                r#"{"relation":"json","value":1,"tolerance":1}"#,
+                "has not what the relation `json` needs",
+            ),
+            (
+                r#"{"relation":"pattern","text":"{}"}"#,
+                "has not what the relation `pattern` needs",
+            ),
+            (
+                r#"{"relation":"pattern","value":1,"text":"{}"}"#,
+                "or has more",
+            ),
+            (
+                r#"{"relation":"pattern","value":1,"tolerance":-1}"#,
+                "`tolerance` is negative",
+            ),
+            (
+                r#"{"relation":"pattern","value":1,"or_reject":false}"#,
+                "`or_reject` is not true",
+            ),
+            (
+                r#"{"relation":"pattern","value":[{"$eror":true}]}"#,
+                "wire/a/x: its expectation: `$eror` is no word of a pattern",
+            ),
+            (
+                r#"{"relation":"pattern","value":{"$repeat":"x","times":2}}"#,
+                "`$repeat` of a pattern stands alone",
+            ),
+            (r#"{"reject":"type","or_reject":true}"#, "not one of"),
         ] {
             let fault = expectation(expect).unwrap_err();
             assert!(fault.contains(what), "{expect}: {fault}");

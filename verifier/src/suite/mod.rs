@@ -7,10 +7,12 @@
 mod case;
 mod file;
 mod filter;
+mod pattern;
 mod template;
 
 pub use case::{Case, Expect};
 pub use filter::{Pattern, Selection};
+pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
 use std::collections::{BTreeMap, HashMap, HashSet};

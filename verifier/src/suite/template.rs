@@ -102,6 +102,12 @@ impl Template {
         Cow::Owned(out)
     }
 
+    /// The value as JSON text without white space, its templates as they are.
+    #[must_use]
+    pub fn unexpanded(&self) -> String {
+        Json::parse(&self.raw).map_or_else(|_| String::new(), |value| value.to_string())
+    }
+
     /// The string that it stands for, if [`is_text`](Self::is_text).
     #[must_use]
     pub fn text(&self) -> String {

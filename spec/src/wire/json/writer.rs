@@ -2,20 +2,32 @@
 
 use crate::wire::Kind;
 use crate::wire::error::{EncodeError, EncodeProblem};
-use crate::wire::limits::MAX_INTEGER;
+use crate::wire::limits::{MAX_ENTRIES, MAX_INTEGER, MAX_ITEMS};
 
 use super::plain_len;
 
 /// Writes one JSON text. Always UTF-8, without a byte order mark. `// [NCP-WIRE-092]`
 pub(crate) struct Writer {
     text: Vec<u8>,
+    /// Whether somebody is to see a message as it is, whatever it holds: then nothing is refused.
+    shows: bool,
 }
 
 impl Writer {
+    /// A writer of what goes over the wire.
     pub(crate) fn new() -> Self {
         // A frame of the hot planes fits without growing.
         Self {
             text: Vec::with_capacity(256),
+            shows: false,
+        }
+    }
+
+    /// A writer that refuses nothing, and names the numbers that JSON lacks.
+    pub(crate) fn showing() -> Self {
+        Self {
+            shows: true,
+            ..Self::new()
         }
     }
 
@@ -25,9 +37,32 @@ impl Writer {
         if len > limit {
             return Err(EncodeError::new(EncodeProblem::TooLong { len, limit })); // [NCP-WIRE-091]
         }
+        Ok(self.into_text())
+    }
+
+    /// The text, whatever its length.
+    pub(crate) fn into_text(self) -> String {
         // Only whole strings were written, so nothing is ever replaced.
-        Ok(String::from_utf8(self.text)
-            .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned()))
+        String::from_utf8(self.text)
+            .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned())
+    }
+
+    /// Fails for an array of so many items that are not numbers.
+    #[inline]
+    pub(crate) fn check_items(&self, len: usize) -> Result<(), EncodeError> {
+        if len > MAX_ITEMS && !self.shows {
+            return Err(EncodeError::new(EncodeProblem::TooManyItems(len))); // [NCP-WIRE-091]
+        }
+        Ok(())
+    }
+
+    /// Fails for a map of so many entries.
+    #[inline]
+    pub(crate) fn check_entries(&self, len: usize) -> Result<(), EncodeError> {
+        if len > MAX_ENTRIES && !self.shows {
+            return Err(EncodeError::new(EncodeProblem::TooManyEntries(len))); // [NCP-WIRE-091]
+        }
+        Ok(())
     }
 
     /// Text that is JSON as it stands.
@@ -44,7 +79,15 @@ impl Writer {
             return Ok(());
         }
         if !value.is_finite() {
-            return Err(EncodeError::new(EncodeProblem::NonFinite(value))); // [NCP-WIRE-086]
+            if !self.shows {
+                return Err(EncodeError::new(EncodeProblem::NonFinite(value))); // [NCP-WIRE-086]
+            }
+            self.string(match value {
+                f64::INFINITY => "Infinity",
+                f64::NEG_INFINITY => "-Infinity",
+                _ => "NaN",
+            });
+            return Ok(());
         }
         self.literal(zmij::Buffer::new().format_finite(value));
         Ok(())
@@ -98,7 +141,7 @@ impl Writer {
     /// An integer. `// [NCP-WIRE-085]`
     #[inline]
     pub(crate) fn integer(&mut self, value: i64) -> Result<(), EncodeError> {
-        if value.unsigned_abs() > MAX_INTEGER.unsigned_abs() {
+        if value.unsigned_abs() > MAX_INTEGER.unsigned_abs() && !self.shows {
             return Err(EncodeError::new(EncodeProblem::IntegerRange(value))); // [NCP-WIRE-091]
         }
         let mut digits = [0; 20];
