@@ -507,6 +507,96 @@ fn a_vector_file_is_accepted_with_every_relation_and_template() {
 }
 
 #[test]
+fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
+    let validator = vector_file_validator();
+    let hold = json!({"op": "should_hold", "now_s": "NaN"});
+    let run = |steps: Value, pattern: Value| {
+        case(
+            "watchdog.run",
+            json!({"steps": steps}),
+            json!({"relation": "pattern", "value": pattern, "tolerance": 1e-9, "or_reject": true}),
+        )
+    };
+    let pattern = json!({"steps": [
+        {"hold": true, "note": null}, {}, {"$error": true}, {"$any": [1, {"$exact": {"a": []}}]},
+        {"$json": {"a": {"$range": [0, "Infinity"]}}}, {"$anything": true},
+    ]});
+    let limits = || json!({"max_speed_mps": "-Infinity"});
+    for case in [
+        run(json!([hold, {"op": "reset"}]), pattern),
+        case(
+            "governor.run",
+            json!({"limits": limits(), "capabilities": null, "steps": [
+                {"op": "govern", "command": {}, "now_s": 1, "sensor": null, "last_sensor_s": null},
+                {"op": "note_link", "burst": true},
+            ]}),
+            json!({"accept": true}),
+        ),
+        case(
+            "buffer.run",
+            json!({"steps": [{"op": "command", "text": {"$repeat": "[", "times": 9}, "now_s": 0}, {"op": "active", "now_s": 0}]}),
+            json!({"accept": true}),
+        ),
+        case(
+            "codec.encode",
+            json!({"codec": "uav", "sensor": null}),
+            json!({"accept": true}),
+        ),
+        case(
+            "loop.run",
+            json!({"period_ms": 50, "limits": limits(), "config": {"kp": 1}, "steps": [{"op": "tick", "now_s": 0}]}),
+            json!({"accept": true}),
+        ),
+        case(
+            "session.run",
+            json!({"requests": ["{}"]}),
+            json!({"accept": true}),
+        ),
+    ] {
+        let errors: Vec<_> = validator
+            .iter_errors(&with_note(&case))
+            .map(|error| format!("{}: {error}", error.instance_path()))
+            .collect();
+        assert_eq!(errors, Vec::<String>::new());
+    }
+    for wrong in [
+        run(json!([{"op": "should_hold"}]), json!(1)),
+        run(json!([{"op": "should_hold", "now": 0}]), json!(1)),
+        run(json!([{"op": "sing", "now_s": 0}]), json!(1)),
+        run(json!([hold]), json!({"$eror": true})),
+        run(json!([hold]), json!({"a": [{"$error": false}]})),
+        run(json!([hold]), json!({"$error": true, "a": 1})),
+        run(json!([hold]), json!({"$any": []})),
+        run(json!([hold]), json!({"$exact": {"$any": [1]}})),
+        run(json!([hold]), json!({"$range": [0]})),
+        run(json!([hold]), json!({"$repeat": "x", "times": 3})),
+        case(
+            "horizon.max_len",
+            json!({"ttl_ms": 1}),
+            json!({"accept": true}),
+        ),
+        case(
+            "codec.encode",
+            json!({"codec": "usv", "sensor": null}),
+            json!({"accept": true}),
+        ),
+        case("link.run", json!({"steps": []}), json!({"accept": true})),
+        case(
+            "session.run",
+            json!({"requests": [1]}),
+            json!({"accept": true}),
+        ),
+        case(
+            "session.run",
+            json!({"requests": ["{}"]}),
+            json!({"relation": "json", "value": 1, "tolerance": 1}),
+        ),
+    ] {
+        assert!(!validator.is_valid(&with_note(&wrong)), "{wrong}");
+    }
+}
+
+#[test]
 fn a_vector_file_with_a_mistake_is_rejected() {
     let validator = vector_file_validator();
     let decode = || json!({"kind": "error", "text": "{}"});
@@ -721,6 +811,13 @@ fn case(call: &str, args: Value, expect: Value) -> Value {
         "id": "wire/frames/x", "title": "It is so.", "requirements": ["NCP-WIRE-001"], "flags": ["lenient-integers"], "roles": ["body"],
         "call": call, "args": args, "expect": expect, "why": "It says so.",
     })
+}
+
+/// A file whose only possible mistake is its case.
+fn with_note(case: &Value) -> Value {
+    let mut file = file_of(case);
+    file["notes"] = json!({"lenient-integers": "A bug."});
+    file
 }
 
 fn file_of(case: &Value) -> Value {

@@ -150,7 +150,7 @@ fn usable(mappings: &[Mapping]) -> impl Iterator<Item = &Mapping> {
 /// The linear map from one range to the other, clamped; the middle of the target for what cannot be
 /// mapped. `[NCP-CODEC-005] [NCP-CODEC-006] [NCP-CODEC-007]`
 fn map(value: Option<f64>, from: (f64, f64), to: (f64, f64)) -> f64 {
-    let middle = to.0 / 2.0 + to.1 / 2.0;
+    let middle = f64::midpoint(to.0, to.1);
     let span = from.1 - from.0;
     let Some(value) = value.filter(|value| value.is_finite() && span.is_finite() && span != 0.0)
     else {

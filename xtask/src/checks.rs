@@ -67,7 +67,13 @@ pub(crate) const CHECKS: &[Check] = &[
         name: "clippy",
         about: "the Rust code is free of warnings (clippy, all targets)",
         run: |work| {
-            let targets = ["clippy", "--workspace", "--all-targets", "--quiet"];
+            let targets = [
+                "clippy",
+                "--workspace",
+                "--all-targets",
+                "--quiet",
+                "--keep-going",
+            ];
             work.program(
                 work.project
                     .cargo(&[&targets[..], &["--", "-D", "warnings"]].concat()),

@@ -33,7 +33,7 @@ pub(crate) fn write(project: &Project) -> Result<bool, Error> {
         let done = match what {
             Difference::Missing => "new",
             Difference::Orphan => "removed",
-            Difference::Line { .. } => "changed",
+            Difference::Text { .. } => "changed",
         };
         println!("{done:8} {path}");
     }
@@ -68,11 +68,16 @@ enum Difference {
     Missing,
     /// It is there, but nothing generates it.
     Orphan,
-    /// The first line that differs, counted from 1; `None` is past the end of the text.
-    Line {
-        number: usize,
-        is: Option<String>,
-        should_be: Option<String>,
+    /// Its text is another.
+    Text {
+        /// The line of the first character that differs, counted from 1.
+        line: usize,
+        /// In a vector file, the case in which it stands.
+        case: Option<String>,
+        /// What stands there.
+        is: String,
+        /// What would be generated there.
+        should_be: String,
     },
 }
 
@@ -82,15 +87,19 @@ impl fmt::Display for Stale {
         match &self.what {
             Difference::Missing => write!(f, "{path}: is missing"),
             Difference::Orphan => write!(f, "{path}: is not a generated file"),
-            Difference::Line {
-                number,
+            Difference::Text {
+                line,
+                case,
                 is,
                 should_be,
             } => {
-                let show = |line: &Option<String>| line.clone().unwrap_or("(end of file)".into());
-                writeln!(f, "{path}:{number}: is not what would be generated")?;
-                writeln!(f, "  is:        {}", show(is))?;
-                write!(f, "  should be: {}", show(should_be))
+                let case = case
+                    .as_ref()
+                    .map(|case| format!(" (case {case})"))
+                    .unwrap_or_default();
+                writeln!(f, "{path}:{line}: is not what would be generated{case}")?;
+                writeln!(f, "  is:        {is}")?;
+                write!(f, "  should be: {should_be}")
             }
         }
     }
@@ -171,23 +180,45 @@ fn stale(project: &Project, files: &Files) -> Result<Vec<Stale>, Error> {
     Ok(stale)
 }
 
+/// Finds the first character that differs. The two texts differ.
 fn first_difference(is: &str, should_be: &str) -> Difference {
-    // A line is enough to find the place; a vector's line can be long.
-    const SHOWN: usize = 160;
-    let shorten = |line: Option<&str>| line.map(|line| line.chars().take(SHOWN).collect());
-    let (mut is, mut should_be) = (is.split('\n'), should_be.split('\n'));
-    let mut number = 0;
-    loop {
-        number += 1;
-        let (left, right) = (is.next(), should_be.next());
-        if left != right || left.is_none() {
-            return Difference::Line {
-                number,
-                is: shorten(left),
-                should_be: shorten(right),
-            };
-        }
+    let pairs = is.chars().zip(should_be.chars());
+    let equal = pairs.take_while(|(left, right)| left == right);
+    let same: String = equal.map(|(left, _)| left).collect();
+    let (line_start, column) = match same.rfind('\n') {
+        Some(at) => (at + 1, same[at + 1..].chars().count()),
+        None => (0, same.chars().count()),
+    };
+    let case = same.rfind(ID).map(|at| &same[at + ID.len()..]);
+    Difference::Text {
+        line: 1 + same.matches('\n').count(),
+        case: case
+            .and_then(|rest| rest.split('"').next())
+            .map(str::to_owned),
+        is: around(&is[line_start..], column),
+        should_be: around(&should_be[line_start..], column),
     }
+}
+
+/// How a case begins in a vector file.
+const ID: &str = r#""id": ""#;
+
+/// What stands around a column of the first line, which can be long.
+fn around(text: &str, column: usize) -> String {
+    const REACH: usize = 60;
+    let line = text.split('\n').next().unwrap_or_default();
+    let start = column.saturating_sub(REACH);
+    let shown: String = line
+        .chars()
+        .skip(start)
+        .take(column - start + REACH)
+        .collect();
+    let more = line.chars().count() > column + REACH;
+    format!(
+        "{}{shown}{}",
+        if start > 0 { "…" } else { "" },
+        if more { "…" } else { "" }
+    )
 }
 
 /// The JSON files of a folder, by their paths within the project.
@@ -211,4 +242,78 @@ fn json_files(project: &Project, folder: &str) -> Result<Vec<String>, Error> {
         .collect();
     files.sort();
     Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A project of one generated file, and of what lies in its folders.
+    fn stale_of(generated: &[(&str, &str)], there: &[(&str, &str)]) -> Vec<String> {
+        let folder = tempfile::tempdir().unwrap();
+        for (path, text) in there {
+            let path = folder.path().join(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        }
+        let files = generated
+            .iter()
+            .map(|(path, text)| (path.to_string(), text.to_string()));
+        let stale = stale(&Project::at(folder.path()), &files.collect()).unwrap();
+        stale.iter().map(Stale::to_string).collect()
+    }
+
+    #[test]
+    fn files_that_are_as_generated_are_not_stale() {
+        let files = [("schemas/a.json", "{}\n"), ("vectors/wire/b.json", "[]\n")];
+        assert_eq!(stale_of(&files, &files), [""; 0]);
+    }
+
+    #[test]
+    fn a_missing_file_and_one_that_nothing_generates_are_named() {
+        let there = [
+            ("vectors/wire/extra.json", "{}"),
+            ("vectors/src/json.json", "not an area"),
+        ];
+        assert_eq!(
+            stale_of(&[("vectors/wire/b.json", "")], &there),
+            [
+                "vectors/wire/b.json: is missing",
+                "vectors/wire/extra.json: is not a generated file"
+            ]
+        );
+    }
+
+    #[test]
+    fn one_changed_character_is_shown_with_its_line_and_case() {
+        let text = |expect: &str| {
+            let long = "x".repeat(500);
+            format!(
+                "{{\n\"cases\": [{{ \"id\": \"wire/a\", \"why\": \"{long}\" }},{{ \"id\": \"wire/b\", \"expect\": \"{expect}\", \"why\": \"{long}\" }}]\n}}\n"
+            )
+        };
+        let shown = stale_of(
+            &[("vectors/wire/c.json", &text("type"))],
+            &[("vectors/wire/c.json", &text("tÿpe"))],
+        );
+        insta::assert_snapshot!(shown.join("\n"), @r#"
+        vectors/wire/c.json:2: is not what would be generated (case wire/b)
+          is:        …xxxxxxxxxxxxxxxxxxxxxxxxxx" },{ "id": "wire/b", "expect": "tÿpe", "why": "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…
+          should be: …xxxxxxxxxxxxxxxxxxxxxxxxxx" },{ "id": "wire/b", "expect": "type", "why": "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…
+        "#);
+    }
+
+    #[test]
+    fn a_file_that_is_cut_short_or_goes_on_is_stale() {
+        for (is, should_be) in [
+            ("a\nb", "a\nb\n"),
+            ("a\nb\nc", "a\nb"),
+            ("", "é"),
+            ("é", ""),
+            ("é", "è"),
+        ] {
+            let stale = stale_of(&[("schemas/a.json", should_be)], &[("schemas/a.json", is)]);
+            assert_eq!(stale.len(), 1, "{is:?} {should_be:?}");
+        }
+    }
 }

@@ -76,13 +76,14 @@ pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError
 /// # Errors
 /// No npm, or no registry.
 pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
-    let lock = project.path(TYPESCRIPT).join("package-lock.json");
-    let wanted = fs::read(&lock).map_err(|source| SetupError::File { path: lock, source })?;
-    // The lock file that was installed, beside what was installed from it.
-    let stamp = project
-        .path(TYPESCRIPT)
-        .join("node_modules/.installed-lock.json");
-    if fs::read(&stamp).is_ok_and(|installed| installed == wanted) {
+    let folder = project.path(TYPESCRIPT);
+    // npm leaves a copy of the lock file when it has installed everything.
+    let changed = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());
+    let wanted = changed("package-lock.json").map_err(|source| SetupError::File {
+        path: folder.join("package-lock.json"),
+        source,
+    })?;
+    if changed("node_modules/.package-lock.json").is_ok_and(|installed| installed >= wanted) {
         return Ok(());
     }
     if version(&mut Command::new(NPM)).is_none() {
@@ -94,11 +95,7 @@ pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupErr
     say(&format!(
         "installing the packages of {TYPESCRIPT} (npm ci) into its node_modules"
     ));
-    carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], TYPESCRIPT))?;
-    fs::write(&stamp, wanted).map_err(|source| SetupError::File {
-        path: stamp,
-        source,
-    })
+    carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], TYPESCRIPT))
 }
 
 /// The program npm, by the name under which it can be started.

@@ -1,19 +1,23 @@
-//! The calls (PROTOCOL.md, section 3): one function each, named after its call.
+//! The calls (PROTOCOL.md, section 3): one function each, named after its call. Those with a trace are in
+//! [`traces`].
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use ncp_spec::bulk::{self, Block, BulkError, Column, ColumnData, Dtype};
 use ncp_spec::contract::{self, ContractError, NegotiateError};
+use ncp_spec::control::{LoopError, ReflexError};
 use ncp_spec::keys::{self, KeyError, Keys};
 use ncp_spec::plane::{Plane, Qos};
 use ncp_spec::reply::{self, ReplyError};
 use ncp_spec::version::{self, VersionError};
-use ncp_spec::wire::{self, DecodeError, DecodeProblem, EncodeError, Kind};
+use ncp_spec::wire::{self, DecodeError, DecodeProblem, EncodeError, Kind, Message};
 use ncp_spec::{CONTRACT_HASH, ErrorCode, WIRE_VERSION};
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::value::RawValue;
 
-use crate::value::{Bytes, Double, Long};
+use crate::traces::{self, StepReply};
+use crate::value::{Bytes, Double, Fields, Long};
 
 /// Carries out the call of this name.
 ///
@@ -37,6 +41,16 @@ pub(crate) fn answer(call: &str, args: &RawValue) -> Result<Reply, CallError> {
         "observation.pack" => observation_pack(parse(args)?),
         "observation.unpack" => observation_unpack(&parse(args)?),
         "reply.check" => reply_check(&parse(args)?),
+        "governor.run" => traces::governor_run(&parse(args)?),
+        "watchdog.run" => traces::watchdog_run(&parse(args)?),
+        "buffer.run" => traces::buffer_run(&parse(args)?),
+        "horizon.max_len" => Ok(traces::horizon_max_len(&parse(args)?)),
+        "link.run" => traces::link_run(&parse(args)?),
+        "codec.encode" => traces::codec_encode(parse(args)?),
+        "codec.decode" => traces::codec_decode(parse(args)?),
+        "reflex.step" => traces::reflex_step(&parse(args)?),
+        "loop.run" => traces::loop_run(&parse(args)?),
+        "session.run" => Ok(traces::session_run(&parse(args)?)),
         _ => Err(CallError::Unsupported),
     }
 }
@@ -58,7 +72,7 @@ pub(crate) enum CallError {
 impl CallError {
     /// The arguments are none that PROTOCOL.md allows. Nothing of `ncp-spec` was asked, so
     /// this must not count as its refusal: `internal` never satisfies a case.
-    fn misfit(what: &impl std::fmt::Display) -> Self {
+    pub(crate) fn misfit(what: &impl std::fmt::Display) -> Self {
         let message = format!("the arguments do not fit PROTOCOL.md: {what}");
         Self::Refused {
             code: ErrorCode::Internal,
@@ -87,6 +101,24 @@ refusal!(
     ReplyError,
     VersionError
 );
+
+impl From<ReflexError> for CallError {
+    fn from(error: ReflexError) -> Self {
+        Self::Refused {
+            code: ErrorCode::Value,
+            message: error.to_string(),
+        }
+    }
+}
+
+impl From<LoopError> for CallError {
+    fn from(error: LoopError) -> Self {
+        Self::Refused {
+            code: ErrorCode::Value,
+            message: error.to_string(),
+        }
+    }
+}
 
 /// What a call gives, in the members that PROTOCOL.md lists with it.
 #[derive(Debug, Serialize)]
@@ -135,6 +167,21 @@ pub(crate) enum Reply {
         values: Vec<Double>,
         senders: Vec<Long>,
     },
+    Steps {
+        steps: Vec<StepReply>,
+    },
+    Len {
+        len: usize,
+    },
+    Rates {
+        rates: BTreeMap<String, Double>,
+    },
+    Command {
+        command: Fields,
+    },
+    Replies {
+        replies: Vec<String>,
+    },
     Nothing {},
 }
 
@@ -165,9 +212,10 @@ fn decode(args: &DecodeArgs<'_>) -> Result<Reply, CallError> {
         _ => return Err(CallError::misfit(&"decode takes either text or base64")),
     };
     let message = wire::decode(kind(&args.kind)?, frame)?;
-    Ok(Reply::Frame {
-        text: message.encode()?,
-    })
+    // The frame was read, whatever the encoder says to it.
+    Ok(message
+        .encode()
+        .map_or(Reply::Nothing {}, |text| Reply::Frame { text }))
 }
 
 #[derive(Deserialize)]
@@ -179,14 +227,18 @@ struct EncodeArgs<'a> {
 }
 
 fn encode(args: &EncodeArgs<'_>) -> Result<Reply, CallError> {
-    let built = wire::build(kind(&args.kind)?, args.fields.get().as_bytes());
-    let message = built.map_err(|error| match error.problem() {
+    let message = build(kind(&args.kind)?, args.fields.get())?;
+    Ok(Reply::Frame {
+        text: message.encode()?,
+    })
+}
+
+/// The message of these fields.
+pub(crate) fn build(kind: Kind, fields: &str) -> Result<Message, CallError> {
+    wire::build(kind, fields.as_bytes()).map_err(|error| match error.problem() {
         // A program that names such a field does not even compile.
         DecodeProblem::NoSuchField | DecodeProblem::NotAnObject => CallError::misfit(&error),
         _ => error.into(),
-    })?;
-    Ok(Reply::Frame {
-        text: message.encode()?,
     })
 }
 
@@ -392,7 +444,7 @@ fn reply_check(args: &ReplyArgs<'_>) -> Result<Reply, CallError> {
     Ok(Reply::Nothing {})
 }
 
-fn parse<'a, T: Deserialize<'a>>(args: &'a RawValue) -> Result<T, CallError> {
+pub(crate) fn parse<'a, T: Deserialize<'a>>(args: &'a RawValue) -> Result<T, CallError> {
     serde_json::from_str(args.get()).map_err(|error| CallError::misfit(&error))
 }
 

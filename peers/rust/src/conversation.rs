@@ -19,7 +19,7 @@ use crate::calls::{self, CallError, Reply};
 ///
 /// # Errors
 /// Input that cannot be read, or output that cannot be written.
-pub(crate) fn hold(mut input: BufReader<impl Read>, mut output: impl Write) -> io::Result<()> {
+pub fn hold(mut input: BufReader<impl Read>, mut output: impl Write) -> io::Result<()> {
     let mut line = Vec::new();
     loop {
         if !input.buffer().contains(&b'\n') {
@@ -40,6 +40,41 @@ pub(crate) fn hold(mut input: BufReader<impl Read>, mut output: impl Write) -> i
     }
 }
 
+/// An answer to a call.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Answer {
+    /// The call was carried out.
+    Result(
+        /// The object `result`, as JSON text.
+        String,
+    ),
+    /// `ncp-spec` refused, or it panicked: then the code is `internal`.
+    Error {
+        /// Why.
+        code: ErrorCode,
+        /// Why, in words.
+        message: String,
+    },
+    /// There is no such call.
+    Unsupported,
+}
+
+/// Answers one call in this process, as the program would; `args` is the JSON text of its arguments.
+#[must_use]
+pub fn ask(call: &str, args: &str) -> Answer {
+    let outcome = guarded(|| {
+        let args: &RawValue =
+            serde_json::from_str(args).map_err(|error| CallError::misfit(&error))?;
+        let reply = calls::answer(call, args)?;
+        serde_json::to_string(&reply).map_err(|error| CallError::misfit(&error))
+    });
+    match outcome {
+        Ok(result) => Answer::Result(result),
+        Err(CallError::Refused { code, message }) => Answer::Error { code, message },
+        Err(CallError::Unsupported) => Answer::Unsupported,
+    }
+}
+
 /// The envelope of a request. What the call needs of `args` is parsed by the call.
 #[derive(Deserialize)]
 struct Request<'a> {
@@ -56,9 +91,7 @@ struct Request<'a> {
 /// `ncp-spec` must not panic whatever it is given. If it does, the panic is an answer to the
 /// request that caused it, with its message, and the requests behind it are spared. Nothing
 /// that a panic leaves half done is seen again: every call starts from its arguments alone.
-fn guarded(
-    call: impl FnOnce() -> Result<Reply, CallError> + UnwindSafe,
-) -> Result<Reply, CallError> {
+fn guarded<T>(call: impl FnOnce() -> Result<T, CallError> + UnwindSafe) -> Result<T, CallError> {
     panic::catch_unwind(call).unwrap_or_else(|payload| {
         let text = payload.downcast_ref::<&str>().copied();
         let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
@@ -128,7 +161,7 @@ mod tests {
     #[test]
     fn a_panic_in_a_call_is_answered_as_internal() {
         for (call, said) in [
-            (guarded(|| panic!("boom")), "panic: boom"),
+            (guarded::<()>(|| panic!("boom")), "panic: boom"),
             (guarded(|| panic!("boom {}", 7)), "panic: boom 7"),
             (guarded(|| panic::panic_any(7)), "panic: without a message"),
         ] {

@@ -4,8 +4,10 @@ use std::fmt;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use ncp_spec::wire::{ChannelMap, ChannelValue, Message};
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::ser::{Serialize, Serializer};
+use serde_json::value::RawValue;
 
 /// A double: a JSON number, or one of `"NaN"`, `"Infinity"`, `"-Infinity"`, `"-0"`.
 #[derive(Debug, Clone, Copy)]
@@ -132,6 +134,44 @@ impl<'de> Deserialize<'de> for Bytes {
         }
 
         deserializer.deserialize_str(BytesVisitor)
+    }
+}
+
+/// The fields of a message, as an answer shows them.
+#[derive(Debug)]
+pub(crate) struct Fields(Box<RawValue>);
+
+impl Fields {
+    /// Every field of the message.
+    pub(crate) fn of(message: impl Into<Message>) -> Self {
+        // What the specification shows is JSON; were it not, the answer would say null.
+        Self(RawValue::from_string(message.into().fields()).unwrap_or_default())
+    }
+}
+
+impl Serialize for Fields {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.serialize(serializer)
+    }
+}
+
+/// Channel values by name, as an answer shows them.
+#[derive(Debug)]
+pub(crate) struct Channels(pub(crate) ChannelMap);
+
+impl Serialize for Channels {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(serde::Serialize)]
+        struct Channel<'a> {
+            data: Vec<Double>,
+            unit: Option<&'a str>,
+        }
+
+        serializer.collect_map(self.0.iter().map(|(name, ChannelValue { data, unit })| {
+            let data = data.iter().copied().map(Double).collect();
+            let unit = unit.as_deref();
+            (name, Channel { data, unit })
+        }))
     }
 }
 

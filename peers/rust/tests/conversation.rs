@@ -151,15 +151,16 @@ fn the_transcript_of_the_protocol_page_is_what_this_peer_says() {
 }
 
 #[test]
-fn every_call_of_a_single_frame_key_or_block_is_known() {
-    let headings = section("Calls")
-        .lines()
+fn every_call_of_the_protocol_page_is_known() {
+    let headings = ["Calls", "Calls with a trace"]
+        .into_iter()
+        .flat_map(|heading| section(heading).lines())
         .filter_map(|line| line.strip_prefix("### "));
     let calls: Vec<&str> = headings
         .flat_map(|line| line.split('`').skip(1).step_by(2))
         .collect();
     assert!(
-        calls.contains(&"describe") && calls.contains(&"reply.check"),
+        calls.contains(&"describe") && calls.contains(&"session.run"),
         "{calls:?}"
     );
     let mut peer = Peer::start();
@@ -517,4 +518,186 @@ fn a_reply_is_held_against_its_request() {
         ),
         "reply"
     );
+}
+
+#[test]
+fn a_governor_remembers_its_latch_and_shows_every_field_of_the_frame() {
+    let command = json!({"seq": 7, "t": "NaN", "channels": {"velocity_setpoint": {"data": [3, 4, 0], "unit": "m/s"}}});
+    let at = |x: f64| {
+        json!({"op": "govern", "now_s": 1, "last_sensor_s": 1, "command": command,
+            "sensor": {"channels": {"pose_position": {"data": [x, 0, 0], "unit": "m"}}}})
+    };
+    let args = json!({
+        "limits": {"max_speed_mps": 5, "geofence_radius_m": 10},
+        "capabilities": null,
+        "steps": [at(0.0), {"op": "note_link", "burst": false}, at(11.0), at(0.0), {"op": "reset"}, at(0.0)],
+    });
+    let steps = result("governor.run", &args)["steps"].clone();
+    assert_eq!(
+        steps[0]["frame"],
+        json!({"ncp_version": "0.5", "kind": "command_frame", "seq": 7, "t": "NaN", "frame_id": "world", "mode": "active",
+            "ttl_ms": 200.0, "channels": {"velocity_setpoint": {"data": [3.0, 4.0, 0.0], "unit": "m/s"}},
+            "horizon": [], "horizon_dt_ms": null})
+    );
+    assert_eq!(steps[1], json!({}));
+    let modes: Vec<&Value> = [2, 3, 5]
+        .iter()
+        .map(|step| &steps[*step]["frame"]["mode"])
+        .collect();
+    assert_eq!(modes, ["estop", "estop", "active"]);
+}
+
+#[test]
+fn a_governor_is_built_for_the_channels_that_were_negotiated() {
+    let args = |unit: &str| {
+        json!({
+            "limits": {"max_speed_mps": 1},
+            "capabilities": {"sensor_channels": [], "command_channels": [{"name": "velocity_setpoint", "kind": "vec3", "unit": unit}]},
+            "steps": [{"op": "govern", "now_s": 1, "last_sensor_s": 1, "sensor": null,
+                "command": {"channels": {"velocity_setpoint": {"data": [1, 0, 0], "unit": "m/s"}}}}],
+        })
+    };
+    for (unit, mode) in [("m/s", "active"), ("km/h", "hold")] {
+        let steps = result("governor.run", &args(unit))["steps"].clone();
+        assert_eq!(steps[0]["frame"]["mode"], mode, "{unit}");
+    }
+}
+
+#[test]
+fn a_refused_step_is_an_entry_and_the_trace_goes_on() {
+    let frame = r#"{"kind":"command_frame","seq":1,"mode":"active","ttl_ms":100,"channels":{"a":{"data":[-0.0,1]}}}"#;
+    let args = json!({"steps": [
+        {"op": "active", "now_s": 0},
+        {"op": "command", "text": "{", "now_s": 0},
+        {"op": "command", "text": frame, "now_s": 0},
+        {"op": "active", "now_s": 0.05},
+        {"op": "command", "base64": "eyJraW5kIjoiY29tbWFuZF9mcmFtZSIsIm1vZGUiOiJlc3RvcCIsInNlcSI6IngifQ==", "now_s": 0.06},
+        {"op": "active", "now_s": 0.07},
+    ]});
+    let mut steps = result("buffer.run", &args)["steps"].clone();
+    assert_eq!(steps[1]["error"]["code"], "malformed");
+    steps[1] = json!(null);
+    assert_eq!(
+        steps,
+        json!([
+            {"channels": null}, null, {}, {"channels": {"a": {"data": ["-0", 1.0], "unit": null}}}, {}, {"channels": null},
+        ])
+    );
+}
+
+#[test]
+fn a_watchdog_a_link_and_a_horizon_are_asked_by_steps_and_numbers() {
+    let args = json!({"steps": [
+        {"op": "should_hold", "now_s": 0},
+        {"op": "command", "now_s": 0, "ttl_ms": "Infinity", "seq": 1},
+        {"op": "should_hold", "now_s": 0},
+        {"op": "command", "now_s": 0, "ttl_ms": 100, "seq": 2},
+        {"op": "should_hold", "now_s": 0.1},
+        {"op": "reset"},
+        {"op": "should_hold", "now_s": 0.1},
+    ]});
+    assert_eq!(
+        result("watchdog.run", &args)["steps"],
+        json!([{"hold": true}, {}, {"hold": true}, {}, {"hold": false}, {}, {"hold": true}])
+    );
+    let args = json!({"ref_loss": 0, "threshold": null, "steps": [{"op": "frame", "seq": 1}, {"op": "frame", "seq": 8}]});
+    assert_eq!(
+        result("link.run", &args)["steps"][1],
+        json!({"last_seq": 8, "received": 2, "lost": 6, "loss_rate": 0.75, "burst": true})
+    );
+    assert_eq!(
+        result("horizon.max_len", &json!({"ttl_ms": 200, "dt_ms": 60})),
+        json!({"len": 3})
+    );
+}
+
+#[test]
+fn a_codec_and_a_reflex_turn_frames_into_rates_and_commands() {
+    let sensor = json!({"channels": {"pose_error": {"data": [2, "NaN"], "unit": "m"}}});
+    assert_eq!(
+        result("codec.encode", &json!({"codec": "uav", "sensor": sensor})),
+        json!({"rates": {"err_x": 200.0, "err_y": 100.0, "err_z": 100.0}})
+    );
+    let codec = json!({"encoders": [], "decoders": [
+        {"channel": "a", "component": 1, "population": "p", "value_range": [0, 10], "unit": "m"},
+    ]});
+    let args = json!({"codec": codec, "rates": {"p": 50}, "t": 2, "seq": 3, "frame_id": "f", "mode": "hold"});
+    let command = result("codec.decode", &args)["command"].clone();
+    assert_eq!(
+        command["channels"],
+        json!({"a": {"data": [0.0, 2.5], "unit": "m"}})
+    );
+    assert_eq!(
+        (&command["seq"], &command["mode"]),
+        (&json!(3), &json!("hold"))
+    );
+
+    let sensor = json!({"channels": {"pose_position": {"data": [1, 0, -1], "unit": "m"}}});
+    let args = json!({"config": {"target": [0, 0, 1], "max_speed": 1.25}, "sensor": sensor});
+    assert_eq!(
+        result("reflex.step", &args)["command"]["channels"]["velocity_setpoint"]["data"],
+        json!([-1.0, -0.0, 1.25])
+    );
+    assert_eq!(
+        refusal(
+            "reflex.step",
+            &json!({"config": {"kp": "NaN"}, "sensor": null})
+        ),
+        "value"
+    );
+}
+
+#[test]
+fn a_loop_and_a_server_run_as_a_whole() {
+    let sensor = |seq| json!({"op": "sensor", "now_s": 1, "sensor": {"seq": seq, "channels": {"pose_position": {"data": [1, 0, 0]}}}});
+    let mut args = json!({"period_ms": 150, "limits": {}, "config": {}, "steps": [
+        {"op": "tick", "now_s": 0}, sensor(5), sensor(4), {"op": "tick", "now_s": 1.1}, {"op": "reset"},
+    ]});
+    let steps = result("loop.run", &args)["steps"].clone();
+    assert_eq!(steps[0]["command"]["mode"], "hold");
+    let command = &steps[3]["command"];
+    assert_eq!(
+        (&command["mode"], &command["seq"], &command["ttl_ms"]),
+        (&json!("active"), &json!(5), &json!(300.0))
+    );
+    assert_eq!(
+        (&steps[3]["status"]["seq"], &steps[3]["status"]["safety_ok"]),
+        (&json!(2), &json!(true))
+    );
+    args["period_ms"] = json!(0);
+    assert_eq!(refusal("loop.run", &args), "value");
+
+    let requests = [
+        r#"{"kind":"close_session","session_id":"s"}"#,
+        r#"{"ncp_version":"0.5","kind":"open_session","session_id":"s","network":{"kind":"builtin","ref":"ncp.reference.rate"}}"#,
+        r#"{"kind":"close_session","session_id":"s"}"#,
+    ];
+    let replies = result("session.run", &json!({"requests": requests}))["replies"].clone();
+    let ok = |nth: usize| {
+        let reply: Value = serde_json::from_str(replies[nth].as_str().unwrap()).unwrap();
+        reply["ok"].clone()
+    };
+    assert_eq!(
+        [ok(0), ok(1), ok(2)],
+        [json!(false), json!(true), json!(true)]
+    );
+}
+
+#[test]
+fn a_step_that_the_protocol_page_does_not_allow_is_no_refusal_of_the_implementation() {
+    for (call, args) in [
+        ("watchdog.run", json!({"steps": [{"op": "sing"}]})),
+        ("watchdog.run", json!({"steps": [{"op": "should_hold"}]})),
+        (
+            "buffer.run",
+            json!({"steps": [{"op": "command", "now_s": 0}]}),
+        ),
+        (
+            "governor.run",
+            json!({"limits": {"max_sped": 1}, "steps": []}),
+        ),
+        ("codec.encode", json!({"codec": "usv", "sensor": null})),
+    ] {
+        assert_eq!(refusal(call, &args), "internal", "{call} {args}");
+    }
 }

@@ -6,32 +6,39 @@
  */
 
 import { readFileSync } from "node:fs";
-import { decodeBlock, encodeBlock, type Column } from "./bulk.js";
+import { TRACES } from "./adapter-traces.js";
+import {
+  bytesIn,
+  bytesOut,
+  columnIn,
+  columnOut,
+  doubleIn,
+  doubleOut,
+  fieldsIn,
+  frameIn,
+  i64In,
+  isObject,
+  kindIn,
+  listIn,
+  messageOf,
+  Refusal,
+  refusalOut,
+  textIn,
+  textOrNullIn,
+  type Args,
+  type Call,
+  type Json,
+} from "./adapter-values.js";
+import { decodeBlock, encodeBlock } from "./bulk.js";
 import { contractStatus, NCP_CONTRACT_HASH, negotiate, verifyContract } from "./contract.js";
 import { decodeAny } from "./decode.js";
 import { create, encode, normalise } from "./encode.js";
-import { NcpError } from "./errors.js";
 import { Keys, matches } from "./keys.js";
-import { isKind, TABLES, type Input, type Kind } from "./messages.js";
+import { TABLES, type Input, type Kind } from "./messages.js";
 import { pack, unpack } from "./observation.js";
 import { PLANES, type Plane } from "./planes.js";
 import { checkReply, isRequestKind, type Request } from "./reply.js";
-import type { Shape, Table } from "./table.js";
 import { checkVersion, NCP_VERSION } from "./version.js";
-
-type Json = null | boolean | number | string | Json[] | { [name: string]: Json };
-type Args = Readonly<Record<string, Json>>;
-type Call = (args: Args) => Json;
-
-/** A request that this program refuses itself: what it asks for has no form in the library. */
-class Refusal extends Error {
-  readonly code: string;
-
-  constructor(code: string, message: string) {
-    super(message);
-    this.code = code;
-  }
-}
 
 // --- the calls, in the order of the protocol's page ----------------------------------------------
 
@@ -50,7 +57,7 @@ const CALLS: ReadonlyMap<string, Call> = new Map<string, Call>([
   [
     "decode",
     (args) => {
-      const frame = typeof args["base64"] === "string" ? bytesIn(args["base64"]) : textIn(args, "text");
+      const frame = frameIn(args);
       return { text: normalise(kindIn(args), frame) };
     },
   ],
@@ -113,6 +120,7 @@ const CALLS: ReadonlyMap<string, Call> = new Map<string, Call>([
       return {};
     },
   ],
+  ...TRACES,
 ]);
 
 function buildKey(args: Args): string {
@@ -140,133 +148,12 @@ function buildKey(args: Args): string {
   }
 }
 
-// --- values: what arguments and results stand for ------------------------------------------------
-
-const SPECIAL_DOUBLES: ReadonlyMap<Json, number> = new Map([
-  ["NaN", NaN],
-  ["Infinity", Infinity],
-  ["-Infinity", -Infinity],
-  ["-0", -0],
-]);
-
-function doubleIn(value: Json): number {
-  const double = typeof value === "number" ? value : SPECIAL_DOUBLES.get(value);
-  if (double === undefined) throw new Refusal("type", "a double is expected");
-  return double;
-}
-
-function doubleOut(value: number): number | string {
-  if (Object.is(value, -0)) return "-0";
-  return Number.isFinite(value) ? value : String(value);
-}
-
-function i32In(value: Json): number {
-  if (typeof value !== "number" || (value | 0) !== value) throw new Refusal("type", "an i32 is expected");
-  return value;
-}
-
-function i64In(value: Json): bigint {
-  const integer = typeof value === "string" && /^-?[0-9]+$/.test(value) ? BigInt(value) : undefined;
-  if (integer === undefined || BigInt.asIntN(64, integer) !== integer) throw new Refusal("type", "an i64 is expected");
-  return integer;
-}
-
-function bytesIn(base64: string): Uint8Array {
-  return Buffer.from(base64, "base64");
-}
-
-function bytesOut(bytes: Uint8Array): string {
-  return Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString("base64");
-}
-
-function columnIn(column: Json): Column {
-  if (!isObject(column)) throw new Refusal("type", "a column is an object");
-  const name = textIn(column, "name");
-  const dtype = textIn(column, "dtype");
-  const data = listIn(column, "data");
-  switch (dtype) {
-    case "f32":
-      return { name, dtype, data: Float32Array.from(data, doubleIn) };
-    case "f64":
-      return { name, dtype, data: Float64Array.from(data, doubleIn) };
-    case "i32":
-      return { name, dtype, data: Int32Array.from(data, i32In) };
-    case "i64":
-      return { name, dtype, data: BigInt64Array.from(data, i64In) };
-    default:
-      throw new Refusal("block", `there is no dtype ${dtype}`);
-  }
-}
-
-function columnOut({ name, dtype, data }: Column): Json {
-  const values =
-    dtype === "i64" ? Array.from(data, String) : dtype === "i32" ? Array.from(data) : Array.from(data, doubleOut);
-  return { name, dtype, data: values };
-}
-
-/** The fields to set, with the strings that stand for doubles replaced wherever the tables give a number. */
-function fieldsIn(table: Table, fields: Json): Json {
-  if (!isObject(fields)) return fields;
-  return mapEntries(fields, (name, value) => {
-    const field = table.byName.get(name);
-    return field === undefined ? value : valueIn(field.shape, value);
-  });
-}
-
-function valueIn(shape: Shape, value: Json): Json {
-  switch (shape.is) {
-    case "number":
-      return SPECIAL_DOUBLES.get(value) ?? value;
-    case "numbers":
-      return Array.isArray(value) ? value.map((item) => SPECIAL_DOUBLES.get(item) ?? item) : value;
-    case "list":
-      return Array.isArray(value) ? value.map((item) => valueIn(shape.of, item)) : value;
-    case "map":
-      return isObject(value) ? mapEntries(value, (_, item) => valueIn(shape.of, item)) : value;
-    case "message":
-      return fieldsIn(shape.table, value);
-    default:
-      return value;
-  }
-}
-
-/** Unlike an assignment, `Object.fromEntries` keeps an entry of the name `__proto__`. */
-function mapEntries(of: Args, each: (name: string, value: Json) => Json): Json {
-  return Object.fromEntries(Object.entries(of).map(([name, value]) => [name, each(name, value)]));
-}
-
-function kindIn(args: Args): Kind {
-  const kind = textIn(args, "kind");
-  if (!isKind(kind)) throw new Refusal("kind", `there is no kind ${kind}`);
-  return kind;
-}
-
-function textIn(args: Args, name: string): string {
-  const value = args[name];
-  if (typeof value !== "string") throw new Refusal("invalid", `the argument ${name} is not text`);
-  return value;
-}
-
-function textOrNullIn(args: Args, name: string): string | null {
-  return args[name] === null || args[name] === undefined ? null : textIn(args, name);
-}
-
-function listIn(args: Args, name: string): Json[] {
-  const value = args[name];
-  if (!Array.isArray(value)) throw new Refusal("invalid", `the argument ${name} is not an array`);
-  return value;
-}
-
-function isObject(value: Json | undefined): value is { [name: string]: Json } {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
+// --- the conversation ----------------------------------------------------------------------------
 
 function packageVersion(): string {
   const manifest = JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8")) as { version: string };
   return manifest.version;
 }
-
-// --- the conversation ----------------------------------------------------------------------------
 
 /** The answer to one line, or `undefined` for a line that is no request. */
 function answer(line: Buffer): string | undefined {
@@ -278,7 +165,7 @@ function answer(line: Buffer): string | undefined {
     const outcome = does === undefined ? { unsupported: true } : { result: does(isObject(args) ? args : {}) };
     return JSON.stringify({ id, ...outcome });
   } catch (error) {
-    return JSON.stringify({ id, error: { code: codeOf(error), message: messageOf(error) } });
+    return JSON.stringify({ id, error: refusalOut(error) });
   }
 }
 
@@ -291,17 +178,6 @@ function requestIn(line: Buffer): Args | undefined {
     process.stderr.write(`a line is not JSON: ${messageOf(error)}\n`);
   }
   return undefined;
-}
-
-/** Why a call failed. What the library does not throw on purpose is a crash, and is reported as one. */
-function codeOf(error: unknown): string {
-  if (error instanceof NcpError || error instanceof Refusal) return error.code;
-  process.stderr.write(`${error instanceof Error ? error.stack : String(error)}\n`);
-  return "internal";
-}
-
-function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 const LINE_FEED = 0x0a;

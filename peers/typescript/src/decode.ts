@@ -5,7 +5,7 @@
  * @module
  */
 
-import { DecodeError } from "./errors.js";
+import { DecodeError, VersionError } from "./errors.js";
 import { frameBytesOf, JsonReader } from "./json.js";
 import { isSegment } from "./keys.js";
 import { ENTRIES, frameBytes, OBSERVATION_FRAME_BYTES } from "./limits.js";
@@ -20,38 +20,42 @@ import {
 } from "./messages.js";
 import type { Names } from "./names.js";
 import type { NamedField, Shape, Table } from "./table.js";
+import { checkVersion } from "./version.js";
 
 /**
  * Reads a frame of one kind.
  *
  * @param kind - the kind that is expected
  * @param frame - the bytes as they came, or their text
+ * @param strict - whether the strict profile holds, by agreement with the sender
  * @returns the complete message: absent fields have their defaults, unset optional ones are `null`
  * @throws {@link DecodeError} when the frame is rejected
  *
- * The value of `ncp_version` is not judged, which is the version guard's matter. [NCP-WIRE-033]
+ * Unless `strict`, the value of `ncp_version` is not judged, which is the version guard's matter. [NCP-WIRE-033]
  *
- * Rules: NCP-WIRE-001 to NCP-WIRE-070, NCP-PROV-001 to NCP-PROV-006.
+ * Rules: NCP-WIRE-001 to NCP-WIRE-070, NCP-PROV-001 to NCP-PROV-006, NCP-STRICT-002 to NCP-STRICT-004.
  */
-export function decode<K extends Kind>(kind: K, frame: string | Uint8Array): Messages[K] {
+export function decode<K extends Kind>(kind: K, frame: string | Uint8Array, strict = false): Messages[K] {
   if (!isKind(kind)) throw new DecodeError("kind", "the kind that is expected is not a known one");
   const bytes = frameBytesOf(frame, frameBytes(kind)); // [NCP-WIRE-060] [NCP-WIRE-061] [NCP-WIRE-062] [NCP-WIRE-063]
   const reader = new JsonReader(bytes);
   beginObject(reader);
-  const message = readMessage(reader, TABLES[kind]) as unknown as Messages[K];
+  const message = readMessage(reader, TABLES[kind], strict) as unknown as Messages[K];
   reader.finish();
   if (kind === "step_request" || kind === "run_request") settleStimulus(message as StepRequest | RunRequest);
+  if (strict) checkStrictly(message);
   return message;
 }
 
 /**
  * Reads a frame of whichever kind it says that it has.
  *
+ * @param strict - as of {@link decode}
  * @throws {@link DecodeError} when the frame is rejected
  */
-export function decodeAny(frame: string | Uint8Array): Message {
+export function decodeAny(frame: string | Uint8Array, strict = false): Message {
   const bytes = frameBytesOf(frame, OBSERVATION_FRAME_BYTES);
-  return decode(kindOf(bytes), bytes);
+  return decode(kindOf(bytes), bytes, strict);
 }
 
 /**
@@ -82,7 +86,8 @@ function beginObject(reader: JsonReader): void {
   if (reader.peek() !== "object") throw new DecodeError("malformed", "the frame is not an object");
 }
 
-function readMessage(reader: JsonReader, table: Table): Record<string, unknown> {
+/** @param versioned - whether the message must say its version, where the table has a default for it */
+function readMessage(reader: JsonReader, table: Table, versioned = false): Record<string, unknown> {
   // Every field is set in its order at once, so that all messages of a table have one hidden class.
   const message: Record<string, unknown> = {};
   for (const { name } of table.fields) message[name] = undefined;
@@ -107,7 +112,7 @@ function readMessage(reader: JsonReader, table: Table): Record<string, unknown> 
 
   for (const field of table.fields) {
     if ((seen & field.bit) !== 0) continue;
-    if (field.required) {
+    if (field.required || (versioned && field.name === "ncp_version" /* [NCP-STRICT-002] */)) {
       const code = field.shape.is === "kind" ? "kind" : "missing"; // [NCP-WIRE-027] [NCP-WIRE-028]
       throw reader.error(code, `${field.name} is missing`);
     }
@@ -216,6 +221,21 @@ function settleStimulus(request: StepRequest | RunRequest): void {
       throw new DecodeError("value", `${shown(said)} is not the request's`, ["stimulus", name]);
     }
     stimulus[name] = request[name]; // [NCP-WIRE-035]
+  }
+}
+
+/** What the strict profile asks of a frame beyond its version being there. An error frame has none to judge. */
+function checkStrictly(message: Message): void {
+  if ("ncp_version" in message) {
+    try {
+      checkVersion(message.ncp_version, true); // [NCP-STRICT-003]
+    } catch (error) {
+      if (!(error instanceof VersionError)) throw error;
+      throw new DecodeError("version", error.message, ["ncp_version"]);
+    }
+  }
+  if (message.kind === "command_frame" && message.seq < 1) {
+    throw new DecodeError("value", `the seq ${message.seq} is less than 1`, ["seq"]); // [NCP-STRICT-004]
   }
 }
 

@@ -102,6 +102,20 @@ export class ReplyError extends NcpError {
   }
 }
 
+/** A controller, a control loop, a codec or a monitor was to be built from values that it refuses. */
+export class ConfigError extends NcpError {
+  constructor(message: string) {
+    super("value", message);
+  }
+}
+
+/** A simulation was not opened, or a request to one was refused. */
+export class SessionError extends NcpError {
+  constructor(message: string) {
+    super("value", message);
+  }
+}
+
 function at(path: readonly (string | number)[], message: string): string {
   return path.length === 0 ? message : `${pointer(path)}: ${message}`;
 }

@@ -1,9 +1,11 @@
 /**
- * NCP wire 0.5: messages, strict decoding, encoding, keys, planes, versions and bulk blocks.
+ * NCP wire 0.5: messages, strict decoding, encoding, keys, planes, versions, bulk blocks, sessions, and
+ * what keeps a plant safe on either side of the action plane.
  *
  * @packageDocumentation
  */
 
+export { ActionBuffer, maxHorizonLen } from "./action-buffer.js";
 export { decodeBlock, encodeBlock, type Column, type Dtype } from "./bulk.js";
 export {
   canonicalText,
@@ -14,20 +16,25 @@ export {
   verifyContract,
   type ContractStatus,
 } from "./contract.js";
+export { ControlLoop, type Controller, type ControlLoopParts } from "./control-loop.js";
 export { decode, decodeAny, kindOf } from "./decode.js";
 export { create, encode, normalise } from "./encode.js";
 export {
   BulkError,
+  ConfigError,
   ContractError,
   DecodeError,
   EncodeError,
   KeyError,
   NcpError,
   ReplyError,
+  SessionError,
   VersionError,
   type ErrorCode,
 } from "./errors.js";
+export { SafetyGovernor, type NegotiatedChannels } from "./governor.js";
 export { DEFAULT_REALM, isSegment, Keys, matches, validateRealm, validateSegment } from "./keys.js";
+export { LinkMonitor, type LinkReport } from "./link-monitor.js";
 export { isKind, KINDS } from "./messages.js";
 export type * from "./messages.js";
 export {
@@ -39,5 +46,19 @@ export {
   type UnpackedSamples,
 } from "./observation.js";
 export { PLANES, type Plane, type Qos } from "./planes.js";
-export { checkReply, isRequestKind, REPLIES, type ReplyTo, type Request } from "./reply.js";
+export {
+  RATE_CODEC_ID,
+  RateCodec,
+  UAV_CODEC,
+  type CommandHead,
+  type DecoderMapping,
+  type Mapping,
+  type RateCodecSpec,
+} from "./rate-codec.js";
+export { ReferenceBackend } from "./reference-backend.js";
+export { ReflexController, type ReflexConfig } from "./reflex.js";
+export { checkReply, isRequestKind, REPLIES, type ReplyTo, type Request, type RequestKind } from "./reply.js";
+export { SessionClient, type Send } from "./session-client.js";
+export { SessionService, type Backend, type SessionServiceOptions, type Simulation } from "./session-service.js";
 export { checkVersion, NCP_VERSION } from "./version.js";
+export { CommandWatchdog, enforcedTtlMs } from "./watchdog.js";

@@ -6,6 +6,7 @@
 
 import { KeyError } from "./errors.js";
 import { SEGMENT_BYTES } from "./limits.js";
+import type { RequestKind } from "./reply.js";
 import { isWellFormed, utf8Length } from "./unicode.js";
 
 /** The realm of a deployment that names none. [NCP-KEY-006] */
@@ -28,6 +29,17 @@ export class Keys {
   /** The key of the control plane. [NCP-KEY-001] */
   rpc(): string {
     return `${this.realm}/rpc`;
+  }
+
+  /**
+   * The strict profile's key of one verb of the control plane, so that access rules can tell the verbs apart.
+   * [NCP-STRICT-001]
+   *
+   * @param kind - the kind of the request
+   */
+  rpcVerb(kind: RequestKind): string {
+    validateSegment(kind);
+    return `${this.rpc()}/${kind}`;
   }
 
   /** The key of a session's sensor frames, or of one named stream of them. [NCP-KEY-002] */

@@ -1,5 +1,6 @@
 /**
- * The limits of section 1.6. What is at a limit is read; what is beyond it is rejected.
+ * The limits of section 1.6, where what is at a limit is read and what is beyond it is rejected, and
+ * those of the chapters about behaviour.
  *
  * @module
  */
@@ -24,6 +25,12 @@ export const BLOCK_BYTES = 67_108_864;
 
 /** Columns of a BulkBlock. */
 export const BLOCK_COLUMNS = 4_096;
+
+/** The longest that a plant acts upon one command, ms. [NCP-RES-004] */
+export const TTL_MS = 60_000;
+
+/** Components of a channel that a rate codec maps. [NCP-CODEC-008] */
+export const COMPONENTS = 4_096;
 
 /** The bytes that a frame of this kind may have. [NCP-WIRE-060] [NCP-WIRE-062] */
 export function frameBytes(kind: string): number {

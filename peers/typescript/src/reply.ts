@@ -12,19 +12,22 @@ import { checkVersion } from "./version.js";
 /** A request on the control plane. */
 export type Request = OpenSession | StepRequest | RunRequest | CloseSession;
 
+/** The kind of a request. */
+export type RequestKind = Request["kind"];
+
 /** The kind that answers each kind of request. [NCP-SESS-001] */
 export const REPLIES = {
   open_session: "session_opened",
   step_request: "observation_frame",
   run_request: "observation_frame",
   close_session: "session_closed",
-} as const satisfies Record<Request["kind"], Kind>;
+} as const satisfies Record<RequestKind, Kind>;
 
 /** The reply to a request of this type. */
 export type ReplyTo<R extends Request> = Messages[(typeof REPLIES)[R["kind"]]];
 
 /** Whether a kind is that of a request. */
-export function isRequestKind(kind: string): kind is Request["kind"] {
+export function isRequestKind(kind: string): kind is RequestKind {
   return Object.hasOwn(REPLIES, kind);
 }
 
@@ -33,10 +36,11 @@ export function isRequestKind(kind: string): kind is Request["kind"] {
  *
  * @param request - the request that was sent
  * @param reply - the frame that came back
+ * @param strict - whether the strict profile holds: the reply must say a version
  * @throws {@link ReplyError} when the reply is not one to go on with; its `cause` is the deeper error, if any
  */
-export function checkReply<R extends Request>(request: R, reply: string | Uint8Array): ReplyTo<R> {
-  const message = readReply(request, reply);
+export function checkReply<R extends Request>(request: R, reply: string | Uint8Array, strict = false): ReplyTo<R> {
+  const message = readReply(request, reply, strict);
   if (message.session_id !== request.session_id) {
     throw new ReplyError(`the reply is for the session ${JSON.stringify(message.session_id)}`); // [NCP-SESS-002]
   }
@@ -50,10 +54,10 @@ export function checkReply<R extends Request>(request: R, reply: string | Uint8A
   return message as ReplyTo<R>; // [NCP-SESS-007]
 }
 
-function readReply(request: Request, reply: string | Uint8Array): ReplyTo<Request> {
+function readReply(request: Request, reply: string | Uint8Array, strict: boolean): ReplyTo<Request> {
   return refusing("the reply is rejected", () => {
     if (kindOf(reply) === "error") throw new ReplyError(decode("error", reply).error); // [NCP-SESS-005] [NCP-WIRE-100]
-    return decode(REPLIES[request.kind], reply); // [NCP-SESS-001] [NCP-SESS-006]
+    return decode(REPLIES[request.kind], reply, strict); // [NCP-SESS-001] [NCP-SESS-006]
   });
 }
 

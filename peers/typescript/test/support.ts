@@ -1,6 +1,15 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { decode, type ErrorCode, type Kind, NcpError } from "@ncp-conformance/peer";
+import {
+  type CommandFrame,
+  create,
+  decode,
+  type ErrorCode,
+  type Input,
+  type Kind,
+  NcpError,
+  type SensorFrame,
+} from "@ncp-conformance/peer";
 
 /** A small generator of random numbers with a fixed seed, so that a failure comes back on the next run. */
 export class Random {
@@ -47,6 +56,16 @@ export class Random {
       const value = view.getFloat64(0);
       if (Number.isFinite(value)) return value;
     }
+  }
+
+  /** A number from `low` to below `high`. */
+  between(low: number, high: number): number {
+    return low + (high - low) * (this.bits() / 2 ** 32);
+  }
+
+  /** A vector of any direction, with components up to `most` in size. */
+  vector(most: number): number[] {
+    return [0, 1, 2].map(() => this.between(-most, most));
   }
 
   /** An integer within ±(2^53 − 1), of any magnitude. */
@@ -99,6 +118,20 @@ export function refuses(code: ErrorCode, action: () => unknown): void {
 /** Asserts that the frame is rejected with this code. */
 export function rejects(kind: Kind, frame: string | Uint8Array, code: ErrorCode): void {
   refuses(code, () => decode(kind, frame));
+}
+
+/** A command with a velocity. */
+export function moving(velocity: readonly number[], fields: Input<"command_frame"> = {}): CommandFrame {
+  return create("command_frame", {
+    seq: 1,
+    channels: { velocity_setpoint: { data: velocity, unit: "m/s" } },
+    ...fields,
+  });
+}
+
+/** A sensor frame with a position. */
+export function at(position: readonly number[], fields: Input<"sensor_frame"> = {}): SensorFrame {
+  return create("sensor_frame", { seq: 1, channels: { pose_position: { data: position, unit: "m" } }, ...fields });
 }
 
 export function bytes(...parts: (string | readonly number[])[]): Uint8Array {

@@ -56,7 +56,8 @@ pub use text::Text;
 
 use json::{Purpose, Reader, Writer};
 
-/// Decodes a frame of the kind that the receiver expects.
+/// Decodes a frame of the kind that the receiver expects: every field as the frame gives it.
+/// `[NCP-WIRE-034]`
 ///
 /// # Errors
 ///

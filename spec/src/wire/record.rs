@@ -37,6 +37,7 @@ macro_rules! record {
                 Ok(message)
             }
 
+            // [NCP-WIRE-093]
             fn encode(&self) -> Result<String, EncodeError> {
                 self.check()?; // [NCP-WIRE-091]
                 let mut w = Writer::new();

@@ -359,22 +359,37 @@ const PATTERNS: &[Pattern] = &[
             "ncp/session/a/sensor",
             "ncp/session/a/sensor/front",
         ],
-        &["ncp/session", "ncp/a/b"],
+        &["ncp/a/b"],
+        &[],
+    ),
+    pattern(
+        "NCP-KEY-031",
+        "ncp/session/*/**",
+        &[],
+        &["ncp/session"],
         &[],
     ),
     pattern(
         "NCP-KEY-032",
         "ncp/*/**/sensor",
         &["ncp/a/sensor", "ncp/a/b/c/sensor"],
-        &["ncp/sensor", "ncp/a"],
+        &["ncp/a"],
         &[],
     ),
+    pattern("NCP-KEY-031", "ncp/*/**/sensor", &[], &["ncp/sensor"], &[]),
     pattern(
         "NCP-KEY-032",
         "**/sensor/*",
         &["sensor/front", "a/b/sensor/front"],
-        &["a/sensor", "a/sensor/front/left"],
+        &["a/b"],
         &["a/sensor/@front"],
+    ),
+    pattern(
+        "NCP-KEY-031",
+        "**/sensor/*",
+        &[],
+        &["a/sensor", "a/sensor/front/left"],
+        &[],
     ),
     pattern(
         "NCP-KEY-033",
@@ -502,9 +517,10 @@ const PATTERNS: &[Pattern] = &[
         "NCP-KEY-035",
         "ncp/*/@a",
         &["ncp/b/@a"],
-        &["ncp/@a"],
+        &["ncp/b/@b"],
         &["ncp/@b/@a"],
     ),
+    pattern("NCP-KEY-031", "ncp/*/@a", &[], &["ncp/@a"], &[]),
 ];
 
 /// Pairs of which one is no key expression.

@@ -15,10 +15,10 @@ mod stimulus;
 use crate::case::File;
 
 /// The rule that a plain value is read as the frame gives it.
-pub(crate) const READ: &str = "NCP-WIRE-020";
+pub(crate) const READ: &str = "NCP-WIRE-034";
 
 /// The rule that a field is written as the program set it.
-const WRITE: &str = "NCP-WIRE-081";
+const WRITE: &str = "NCP-WIRE-093";
 
 pub(crate) fn files() -> Vec<File> {
     let mut files = fields::files();

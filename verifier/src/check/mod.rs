@@ -62,8 +62,12 @@ pub struct Difference {
 /// Judges an answer.
 #[must_use]
 pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
+    judge_by(&case.expect, answer)
+}
+
+fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
     let mut differences = Differences::default();
-    match (answer, &case.expect) {
+    match (answer, expect) {
         (Answer::Unsupported, _) => return Judgement::Unsupported,
         (Answer::Error { code, message }, Expect::Reject(suggested)) => {
             if code == ErrorCode::Internal.as_str() {
@@ -275,5 +279,52 @@ fn block(result: &Json<'_>, differences: &mut Differences) -> Option<Vec<u8>> {
             });
             None
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::suite::Shape;
+
+    fn pattern(or_reject: bool) -> Expect {
+        Expect::Pattern {
+            shape: Shape::parse(r#"{"hold":true}"#).unwrap(),
+            tolerance: 0.0,
+            or_reject,
+        }
+    }
+
+    fn passes(expect: &Expect, answer: &Answer<'_>) -> bool {
+        matches!(judge_by(expect, answer), Judgement::Pass { .. })
+    }
+
+    #[test]
+    fn a_pattern_may_allow_a_refusal_but_never_a_crash() {
+        let error = |code: &str| Answer::Error {
+            code: code.to_owned(),
+            message: String::new(),
+        };
+        assert!(passes(&pattern(true), &error("value")));
+        assert!(!passes(&pattern(true), &error("internal")));
+        assert!(!passes(&pattern(false), &error("value")));
+        for (result, right) in [(r#"{"hold":true}"#, true), (r#"{"hold":false}"#, false)] {
+            let result = Answer::Result(Json::parse(result).unwrap());
+            assert_eq!(passes(&pattern(true), &result), right);
+            assert_eq!(passes(&pattern(false), &result), right);
+        }
+        assert_eq!(
+            judge_by(&pattern(true), &Answer::Unsupported),
+            Judgement::Unsupported
+        );
+    }
+
+    #[test]
+    fn a_pattern_is_put_into_words() {
+        assert_eq!(in_words(&pattern(false)), r#"a result like {"hold":true}"#);
+        assert_eq!(
+            in_words(&pattern(true)),
+            r#"a result like {"hold":true}, or an error"#
+        );
     }
 }

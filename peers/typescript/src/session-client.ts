@@ -1,0 +1,56 @@
+/**
+ * The client's side of the control plane, over any transport that carries a request and its reply (chapter 4).
+ *
+ * @module
+ */
+
+import { create, encode } from "./encode.js";
+import type { Input, ObservationFrame, SessionOpened } from "./messages.js";
+import { checkReply, type ReplyTo, type Request } from "./reply.js";
+
+/** Sends the text of a request and answers with what came back. */
+export type Send = (request: string) => Promise<string | Uint8Array>;
+
+/** Opens, runs and closes sessions. Every method throws {@link ReplyError} for a reply that is not one to go on with. */
+export class SessionClient {
+  readonly #send: Send;
+  readonly #strict: boolean;
+  /** The sessions that this client opened. Others are borrowed. */
+  readonly #owned = new Set<string>();
+
+  /** @param strict - whether the strict profile holds, by agreement with the server */
+  constructor(send: Send, strict = false) {
+    this.#send = send;
+    this.#strict = strict;
+  }
+
+  async open(fields: Input<"open_session">): Promise<SessionOpened> {
+    const opened = await this.#ask(create("open_session", fields));
+    this.#owned.add(opened.session_id);
+    return opened;
+  }
+
+  async step(fields: Input<"step_request">): Promise<ObservationFrame> {
+    return this.#ask(create("step_request", fields));
+  }
+
+  async run(fields: Input<"run_request">): Promise<ObservationFrame> {
+    return this.#ask(create("run_request", fields));
+  }
+
+  /**
+   * Closes a session that this client opened, and leaves one that it borrowed to its owner. [NCP-SESS-040]
+   *
+   * @returns whether the session was this client's
+   */
+  async close(sessionId: string): Promise<boolean> {
+    if (!this.#owned.has(sessionId)) return false;
+    await this.#ask(create("close_session", { session_id: sessionId }));
+    this.#owned.delete(sessionId);
+    return true;
+  }
+
+  async #ask<R extends Request>(request: R): Promise<ReplyTo<R>> {
+    return checkReply(request, await this.#send(encode(request)), this.#strict);
+  }
+}

@@ -1,0 +1,56 @@
+/**
+ * Vectors of doubles of any finite size: no intermediate result overflows where the result itself does not.
+ *
+ * @module
+ */
+
+/** The Euclidean norm, infinite when it is beyond the largest double, NaN when a component is. */
+export function norm(of: ArrayLike<number>): number {
+  const squares = sumOfSquares(of, 1);
+  if (squares >= SAFE_LEAST && squares <= SAFE_MOST) return Math.sqrt(squares);
+  let most = 0;
+  for (let n = 0; n < of.length; n++) most = Math.max(most, Math.abs(of[n]!));
+  if (most === 0 || !Number.isFinite(most)) return most;
+  // Powers of two change no digit of what they scale.
+  const scale = most < 1 ? SCALE : 1 / SCALE;
+  return Math.sqrt(sumOfSquares(of, scale)) / scale;
+}
+
+/** Whether every component is finite. */
+export function allFinite(of: ArrayLike<number>): boolean {
+  for (let n = 0; n < of.length; n++) if (!Number.isFinite(of[n])) return false;
+  return true;
+}
+
+/**
+ * A finite vector, scaled so that its norm is not above the limit. One that is not longer is answered as it is.
+ *
+ * @param limit - finite and positive
+ */
+export function limited(vector: Float64Array, limit: number): Float64Array {
+  if (norm(vector) <= limit) return vector; // [NCP-SAFE-062]
+  let most = 0;
+  for (const component of vector) most = Math.max(most, Math.abs(component));
+  // In two steps, since the norm of a finite vector can be infinite. [NCP-SAFE-061]
+  const direction = vector.map((component) => component / most);
+  const factor = limit / norm(direction);
+  for (let shrink = 0; ; shrink = Math.max(shrink * 2, Number.EPSILON)) {
+    const scaled = direction.map((component) => component * (factor * (1 - Math.min(shrink, 1))));
+    // Rounding may leave the norm a little above the limit. At the latest, the zero vector is not. [NCP-SAFE-060]
+    if (norm(scaled) <= limit) return scaled;
+  }
+}
+
+function sumOfSquares(of: ArrayLike<number>, scale: number): number {
+  let sum = 0;
+  for (let n = 0; n < of.length; n++) {
+    const component = of[n]! * scale;
+    sum += component * component;
+  }
+  return sum;
+}
+
+/** Between these, a sum of squares has lost nothing that counts to an underflow or an overflow. */
+const SAFE_LEAST = 2 ** -900;
+const SAFE_MOST = Number.MAX_VALUE;
+const SCALE = 2 ** 600;
