@@ -394,7 +394,8 @@ mod plain {
             let Some(position) = position else {
                 return command.silenced(Mode::Hold);
             };
-            if !(norm(&position.data) <= RADIUS_M) {
+            let distance_m = norm(&position.data);
+            if distance_m.is_nan() || distance_m > RADIUS_M {
                 self.estop = true;
                 return command.silenced(Mode::Estop);
             }

@@ -282,3 +282,65 @@ fn unfitting(expected: Kind, reply: &Message) -> BusError {
 fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::{ReferenceBackend, SessionService};
+    use crate::wire::NetworkRef;
+
+    /// `[NCP-SESS-040]`
+    #[test]
+    fn a_session_whose_close_never_reached_a_server_is_still_the_clients_to_close() {
+        let bus = LocalBus::new();
+        let service = Arc::new(Mutex::new(SessionService::new(ReferenceBackend)));
+        let serve = |bus: &LocalBus| {
+            let service = Arc::clone(&service);
+            bus.serve("ncp/rpc", move |request| {
+                lock(&service).serve(request).into_bytes()
+            })
+            .unwrap()
+        };
+        let mut client = NeuroSimClient::new(bus.clone(), None).unwrap();
+        let serving = serve(&bus);
+        let network = NetworkRef {
+            reference: "ncp.reference.rate".into(),
+            ..NetworkRef::default()
+        };
+        let request = OpenSession {
+            session_id: "s".into(),
+            network,
+            ..OpenSession::default()
+        };
+        client.open(request).unwrap();
+        drop(serving);
+        assert!(matches!(client.close("s"), Err(BusError::NoServer { .. })));
+        let _serving = serve(&bus);
+        assert!(client.close("s").unwrap().unwrap().ok);
+        // A second close would close somebody else's session.
+        assert!(client.close("s").unwrap().is_none());
+        assert_eq!(lock(&service).open_sessions().len(), 0);
+    }
+
+    /// `[NCP-SESS-040]`
+    #[test]
+    fn a_session_that_the_server_has_lost_is_no_more_the_clients() {
+        let bus = LocalBus::new();
+        let mut client = NeuroSimClient::new(bus.clone(), None).unwrap();
+        let opens = r#"{"kind":"session_opened","ncp_version":"0.5","session_id":"s"}"#;
+        let closes = r#"{"kind":"session_closed","ncp_version":"0.5","session_id":"s","ok":false}"#;
+        let _serving = bus
+            .serve("ncp/rpc", move |request| {
+                let is_open = String::from_utf8_lossy(request).contains("open_session");
+                if is_open { opens } else { closes }.into()
+            })
+            .unwrap();
+        let request = OpenSession {
+            session_id: "s".into(),
+            ..OpenSession::default()
+        };
+        client.open(request).unwrap();
+        assert!(matches!(client.close("s"), Err(BusError::Reply(_))));
+        assert!(client.close("s").unwrap().is_none());
+    }
+}

@@ -1,4 +1,8 @@
 //! The reflex controller and the control loop, rule by rule: chapter 10.
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may panic as tests may"
+)]
 
 use std::sync::{Arc, Mutex};
 

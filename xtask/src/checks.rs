@@ -163,15 +163,12 @@ fn conformance(work: &mut Work<'_>) -> Result<Count, Failure> {
 
 /// The peers that a result of `ncp-verify` does not judge, with the reason.
 fn unchecked_peers(result: &Value) -> Option<Vec<String>> {
-    let unchecked = result["peers"]
-        .as_array()?
-        .iter()
-        .filter(|peer| peer["state"] != "checked");
-    Some(
-        unchecked
-            .map(|peer| format!("{}: {}", peer["name"], peer["reason"]))
-            .collect(),
-    )
+    let peers = result["peers"].as_array()?.iter();
+    let unchecked = peers.filter(|peer| peer["state"] != "checked").map(|peer| {
+        let text = |member: &str| peer[member].as_str().unwrap_or("unknown");
+        format!("{} was not checked: {}", text("name"), text("reason"))
+    });
+    Some(unchecked.collect())
 }
 
 /// One passed test if there is nothing wrong; else one failed test that shows it.
@@ -196,7 +193,10 @@ mod tests {
             {"name": "typescript", "state": "skipped", "reason": "node is not on PATH"},
         ]});
         let unchecked = unchecked_peers(&result).unwrap();
-        assert_eq!(unchecked, [r#""typescript": "node is not on PATH""#]);
+        assert_eq!(
+            unchecked,
+            ["typescript was not checked: node is not on PATH"]
+        );
         assert_eq!(unchecked_peers(&json!({})), None);
     }
 }

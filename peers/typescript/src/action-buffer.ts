@@ -14,7 +14,7 @@ import { CommandWatchdog } from "./watchdog.js";
 export class ActionBuffer {
   readonly #strict: boolean;
   readonly #watchdog = new CommandWatchdog();
-  /** The last command that set the deadline; `null` when there is nothing to do. */
+  /** The active command that set the deadline; `null` when there is nothing to do. */
   #command: CommandFrame | null = null;
   #stopped = false;
 
@@ -56,7 +56,8 @@ export class ActionBuffer {
       this.#stop(); // [NCP-RES-021]
     } else if (this.#strict && seq < 1) {
       return; // [NCP-STRICT-004]
-    } else if (mode === "hold") {
+    } else if (mode !== "active") {
+      // As of the governor, whatever is not `active` is a HOLD. [NCP-SAFE-001] [NCP-SAFE-002]
       if (this.#watchdog.onHold(seq, this.#strict)) this.#command = null; // [NCP-RES-023] [NCP-STRICT-005]
     } else if (this.#watchdog.onCommand(nowS, ttl_ms, seq)) {
       this.#command = command; // [NCP-RES-020]
@@ -67,7 +68,6 @@ export class ActionBuffer {
   active(nowS: number): Map<string, ChannelValue> | null {
     const command = this.#command;
     if (this.#watchdog.shouldHold(nowS) || this.#stopped || command === null) return null;
-    if (command.mode !== "active") return null; // [NCP-SAFE-001]
     const { channels, horizon, horizon_dt_ms: tickMs } = command;
     // [NCP-RES-026] [NCP-RES-027]
     if (horizon.length === 0 || tickMs === null || !Number.isFinite(tickMs) || tickMs <= 0) return channels;

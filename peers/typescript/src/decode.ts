@@ -112,7 +112,8 @@ function readMessage(reader: JsonReader, table: Table, versioned = false): Recor
 
   for (const field of table.fields) {
     if ((seen & field.bit) !== 0) continue;
-    if (field.required || (versioned && field.name === "ncp_version" /* [NCP-STRICT-002] */)) {
+    // [NCP-STRICT-002]
+    if (field.required || (versioned && field.name === "ncp_version")) {
       const code = field.shape.is === "kind" ? "kind" : "missing"; // [NCP-WIRE-027] [NCP-WIRE-028]
       throw reader.error(code, `${field.name} is missing`);
     }

@@ -78,12 +78,7 @@ export class SafetyGovernor {
    * @param sensor - the newest sensor frame, if there is one
    * @param lastSensorS - when it was received, on the same clock; `null` when none was
    */
-  govern(
-    command: CommandFrame,
-    nowS: number,
-    sensor: SensorFrame | null,
-    lastSensorS: number | null,
-  ): CommandFrame {
+  govern(command: CommandFrame, nowS: number, sensor: SensorFrame | null, lastSensorS: number | null): CommandFrame {
     // The gates in their order; the first that closes decides. [NCP-SAFE-020]
     if (command.mode === "estop") this.#stopped = true; // [NCP-SAFE-004]
     if (this.#stopped) return this.#zeroed(command, "estop"); // [NCP-SAFE-003] [NCP-SAFE-005]

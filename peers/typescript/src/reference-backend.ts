@@ -85,7 +85,10 @@ class ReferenceSimulation implements Simulation {
     this.#dtMs = sim.dt_ms;
     this.#size = sizeOf(network.population_sizes);
     this.#populations = new Map(
-      Array.from(network.population_sizes, ([name, size]) => [name, new model.neurons(size, sim.dt_ms, network.params)]),
+      Array.from(network.population_sizes, ([name, size]) => [
+        name,
+        new model.neurons(size, sim.dt_ms, network.params),
+      ]),
     );
     const populationOf = (target: string): Neurons => {
       const neurons = this.#populations.get(target);
@@ -94,7 +97,9 @@ class ReferenceSimulation implements Simulation {
     };
     this.#inputs = new Map(stimulus.targets.map((target) => inputOf(target, model, populationOf(target.target))));
     if (this.#inputs.size < stimulus.targets.length) throw new SessionError("two stimulus targets have one port");
-    this.#records = record.targets.map((target) => new RecordPort(target, model, populationOf(target.target), sim.dt_ms));
+    this.#records = record.targets.map(
+      (target) => new RecordPort(target, model, populationOf(target.target), sim.dt_ms),
+    );
     if (new Set(record.targets.map(({ port }) => port)).size < record.targets.length) {
       throw new SessionError("two record targets have one port");
     }
@@ -216,8 +221,7 @@ class RecordPort {
       this.#values.push(this.#neurons.state[index]!);
     }
     // [NCP-SESS-053] A step that reaches several multiples is sampled once.
-    this.#multiple = Math.max(this.#multiple, wholeBelow(timeMs / this.#target.cadence_ms)) + 1;
-    this.#dueStep = this.#stepOf(this.#multiple);
+    this.#dueStep = this.#stepOf(++this.#multiple);
   }
 
   /** The observation of all samples since the last call. */

@@ -11,7 +11,7 @@ import { checkReply, type ReplyTo, type Request } from "./reply.js";
 /** Sends the text of a request and answers with what came back. */
 export type Send = (request: string) => Promise<string | Uint8Array>;
 
-/** Opens, runs and closes sessions. Every method throws {@link ReplyError} for a reply that is not one to go on with. */
+/** Opens, runs and closes sessions. Every method throws {@link ReplyError} when the reply is not one to go on with. */
 export class SessionClient {
   readonly #send: Send;
   readonly #strict: boolean;

@@ -149,7 +149,8 @@ export class SessionService {
   }
 
   #close({ session_id }: CloseSession): Message {
-    return create("session_closed", { session_id, ok: this.#sessions.delete(session_id) }); // [NCP-SESS-028] [NCP-SESS-029]
+    // [NCP-SESS-028] [NCP-SESS-029]
+    return create("session_closed", { session_id, ok: this.#sessions.delete(session_id) });
   }
 }
 

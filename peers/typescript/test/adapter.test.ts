@@ -152,14 +152,28 @@ test("every call with a trace is answered, a step an entry", async () => {
         steps: [
           { op: "command", text: '{"kind":"command_frame","mode":"active","channels":{"a":{"data":[1]}}}', now_s: 1 },
           { op: "active", now_s: 1 },
-          { op: "command", base64: Buffer.from('{"kind":"command_frame","mode":"estop","t":""}').toString("base64"), now_s: 1 },
+          {
+            op: "command",
+            base64: Buffer.from('{"kind":"command_frame","mode":"estop","t":""}').toString("base64"),
+            now_s: 1,
+          },
           { op: "active", now_s: 1 },
           { op: "reset" },
         ],
       },
     ],
     ["horizon.max_len", { ttl_ms: 200, dt_ms: 50 }],
-    ["link.run", { ref_loss: null, threshold: null, steps: [{ op: "frame", seq: 1 }, { op: "frame", seq: 3 }] }],
+    [
+      "link.run",
+      {
+        ref_loss: null,
+        threshold: null,
+        steps: [
+          { op: "frame", seq: 1 },
+          { op: "frame", seq: 3 },
+        ],
+      },
+    ],
     ["codec.encode", { codec: "uav", sensor: null }],
     ["codec.decode", { codec: "uav", rates: { vel_x: "NaN" }, t: 1, seq: 2, frame_id: "map", mode: "hold" }],
     ["reflex.step", { config: { target: [1, 0, 0] }, sensor: position(0, 0, 0) }],
@@ -180,13 +194,22 @@ test("every call with a trace is answered, a step an entry", async () => {
     ],
     ["session.run", { requests: ['{"kind":"close_session","session_id":"s"}', "?"] }],
   );
-  const head = { ncp_version: "0.5", kind: "command_frame", frame_id: "world", ttl_ms: 200, horizon: [], horizon_dt_ms: null };
+  const head = {
+    ncp_version: "0.5",
+    kind: "command_frame",
+    frame_id: "world",
+    ttl_ms: 200,
+    horizon: [],
+    horizon_dt_ms: null,
+  };
   assert.deepEqual(entry(governor, 0), {
     frame: { ...head, seq: 0, t: 0, mode: "active", channels: velocity(3, 4, "-0") },
   });
   assert.deepEqual(entry(governor, 1), { frame: { ...head, seq: 0, t: "NaN", mode: "hold", channels: velocity(0) } });
   assert.deepEqual(entry(governor, 2), {});
-  assert.deepEqual(entry(governor, 3), { frame: { ...head, seq: 3, t: 5, mode: "estop", channels: velocity(0, 0, 0) } });
+  assert.deepEqual(entry(governor, 3), {
+    frame: { ...head, seq: 3, t: 5, mode: "estop", channels: velocity(0, 0, 0) },
+  });
   assert.equal(entry(governor, 5)["frame"]!["mode"], "hold");
   assert.deepEqual(Object.keys(entry(governor, 6)), ["error"]);
   assert.deepEqual(watchdog, { result: { steps: [{ hold: true }, {}, { hold: false }, {}, { hold: true }] } });
@@ -199,7 +222,9 @@ test("every call with a trace is answered, a step an entry", async () => {
   assert.deepEqual(decoded, {
     result: { command: { ...head, t: 1, seq: 2, frame_id: "map", mode: "hold", channels: velocity(0, 0, 0) } },
   });
-  assert.deepEqual(reflex, { result: { command: { ...head, seq: 0, t: 0, mode: "active", channels: velocity(1, 0, 0) } } });
+  assert.deepEqual(reflex, {
+    result: { command: { ...head, seq: 0, t: 0, mode: "active", channels: velocity(1, 0, 0) } },
+  });
   assert.equal(codeOf(refused), "value");
   assert.equal(entry(loop, 0)["command"]!["mode"], "hold");
   assert.deepEqual(entry(loop, 2), {

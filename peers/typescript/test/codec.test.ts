@@ -59,11 +59,18 @@ test("what is missing, not finite or without a range is the middle", () => {
     assert.equal(rateOf(tied, sensor), 75);
   }
   assert.equal(rateOf(tied, sensing([9, 1])), 100);
-  for (const value_range of [[1, 1], [NaN, 1], [-1, Infinity], [-Number.MAX_VALUE, Number.MAX_VALUE]] as const) {
+  for (const value_range of [
+    [1, 1],
+    [NaN, 1],
+    [-1, Infinity],
+    [-Number.MAX_VALUE, Number.MAX_VALUE],
+  ] as const) {
     assert.equal(rateOf(new RateCodec({ encoders: [{ ...MAPPING, value_range }], decoders: [] }), sensing([1])), 100);
   }
   const valueOf = (rates: Record<string, number>, rate_range: readonly [number, number] = [0, 200]): number =>
-    codec({ value_range: [2, 4], rate_range }).decode(rates, HEAD).channels.get("a")!.data[0]!;
+    codec({ value_range: [2, 4], rate_range })
+      .decode(rates, HEAD)
+      .channels.get("a")!.data[0]!;
   assert.deepEqual([valueOf({}), valueOf({ p: NaN }), valueOf({ p: Infinity }), valueOf({ p: 0 })], [3, 3, 3, 2]);
   assert.equal(valueOf({ p: 200 }, [7, 7]), 3);
 });

@@ -84,7 +84,12 @@ test("a reflex controller is not built with a gain, a speed or a target that is 
     refuses("value", () => new ReflexController({ kd: bad }));
     refuses("value", () => new ReflexController({ max_speed: bad }));
   }
-  for (const target of [[NaN, 0, 0], [0, 0], [0, 0, 0, 0], [0, Infinity, 0]]) {
+  for (const target of [
+    [NaN, 0, 0],
+    [0, 0],
+    [0, 0, 0, 0],
+    [0, Infinity, 0],
+  ]) {
     refuses("value", () => new ReflexController({ target }));
   }
 });
@@ -147,6 +152,13 @@ test("a tick answers the newest sensor frame by seq, and sends one command and o
   assert.deepEqual([...command.channels.get("velocity_setpoint")!.data], [-1, 0, 0]);
   assert.deepEqual(status, create("control_status", { seq: 1, t: 1.2, mode: "active" }));
   assert.equal(bench.tick(1.25)[1].seq, 2);
+});
+
+test("the command has the seq of the sensor frame, whatever its controller says", () => {
+  const bench = new Bench({}, 50, { step: () => moving([1, 0, 0], { seq: 99, t: 99 }) });
+  assert.deepEqual([bench.tick(1)[0].seq, bench.tick(1)[0].t], [0, 1]);
+  bench.sensor(1, at([1, 0, 0], { seq: 7 }));
+  assert.equal(bench.tick(1)[0].seq, 7);
 });
 
 test("a sensor frame that is not newer does not renew the sensor's time", () => {

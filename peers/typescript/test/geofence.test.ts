@@ -35,7 +35,7 @@ function reachOf(path: readonly (readonly number[])[]): number {
 
 test("a plant that follows a governed command never leaves the ball", () => {
   const seen = { moved: 0, truncated: 0, held: 0, clamped: 0, nearlyOut: 0 };
-  for (let n = 0; n < 20_000; n++) {
+  for (let n = 0; n < 8_000; n++) {
     const radius = 10 ** random.between(-3, 3);
     const position = random.vector(radius / (random.chance(2) ? 1.8 : 6));
     const maxSpeed = random.chance(2) ? null : radius * 10 ** random.between(-2, 2);
@@ -71,14 +71,14 @@ test("a plant that follows a governed command never leaves the ball", () => {
 test("a command is held or truncated only where its own path leaves the ball", () => {
   let passed = 0;
   let kept = 0;
-  for (let n = 0; n < 10_000; n++) {
+  for (let n = 0; n < 4_000; n++) {
     const radius = 10;
     const position = random.vector(5);
     const governor = new SafetyGovernor({ geofence_radius_m: radius });
     const horizon = Array.from({ length: random.below(6) }, () => ({
-      velocity_setpoint: { data: random.vector(20), unit: "m/s" },
+      velocity_setpoint: { data: random.vector(40), unit: "m/s" },
     }));
-    const command = moving(random.vector(20), { ttl_ms: 500, horizon, horizon_dt_ms: 100 });
+    const command = moving(random.vector(30), { ttl_ms: random.between(50, 700), horizon, horizon_dt_ms: 100 });
     const governed = governor.govern(command, 1, at(position), 1);
     // What a shorter horizon would have allowed, tried out one length after the other.
     const longest = horizon.length;
@@ -92,7 +92,7 @@ test("a command is held or truncated only where its own path leaves the ball", (
     passed += Number(expected === longest);
     kept += Number(expected !== null && expected > 0 && expected < longest);
   }
-  assert.ok(passed > 200 && kept > 200, `${passed} passed, ${kept} truncated`);
+  assert.ok(passed > 100 && kept > 100, `${passed} passed, ${kept} truncated`);
 });
 
 test("without a horizon tick 0 is projected for the whole ttl, up to one minute", () => {

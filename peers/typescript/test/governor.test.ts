@@ -85,6 +85,7 @@ test("an ESTOP is latched until a reset, and a reset brings no fail-closed gover
   governor.noteLink(false);
   assert.equal(modeOf("active"), "hold");
   governor.noteLink(true);
+  governor.noteLink(false);
   assert.equal(modeOf("active"), "estop");
   governor.reset();
   assert.equal(modeOf("active"), "hold");
@@ -94,12 +95,10 @@ test("a limit that is negative or not finite, or whose channel does not fit, hol
   const speed = { max_speed_mps: 1 };
   const fence = { geofence_radius_m: 1 };
   const faults: [Partial<SafetyLimits>, NegotiatedChannels | undefined][] = [
-    ...[-1, NaN, Infinity, -Infinity, -Number.MIN_VALUE].flatMap(
-      (value): [Partial<SafetyLimits>, undefined][] => [
-        [{ max_speed_mps: value }, undefined],
-        [{ geofence_radius_m: value }, undefined],
-      ],
-    ),
+    ...[-1, NaN, Infinity, -Infinity, -Number.MIN_VALUE].flatMap((value): [Partial<SafetyLimits>, undefined][] => [
+      [{ max_speed_mps: value }, undefined],
+      [{ geofence_radius_m: value }, undefined],
+    ]),
     [speed, channels([POSITION], [])],
     [fence, channels([], [VELOCITY])],
     [speed, channels([POSITION], [{ ...VELOCITY, unit: "km/h" }])],

@@ -13,6 +13,11 @@ const CHAPTERS = [
   "04-sessions",
   "05-observations-and-bulk",
   "06-provenance",
+  "07-safety",
+  "08-resilience",
+  "09-codec",
+  "10-control-loop",
+  "12-security",
 ];
 
 interface Row {

@@ -85,7 +85,7 @@ test("the deadline is exact, and at most one minute", () => {
 
 test("a plant moves only on an active command, and nothing moves after a reset", () => {
   let moved = 0;
-  for (let n = 0; n < 3_000; n++) {
+  for (let n = 0; n < 2_000; n++) {
     const buffer = new ActionBuffer();
     // Since the last reset: the modes that were received by seq, and whether an ESTOP was among them.
     let modes = new Map<number, Mode>();
@@ -111,17 +111,30 @@ test("a plant moves only on an active command, and nothing moves after a reset",
       assert.equal(Math.max(...modes.keys()), velocity, "the newest command is the one that counts");
     }
   }
-  assert.ok(moved > 3_000, `${moved}`);
+  assert.ok(moved > 2_000, `${moved}`);
+});
+
+test("a sender whose seq begins again is held until a reset", () => {
+  const buffer = new ActionBuffer();
+  buffer.accept(moving([1, 0, 0], { seq: 1_000 }), 0);
+  for (let seq = 1; seq < 20; seq++) buffer.accept(moving([1, 0, 0], { seq }), seq);
+  assert.equal(buffer.active(19), null);
+  buffer.reset();
+  assert.equal(buffer.active(0), null);
+  buffer.accept(moving([1, 0, 0], { seq: 20 }), 20);
+  assert.notEqual(buffer.active(20), null);
 });
 
 test("a HOLD takes effect at once when it is not older or is not stamped, and refreshes nothing", () => {
-  const stillMoves = (seq: number): boolean => {
-    const buffer = new ActionBuffer();
-    buffer.accept(moving([1, 0, 0], { seq: 5 }), 0);
-    buffer.accept(moving([0, 0, 0], { seq, mode: "hold" }), 0.1);
-    return buffer.active(0.1) !== null;
-  };
-  assert.deepEqual([4, 5, 6, 0, -1].map(stillMoves), [true, false, false, false, true]);
+  for (const mode of ["hold", "init"] as const) {
+    const stillMoves = (seq: number): boolean => {
+      const buffer = new ActionBuffer();
+      buffer.accept(moving([1, 0, 0], { seq: 5 }), 0);
+      buffer.accept(moving([0, 0, 0], { seq, mode }), 0.1);
+      return buffer.active(0.1) !== null;
+    };
+    assert.deepEqual([4, 5, 6, 0, -1].map(stillMoves), [true, false, false, false, true]);
+  }
 
   const buffer = new ActionBuffer();
   buffer.accept(moving([1, 0, 0], { seq: 5 }), 0);
@@ -227,7 +240,7 @@ test("the search for an ESTOP takes for an object what JSON.parse takes for one"
     return object["kind"] === "command_frame" && object["mode"] === "estop";
   };
   const counts = { both: 0, neither: 0 };
-  for (let n = 0; n < 30_000; n++) {
+  for (let n = 0; n < 10_000; n++) {
     const letter = (): string => letters[random.below(letters.length)]!;
     let text = frame;
     for (let edits = 1 + random.below(2); edits > 0; edits--) {
@@ -252,7 +265,7 @@ test("the search for an ESTOP takes for an object what JSON.parse takes for one"
     assert.equal(buffer.stopped, expected, text);
     counts[expected ? "both" : "neither"]++;
   }
-  assert.ok(counts.both > 1_000 && counts.neither > 1_000, JSON.stringify(counts));
+  assert.ok(counts.both > 500 && counts.neither > 500, JSON.stringify(counts));
 });
 
 test("a horizon is as long as its ttl, and no longer than a frame may have", () => {
@@ -274,7 +287,9 @@ test("the loss rate is exact whatever is lost, late or repeated", () => {
     const sent = Array.from({ length: 200 }, (_, k) => begin + k).filter(() => !random.chance(5));
     // Each frame comes some places late, and some come twice.
     const arriving = sent
-      .flatMap((seq, k) => (random.chance(10) ? [k, k + random.below(30)] : [k + random.below(12)]).map((at) => ({ seq, at })))
+      .flatMap((seq, k) =>
+        (random.chance(10) ? [k, k + random.below(30)] : [k + random.below(12)]).map((at) => ({ seq, at })),
+      )
       .sort((a, b) => a.at - b.at);
     const first = arriving[0]!.seq;
     const seen = new Set<number>();
@@ -304,6 +319,22 @@ test("a burst is raised when losses bunch up, and a healthy link clears it in bo
   const bursts = Array.from({ length: 10 }, (_, k) => monitor.onFrame(2 ** 40 + k).burst);
   assert.deepEqual(bursts.indexOf(false), 7);
   assert.deepEqual(bursts.slice(7), [false, false, false]);
+});
+
+test("a gap makes at most 256 updates of the detector", () => {
+  const burstOf = (gap: number, threshold: number): boolean => {
+    const monitor = new LinkMonitor(0, threshold);
+    monitor.onFrame(0);
+    return monitor.onFrame(gap + 1).burst;
+  };
+  assert.deepEqual(
+    [255, 256, 300].map((gap) => burstOf(gap, 255)),
+    [false, true, true],
+  );
+  assert.deepEqual(
+    [256, 300, 1e9].map((gap) => burstOf(gap, 256)),
+    [false, false, false],
+  );
 });
 
 test("the monitor survives every seq, and keeps its counts among the integers of the wire", () => {

@@ -27,7 +27,10 @@ type Open = Input<"open_session">;
 class Bench {
   readonly service = new SessionService(new ReferenceBackend());
 
-  ask(kind: "step_request" | "run_request" | "close_session" | "open_session", fields: object): ReturnType<typeof decodeAny> {
+  ask(
+    kind: "step_request" | "run_request" | "close_session" | "open_session",
+    fields: object,
+  ): ReturnType<typeof decodeAny> {
     const request = create(kind, { session_id: "s", ...fields } as never);
     return checkReply(request as never, this.service.handle(encode(request))) as never;
   }
@@ -44,7 +47,10 @@ class Bench {
   }
 
   run(duration_ms: number, stimulus?: Record<string, number>): ObservationFrame {
-    return this.ask("run_request", { duration_ms, ...(stimulus && { stimulus: driving(stimulus) }) }) as ObservationFrame;
+    return this.ask("run_request", {
+      duration_ms,
+      ...(stimulus && { stimulus: driving(stimulus) }),
+    }) as ObservationFrame;
   }
 }
 
@@ -83,22 +89,28 @@ test("the LIF network follows its closed solution, between spikes and through th
       I_e: random.between(-200, 900),
     };
     const bench = new Bench();
-    bench.open(LIF, {
-      sim: { dt_ms },
-      record: {
-        targets: [
-          { port: "V_m", target: "pop", observable: "V_m", cadence_ms: dt_ms },
-          { port: "spikes", target: "pop", observable: "spikes" },
-        ],
+    bench.open(
+      LIF,
+      {
+        sim: { dt_ms },
+        record: {
+          targets: [
+            { port: "V_m", target: "pop", observable: "V_m", cadence_ms: dt_ms },
+            { port: "spikes", target: "pop", observable: "spikes" },
+          ],
+        },
       },
-    }, p);
+      p,
+    );
     const steps = 400;
     const frame = bench.run(steps * dt_ms);
 
     // V(t) = V∞ + (V₀ − V∞)·exp(−t / tau) since the last reset; the crossing is solved for, not stepped to.
     const end = p.E_L + (p.I_e * p.tau_m) / p.C_m;
     const crossing = (from: number): number =>
-      end > p.V_th ? Math.max(1, Math.ceil((p.tau_m / dt_ms) * Math.log((end - from) / (end - p.V_th)) - 1e-9)) : Infinity;
+      end > p.V_th
+        ? Math.max(1, Math.ceil((p.tau_m / dt_ms) * Math.log((end - from) / (end - p.V_th)) - 1e-9))
+        : Infinity;
     const spikes: number[] = [];
     const trace: number[] = [];
     let begin = 0;
@@ -197,7 +209,14 @@ test("a port is sampled at every multiple of its cadence, across requests and of
   // A cadence between the steps is reached by the step after it.
   close(timesOf(0.25, 0.1, [1]), [0.3, 0.5, 0.8, 1]);
   close(timesOf(0.1, 0.5, [1]), [0.5, 1]);
-  assert.equal(timesOf(0.1, 0.1, Array.from({ length: 300 }, () => 0.1)).length, 300);
+  assert.equal(
+    timesOf(
+      0.1,
+      0.1,
+      Array.from({ length: 300 }, () => 0.1),
+    ).length,
+    300,
+  );
 });
 
 test("the time of a session is the sum of its requests, also where they are no whole steps", () => {
@@ -213,6 +232,12 @@ test("the time of a session is the sum of its requests, also where they are no w
   }
   assertClose(bench.step({ advance_ms: 7 }).sim_time_ms, 107);
   assertClose(bench.step({ advance_ms: 0 }).sim_time_ms, 107);
+});
+
+test("many short requests lose no time to rounding", () => {
+  const simulation = new ReferenceBackend().open(create("open_session", { session_id: "s", network: { ref: RATE } }));
+  for (let n = 0; n < 300_000; n++) simulation.advance(0.1, new Map());
+  assert.ok(Math.abs(simulation.timeMs - 30_000) < 1e-10, String(simulation.timeMs));
 });
 
 test("what a network cannot do is refused when the session is opened, and opens nothing", () => {
@@ -274,7 +299,7 @@ test("every request has one reply, whatever its bytes", () => {
   const ids = ["a", "b", "c"];
   const open = new Set<string>();
   const kinds = new Map<string, number>();
-  for (let n = 0; n < 6_000; n++) {
+  for (let n = 0; n < 4_000; n++) {
     const session_id = random.pick(ids);
     const request = random.pick([
       create("open_session", {
@@ -315,7 +340,7 @@ test("every request has one reply, whatever its bytes", () => {
       assert.equal(reply.kind, "error");
     }
   }
-  for (const times of kinds.values()) assert.ok(times > 100, JSON.stringify([...kinds]));
+  for (const times of kinds.values()) assert.ok(times > 50, JSON.stringify([...kinds]));
   assert.equal(kinds.size, 4);
 });
 
@@ -345,7 +370,8 @@ test("bytes of any sort are answered with an error frame", () => {
 
 test("sessions are kept apart, and an open one is left as it is by another open", () => {
   const { service } = new Bench();
-  const ask = (request: ReturnType<typeof create>): ReturnType<typeof decodeAny> => decodeAny(service.handle(encode(request)));
+  const ask = (request: ReturnType<typeof create>): ReturnType<typeof decodeAny> =>
+    decodeAny(service.handle(encode(request)));
   const open = (session_id: string, chunk_ms: number): ReturnType<typeof decodeAny> =>
     ask(create("open_session", { session_id, network: { ref: RATE }, sim: { chunk_ms } }));
   const timeOf = (session_id: string): number =>
@@ -364,7 +390,10 @@ test("sessions are kept apart, and an open one is left as it is by another open"
 
 test("a contract hash of another schema does not keep a session from being opened", () => {
   const bench = new Bench();
-  for (const [session_id, contract_hash] of [["a", "0000000000000000"], ["b", null]] as const) {
+  for (const [session_id, contract_hash] of [
+    ["a", "0000000000000000"],
+    ["b", null],
+  ] as const) {
     const opened = bench.ask("open_session", { session_id, network: { ref: RATE }, contract_hash }) as SessionOpened;
     assert.equal(opened.contract_hash, "24e8e6e31e1dec8a");
   }

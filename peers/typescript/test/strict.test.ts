@@ -66,7 +66,12 @@ test("a strict plant drops every command whose seq does not rise, an ESTOP aside
     assert.notEqual(buffer.active(0), null);
     return buffer;
   };
-  for (const [seq, moves] of [[4, true], [5, true], [6, false], [0, true]] as const) {
+  for (const [seq, moves] of [
+    [4, true],
+    [5, true],
+    [6, false],
+    [0, true],
+  ] as const) {
     const buffer = plant();
     buffer.accept(moving([0, 0, 0], { seq, mode: "hold" }), 0);
     assert.equal(buffer.active(0) !== null, moves);
@@ -76,6 +81,9 @@ test("a strict plant drops every command whose seq does not rise, an ESTOP aside
     buffer.accept(moving([0, 0, 0], { seq, mode: "estop" }), 0);
     assert.equal(buffer.stopped, true);
   }
+  const fresh = new ActionBuffer(true);
+  fresh.accept(moving([1, 0, 0], { seq: 0 }), 0);
+  assert.equal(fresh.active(0), null);
   // Rejected for its version and its seq, an ESTOP is still one.
   const buffer = plant();
   assert.throws(() => buffer.receive('{"kind":"command_frame","mode":"estop"}', 0));

@@ -564,3 +564,170 @@ fn count(items: usize) -> f64 {
 fn to_i64(count: usize) -> i64 {
     i64::try_from(count).unwrap_or(i64::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::SessionService;
+    use crate::wire::{
+        ChannelValue, Frame, Message, RecordSpec, RunRequest, StimulusFrame, StimulusSpec,
+        StimulusTarget, decode_any,
+    };
+
+    /// Neurons of `reference`, each observable recorded with its cadence in ms.
+    fn session(
+        reference: &'static str,
+        neurons: i64,
+        records: &[(Observable, f64)],
+    ) -> OpenSession {
+        let targets = records
+            .iter()
+            .map(|(observable, cadence_ms)| RecordTarget {
+                port: observable.as_str().to_owned().into(),
+                target: "p".into(),
+                observable: observable.clone(),
+                cadence_ms: *cadence_ms,
+                ..RecordTarget::default()
+            })
+            .collect();
+        OpenSession {
+            session_id: "s".into(),
+            network: NetworkRef {
+                reference: reference.into(),
+                population_sizes: SortedMap::from_iter([("p", neurons)]),
+                ..NetworkRef::default()
+            },
+            record: RecordSpec { targets },
+            stimulus: StimulusSpec {
+                targets: vec![StimulusTarget {
+                    port: "i".into(),
+                    target: "p".into(),
+                    ..StimulusTarget::default()
+                }],
+            },
+            ..OpenSession::default()
+        }
+    }
+
+    fn network(request: &OpenSession) -> Network {
+        Network::build(request).unwrap()
+    }
+
+    /// The times of a port, in steps of 0.1 ms.
+    fn times(observations: &SortedMap<Observation>, port: &str) -> Vec<i64> {
+        let in_steps = |t: &f64| (t * 10.0).round() as i64;
+        observations[port].times.iter().map(in_steps).collect()
+    }
+
+    /// [NCP-SESS-053] 0.25 ms is reached within the third step of 0.1 ms, 0.5 by the fifth, …
+    #[test]
+    fn a_cadence_that_is_no_multiple_of_dt_is_sampled_at_the_step_that_reaches_it() {
+        let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.25)]));
+        assert_eq!(times(&network.advance(1.0).unwrap(), "V_m"), [3, 5, 8, 10]);
+        assert_eq!(
+            times(&network.advance(1.0).unwrap(), "V_m"),
+            [13, 15, 18, 20]
+        );
+    }
+
+    /// [NCP-SESS-053] Several multiples within one step are one sample.
+    #[test]
+    fn a_cadence_below_dt_samples_every_step() {
+        let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.04)]));
+        assert_eq!(
+            times(&network.advance(0.5).unwrap(), "V_m"),
+            [1, 2, 3, 4, 5]
+        );
+    }
+
+    /// [NCP-SESS-053] 0.3 / 0.1 is not 3 in doubles; it is a multiple for all that.
+    #[test]
+    fn a_cadence_that_is_a_multiple_but_for_rounding_is_one() {
+        let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.3)]));
+        let sampled = times(&network.advance(1_000.0).unwrap(), "V_m");
+        assert!(sampled.iter().copied().eq((3..=10_000).step_by(3)));
+    }
+
+    #[test]
+    fn a_cadence_that_is_no_time_is_refused() {
+        for cadence_ms in [0.0, -1.0, f64::NAN, f64::INFINITY, 5e-324, f64::MAX] {
+            let request = session("ncp.reference.lif", 1, &[(Observable::Vm, cadence_ms)]);
+            let refused = matches!(
+                Network::build(&request),
+                Err(BackendError::Time {
+                    name: "cadence_ms",
+                    ..
+                })
+            );
+            // The least double is a cadence; the largest is no number of steps.
+            assert_eq!(refused, cadence_ms != 5e-324, "{cadence_ms}");
+        }
+    }
+
+    /// [NCP-SESS-037] A stimulus of a request that cannot be run is not left behind.
+    #[test]
+    fn a_request_that_fails_leaves_its_stimulus_out() {
+        let mut service = SessionService::new(ReferenceBackend);
+        let request = session("ncp.reference.lif", 1, &[(Observable::Vm, 1.0)]);
+        service.serve(request.encode().unwrap().as_bytes());
+        for duration_ms in [-1.0, 1e300, 1e9] {
+            let run = RunRequest {
+                session_id: "s".into(),
+                duration_ms,
+                stimulus: Some(StimulusFrame {
+                    session_id: "s".into(),
+                    values: ChannelMap::from_iter([("i", ChannelValue::new([900.0], "pA"))]),
+                    ..StimulusFrame::default()
+                }),
+                ..RunRequest::default()
+            };
+            let reply = service.serve(run.encode().unwrap().as_bytes());
+            assert!(
+                matches!(decode_any(reply.as_bytes()), Ok(Message::Error(_))),
+                "{duration_ms}"
+            );
+        }
+        let run = RunRequest {
+            session_id: "s".into(),
+            duration_ms: 5.0,
+            ..RunRequest::default()
+        };
+        let reply = service.serve(run.encode().unwrap().as_bytes());
+        let Ok(Message::ObservationFrame(frame)) = decode_any(reply.as_bytes()) else {
+            panic!("{reply}");
+        };
+        assert_eq!((frame.seq, frame.sim_time_ms), (1, 5.0));
+        assert_eq!(frame.records["V_m"].values, [-70.0; 5]);
+    }
+
+    /// A request may not fill the server's memory with spikes, whatever the cadence says, nor keep it
+    /// busy for hours.
+    #[test]
+    fn a_request_of_too_many_samples_or_too_much_work_is_refused_at_once() {
+        let mut rested = session("ncp.reference.lif", 1_000, &[(Observable::Spikes, 1e6)]);
+        rested.network.params.extend([("I_e", 1e9), ("t_ref", 0.0)]);
+        // Every neuron spikes in every step: 1,000 steps are a million spikes.
+        assert!(network(&rested).check_advance(100.0).is_ok());
+        assert!(network(&rested).check_advance(100.1).is_err());
+        let spikes = network(&rested).advance(1.0).unwrap();
+        assert_eq!(spikes["spikes"].times.len(), 10_000);
+
+        let busy = session("ncp.reference.rate", 100_000, &[]);
+        assert!(
+            network(&OpenSession {
+                stimulus: StimulusSpec::default(),
+                ..busy.clone()
+            })
+            .check_advance(1_000.0)
+            .is_ok()
+        );
+        assert!(
+            network(&OpenSession {
+                stimulus: StimulusSpec::default(),
+                ..busy
+            })
+            .check_advance(1_000.1)
+            .is_err()
+        );
+    }
+}

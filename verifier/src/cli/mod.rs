@@ -180,7 +180,7 @@ struct CheckArgs {
     #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
     timeout: Duration,
     /// Seconds until the first answer of a process
-    #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
     start_timeout: Duration,
     /// How often a peer's process is started anew after a fault, before the peer is given up
     #[arg(long, value_name = "N", default_value_t = 32)]

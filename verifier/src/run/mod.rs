@@ -45,7 +45,7 @@ impl Default for Settings {
         Self {
             jobs: 1,
             timeout: Duration::from_secs(10),
-            start_timeout: Duration::from_secs(10),
+            start_timeout: Duration::from_secs(30),
             max_restarts: 32,
             repeat: 1,
         }
