@@ -1166,9 +1166,9 @@ mod speed_limit {
     /// [NCP-SAFE-061] [NCP-SAFE-065] The roundings of a long norm do not cost the direction.
     #[test]
     fn a_channel_of_many_components_is_scaled_and_not_zeroed() {
-        for width in [10_usize, 100, 1_000, 4_096] {
+        for width in (4..4_096).step_by(31) {
+            let many: Vec<f64> = (0..width).map(|i| 0.1 + (i * i % 97) as f64).collect();
             let mut command = towards([0.0; 3]);
-            let many: Vec<f64> = (0..width).map(|i| 1.0 + (i % 7) as f64 / 3.0).collect();
             command
                 .channels
                 .insert("many", ChannelValue::new(many.clone(), METRES_PER_SECOND));
@@ -1177,12 +1177,8 @@ mod speed_limit {
             assert!(kernel::norm(scaled) <= 0.7);
             assert!(kernel::norm(scaled) >= 0.7 * (1.0 - 1e-11), "width {width}");
             let factor = scaled[0] / many[0];
-            assert!(
-                scaled
-                    .iter()
-                    .zip(&many)
-                    .all(|(s, m)| (s / m / factor - 1.0).abs() < 1e-12)
-            );
+            let is_kept = |(s, m): (&f64, &f64)| (s / m / factor - 1.0).abs() < 1e-12;
+            assert!(scaled.iter().zip(&many).all(is_kept), "width {width}");
         }
     }
 

@@ -14,6 +14,50 @@ const NOTES: &[(&str, &str)] = &[
         "Audited finding L01: columns that share bytes multiply the memory that decoding takes.",
     ),
     (
+        "L02",
+        "Audited finding L02: an unbounded ttl keeps a plant moving for as long as a sender likes.",
+    ),
+    (
+        "L03",
+        "Audited finding L03: a position that is empty or missing counts as the origin.",
+    ),
+    (
+        "L06",
+        "Audited finding L06: a sensor that is missing is encoded as an extreme rate.",
+    ),
+    (
+        "L08",
+        "Audited finding L08: frames without a stamp pass by the check of their order.",
+    ),
+    (
+        "L09",
+        "Audited finding L09: the arithmetic of the link monitor overflows on seqs of both signs.",
+    ),
+    (
+        "L10",
+        "Audited finding L10: the unit of a channel is never held against the unit of its limit.",
+    ),
+    (
+        "L11",
+        "Audited finding L11: the width of a vector is never checked.",
+    ),
+    (
+        "L12",
+        "Audited finding L12: an infinite ttl switches the watchdog off.",
+    ),
+    (
+        "L13",
+        "Audited finding L13: a limit that is not a number, or 0, means something else than it says.",
+    ),
+    (
+        "L14",
+        "Audited finding L14: a clock that steps backward makes what is old look fresh.",
+    ),
+    (
+        "L15",
+        "Audited finding L15: a negative limit switches its enforcement off.",
+    ),
+    (
         "L21",
         "Audited finding L21: an encoder cuts a count or a length to the width of its field.",
     ),
@@ -24,6 +68,18 @@ const NOTES: &[(&str, &str)] = &[
     (
         "L24",
         "Audited finding L24: a key builder crashes on a segment that it should refuse.",
+    ),
+    (
+        "L25",
+        "Audited finding L25: a sender's time is compared with another peer's clock.",
+    ),
+    (
+        "L27",
+        "Audited finding L27: the length of a horizon saturates or crashes on numbers that are no durations.",
+    ),
+    (
+        "L28",
+        "Audited finding L28: the geofence is taken for another shape than a sphere about the frame's origin.",
     ),
     (
         "absent-mode-moves",
@@ -40,6 +96,10 @@ const NOTES: &[(&str, &str)] = &[
     (
         "amplification",
         "A small input takes many times its size in memory.",
+    ),
+    (
+        "burst-detector",
+        "The detector of bursts rises, falls or saturates in another way than the text says.",
     ),
     (
         "byte-order",
@@ -123,13 +183,25 @@ const NOTES: &[(&str, &str)] = &[
         "A receiver fills its own hash into a frame that has none, and then finds that it matches.",
     ),
     (
+        "first-channel",
+        "A limit acts on the first channel, or on one of a like name, instead of the canonical one.",
+    ),
+    (
         "fixed-layout",
         "A reader expects names and data where encoders put them, instead of where the directory says.",
+    ),
+    (
+        "gate-order",
+        "The gates of the governor stand in another order, so that a latch is lost or made in vain.",
     ),
     ("guessed-encodings", "A decoder guesses UTF-16 or UTF-32."),
     (
         "hidden-segment",
         "Segments that begin with `@`, which Zenoh hides from wildcards, are used or matched like others.",
+    ),
+    (
+        "horizon-past-the-fence",
+        "A horizon is not projected, or not step by step.",
     ),
     (
         "integer-precision",
@@ -168,6 +240,14 @@ const NOTES: &[(&str, &str)] = &[
         "The largest doubles overflow, or round to infinity.",
     ),
     (
+        "last-to-arrive",
+        "The loop takes the last frame to arrive for the newest.",
+    ),
+    (
+        "latch-by-likeness",
+        "A frame that only looks like an ESTOP latches.",
+    ),
+    (
         "leading-input",
         "A decoder searches for the object and skips what stands before it.",
     ),
@@ -200,6 +280,10 @@ const NOTES: &[(&str, &str)] = &[
         "Characters that are special to regular expressions or file patterns are special in key expressions.",
     ),
     (
+        "liveness",
+        "The plant moves, or holds, where the liveness rule says otherwise.",
+    ),
+    (
         "lone-surrogates",
         "Half a surrogate pair becomes a string that has no UTF-8 form.",
     ),
@@ -212,12 +296,24 @@ const NOTES: &[(&str, &str)] = &[
         "Doubles lose bits, the sign of a zero, or a NaN on their way.",
     ),
     (
+        "lost-estop",
+        "An ESTOP does not latch, or its latch ends without a reset.",
+    ),
+    (
         "lost-fields",
         "A field is not read, or comes back as another value.",
     ),
     (
+        "lost-hold",
+        "A HOLD does not take effect, or is undone by an older command.",
+    ),
+    (
         "low-limits",
         "A limit is lower than the text's, so that a correct frame is refused.",
+    ),
+    (
+        "malformed-moves",
+        "A part of a frame that is rejected takes effect.",
     ),
     (
         "many-digits",
@@ -228,6 +324,10 @@ const NOTES: &[(&str, &str)] = &[
         "Map entries are written as inserted, or sorted by UTF-16 units, by number or without regard to case.",
     ),
     ("missing-limits", "A limit of the text is not kept."),
+    (
+        "moving-hold",
+        "A HOLD or ESTOP frame leaves a channel as it was, or loses one.",
+    ),
     (
         "narrow-integers",
         "Integers are read with another width or signedness, or as doubles.",
@@ -241,12 +341,24 @@ const NOTES: &[(&str, &str)] = &[
         "A stimulus frame within a request is not held against the request, or must repeat what the request says.",
     ),
     (
+        "non-finite-clock",
+        "A clock reading that is no number passes a comparison.",
+    ),
+    (
+        "non-finite-command",
+        "A component that is no number reaches the plant.",
+    ),
+    (
         "non-finite-literals",
         "Literals such as `NaN` are read as numbers.",
     ),
     (
         "non-finite-numbers",
         "A non-finite number is written as null, as a word, or as another number.",
+    ),
+    (
+        "non-finite-position",
+        "A position that is no number passes for one inside the fence.",
     ),
     ("nul-terminated-names", "A string ends at its first U+0000."),
     (
@@ -256,6 +368,10 @@ const NOTES: &[(&str, &str)] = &[
     (
         "null-optional",
         "A null in an optional field is refused, or is another thing than absence.",
+    ),
+    (
+        "off-by-a-boundary",
+        "A comparison includes its boundary where it must not, or the other way round.",
     ),
     (
         "omitted-fields",
@@ -268,12 +384,24 @@ const NOTES: &[(&str, &str)] = &[
         "A number beyond a double becomes infinite, or the largest double, in silence.",
     ),
     (
+        "overflowing-norm",
+        "A norm that overflows a double becomes NaN, or passes for a small one.",
+    ),
+    (
+        "overflowing-tick",
+        "A quotient beyond every integer wraps or crashes.",
+    ),
+    (
         "overlapping-regions",
         "Regions of a block that share bytes are not detected.",
     ),
     (
         "partial-wildcards",
         "`$*` is not read, crosses a chunk, or needs at least one character.",
+    ),
+    (
+        "per-axis-clamp",
+        "A speed is clamped axis by axis, which bounds another norm and turns the vector.",
     ),
     (
         "positional-structs",
@@ -296,8 +424,22 @@ const NOTES: &[(&str, &str)] = &[
         "Names are compared or written as they are spelled, without their escapes resolved.",
     ),
     (
+        "refreshed-deadline",
+        "A command that does not advance refreshes the deadline.",
+    ),
+    (
+        "revived-command",
+        "A command that is stale, a duplicate or reordered is acted upon.",
+    ),
+    ("reviving-hold", "A hold ends without an advancing command."),
+    ("reviving-reset", "A reset sets the plant moving again."),
+    (
         "rounding",
         "A decimal number does not become the nearest double, ties to even.",
+    ),
+    (
+        "sampled-link",
+        "The link monitor sees only the frames that a tick samples.",
     ),
     (
         "segment-length",
@@ -306,6 +448,14 @@ const NOTES: &[(&str, &str)] = &[
     (
         "seventeen-digits",
         "A double that needs seventeen digits loses its last bit.",
+    ),
+    (
+        "short-look-ahead",
+        "The governor looks less far ahead than the plant may go.",
+    ),
+    (
+        "short-ttl",
+        "A command may expire before the next tick can renew it.",
     ),
     ("signed-zero", "The negative zero loses its sign."),
     ("slow", "Not a bug class: the input has tens of megabytes."),
@@ -359,6 +509,11 @@ const NOTES: &[(&str, &str)] = &[
         "truthy-pins",
         "A pin is tested for truth instead of for its exact value.",
     ),
+    ("ttl-without-time", "A ttl that is no time counts as one."),
+    (
+        "unbounded-work",
+        "A gap makes as many updates or memories as it is long.",
+    ),
     (
         "unchecked-dtypes",
         "A column of another dtype is reinterpreted or converted in silence.",
@@ -391,6 +546,7 @@ const NOTES: &[(&str, &str)] = &[
         "unchecked-types",
         "A value of another JSON type is converted or dropped in silence.",
     ),
+    ("unclamped-horizon", "The speed limit acts on tick 0 only."),
     (
         "underflow",
         "A number too small for a subnormal is refused, or loses its sign.",
@@ -440,8 +596,16 @@ const NOTES: &[(&str, &str)] = &[
         "A key is built in another form, and meets nobody.",
     ),
     (
+        "wrong-loss",
+        "Losses are counted at another time or another number of times.",
+    ),
+    (
         "wrong-qos",
         "A plane has another quality of service than the one that it needs.",
+    ),
+    (
+        "wrong-tick",
+        "The replay is one tick off, or goes on past its end.",
     ),
 ];
 

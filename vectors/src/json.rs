@@ -163,6 +163,19 @@ impl Json {
         }
     }
 
+    /// Whether it is little enough to stand with many others on one line.
+    fn is_short(&self) -> bool {
+        let mut text = String::new();
+        self.write(
+            &mut text,
+            Style {
+                spaced: true,
+                ascii: true,
+            },
+        );
+        text.len() <= SHORT
+    }
+
     fn write_pretty(&self, out: &mut String, indent: usize) {
         let mut line = String::new();
         self.write(
@@ -172,7 +185,8 @@ impl Json {
                 ascii: true,
             },
         );
-        let is_long_list = matches!(self, Self::Array(items) if items.len() > LONG_LIST);
+        let is_long_list = matches!(self, Self::Array(items)
+            if items.len() > LONG_LIST && items.iter().all(Self::is_short));
         let is_scalar = !matches!(self, Self::Array(_) | Self::Object(_));
         if is_scalar || is_long_list || indent + line.len() <= LINE {
             out.push_str(&line);
@@ -212,8 +226,10 @@ impl Json {
 
 /// What fits on one line of a file.
 const LINE: usize = 120;
-/// A list of more items is written on one line, however long it becomes.
+/// A list of more items that are all short is written on one line, however long it becomes.
 const LONG_LIST: usize = 64;
+/// What is short.
+const SHORT: usize = 64;
 
 #[derive(Clone, Copy)]
 struct Style {
@@ -324,6 +340,14 @@ mod tests {
     fn a_file_is_ascii_whatever_the_characters() {
         let pretty = Json::string("é\u{1f600}\u{7f}").pretty();
         assert_eq!(pretty, "\"\\u00e9\\ud83d\\ude00\\u007f\"\n");
+    }
+
+    #[test]
+    fn a_long_list_stands_on_one_line_only_if_its_items_are_short() {
+        let numbers: Json = (0..1000_u32).collect();
+        assert_eq!(numbers.pretty().lines().count(), 1);
+        let texts: Json = (0..100).map(|_| "x".repeat(100)).collect();
+        assert_eq!(texts.pretty().lines().count(), 102);
     }
 
     #[test]

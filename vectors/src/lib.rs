@@ -18,14 +18,20 @@
 
 mod bulk;
 mod case;
+mod codec;
+mod control;
 mod flags;
 mod hostile;
 mod json;
 mod keys;
 mod model;
+mod resilience;
 mod roles;
+mod safety;
+mod session;
 mod template;
 mod text;
+mod trace;
 mod version;
 mod wire;
 
@@ -43,6 +49,11 @@ pub fn generate() -> Vec<(String, String)> {
         keys::files(),
         bulk::files(),
         hostile::files(),
+        safety::files(),
+        resilience::files(),
+        codec::files(),
+        control::files(),
+        session::files(),
     ];
     let mut files: Vec<_> = areas
         .into_iter()

@@ -464,9 +464,12 @@ fn a_peer_that_closes_its_output_and_runs_on_is_a_crash_of_the_case() {
 fn a_peer_that_stops_taking_requests_is_a_crash_of_the_case() {
     let run = script("exec <&-; sleep 60");
     assert_eq!(run.exit, 1);
-    assert_eq!(
-        run.case("version/tiny/01-same")["what"],
-        "closed its standard input"
+    // On a busy machine all requests may be in the pipe before the peer closes it: then it is merely silent.
+    let case = run.case("version/tiny/01-same");
+    let what = case["what"].as_str().unwrap();
+    assert!(
+        ["closed its standard input", "gave no answer within 10 s"].contains(&what),
+        "{what}"
     );
 }
 

@@ -257,18 +257,16 @@ pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
     if length.le(max) {
         return Some(false); // [NCP-SAFE-062]
     }
-    // [NCP-SAFE-060] [NCP-SAFE-061] Where a square leaves the range of a double, by the largest
-    // component first. Such a vector may be within `max` for all that: it is not to grow.
-    let mut most = S::constant(1.0);
-    if !S::constant(1e-140).lt(length) || !length.lt(S::constant(1e140)) {
-        most = zero;
+    // [NCP-SAFE-060] [NCP-SAFE-061] Where a square overflows, by the largest component first.
+    if !length.is_finite() {
+        let mut largest = zero;
         for x in vector.iter() {
-            if most.lt(x.abs()) {
-                most = x.abs();
+            if largest.lt(x.abs()) {
+                largest = x.abs();
             }
         }
         for x in vector.iter_mut() {
-            *x = x.div(most);
+            *x = x.div(largest);
         }
         length = norm(vector);
     }
@@ -277,7 +275,6 @@ pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
     #[expect(clippy::cast_precision_loss)]
     let margin = 1.0 - (vector.len() as f64 + 8.0) * (f64::EPSILON / 2.0);
     let scale = max.mul(S::constant(margin)).div(length);
-    let scale = if most.lt(scale) { most } else { scale };
     for x in vector.iter_mut() {
         *x = x.mul(scale);
     }

@@ -134,6 +134,13 @@ impl Source {
     fn name(&self) -> &str {
         self.name.as_deref().unwrap_or(&self.shown)
     }
+
+    /// The level that the peer claims in its `peer.toml`: the first one, if it does not say.
+    fn claimed(&self) -> Level {
+        self.manifest
+            .as_ref()
+            .map_or(Level::Wire, |manifest| manifest.level)
+    }
 }
 
 /// What one invocation checks by.
@@ -141,7 +148,8 @@ struct Check<'c> {
     suite: &'c Suite,
     patterns: Vec<Pattern>,
     roles: &'c [Role],
-    level: Level,
+    /// The level that was asked for; none: each peer is held to the one that it claims.
+    level: Option<Level>,
     settings: Settings,
     visible: bool,
     error_style: Style,
@@ -158,7 +166,12 @@ fn check(
 ) -> Result<Exit, CliError> {
     let (started, clock) = (SystemTime::now(), Instant::now());
     let selection = args.select.selection();
-    let level = args.select.level.unwrap_or_else(|| suite.highest_level());
+    // A peer is held to what it claims; who filters has said which cases are meant.
+    let default = (!selection.patterns.is_empty()).then(|| suite.highest_level());
+    let asked_level = args.select.level.or(default);
+    let level = asked_level
+        .or_else(|| sources.iter().map(Source::claimed).max())
+        .unwrap_or(Level::Wire);
     if level > suite.highest_level() {
         let highest = suite.highest_level();
         return Err(CliError::Usage(format!(
@@ -180,7 +193,7 @@ fn check(
         suite,
         patterns: selection.patterns,
         roles: &args.select.role,
-        level,
+        level: asked_level,
         settings: Settings {
             jobs: usize::from(args.jobs),
             timeout: args.timeout,
@@ -273,7 +286,8 @@ impl Check<'_> {
             .clone()
             .unwrap_or_else(|| description.name.clone());
         let mut roles = self.roles(&description);
-        let cases = self.cases(&roles);
+        let level = self.level.unwrap_or_else(|| source.claimed());
+        let cases = self.cases(&roles, level);
         // That a peer describes itself rightly is no evidence for a role of which nothing is known.
         let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
         if cases.is_empty() && !roles.is_empty() {
@@ -304,7 +318,7 @@ impl Check<'_> {
         let verdict = judge(
             all,
             &roles,
-            self.level,
+            level,
             &source.baseline,
             !self.patterns.is_empty(),
         );
@@ -346,11 +360,11 @@ impl Check<'_> {
             .collect()
     }
 
-    fn cases(&self, roles: &[(Role, bool)]) -> Vec<&Case> {
+    fn cases(&self, roles: &[(Role, bool)], level: Level) -> Vec<&Case> {
         let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
         let meant = |case: &&Case| {
             case.concerns(&roles)
-                && case.level <= self.level
+                && case.level <= level
                 && (self.patterns.is_empty()
                     || self.patterns.iter().any(|pattern| pattern.fits(case)))
         };

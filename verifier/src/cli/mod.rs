@@ -204,7 +204,7 @@ struct SelectArgs {
     /// Judge this role, claimed or not, instead of all that the peer claims (may be repeated)
     #[arg(long, value_name = "ROLE", value_parser = role)]
     role: Vec<Role>,
-    /// Judge up to this level: wire, safety or strict [default: the highest that has a case]
+    /// Judge up to this level: wire, safety or strict [default: what the peer's peer.toml claims, else wire]
     #[arg(long, value_name = "LEVEL", value_parser = level)]
     level: Option<Level>,
     /// Only cases whose id, rule, flag or call holds this text, or fits it as a whole if it has * or ? (may be repeated)

@@ -6,6 +6,7 @@ use std::process::Stdio;
 use std::thread;
 use std::time::Duration;
 
+use ncp_spec::catalogue::Level;
 use serde::Deserialize;
 
 use super::connection::{describe_status, end_group};
@@ -17,7 +18,7 @@ const FILE: &str = "peer.toml";
 /// How much of a failed set-up command's output is shown, in lines.
 const SHOWN_LINES: usize = 30;
 
-/// A peer's folder and what its `peer.toml` says (PROTOCOL.md, section 5).
+/// A peer's folder and what its `peer.toml` says (PROTOCOL.md, section 6).
 #[derive(Debug, Clone)]
 pub struct Manifest {
     /// The folder, absolute.
@@ -28,6 +29,8 @@ pub struct Manifest {
     pub language: String,
     /// What it is, in a sentence.
     pub about: Option<String>,
+    /// The level that it claims.
+    pub level: Level,
     /// How it is started.
     pub launch: Launch,
     /// Programs that must be on PATH.
@@ -90,7 +93,7 @@ impl Manifest {
     /// Reads `peer.toml` in `folder`. `{root}` and `{target}` in commands become `root` and `target`.
     ///
     /// # Errors
-    /// [`ManifestError`] if the file cannot be read or is not of the form of PROTOCOL.md, section 5.
+    /// [`ManifestError`] if the file cannot be read or is not of the form of PROTOCOL.md, section 6.
     pub fn load(folder: &Path, root: &Path, target: &Path) -> Result<Self, ManifestError> {
         let path = folder.join(FILE);
         let read = |source| ManifestError::Read {
@@ -142,7 +145,13 @@ impl Manifest {
                 )),
             })
             .collect::<Result<_, _>>()?;
+        let level = match &file.level {
+            None => Level::Wire,
+            Some(name) => Level::parse(name)
+                .ok_or_else(|| form(format!("`{name}` is not a level: wire, safety, strict")))?,
+        };
         Ok(Self {
+            level,
             launch: launch(file.command, "the peer")?,
             folder,
             name: file.name,
@@ -220,6 +229,7 @@ struct File {
     name: String,
     language: String,
     about: Option<String>,
+    level: Option<String>,
     command: Vec<String>,
     #[serde(default)]
     requires: Vec<String>,

@@ -1,0 +1,411 @@
+//! From rates to a command.
+
+use super::{Mapping, PLAIN, RANGES, STRANGE, codec, map};
+use crate::case::{Case, File, Role};
+use crate::json::{Json, object};
+use crate::trace::{any, int, name_of, num, nums};
+
+pub(super) fn file() -> File {
+    let mut cases = uav();
+    cases.extend(ranges());
+    cases.extend(mappings());
+    cases.extend(heads());
+    let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
+    File::new("codec", "decode", about, cases)
+}
+
+fn case(path: String, rules: &[&'static str], codec: Json, rates: &[(&str, f64)]) -> Case {
+    let rates = rates
+        .iter()
+        .map(|(name, rate)| ((*name).to_owned(), num(*rate)))
+        .collect();
+    Case::new(path, rules, &[Role::Commander]).call(
+        "codec.decode",
+        object! { "codec" => codec, "rates" => Json::Object(rates), "t" => num(2.5), "seq" => int(42), "frame_id" => "world", "mode" => "active" },
+    )
+}
+
+fn channels(of: Vec<(&str, Vec<f64>)>) -> Json {
+    let channels = of
+        .into_iter()
+        .map(|(name, data)| (name.to_owned(), object! { "data" => nums(&data) }))
+        .collect();
+    object! { "command" => object! { "channels" => Json::Object(channels) } }
+}
+
+fn velocity(rates: [Option<f64>; 3]) -> Json {
+    let of = |rate: Option<f64>| map(rate.unwrap_or(f64::NAN), [0.0, 200.0], [-1.5, 1.5]);
+    let data = nums(&rates.map(of));
+    object! { "command" => object! { "mode" => "active", "channels" => object! { "velocity_setpoint" => object! { "data" => data, "unit" => "m/s" } } } }
+}
+
+fn uav() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let table: [(&str, [f64; 3]); 13] = [
+        ("middle", [100.0; 3]),
+        ("ends", [0.0, 100.0, 200.0]),
+        ("other-ends", [200.0, 0.0, 100.0]),
+        ("quarters", [50.0, 150.0, 25.0]),
+        ("beyond", [-1.0, 201.0, 1e6]),
+        ("far-beyond", [-1e308, 1e308, 1e300]),
+        ("subnormal", [5e-324, -5e-324, -0.0]),
+        ("x-only", [175.0, 100.0, 100.0]),
+        ("y-only", [100.0, 175.0, 100.0]),
+        ("z-only", [100.0, 100.0, 175.0]),
+        ("silent", [0.0; 3]),
+        ("largest", [f64::MAX, -f64::MAX, 100.0]),
+        ("fine", [100.1, 99.9, 0.001]),
+    ];
+    let names = ["vel_x", "vel_y", "vel_z"];
+    for (name, data) in table {
+        let rates: Vec<(&str, f64)> = names.into_iter().zip(data).collect();
+        let beyond = data.iter().any(|rate| !(0.0..=200.0).contains(rate));
+        let rules: &[&'static str] = if beyond {
+            &["NCP-CODEC-004", "NCP-CODEC-020"]
+        } else {
+            if name.ends_with("ends") || name.ends_with("-only") {
+                &["NCP-CODEC-020", "NCP-CODEC-003"]
+            } else {
+                &["NCP-CODEC-003", "NCP-CODEC-020"]
+            }
+        };
+        cases.push(
+            case(format!("uav/{name}"), rules, "uav".into(), &rates)
+                .shows(velocity(data.map(Some)))
+                .title(format!("The UAV codec decodes the rates {}, {} and {} Hz.", data[0], data[1], data[2]))
+                .because("Each rate is mapped from 0 \u{2026} 200 Hz to \u{2212}1.5 \u{2026} 1.5 m/s and clamped."),
+        );
+    }
+    for (at, missing) in names.into_iter().enumerate() {
+        let of = |name: &&'static str| *name != missing;
+        let rates: Vec<(&str, f64)> = names
+            .into_iter()
+            .filter(of)
+            .map(|name| (name, 200.0))
+            .collect();
+        let mut expected = [Some(200.0); 3];
+        if let Some(rate) = expected.get_mut(at) {
+            *rate = None;
+        }
+        cases.push(
+            case(
+                format!("uav/absent/{missing}"),
+                &["NCP-CODEC-006"],
+                "uav".into(),
+                &rates,
+            )
+            .shows(velocity(expected))
+            .title(format!(
+                "The UAV codec decodes an absent `{missing}` to 0 m/s."
+            ))
+            .because("An absent population gives the middle of the value range."),
+        );
+        for value in STRANGE {
+            let rates: Vec<(&str, f64)> = names
+                .into_iter()
+                .map(|name| (name, if name == missing { value } else { 150.0 }))
+                .collect();
+            let mut expected = [Some(150.0); 3];
+            if let Some(rate) = expected.get_mut(at) {
+                *rate = None;
+            }
+            cases.push(
+                case(
+                    format!("uav/{missing}/{}", name_of(value)),
+                    &["NCP-CODEC-006"],
+                    "uav".into(),
+                    &rates,
+                )
+                .shows_or_refuses(velocity(expected))
+                .title(format!(
+                    "The UAV codec decodes a `{missing}` of {} to 0 m/s.",
+                    name_of(value)
+                ))
+                .because("A rate that is not finite gives the middle of the value range."),
+            );
+        }
+    }
+    cases.push(
+        case(
+            "uav/absent/all".to_owned(),
+            &["NCP-CODEC-006"],
+            "uav".into(),
+            &[],
+        )
+        .shows(velocity([None; 3]))
+        .title("The UAV codec decodes no rates to standing still.")
+        .because("An absent population gives the middle of the value range."),
+    );
+    cases.push(
+        case(
+            "uav/other-populations".to_owned(),
+            &["NCP-CODEC-006", "NCP-CODEC-020"],
+            "uav".into(),
+            &[("err_x", 200.0), ("VEL_X", 200.0), ("other", 200.0)],
+        )
+        .shows(velocity([None; 3]))
+        .title("The UAV codec does not take other populations for its own.")
+        .because("The populations are `vel_x`, `vel_y`, `vel_z`."),
+    );
+    cases
+}
+
+fn ranges() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, rate) in RANGES {
+        for (which, share) in [
+            ("low", 0.0),
+            ("quarter", 0.25),
+            ("middle", 0.5),
+            ("high", 1.0),
+            ("below", -0.5),
+            ("above", 1.5),
+        ] {
+            for value in [[-1.0, 1.0], [2.0, 6.0]] {
+                let r = rate[0] + share * (rate[1] - rate[0]);
+                let mapping = Mapping {
+                    value,
+                    rate,
+                    ..PLAIN
+                };
+                let rule = if (0.0..=1.0).contains(&share) {
+                    "NCP-CODEC-003"
+                } else {
+                    "NCP-CODEC-004"
+                };
+                cases.push(
+                    case(format!("range/{name}/{which}/to-{}-{}", value[0], value[1]).replace("--", "-minus-"), &[rule], codec(&[], &[mapping]), &[("p", r)])
+                        .shows(channels(vec![("x", vec![map(r, rate, value)])]))
+                        .title(format!("{r} Hz in {} \u{2026} {} is decoded within {} \u{2026} {} ({which}).", rate[0], rate[1], value[0], value[1]))
+                        .because("The value is v0 + (r \u{2212} r0) / (r1 \u{2212} r0) \u{b7} (v1 \u{2212} v0), clamped to the value range."),
+                );
+            }
+        }
+    }
+    for (name, rate) in [
+        ("zero-length", [50.0, 50.0]),
+        ("at-zero", [0.0, 0.0]),
+        ("nan", [f64::NAN, 1.0]),
+        ("infinite", [0.0, f64::INFINITY]),
+    ] {
+        for r in [0.0, 50.0, 500.0] {
+            let mapping = Mapping {
+                value: [2.0, 6.0],
+                rate,
+                ..PLAIN
+            };
+            let case = case(
+                format!("degenerate/{name}/{r}"),
+                &["NCP-CODEC-007"],
+                codec(&[], &[mapping]),
+                &[("p", r)],
+            )
+            .title(format!(
+                "A rate range without a finite length ({name}) decodes {r} Hz to the middle value."
+            ))
+            .because(
+                "A source range that is degenerate gives the middle of the target range, here 4.",
+            );
+            let expected = channels(vec![("x", vec![4.0])]);
+            cases.push(if rate.iter().all(|end| end.is_finite()) {
+                case.shows(expected)
+            } else {
+                case.shows_or_refuses(expected)
+            });
+        }
+    }
+    cases
+}
+
+fn mappings() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let mapping = |channel, component, population| Mapping {
+        channel,
+        component,
+        population,
+        ..PLAIN
+    };
+    let table: Vec<(&str, &'static str, &str, Vec<Mapping>, Json)> = vec![
+        (
+            "gap",
+            "NCP-CODEC-010",
+            "A component that no mapping names is 0",
+            vec![mapping("x", 2, "p")],
+            channels(vec![("x", vec![0.0, 0.0, 0.5])]),
+        ),
+        (
+            "gap-between",
+            "NCP-CODEC-010",
+            "A component between two that are mapped is 0",
+            vec![mapping("x", 0, "p"), mapping("x", 2, "q")],
+            channels(vec![("x", vec![0.5, 0.0, -0.5])]),
+        ),
+        (
+            "backward",
+            "NCP-CODEC-003",
+            "The order of the mappings does not matter",
+            vec![mapping("x", 1, "q"), mapping("x", 0, "p")],
+            channels(vec![("x", vec![0.5, -0.5])]),
+        ),
+        (
+            "two-channels",
+            "NCP-CODEC-003",
+            "Two channels are built from two mappings",
+            vec![mapping("x", 0, "p"), mapping("y", 0, "q")],
+            channels(vec![("x", vec![0.5]), ("y", vec![-0.5])]),
+        ),
+        (
+            "one-population",
+            "NCP-CODEC-003",
+            "One population may drive two components",
+            vec![mapping("x", 0, "p"), mapping("x", 1, "p")],
+            channels(vec![("x", vec![0.5, 0.5])]),
+        ),
+        (
+            "absent",
+            "NCP-CODEC-006",
+            "An absent population is the middle of the value range",
+            vec![mapping("x", 0, "silent"), mapping("x", 1, "p")],
+            channels(vec![("x", vec![0.0, 0.5])]),
+        ),
+        (
+            "ignored-4096",
+            "NCP-CODEC-008",
+            "A mapping of component 4,096 is ignored",
+            vec![mapping("x", 0, "p"), mapping("x", 4096, "q")],
+            channels(vec![("x", vec![0.5])]),
+        ),
+        (
+            "ignored-huge",
+            "NCP-CODEC-008",
+            "A mapping of component 4,294,967,295 is ignored, and takes no memory",
+            vec![mapping("x", 4_294_967_295, "q"), mapping("x", 0, "p")],
+            channels(vec![("x", vec![0.5])]),
+        ),
+        (
+            "ignored-other",
+            "NCP-CODEC-008",
+            "An ignored mapping does not disturb another channel",
+            vec![mapping("y", 5000, "q"), mapping("x", 0, "p")],
+            channels(vec![("x", vec![0.5])]),
+        ),
+        (
+            "last",
+            "NCP-CODEC-010",
+            "A mapping of component 300 makes a channel 301 wide",
+            vec![mapping("x", 300, "p")],
+            channels(vec![("x", [vec![0.0; 300], vec![0.5]].concat())]),
+        ),
+    ];
+    for (name, rule, words, mappings, expected) in table {
+        cases.push(
+            case(format!("mapping/{name}"), &[rule], codec(&[], &mappings), &[("p", 150.0), ("q", 50.0)])
+                .shows(expected)
+                .title(format!("{words}."))
+                .because("Each mapping sets one component; those below it that none names are 0, and a component of 4,096 or more is ignored."),
+        );
+    }
+    // The middle is the range's, not 0.
+    let high = Mapping {
+        value: [2.0, 6.0],
+        ..PLAIN
+    };
+    cases.push(
+        case(
+            "mapping/absent-asymmetric".to_owned(),
+            &["NCP-CODEC-006"],
+            codec(&[], &[high]),
+            &[],
+        )
+        .shows(channels(vec![("x", vec![4.0])]))
+        .title("An absent population is the middle of a value range that does not hold 0.")
+        .because("An absent population gives the middle of the value range."),
+    );
+    let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => Json::Array(vec![high.json().with("unit", "rad/s".into())]) };
+    cases.push(
+        case("mapping/unit".to_owned(), &["NCP-CODEC-003"], united, &[("p", 100.0)])
+            .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&[4.0]), "unit" => "rad/s" } } } })
+            .title("A decoder's unit becomes the channel's.")
+            .because("The decoder builds the command's channel; its unit is the mapping's."),
+    );
+    cases
+}
+
+/// What stands beside the channels.
+fn heads() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let mut add = |path: String, t: f64, seq: i64, frame_id: &str, mode: &str, title: String| {
+        let args = object! { "codec" => "uav", "rates" => object! { "vel_x" => num(100.0) }, "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
+        let command =
+            object! { "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
+        let case = Case::new(
+            format!("head/{path}"),
+            &["NCP-CODEC-009"],
+            &[Role::Commander],
+        )
+        .call("codec.decode", args)
+        .title(title)
+        .because("Decoding builds the command with the given `t`, `seq`, `frame_id` and mode.");
+        let expected = object! { "command" => command };
+        cases.push(if t.is_finite() {
+            case.shows(expected)
+        } else {
+            case.shows_or_refuses(any(vec![expected, object! { "command" => Json::object() }]))
+        });
+    };
+    for mode in ["init", "active", "hold", "estop"] {
+        add(
+            format!("mode-{mode}"),
+            2.5,
+            42,
+            "world",
+            mode,
+            format!("Decoding builds a command in mode `{mode}`."),
+        );
+    }
+    for seq in [0, 1, -3, 9_007_199_254_740_991] {
+        add(
+            format!("seq/{seq}").replace("/-", "/minus-"),
+            2.5,
+            seq,
+            "world",
+            "active",
+            format!("Decoding builds a command of seq {seq}."),
+        );
+    }
+    for t in [
+        0.0,
+        -0.0,
+        -1.5,
+        1e9,
+        1e308,
+        5e-324,
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+    ] {
+        add(
+            format!("t/{}", name_of(t)),
+            t,
+            42,
+            "world",
+            "active",
+            format!("Decoding builds a command of the time {}.", name_of(t)),
+        );
+    }
+    for (name, frame_id) in [
+        ("body", "body"),
+        ("empty", ""),
+        ("unusual", "map/odom \u{e9}"),
+    ] {
+        add(
+            format!("frame-id/{name}"),
+            2.5,
+            42,
+            frame_id,
+            "active",
+            format!("Decoding builds a command in a frame of reference ({name})."),
+        );
+    }
+    cases
+}

@@ -1,0 +1,347 @@
+//! From sensor channels to rates.
+
+use super::{Mapping, PLAIN, RANGES, STRANGE, codec, map};
+use crate::case::{Case, File, Role};
+use crate::json::{Json, object};
+use crate::trace::{any, exactly, name_of, num, nums};
+
+pub(super) fn file() -> File {
+    let mut cases = uav();
+    cases.extend(ranges());
+    cases.extend(missing());
+    cases.extend(mappings());
+    let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of the rate range.";
+    File::new("codec", "encode", about, cases)
+}
+
+fn sensor(channels: &[(&str, &[f64])]) -> Json {
+    let value =
+        |(name, data): &(&str, &[f64])| ((*name).to_owned(), object! { "data" => nums(data) });
+    object! { "seq" => 3_u32, "t" => num(1.0), "channels" => Json::Object(channels.iter().map(value).collect()) }
+}
+
+fn case(path: String, rules: &[&'static str], codec: Json, sensor: Json) -> Case {
+    Case::new(path, rules, &[Role::Commander]).call(
+        "codec.encode",
+        object! { "codec" => codec, "sensor" => sensor },
+    )
+}
+
+fn rates(of: &[(&str, f64)]) -> Json {
+    let rates = of
+        .iter()
+        .map(|(name, rate)| ((*name).to_owned(), num(*rate)))
+        .collect();
+    object! { "rates" => exactly(Json::Object(rates)) }
+}
+
+fn err(data: [f64; 3]) -> Json {
+    let rate = |x| map(x, [-2.0, 2.0], [0.0, 200.0]);
+    rates(&[
+        ("err_x", rate(data[0])),
+        ("err_y", rate(data[1])),
+        ("err_z", rate(data[2])),
+    ])
+}
+
+fn uav() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let table: [(&str, [f64; 3]); 14] = [
+        ("zero", [0.0; 3]),
+        ("ends", [-2.0, 0.0, 2.0]),
+        ("other-ends", [2.0, -2.0, 0.0]),
+        ("quarters", [-1.0, 1.0, 0.5]),
+        ("beyond", [-3.0, 3.0, 100.0]),
+        ("far-beyond", [-1e308, 1e308, 1e300]),
+        ("just-beyond", [2.0009765625, -2.0009765625, 1.9990234375]),
+        ("subnormal", [5e-324, -5e-324, -0.0]),
+        ("x-only", [1.5, 0.0, 0.0]),
+        ("y-only", [0.0, 1.5, 0.0]),
+        ("z-only", [0.0, 0.0, 1.5]),
+        ("negative", [-0.25, -0.5, -0.75]),
+        ("fine", [0.001, -0.002, 0.003]),
+        ("largest", [f64::MAX, -f64::MAX, 0.0]),
+    ];
+    for (name, data) in table {
+        let beyond = data.iter().any(|x| x.abs() > 2.0);
+        let rules: &[&'static str] = if beyond {
+            &["NCP-CODEC-002", "NCP-CODEC-020"]
+        } else {
+            if name.ends_with("ends") || name.ends_with("-only") {
+                &["NCP-CODEC-020", "NCP-CODEC-001"]
+            } else {
+                &["NCP-CODEC-001", "NCP-CODEC-020"]
+            }
+        };
+        cases.push(
+            case(format!("uav/{name}"), rules, "uav".into(), sensor(&[("pose_error", &data)]))
+                .shows(err(data))
+                .title(format!("The UAV codec encodes an error of ({}, {}, {}).", data[0], data[1], data[2]))
+                .because("Each component of `pose_error` is mapped from \u{2212}2 \u{2026} 2 to 0 \u{2026} 200 Hz and clamped."),
+        );
+    }
+    for at in 0..3 {
+        for value in STRANGE {
+            let mut data = [1.0, -1.0, 0.5];
+            if let Some(x) = data.get_mut(at) {
+                *x = value;
+            }
+            cases.push(
+                case(format!("uav/component-{at}/{}", name_of(value)), &["NCP-CODEC-005"], "uav".into(), sensor(&[("pose_error", &data)]))
+                    .shows_or_refuses(err(data))
+                    .title(format!("The UAV codec encodes a component {at} of {} as the middle rate.", name_of(value)))
+                    .flags(&["L06"])
+                    .because("A sample that is not finite gives the middle of the rate range; the others are encoded as ever."),
+            );
+        }
+    }
+    cases
+}
+
+fn ranges() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, value) in RANGES {
+        for (which, share) in [
+            ("low", 0.0),
+            ("quarter", 0.25),
+            ("middle", 0.5),
+            ("high", 1.0),
+            ("below", -0.5),
+            ("above", 1.5),
+        ] {
+            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0]] {
+                let x = value[0] + share * (value[1] - value[0]);
+                let mapping = Mapping {
+                    value,
+                    rate,
+                    ..PLAIN
+                };
+                let rule = if (0.0..=1.0).contains(&share) {
+                    "NCP-CODEC-001"
+                } else {
+                    "NCP-CODEC-002"
+                };
+                cases.push(
+                    case(format!("range/{name}/{which}/to-{}-{}", rate[0], rate[1]).replace("--", "-minus-"), &[rule], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                        .shows(rates(&[("p", map(x, value, rate))]))
+                        .title(format!("{x} in {} \u{2026} {} is encoded within {} \u{2026} {} Hz ({which}).", value[0], value[1], rate[0], rate[1]))
+                        .because("The rate is r0 + (x \u{2212} v0) / (v1 \u{2212} v0) \u{b7} (r1 \u{2212} r0), clamped to the rate range."),
+                );
+            }
+        }
+    }
+    // A mapping without ranges has the defaults.
+    let bare = object! { "encoders" => Json::Array(vec![object! { "channel" => "x", "component" => 0_u32, "population" => "p" }]), "decoders" => Json::Array(Vec::new()) };
+    for x in [-1.0, 0.0, 0.5, 1.0, 2.0] {
+        cases.push(
+            case(format!("defaults/{}", name_of(x)), &["NCP-CODEC-001", "NCP-CODEC-002"], bare.clone(), sensor(&[("x", &[x])]))
+                .shows(rates(&[("p", map(x, [-1.0, 1.0], [0.0, 200.0]))]))
+                .title(format!("A mapping without ranges encodes {x} from \u{2212}1 \u{2026} 1 to 0 \u{2026} 200 Hz."))
+                .because("The defaults are \u{2212}1 \u{2026} 1 and 0 \u{2026} 200 Hz."),
+        );
+    }
+    // Ranges without length.
+    for (name, value) in [
+        ("zero-length", [1.0, 1.0]),
+        ("at-zero", [0.0, 0.0]),
+        ("minus-zero", [-0.0, 0.0]),
+        ("nan-low", [f64::NAN, 1.0]),
+        ("nan-high", [0.0, f64::NAN]),
+        ("infinite", [f64::NEG_INFINITY, f64::INFINITY]),
+        ("infinite-high", [0.0, f64::INFINITY]),
+    ] {
+        for x in [0.0, 1.0, -5.0] {
+            let mapping = Mapping {
+                value,
+                rate: [20.0, 60.0],
+                ..PLAIN
+            };
+            let case = case(format!("degenerate/{name}/{}", name_of(x)), &["NCP-CODEC-007"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .title(format!("A value range without a finite length ({name}) encodes {x} as the middle rate."))
+                .because("A source range that is degenerate gives the middle of the target range, here 40 Hz.");
+            let expected = rates(&[("p", 40.0)]);
+            cases.push(if value.iter().all(|end| end.is_finite()) {
+                case.shows(expected)
+            } else {
+                case.shows_or_refuses(expected)
+            });
+        }
+    }
+    cases
+}
+
+fn missing() -> Vec<Case> {
+    let middle = || rates(&[("err_x", 100.0), ("err_y", 100.0), ("err_z", 100.0)]);
+    let table: [(&str, &str, Json, Json); 8] = [
+        ("no-frame", "no sensor frame", Json::Null, middle()),
+        (
+            "no-channels",
+            "a frame without channels",
+            sensor(&[]),
+            middle(),
+        ),
+        (
+            "other-channel",
+            "a frame with another channel",
+            sensor(&[("pose_position", &[2.0, 2.0, 2.0])]),
+            middle(),
+        ),
+        (
+            "other-case",
+            "a channel in another case",
+            sensor(&[("Pose_Error", &[2.0, 2.0, 2.0])]),
+            middle(),
+        ),
+        (
+            "empty",
+            "an empty channel",
+            sensor(&[("pose_error", &[])]),
+            middle(),
+        ),
+        (
+            "one-component",
+            "one component",
+            sensor(&[("pose_error", &[2.0])]),
+            err([2.0, 0.0, 0.0]),
+        ),
+        (
+            "two-components",
+            "two components",
+            sensor(&[("pose_error", &[2.0, -2.0])]),
+            err([2.0, -2.0, 0.0]),
+        ),
+        (
+            "four-components",
+            "a component more than is mapped",
+            sensor(&[("pose_error", &[2.0, -2.0, 1.0, 9.0])]),
+            err([2.0, -2.0, 1.0]),
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, words, sensor, expected)| {
+            case(format!("missing/{name}"), &["NCP-CODEC-005"], "uav".into(), sensor)
+                .shows(expected)
+                .title(format!("The UAV codec encodes {words} as the middle rate where nothing is."))
+                .flags(&["L06"])
+                .because("An absent channel or a missing component gives the middle of the rate range, 100 Hz.")
+        })
+        .collect();
+    for (name, value, rate) in [
+        ("asymmetric", [0.0, 10.0], [10.0, 30.0]),
+        ("negative", [-8.0, -4.0], [-50.0, 0.0]),
+        ("inverted", [1.0, -1.0], [0.0, 80.0]),
+    ] {
+        let mapping = Mapping {
+            value,
+            rate,
+            ..PLAIN
+        };
+        cases.push(
+            case(format!("missing/{name}"), &["NCP-CODEC-005"], codec(&[mapping], &[]), sensor(&[]))
+                .shows(rates(&[("p", f64::midpoint(rate[0], rate[1]))]))
+                .title(format!("An absent channel gives the middle of the rate range, also of one that is {name}."))
+                .flags(&["L06"])
+                .because("An absent channel gives the middle of the rate range, neither 0 nor the rate of the value 0."),
+        );
+    }
+    cases
+}
+
+fn mappings() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for component in [4096_u32, 4097, 65_536, 4_294_967_295] {
+        let far = Mapping {
+            component,
+            population: "far",
+            ..PLAIN
+        };
+        let near = Mapping {
+            component: 1,
+            population: "near",
+            ..PLAIN
+        };
+        let with = |middle: bool| {
+            let mut all = vec![("near", 150.0)];
+            if middle {
+                all.push(("far", 100.0));
+            }
+            rates(&all)
+        };
+        cases.push(
+            case(format!("ignored/{component}"), &["NCP-CODEC-008"], codec(&[far, near], &[]), sensor(&[("x", &[0.0, 0.5])]))
+                .shows(any(vec![with(false), with(true)]))
+                .title(format!("A mapping of component {component} is ignored, and the others are not."))
+                .because("A mapping with a component of 4,096 or more is ignored; that its population rests at the middle is as good."),
+        );
+    }
+    let last = Mapping {
+        component: 4095,
+        ..PLAIN
+    };
+    cases.push(
+        case(
+            "ignored/not-4095".to_owned(),
+            &["NCP-CODEC-005"],
+            codec(&[last], &[]),
+            sensor(&[("x", &[0.0])]),
+        )
+        .shows(rates(&[("p", 100.0)]))
+        .title("A mapping of component 4,095 is not ignored.")
+        .because("A missing component gives the middle of the rate range."),
+    );
+    let many = [
+        Mapping {
+            channel: "a",
+            population: "a0",
+            ..PLAIN
+        },
+        Mapping {
+            channel: "a",
+            component: 1,
+            population: "a1",
+            ..PLAIN
+        },
+        Mapping {
+            channel: "b",
+            population: "b0",
+            value: [0.0, 4.0],
+            rate: [0.0, 80.0],
+            ..PLAIN
+        },
+        Mapping {
+            channel: "a",
+            population: "again",
+            rate: [0.0, 100.0],
+            ..PLAIN
+        },
+    ];
+    cases.push(
+        case(
+            "several".to_owned(),
+            &["NCP-CODEC-001"],
+            codec(&many, &[]),
+            sensor(&[("a", &[0.5, -0.5]), ("b", &[1.0])]),
+        )
+        .shows(rates(&[
+            ("a0", 150.0),
+            ("a1", 50.0),
+            ("b0", 20.0),
+            ("again", 75.0),
+        ]))
+        .title("Each mapping has its own channel, component and ranges.")
+        .because("The encoder maps each mapping's value by that mapping's ranges."),
+    );
+    cases.push(
+        case(
+            "none".to_owned(),
+            &["NCP-CODEC-001"],
+            codec(&[], &[]),
+            sensor(&[("a", &[0.5])]),
+        )
+        .shows(rates(&[]))
+        .title("A codec without mappings gives no rates.")
+        .because("Each mapping gives one rate; there are none."),
+    );
+    cases
+}

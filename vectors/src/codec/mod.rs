@@ -1,0 +1,72 @@
+//! Area `codec`: the rate codec, both ways.
+
+mod decode;
+mod encode;
+
+use crate::case::File;
+use crate::json::{Json, object};
+use crate::trace::nums;
+
+pub(crate) fn files() -> Vec<File> {
+    vec![encode::file(), decode::file()]
+}
+
+/// A mapping between a component and a population, with its ranges.
+#[derive(Clone, Copy)]
+struct Mapping {
+    channel: &'static str,
+    component: u32,
+    population: &'static str,
+    value: [f64; 2],
+    rate: [f64; 2],
+}
+
+const PLAIN: Mapping = Mapping {
+    channel: "x",
+    component: 0,
+    population: "p",
+    value: [-1.0, 1.0],
+    rate: [0.0, 200.0],
+};
+
+impl Mapping {
+    fn json(&self) -> Json {
+        object! {
+            "channel" => self.channel,
+            "component" => self.component,
+            "population" => self.population,
+            "value_range" => nums(&self.value),
+            "rate_range" => nums(&self.rate),
+        }
+    }
+}
+
+fn codec(encoders: &[Mapping], decoders: &[Mapping]) -> Json {
+    object! {
+        "encoders" => encoders.iter().map(Mapping::json).collect::<Json>(),
+        "decoders" => decoders.iter().map(Mapping::json).collect::<Json>(),
+    }
+}
+
+/// The linear map of chapter 9 with its clamp: plain, as the text writes it.
+fn map(x: f64, from: [f64; 2], to: [f64; 2]) -> f64 {
+    let middle = f64::midpoint(to[0], to[1]);
+    let span = from[1] - from[0];
+    if !x.is_finite() || !span.is_finite() || span == 0.0 {
+        return middle;
+    }
+    (to[0] + (x - from[0]) / span * (to[1] - to[0])).clamp(to[0].min(to[1]), to[0].max(to[1]))
+}
+
+/// Numbers that JSON lacks: an interface of JSON texts refuses them.
+const STRANGE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// Ranges of a source, their names, and whether they are degenerate.
+const RANGES: [(&str, [f64; 2]); 6] = [
+    ("default", [-1.0, 1.0]),
+    ("uav", [-2.0, 2.0]),
+    ("positive", [0.0, 10.0]),
+    ("negative", [-8.0, -4.0]),
+    ("inverted", [1.0, -1.0]),
+    ("wide", [-1e6, 1e6]),
+];

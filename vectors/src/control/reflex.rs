@@ -1,0 +1,326 @@
+//! The reflex controller.
+
+use super::{DEFAULT, Gains, law, sensor, velocity};
+use crate::case::{Case, File, Role};
+use crate::json::{Json, object};
+use crate::trace::{name_of, num, nums};
+
+pub(super) fn file() -> File {
+    let mut cases = laws();
+    cases.extend(unusable());
+    cases.extend(configs());
+    let about = "The reflex controller: its law, its clamp, its defaults, and what it does without a position.";
+    File::new("control", "reflex", about, cases)
+}
+
+fn case(path: String, rules: &[&'static str], config: Json, sensor: Json) -> Case {
+    Case::new(path, rules, &[Role::Commander]).call(
+        "reflex.step",
+        object! { "config" => config, "sensor" => sensor },
+    )
+}
+
+fn config(gains: Gains) -> Json {
+    object! { "target" => nums(&gains.target), "kp" => num(gains.kp), "kd" => num(gains.kd), "max_speed" => num(gains.max_speed) }
+}
+
+fn commands(data: &[f64]) -> Json {
+    object! { "command" => object! { "mode" => "active", "channels" => velocity(data) } }
+}
+
+fn holds() -> Json {
+    object! { "command" => object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) } }
+}
+
+fn laws() -> Vec<Case> {
+    let mut cases = Vec::new();
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let places: [(&str, [f64; 3], Option<[f64; 3]>); 12] = [
+        ("at-target", [0.0; 3], None),
+        ("x", [0.5, 0.0, 0.0], None),
+        ("y", [0.0, -0.5, 0.0], None),
+        ("z", [0.0, 0.0, 0.25], None),
+        ("all", [0.5, -1.0, 1.25], None),
+        ("moving", [0.0; 3], Some([1.0, -1.0, 0.5])),
+        ("both", [0.5, 0.5, -0.5], Some([0.5, -0.5, 1.0])),
+        ("far", [100.0, -100.0, 0.5], None),
+        ("at-the-clamp", [1.5, -1.5, 0.0], None),
+        ("fast", [0.0; 3], Some([100.0, 0.0, -100.0])),
+        ("huge", [1e308, -1e308, 0.0], None),
+        (
+            "subnormal",
+            [5e-324, -5e-324, -0.0],
+            Some([5e-324, -0.0, 0.0]),
+        ),
+    ];
+    let gains: [(&str, Option<Gains>); 5] = [
+        ("defaults", None),
+        (
+            "target",
+            Some(Gains {
+                target: [1.0, 2.0, -1.0],
+                ..DEFAULT
+            }),
+        ),
+        (
+            "stiff",
+            Some(Gains {
+                kp: 4.0,
+                kd: 0.0,
+                max_speed: 10.0,
+                ..DEFAULT
+            }),
+        ),
+        (
+            "damped",
+            Some(Gains {
+                kp: 0.25,
+                kd: 2.0,
+                max_speed: 0.5,
+                target: [-0.5, 0.0, 0.5],
+            }),
+        ),
+        (
+            "no-gain",
+            Some(Gains {
+                kp: 0.0,
+                kd: 0.0,
+                ..DEFAULT
+            }),
+        ),
+    ];
+    for (place, position, moving) in places {
+        for (name, gains) in gains {
+            let given = gains.map_or_else(Json::object, config);
+            let gains = gains.unwrap_or(DEFAULT);
+            let u = law(gains, position, moving.unwrap_or_default());
+            let mut rules = vec!["NCP-CTRL-001"];
+            if name == "defaults" {
+                rules.insert(0, "NCP-CTRL-002");
+            }
+            if moving.is_none() {
+                rules.push("NCP-CTRL-004");
+            }
+            cases.push(
+                case(format!("law/{place}/{name}"), &rules, given, sensor(1, 0.0, &position, moving.as_ref().map(<[f64; 3]>::as_slice)))
+                    .shows(commands(&u))
+                    .title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
+                    .because("The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each axis, each clamped to \u{b1}max_speed."),
+            );
+        }
+    }
+    // One given, the others by default.
+    for (name, given, gains) in [
+        (
+            "target",
+            object! { "target" => nums(&[1.0, 0.0, 0.0]) },
+            Gains {
+                target: [1.0, 0.0, 0.0],
+                ..DEFAULT
+            },
+        ),
+        (
+            "kp",
+            object! { "kp" => num(0.5) },
+            Gains { kp: 0.5, ..DEFAULT },
+        ),
+        (
+            "kd",
+            object! { "kd" => num(1.0) },
+            Gains { kd: 1.0, ..DEFAULT },
+        ),
+        (
+            "max-speed",
+            object! { "max_speed" => num(0.25) },
+            Gains {
+                max_speed: 0.25,
+                ..DEFAULT
+            },
+        ),
+    ] {
+        cases.push(
+            case(
+                format!("default/beside-{name}"),
+                &["NCP-CTRL-002", "NCP-CTRL-001"],
+                given,
+                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.5, -0.5, 0.25])),
+            )
+            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.5, -0.5, 0.25])))
+            .title(format!("With only {name} given, the rest has its default."))
+            .because("The defaults are kp 1, kd 0.3, max_speed 1.5 m/s."),
+        );
+    }
+    cases
+}
+
+fn unusable() -> Vec<Case> {
+    let with = |name: &str, data: &[f64]| object! { "seq" => 1_u32, "t" => num(0.0), "channels" => object! { name => object! { "data" => nums(data), "unit" => "m" } } };
+    let table: [(&str, &str, Json); 9] = [
+        ("no-frame", "no sensor frame", Json::Null),
+        (
+            "no-channels",
+            "a frame without channels",
+            object! { "seq" => 1_u32, "channels" => Json::object() },
+        ),
+        (
+            "other-channel",
+            "another channel only",
+            with("imu_accel", &[1.0, 1.0, 1.0]),
+        ),
+        (
+            "other-name",
+            "a position under another name",
+            with("position", &[1.0, 1.0, 1.0]),
+        ),
+        ("empty", "an empty position", with("pose_position", &[])),
+        (
+            "one-wide",
+            "a position 1 wide",
+            with("pose_position", &[1.0]),
+        ),
+        (
+            "two-wide",
+            "a position 2 wide",
+            with("pose_position", &[1.0, 1.0]),
+        ),
+        (
+            "four-wide",
+            "a position 4 wide",
+            with("pose_position", &[1.0, 1.0, 1.0, 1.0]),
+        ),
+        (
+            "velocity-only",
+            "a velocity only",
+            with("pose_velocity", &[1.0, 1.0, 1.0]),
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, words, sensor)| {
+            case(format!("unusable/{name}"), &["NCP-CTRL-003"], Json::object(), sensor)
+                .shows(holds())
+                .title(format!("With {words}, the reflex controller commands a HOLD."))
+                .flags(&["L03"])
+                .because("Without a sensor frame, or without a usable position, it commands a HOLD with three zeros in `m/s`.")
+        })
+        .collect();
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for at in 0..3 {
+            let mut data = [0.5, 0.25, -0.5];
+            if let Some(x) = data.get_mut(at) {
+                *x = value;
+            }
+            cases.push(
+                case(format!("position/{at}/{}", name_of(value)), &["NCP-CTRL-003"], Json::object(), sensor(1, 0.0, &data, None))
+                    .shows_or_refuses(holds())
+                    .title(format!("With a position whose component {at} is {}, the reflex controller commands a HOLD.", name_of(value)))
+                    .because("A position that is not finite is not usable."),
+            );
+            cases.push(
+                case(format!("velocity/{at}/{}", name_of(value)), &["NCP-CTRL-004"], Json::object(), sensor(1, 0.0, &[0.5, 0.25, -0.5], Some(&data)))
+                    .shows_or_refuses(commands(&[-0.5, -0.25, 0.5]))
+                    .title(format!("With a velocity whose component {at} is {}, the reflex controller damps nothing.", name_of(value)))
+                    .because("Without a usable `pose_velocity` it damps nothing."),
+            );
+        }
+    }
+    for (name, data) in [
+        ("empty", &[][..]),
+        ("two-wide", &[5.0, 5.0]),
+        ("four-wide", &[5.0, 5.0, 5.0, 5.0]),
+    ] {
+        cases.push(
+            case(
+                format!("velocity/{name}"),
+                &["NCP-CTRL-004"],
+                Json::object(),
+                sensor(1, 0.0, &[0.5, 0.25, -0.5], Some(data)),
+            )
+            .shows(commands(&[-0.5, -0.25, 0.5]))
+            .title(format!(
+                "With a velocity that is {}, the reflex controller damps nothing.",
+                name.replace('-', " ")
+            ))
+            .flags(&["L11"])
+            .because("Without a usable `pose_velocity` it damps nothing."),
+        );
+    }
+    cases
+}
+
+fn configs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let ask = || sensor(1, 0.0, &[0.5, 0.0, 0.0], None);
+    let strange = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+    for name in ["kp", "kd", "max_speed"] {
+        for value in strange.into_iter().chain([-1.0, -0.25, -1e308]) {
+            cases.push(
+                case(format!("refused/{}/{}", name.replace('_', "-"), name_of(value)), &["NCP-CTRL-005"], object! { name => num(value) }, ask())
+                    .rejects("value")
+                    .title(format!("A reflex controller with a {name} of {} is refused.", name_of(value)))
+                    .because("A gain or a max_speed that is not finite or is negative is refused when the controller is built."),
+            );
+        }
+    }
+    for at in 0..3 {
+        for value in strange {
+            let mut target = [0.0; 3];
+            if let Some(x) = target.get_mut(at) {
+                *x = value;
+            }
+            cases.push(
+                case(
+                    format!("refused/target-{at}/{}", name_of(value)),
+                    &["NCP-CTRL-005"],
+                    object! { "target" => nums(&target) },
+                    ask(),
+                )
+                .rejects("value")
+                .title(format!(
+                    "A reflex controller whose target has a component {at} of {} is refused.",
+                    name_of(value)
+                ))
+                .because("A target that is not finite is refused when the controller is built."),
+            );
+        }
+    }
+    for (name, value) in [
+        ("kp", 5e-324),
+        ("kd", 5e-324),
+        ("max_speed", 1e308),
+        ("kp", -0.0),
+        ("kd", -0.0),
+    ] {
+        let gains = match name {
+            "kp" => Gains {
+                kp: value,
+                ..DEFAULT
+            },
+            "kd" => Gains {
+                kd: value,
+                ..DEFAULT
+            },
+            _ => Gains {
+                max_speed: value,
+                ..DEFAULT
+            },
+        };
+        let case = case(
+            format!("odd/{}/{}", name.replace('_', "-"), name_of(value)),
+            &["NCP-CTRL-001"],
+            config(gains),
+            ask(),
+        )
+        .title(format!(
+            "A reflex controller with a {name} of {value} is one."
+        ))
+        .because("It is finite and not negative.");
+        let expected = commands(&law(gains, [0.5, 0.0, 0.0], [0.0; 3]));
+        cases.push(if value == 0.0 {
+            case.shows_or_refuses(expected)
+        } else {
+            case.shows(expected)
+        });
+    }
+    cases
+}

@@ -1,0 +1,664 @@
+//! The control loop, tick by tick.
+
+use super::{sensor, velocity};
+use crate::case::{Case, File, Role};
+use crate::json::{Json, object};
+use crate::trace::{any, int, name_of, no_result, num, steps, within};
+
+pub(super) fn file() -> File {
+    let mut cases = newest();
+    cases.extend(gates());
+    cases.extend(ttls());
+    cases.extend(links());
+    cases.extend(status());
+    cases.extend(periods());
+    let about = "The control loop: which sensor frame a tick uses, what it sends, and what it says about it.";
+    File::new("control", "loop", about, cases)
+}
+
+/// A step of a trace with what it shows.
+type Step = (Json, Json);
+
+/// A frame of that seq at x = seq/16, whose time runs with its seq.
+#[expect(clippy::cast_precision_loss, reason = "small seqs")]
+fn arrives(seq: i64, now: f64) -> Step {
+    arrives_at(seq, seq as f64 / 8.0, &[seq as f64 / 16.0, 0.0, 0.0], now)
+}
+
+fn arrives_at(seq: i64, t: f64, position: &[f64], now: f64) -> Step {
+    (
+        object! { "op" => "sensor", "sensor" => sensor(seq, t, position, None), "now_s" => num(now) },
+        no_result(),
+    )
+}
+
+fn tick(now: f64, command: Json, status: Json) -> Step {
+    (
+        object! { "op" => "tick", "now_s" => num(now) },
+        object! { "command" => command, "status" => status },
+    )
+}
+
+/// The command that follows from the frame of that seq.
+#[expect(clippy::cast_precision_loss, reason = "small seqs")]
+fn moves(seq: i64, now: f64) -> Step {
+    moves_by(seq, &[-(seq as f64) / 16.0, 0.0, 0.0], now)
+}
+
+fn moves_by(seq: i64, data: &[f64], now: f64) -> Step {
+    tick(
+        now,
+        object! { "mode" => "active", "seq" => int(seq), "channels" => velocity(data) },
+        object! { "mode" => "active" },
+    )
+}
+
+fn holds(seq: i64, now: f64) -> Step {
+    tick(
+        now,
+        object! { "mode" => "hold", "seq" => int(seq), "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) },
+        object! { "mode" => "hold", "safety_ok" => false },
+    )
+}
+
+fn stops(seq: i64, now: f64) -> Step {
+    tick(
+        now,
+        object! { "mode" => "estop", "seq" => int(seq), "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) },
+        object! { "mode" => "estop", "safety_ok" => false },
+    )
+}
+
+/// A HOLD of the controller itself, of which the text does not say whether it is safe.
+fn waits(now: f64) -> Step {
+    tick(
+        now,
+        object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) },
+        object! { "mode" => "hold" },
+    )
+}
+
+fn reset() -> Step {
+    (object! { "op" => "reset" }, no_result())
+}
+
+fn run(
+    path: impl Into<String>,
+    rules: &[&'static str],
+    period: f64,
+    limits: Json,
+    trace: Vec<Step>,
+) -> Case {
+    run_with(path, rules, period, limits, Json::object(), trace)
+}
+
+fn run_with(
+    path: impl Into<String>,
+    rules: &[&'static str],
+    period: f64,
+    limits: Json,
+    config: Json,
+    trace: Vec<Step>,
+) -> Case {
+    let (args, results) = trace.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
+    Case::new(path, rules, &[Role::Commander])
+        .call("loop.run", object! { "period_ms" => num(period), "limits" => limits, "config" => config, "steps" => Json::Array(args) })
+        .shows(steps(results))
+}
+
+const NEWEST: &str = "The loop keeps the newest sensor frame by `seq`, or by `t` while `seq` is 0, never the last to arrive, and the command's `seq` is that frame's.";
+
+fn newest() -> Vec<Case> {
+    let mut cases = Vec::new();
+    // Three frames in every order, with a tick after each.
+    let orders = [
+        [1, 2, 3],
+        [1, 3, 2],
+        [2, 1, 3],
+        [2, 3, 1],
+        [3, 1, 2],
+        [3, 2, 1],
+    ];
+    for order in orders {
+        let mut trace = Vec::new();
+        let mut newest = 0;
+        for (nth, seq) in (0_u32..).zip(order) {
+            let now = 1.0 + f64::from(nth) / 16.0;
+            newest = newest.max(seq);
+            trace.extend([arrives(seq, now), moves(newest, now)]);
+        }
+        let name = order.map(|seq| seq.to_string()).join("-");
+        cases.push(
+            run(
+                format!("newest/by-seq/{name}"),
+                &["NCP-CTRL-011", "NCP-CTRL-013"],
+                50.0,
+                Json::object(),
+                trace,
+            )
+            .title(format!("Frames in the order {name} are used newest first."))
+            .flags(&["last-to-arrive"])
+            .because(NEWEST),
+        );
+        // The same by time, unstamped.
+        let mut trace = Vec::new();
+        let mut newest = 0_u32;
+        for (nth, rank) in (0_u32..).zip(order) {
+            let now = 1.0 + f64::from(nth) / 16.0;
+            let rank = u32::try_from(rank).unwrap_or_default();
+            newest = newest.max(rank);
+            trace.push(arrives_at(
+                0,
+                f64::from(rank),
+                &[f64::from(rank) / 16.0, 0.0, 0.0],
+                now,
+            ));
+            trace.push(moves_by(0, &[-f64::from(newest) / 16.0, 0.0, 0.0], now));
+        }
+        cases.push(
+            run(
+                format!("newest/by-t/{name}"),
+                &["NCP-CTRL-011", "NCP-CTRL-013"],
+                50.0,
+                Json::object(),
+                trace,
+            )
+            .title(format!(
+                "Unstamped frames of the times {name} are used newest first."
+            ))
+            .flags(&["last-to-arrive"])
+            .because(NEWEST),
+        );
+    }
+    let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
+        (
+            "echo",
+            &["NCP-CTRL-013"],
+            "Each tick echoes the seq of the frame that it used.",
+            vec![
+                arrives(5, 1.0),
+                moves(5, 1.0),
+                moves(5, 1.125),
+                arrives(6, 1.25),
+                moves(6, 1.25),
+                moves(6, 1.375),
+            ],
+        ),
+        (
+            "several-between",
+            &["NCP-CTRL-011", "NCP-CTRL-013"],
+            "Of several frames between two ticks the newest is used.",
+            vec![
+                arrives(1, 1.0),
+                arrives(2, 1.0),
+                arrives(3, 1.0),
+                moves(3, 1.0625),
+            ],
+        ),
+        (
+            "duplicate-renews-nothing",
+            &["NCP-CTRL-012"],
+            "A duplicate does not renew the sensor's time.",
+            vec![
+                arrives(1, 1.0),
+                moves(1, 1.0),
+                arrives(1, 1.375),
+                moves(1, 1.5),
+                holds(1, 1.5625),
+            ],
+        ),
+        (
+            "older-renews-nothing",
+            &["NCP-CTRL-012", "NCP-CTRL-011"],
+            "An older frame does not renew the sensor's time.",
+            vec![
+                arrives(5, 1.0),
+                moves(5, 1.0),
+                arrives(4, 1.375),
+                arrives(3, 1.4375),
+                moves(5, 1.5),
+                holds(5, 1.5625),
+            ],
+        ),
+        (
+            "unstamped-older-renews-nothing",
+            &["NCP-CTRL-012", "NCP-CTRL-011"],
+            "An older frame without a stamp does not renew the sensor's time.",
+            vec![
+                arrives_at(0, 5.0, &[0.5, 0.0, 0.0], 1.0),
+                moves_by(0, &[-0.5, 0.0, 0.0], 1.0),
+                arrives_at(0, 4.0, &[0.25, 0.0, 0.0], 1.375),
+                moves_by(0, &[-0.5, 0.0, 0.0], 1.5),
+                holds(0, 1.5625),
+            ],
+        ),
+        (
+            "newer-renews",
+            &["NCP-CTRL-012"],
+            "A newer frame renews the sensor's time.",
+            vec![
+                arrives(1, 1.0),
+                moves(1, 1.5),
+                arrives(2, 1.5),
+                moves(2, 2.0),
+                holds(2, 2.0625),
+                arrives(3, 2.0625),
+                moves(3, 2.0625),
+            ],
+        ),
+        (
+            "restarted-sensor",
+            &["NCP-CTRL-012", "NCP-CTRL-011"],
+            "A sensor whose seq begins again is not believed.",
+            vec![
+                arrives(10, 1.0),
+                moves(10, 1.0),
+                arrives(1, 1.25),
+                moves(10, 1.25),
+                arrives(2, 1.5),
+                arrives(3, 1.75),
+                holds(10, 1.75),
+                arrives(11, 1.75),
+                moves(11, 1.75),
+            ],
+        ),
+        (
+            "time-says-nothing-when-stamped",
+            &["NCP-CTRL-011"],
+            "While frames are stamped, their times say nothing.",
+            vec![
+                arrives_at(1, 900.0, &[0.25, 0.0, 0.0], 1.0),
+                arrives_at(2, 901.0, &[0.5, 0.0, 0.0], 1.0),
+                moves_by(2, &[-0.5, 0.0, 0.0], 1.0),
+            ],
+        ),
+        (
+            "no-frame",
+            &["NCP-CTRL-003"],
+            "Without a sensor frame the loop sends a HOLD.",
+            vec![waits(1.0), waits(1.125), arrives(1, 1.25), moves(1, 1.25)],
+        ),
+        (
+            "no-position",
+            &["NCP-CTRL-003"],
+            "With a frame without a position the loop sends a HOLD.",
+            vec![
+                (
+                    object! { "op" => "sensor", "sensor" => object! { "seq" => 1_u32, "t" => num(1.0), "channels" => Json::object() }, "now_s" => num(1.0) },
+                    no_result(),
+                ),
+                waits(1.0),
+                arrives(2, 1.0),
+                moves(2, 1.0),
+            ],
+        ),
+    ];
+    cases.extend(table.into_iter().map(|(name, rules, title, trace)| {
+        run(format!("newest/{name}"), rules, 50.0, Json::object(), trace)
+            .title(title)
+            .flags(&["last-to-arrive"])
+            .because(NEWEST)
+    }));
+    cases
+}
+
+/// The governor at the end of the loop.
+fn gates() -> Vec<Case> {
+    let fence = || object! { "geofence_radius_m" => num(5.0) };
+    let speed = |limit: f64| object! { "max_speed_mps" => num(limit) };
+    let out = || arrives_at(2, 0.25, &[3.0, 4.0, 1.0], 1.25);
+    let slow_timeout = object! { "command_timeout_ms" => num(125.0) };
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: Vec<(&str, &[&'static str], &str, Json, Vec<Step>)> = vec![
+        (
+            "stale",
+            &["NCP-CTRL-015", "NCP-CTRL-018"],
+            "A stale sensor holds.",
+            Json::object(),
+            vec![
+                arrives(1, 1.0),
+                moves(1, 1.0),
+                moves(1, 1.5),
+                holds(1, 1.5625),
+                holds(1, 9.0),
+            ],
+        ),
+        (
+            "stale-timeout",
+            &["NCP-CTRL-018", "NCP-CTRL-015"],
+            "A shorter timeout holds sooner.",
+            slow_timeout,
+            vec![arrives(1, 1.0), moves(1, 1.125), holds(1, 1.1875)],
+        ),
+        (
+            "clock-backward",
+            &["NCP-CTRL-018", "NCP-CTRL-015"],
+            "A clock that reads less than the sensor's time holds.",
+            Json::object(),
+            vec![arrives(1, 10.0), moves(1, 10.0), holds(1, 9.0)],
+        ),
+        (
+            "outside",
+            &["NCP-CTRL-018", "NCP-CTRL-015"],
+            "A position outside the fence stops, and goes on stopping.",
+            fence(),
+            vec![
+                arrives(1, 1.0),
+                moves(1, 1.0),
+                out(),
+                stops(2, 1.25),
+                arrives(3, 1.375),
+                stops(3, 1.375),
+            ],
+        ),
+        (
+            "outside-reset",
+            &["NCP-CTRL-015", "NCP-SAFE-008"],
+            "After a reset, and inside again, the loop goes on.",
+            fence(),
+            vec![
+                arrives(1, 1.0),
+                out(),
+                stops(2, 1.25),
+                arrives(3, 1.375),
+                stops(3, 1.375),
+                reset(),
+                moves(3, 1.375),
+            ],
+        ),
+        (
+            "outside-reset-outside",
+            &["NCP-CTRL-015", "NCP-SAFE-043"],
+            "After a reset, and still outside, the loop stops again.",
+            fence(),
+            vec![out(), stops(2, 1.25), reset(), stops(2, 1.3125)],
+        ),
+        (
+            "config-fault",
+            &["NCP-CTRL-015", "NCP-SAFE-017", "NCP-CTRL-018"],
+            "Limits that are none hold for good.",
+            speed(-1.0),
+            vec![arrives(1, 1.0), holds(1, 1.0), reset(), holds(1, 1.125)],
+        ),
+        (
+            "speed-clamp",
+            &["NCP-CTRL-015", "NCP-SAFE-060"],
+            "The controller's velocity obeys the governor's limit.",
+            speed(1.0),
+            vec![
+                arrives_at(1, 1.0, &[0.9, -1.2, 0.0], 1.0),
+                moves_by(1, &[-0.6, 0.8, 0.0], 1.0),
+            ],
+        ),
+        (
+            "speed-clamp-saturated",
+            &["NCP-CTRL-015", "NCP-SAFE-060"],
+            "A saturated command obeys the governor's limit by its norm.",
+            speed(1.5),
+            vec![
+                arrives_at(1, 1.0, &[90.0, -90.0, 0.0], 1.0),
+                moves_by(1, &[-1.5 * 0.5_f64.sqrt(), 1.5 * 0.5_f64.sqrt(), 0.0], 1.0),
+            ],
+        ),
+        (
+            "speed-below",
+            &["NCP-CTRL-015", "NCP-SAFE-062"],
+            "A slow command passes.",
+            speed(3.0),
+            vec![arrives(8, 1.0), moves(8, 1.0)],
+        ),
+        (
+            "fence-inside",
+            &["NCP-CTRL-015", "NCP-SAFE-021"],
+            "Inside the fence the loop moves.",
+            fence(),
+            vec![
+                arrives_at(1, 1.0, &[1.0, -1.0, 1.0], 1.0),
+                moves_by(1, &[-1.0, 1.0, -1.0], 1.0),
+            ],
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, rules, title, limits, trace)| {
+            run(format!("gate/{name}"), rules, 50.0, limits, trace)
+                .title(title)
+                .because("The loop sends no command that the governor has not passed or made; `safety_ok` is false when it turned an active command into a HOLD or an ESTOP.")
+        })
+        .collect()
+}
+
+fn ttls() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for period in [
+        1.0, 20.0, 50.0, 100.0, 125.0, 150.0, 250.0, 500.0, 1000.0, 20_000.0,
+    ] {
+        let command = object! { "mode" => "active", "ttl_ms" => within(2.0 * period, f64::MAX) };
+        cases.push(
+            run(
+                format!("ttl/period-{period}"),
+                &["NCP-CTRL-014"],
+                period,
+                Json::object(),
+                vec![
+                    arrives(8, 1.0),
+                    tick(1.0, command.clone(), Json::object()),
+                    tick(1.125, command, Json::object()),
+                ],
+            )
+            .title(format!(
+                "With a period of {period} ms a command lasts {} ms or more.",
+                2.0 * period
+            ))
+            .flags(&["short-ttl"])
+            .because("The loop raises `ttl_ms` to at least two periods."),
+        );
+    }
+    // Outward at 1.5 m/s from 4 m: the fence is 0.67 s away.
+    let fence = || object! { "geofence_radius_m" => num(5.0) };
+    let outward = || object! { "target" => crate::trace::nums(&[100.0, 0.0, 0.0]) };
+    for (period, leaves) in [
+        (50.0, false),
+        (100.0, false),
+        (250.0, false),
+        (400.0, true),
+        (500.0, true),
+        (1000.0, true),
+    ] {
+        let at = || arrives_at(1, 1.0, &[4.0, 0.0, 0.0], 1.0);
+        let answer = if leaves {
+            holds(1, 1.0)
+        } else {
+            moves_by(1, &[1.5, 0.0, 0.0], 1.0)
+        };
+        let rules: &[&'static str] = if leaves {
+            &["NCP-CTRL-014", "NCP-SAFE-051"]
+        } else {
+            &["NCP-CTRL-015", "NCP-SAFE-054"]
+        };
+        cases.push(
+            run_with(format!("ttl/look-ahead/period-{period}"), rules, period, fence(), outward(), vec![at(), answer])
+                .title(format!("With a period of {period} ms, the governor looks as far ahead as the ttl that is sent."))
+                .flags(&["short-look-ahead", "short-ttl"])
+                .because("The loop raises the ttl to two periods before it governs: 1 m at 1.5 m/s are 667 ms, and a command's own ttl is 200 ms."),
+        );
+    }
+    cases
+}
+
+fn links() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let gap = |seq: i64| {
+        vec![
+            arrives(1, 1.0),
+            moves(1, 1.0),
+            arrives_at(seq, 100.0, &[0.5, 0.0, 0.0], 1.125),
+        ]
+    };
+    let mut lossy = gap(30);
+    lossy.extend([stops(30, 1.125), stops(30, 1.25)]);
+    let mut again = lossy.clone();
+    again.extend([reset(), stops(30, 1.3125)]);
+    let mut few = gap(4);
+    few.push(moves_by(4, &[-0.5, 0.0, 0.0], 1.125));
+    let mut recovered = lossy.clone();
+    recovered.extend((31..=140).map(|seq| {
+        arrives_at(
+            seq,
+            100.0 + f64::from(u32::try_from(seq).unwrap_or_default()),
+            &[0.5, 0.0, 0.0],
+            1.375,
+        )
+    }));
+    recovered.push(stops(140, 1.375));
+    recovered.push(reset());
+    recovered.push(moves_by(140, &[-0.5, 0.0, 0.0], 1.375));
+    let fast: Vec<Step> = (0..5_i64)
+        .flat_map(|nth| {
+            let now = 1.0 + f64::from(u32::try_from(nth).unwrap_or_default()) / 8.0;
+            let frames = (1..=12).map(move |at| {
+                arrives_at(
+                    nth * 12 + at,
+                    f64::from(u32::try_from(nth * 12 + at).unwrap_or_default()),
+                    &[0.5, 0.0, 0.0],
+                    now,
+                )
+            });
+            frames.chain([moves_by(nth * 12 + 12, &[-0.5, 0.0, 0.0], now)])
+        })
+        .collect();
+    let duplicated: Vec<Step> = (0..40)
+        .map(|_| arrives(1, 1.0))
+        .chain([moves(1, 1.0)])
+        .collect();
+    let shuffled: Vec<Step> = [1, 4, 3, 2, 7, 6, 5]
+        .into_iter()
+        .map(|seq| arrives(seq, 1.0))
+        .chain([moves(7, 1.0)])
+        .collect();
+    let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
+        (
+            "burst",
+            &["NCP-CTRL-016", "NCP-SAFE-006"],
+            "A burst of losses stops the plant at the next tick.",
+            lossy,
+        ),
+        (
+            "burst-after-reset",
+            &["NCP-CTRL-016"],
+            "While the burst lasts, a reset leads back to ESTOP.",
+            again,
+        ),
+        (
+            "burst-clears",
+            &["NCP-RES-049", "NCP-CTRL-016", "NCP-SAFE-008"],
+            "After the burst and a reset the loop goes on.",
+            recovered,
+        ),
+        (
+            "few-losses",
+            &["NCP-SAFE-007"],
+            "Two lost frames are no burst.",
+            few,
+        ),
+        (
+            "fast-sensor",
+            &["NCP-RES-053"],
+            "A sensor faster than the loop is no loss.",
+            fast,
+        ),
+        (
+            "duplicates",
+            &["NCP-RES-042", "NCP-RES-053"],
+            "Duplicates are no loss.",
+            duplicated,
+        ),
+        (
+            "shuffled",
+            &["NCP-RES-041", "NCP-RES-053"],
+            "Frames out of order are no loss.",
+            shuffled,
+        ),
+    ];
+    cases.extend(table.into_iter().map(|(name, rules, title, trace)| {
+        run(format!("link/{name}"), rules, 50.0, Json::object(), trace)
+            .title(title)
+            .flags(&["sampled-link"])
+            .because("The monitor sees every arriving frame, not those that a tick samples, and the loop tells the governor of a burst before it governs.")
+    }));
+    cases
+}
+
+/// The counter of the status. Where it begins is the loop's affair.
+fn status() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, with_sensor) in [("moving", true), ("waiting", false)] {
+        let from = |first: i64| {
+            let mut trace = if with_sensor {
+                vec![arrives(7, 1.0)]
+            } else {
+                Vec::new()
+            };
+            trace.extend((0..4_u32).map(|nth| {
+                tick(
+                    1.0 + f64::from(nth) / 16.0,
+                    Json::object(),
+                    object! { "seq" => int(first + i64::from(nth)) },
+                )
+            }));
+            trace
+        };
+        let case = run(
+            format!("status/counter/{name}"),
+            &["NCP-CTRL-017"],
+            50.0,
+            Json::object(),
+            from(0),
+        );
+        let results = |first| steps(from(first).into_iter().map(|(_, result)| result).collect());
+        cases.push(
+            case.shows(any(vec![results(1), results(0)]))
+                .title(format!("The status of each tick has a counter of its own, while the loop is {name}."))
+                .because("The loop sends a `ControlStatus` each tick with a counter of its own, which is not the sensor's seq."),
+        );
+    }
+    cases
+}
+
+fn periods() -> Vec<Case> {
+    let mut cases: Vec<Case> = [
+        0.0,
+        -0.0,
+        -50.0,
+        -5e-324,
+        -1e308,
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+    ]
+    .into_iter()
+    .map(|period| {
+        run(
+            format!("period/{}", name_of(period)),
+            &["NCP-CTRL-010"],
+            period,
+            Json::object(),
+            vec![arrives(1, 1.0), moves(1, 1.0)],
+        )
+        .rejects("value")
+        .title(format!(
+            "A loop with a period of {} ms does not start.",
+            name_of(period)
+        ))
+        .because("The loop refuses to start without a finite, positive period.")
+    })
+    .collect();
+    let refused = [("kp", f64::NAN), ("kd", -1.0), ("max_speed", f64::INFINITY)];
+    cases.extend(refused.into_iter().map(|(name, value)| {
+        run_with(format!("config/{}", name.replace('_', "-")), &["NCP-CTRL-005"], 50.0, Json::object(), object! { name => num(value) }, vec![arrives(1, 1.0), moves(1, 1.0)])
+            .rejects("value")
+            .title(format!("A loop whose controller has a {name} of {} does not start.", name_of(value)))
+            .because("A gain or a max_speed that is not finite or is negative is refused when the controller is built.")
+    }));
+    cases
+}

@@ -1,0 +1,443 @@
+//! Replaying a horizon, and how long one may be.
+
+use super::model::{Event, active, buffer};
+use crate::case::{Case, File, Role};
+use crate::json::object;
+use crate::trace::{any, int, name_of, num, within};
+
+pub(super) fn replay() -> File {
+    let mut cases = ticks();
+    cases.extend(lengths_of_a_tick());
+    cases.extend(traces());
+    let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
+    File::new("resilience", "horizon", about, cases)
+}
+
+fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
+    let (args, pattern) = buffer(events);
+    Case::new(path, rules, &[Role::Body])
+        .call("buffer.run", args)
+        .shows(pattern)
+}
+
+/// The tick at many ages, around each boundary that doubles hold exactly.
+fn ticks() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (dt, step) in [(125.0, 0.125), (62.5, 0.0625), (250.0, 0.25), (1000.0, 1.0)] {
+        for count in [1_u32, 3, 5] {
+            let values: Vec<f64> = (1..=count).map(|at| f64::from(at) * 10.0).collect();
+            for quarter in 0..=4 * (count + 2) {
+                // The start of each tick, just before it, and its middle; nothing in between.
+                if quarter % 4 == 1 {
+                    continue;
+                }
+                let (name, age) = match quarter % 4 {
+                    3 => (
+                        "just-before",
+                        step * (f64::from(quarter / 4 + 1) - 1.0 / 1024.0),
+                    ),
+                    2 => ("middle", step * f64::from(quarter) / 4.0),
+                    _ => ("start", step * f64::from(quarter / 4)),
+                };
+                if count != 3 && name != "start" || dt > 125.0 && name == "middle" {
+                    continue;
+                }
+                let tick = quarter / 4;
+                let command = active(1).ttl(60_000.0).then(Some(dt), &values);
+                let rule = if tick > count {
+                    "NCP-RES-029"
+                } else {
+                    "NCP-RES-028"
+                };
+                cases.push(
+                    case(format!("tick/{dt}-ms/{count}-steps/tick-{tick}/{name}"), &[rule, "NCP-RES-025"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
+                        .title(format!("Of a horizon of {count} steps of {dt} ms, the plant follows tick {tick} after {} ms, or none behind its end.", age * 1000.0))
+                        .flags(&["wrong-tick"])
+                        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}: tick 0 is `channels`, tick k is `horizon[k\u{2212}1]`, and none past the end."),
+                );
+            }
+        }
+    }
+    cases
+}
+
+fn lengths_of_a_tick() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, dt) in [
+        ("absent", None),
+        ("zero", Some(0.0)),
+        ("minus-zero", Some(-0.0)),
+        ("minus-one", Some(-1.0)),
+        ("minus-huge", Some(-1e308)),
+        ("minus-subnormal", Some(-5e-324)),
+    ] {
+        for age in [0.0, 0.125, 0.25, 0.3125] {
+            let command = active(1).then(dt, &[10.0, 20.0]);
+            cases.push(
+                case(format!("no-length/{name}/after-{age}-s"), &["NCP-RES-027", "NCP-RES-002"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
+                    .title(format!("With a tick of length {name}, the plant follows tick 0 until the ttl ends; asked after {age} s."))
+                    .flags(&["wrong-tick"])
+                    .because("With a horizon whose `horizon_dt_ms` is absent, not finite or not positive, `active` is the channels of tick 0."),
+            );
+        }
+    }
+    for (name, dt, age) in [
+        ("huge", 1e308, 0.25),
+        ("longer-than-the-ttl", 1000.0, 0.25),
+        ("subnormal-at-once", 5e-324, 0.0),
+        ("subnormal-later", 5e-324, 0.125),
+        ("tiny-later", 1e-300, 0.25),
+    ] {
+        let command = active(1).then(Some(dt), &[10.0, 20.0]);
+        cases.push(
+            case(format!("odd-length/{name}"), &["NCP-RES-028", "NCP-RES-029"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
+                .title(format!("A tick of {dt} ms is a tick ({}).", name.replace('-', " ")))
+                .flags(&["overflowing-tick"])
+                .because("The tick is \u{230a}(now \u{2212} received) / dt\u{230b}, also where that is beyond every integer."),
+        );
+    }
+    // Without a horizon the length does not matter.
+    for dt in [0.0, 10.0, 62.5, -1.0, 1e308] {
+        for age in [0.125, 0.25] {
+            cases.push(
+                case(format!("no-horizon/dt-{}/after-{age}-s", name_of(dt)), &["NCP-RES-026"], &[Event::Command(active(1).then(Some(dt), &[]), 4.0), Event::Ask(4.0 + age)])
+                    .title(format!("Without a horizon, a tick of {dt} ms changes nothing: the plant follows tick 0 after {age} s."))
+                    .flags(&["wrong-tick"])
+                    .because("Without a horizon, `active` is the channels of tick 0."),
+            );
+        }
+    }
+    cases
+}
+
+fn traces() -> Vec<Case> {
+    let ask = Event::Ask;
+    let plan = |seq: i64, ttl: f64| {
+        active(seq)
+            .ttl(ttl)
+            .then(Some(125.0), &[101.0, 102.0, 103.0])
+    };
+    let at = Event::Command;
+    let table: Vec<(&str, &[&'static str], &str, Vec<Event>)> = vec![
+        (
+            "whole-replay",
+            &["NCP-RES-028", "NCP-RES-029"],
+            "A plant replays a horizon to its end and then holds.",
+            vec![
+                at(plan(1, 1000.0), 2.0),
+                ask(2.0),
+                ask(2.125),
+                ask(2.25),
+                ask(2.375),
+                ask(2.5),
+                ask(2.625),
+            ],
+        ),
+        (
+            "ttl-ends-replay",
+            &["NCP-RES-002", "NCP-RES-025"],
+            "The ttl ends a replay before the horizon does.",
+            vec![
+                at(plan(1, 250.0), 2.0),
+                ask(2.0),
+                ask(2.125),
+                ask(2.25),
+                ask(2.3125),
+                ask(2.375),
+            ],
+        ),
+        (
+            "ttl-at-a-tick",
+            &["NCP-RES-003", "NCP-RES-028"],
+            "At exactly the ttl the plant still follows the tick that begins there.",
+            vec![at(plan(1, 375.0), 2.0), ask(2.375), ask(2.4375)],
+        ),
+        (
+            "new-command-restarts",
+            &["NCP-RES-028"],
+            "A newer command begins its own replay.",
+            vec![
+                at(plan(1, 1000.0), 2.0),
+                ask(2.125),
+                at(plan(2, 1000.0), 2.25),
+                ask(2.25),
+                ask(2.375),
+                ask(2.5),
+            ],
+        ),
+        (
+            "duplicate-restarts-nothing",
+            &["NCP-RES-009", "NCP-RES-028"],
+            "A duplicate does not begin the replay again.",
+            vec![
+                at(plan(1, 1000.0), 2.0),
+                ask(2.125),
+                at(plan(1, 1000.0), 2.125),
+                ask(2.25),
+                at(plan(1, 1000.0), 2.25),
+                ask(2.375),
+                ask(2.5),
+            ],
+        ),
+        (
+            "older-restarts-nothing",
+            &["NCP-RES-020", "NCP-RES-028"],
+            "An older command does not disturb the replay.",
+            vec![
+                at(plan(5, 1000.0), 2.0),
+                at(active(4), 2.125),
+                ask(2.125),
+                ask(2.25),
+            ],
+        ),
+        (
+            "hold-ends-replay",
+            &["NCP-RES-023", "NCP-RES-025"],
+            "A HOLD ends a replay.",
+            vec![
+                at(plan(1, 1000.0), 2.0),
+                ask(2.125),
+                at(active(1).mode("hold"), 2.125),
+                ask(2.125),
+                ask(2.25),
+            ],
+        ),
+        (
+            "reset-ends-replay",
+            &["NCP-RES-031"],
+            "A reset ends a replay.",
+            vec![
+                at(plan(1, 1000.0), 2.0),
+                ask(2.125),
+                Event::Reset,
+                ask(2.125),
+                ask(2.25),
+            ],
+        ),
+        (
+            "plain-after-replay",
+            &["NCP-RES-026"],
+            "A command without a horizon replaces one with a horizon.",
+            vec![
+                at(plan(1, 1000.0), 2.0),
+                ask(2.125),
+                at(active(2), 2.125),
+                ask(2.125),
+                ask(2.375),
+                ask(2.4375),
+            ],
+        ),
+        (
+            "sparse-questions",
+            &["NCP-RES-028"],
+            "The tick depends on the clock and not on how often it is asked.",
+            vec![at(plan(1, 1000.0), 2.0), ask(2.375)],
+        ),
+        (
+            "many-questions",
+            &["NCP-RES-028"],
+            "Asking often does not hasten the replay.",
+            (0..16_u32)
+                .map(|nth| ask(2.0 + f64::from(nth) / 64.0))
+                .fold(vec![at(plan(1, 1000.0), 2.0)], |mut all, event| {
+                    all.push(event);
+                    all
+                }),
+        ),
+        (
+            "clock-backward",
+            &["NCP-RES-008", "NCP-RES-010"],
+            "A replay ends when the clock reads less than at the receipt.",
+            vec![at(plan(1, 1000.0), 2.0), ask(2.125), ask(1.875), ask(2.25)],
+        ),
+        (
+            "past-the-end-with-ttl",
+            &["NCP-RES-029"],
+            "Behind its horizon the plant holds, though the ttl has not ended.",
+            vec![
+                at(plan(1, 60_000.0), 2.0),
+                ask(2.5),
+                ask(3.0),
+                ask(30.0),
+                ask(62.0),
+            ],
+        ),
+        (
+            "capped-ttl",
+            &["NCP-RES-004"],
+            "A replay ends after a minute, whatever the ttl.",
+            vec![
+                at(
+                    active(1)
+                        .ttl(1e9)
+                        .then(Some(30_000.0), &[101.0, 102.0, 103.0]),
+                    2.0,
+                ),
+                ask(32.0),
+                ask(62.0),
+                ask(62.5),
+                ask(92.0),
+            ],
+        ),
+        (
+            "no-ttl",
+            &["NCP-RES-005"],
+            "A horizon without a ttl is not replayed.",
+            vec![at(plan(1, 0.0), 2.0), ask(2.0), ask(2.125)],
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, rules, title, events)| {
+            case(format!("trace/{name}"), rules, &events)
+                .title(title)
+                .because("The tick is \u{230a}(now \u{2212} received) / dt\u{230b} of the command that is held; past the horizon, the ttl or a hold there is none.")
+        })
+        .collect()
+}
+
+/// `max_horizon_len`.
+pub(super) fn lengths() -> File {
+    let mut cases = Vec::new();
+    let of = |path: String, rules: &[&'static str], ttl: f64, dt: f64| {
+        Case::new(path, rules, &[Role::Commander, Role::Body]).call(
+            "horizon.max_len",
+            object! { "ttl_ms" => num(ttl), "dt_ms" => num(dt) },
+        )
+    };
+    let exact: [(f64, f64, i64); 22] = [
+        (1000.0, 100.0, 10),
+        (1000.0, 250.0, 4),
+        (999.0, 100.0, 9),
+        (1001.0, 100.0, 10),
+        (200.0, 50.0, 4),
+        (199.0, 50.0, 3),
+        (250.0, 62.5, 4),
+        (100.0, 100.0, 1),
+        (99.0, 100.0, 0),
+        (1.0, 1000.0, 0),
+        (200.0, 20.0, 10),
+        (60_000.0, 1000.0, 60),
+        (60_000.0, 59_000.0, 1),
+        (0.5, 0.125, 4),
+        (7.0, 2.0, 3),
+        (7.5, 2.5, 3),
+        (4096.0, 1.0, 4096),
+        (4095.0, 1.0, 4095),
+        (1000.0, 0.25, 4000),
+        (5e-324, 1.0, 0),
+        (1.0, 1e308, 0),
+        (1e-300, 1e-300, 1),
+    ];
+    for (ttl, dt, len) in exact {
+        cases.push(
+            of(
+                format!("len/{}-by-{}", name_of(ttl), name_of(dt)),
+                &["NCP-RES-033"],
+                ttl,
+                dt,
+            )
+            .shows(object! { "len" => int(len) })
+            .title(format!(
+                "A ttl of {ttl} ms has room for {len} ticks of {dt} ms."
+            ))
+            .because("`max_horizon_len` is \u{230a}ttl / dt\u{230b}."),
+        );
+    }
+    // Beyond what a frame may have, the cap is advice; beyond a minute, the enforced ttl may count.
+    for (ttl, dt, full) in [
+        (60_000.0, 1.0, 60_000.0),
+        (4097.0, 1.0, 4097.0),
+        (60_000.0, 0.5, 120_000.0),
+    ] {
+        cases.push(
+            of(
+                format!("long/{}-by-{}", name_of(ttl), name_of(dt)),
+                &["NCP-RES-033"],
+                ttl,
+                dt,
+            )
+            .shows(object! { "len" => any(vec![num(4096.0), num(full)]) })
+            .title(format!(
+                "A ttl of {ttl} ms and ticks of {dt} ms give 4,096, or all of them."
+            ))
+            .flags(&["L27"])
+            .because(
+                "`max_horizon_len` is \u{230a}ttl / dt\u{230b}, and should be capped at 4,096.",
+            ),
+        );
+        cases.push(
+            of(format!("cap/{}-by-{}", name_of(ttl), name_of(dt)), &["NCP-RES-034"], ttl, dt)
+                .shows(object! { "len" => int(4096) })
+                .title(format!("A ttl of {ttl} ms and ticks of {dt} ms should give no more than 4,096."))
+                .flags(&["L27"])
+                .because("`max_horizon_len` should be capped at 4,096, the most items that a frame may have."),
+        );
+    }
+    for (ttl, dt, name) in [
+        (1e308, 1.0, "huge-ttl"),
+        (f64::MAX, 5e-324, "overflowing-quotient"),
+        (1.0, 5e-324, "subnormal-tick"),
+        (1e308, 1e-308, "huge-by-tiny"),
+    ] {
+        cases.push(
+            of(format!("saturated/{name}"), &["NCP-RES-033"], ttl, dt)
+                .shows(object! { "len" => within(4096.0, f64::MAX) })
+                .title(format!("A ttl of {ttl} ms and ticks of {dt} ms give 4,096 or more, and no error."))
+                .flags(&["L27", "overflowing-tick"])
+                .because("\u{230a}ttl / dt\u{230b} is beyond every integer here, so that only its cap or its saturation can be answered."),
+        );
+        cases.push(
+            of(format!("saturated-cap/{name}"), &["NCP-RES-034"], ttl, dt)
+                .shows(object! { "len" => int(4096) })
+                .title(format!(
+                    "A ttl of {ttl} ms and ticks of {dt} ms should give 4,096."
+                ))
+                .flags(&["L27"])
+                .because("`max_horizon_len` should be capped at 4,096."),
+        );
+    }
+    for ttl in [120_000.0, 90_000.0] {
+        cases.push(
+            of(format!("beyond-a-minute/{ttl}"), &["NCP-RES-033"], ttl, 1000.0)
+                .shows(object! { "len" => any(vec![num(ttl / 1000.0), num(60.0)]) })
+                .title(format!("A ttl of {ttl} ms has room for {} ticks of a second, or for the 60 of the enforced ttl.", ttl / 1000.0))
+                .because("`max_horizon_len` is \u{230a}ttl / dt\u{230b}; a plant enforces 60 s of the ttl."),
+        );
+    }
+    let bad = [
+        0.0,
+        -0.0,
+        -1.0,
+        -5e-324,
+        -1e308,
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+    ];
+    for value in bad {
+        for (which, ttl, dt) in [
+            ("ttl", value, 50.0),
+            ("dt", 200.0, value),
+            ("both", value, value),
+        ] {
+            cases.push(
+                of(
+                    format!("none/{which}/{}", name_of(value)),
+                    &["NCP-RES-033"],
+                    ttl,
+                    dt,
+                )
+                .shows(object! { "len" => int(0) })
+                .title(format!(
+                    "There is no room for ticks when {which} is {}.",
+                    name_of(value)
+                ))
+                .flags(&["L27"])
+                .because("`max_horizon_len` is 0 when either is not finite or not positive."),
+            );
+        }
+    }
+    let about = "How many ticks a horizon may have.";
+    File::new("resilience", "horizon_length", about, cases)
+}

@@ -1,0 +1,635 @@
+//! The link monitor.
+
+use std::collections::BTreeSet;
+
+use crate::case::{Case, File, Role};
+use crate::json::{Json, object};
+use crate::trace::{int, name_of, no_result, num, steps, within};
+
+pub(super) fn file() -> File {
+    let mut cases = counts();
+    cases.extend(bursts());
+    cases.extend(parameters());
+    cases.extend(extremes());
+    let about = "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
+    File::new("resilience", "link", about, cases)
+}
+
+/// A monitor in plain arithmetic. The text leaves open in what order one frame's gap and its
+/// delivery count, and the detector is compared only where that, and what a late frame is worth,
+/// makes no difference.
+struct Monitor {
+    ref_loss: f64,
+    threshold: f64,
+    first: Option<i64>,
+    expected: i64,
+    received: i64,
+    missing: BTreeSet<i64>,
+    /// The detector, by each reading.
+    sums: Vec<(Reading, f64)>,
+}
+
+#[derive(Clone, Copy)]
+struct Reading {
+    delivery_first: bool,
+    late: f64,
+}
+
+impl Monitor {
+    fn new(ref_loss: f64, threshold: f64) -> Self {
+        let mut sums = Vec::new();
+        for delivery_first in [false, true] {
+            for late in [-ref_loss, -1.0, 0.0] {
+                sums.push((
+                    Reading {
+                        delivery_first,
+                        late,
+                    },
+                    0.0,
+                ));
+            }
+        }
+        Self {
+            ref_loss,
+            threshold,
+            first: None,
+            expected: 0,
+            received: 0,
+            missing: BTreeSet::new(),
+            sums,
+        }
+    }
+
+    fn frame(&mut self, seq: i64) {
+        let (gap, is_late) = match self.first {
+            None => {
+                self.first = Some(seq);
+                self.expected = seq;
+                (0, false)
+            }
+            Some(_) if seq < self.expected => {
+                if !self.missing.remove(&seq) {
+                    return;
+                }
+                (0, true)
+            }
+            Some(_) => (seq - self.expected, false),
+        };
+        self.received += 1;
+        let (loss, delivery, cap) = (1.0 - self.ref_loss, -self.ref_loss, 2.0 * self.threshold);
+        for (reading, sum) in &mut self.sums {
+            let mut add = |by: f64| *sum = (*sum + by).clamp(0.0, cap);
+            if is_late {
+                add(reading.late);
+                continue;
+            }
+            if reading.delivery_first {
+                add(delivery);
+            }
+            for _ in 0..gap.min(256) {
+                add(loss);
+            }
+            if !reading.delivery_first {
+                add(delivery);
+            }
+        }
+        if !is_late {
+            self.missing.extend(self.expected..seq);
+            self.expected = seq + 1;
+        }
+    }
+
+    fn report(&self) -> Json {
+        let lost = self.missing.len();
+        let span = self.first.map_or(1, |first| self.expected - first);
+        #[expect(clippy::cast_precision_loss, reason = "small counts")]
+        let rate = lost as f64 / span as f64;
+        let report = object! {
+            "last_seq" => int(self.expected - 1),
+            "received" => int(self.received),
+            "lost" => Json::literal(lost.to_string()),
+            "loss_rate" => num(rate),
+        };
+        let above = |margin: f64| {
+            self.sums
+                .iter()
+                .all(|(_, sum)| *sum > self.threshold + margin)
+        };
+        let below = self
+            .sums
+            .iter()
+            .all(|(_, sum)| *sum < self.threshold - 1e-6);
+        if above(1e-6) {
+            report.with("burst", Json::Bool(true))
+        } else if below {
+            report.with("burst", Json::Bool(false))
+        } else {
+            report
+        }
+    }
+}
+
+const BOTH: [Role; 2] = [Role::Commander, Role::Body];
+
+fn args(ref_loss: Option<f64>, threshold: Option<f64>, seqs: &[i64]) -> Json {
+    let frames: Json = seqs
+        .iter()
+        .map(|seq| object! { "op" => "frame", "seq" => int(*seq) })
+        .collect();
+    object! { "ref_loss" => ref_loss.map(num), "threshold" => threshold.map(num), "steps" => frames }
+}
+
+fn case(
+    path: String,
+    rules: &[&'static str],
+    given: (Option<f64>, Option<f64>),
+    meant: (f64, f64),
+    seqs: &[i64],
+) -> Case {
+    let mut monitor = Monitor::new(meant.0, meant.1);
+    let entries = seqs
+        .iter()
+        .map(|seq| {
+            monitor.frame(*seq);
+            monitor.report()
+        })
+        .collect();
+    Case::new(path, rules, &BOTH)
+        .call("link.run", args(given.0, given.1, seqs))
+        .shows(steps(entries))
+}
+
+fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {
+    case(path.to_owned(), rules, (None, None), (0.05, 5.0), seqs)
+}
+
+fn counts() -> Vec<Case> {
+    let table: Vec<(&str, &[&'static str], &str, Vec<i64>)> = vec![
+        (
+            "one-frame",
+            &["NCP-RES-044"],
+            "One frame is no loss.",
+            vec![1],
+        ),
+        (
+            "first-is-late-start",
+            &["NCP-RES-044", "NCP-RES-040"],
+            "What came before the first frame is no loss.",
+            vec![1000, 1001],
+        ),
+        (
+            "from-zero",
+            &["NCP-RES-044"],
+            "A stream may begin at 0.",
+            vec![0, 1, 2],
+        ),
+        (
+            "negative",
+            &["NCP-RES-040", "NCP-RES-044"],
+            "A stream may begin below 0.",
+            vec![-5, -4, -1, 0, 2],
+        ),
+        (
+            "in-order",
+            &["NCP-RES-044", "NCP-RES-040"],
+            "Frames in order lose nothing.",
+            (1..=20).collect(),
+        ),
+        (
+            "one-gap",
+            &["NCP-RES-040"],
+            "One missing frame is one lost.",
+            vec![1, 2, 4, 5],
+        ),
+        (
+            "gap-of-three",
+            &["NCP-RES-040"],
+            "A gap of three is three lost.",
+            vec![1, 5, 6],
+        ),
+        (
+            "two-gaps",
+            &["NCP-RES-040"],
+            "Gaps add up.",
+            vec![1, 3, 4, 6, 8],
+        ),
+        (
+            "every-second",
+            &["NCP-RES-040", "NCP-RES-044"],
+            "Half of the frames are lost.",
+            vec![1, 3, 5, 7, 9],
+        ),
+        (
+            "late",
+            &["NCP-RES-041"],
+            "A late frame is taken back from the lost.",
+            vec![1, 2, 4, 3, 5],
+        ),
+        (
+            "late-twice",
+            &["NCP-RES-042", "NCP-RES-041"],
+            "A late frame that comes twice is taken back once.",
+            vec![1, 3, 2, 2, 4],
+        ),
+        (
+            "two-late",
+            &["NCP-RES-041"],
+            "Late frames may come in any order.",
+            vec![1, 5, 3, 2, 4, 6],
+        ),
+        (
+            "reversed",
+            &["NCP-RES-041", "NCP-RES-043"],
+            "A reversed burst is no loss in the end.",
+            vec![1, 6, 5, 4, 3, 2, 7],
+        ),
+        (
+            "swapped-pairs",
+            &["NCP-RES-041", "NCP-RES-043"],
+            "Swapped pairs lose nothing.",
+            vec![1, 3, 2, 5, 4, 7, 6, 8],
+        ),
+        (
+            "duplicate",
+            &["NCP-RES-042"],
+            "A duplicate changes nothing.",
+            vec![1, 2, 2, 3, 3, 3, 4],
+        ),
+        (
+            "duplicate-first",
+            &["NCP-RES-042"],
+            "A duplicate of the first frame changes nothing.",
+            vec![5, 5, 5, 6],
+        ),
+        (
+            "old-duplicate",
+            &["NCP-RES-042", "NCP-RES-043"],
+            "An old duplicate changes nothing.",
+            vec![1, 2, 3, 4, 1, 2, 5],
+        ),
+        (
+            "before-first",
+            &["NCP-RES-042", "NCP-RES-043"],
+            "A frame from before the first is no loss taken back.",
+            vec![10, 3, 9, 11],
+        ),
+        (
+            "duplicate-after-gap",
+            &["NCP-RES-042"],
+            "A duplicate after a gap takes nothing back.",
+            vec![1, 5, 5, 1, 6],
+        ),
+        (
+            "restart",
+            &["NCP-RES-043"],
+            "A stream that begins again moves nothing back.",
+            vec![50, 51, 52, 1, 2, 3, 53],
+        ),
+        (
+            "late-before-first-gap",
+            &["NCP-RES-041", "NCP-RES-042"],
+            "Only what is missing is late.",
+            vec![3, 6, 4, 3, 2, 5],
+        ),
+        (
+            "gap-then-all-late",
+            &["NCP-RES-041", "NCP-RES-045"],
+            "When all that was missing comes late, the loss rate is 0.",
+            vec![1, 10, 2, 3, 4, 5, 6, 7, 8, 9],
+        ),
+        (
+            "rate-half",
+            &["NCP-RES-044"],
+            "One lost of two expected is a half.",
+            vec![1, 3],
+        ),
+        (
+            "rate-large",
+            &["NCP-RES-044", "NCP-RES-045"],
+            "Ninety-eight lost of a hundred expected.",
+            vec![1, 100],
+        ),
+        (
+            "rate-negative-seqs",
+            &["NCP-RES-045", "NCP-RES-044"],
+            "The loss rate of a stream from below 0 to above stays within 0 and 1.",
+            vec![-50, 50, 0, -1, 51],
+        ),
+        (
+            "zero-is-a-seq",
+            &["NCP-RES-040"],
+            "0 is a seq like any other.",
+            vec![-1, 0, 1],
+        ),
+        (
+            "duplicates-only",
+            &["NCP-RES-042", "NCP-RES-045"],
+            "Nothing but duplicates is no loss.",
+            vec![7; 12],
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, rules, title, seqs)| {
+            usual(&format!("count/{name}"), rules, &seqs)
+                .title(title)
+                .flags(&["wrong-loss"])
+                .because("Each seq between expected and an arriving one is lost, a late one is taken back, a duplicate changes nothing, and the loss rate is lost / (expected \u{2212} first).")
+        })
+        .collect();
+    // Every order of four frames after a first one.
+    for (nth, order) in orders().into_iter().enumerate() {
+        let mut seqs = vec![1];
+        seqs.extend(order);
+        seqs.extend([6, 7]);
+        cases.push(
+            usual(&format!("order/{nth:02}"), &["NCP-RES-041", "NCP-RES-040", "NCP-RES-043"], &seqs)
+                .title(format!("The frames {seqs:?} lose nothing in the end, in this order."))
+                .flags(&["wrong-loss"])
+                .because("A late frame is taken back from `lost` and counted as received, and expected only moves forward."),
+        );
+    }
+    // Every subset of four frames that may be lost.
+    for mask in 0..16_i64 {
+        let seqs: Vec<i64> = std::iter::once(1)
+            .chain((0..4).filter(|bit| mask >> bit & 1 == 0).map(|bit| bit + 2))
+            .chain([6, 7])
+            .collect();
+        cases.push(
+            usual(
+                &format!("lost/{mask:04b}"),
+                &["NCP-RES-040", "NCP-RES-044"],
+                &seqs,
+            )
+            .title(format!("Of the frames 1 to 7, {seqs:?} arrive."))
+            .flags(&["wrong-loss"])
+            .because("Each seq between expected and the seq of an arriving frame is lost."),
+        );
+    }
+    cases
+}
+
+/// Every order of 2, 3, 4, 5.
+fn orders() -> Vec<Vec<i64>> {
+    let mut all = vec![Vec::new()];
+    for _ in 0..4 {
+        all = all
+            .into_iter()
+            .flat_map(|order: Vec<i64>| {
+                (2..=5)
+                    .filter(|next| !order.contains(next))
+                    .map(|next| [order.clone(), vec![next]].concat())
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+    }
+    all
+}
+
+fn bursts() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for gap in [1, 2, 3, 4, 5, 6, 7, 10, 11, 20, 100, 255, 256, 257, 1000] {
+        let rule = if gap > 256 {
+            "NCP-RES-050"
+        } else {
+            "NCP-RES-046"
+        };
+        cases.push(
+            usual(&format!("burst/gap-{gap}"), &[rule, "NCP-RES-040"], &[1, 2, 3 + gap, 4 + gap])
+                .title(format!("A gap of {gap} raises the burst as the detector says."))
+                .flags(&["burst-detector"])
+                .because("A missing seq adds 0.95 and a delivery takes 0.05 off; the burst is on while the sum is above 5."),
+        );
+    }
+    // After the largest burst the sum is 10, and 0.05 comes off with each frame.
+    let recovery: Vec<i64> = std::iter::once(1).chain(1000..1110).collect();
+    cases.push(
+        usual("burst/clears", &["NCP-RES-049", "NCP-RES-046"], &recovery)
+            .title("A healthy link clears the largest burst within 101 frames.")
+            .flags(&["burst-detector"])
+            .because("The sum does not exceed twice the threshold, 10, and each delivery takes 0.05 off."),
+    );
+    let twice: Vec<i64> = [1, 500].into_iter().chain(1000..1110).collect();
+    cases.push(
+        usual(
+            "burst/clears-after-two",
+            &["NCP-RES-049", "NCP-RES-046"],
+            &twice,
+        )
+        .title("Two bursts one upon the other clear as fast as one.")
+        .flags(&["burst-detector"])
+        .because("The sum does not exceed twice the threshold."),
+    );
+    let spread: Vec<i64> = (0..60).map(|at| at + at / 20).collect();
+    cases.push(
+        usual("burst/usual-loss", &["NCP-RES-046"], &spread)
+            .title("A loss of one in twenty is usual and no burst.")
+            .flags(&["burst-detector"])
+            .because(
+                "At the reference loss what the missing seqs add the deliveries take off again.",
+            ),
+    );
+    let dense: Vec<i64> = (0..30).map(|at| at * 2).collect();
+    cases.push(
+        usual("burst/every-second", &["NCP-RES-046"], &dense)
+            .title("A loss of every second frame becomes a burst.")
+            .flags(&["burst-detector"])
+            .because("Each pair adds 0.95 and takes off 0.05, until the sum is above 5."),
+    );
+    let duplicates: Vec<i64> = [1, 20].into_iter().chain([20; 100]).collect();
+    cases.push(
+        usual(
+            "burst/duplicates-clear-nothing",
+            &["NCP-RES-042", "NCP-RES-046"],
+            &duplicates,
+        )
+        .title("Duplicates do not clear a burst.")
+        .flags(&["burst-detector"])
+        .because("A duplicate changes nothing, the detector included."),
+    );
+    let fast: Vec<i64> = (1..=200).collect();
+    cases.push(
+        usual("burst/none", &["NCP-RES-046"], &fast)
+            .title("A stream without loss is never a burst.")
+            .flags(&["burst-detector"])
+            .because("The sum stays at 0."),
+    );
+    // With a tiny step, only the bound on the updates of one gap keeps the sum low.
+    for gap in [1000, 100_000, 1_000_000_000] {
+        let seqs = [1, 2 + gap];
+        let entries = vec![
+            no_result(),
+            object! { "lost" => int(gap), "burst" => false },
+        ];
+        cases.push(
+            Case::new(format!("burst/bounded-{gap}"), &["NCP-RES-047"], &BOTH)
+                .call("link.run", args(Some(0.99), Some(4.0), &seqs))
+                .shows(steps(entries))
+                .title(format!("One gap of {gap} makes at most 256 updates."))
+                .flags(&["unbounded-work"])
+                .because("256 updates of 0.01 are 2.56, which is not above a threshold of 4."),
+        );
+    }
+    cases
+}
+
+fn parameters() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let seqs: Vec<i64> = [1, 2, 5, 6, 9, 13, 14, 24, 25, 26].to_vec();
+    for (ref_loss, meant) in [
+        (f64::NAN, 0.05),
+        (f64::INFINITY, 0.05),
+        (f64::NEG_INFINITY, 0.05),
+        (-1.0, 0.0),
+        (-1e308, 0.0),
+        (-0.0, 0.0),
+        (0.0, 0.0),
+        (5e-324, 0.0),
+        (0.25, 0.25),
+        (0.5, 0.5),
+        (0.99, 0.99),
+        (1.0, 0.99),
+        (2.0, 0.99),
+        (1e308, 0.99),
+    ] {
+        for threshold in [5.0, 2.0] {
+            cases.push(
+                case(
+                    format!("ref-loss/{}/threshold-{threshold}", name_of(ref_loss)),
+                    &["NCP-RES-051"],
+                    (Some(ref_loss), Some(threshold)),
+                    (meant, threshold),
+                    &seqs,
+                )
+                .title(format!(
+                    "A reference loss of {} counts as {meant}, under a threshold of {threshold}.",
+                    name_of(ref_loss)
+                ))
+                .because(
+                    "`ref_loss` is clamped to 0 \u{2026} 0.99, and is 0.05 when it is not finite.",
+                ),
+            );
+        }
+    }
+    for (threshold, meant) in [
+        (f64::NAN, 5.0),
+        (f64::INFINITY, 5.0),
+        (f64::NEG_INFINITY, 5.0),
+        (0.0, 5.0),
+        (-0.0, 5.0),
+        (-1.0, 5.0),
+        (-1e308, 5.0),
+        (-5e-324, 5.0),
+        (0.5, 0.5),
+        (1.5, 1.5),
+        (5.0, 5.0),
+        (50.0, 50.0),
+        (1e308, 1e308),
+    ] {
+        let gap: Vec<i64> = [1, 2, 4, 5, 12, 13, 14, 100, 101].to_vec();
+        cases.push(
+            case(
+                format!("threshold/{}", name_of(threshold)),
+                &["NCP-RES-052"],
+                (None, Some(threshold)),
+                (0.05, meant),
+                &gap,
+            )
+            .title(format!(
+                "A threshold of {} counts as {meant}.",
+                name_of(threshold)
+            ))
+            .because("A threshold that is not finite or not positive is 5."),
+        );
+    }
+    cases
+}
+
+/// Seqs from end to end, where only orders of magnitude are fixed.
+fn extremes() -> Vec<Case> {
+    let most = 9_007_199_254_740_991_i64;
+    let mut cases = Vec::new();
+    for (name, seqs) in [
+        ("from-end-to-end", vec![-most, most]),
+        ("from-minus-one", vec![-1, most]),
+        ("from-zero", vec![0, most]),
+        ("from-one", vec![1, most]),
+        ("to-zero", vec![-most, 0]),
+        ("to-one", vec![-most, 1]),
+    ] {
+        let big = object! {
+            "last_seq" => int(seqs.last().copied().unwrap_or_default()),
+            "received" => int(2),
+            "lost" => within(4e9, 2e19),
+            "loss_rate" => within(0.999, 1.0),
+            "burst" => true,
+        };
+        let entry = |seq: i64| object! { "last_seq" => int(seq), "received" => int(1), "lost" => int(0), "loss_rate" => int(0), "burst" => false };
+        let first = seqs.first().copied().unwrap_or_default();
+        cases.push(
+            Case::new(format!("extreme/{name}"), &["NCP-RES-050", "NCP-RES-045"], &BOTH)
+                .call("link.run", args(None, None, &seqs))
+                .shows(steps(vec![entry(first), big]))
+                .title(format!("A gap from {first} to the other end overflows nothing and is a burst ({}).", name.replace('-', " ")))
+                .flags(&["L09"])
+                .because("A gap between any two seqs does not overflow: counts saturate, and the burst still trips."),
+        );
+        // And back again: duplicates or late ones, but never a step back.
+        let back = [seqs.clone(), vec![first, first + 1, first]].concat();
+        let last = seqs.last().copied().unwrap_or_default();
+        let after = || object! { "last_seq" => int(last), "loss_rate" => within(0.999, 1.0), "burst" => true };
+        cases.push(
+            Case::new(
+                format!("extreme/{name}/and-back"),
+                &["NCP-RES-043", "NCP-RES-050"],
+                &BOTH,
+            )
+            .call("link.run", args(None, None, &back))
+            .shows(steps(vec![
+                entry(first),
+                after(),
+                after(),
+                after(),
+                after(),
+            ]))
+            .title(format!(
+                "After a gap from {first} to the other end, nothing leads back ({}).",
+                name.replace('-', " ")
+            ))
+            .flags(&["L09"])
+            .because(
+                "The expected seq only moves forward, and a seq from before stays late or a duplicate.",
+            ),
+        );
+    }
+    for last in [most, most - 1] {
+        cases.push(
+            usual(
+                &format!("extreme/at-the-end/{}", most - last),
+                &["NCP-RES-043", "NCP-RES-050"],
+                &[last - 2, last - 1, last, last, last - 1],
+            )
+            .title(format!(
+                "Frames up to the seq {last} are counted like any others."
+            ))
+            .flags(&["L09"])
+            .because("Nothing overflows at the largest seq of the wire."),
+        );
+    }
+    // More missing than may be remembered: not all of them can be taken back.
+    let gap = 4_200_i64;
+    let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(1..=gap).collect();
+    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+    if let Some(last) = entries.last_mut() {
+        *last = object! { "last_seq" => int(gap + 1), "lost" => within(104.0, 4200.0) };
+    }
+    cases.push(
+        Case::new("extreme/memory", &["NCP-RES-048"], &BOTH)
+            .call("link.run", args(None, None, &seqs))
+            .shows(steps(entries))
+            .title("Of 4,200 missing frames that all come late, at most 4,096 are taken back.")
+            .flags(&["unbounded-work"])
+            .because("The monitor remembers at most 4,096 missing seqs; what it forgot is a duplicate when it comes."),
+    );
+    cases
+}

@@ -1,0 +1,49 @@
+//! Area `safety`: the governor, gate by gate.
+
+mod binding;
+mod fence;
+mod gates;
+mod latch;
+mod model;
+mod numbers;
+mod projection;
+mod speed;
+mod stale;
+mod zeroing;
+
+use crate::case::{Case, File, Role};
+use model::{Command, Sensor, Trace};
+
+pub(crate) fn files() -> Vec<File> {
+    vec![
+        binding::file(),
+        fence::file(),
+        gates::file(),
+        latch::file(),
+        numbers::file(),
+        projection::file(),
+        speed::file(),
+        stale::file(),
+        zeroing::file(),
+    ]
+}
+
+/// A case of `governor.run` whose answers are the model's.
+fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
+    let case = Case::new(path, rules, &[Role::Commander]).call("governor.run", trace.args());
+    if trace.has_writable_limits() {
+        case.shows(trace.pattern())
+    } else {
+        case.shows_or_refuses(trace.pattern())
+    }
+}
+
+/// A command that passes every gate.
+fn good() -> Command {
+    Command::moving(&[1.0, 0.0, 0.0])
+}
+
+/// A sensor within a fence of 5 m: 3 m from the origin.
+fn near() -> Sensor {
+    Sensor::at(&[1.0, 2.0, 2.0])
+}

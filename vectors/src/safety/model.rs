@@ -1,0 +1,708 @@
+//! A governor in plain arithmetic, written from chapter 7 and from nothing else.
+//!
+//! It answers what the text demands and, where the text leaves a choice, every answer that it
+//! allows: a governor may look further ahead, and drop more of a horizon than it must.
+
+use crate::json::{Json, object};
+use crate::trace::{any, exactly, int, num, nums, refused};
+
+pub(super) const POSITION: &str = "pose_position";
+pub(super) const VELOCITY: &str = "velocity_setpoint";
+pub(super) const M: &str = "m";
+pub(super) const MPS: &str = "m/s";
+
+/// The fields of `SafetyLimits`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    pub(super) speed: Option<f64>,
+    pub(super) fence: Option<f64>,
+    pub(super) timeout: f64,
+    pub(super) tilt: Option<f64>,
+}
+
+impl Limits {
+    pub(super) const NONE: Self = Self {
+        speed: None,
+        fence: None,
+        timeout: 500.0,
+        tilt: None,
+    };
+
+    pub(super) const fn speed(speed: f64) -> Self {
+        Self {
+            speed: Some(speed),
+            ..Self::NONE
+        }
+    }
+
+    pub(super) const fn fence(fence: f64) -> Self {
+        Self {
+            fence: Some(fence),
+            ..Self::NONE
+        }
+    }
+
+    pub(super) const fn both(speed: f64, fence: f64) -> Self {
+        Self {
+            speed: Some(speed),
+            fence: Some(fence),
+            ..Self::NONE
+        }
+    }
+
+    fn json(self) -> Json {
+        object! {
+            "max_speed_mps" => self.speed.map(num),
+            "max_tilt_rad" => self.tilt.map(num),
+            "geofence_radius_m" => self.fence.map(num),
+            "command_timeout_ms" => num(self.timeout),
+        }
+    }
+}
+
+/// A sample of a channel.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Channel {
+    pub(super) name: &'static str,
+    pub(super) data: Vec<f64>,
+    pub(super) unit: Option<&'static str>,
+}
+
+pub(super) fn channel(name: &'static str, data: &[f64], unit: Option<&'static str>) -> Channel {
+    Channel {
+        name,
+        data: data.to_vec(),
+        unit,
+    }
+}
+
+pub(super) fn velocity(data: &[f64]) -> Channel {
+    channel(VELOCITY, data, Some(MPS))
+}
+
+fn channels_json(channels: &[Channel]) -> Json {
+    let value = |channel: &Channel| {
+        let value = object! { "data" => nums(&channel.data), "unit" => channel.unit };
+        (channel.name.to_owned(), value)
+    };
+    Json::Object(channels.iter().map(value).collect())
+}
+
+/// The fields of a command.
+#[derive(Debug, Clone)]
+pub(super) struct Command {
+    pub(super) seq: i64,
+    pub(super) t: f64,
+    pub(super) frame_id: &'static str,
+    pub(super) mode: &'static str,
+    pub(super) ttl: f64,
+    pub(super) channels: Vec<Channel>,
+    pub(super) horizon: Vec<Vec<Channel>>,
+    pub(super) dt: Option<f64>,
+}
+
+impl Command {
+    pub(super) fn of(channels: Vec<Channel>) -> Self {
+        Self {
+            seq: 7,
+            t: 1.5,
+            frame_id: "world",
+            mode: "active",
+            ttl: 250.0,
+            channels,
+            horizon: Vec::new(),
+            dt: None,
+        }
+    }
+
+    /// With that velocity and nothing else.
+    pub(super) fn moving(data: &[f64]) -> Self {
+        Self::of(vec![velocity(data)])
+    }
+
+    pub(super) fn mode(mut self, mode: &'static str) -> Self {
+        self.mode = mode;
+        self
+    }
+
+    pub(super) fn ttl(mut self, ttl: f64) -> Self {
+        self.ttl = ttl;
+        self
+    }
+
+    pub(super) fn seq(mut self, seq: i64) -> Self {
+        self.seq = seq;
+        self
+    }
+
+    /// And further channels.
+    pub(super) fn and(mut self, more: Channel) -> Self {
+        self.channels.push(more);
+        self
+    }
+
+    /// And a horizon of velocities.
+    pub(super) fn then(mut self, dt: f64, velocities: &[[f64; 3]]) -> Self {
+        self.horizon = velocities.iter().map(|data| vec![velocity(data)]).collect();
+        self.dt = Some(dt);
+        self
+    }
+
+    fn json(&self) -> Json {
+        let mut fields = object! {
+            "seq" => int(self.seq),
+            "t" => num(self.t),
+            "frame_id" => self.frame_id,
+            "mode" => self.mode,
+            "ttl_ms" => num(self.ttl),
+            "channels" => channels_json(&self.channels),
+        };
+        if !self.horizon.is_empty() {
+            fields = fields.and(
+                "horizon",
+                self.horizon
+                    .iter()
+                    .map(|step| channels_json(step))
+                    .collect(),
+            );
+        }
+        match self.dt {
+            Some(dt) => fields.and("horizon_dt_ms", num(dt)),
+            None => fields,
+        }
+    }
+
+    /// Whether a JSON text can hold it.
+    fn is_writable(&self) -> bool {
+        let all = |channels: &[Channel]| channels.iter().all(|c| finite(&c.data));
+        all(&self.channels)
+            && self.horizon.iter().all(|step| all(step))
+            && self.ttl.is_finite()
+            && self.t.is_finite()
+            && self.dt.is_none_or(f64::is_finite)
+    }
+}
+
+/// The fields of a sensor frame.
+#[derive(Debug, Clone)]
+pub(super) struct Sensor {
+    pub(super) t: f64,
+    pub(super) channels: Vec<Channel>,
+}
+
+impl Sensor {
+    pub(super) fn of(channels: Vec<Channel>) -> Self {
+        Self { t: 40.0, channels }
+    }
+
+    /// At that position.
+    pub(super) fn at(data: &[f64]) -> Self {
+        Self::of(vec![channel(POSITION, data, Some(M))])
+    }
+
+    fn json(&self) -> Json {
+        object! { "seq" => int(7), "t" => num(self.t), "channels" => channels_json(&self.channels) }
+    }
+
+    fn is_writable(&self) -> bool {
+        self.t.is_finite() && self.channels.iter().all(|c| finite(&c.data))
+    }
+}
+
+/// A declared channel.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spec {
+    pub(super) name: &'static str,
+    pub(super) kind: &'static str,
+    pub(super) unit: Option<&'static str>,
+    pub(super) size: Option<i64>,
+}
+
+pub(super) const fn vec3(name: &'static str, unit: Option<&'static str>) -> Spec {
+    Spec {
+        name,
+        kind: "vec3",
+        unit,
+        size: None,
+    }
+}
+
+pub(super) const fn scalar(name: &'static str, unit: Option<&'static str>) -> Spec {
+    Spec {
+        name,
+        kind: "scalar",
+        unit,
+        size: None,
+    }
+}
+
+impl Spec {
+    fn json(&self) -> Json {
+        object! { "name" => self.name, "kind" => self.kind, "unit" => self.unit, "size" => self.size.map(int) }
+    }
+}
+
+/// What was negotiated.
+#[derive(Debug, Clone)]
+pub(super) struct Capabilities {
+    pub(super) sensors: Vec<Spec>,
+    pub(super) commands: Vec<Spec>,
+}
+
+impl Capabilities {
+    /// The canonical channels, and further command channels.
+    pub(super) fn canonical(more: &[Spec]) -> Self {
+        let mut commands = vec![vec3(VELOCITY, Some(MPS))];
+        commands.extend_from_slice(more);
+        Self {
+            sensors: vec![vec3(POSITION, Some(M))],
+            commands,
+        }
+    }
+
+    fn json(&self) -> Json {
+        object! {
+            "sensor_channels" => self.sensors.iter().map(Spec::json).collect::<Json>(),
+            "command_channels" => self.commands.iter().map(Spec::json).collect::<Json>(),
+        }
+    }
+}
+
+/// One step of a trace.
+#[derive(Debug, Clone)]
+pub(super) enum Step {
+    Govern {
+        command: Command,
+        now: f64,
+        sensor: Option<Sensor>,
+        last: Option<f64>,
+    },
+    Link(bool),
+    Reset,
+}
+
+/// A command with a fresh sensor: a quarter of a second old.
+pub(super) fn govern(command: Command, sensor: Sensor) -> Step {
+    Step::Govern {
+        command,
+        now: 10.25,
+        sensor: Some(sensor),
+        last: Some(10.0),
+    }
+}
+
+impl Step {
+    fn json(&self) -> Json {
+        match self {
+            Self::Govern {
+                command,
+                now,
+                sensor,
+                last,
+            } => object! {
+                "op" => "govern",
+                "command" => command.json(),
+                "now_s" => num(*now),
+                "sensor" => sensor.as_ref().map(Sensor::json),
+                "last_sensor_s" => last.map(num),
+            },
+            Self::Link(burst) => object! { "op" => "note_link", "burst" => *burst },
+            Self::Reset => object! { "op" => "reset" },
+        }
+    }
+}
+
+/// A governor and what it is asked.
+#[derive(Debug, Clone)]
+pub(super) struct Trace {
+    pub(super) limits: Limits,
+    pub(super) capabilities: Option<Capabilities>,
+    pub(super) steps: Vec<Step>,
+}
+
+impl Trace {
+    pub(super) fn new(limits: Limits, steps: Vec<Step>) -> Self {
+        Self {
+            limits,
+            capabilities: None,
+            steps,
+        }
+    }
+
+    pub(super) fn negotiated(limits: Limits, capabilities: Capabilities, steps: Vec<Step>) -> Self {
+        Self {
+            limits,
+            capabilities: Some(capabilities),
+            steps,
+        }
+    }
+
+    /// The arguments of `governor.run`.
+    pub(super) fn args(&self) -> Json {
+        object! {
+            "limits" => self.limits.json(),
+            "capabilities" => self.capabilities.as_ref().map(Capabilities::json),
+            "steps" => self.steps.iter().map(Step::json).collect::<Json>(),
+        }
+    }
+
+    /// Whether JSON texts can hold the limits.
+    pub(super) fn has_writable_limits(&self) -> bool {
+        let finite = |value: Option<f64>| value.is_none_or(f64::is_finite);
+        finite(self.limits.speed)
+            && finite(self.limits.fence)
+            && finite(self.limits.tilt)
+            && self.limits.timeout.is_finite()
+    }
+
+    /// What the governor does at each `govern`, by the model.
+    pub(super) fn outcomes(&self) -> Vec<Option<Vec<Outcome>>> {
+        let mut governor = Governor::new(self.limits, self.capabilities.as_ref());
+        self.steps.iter().map(|step| governor.step(step)).collect()
+    }
+
+    /// The pattern of the result.
+    pub(super) fn pattern(&self) -> Json {
+        let mut entries = Vec::new();
+        // After a sensor that a JSON text cannot hold, nobody knows whether ESTOP was latched.
+        let mut is_known = true;
+        for (step, outcomes) in self.steps.iter().zip(self.outcomes()) {
+            let (
+                Step::Govern {
+                    command, sensor, ..
+                },
+                Some(outcomes),
+            ) = (step, outcomes)
+            else {
+                is_known |= matches!(step, Step::Reset);
+                entries.push(Json::object());
+                continue;
+            };
+            if !is_known {
+                entries.push(Json::object());
+                continue;
+            }
+            let may_refuse = !command.is_writable()
+                || sensor.as_ref().is_some_and(|sensor| !sensor.is_writable())
+                || !self.has_writable_limits();
+            is_known = sensor.as_ref().is_none_or(Sensor::is_writable);
+            let mut patterns: Vec<Json> = outcomes
+                .iter()
+                .map(|outcome| object! { "frame" => outcome.pattern(command, self.capabilities.as_ref()) })
+                .collect();
+            if may_refuse {
+                patterns.push(refused());
+            }
+            entries.push(any(patterns));
+        }
+        crate::trace::steps(entries)
+    }
+}
+
+/// What may come of a command.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Outcome {
+    Estop,
+    Hold,
+    Pass {
+        channels: Vec<Channel>,
+        horizon: Vec<Vec<Channel>>,
+    },
+}
+
+impl Outcome {
+    fn pattern(&self, command: &Command, capabilities: Option<&Capabilities>) -> Json {
+        let mode = match self {
+            Self::Estop => "estop",
+            Self::Hold => "hold",
+            Self::Pass { .. } => "active",
+        };
+        let (channels, horizon) = match self {
+            Self::Pass { channels, horizon } => (
+                exactly(channels_json(channels)),
+                horizon
+                    .iter()
+                    .map(|step| exactly(channels_json(step)))
+                    .collect(),
+            ),
+            _ => (zeroed(command, capabilities), Json::Array(Vec::new())),
+        };
+        object! {
+            "mode" => mode,
+            "seq" => int(command.seq),
+            "t" => num(command.t),
+            "frame_id" => command.frame_id,
+            "ttl_ms" => num(command.ttl),
+            "channels" => channels,
+            "horizon" => horizon,
+        }
+    }
+}
+
+/// The channels of a HOLD or an ESTOP frame: the command's, and the negotiated ones that it lacks.
+fn zeroed(command: &Command, capabilities: Option<&Capabilities>) -> Json {
+    let zeros = |channel: &Channel| Channel {
+        data: vec![0.0; channel.data.len()],
+        ..channel.clone()
+    };
+    let mut channels = channels_json(&command.channels.iter().map(zeros).collect::<Vec<_>>());
+    for spec in capabilities
+        .iter()
+        .flat_map(|capabilities| &capabilities.commands)
+    {
+        if command
+            .channels
+            .iter()
+            .any(|channel| channel.name == spec.name)
+        {
+            continue;
+        }
+        let zero = if spec.name == VELOCITY {
+            object! { "data" => nums(&[0.0; 3]), "unit" => MPS }
+        } else {
+            object! { "data" => nums(&[0.0]) }
+        };
+        channels = channels.with(spec.name, zero);
+    }
+    channels
+}
+
+struct Governor<'a> {
+    limits: Limits,
+    capabilities: Option<&'a Capabilities>,
+    fault: bool,
+    latched: bool,
+}
+
+impl<'a> Governor<'a> {
+    fn new(limits: Limits, capabilities: Option<&'a Capabilities>) -> Self {
+        let broken =
+            |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
+        let declared = |specs: &[Spec], name: &str, unit: &str| {
+            specs
+                .iter()
+                .any(|spec| spec.name == name && spec.unit == Some(unit))
+        };
+        let unbound = capabilities.is_some_and(|capabilities| {
+            enabled(limits.fence).is_some() && !declared(&capabilities.sensors, POSITION, M)
+                || enabled(limits.speed).is_some()
+                    && !declared(&capabilities.commands, VELOCITY, MPS)
+        });
+        let fault = broken(limits.speed) || broken(limits.fence) || unbound;
+        Self {
+            limits,
+            capabilities,
+            fault,
+            latched: false,
+        }
+    }
+
+    fn step(&mut self, step: &Step) -> Option<Vec<Outcome>> {
+        match step {
+            Step::Link(burst) => {
+                self.latched |= burst;
+                None
+            }
+            Step::Reset => {
+                self.latched = false;
+                None
+            }
+            Step::Govern {
+                command,
+                now,
+                sensor,
+                last,
+            } => Some(self.govern(command, *now, sensor.as_ref(), *last)),
+        }
+    }
+
+    /// The gates of section 7.3, in their order.
+    fn govern(
+        &mut self,
+        command: &Command,
+        now: f64,
+        sensor: Option<&Sensor>,
+        last: Option<f64>,
+    ) -> Vec<Outcome> {
+        self.latched |= command.mode == "estop";
+        if self.latched {
+            return vec![Outcome::Estop];
+        }
+        if self.fault {
+            return vec![Outcome::Hold];
+        }
+        let timeout = self.limits.timeout;
+        let fresh = last.is_some_and(|last| {
+            let clocks = now.is_finite() && last.is_finite() && last <= now;
+            clocks && timeout.is_finite() && timeout > 0.0 && (now - last) * 1000.0 <= timeout
+        });
+        if !fresh {
+            return vec![Outcome::Hold];
+        }
+        let mut place = None;
+        if let Some(radius) = enabled(self.limits.fence) {
+            let found =
+                sensor.and_then(|sensor| sensor.channels.iter().find(|c| c.name == POSITION));
+            let usable = found.filter(|c| c.unit.is_none_or(|unit| unit == M) && c.data.len() == 3);
+            let Some(position) = usable else {
+                return vec![Outcome::Hold];
+            };
+            if !inside(&position.data, radius) {
+                self.latched = true;
+                return vec![Outcome::Estop];
+            }
+            place = Some((position.data.clone(), radius));
+        }
+        if command.mode != "active" {
+            return vec![Outcome::Hold];
+        }
+        let Some(channels) = self.clamped(&command.channels) else {
+            return vec![Outcome::Hold];
+        };
+        let mut horizon = Vec::new();
+        if !command.horizon.is_empty() {
+            if !command.dt.is_some_and(|dt| dt.is_finite() && dt > 0.0) {
+                return vec![Outcome::Hold];
+            }
+            for step in &command.horizon {
+                let Some(step) = self.clamped(step) else {
+                    break;
+                };
+                horizon.push(step);
+            }
+        }
+        match place {
+            Some((place, radius)) => self.project(command, &channels, &horizon, &place, radius),
+            None => vec![Outcome::Pass { channels, horizon }],
+        }
+    }
+
+    fn unit<'c>(&'c self, channel: &'c Channel) -> Option<&'c str> {
+        channel.unit.or_else(|| match self.capabilities {
+            Some(capabilities) => {
+                capabilities
+                    .commands
+                    .iter()
+                    .find(|spec| spec.name == channel.name)?
+                    .unit
+            }
+            None => (channel.name == VELOCITY).then_some(MPS),
+        })
+    }
+
+    /// The velocity that the plant would follow.
+    fn velocity(&self, channels: &[Channel]) -> Option<Vec<f64>> {
+        let channel = channels.iter().find(|channel| channel.name == VELOCITY)?;
+        let usable =
+            self.unit(channel) == Some(MPS) && channel.data.len() == 3 && finite(&channel.data);
+        usable.then(|| channel.data.clone())
+    }
+
+    /// The channels of a tick within the speed limit; none when that cannot be.
+    fn clamped(&self, channels: &[Channel]) -> Option<Vec<Channel>> {
+        if !channels.iter().all(|channel| finite(&channel.data)) {
+            return None;
+        }
+        let Some(most) = enabled(self.limits.speed) else {
+            return Some(channels.to_vec());
+        };
+        self.velocity(channels)?;
+        let clamp = |channel: &Channel| {
+            let mut channel = channel.clone();
+            let norm = norm(&channel.data);
+            if self.unit(&channel) == Some(MPS) && norm > most {
+                channel.data = channel.data.iter().map(|x| x / norm * most).collect();
+            }
+            channel
+        };
+        Some(channels.iter().map(clamp).collect())
+    }
+
+    /// The look ahead of section 7.5.
+    fn project(
+        &self,
+        command: &Command,
+        channels: &[Channel],
+        horizon: &[Vec<Channel>],
+        place: &[f64],
+        radius: f64,
+    ) -> Vec<Outcome> {
+        let Some(first) = self.velocity(channels) else {
+            return vec![Outcome::Hold];
+        };
+        let ttl = if command.ttl.is_finite() && command.ttl > 0.0 {
+            command.ttl.min(60_000.0)
+        } else {
+            0.0
+        };
+        let after = |from: &[f64], velocity: &[f64], ms: f64| -> Vec<f64> {
+            from.iter()
+                .zip(velocity)
+                .map(|(p, v)| p + v * (ms / 1000.0))
+                .collect()
+        };
+        let pass = |kept: usize| Outcome::Pass {
+            channels: channels.to_vec(),
+            horizon: horizon.get(..kept).unwrap_or_default().to_vec(),
+        };
+        // What comes of a governor that drops the horizon whole.
+        let without = if inside(&after(place, &first, ttl), radius) {
+            pass(0)
+        } else {
+            Outcome::Hold
+        };
+        let Some(dt) = command.dt.filter(|_| !command.horizon.is_empty()) else {
+            return vec![without];
+        };
+        let mut at = place.to_vec();
+        let mut start = 0.0;
+        let mut kept = 0;
+        for (tick, step) in std::iter::once(channels)
+            .chain(horizon.iter().map(Vec::as_slice))
+            .enumerate()
+        {
+            let Some(velocity) = self.velocity(step) else {
+                break;
+            };
+            let share = (ttl - start).clamp(0.0, dt);
+            at = after(&at, &velocity, share);
+            if !inside(&at, radius) {
+                if tick == 0 {
+                    return vec![Outcome::Hold];
+                }
+                break;
+            }
+            kept = tick;
+            start += dt;
+        }
+        // Where even the boldest horizon stays inside, nobody has a reason to shorten it.
+        #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
+        let reach =
+            enabled(self.limits.speed).map(|most| most * dt / 1000.0 * (horizon.len() + 2) as f64);
+        if kept > 0
+            && kept == horizon.len()
+            && reach.is_some_and(|reach| norm(place) + reach < radius)
+        {
+            return vec![pass(kept)];
+        }
+        let mut outcomes: Vec<_> = (1..=kept).rev().map(pass).collect();
+        outcomes.push(without);
+        outcomes
+    }
+}
+
+fn enabled(limit: Option<f64>) -> Option<f64> {
+    limit.filter(|limit| limit.is_finite() && *limit > 0.0)
+}
+
+fn finite(data: &[f64]) -> bool {
+    data.iter().all(|x| x.is_finite())
+}
+
+fn norm(data: &[f64]) -> f64 {
+    data.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn inside(data: &[f64], radius: f64) -> bool {
+    finite(data) && norm(data) <= radius
+}

@@ -1,0 +1,499 @@
+//! Where a command leads within its ttl.
+
+use super::case;
+use super::model::{
+    Capabilities, Command, Limits, MPS, Sensor, Trace, VELOCITY, channel, govern, velocity,
+};
+use crate::case::{Case, File};
+use crate::trace::name_of;
+
+pub(super) fn file() -> File {
+    let mut cases = without_horizon();
+    cases.extend(velocities());
+    cases.extend(with_horizon());
+    cases.extend(horizons());
+    let about = "The look ahead of the geofence: commands with and without a horizon, up to exactly the fence.";
+    File::new("safety", "projection", about, cases)
+}
+
+const FENCE: f64 = 5.0;
+
+fn one(path: String, rules: &[&'static str], limits: Limits, command: Command, at: &[f64]) -> Case {
+    case(
+        path,
+        rules,
+        &Trace::new(
+            limits,
+            vec![
+                govern(command, Sensor::at(at)),
+                govern(Command::moving(&[0.0; 3]), Sensor::at(&[0.0; 3])),
+            ],
+        ),
+    )
+}
+
+/// Tick 0 for the whole ttl. Along x, y, z, toward the fence and away from it, and across.
+fn without_horizon() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let axes: [(&str, usize); 3] = [("x", 0), ("y", 1), ("z", 2)];
+    // A way of 2 m from 3 m out: exactly to the fence.
+    for (ttl, speed) in [
+        (250.0, 8.0),
+        (500.0, 4.0),
+        (1000.0, 2.0),
+        (125.0, 16.0),
+        (2000.0, 1.0),
+        (60_000.0, 1.0 / 30.0),
+    ] {
+        for (axis, at) in axes {
+            for sign in [1.0, -1.0] {
+                for (name, factor, rule) in [
+                    ("to-the-fence", 1.0, "NCP-SAFE-021"),
+                    ("beyond", 1.0 + 1.0 / 1024.0, "NCP-SAFE-051"),
+                ] {
+                    // 60 s at 1/30 m/s is no sum of doubles: half the way and twice the way.
+                    let factor = if ttl > 10_000.0 {
+                        if factor > 1.0 { 2.0 } else { 0.5 }
+                    } else {
+                        factor
+                    };
+                    if ttl > 10_000.0 && at > 0 || sign < 0.0 && ttl > 500.0 {
+                        continue;
+                    }
+                    let mut place = [0.0; 3];
+                    let mut v = [0.0; 3];
+                    place[at] = 3.0 * sign;
+                    v[at] = speed * factor * sign;
+                    let side = if sign > 0.0 { "plus" } else { "minus" };
+                    cases.push(
+                        one(format!("ttl-{ttl}/{axis}-{side}/{name}"), &[rule, "NCP-SAFE-054"], Limits::fence(FENCE), Command::moving(&v).ttl(ttl), &place)
+                            .title(format!("From 3 m out, {} m/s along {axis} for {ttl} ms within a fence of 5 m is judged by its end.", v[at]))
+                            .flags(&["short-look-ahead", "off-by-a-boundary"])
+                            .because("Without a horizon the plant follows tick 0 for the whole ttl; an end exactly on the fence is inside."),
+                    );
+                }
+            }
+        }
+    }
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: [(&str, [f64; 3], [f64; 3], f64, &'static str, &str); 9] = [
+        (
+            "across",
+            [-4.0, 0.0, 0.0],
+            [32.0, 0.0, 0.0],
+            250.0,
+            "NCP-SAFE-021",
+            "From one side of the ball to the other, the end is inside",
+        ),
+        (
+            "across-too-far",
+            [-4.0, 0.0, 0.0],
+            [40.0, 0.0, 0.0],
+            250.0,
+            "NCP-SAFE-051",
+            "Through the ball and out, the end is outside",
+        ),
+        (
+            "inward",
+            [5.0, 0.0, 0.0],
+            [-4.0, 0.0, 0.0],
+            250.0,
+            "NCP-SAFE-021",
+            "From the fence inward, the command passes",
+        ),
+        (
+            "outward",
+            [5.0, 0.0, 0.0],
+            [0.25, 0.0, 0.0],
+            250.0,
+            "NCP-SAFE-051",
+            "From the fence outward, the command is held",
+        ),
+        (
+            "still-on-fence",
+            [5.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0],
+            250.0,
+            "NCP-SAFE-021",
+            "Still on the fence, the command passes",
+        ),
+        (
+            "tangent",
+            [5.0, 0.0, 0.0],
+            [0.0, 4.0, 0.0],
+            250.0,
+            "NCP-SAFE-051",
+            "Along the tangent, the end is outside",
+        ),
+        (
+            "up",
+            [0.0, 0.0, 4.0],
+            [0.0, 0.0, 8.0],
+            250.0,
+            "NCP-SAFE-051",
+            "Straight up, the end is outside",
+        ),
+        (
+            "to-a-corner",
+            [0.0, 0.0, 0.0],
+            [12.0, 16.0, 0.0],
+            250.0,
+            "NCP-SAFE-021",
+            "From the origin to (3, 4, 0), the end is on the fence",
+        ),
+        (
+            "past-a-corner",
+            [0.0, 0.0, 0.0],
+            [12.0, 16.0, 4.0],
+            250.0,
+            "NCP-SAFE-051",
+            "From the origin to (3, 4, 1), the end is outside",
+        ),
+    ];
+    for (name, at, v, ttl, rule, words) in table {
+        cases.push(
+            one(
+                format!("path/{name}"),
+                &[rule, "NCP-SAFE-054"],
+                Limits::fence(FENCE),
+                Command::moving(&v).ttl(ttl),
+                &at,
+            )
+            .title(format!("{words}."))
+            .flags(&["short-look-ahead"])
+            .because("The ball is convex, so that the end point p + v\u{b7}T decides."),
+        );
+    }
+    // Beyond a minute a ttl is a minute, for the look ahead too.
+    for (ttl, speed, rule, ends) in [
+        (120_000.0, 0.0625, "NCP-SAFE-021", "passes"),
+        (1e308, 0.0625, "NCP-SAFE-021", "passes"),
+        (120_000.0, 0.125, "NCP-SAFE-051", "is held"),
+        (60_000.0, 0.125, "NCP-SAFE-051", "is held"),
+        (30_000.0, 0.125, "NCP-SAFE-021", "passes"),
+        (30_000.0, 0.25, "NCP-SAFE-051", "is held"),
+    ] {
+        cases.push(
+            one(format!("enforced/{}-ms/{speed}", name_of(ttl)), &[rule, "NCP-SAFE-053", "NCP-SAFE-054"], Limits::fence(FENCE), Command::moving(&[speed, 0.0, 0.0]).ttl(ttl), &[0.0; 3])
+                .title(format!("{speed} m/s with a ttl of {ttl} ms is projected for at most 60 s: the command {ends}."))
+                .flags(&["L02"])
+                .because("T is the enforced ttl, min(ttl_ms, 60 s)."),
+        );
+    }
+    // The velocity is clamped before it is projected.
+    for (speed, rule, ends) in [
+        (4.0, "NCP-SAFE-021", "passes"),
+        (16.0, "NCP-SAFE-051", "is held"),
+    ] {
+        let rules: &[&'static str] = if rule == "NCP-SAFE-021" {
+            &["NCP-SAFE-060", "NCP-SAFE-054"]
+        } else {
+            &["NCP-SAFE-051", "NCP-SAFE-054"]
+        };
+        cases.push(
+            one(format!("clamped/{speed}"), rules, Limits::both(speed, FENCE), Command::moving(&[80.0, 0.0, 0.0]), &[3.0, 0.0, 0.0])
+                .title(format!("80 m/s under a limit of {speed} m/s is projected with {speed} m/s: the command {ends}."))
+                .because("The look ahead takes the clamped velocities."),
+        );
+    }
+    cases
+}
+
+/// Velocities that cannot be projected.
+fn velocities() -> Vec<Case> {
+    let other = channel("gripper", &[1.0], None);
+    let table: [(&str, &str, Command); 7] = [
+        (
+            "absent",
+            "has no velocity",
+            Command::of(vec![other.clone()]),
+        ),
+        ("no-channels", "has no channels", Command::of(Vec::new())),
+        ("empty", "has an empty velocity", Command::moving(&[])),
+        (
+            "two-wide",
+            "has a velocity 2 wide",
+            Command::moving(&[1.0, 0.0]),
+        ),
+        (
+            "four-wide",
+            "has a velocity 4 wide",
+            Command::moving(&[1.0, 0.0, 0.0, 0.0]),
+        ),
+        (
+            "knots",
+            "has a velocity in knots",
+            Command::of(vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))]),
+        ),
+        (
+            "another-name",
+            "has a velocity under another name",
+            Command::of(vec![channel("velocity", &[1.0, 0.0, 0.0], Some(MPS))]),
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, command)| {
+            one(format!("velocity/{name}"), &["NCP-SAFE-052"], Limits::fence(FENCE), command, &[1.0, 2.0, 2.0])
+                .title(format!("Within a fence, a command is held that {words}."))
+                .flags(&["L11", "L10"])
+                .because("With the geofence enabled, the governor holds when the command has no usable velocity to project.")
+        })
+        .collect()
+}
+
+/// Horizons deep inside, to the fence and beyond.
+fn with_horizon() -> Vec<Case> {
+    let mut cases = Vec::new();
+    // From the origin with a tick of 250 ms: each step of 4 m/s is 1 m.
+    for steps in 1..=8_usize {
+        for ttl in [250.0_f64, 1000.0, 5000.0] {
+            let ticks = vec![[4.0, 0.0, 0.0]; steps];
+            let command = Command::moving(&[4.0, 0.0, 0.0])
+                .then(250.0, &ticks)
+                .ttl(ttl);
+            #[expect(clippy::cast_precision_loss, reason = "at most 8 steps")]
+            let way = ((steps + 1) as f64).min(ttl / 250.0);
+            let rule = if way > 5.0 {
+                "NCP-SAFE-050"
+            } else {
+                "NCP-SAFE-054"
+            };
+            cases.push(
+                one(format!("ahead/{steps}-steps/ttl-{ttl}"), &[rule], Limits::fence(FENCE), command, &[0.0; 3])
+                    .title(format!("From the origin, {} ticks of 1 m each under a ttl of {ttl} ms end inside 5 m.", steps + 1))
+                    .flags(&["short-look-ahead", "horizon-past-the-fence"])
+                    .because("The horizon is truncated before the first step at whose end, by the part of its tick that lies before the ttl, the plant is outside; a governor may drop more if tick 0 stays inside for the whole ttl."),
+            );
+        }
+    }
+    // With a speed limit that bounds every horizon well inside, nothing has to be shortened.
+    for steps in 1..=6_usize {
+        for at in [[0.0, 0.0, 0.0], [1.0, 2.0, 2.0], [-3.0, 0.0, 0.0]] {
+            let ticks = vec![[0.5, 0.5, 0.0]; steps];
+            let command = Command::moving(&[0.5, 0.5, 0.0])
+                .then(62.5, &ticks)
+                .ttl(500.0);
+            cases.push(
+                one(format!("inside/{steps}-steps/from-{}-{}-{}", at[0], at[1], at[2]).replace("--", "-minus-"), &["NCP-SAFE-021"], Limits::both(1.0, FENCE), command, &at)
+                    .title(format!("A horizon of {steps} steps that cannot reach the fence, from ({}, {}, {}), passes whole.", at[0], at[1], at[2]))
+                    .flags(&["over-strict"])
+                    .because("Even at the speed limit for all of its ticks the plant stays inside, so that no reading truncates it."),
+            );
+        }
+    }
+    cases
+}
+
+/// Single horizons.
+fn horizons() -> Vec<Case> {
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: Vec<(&str, &[&'static str], &str, [f64; 3], Command)> = vec![
+        (
+            "first-tick-leaves",
+            &["NCP-SAFE-051"],
+            "Tick 0 of a horizon that leads out is held",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[8.0, 0.0, 0.0])
+                .then(250.0, &[[-8.0, 0.0, 0.0]])
+                .ttl(1000.0),
+        ),
+        (
+            "first-step-leaves-tick-0-stays",
+            &["NCP-SAFE-050", "NCP-SAFE-053"],
+            "A horizon whose first step leads out is truncated to nothing, and tick 0 stays inside for the ttl",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[0.0, 0.5, 0.0])
+                .then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]])
+                .ttl(1000.0),
+        ),
+        (
+            "first-step-leaves-tick-0-leaves",
+            &["NCP-SAFE-053", "NCP-SAFE-050", "NCP-SAFE-054"],
+            "A horizon truncated to nothing is held when tick 0 for the whole ttl leads out",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[2.0, 0.0, 0.0])
+                .then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]])
+                .ttl(1000.0),
+        ),
+        (
+            "truncated-to-nothing-at-the-minute",
+            &["NCP-SAFE-053", "NCP-SAFE-050", "NCP-SAFE-054"],
+            "A horizon truncated to nothing is held when tick 0 for a minute leads out",
+            [0.0, 0.0, 0.0],
+            Command::moving(&[0.25, 0.0, 0.0])
+                .then(1000.0, &[[40.0, 0.0, 0.0]])
+                .ttl(1e9),
+        ),
+        (
+            "returns",
+            &["NCP-SAFE-054"],
+            "A horizon that goes out to the fence and back stays inside",
+            [3.0, 0.0, 0.0],
+            Command::moving(&[8.0, 0.0, 0.0])
+                .then(250.0, &[[-8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]])
+                .ttl(1000.0),
+        ),
+        (
+            "returns-too-late",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            "A horizon that comes back only after it was outside is truncated where it leaves",
+            [3.0, 0.0, 0.0],
+            Command::moving(&[4.0, 0.0, 0.0])
+                .then(
+                    250.0,
+                    &[[4.0, 0.0, 0.0], [4.0, 0.0, 0.0], [-16.0, 0.0, 0.0]],
+                )
+                .ttl(250.0 * 4.0),
+        ),
+        (
+            "leaves-after-the-ttl",
+            &["NCP-SAFE-054"],
+            "A step behind the end of the ttl moves nothing",
+            [0.0, 0.0, 0.0],
+            Command::moving(&[4.0, 0.0, 0.0])
+                .then(250.0, &[[4.0, 0.0, 0.0], [400.0, 0.0, 0.0]])
+                .ttl(500.0),
+        ),
+        (
+            "leaves-in-a-part-of-a-tick",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            "A step is projected for the part of its tick before the end of the ttl, which leads out here",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[0.0, 0.0, 0.0])
+                .then(250.0, &[[16.0, 0.0, 0.0]])
+                .ttl(375.0),
+        ),
+        (
+            "stays-in-a-part-of-a-tick",
+            &["NCP-SAFE-054"],
+            "A step is projected for the part of its tick before the end of the ttl, which stays inside here",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[0.0, 0.0, 0.0])
+                .then(250.0, &[[8.0, 0.0, 0.0]])
+                .ttl(375.0),
+        ),
+        (
+            "tick-longer-than-ttl",
+            &["NCP-SAFE-054"],
+            "Of a tick longer than the ttl only the ttl counts",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[4.0, 0.0, 0.0])
+                .then(10_000.0, &[[400.0, 0.0, 0.0]])
+                .ttl(250.0),
+        ),
+        (
+            "tick-longer-than-ttl-leaves",
+            &["NCP-SAFE-051", "NCP-SAFE-054"],
+            "A tick longer than the ttl that leads out within the ttl is held",
+            [4.0, 0.0, 0.0],
+            Command::moving(&[8.0, 0.0, 0.0])
+                .then(10_000.0, &[[0.0, 0.0, 0.0]])
+                .ttl(250.0),
+        ),
+        (
+            "diagonal",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            "A horizon in three dimensions is truncated by the norm",
+            [0.0, 0.0, 0.0],
+            Command::moving(&[8.0, 0.0, 0.0])
+                .then(
+                    250.0,
+                    &[
+                        [0.0, 8.0, 0.0],
+                        [0.0, 0.0, 8.0],
+                        [8.0, 0.0, 0.0],
+                        [0.0, 8.0, 8.0],
+                    ],
+                )
+                .ttl(5000.0),
+        ),
+        (
+            "turns",
+            &["NCP-SAFE-054"],
+            "A horizon that turns in time stays inside",
+            [0.0, 0.0, 0.0],
+            Command::moving(&[8.0, 0.0, 0.0])
+                .then(
+                    250.0,
+                    &[[0.0, 8.0, 0.0], [-8.0, 0.0, 0.0], [0.0, -8.0, 0.0]],
+                )
+                .ttl(1000.0),
+        ),
+        (
+            "along-z",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            "A horizon straight up is truncated before it leaves",
+            [0.0, 0.0, 3.0],
+            Command::moving(&[0.0, 0.0, 4.0])
+                .then(250.0, &[[0.0, 0.0, 4.0], [0.0, 0.0, 4.0], [0.0, 0.0, 4.0]])
+                .ttl(1000.0),
+        ),
+        (
+            "exactly-to-the-fence",
+            &["NCP-SAFE-054"],
+            "A horizon whose last step ends exactly on the fence stays inside",
+            [0.0, 0.0, 0.0],
+            Command::moving(&[12.0, 0.0, 0.0])
+                .then(250.0, &[[0.0, 16.0, 0.0]])
+                .ttl(500.0),
+        ),
+        (
+            "just-past-the-fence",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            "A horizon whose last step ends just outside is truncated",
+            [0.0, 0.0, 0.0],
+            Command::moving(&[12.0, 0.0, 0.0])
+                .then(250.0, &[[0.0, 16.125, 0.0]])
+                .ttl(500.0),
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, rules, words, at, command)| {
+            one(format!("horizon/{name}"), rules, Limits::fence(FENCE), command, &at)
+                .title(format!("{words}."))
+                .flags(&["horizon-past-the-fence"])
+                .because("The plant follows each tick for its part before the ttl, and none of the ends may lie outside; dropping the whole horizon needs tick 0 to stay inside for the ttl.")
+        })
+        .collect();
+    // A unit that the frame leaves out is the negotiated one.
+    for (name, speed, rule) in [
+        ("stays", 8.0, "NCP-SAFE-042"),
+        ("leaves", 8.5, "NCP-SAFE-042"),
+    ] {
+        let mut command = Command::moving(&[speed, 0.0, 0.0]);
+        command.channels = vec![channel(VELOCITY, &[speed, 0.0, 0.0], None)];
+        let trace = Trace::negotiated(
+            Limits::fence(FENCE),
+            Capabilities::canonical(&[]),
+            vec![govern(command, Sensor::at(&[3.0, 0.0, 0.0]))],
+        );
+        cases.push(
+            case(
+                format!("negotiated-unit/{name}"),
+                &[rule, "NCP-SAFE-054"],
+                &trace,
+            )
+            .title(format!(
+                "A velocity of {speed} without a unit is projected in the negotiated m/s."
+            ))
+            .flags(&["L10"])
+            .because("The governor reads a channel without a unit in the negotiated one."),
+        );
+    }
+    // Other channels lead nowhere.
+    let rates = channel("body_rates", &[100.0, 100.0, 100.0], Some("rad/s"));
+    cases.push(
+        one(
+            "other-channels".to_owned(),
+            &["NCP-SAFE-021"],
+            Limits::fence(FENCE),
+            Command::of(vec![rates, velocity(&[4.0, 0.0, 0.0])]),
+            &[4.0, 0.0, 0.0],
+        )
+        .title("Only the velocity is projected, not a channel in another unit.")
+        .because("The plant follows the clamped velocities of the command."),
+    );
+    cases
+}

@@ -1,0 +1,495 @@
+//! The speed limit.
+
+use super::model::{
+    Capabilities, Channel, Command, Limits, MPS, Trace, VELOCITY, channel, govern, scalar, vec3,
+    velocity,
+};
+use super::{case, near};
+use crate::case::{Case, File};
+use crate::json::object;
+use crate::trace::{any, name_of, num, nums, refused, steps, within};
+
+pub(super) fn file() -> File {
+    let mut cases = vectors();
+    cases.extend(huge());
+    cases.extend(unusable());
+    cases.extend(channels());
+    cases.extend(horizons());
+    cases.extend(off());
+    let about = "The speed limit: vectors above, at and below it, those that cannot be scaled, further channels and horizons.";
+    File::new("safety", "speed", about, cases)
+}
+
+fn one(path: String, rules: &[&'static str], limits: Limits, command: Command) -> Case {
+    case(
+        path,
+        rules,
+        &Trace::new(limits, vec![govern(command, near())]),
+    )
+}
+
+const CLAMP: &str = "A velocity whose norm is above the limit is scaled to it, direction kept; one whose norm is not above it is unchanged.";
+
+/// Vectors of exact norm, in several sizes, around several limits.
+fn vectors() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let units: [([f64; 3], f64); 7] = [
+        ([3.0, 4.0, 0.0], 5.0),
+        ([0.0, -3.0, 4.0], 5.0),
+        ([-4.0, 0.0, -3.0], 5.0),
+        ([2.0, 3.0, 6.0], 7.0),
+        ([-1.0, 4.0, -8.0], 9.0),
+        ([1.0, 0.0, 0.0], 1.0),
+        ([0.0, 0.0, -1.0], 1.0),
+    ];
+    for (vector, norm) in units {
+        for (name, limit, rules) in [
+            ("at", norm, &["NCP-SAFE-062"][..]),
+            ("below", norm * 2.0, &["NCP-SAFE-062"][..]),
+            (
+                "just-below",
+                norm * (1.0 + 1.0 / 1024.0),
+                &["NCP-SAFE-062"][..],
+            ),
+            (
+                "just-above",
+                norm * (1.0 - 1.0 / 1024.0),
+                &["NCP-SAFE-060", "NCP-SAFE-061"][..],
+            ),
+            ("above", norm / 2.0, &["NCP-SAFE-060", "NCP-SAFE-061"][..]),
+            (
+                "far-above",
+                norm / 1024.0,
+                &["NCP-SAFE-061", "NCP-SAFE-060"][..],
+            ),
+        ] {
+            let path = format!("vector/{}-{}-{}/{name}", vector[0], vector[1], vector[2])
+                .replace("--", "-minus-")
+                .replace("/-", "/minus-");
+            cases.push(
+                one(path, rules, Limits::speed(limit), Command::moving(&vector))
+                    .title(format!(
+                        "({}, {}, {}) m/s, {} the limit of {limit} m/s, obeys it.",
+                        vector[0],
+                        vector[1],
+                        vector[2],
+                        name.replace('-', " ")
+                    ))
+                    .flags(&["per-axis-clamp"])
+                    .because(CLAMP),
+            );
+        }
+    }
+    cases.push(
+        one(
+            "vector/still".to_owned(),
+            &["NCP-SAFE-062"],
+            Limits::speed(1.0),
+            Command::moving(&[0.0, 0.0, 0.0]),
+        )
+        .title("A velocity of 0 passes as it is.")
+        .because("Its norm is not above the limit; scaling it would divide by 0."),
+    );
+    cases.push(
+        one(
+            "vector/tiny".to_owned(),
+            &["NCP-SAFE-062"],
+            Limits::speed(1.0),
+            Command::moving(&[5e-324, -5e-324, 0.0]),
+        )
+        .title("A subnormal velocity passes.")
+        .because("Its norm is not above the limit."),
+    );
+    cases
+}
+
+/// Norms that overflow. Holding them is as safe as scaling them.
+fn huge() -> Vec<Case> {
+    let r = 0.5_f64.sqrt();
+    let third = (1.0_f64 / 3.0).sqrt();
+    let table: [(&str, [f64; 3], [f64; 3]); 8] = [
+        ("one-axis", [1e308, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ("largest", [f64::MAX, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ("minus-largest", [0.0, -f64::MAX, 0.0], [0.0, -1.0, 0.0]),
+        ("two-axes", [1e308, 1e308, 0.0], [r, r, 0.0]),
+        (
+            "three-axes",
+            [f64::MAX, f64::MAX, -f64::MAX],
+            [third, third, -third],
+        ),
+        ("squares-overflow", [1e200, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ("three-four", [3e200, 4e200, 0.0], [0.6, 0.8, 0.0]),
+        ("mixed", [1e308, 1.0, 0.0], [1.0, 0.0, 0.0]),
+    ];
+    let mut cases = Vec::new();
+    for (name, v, direction) in table {
+        for limit in [1.0, 2.5] {
+            let command = Command::moving(&v);
+            let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
+            let frame = |mode: &str, data: &[f64]| {
+                object! { "frame" => object! { "mode" => mode, "channels" => object! { VELOCITY => object! { "data" => nums(data) } } } }
+            };
+            let scaled = direction.map(|x| x * limit);
+            let allowed = any(vec![
+                frame("active", &scaled),
+                frame("active", &[0.0; 3]),
+                frame("hold", &[0.0; 3]),
+            ]);
+            cases.push(
+                case(
+                    format!("huge/{name}/limit-{limit}"),
+                    &["NCP-SAFE-060", "NCP-SAFE-061"],
+                    &trace,
+                )
+                .shows(steps(vec![allowed]))
+                .title(format!(
+                    "A velocity of ({}, {}, {}) m/s is scaled to {limit} m/s, or moves nothing.",
+                    v[0], v[1], v[2]
+                ))
+                .flags(&["overflowing-norm"])
+                .because(
+                    "A norm that overflows a double is above every limit; what is sent obeys it.",
+                ),
+            );
+        }
+    }
+    cases
+}
+
+/// Velocities that the limit cannot act on.
+fn unusable() -> Vec<Case> {
+    let in_unit =
+        |unit: Option<&'static str>| Command::of(vec![channel(VELOCITY, &[0.5, 0.0, 0.0], unit)]);
+    let table: Vec<(&str, &str, Command, &[&'static str])> = vec![
+        (
+            "absent",
+            "is absent",
+            Command::of(vec![channel("gripper", &[1.0], None)]),
+            &[],
+        ),
+        (
+            "no-channels",
+            "is absent, like every other channel",
+            Command::of(Vec::new()),
+            &[],
+        ),
+        ("empty", "is empty", Command::moving(&[]), &["L11"]),
+        ("one-wide", "is 1 wide", Command::moving(&[0.5]), &["L11"]),
+        (
+            "two-wide",
+            "is 2 wide",
+            Command::moving(&[0.5, 0.0]),
+            &["L11"],
+        ),
+        (
+            "four-wide",
+            "is 4 wide",
+            Command::moving(&[0.5, 0.0, 0.0, 0.0]),
+            &["L11"],
+        ),
+        (
+            "six-wide",
+            "is 6 wide",
+            Command::moving(&[0.5, 0.0, 0.0, 0.0, 0.0, 0.0]),
+            &["L11"],
+        ),
+        ("knots", "is in knots", in_unit(Some("kn")), &["L10"]),
+        (
+            "kilometres-an-hour",
+            "is in km/h",
+            in_unit(Some("km/h")),
+            &["L10"],
+        ),
+        ("metres", "is in m", in_unit(Some("m")), &["L10"]),
+        ("spelled-out", "is in `mps`", in_unit(Some("mps")), &["L10"]),
+        (
+            "empty-unit",
+            "has the empty text for a unit",
+            in_unit(Some("")),
+            &["L10"],
+        ),
+        (
+            "another-name",
+            "has another name",
+            Command::of(vec![channel("velocity", &[0.5, 0.0, 0.0], Some(MPS))]),
+            &["first-channel"],
+        ),
+        (
+            "another-case",
+            "has a name in another case",
+            Command::of(vec![channel(
+                "Velocity_Setpoint",
+                &[0.5, 0.0, 0.0],
+                Some(MPS),
+            )]),
+            &["first-channel"],
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, command, flags)| {
+            let steps = vec![govern(command, near()), govern(Command::moving(&[0.5, 0.0, 0.0]), near())];
+            case(format!("unusable/{name}"), &["NCP-SAFE-063"], &Trace::new(Limits::speed(1.0), steps))
+                .title(format!("Under a speed limit a command is held whose velocity {words}, and the next one passes."))
+                .flags(flags)
+                .because("With the speed limit enabled, the governor holds when the velocity of tick 0 is absent, or not 3 wide, or has a unit other than `m/s`.")
+        })
+        .collect()
+}
+
+/// Further channels, in m/s and in other units.
+fn channels() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, more) in [
+        (
+            "tow",
+            channel("tow_velocity", &[0.0, 30.0, 40.0], Some(MPS)),
+        ),
+        (
+            "sorted-first",
+            channel("a_velocity", &[-30.0, 0.0, 40.0], Some(MPS)),
+        ),
+        (
+            "sorted-last",
+            channel("z_velocity", &[20.0, 30.0, 60.0], Some(MPS)),
+        ),
+    ] {
+        for (order, commands) in [
+            ("before", [more.clone(), velocity(&[1.0, 0.0, 0.0])]),
+            ("after", [velocity(&[3.0, 4.0, 0.0]), more.clone()]),
+        ] {
+            cases.push(
+                one(format!("channel/{name}/{order}"), &["NCP-SAFE-065"], Limits::speed(2.0), Command::of(commands.to_vec()))
+                    .title(format!("A second channel in m/s ({name}, {order} the velocity) obeys the speed limit too."))
+                    .flags(&["first-channel"])
+                    .because("The governor applies the limit to every channel of the command in `m/s`."),
+            );
+        }
+    }
+    // By its negotiated unit.
+    let extra = vec3("tow_velocity", Some(MPS));
+    let commands = vec![
+        velocity(&[1.0, 0.0, 0.0]),
+        channel("tow_velocity", &[0.0, 30.0, 40.0], None),
+    ];
+    cases.push(
+        case(
+            "channel/negotiated-unit",
+            &["NCP-SAFE-065", "NCP-SAFE-042"],
+            &Trace::negotiated(
+                Limits::speed(2.0),
+                Capabilities::canonical(&[extra]),
+                vec![govern(Command::of(commands), near())],
+            ),
+        )
+        .title("A second channel whose negotiated unit is m/s obeys the speed limit too.")
+        .flags(&["L10"])
+        .because("A channel without a unit is in the negotiated one, here m/s."),
+    );
+    for unit in ["rad/s", "m", "lm", "m/s2", "km/h", "rpm"] {
+        let more = channel("other", &[300.0, 400.0, 500.0], Some(unit));
+        cases.push(
+            one(format!("channel/unit-{}", unit.replace('/', "-per-")), &["NCP-SAFE-021"], Limits::speed(2.0), Command::moving(&[1.0, 0.0, 0.0]).and(more))
+                .title(format!("A channel in {unit} is left as it is."))
+                .flags(&["over-strict"])
+                .because("The speed limit acts on channels in `m/s`, and a command passes unchanged that nothing else changes."),
+        );
+        let more = channel("other", &[300.0, 400.0, 500.0], Some(unit));
+        cases.push(
+            one(
+                format!("channel/unit-{}-beside-a-clamp", unit.replace('/', "-per-")),
+                &["NCP-SAFE-060"],
+                Limits::speed(2.0),
+                Command::moving(&[3.0, 4.0, 0.0]).and(more),
+            )
+            .title(format!(
+                "While the velocity is scaled, a channel in {unit} is left as it is."
+            ))
+            .because("The speed limit acts on channels in `m/s` only."),
+        );
+    }
+    // A scalar in m/s is bounded, or the command held.
+    for value in [-9.0, 9.0] {
+        let command = Command::moving(&[1.0, 0.0, 0.0]).and(channel("climb", &[value], Some(MPS)));
+        let trace = Trace::negotiated(
+            Limits::speed(2.0),
+            Capabilities::canonical(&[scalar("climb", Some(MPS))]),
+            vec![govern(command, near())],
+        );
+        let frame = object! { "frame" => object! { "channels" => object! { "climb" => object! { "data" => std::iter::once(within(-2.0 - 1e-9, 2.0 + 1e-9)).collect::<crate::json::Json>() } } } };
+        cases.push(
+            case(
+                format!("channel/scalar/{}", name_of(value)),
+                &["NCP-SAFE-065"],
+                &trace,
+            )
+            .shows(steps(vec![frame]))
+            .title(format!(
+                "A scalar channel of {value} m/s obeys the speed limit too."
+            ))
+            .flags(&["first-channel"])
+            .because("The governor applies the limit to every channel of the command in `m/s`."),
+        );
+    }
+    cases
+}
+
+/// The limit on every step.
+fn horizons() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let fast = [30.0, 40.0, 0.0];
+    let slow = [0.5, 0.0, 0.0];
+    // Which of tick 0 and three steps are too fast.
+    for mask in 0..16_u32 {
+        let tick = |at: u32| if mask >> at & 1 == 1 { fast } else { slow };
+        let command = Command::moving(&tick(0)).then(50.0, &[tick(1), tick(2), tick(3)]);
+        let rule = if mask >> 1 > 0 {
+            "NCP-SAFE-066"
+        } else if mask > 0 {
+            "NCP-SAFE-060"
+        } else {
+            "NCP-SAFE-062"
+        };
+        cases.push(
+            one(format!("horizon/clamped-{mask:04b}"), &[rule], Limits::speed(2.0), command)
+                .title(format!("Of tick 0 and three steps, those that are too fast (bits {mask:04b}, tick 0 last) are scaled."))
+                .flags(&["unclamped-horizon"])
+                .because("The governor applies the speed limit to every step of the horizon."),
+        );
+    }
+    // A step that cannot be clamped ends the horizon.
+    let bad: [(&str, Vec<Channel>); 6] = [
+        ("absent", vec![channel("gripper", &[1.0], None)]),
+        ("empty", vec![velocity(&[])]),
+        ("two-wide", vec![velocity(&[1.0, 0.0])]),
+        (
+            "knots",
+            vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))],
+        ),
+        ("nan", vec![velocity(&[f64::NAN, 0.0, 0.0])]),
+        ("infinity", vec![velocity(&[0.0, f64::INFINITY, 0.0])]),
+    ];
+    for (name, step) in bad {
+        for at in 0..3 {
+            let mut command = Command::moving(&slow).then(50.0, &[slow, fast, slow]);
+            if let Some(place) = command.horizon.get_mut(at) {
+                place.clone_from(&step);
+            }
+            cases.push(
+                one(format!("horizon/{name}-at-{}", at + 1), &["NCP-SAFE-067"], Limits::speed(2.0), command)
+                    .title(format!("A horizon is truncated before step {}, whose velocity cannot be clamped ({name}).", at + 1))
+                    .flags(&["unclamped-horizon"])
+                    .because("The governor truncates the horizon before a step that cannot be clamped or that has a component that is not finite."),
+            );
+        }
+    }
+    // A tick without a length.
+    for dt in [
+        None,
+        Some(0.0),
+        Some(-0.0),
+        Some(-50.0),
+        Some(f64::NAN),
+        Some(f64::INFINITY),
+        Some(f64::NEG_INFINITY),
+        Some(-5e-324),
+    ] {
+        for limits in [Limits::NONE, Limits::speed(2.0), Limits::fence(5.0)] {
+            let mut command = Command::moving(&slow).then(50.0, &[slow]);
+            command.dt = dt;
+            let with = match (limits.speed, limits.fence) {
+                (Some(_), _) => "speed-limit",
+                (_, Some(_)) => "fence",
+                _ => "no-limit",
+            };
+            let name = dt.map_or("absent".to_owned(), name_of);
+            cases.push(
+                one(format!("horizon/dt-{name}/{with}"), &["NCP-SAFE-068"], limits, command)
+                    .title(format!("A horizon whose tick has the length {name} is held, with {}.", with.replace('-', " ")))
+                    .because("The governor holds on a command with a horizon whose `horizon_dt_ms` is absent, not finite or not positive."),
+            );
+        }
+    }
+    // Without a horizon, its tick does not count.
+    for dt in [0.0, -50.0, 50.0] {
+        let mut command = Command::moving(&slow);
+        command.dt = Some(dt);
+        cases.push(
+            one(
+                format!("no-horizon/dt-{}", name_of(dt)),
+                &["NCP-SAFE-021"],
+                Limits::speed(2.0),
+                command,
+            )
+            .title(format!(
+                "A command without a horizon passes, though its tick has the length {dt}."
+            ))
+            .flags(&["over-strict"])
+            .because("Only a command with a horizon is held for the length of its tick."),
+        );
+    }
+    cases
+}
+
+/// Limits that are none.
+fn off() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, speed) in [("absent", None), ("zero", Some(0.0))] {
+        for (what, command) in [
+            ("fast", Command::moving(&[3e5, 4e5, 0.0])),
+            (
+                "no-velocity",
+                Command::of(vec![channel("gripper", &[1.0], None)]),
+            ),
+            ("two-wide", Command::moving(&[3.0, 4.0])),
+            (
+                "knots",
+                Command::of(vec![channel(VELOCITY, &[3.0, 4.0, 0.0], Some("kn"))]),
+            ),
+        ] {
+            let limits = Limits {
+                speed,
+                ..Limits::NONE
+            };
+            cases.push(
+                one(
+                    format!("off/{name}/{what}"),
+                    &["NCP-SAFE-012"],
+                    limits,
+                    command,
+                )
+                .title(format!(
+                    "A speed limit that is {name} changes nothing ({what})."
+                ))
+                .flags(&["L13"])
+                .because("A limit that is absent or 0 is disabled."),
+            );
+        }
+    }
+    // Neither reading of a negative zero is wrong; what is sent is.
+    for (name, limits) in [
+        ("speed", Limits::speed(-0.0)),
+        ("fence", Limits::fence(-0.0)),
+    ] {
+        let trace = Trace::new(
+            limits,
+            vec![govern(Command::moving(&[1.0, 0.0, 0.0]), near())],
+        );
+        let data = |x: f64| object! { "channels" => object! { VELOCITY => object! { "data" => nums(&[x, 0.0, 0.0]) } } };
+        let frames = vec![
+            object! { "frame" => data(1.0).and("mode", "active".into()) },
+            object! { "frame" => data(0.0).and("mode", "hold".into()) },
+            refused(),
+        ];
+        cases.push(
+            case(format!("off/minus-zero/{name}"), &["NCP-SAFE-012"], &trace)
+                .shows_or_refuses(steps(vec![any(frames)]))
+                .title(format!(
+                    "A {name} limit of {} is disabled, or held for.",
+                    num(-0.0).text().replace('"', "")
+                ))
+                .because("0 is disabled, and the negative zero is equal to it."),
+        );
+    }
+    cases
+}

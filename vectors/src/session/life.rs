@@ -1,0 +1,500 @@
+//! What a server answers from `open_session` to `close_session`.
+
+use super::{
+    Open, case, close, closed, error, not_closed, not_opened, observed, opened, run, step,
+};
+use crate::case::{Case, File};
+use crate::json::{Json, object};
+use crate::trace::{any, int, name_of, text_of};
+
+pub(super) fn file() -> File {
+    let mut cases = lives();
+    cases.extend(refused());
+    cases.extend(malformed());
+    cases.extend(versions());
+    cases.extend(times());
+    let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
+    File::new("session", "life", about, cases)
+}
+
+fn open(id: &'static str) -> (String, Json) {
+    (Open::lif(id).text(), opened(id))
+}
+
+fn steps(id: &str, time: f64) -> (String, Json) {
+    (step(id, None, None), observed(id, time))
+}
+
+fn lives() -> Vec<Case> {
+    let mut with_hash = Open::lif("a").json();
+    with_hash = with_hash.with("contract_hash", "0123456789abcdef".into());
+    let provenance = text_of(object! {
+        "kind" => "session_opened", "ok" => true,
+        "provenance" => object! { "calibrated_posterior" => false, "is_simulation_output" => true },
+    });
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: Vec<(&str, &[&'static str], &str, Vec<(String, Json)>)> = vec![
+        (
+            "open",
+            &["NCP-SESS-039", "NCP-SESS-020"],
+            "A session that is opened has a provenance.",
+            vec![(Open::lif("a").text(), provenance)],
+        ),
+        (
+            "open-step-close",
+            &["NCP-SESS-027", "NCP-SESS-028", "NCP-SESS-033"],
+            "A session is opened, stepped and closed.",
+            vec![open("a"), steps("a", 10.0), (close("a"), closed("a"))],
+        ),
+        (
+            "open-run-close",
+            &["NCP-SESS-027", "NCP-SESS-033"],
+            "A session is opened, run and closed.",
+            vec![
+                open("a"),
+                (run("a", 25.0), observed("a", 25.0)),
+                (close("a"), closed("a")),
+            ],
+        ),
+        (
+            "many-steps",
+            &["NCP-SESS-031", "NCP-SESS-033"],
+            "Simulation time adds up over steps and runs.",
+            vec![
+                open("a"),
+                steps("a", 10.0),
+                (step("a", Some(5.0), None), observed("a", 15.0)),
+                (run("a", 100.0), observed("a", 115.0)),
+                steps("a", 125.0),
+                (step("a", Some(1.0), None), observed("a", 126.0)),
+            ],
+        ),
+        (
+            "step-of-zero",
+            &["NCP-SESS-031", "NCP-SESS-033"],
+            "A step of 0 ms runs nothing.",
+            vec![
+                open("a"),
+                (step("a", Some(0.0), None), observed("a", 0.0)),
+                steps("a", 10.0),
+            ],
+        ),
+        (
+            "step-before-open",
+            &["NCP-SESS-026"],
+            "A step before the session is opened is an error.",
+            vec![
+                (step("a", None, None), error()),
+                open("a"),
+                steps("a", 10.0),
+            ],
+        ),
+        (
+            "run-before-open",
+            &["NCP-SESS-026"],
+            "A run before the session is opened is an error.",
+            vec![(run("a", 10.0), error()), open("a"), steps("a", 10.0)],
+        ),
+        (
+            "step-after-close",
+            &["NCP-SESS-026", "NCP-SESS-028"],
+            "A step after the session is closed is an error.",
+            vec![
+                open("a"),
+                (close("a"), closed("a")),
+                (step("a", None, None), error()),
+            ],
+        ),
+        (
+            "run-after-close",
+            &["NCP-SESS-026", "NCP-SESS-028"],
+            "A run after the session is closed is an error.",
+            vec![
+                open("a"),
+                steps("a", 10.0),
+                (close("a"), closed("a")),
+                (run("a", 1.0), error()),
+            ],
+        ),
+        (
+            "close-unknown",
+            &["NCP-SESS-029"],
+            "To close a session that is not open is refused.",
+            vec![(close("a"), not_closed("a"))],
+        ),
+        (
+            "close-twice",
+            &["NCP-SESS-029", "NCP-SESS-028"],
+            "To close a session a second time is refused.",
+            vec![
+                open("a"),
+                (close("a"), closed("a")),
+                (close("a"), not_closed("a")),
+            ],
+        ),
+        (
+            "reopen",
+            &["NCP-SESS-028", "NCP-SESS-033"],
+            "A session that is opened again begins at 0.",
+            vec![
+                open("a"),
+                steps("a", 10.0),
+                steps("a", 20.0),
+                (close("a"), closed("a")),
+                open("a"),
+                steps("a", 10.0),
+            ],
+        ),
+        (
+            "two-apart",
+            &["NCP-SESS-035"],
+            "Two sessions have each their own time.",
+            vec![
+                open("a"),
+                open("b"),
+                steps("a", 10.0),
+                steps("a", 20.0),
+                steps("b", 10.0),
+                steps("a", 30.0),
+                steps("b", 20.0),
+            ],
+        ),
+        (
+            "close-one-of-two",
+            &["NCP-SESS-035", "NCP-SESS-028"],
+            "To close one session leaves the other open.",
+            vec![
+                open("a"),
+                open("b"),
+                (close("a"), closed("a")),
+                (step("a", None, None), error()),
+                steps("b", 10.0),
+            ],
+        ),
+        (
+            "failure-apart",
+            &["NCP-SESS-035", "NCP-SESS-026"],
+            "A request for a session that is not open costs no other.",
+            vec![
+                open("a"),
+                (step("b", None, None), error()),
+                steps("a", 10.0),
+                (close("b"), not_closed("b")),
+                steps("a", 20.0),
+            ],
+        ),
+        (
+            "ids-alike",
+            &["NCP-SESS-035"],
+            "Session ids are compared by their letters.",
+            vec![
+                open("a"),
+                (step("A", None, None), error()),
+                (step("aa", None, None), error()),
+                steps("a", 10.0),
+            ],
+        ),
+        (
+            "in-order",
+            &["NCP-SESS-036"],
+            "The requests of a session are handled in their order.",
+            vec![
+                open("a"),
+                (step("a", Some(1.0), None), observed("a", 1.0)),
+                (step("a", Some(2.0), None), observed("a", 3.0)),
+                (step("a", Some(4.0), None), observed("a", 7.0)),
+                (step("a", Some(8.0), None), observed("a", 15.0)),
+            ],
+        ),
+        (
+            "other-hash",
+            &["NCP-SESS-025"],
+            "Another contract hash is no reason to refuse.",
+            vec![(with_hash.text(), opened("a")), steps("a", 10.0)],
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, rules, title, trace)| {
+            case(format!("life/{name}"), rules, trace).title(title).because("The states of section 4.2; a server without the reference networks answers `open_session` with `ok` false and the rest as for a session that is not open.")
+        })
+        .collect();
+    for (name, hash) in [
+        ("null", Json::Null),
+        ("empty", Json::string("")),
+        ("word", Json::string("latest")),
+        ("capitals", Json::string("24E8E6E31E1DEC8A")),
+    ] {
+        let request = Open::lif("a").json().with("contract_hash", hash).text();
+        cases.push(
+            case(
+                format!("hash/{name}"),
+                &["NCP-SESS-025"],
+                vec![(request, opened("a")), steps("a", 10.0)],
+            )
+            .title(format!(
+                "A contract hash that does not match ({name}) opens a session all the same."
+            ))
+            .because("A server does not refuse an `open_session` for its contract hash alone."),
+        );
+    }
+    let counted = |seq: i64| {
+        (
+            step("a", None, None),
+            text_of(object! { "kind" => "observation_frame", "seq" => int(seq) }),
+        )
+    };
+    let from = |first: i64| {
+        let frames = (first..first + 4).map(counted);
+        std::iter::once(open("a")).chain(frames).collect::<Vec<_>>()
+    };
+    // Where the count begins is the server's affair.
+    let begun = case("seq/rises".to_owned(), &["NCP-SESS-034"], from(1));
+    let answers = |first| super::replies(from(first).into_iter().map(|(_, reply)| reply).collect());
+    let without = super::replies(
+        std::iter::once(not_opened("a"))
+            .chain((0..4).map(|_| error()))
+            .collect(),
+    );
+    cases.push(
+        begun
+            .shows(any(vec![answers(0), answers(1), without]))
+            .title("The seq of the observation frames of a session should rise by one with each.")
+            .because(
+                "The `seq` of the observation frames of a session should rise by one with each.",
+            ),
+    );
+    let again = vec![
+        open("a"),
+        steps("a", 10.0),
+        (Open::lif("a").text(), not_opened("a")),
+        steps("a", 20.0),
+    ];
+    cases.push(
+        case("twice/refused".to_owned(), &["NCP-SESS-030"], again)
+            .title("To open a session that is open should be refused, and leave it as it is.")
+            .because("A server should answer an `open_session` for a session that is already open with `ok` false, and leave the session as it is."),
+    );
+    cases
+}
+
+/// Networks that nobody has.
+fn refused() -> Vec<Case> {
+    let network = |kind: &str, reference: &str| {
+        object! { "ncp_version" => "0.5", "kind" => "open_session", "session_id" => "a", "network" => object! { "kind" => kind, "ref" => reference } }.text()
+    };
+    [("builtin", "ncp.no.such.network"), ("handle", "no-such-handle"), ("builtin", "")]
+        .into_iter()
+        .enumerate()
+        .map(|(nth, (kind, reference))| {
+            let refusal = any(vec![not_opened("a"), error()]);
+            case(format!("refused/{nth}"), &["NCP-SESS-024", "NCP-SESS-026"], vec![(network(kind, reference), refusal), (step("a", None, None), error()), (close("a"), not_closed("a"))])
+                .title(format!("A session of a network that nobody has ({kind} `{reference}`) is not opened."))
+                .because("A server does not open a session that it answered with `ok` false, and answers a step for it with an error frame.")
+        })
+        .collect()
+}
+
+/// Bytes that are no request.
+fn malformed() -> Vec<Case> {
+    let long = format!(
+        "{{\"kind\":\"step_request\",\"session_id\":\"a\",\"x\":{}}}",
+        "[".repeat(500)
+    );
+    let table: [(&str, &'static str, &str, String); 24] = [
+        ("empty", "NCP-SESS-021", "Nothing", String::new()),
+        ("space", "NCP-SESS-021", "White space", "  ".to_owned()),
+        ("word", "NCP-SESS-021", "A word", "hello".to_owned()),
+        ("number", "NCP-SESS-021", "A number", "42".to_owned()),
+        ("null", "NCP-SESS-021", "A null", "null".to_owned()),
+        ("array", "NCP-SESS-021", "An array", "[]".to_owned()),
+        (
+            "empty-object",
+            "NCP-SESS-021",
+            "An empty object",
+            "{}".to_owned(),
+        ),
+        (
+            "truncated",
+            "NCP-SESS-021",
+            "A request that is cut off",
+            step("a", None, None).trim_end_matches('}').to_owned(),
+        ),
+        (
+            "trailing",
+            "NCP-SESS-021",
+            "A request with a tail",
+            step("a", None, None) + " x",
+        ),
+        (
+            "two",
+            "NCP-SESS-021",
+            "Two requests in one",
+            step("a", None, None) + &step("a", None, None),
+        ),
+        (
+            "no-kind",
+            "NCP-SESS-021",
+            "A request without a kind",
+            r#"{"session_id":"a"}"#.to_owned(),
+        ),
+        (
+            "unknown-kind",
+            "NCP-SESS-021",
+            "A request of an unknown kind",
+            r#"{"kind":"pause_request","session_id":"a"}"#.to_owned(),
+        ),
+        (
+            "kind-number",
+            "NCP-SESS-021",
+            "A request whose kind is a number",
+            r#"{"kind":3,"session_id":"a"}"#.to_owned(),
+        ),
+        (
+            "no-session",
+            "NCP-SESS-021",
+            "A step without a session",
+            r#"{"kind":"step_request"}"#.to_owned(),
+        ),
+        (
+            "session-null",
+            "NCP-SESS-021",
+            "A step whose session is null",
+            r#"{"kind":"step_request","session_id":null}"#.to_owned(),
+        ),
+        (
+            "session-invalid",
+            "NCP-SESS-021",
+            "A step whose session is no id",
+            r#"{"kind":"step_request","session_id":"a/b"}"#.to_owned(),
+        ),
+        (
+            "no-duration",
+            "NCP-SESS-021",
+            "A run without a duration",
+            r#"{"kind":"run_request","session_id":"a"}"#.to_owned(),
+        ),
+        (
+            "duration-text",
+            "NCP-SESS-021",
+            "A run whose duration is a text",
+            r#"{"kind":"run_request","session_id":"a","duration_ms":"10"}"#.to_owned(),
+        ),
+        (
+            "repeated",
+            "NCP-SESS-021",
+            "A step with two sessions",
+            r#"{"kind":"step_request","session_id":"a","session_id":"b"}"#.to_owned(),
+        ),
+        ("deep", "NCP-SESS-021", "A request of 500 levels", long),
+        (
+            "sensor-frame",
+            "NCP-SESS-022",
+            "A sensor frame",
+            r#"{"ncp_version":"0.5","kind":"sensor_frame","seq":1}"#.to_owned(),
+        ),
+        (
+            "command-frame",
+            "NCP-SESS-022",
+            "A command frame",
+            r#"{"ncp_version":"0.5","kind":"command_frame","mode":"active","seq":1}"#.to_owned(),
+        ),
+        (
+            "session-opened",
+            "NCP-SESS-022",
+            "A reply",
+            r#"{"ncp_version":"0.5","kind":"session_opened","session_id":"a"}"#.to_owned(),
+        ),
+        (
+            "error",
+            "NCP-SESS-022",
+            "An error frame",
+            r#"{"kind":"error","error":"no"}"#.to_owned(),
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, rule, words, request)| {
+            let trace = vec![(request.clone(), error()), open("a"), steps("a", 10.0), (request, error()), steps("a", 20.0), (close("a"), closed("a"))];
+            // What is no JSON is where a server falls silent; what is JSON shows the error frame.
+            let rules = match name {
+                "empty" | "space" | "word" | "truncated" | "trailing" | "two" | "deep" => ["NCP-SESS-020", rule],
+                _ => [rule, "NCP-SESS-020"],
+            };
+            case(format!("malformed/{name}"), &rules, trace)
+                .title(format!("{words} is answered with an error frame, and changes nothing."))
+                .because("A server answers every request with exactly one reply, and one that it cannot decode, or that is no request, with an error frame.")
+        })
+        .collect()
+}
+
+fn versions() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (nth, version) in [
+        "0.4", "0.6", "1.0", "0", "5.0", "0.50", "", "latest", "0.5.0", "v0.5", "0.5 ", "+0.5",
+        "0.x",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let request = Open::lif("a")
+            .json()
+            .with("ncp_version", version.into())
+            .text();
+        cases.push(
+            case(format!("version/{nth:02}"), &["NCP-SESS-023", "NCP-SESS-024"], vec![(request, not_opened("a")), (step("a", None, None), error())])
+                .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} opens nothing."))
+                .flags(&["lenient-versions"])
+                .because("A server answers an `open_session` of an incompatible or malformed `ncp_version` with a `session_opened` in which `ok` is false, and opens nothing."),
+        );
+    }
+    cases
+}
+
+/// Times that cannot be run.
+fn times() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for time in [-1.0, -0.001, -1e308, -5e-324] {
+        for (name, request) in [
+            ("step", step("a", Some(time), None)),
+            ("run", run("a", time)),
+        ] {
+            cases.push(
+                case(
+                    format!("time/{name}/{}", name_of(time)),
+                    &["NCP-SESS-032", "NCP-SESS-033"],
+                    vec![
+                        open("a"),
+                        steps("a", 10.0),
+                        (request, error()),
+                        steps("a", 20.0),
+                    ],
+                )
+                .title(format!(
+                    "A {name} of {time} ms is an error, and time stands still."
+                ))
+                .because(
+                    "A server answers a step or a run whose time is negative with an error frame.",
+                ),
+            );
+        }
+    }
+    for (name, literal) in [
+        ("overflow", "1e999"),
+        ("minus-overflow", "-1e999"),
+        ("nan", "NaN"),
+        ("infinity", "Infinity"),
+        ("text", "\"10\""),
+        ("boolean", "true"),
+    ] {
+        let request = format!(
+            r#"{{"ncp_version":"0.5","kind":"step_request","session_id":"a","advance_ms":{literal}}}"#
+        );
+        cases.push(
+            case(format!("time/literal/{name}"), &["NCP-SESS-021", "NCP-SESS-032"], vec![open("a"), (request, error()), steps("a", 10.0)])
+                .title(format!("A step of {literal} is an error, and time stands still."))
+                .because("A step whose time is not finite, or is no number, is answered with an error frame."),
+        );
+    }
+    cases
+}

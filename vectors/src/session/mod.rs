@@ -1,0 +1,183 @@
+//! Area `session`: a server's life, and the numbers of the reference networks.
+
+mod life;
+mod numbers;
+
+use crate::case::{Case, File, Role};
+use crate::json::{Json, object};
+use crate::trace::{any, num, text_of};
+
+pub(crate) fn files() -> Vec<File> {
+    vec![life::file(), numbers::file()]
+}
+
+/// A session of the reference networks.
+struct Open {
+    id: &'static str,
+    network: &'static str,
+    params: Vec<(&'static str, f64)>,
+    size: u32,
+    records: Vec<Json>,
+    stimuli: Vec<Json>,
+    dt: f64,
+    chunk: f64,
+}
+
+impl Open {
+    fn lif(id: &'static str) -> Self {
+        Self {
+            id,
+            network: "ncp.reference.lif",
+            params: Vec::new(),
+            size: 1,
+            records: Vec::new(),
+            stimuli: Vec::new(),
+            dt: 1.0,
+            chunk: 10.0,
+        }
+    }
+
+    fn rate(id: &'static str) -> Self {
+        Self {
+            network: "ncp.reference.rate",
+            ..Self::lif(id)
+        }
+    }
+
+    fn json(&self) -> Json {
+        let params = self
+            .params
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), num(*value)))
+            .collect();
+        object! {
+            "ncp_version" => "0.5",
+            "kind" => "open_session",
+            "session_id" => self.id,
+            "network" => object! {
+                "kind" => "builtin",
+                "ref" => self.network,
+                "population_sizes" => object! { "pop" => self.size },
+                "params" => Json::Object(params),
+            },
+            "record" => object! { "targets" => Json::Array(self.records.clone()) },
+            "stimulus" => object! { "targets" => Json::Array(self.stimuli.clone()) },
+            "sim" => object! { "dt_ms" => num(self.dt), "chunk_ms" => num(self.chunk) },
+        }
+    }
+
+    fn text(&self) -> String {
+        self.json().text()
+    }
+}
+
+fn record(port: &str, observable: &str, cadence: f64) -> Json {
+    object! { "port" => port, "target" => "pop", "observable" => observable, "cadence_ms" => num(cadence) }
+}
+
+fn stimulus(port: &str, kind: &str) -> Json {
+    object! { "port" => port, "target" => "pop", "kind" => kind }
+}
+
+fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -> String {
+    let mut request =
+        object! { "ncp_version" => "0.5", "kind" => "step_request", "session_id" => id };
+    if let Some(advance) = advance {
+        request = request.with("advance_ms", num(advance));
+    }
+    if let Some((port, value)) = value {
+        request = request.with("stimulus", object! { "values" => object! { port => object! { "data" => Json::Array(vec![num(value)]) } } });
+    }
+    request.text()
+}
+
+fn run(id: &str, duration: f64) -> String {
+    object! { "ncp_version" => "0.5", "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }.text()
+}
+
+fn close(id: &str) -> String {
+    object! { "ncp_version" => "0.5", "kind" => "close_session", "session_id" => id }.text()
+}
+
+fn opened(id: &str) -> Json {
+    text_of(object! { "kind" => "session_opened", "session_id" => id, "ok" => true })
+}
+
+fn not_opened(id: &str) -> Json {
+    text_of(object! { "kind" => "session_opened", "session_id" => id, "ok" => false })
+}
+
+fn error() -> Json {
+    text_of(object! { "kind" => "error" })
+}
+
+fn observed(id: &str, time: f64) -> Json {
+    observed_with(id, time, Json::object())
+}
+
+fn observed_with(id: &str, time: f64, records: Json) -> Json {
+    text_of(object! {
+        "kind" => "observation_frame",
+        "session_id" => id,
+        "sim_time_ms" => num(time),
+        "records" => records,
+        "calibrated_posterior" => false,
+        "is_simulation_output" => true,
+    })
+}
+
+fn closed(id: &str) -> Json {
+    text_of(object! { "kind" => "session_closed", "session_id" => id, "ok" => true })
+}
+
+fn not_closed(id: &str) -> Json {
+    any(vec![
+        text_of(object! { "kind" => "session_closed", "session_id" => id, "ok" => false }),
+        error(),
+    ])
+}
+
+fn replies(of: Vec<Json>) -> Json {
+    object! { "replies" => Json::Array(of) }
+}
+
+/// A case of requests and what they are answered; a server without the reference networks opens no
+/// session, and then answers every step with an error frame and every close with a refusal.
+fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
+    let mut without = Vec::new();
+    let mut offers = false;
+    for (request, reply) in &trace {
+        let id = |request: &str| {
+            request
+                .split("\"session_id\":\"")
+                .nth(1)
+                .and_then(|rest| rest.split('"').next())
+                .unwrap_or_default()
+                .to_owned()
+        };
+        let is = |kind: &str| {
+            request.starts_with(&format!("{{\"ncp_version\":\"0.5\",\"kind\":\"{kind}\""))
+        };
+        without.push(if is("open_session") {
+            offers |= reply.text().contains("\"ok\":true");
+            any(vec![not_opened(&id(request)), error()])
+        } else if is("step_request") || is("run_request") {
+            error()
+        } else if is("close_session") {
+            not_closed(&id(request))
+        } else {
+            reply.clone()
+        });
+    }
+    let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
+    let mut expected = vec![replies(with)];
+    if offers {
+        expected.push(replies(without));
+    }
+    Case::new(path, rules, &[Role::Server])
+        .call(
+            "session.run",
+            object! { "requests" => requests.into_iter().collect::<Json>() },
+        )
+        .shows(any(expected))
+}
