@@ -22,7 +22,7 @@ use paired::Bench;
 
 mod paired;
 
-/// What the plain governor is measured with: inside the fence, below the limit, fresh.
+/// Below the limit.
 const CALM: [f64; 3] = [0.6, 0.3, 0.1];
 /// Above the limit.
 const HASTY: [f64; 3] = [3.0, -4.0, 1.0];

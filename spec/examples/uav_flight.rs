@@ -45,14 +45,13 @@ pub(crate) fn run(
         }
     }
     let flight = fly()?;
-    out.write_all(flight.log.as_bytes())?;
+    let (trajectory, picture) = (folder.join("trajectory.jsonl"), folder.join("flight.svg"));
+    // The files first: whoever reads the log may stop early.
     fs::create_dir_all(&folder)?;
-    for (name, text) in [
-        ("trajectory.jsonl", flight.trajectory()),
-        ("flight.svg", plot::svg(&flight)),
-    ] {
-        let file = folder.join(name);
-        fs::write(&file, text)?;
+    fs::write(&trajectory, flight.trajectory())?;
+    fs::write(&picture, plot::svg(&flight))?;
+    out.write_all(flight.log.as_bytes())?;
+    for file in [trajectory, picture] {
         writeln!(out, "wrote {}", file.display())?;
     }
     Ok(())
