@@ -190,9 +190,13 @@ impl File {
         about: impl Into<String>,
         cases: Vec<Case>,
     ) -> Self {
+        let (mut cases, name) = (cases, name.into());
+        for case in cases.iter_mut().filter(|case| case.flags.is_empty()) {
+            case.flags.extend(flags::usual(area, &name));
+        }
         Self {
             area,
-            name: name.into(),
+            name,
             about: about.into(),
             cases,
         }

@@ -7,6 +7,26 @@ pub(crate) fn note(flag: &str) -> &'static str {
         .map_or("", |at| NOTES[at].1)
 }
 
+/// The bug class of a case that names none: what a failure of the file's cases comes from.
+pub(crate) fn usual(area: &str, name: &str) -> Option<&'static str> {
+    Some(match (area, name) {
+        ("codec", _) => "codec-arithmetic",
+        ("control", "loop") => "loop-contract",
+        ("control", _) => "reflex-law",
+        ("resilience", "horizon") => "wrong-tick",
+        ("resilience", "horizon_length") => "horizon-length",
+        ("resilience", "link") => "misread-settings",
+        ("resilience", _) => "liveness",
+        ("safety", "gates") => "gate-order",
+        ("safety", "latch") => "latch-transitions",
+        ("safety", "zeroing") => "wrong-hold-frame",
+        ("safety", _) => "governor-decision",
+        ("session", "reference") => "reference-numbers",
+        ("session", _) => "session-lifecycle",
+        _ => return None,
+    })
+}
+
 /// Sorted by flag.
 const NOTES: &[(&str, &str)] = &[
     (
@@ -134,6 +154,10 @@ const NOTES: &[(&str, &str)] = &[
         "Unknown members cost the whole frame, or change what it means.",
     ),
     (
+        "codec-arithmetic",
+        "The linear map of the rate codec, its clamp, its middle or its choice of mapping is wrong.",
+    ),
+    (
         "column-order",
         "Columns come back in the order of a map instead of the directory's.",
     ),
@@ -194,10 +218,18 @@ const NOTES: &[(&str, &str)] = &[
         "gate-order",
         "The gates of the governor stand in another order, so that a latch is lost or made in vain.",
     ),
+    (
+        "governor-decision",
+        "The governor passes what it has to hold, or holds what it has to pass.",
+    ),
     ("guessed-encodings", "A decoder guesses UTF-16 or UTF-32."),
     (
         "hidden-segment",
         "Segments that begin with `@`, which Zenoh hides from wildcards, are used or matched like others.",
+    ),
+    (
+        "horizon-length",
+        "The length of a horizon is counted wrongly from the ttl and the tick.",
     ),
     (
         "horizon-past-the-fence",
@@ -248,6 +280,10 @@ const NOTES: &[(&str, &str)] = &[
         "A frame that only looks like an ESTOP latches.",
     ),
     (
+        "latch-transitions",
+        "A latch is set, kept or cleared by the wrong event.",
+    ),
+    (
         "leading-input",
         "A decoder searches for the object and skips what stands before it.",
     ),
@@ -288,6 +324,10 @@ const NOTES: &[(&str, &str)] = &[
         "Half a surrogate pair becomes a string that has no UTF-8 form.",
     ),
     (
+        "loop-contract",
+        "The control loop starts, governs or reports otherwise than it has to.",
+    ),
+    (
         "lossy-blocks",
         "Columns do not come back from a block as they went in.",
     ),
@@ -322,6 +362,10 @@ const NOTES: &[(&str, &str)] = &[
     (
         "map-order",
         "Map entries are written as inserted, or sorted by UTF-16 units, by number or without regard to case.",
+    ),
+    (
+        "misread-settings",
+        "A setting that cannot be used is used as it is.",
     ),
     ("missing-limits", "A limit of the text is not kept."),
     (
@@ -424,6 +468,14 @@ const NOTES: &[(&str, &str)] = &[
         "Names are compared or written as they are spelled, without their escapes resolved.",
     ),
     (
+        "reference-numbers",
+        "The reference networks are integrated, driven or sampled wrongly.",
+    ),
+    (
+        "reflex-law",
+        "The law of the reflex controller, its defaults or its fail-safe is wrong.",
+    ),
+    (
         "refreshed-deadline",
         "A command that does not advance refreshes the deadline.",
     ),
@@ -444,6 +496,10 @@ const NOTES: &[(&str, &str)] = &[
     (
         "segment-length",
         "The limit of a segment is missing, one off, or applied to the whole key.",
+    ),
+    (
+        "session-lifecycle",
+        "A session is opened, stepped or closed when it must not be, or not when it must.",
     ),
     (
         "seventeen-digits",
@@ -590,6 +646,10 @@ const NOTES: &[(&str, &str)] = &[
     (
         "wrong-defaults",
         "An absent field reads as another value than its default.",
+    ),
+    (
+        "wrong-hold-frame",
+        "A HOLD or ESTOP frame loses what it has to keep, or keeps what it has to lose.",
     ),
     (
         "wrong-key",
