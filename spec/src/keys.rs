@@ -646,6 +646,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(8_000))]
 
+        /// [NCP-KEY-030] [NCP-KEY-031] [NCP-KEY-032] [NCP-KEY-033] [NCP-KEY-034] [NCP-KEY-035]
         #[test]
         fn matching_agrees_with_zenoh(
             pattern in expression(r"\*|\*\*|(a|b|@|\$\*|\$\*){1,4}"),
@@ -654,6 +655,7 @@ mod tests {
             prop_assert_eq!(matches(&pattern, &key).ok(), zenoh(&pattern, &key), "{} {}", pattern, key);
         }
 
+        /// [NCP-KEY-036]
         #[test]
         fn validity_agrees_with_zenoh(
             pattern in "[ab*$#?/@]{0,8}",
@@ -664,6 +666,7 @@ mod tests {
     }
 
     proptest! {
+        /// [NCP-KEY-002] [NCP-KEY-005] [NCP-KEY-007]
         #[test]
         fn what_the_builders_accept_is_a_key_that_the_globs_cover(id in "\\PC{0,8}", name in "\\PC{0,8}") {
             let keys = Keys::new(None).unwrap();

@@ -11,6 +11,7 @@
 //! | [`check`] | judges one answer by the relation that its case states |
 //! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
+//! | [`trace`] | leads from every rule to what shows it, and back, in the source tree |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
 //!
 //! No rule of NCP is written a second time here: what a frame, a block or a level means is asked of [`ncp_spec`].
@@ -24,4 +25,5 @@ pub mod peer;
 pub mod report;
 pub mod run;
 pub mod suite;
+pub mod trace;
 pub mod verdict;

@@ -1,4 +1,4 @@
-//! Why a frame is rejected, and why a message is not written.
+//! Why a frame is rejected, and why a message is not written. `[NCP-WIRE-020] [NCP-WIRE-086]`
 
 use std::fmt;
 

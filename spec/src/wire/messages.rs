@@ -1,4 +1,4 @@
-//! The messages of section 1.8, in the contract's order.
+//! The messages of section 1.8, in the contract's order. `[NCP-WIRE-080] [NCP-WIRE-090]`
 //!
 //! `Default` is what a program gets that builds a message. What a receiver reads for an absent field
 //! is the same, but where the declaration says `absent`.
