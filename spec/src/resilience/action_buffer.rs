@@ -11,7 +11,7 @@ pub struct ActionBuffer {
 }
 
 impl ActionBuffer {
-    /// An empty buffer.
+    /// An empty buffer. `[NCP-RES-006]`
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -33,7 +33,7 @@ impl ActionBuffer {
         }
     }
 
-    /// Takes a command received at `now_s`.
+    /// Takes a command received at `now_s`. `[NCP-RES-020] [NCP-RES-021] [NCP-RES-023]`
     pub fn on_command(&mut self, command: CommandFrame, now_s: f64) -> Received {
         let received = self
             .plant
@@ -66,7 +66,7 @@ impl ActionBuffer {
         self.plant.reset();
     }
 
-    /// Whether ESTOP is latched.
+    /// Whether ESTOP is latched. `[NCP-RES-021]`
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.plant.is_stopped()
