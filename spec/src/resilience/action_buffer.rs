@@ -10,6 +10,7 @@ pub struct ActionBuffer {
     command: CommandFrame,
     watchdog: CommandWatchdog,
     estop: bool,
+    is_strict: bool,
 }
 
 /// What became of a command.
@@ -32,14 +33,30 @@ impl ActionBuffer {
         Self::default()
     }
 
-    /// Takes a frame from the wire, received at `now_s`.
+    /// An empty buffer that keeps the strict profile (chapter 12.1): every command has a version and
+    /// a stamp, and advances, a HOLD too.
+    #[must_use]
+    pub fn strict() -> Self {
+        Self {
+            is_strict: true,
+            ..Self::default()
+        }
+    }
+
+    /// Takes a frame from the wire, received at `now_s`. One that is rejected changes nothing, an
+    /// ESTOP aside. `[NCP-STRICT-011]`
     ///
     /// # Errors
     /// The frame cannot be decoded. If it is an ESTOP for all that, it latches.
     pub fn on_frame(&mut self, frame: &[u8], now_s: f64) -> Result<Received, DecodeError> {
-        match CommandFrame::decode(frame) {
+        let decoded = if self.is_strict {
+            CommandFrame::decode_strict(frame)
+        } else {
+            CommandFrame::decode(frame)
+        };
+        match decoded {
             Ok(command) => Ok(self.on_command(command, now_s)),
-            // [NCP-RES-022]
+            // [NCP-RES-022] [NCP-STRICT-010]
             Err(_) if is_estop(frame) => {
                 self.estop = true;
                 Ok(Received::Stopped)
@@ -55,6 +72,10 @@ impl ActionBuffer {
             Mode::Estop => {
                 self.estop = true;
                 Received::Stopped
+            }
+            // [NCP-STRICT-004] [NCP-STRICT-005] The stamp of a decoded command is that of its frame.
+            _ if self.is_strict && (command.seq < 1 || !self.watchdog.advances(command.seq)) => {
+                Received::Dropped
             }
             // [NCP-RES-020] [NCP-RES-009]
             Mode::Active => {

@@ -41,6 +41,12 @@ impl CommandWatchdog {
         self.deadline.is_none()
     }
 
+    /// Whether a command of this seq would advance.
+    #[must_use]
+    pub fn advances(&self, seq: i64) -> bool {
+        kernel::advances(self.last_seq, seq)
+    }
+
     /// Holds at once, until an advancing command.
     pub const fn hold(&mut self) {
         self.deadline = None;
