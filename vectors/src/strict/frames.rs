@@ -34,7 +34,7 @@ fn case(kind: &str, path: &str, rules: &[&'static str]) -> Case {
 
 /// A frame with which a strict receiver finds no fault.
 fn good(kind: &str) -> Json {
-    stamped_by(explicit(kind), 1)
+    stamped_by(explicit(kind), 3)
 }
 
 /// A command of this seq; another frame as it is.
@@ -146,7 +146,9 @@ fn almost_versions() -> Vec<Case> {
                 .strictly()
                 .because("Two member names are the same when they are equal after their escapes are resolved."),
         );
-        let last = bare.and("ncp_version", "0.5".into());
+        let last = bare
+            .and("novel", Json::Null)
+            .and("ncp_version", "0.5".into());
         cases.push(
             accepts(case(kind, "almost/last", &["NCP-STRICT-012"]), kind, &last)
                 .title(format!(
@@ -280,7 +282,7 @@ fn stamped() -> Vec<Case> {
         }
     }
     for kind in ["sensor_frame", "control_status", "observation_frame"] {
-        for (what, seq) in [("zero", 0), ("minus-one", -1)] {
+        for (what, seq) in [("minus-one", -1), ("least", -9_007_199_254_740_991)] {
             let frame = good(kind).with("seq", crate::trace::int(seq));
             cases.push(
                 accepts(
