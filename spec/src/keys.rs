@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::ErrorCode;
+use crate::wire::Kind;
 
 /// The realm that is meant when none is named. `// [NCP-KEY-006]`
 pub const DEFAULT_REALM: &str = "ncp";
@@ -56,6 +57,20 @@ impl Keys {
     /// None today; the signature is that of the other builders.
     pub fn rpc(&self) -> Result<String, KeyError> {
         Ok(format!("{}/rpc", self.realm))
+    }
+
+    /// `{realm}/rpc/{kind}`, the strict profile's control key of one kind of request.
+    /// `// [NCP-STRICT-001]`
+    ///
+    /// # Errors
+    ///
+    /// [`KeyError::NoRequest`] for a kind that is not a request's. `// [NCP-STRICT-006]`
+    pub fn rpc_verb(&self, kind: Kind) -> Result<String, KeyError> {
+        if kind.is_request() {
+            Ok(format!("{}/rpc/{kind}", self.realm))
+        } else {
+            Err(KeyError::NoRequest(kind))
+        }
     }
 
     /// `{realm}/session/{id}/sensor[/{name}]`, the perception plane. `// [NCP-KEY-002]`
@@ -202,6 +217,9 @@ pub enum KeyError {
         /// What is wrong with it.
         problem: ExpressionProblem,
     },
+    /// A control key is asked for a kind that is not a request's (`NCP-STRICT-006`).
+    #[error("{0} is not a request")]
+    NoRequest(Kind),
 }
 
 impl KeyError {

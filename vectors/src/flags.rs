@@ -42,8 +42,16 @@ const NOTES: &[(&str, &str)] = &[
         "Audited finding L03: a position that is empty or missing counts as the origin.",
     ),
     (
+        "L04",
+        "Audited finding L04: one control key for all requests, so that no access rule can tell them apart.",
+    ),
+    (
         "L06",
         "Audited finding L06: a sensor that is missing is encoded as an extreme rate.",
+    ),
+    (
+        "L07",
+        "Audited finding L07: a frame without a version, or with another, is taken for one of the own version.",
     ),
     (
         "L08",

@@ -1,7 +1,8 @@
 //! What a server answers from `open_session` to `close_session`.
 
 use super::{
-    Open, case, close, closed, error, not_closed, not_opened, observed, opened, run, step,
+    Open, case, close, closed, error, not_closed, not_opened, observed, opened, record, run, step,
+    stimulus,
 };
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -13,6 +14,7 @@ pub(super) fn file() -> File {
     cases.extend(malformed());
     cases.extend(versions());
     cases.extend(times());
+    cases.extend(failures());
     let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
     File::new("session", "life", about, cases)
 }
@@ -497,4 +499,51 @@ fn times() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Numbers that leave the doubles within the simulator, so that no frame can hold what it gives.
+fn failures() -> Vec<Case> {
+    let driven = |open: Open, observable: &str, kind: &str| Open {
+        records: vec![record("out", observable, 1.0)],
+        stimuli: vec![stimulus("in", kind)],
+        ..open
+    };
+    let rate = driven(
+        Open {
+            params: vec![("mu", 1.7e308)],
+            ..Open::rate("a")
+        },
+        "rate",
+        "rate_inject",
+    );
+    let membrane = driven(
+        Open {
+            params: vec![("C_m", 1.0)],
+            ..Open::lif("a")
+        },
+        "V_m",
+        "current_pA",
+    );
+    [
+        ("rate", rate, 1.7e308),
+        ("membrane", membrane, -1.7e308),
+    ]
+    .map(|(what, a, input)| {
+        let trace = vec![
+            (a.text(), opened("a")),
+            (Open::lif("b").text(), opened("b")),
+            steps("b", 10.0),
+            (step("a", None, Some(("in", input))), error()),
+            steps("b", 20.0),
+            (close("a"), closed("a")),
+            (a.text(), opened("a")),
+            steps("a", 10.0),
+            steps("b", 30.0),
+        ];
+        case(format!("fails/{what}"), &["NCP-SESS-037"], trace)
+            .title(format!("A step whose {what} leaves the doubles is an error, and costs nothing but that step."))
+            .flags(&["session-lifecycle", "non-finite-numbers"])
+            .because("A request that fails within the simulator costs that request only, and is answered with an error frame; no frame can hold an infinity.")
+    })
+    .into()
 }
