@@ -134,6 +134,10 @@ const NOTES: &[(&str, &str)] = &[
         "A limit in bytes is applied to characters or UTF-16 units.",
     ),
     (
+        "bytes-outside-the-object",
+        "The bytes of white space around the object do not count for its limit.",
+    ),
+    (
         "case-folded-kinds",
         "Kinds are compared without regard to case.",
     ),
@@ -614,6 +618,10 @@ const NOTES: &[(&str, &str)] = &[
     (
         "unknown-mode-moves",
         "A mode that is not known moves the plant, or costs the frame.",
+    ),
+    (
+        "unwrapped-horizon",
+        "A step of a horizon is unwrapped as if it were the proto's.",
     ),
     (
         "version-arithmetic",

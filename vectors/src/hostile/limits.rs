@@ -62,6 +62,17 @@ fn sizes() -> Vec<Case> {
                 a(kind)
             )),
         );
+        for (what, side) in [("before", Side::Before), ("after", Side::After)] {
+            let text = outside(&minimal(kind).text(), MIB + 1, side);
+            cases.push(
+                too_large(kind, &format!("white-space-{what}"), text)
+                    .flags(&["bytes-outside-the-object"])
+                    .title(format!(
+                        "{} of 1 MiB and a byte, most of it white space {what} the object, is rejected.",
+                        a(kind)
+                    )),
+            );
+        }
         let table = [
             ("padded", padded(&frame, MIB, "x"), "of exactly 1 MiB"),
             (
@@ -73,6 +84,16 @@ fn sizes() -> Vec<Case> {
                 "white-space",
                 spaced(&frame, MIB),
                 "of exactly 1 MiB, most of it white space,",
+            ),
+            (
+                "white-space-before",
+                outside(&frame, MIB, Side::Before),
+                "of exactly 1 MiB, most of it white space before the object,",
+            ),
+            (
+                "white-space-after",
+                outside(&frame, MIB, Side::After),
+                "of exactly 1 MiB, most of it white space after the object,",
             ),
         ];
         for (what, text, says) in table {
@@ -511,6 +532,22 @@ fn spaced(frame: &str, total: usize) -> Text {
     ])
 }
 
+/// A side of the object.
+#[derive(Clone, Copy)]
+enum Side {
+    Before,
+    After,
+}
+
+/// The frame with so much white space on one side of its object that the whole has `total` bytes.
+fn outside(frame: &str, total: usize, side: Side) -> Text {
+    let space = |character: &str| Text::repeat(character, total - frame.len());
+    match side {
+        Side::Before => Text::concat([space(" "), frame.into()]),
+        Side::After => Text::concat([frame.into(), space("\n")]),
+    }
+}
+
 /// The frame with a value at a path; what the path needs is made.
 fn set(frame: Json, path: &[&str], value: Json) -> Json {
     let Some((name, rest)) = path.split_first() else {
@@ -565,6 +602,10 @@ mod tests {
             assert_eq!(expanded(&padded(&frame, MIB + 1, unit)).len(), MIB + 1);
         }
         assert_eq!(expanded(&spaced(&frame, MIB)).len(), MIB);
+        for side in [Side::Before, Side::After] {
+            let text = expanded(&outside(&frame, MIB, side));
+            assert_eq!((text.len(), text.trim()), (MIB, frame.as_str()));
+        }
     }
 
     #[test]
