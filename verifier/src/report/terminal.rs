@@ -75,12 +75,11 @@ impl Page<'_> {
     fn head(&mut self) {
         let Report {
             asked,
-            corpus,
             wire_version,
             ..
         } = self.report;
-        let cases = plural(corpus.cases, "case");
-        let files = plural(corpus.files, "file");
+        let cases = plural(asked.cases, "case");
+        let files = plural(asked.files, "file");
         self.paragraph(
             0,
             &format!(
@@ -742,14 +741,16 @@ mod tests {
             wire_version: "0.5",
             contract_hash: "",
             corpus: Corpus {
-                files: 80,
-                cases: 6100,
+                files: 90,
+                cases: 7000,
                 sha256: String::new(),
             },
             asked: Asked {
                 level: "strict",
                 roles: Vec::new(),
                 filters: Vec::new(),
+                files: 80,
+                cases: 6100,
                 repeat: 1,
                 partial: false,
             },
