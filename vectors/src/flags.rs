@@ -171,6 +171,10 @@ const NOTES: &[(&str, &str)] = &[
     ),
     ("control-characters", "Control characters pass into a key."),
     (
+        "cut-names",
+        "A name is cut at its first U+0000, or its length is read with too few bits.",
+    ),
+    (
         "dot-segment",
         "The segments `.` and `..` are resolved like a path, or refused where they are only a part.",
     ),

@@ -327,18 +327,22 @@ fn maps() -> Vec<Case> {
 
 /// Arrays of 4,096 items that are no numbers, and of one more.
 fn arrays() -> Vec<Case> {
+    let spec = explicit_message("ChannelSpec").text();
+    let binding = explicit_message("EntityBinding").text();
+    let record = explicit_message("RecordTarget").text();
+    let stimulus = explicit_message("StimulusTarget").text();
     let places: [(&str, &[&str], &str); 7] = [
         ("command_frame", &["horizon"], "{}"),
-        ("capabilities", &["sensor_channels"], "{}"),
-        ("capabilities", &["command_channels"], "{}"),
-        ("open_session", &["bindings"], "{}"),
-        ("open_session", &["record", "targets"], "{}"),
+        ("capabilities", &["sensor_channels"], &spec),
+        ("capabilities", &["command_channels"], &spec),
+        ("open_session", &["bindings"], &binding),
+        ("open_session", &["record", "targets"], &record),
         (
             "open_session",
             &["record", "targets", "0", "recordables"],
             "\"x\"",
         ),
-        ("open_session", &["stimulus", "targets"], "{}"),
+        ("open_session", &["stimulus", "targets"], &stimulus),
     ];
     let mut cases = Vec::new();
     for (kind, path, item) in places {
@@ -389,7 +393,7 @@ fn arrays() -> Vec<Case> {
             .flags(&["low-limits"])
             .decode(kind, text.clone())
             .means(text)
-            .because("An array may have 4,096 items; what each leaves out has its default."),
+            .because("An array may have 4,096 items."),
         );
     }
     cases
@@ -555,18 +559,24 @@ fn set(frame: Json, path: &[&str], value: Json) -> Json {
     };
     let inner = match frame.get(name) {
         Some(known) if !rest.is_empty() && !known.members().is_empty() => known.clone(),
-        _ => Json::object(),
+        _ => ground(name, rest),
     };
     match rest {
-        ["0", rest @ ..] => frame.with(name, Json::Array(vec![set(ground(name), rest, value)])),
+        ["0", rest @ ..] => frame.with(
+            name,
+            Json::Array(vec![set(ground(name, rest), rest, value)]),
+        ),
         rest => frame.with(name, set(inner, rest, value)),
     }
 }
 
-/// What an item of that array is, apart from what is set in it.
-fn ground(name: &str) -> Json {
-    match name {
-        "bindings" => explicit_message("EntityBinding"),
+/// What stands in that member, apart from what is set in it by the path: its defaults written out.
+fn ground(name: &str, rest: &[&str]) -> Json {
+    match (name, rest) {
+        ("bindings", _) => explicit_message("EntityBinding"),
+        ("targets", ["params", ..]) => explicit_message("StimulusTarget"),
+        ("targets", [_, ..]) => explicit_message("RecordTarget"),
+        ("a", ["times" | "values" | "senders"]) => explicit_message("Observation"),
         _ => Json::object(),
     }
 }
