@@ -218,7 +218,8 @@ impl File {
     ) -> Self {
         let (mut cases, name) = (cases, name.into());
         for case in cases.iter_mut().filter(|case| case.flags.is_empty()) {
-            case.flags.extend(flags::usual(area, &name));
+            let rule = case.requirements.first().copied().unwrap_or_default();
+            case.flags.extend(flags::usual(area, &name, rule));
         }
         Self {
             area,

@@ -108,6 +108,10 @@ pub struct Asked {
     pub roles: Vec<&'static str>,
     /// The filters; empty: all cases.
     pub filters: Vec<String>,
+    /// Of how many files cases are meant.
+    pub files: usize,
+    /// How many cases are meant, by level, roles and filters.
+    pub cases: usize,
     /// How often each case was run.
     pub repeat: u32,
     /// Whether the filters left cases out, so that a pass is no conformance.
