@@ -80,8 +80,15 @@ fn without_lines(text: &str) -> String {
 }
 
 /// What `explain` says.
+/// An explanation as it is outside of the source tree, whose code is none of a snapshot's business.
 fn explained(id: &str) -> String {
-    without_lines(&verify(&["explain", id]).stdout)
+    let elsewhere = tempfile::tempdir().unwrap();
+    let vectors = std::path::absolute("tests/data/vectors").unwrap();
+    let run = run(program()
+        .current_dir(elsewhere.path())
+        .args(["explain", id, "--vectors"])
+        .arg(vectors));
+    without_lines(&run.stdout)
 }
 
 #[test]
@@ -142,6 +149,53 @@ fn a_long_input_is_explained_abbreviated() {
 fn a_rule_and_a_flag_are_explained_with_their_cases() {
     insta::assert_snapshot!("explain_rule", explained("ncp-ver-004"));
     insta::assert_snapshot!("explain_flag", explained("lenient-reader"));
+}
+
+#[test]
+fn an_explanation_within_the_source_tree_leads_to_code_and_tests() {
+    for (id, wanted) in [
+        (
+            "NCP-SAFE-040",
+            [
+                "Code\n",
+                "  spec/src/safety/governor.rs:",
+                "Tests\n",
+                "  spec/tests/governor.rs:",
+            ],
+        ),
+        (
+            "L03",
+            [
+                "NCP-SAFE-040 MUST",
+                "  spec/src/safety/governor.rs:",
+                " cases\n",
+                "  safety/fence/channel/empty\n",
+            ],
+        ),
+        (
+            "l18",
+            [
+                "no case is flagged",
+                "NCP-TRANS-008 MUST",
+                "Code\n",
+                "  spec/src/bus.rs:",
+            ],
+        ),
+        (
+            "safety/fence/channel/empty",
+            [
+                "Expected\n",
+                "Rule\n",
+                "Code\n",
+                "  spec/src/safety/governor.rs:",
+            ],
+        ),
+    ] {
+        let text = run(program().args(["explain", id])).stdout;
+        for wanted in wanted {
+            assert!(text.contains(wanted), "{id} lacks {wanted:?}: {text}");
+        }
+    }
 }
 
 #[test]

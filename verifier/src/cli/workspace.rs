@@ -18,9 +18,9 @@ impl Workspace {
         from.ancestors().chain(built_in).find_map(Self::at)
     }
 
-    /// The one that belongs to the current folder.
+    /// The nearest one at or above the current folder.
     pub(super) fn here() -> Option<Self> {
-        Self::find(&std::env::current_dir().ok()?)
+        Self::above(&std::env::current_dir().ok()?)
     }
 
     /// The nearest one at or above `from`.
