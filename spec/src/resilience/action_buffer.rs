@@ -1,28 +1,13 @@
 //! The action buffer: the newest command, and what of it a plant does now.
 
-use super::CommandWatchdog;
-use crate::safety::kernel;
-use crate::wire::{ChannelMap, CommandFrame, DecodeError, Frame, Mode};
+use crate::safety::kernel::{Plant, Received};
+use crate::wire::{ChannelMap, CommandFrame, DecodeError, Frame};
 
 /// Keeps the newest command and replays its horizon. All times are seconds on the plant's own clock.
 #[derive(Debug, Clone, Default)]
 pub struct ActionBuffer {
     command: CommandFrame,
-    watchdog: CommandWatchdog,
-    estop: bool,
-}
-
-/// What became of a command.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Received {
-    /// It is the one that the plant follows now.
-    Accepted,
-    /// The plant holds.
-    Held,
-    /// ESTOP is latched.
-    Stopped,
-    /// It is stale, a duplicate or reordered, and changes nothing.
-    Dropped,
+    plant: Plant<f64, i64>,
 }
 
 impl ActionBuffer {
@@ -41,7 +26,7 @@ impl ActionBuffer {
             Ok(command) => Ok(self.on_command(command, now_s)),
             // [NCP-RES-022]
             Err(_) if is_estop(frame) => {
-                self.estop = true;
+                self.plant.stop();
                 Ok(Received::Stopped)
             }
             Err(error) => Err(error),
@@ -50,75 +35,41 @@ impl ActionBuffer {
 
     /// Takes a command received at `now_s`.
     pub fn on_command(&mut self, command: CommandFrame, now_s: f64) -> Received {
-        match command.mode {
-            // [NCP-RES-021]
-            Mode::Estop => {
-                self.estop = true;
-                Received::Stopped
-            }
-            // [NCP-RES-020] [NCP-RES-009]
-            Mode::Active => {
-                if !self.watchdog.on_command(now_s, command.ttl_ms, command.seq) {
-                    return Received::Dropped;
-                }
-                self.command = command;
-                if self.estop {
-                    Received::Stopped
-                } else {
-                    Received::Accepted
-                }
-            }
-            // [NCP-SAFE-001] [NCP-RES-023] [NCP-RES-024]
-            Mode::Init | Mode::Hold => {
-                if self.watchdog.on_hold(command.seq) {
-                    Received::Held
-                } else {
-                    Received::Dropped
-                }
-            }
+        let received = self
+            .plant
+            .on_command(command.mode, now_s, command.ttl_ms, command.seq);
+        if received == Received::Accepted {
+            self.command = command;
         }
+        received
     }
 
     /// The channels that the plant actuates at `now_s`, or none when it holds. `[NCP-RES-025]`
     pub fn active(&mut self, now_s: f64) -> Option<&ChannelMap> {
-        if self.watchdog.should_hold(now_s) || self.estop {
-            return None;
-        }
-        let received_s = self.watchdog.received_s()?;
-        // [NCP-RES-026] [NCP-RES-027]
-        let dt_ms = self
-            .command
-            .horizon_dt_ms
-            .filter(|&dt_ms| kernel::is_duration(dt_ms));
-        let Some(dt_ms) = dt_ms.filter(|_| !self.command.horizon.is_empty()) else {
-            return Some(&self.command.channels);
-        };
-        // [NCP-RES-028] A conversion from a float saturates.
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let tick = (kernel::age_ms(now_s, received_s) / dt_ms).floor() as usize;
+        let CommandFrame {
+            channels,
+            horizon,
+            horizon_dt_ms,
+            ..
+        } = &self.command;
+        let tick = self.plant.active(now_s, *horizon_dt_ms, horizon.len())?;
+        // [NCP-RES-028]
         match tick.checked_sub(1) {
-            None => Some(&self.command.channels),
-            // [NCP-RES-029]
-            Some(step) => {
-                if step >= self.command.horizon.len() {
-                    self.watchdog.hold();
-                }
-                self.command.horizon.get(step)
-            }
+            None => Some(channels),
+            Some(step) => horizon.get(step),
         }
     }
 
     /// Clears the latch, the held command and the last seq, by a supervisor's decision: nothing moves
     /// until a new command comes. `[NCP-RES-030] [NCP-RES-031] [NCP-RES-032]`
     pub fn reset(&mut self) {
-        self.watchdog.reset();
-        self.estop = false;
+        self.plant.reset();
     }
 
     /// Whether ESTOP is latched.
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
-        self.estop
+        self.plant.is_stopped()
     }
 }
 

@@ -4,9 +4,11 @@ mod action_buffer;
 mod link_monitor;
 mod watchdog;
 
-pub use action_buffer::{ActionBuffer, Received, is_estop};
+pub use action_buffer::{ActionBuffer, is_estop};
 pub use link_monitor::{DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, LinkReport};
 pub use watchdog::CommandWatchdog;
+
+pub use crate::safety::kernel::Received;
 
 use crate::safety::kernel;
 use crate::wire::MAX_ITEMS;

@@ -1,12 +1,13 @@
 //! The commander's gate: chapter 7.
 //!
-//! [`SafetyGovernor`] decides what leaves the control loop. The arithmetic of its decisions stands in
-//! [`kernel`], where the plant's side (chapter 8) finds its own too.
+//! [`SafetyGovernor`] decides what leaves the control loop. Its decisions stand in [`kernel`], where the
+//! plant's side (chapter 8) finds its own too.
 
 mod governor;
 pub mod kernel;
 
-pub use governor::{Decision, Reason, SafetyGovernor};
+pub use governor::SafetyGovernor;
+pub use kernel::{Decision, Reason};
 
 /// The sensor channel on which the geofence acts: 3 wide, in [`METRES`]. `[NCP-SAFE-010]`
 pub const POSITION_CHANNEL: &str = "pose_position";

@@ -1,0 +1,82 @@
+//! The geofence: where the plant is, and where a command leads it.
+
+use super::speed::{all_finite, norm};
+use super::{Plan, Reason, Scalar, enforced_ttl_ms};
+
+/// Whether a position lies in the closed ball of `radius` about the origin. False whenever that
+/// cannot be computed. `// [NCP-SAFE-043] [NCP-SAFE-044] [NCP-SAFE-045]`
+#[inline]
+pub fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool {
+    all_finite(position)
+        && radius.is_finite()
+        && S::constant(0.0).lt(radius)
+        && norm(position).le(radius)
+}
+
+/// Where a plant is that moves from `position` with `velocity` for `time_s` seconds.
+#[inline]
+pub fn travel<S: Scalar>(position: &[S; 3], velocity: &[S; 3], time_s: S) -> [S; 3] {
+    let [x, y, z] = *position;
+    let [u, v, w] = *velocity;
+    [
+        x.add(u.mul(time_s)),
+        y.add(v.mul(time_s)),
+        z.add(w.mul(time_s)),
+    ]
+}
+
+/// The part of tick `k`, [k·dt, (k+1)·dt), that lies before the end of the ttl; both in ms. 0 when
+/// there is none.
+#[inline]
+pub fn tick_share_ms<S: Scalar>(tick: usize, dt_ms: S, ttl_ms: S) -> S {
+    // A horizon has at most 4,096 steps: the conversion is exact.
+    #[expect(clippy::cast_precision_loss)]
+    let start = S::constant(tick as f64).mul(dt_ms);
+    if !start.lt(ttl_ms) {
+        return S::constant(0.0);
+    }
+    let rest = ttl_ms.sub(start);
+    if dt_ms.lt(rest) { dt_ms } else { rest }
+}
+
+/// How many steps of the horizon end inside the fence, from the first on, each projected from the
+/// end of the one before.
+///
+/// # Errors
+/// Tick 0 itself leads out, or its velocity cannot be used.
+#[inline]
+pub fn steps_inside<S: Scalar>(
+    plan: &impl Plan<S>,
+    position: &[S; 3],
+    radius: S,
+) -> Result<usize, Reason> {
+    // [NCP-SAFE-052]
+    let velocity = plan.velocity(0).ok_or(Reason::NoVelocity)?;
+    // A plant does not act on a command whose ttl is no time.
+    let ttl_ms = enforced_ttl_ms(plan.ttl_ms()).unwrap_or(S::constant(0.0));
+    let after = |from: &[S; 3], velocity: &[S; 3], time_ms: S| {
+        let end = travel(from, velocity, time_ms.div(S::constant(1000.0)));
+        inside(&end, radius).then_some(end)
+    };
+    if plan.steps() > 0 {
+        let dt_ms = plan.dt_ms().unwrap_or(S::constant(f64::NAN));
+        let share_ms = |tick| tick_share_ms(tick, dt_ms, ttl_ms);
+        // [NCP-SAFE-051]
+        let mut place = after(position, &velocity, share_ms(0)).ok_or(Reason::LeavesFence)?;
+        let mut kept = 0;
+        while kept < plan.steps() {
+            let tick = kept + 1;
+            let step = plan.velocity(tick);
+            let end = step.and_then(|velocity| after(&place, &velocity, share_ms(tick)));
+            let Some(end) = end else { break };
+            place = end;
+            kept = tick;
+        }
+        if kept > 0 {
+            return Ok(kept); // [NCP-SAFE-050]
+        }
+    }
+    // [NCP-SAFE-053] Without a horizon, tick 0 is followed until the ttl ends.
+    after(position, &velocity, ttl_ms).ok_or(Reason::LeavesFence)?;
+    Ok(0)
+}

@@ -1,0 +1,124 @@
+//! Limits, and the speed of a tick.
+
+use super::{Channel, Limit, Reason, Scalar};
+
+/// Reads a limit. `// [NCP-SAFE-012] [NCP-SAFE-013]`
+#[inline]
+pub fn limit<S: Scalar>(value: Option<S>) -> Limit<S> {
+    let Some(value) = value else {
+        return Limit::Disabled;
+    };
+    let zero = S::constant(0.0);
+    if !value.is_finite() || value.lt(zero) {
+        Limit::Faulty
+    } else if zero.lt(value) {
+        Limit::Enabled(value)
+    } else {
+        Limit::Disabled
+    }
+}
+
+/// √(Σ xᵢ²).
+#[inline]
+pub fn norm<S: Scalar>(vector: &[S]) -> S {
+    let mut sum = S::constant(0.0);
+    for x in vector {
+        sum = sum.add(x.mul(*x));
+    }
+    sum.sqrt()
+}
+
+/// Whether all components are finite.
+#[inline]
+pub fn all_finite<S: Scalar>(vector: &[S]) -> bool {
+    for x in vector {
+        if !x.is_finite() {
+            return false;
+        }
+    }
+    true
+}
+
+/// Scales a finite vector so that its norm is not above `max`, keeping its direction; leaves it
+/// unchanged when it is not. False, and the vector is not to be used, when a component is not
+/// finite or `max` is not a finite bound above 0.
+///
+/// The bound is on [`norm`] as it is computed, and holds for every double: where scaling rounds
+/// above it, the vector becomes zero.
+#[inline]
+pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
+    bring_within(vector, max).is_some()
+}
+
+/// [`clamp`], which also says whether the vector was above the bound; none for what is not to be used.
+#[inline]
+pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
+    let zero = S::constant(0.0);
+    if !all_finite(vector) || !max.is_finite() || !zero.lt(max) {
+        return None;
+    }
+    let mut length = norm(vector);
+    if length.le(max) {
+        return Some(false); // [NCP-SAFE-062]
+    }
+    // [NCP-SAFE-060] [NCP-SAFE-061] Where a square overflows, by the largest component first.
+    if !length.is_finite() {
+        let mut largest = zero;
+        for x in vector.iter() {
+            if largest.lt(x.abs()) {
+                largest = x.abs();
+            }
+        }
+        for x in vector.iter_mut() {
+            *x = x.div(largest);
+        }
+        length = norm(vector);
+    }
+    // A little below `max`, by more than the roundings can add: half an ulp for each component and a
+    // few for the rest.
+    #[expect(clippy::cast_precision_loss)]
+    let margin = 1.0 - (vector.len() as f64 + 8.0) * (f64::EPSILON / 2.0);
+    let scale = max.mul(S::constant(margin)).div(length);
+    for x in vector.iter_mut() {
+        *x = x.mul(scale);
+    }
+    if !norm(vector).le(max) {
+        for x in vector.iter_mut() {
+            *x = zero;
+        }
+    }
+    Some(true)
+}
+
+/// Applies the speed limit to the channels of a tick. Whether anything changed.
+///
+/// # Errors
+/// The tick is not to be used: a component is not finite, or the limit is enabled and there is no
+/// velocity that it can act on.
+#[inline]
+pub fn limit_tick<'a, S: Scalar + 'a>(
+    channels: impl Iterator<Item = Channel<'a, S>>,
+    max_mps: Limit<S>,
+) -> Result<bool, Reason> {
+    let (mut limited, mut has_velocity) = (false, false);
+    for channel in channels {
+        // [NCP-SAFE-064]
+        if !all_finite(channel.data) {
+            return Err(Reason::NotFinite);
+        }
+        let Limit::Enabled(max_mps) = max_mps else {
+            continue;
+        };
+        // [NCP-SAFE-065]
+        if !channel.in_mps {
+            continue;
+        }
+        has_velocity |= channel.is_velocity && channel.data.len() == 3;
+        limited |= bring_within(channel.data, max_mps).ok_or(Reason::NoVelocity)?;
+    }
+    // [NCP-SAFE-063]
+    if !has_velocity && !matches!(max_mps, Limit::Disabled) {
+        return Err(Reason::NoVelocity);
+    }
+    Ok(limited)
+}
