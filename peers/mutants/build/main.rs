@@ -50,6 +50,10 @@ fn make() -> Result<(), Box<dyn Error>> {
 
     let mut modules = String::new();
     for (folder, module) in PACKAGES {
+        // A file that is no longer there must not be left over from the last time.
+        if out.join(folder).exists() {
+            fs::remove_dir_all(out.join(folder))?;
+        }
         println!("cargo::rerun-if-changed={}", root.join(folder).display());
         for source in files(&root.join(folder).join("src"))? {
             let name = relative(&source, &root);
@@ -94,7 +98,9 @@ fn moved(text: &str, module: &str) -> String {
 
 /// The table, as `src/main.rs` includes it.
 fn as_code(mutants: &[Mutant]) -> Result<String, std::fmt::Error> {
-    let mut code = String::from("/// Every mutant; its place is its number.\nstatic MUTANTS: &[Mutant] = &[\n");
+    let mut code = String::from(
+        "/// Every mutant; its place is its number.\nstatic MUTANTS: &[Mutant] = &[\n",
+    );
     for Mutant {
         name,
         about,

@@ -37,7 +37,9 @@ pub(crate) enum WeaveError {
         part: &'static str,
         text: String,
     },
-    #[error("the mutants {first} and {second} change places that overlap, neither within the other")]
+    #[error(
+        "the mutants {first} and {second} change places that overlap, neither within the other"
+    )]
     Overlap { first: String, second: String },
 }
 

@@ -6,6 +6,7 @@
 mod check;
 mod explain;
 mod list;
+mod mutants;
 mod workspace;
 
 use std::io::{IsTerminal as _, Write as _};
@@ -72,6 +73,7 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
         None => check::bundled(&suite, &cli.check, styles, &stop),
         Some(Command::Run(run)) => check::named(&suite, run, styles, &stop),
         Some(Command::List(list)) => list::list(&suite, list, style),
+        Some(Command::Mutants(args)) => mutants::mutants(&suite, args, styles, &stop),
         Some(Command::Explain(explain)) => explain::explain(&suite, &explain.id, style),
     }
 }
@@ -145,7 +147,18 @@ enum Command {
         after_help = "Examples:\n  ncp-verify explain wire/command_frame/seq/null\n  ncp-verify explain NCP-WIRE-007\n  ncp-verify explain lenient-integers"
     )]
     Explain(ExplainArgs),
+    /// Measure what the suite detects: run it against the Rust peer with one defect after the other
+    #[command(after_help = MUTANTS_HELP)]
+    Mutants(MutantsArgs),
 }
+
+const MUTANTS_HELP: &str = "\
+Builds peers/mutants, and writes reports/mutants.md and reports/mutants.json.
+Ends with 1 if the suite does not notice a mutant, or does not name the rule that it breaks.
+
+Examples:
+  ncp-verify mutants --list
+  ncp-verify mutants --only lenient-integer-fraction";
 
 const RUN_HELP: &str = "\
 A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
@@ -228,6 +241,28 @@ struct ListArgs {
 struct ExplainArgs {
     /// The id of a case or a rule, or a flag
     id: String,
+}
+
+#[derive(Debug, Args)]
+struct MutantsArgs {
+    /// Only this mutant; writes no reports (may be repeated)
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+    /// Only list the mutants
+    #[arg(long)]
+    list: bool,
+    /// How many mutants are on trial side by side
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
+    /// Seconds that the trial of one mutant may take
+    #[arg(long, value_name = "S", default_value = "120", value_parser = seconds)]
+    limit: Duration,
+    /// The program that holds the mutants, instead of building it
+    #[arg(long, value_name = "FILE")]
+    program: Option<PathBuf>,
+    /// Where to write the reports [default: reports]
+    #[arg(long, value_name = "DIR")]
+    reports: Option<PathBuf>,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
