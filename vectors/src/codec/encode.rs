@@ -109,7 +109,7 @@ fn ranges() -> Vec<Case> {
             ("below", -0.5),
             ("above", 1.5),
         ] {
-            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0]] {
+            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0], [200.0, 0.0]] {
                 let x = value[0] + share * (value[1] - value[0]);
                 let mapping = Mapping {
                     value,

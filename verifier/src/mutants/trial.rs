@@ -146,7 +146,11 @@ fn failing(
             .flat_map(|mutant| ["--mutant".to_owned(), mutant.name.clone()]),
     );
     let launch = Launch::new(argv, ".");
-    let settings = Settings::default();
+    let settings = Settings {
+        // A mutant that crashes is run to its end too: the time bounds it.
+        max_restarts: u32::MAX,
+        ..Settings::default()
+    };
     let mut runs = Vec::new();
     let mut cases = Vec::new();
     for part in parts {
