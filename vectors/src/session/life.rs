@@ -72,7 +72,7 @@ fn lives() -> Vec<Case> {
         (
             "time-since-opened",
             &["NCP-SESS-033"],
-            "sim_time_ms is the time since the session was opened, not that of the request.",
+            "Simulation time counts from the opening of the session, not from the request.",
             vec![
                 open("a"),
                 (step("a", Some(5.0), None), observed("a", 5.0)),

@@ -63,7 +63,7 @@ pub(super) fn mutants(
         stop,
     };
     let said = Progress::spinner(
-        format!("{} mutants, {} cases", mutants.len(), suite.cases().len()),
+        format!("{}, {} cases", plural(mutants.len()), suite.cases().len()),
         std::io::stderr().is_terminal(),
     );
     let trials =
@@ -140,10 +140,14 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
     for remark in report.remarks() {
         text.push_str(&format!("{}\n", styles.out.red(&remark)));
     }
-    let count = report.mutants.len();
     let line = format!(
-        "{count} mutants: {} killed, of which {} by the rule that the verdict names first; {} misnamed, {} survived, {} not finished",
-        totals.killed, totals.named_first, totals.misnamed, totals.survived, totals.unfinished
+        "{}: {} killed, of which {} by the rule that the verdict names first; {} misnamed, {} survived, {} not finished",
+        plural(report.mutants.len()),
+        totals.killed,
+        totals.named_first,
+        totals.misnamed,
+        totals.survived,
+        totals.unfinished
     );
     text.push_str(&if totals.all_killed() {
         styles.out.green(&line)
@@ -152,4 +156,8 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
     });
     text.push('\n');
     text
+}
+
+fn plural(mutants: usize) -> String {
+    format!("{mutants} mutant{}", if mutants == 1 { "" } else { "s" })
 }
