@@ -148,9 +148,13 @@ impl MutantsReport {
             page,
             "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 KiB \
              were run only where no other case did. *Named first* means that the verdict on this mutant begins with \
-             that rule; where it does not, the rules before it stand in brackets.\n"
+             that rule; where it does not, the rules before it stand in brackets."
         )?;
-        for remark in self.remarks() {
+        let remarks = self.remarks();
+        if !remarks.is_empty() {
+            writeln!(page)?;
+        }
+        for remark in remarks {
             writeln!(page, "- **{remark}**")?;
         }
         writeln!(
