@@ -48,6 +48,16 @@ fn names_are_of_lower_case_words_and_descriptions_are_sentences() {
         assert!(!edit.is_empty(), "{name} changes nothing");
         for edit in edit {
             assert_ne!(edit.code, edit.with, "{name} changes nothing");
+            let folders = ["spec/src/", "peers/rust/src/"];
+            assert!(
+                folders.iter().any(|folder| edit.file.starts_with(folder)),
+                "{name}"
+            );
+            assert_ne!(
+                edit.after.as_deref(),
+                Some(""),
+                "{name} has an anchor that stands everywhere"
+            );
         }
     }
 }
