@@ -134,6 +134,22 @@ pub(crate) const CHECKS: &[Check] = &[
         about: "every bundled peer conforms at the level that it claims (ncp-verify, release)",
         run: conformance,
     },
+    Check {
+        name: "mutants",
+        about: "the suite notices every mutant, and names the rule that it breaks (ncp-verify mutants)",
+        run: |work| {
+            let hunt = [
+                "run",
+                "--quiet",
+                "--release",
+                "-p",
+                "ncp-verifier",
+                "--",
+                "mutants",
+            ];
+            work.tests(work.project.cargo(&hunt), count::mutants)
+        },
+    },
 ];
 
 /// How cargo runs the verifier.

@@ -102,7 +102,7 @@ fn ranges() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, value) in RANGES {
         for share in SHARES {
-            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0]] {
+            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0], [200.0, 0.0]] {
                 let x = share.of(value);
                 let mapping = Mapping {
                     value,

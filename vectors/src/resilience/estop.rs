@@ -377,6 +377,23 @@ fn stops() -> Vec<(&'static str, &'static str, Json)> {
             Json::string(r#"{"\u006bind":"command\u005fframe","mode":"estop"}"#),
         ),
         (
+            "escaped-name-malformed",
+            "A malformed ESTOP whose member name is escaped",
+            Json::string(r#"{"kind":"command_frame","m\u006fde":"estop","seq":"x"}"#),
+        ),
+        (
+            "escaped-value-malformed",
+            "A malformed ESTOP whose value is escaped",
+            Json::string(
+                r#"{"kind":"command_frame","mode":"\u0065\u0073\u0074\u006f\u0070","seq":"x"}"#,
+            ),
+        ),
+        (
+            "escaped-kind-malformed",
+            "A malformed ESTOP whose kind is escaped",
+            Json::string(r#"{"\u006bind":"command\u005fframe","mode":"estop","seq":"x"}"#),
+        ),
+        (
             "text-with-quotes",
             "An ESTOP behind a text with quotes and braces",
             Json::string(r#"{"x":"\"}{\\","kind":"command_frame","mode":"estop"}"#),

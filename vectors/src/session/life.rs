@@ -72,6 +72,16 @@ fn lives() -> Vec<Case> {
             ],
         ),
         (
+            "time-since-opened",
+            &["NCP-SESS-033"],
+            "Simulation time counts from the opening of the session, not from the request.",
+            vec![
+                open("a"),
+                (step("a", Some(5.0), None), observed("a", 5.0)),
+                (step("a", Some(5.0), None), observed("a", 10.0)),
+            ],
+        ),
+        (
             "step-of-zero",
             &["NCP-SESS-031", "NCP-SESS-033"],
             "A step of 0 ms runs nothing.",
@@ -212,7 +222,7 @@ fn lives() -> Vec<Case> {
             "other-hash",
             &["NCP-SESS-025"],
             "Another contract hash is no reason to refuse.",
-            vec![(with_hash.text(), opened("a")), steps("a", 10.0)],
+            vec![open("b"), (with_hash.text(), opened("a")), steps("a", 10.0)],
         ),
     ];
     let mut cases: Vec<Case> = table
@@ -232,7 +242,8 @@ fn lives() -> Vec<Case> {
             case(
                 format!("hash/{name}"),
                 &["NCP-SESS-025"],
-                vec![(request, opened("a")), steps("a", 10.0)],
+                // The session before shows that the network is offered at all.
+                vec![open("b"), (request, opened("a")), steps("a", 10.0)],
             )
             .title(format!(
                 "A contract hash that does not match ({name}) opens a session all the same."
@@ -265,6 +276,32 @@ fn lives() -> Vec<Case> {
             .because(
                 "The `seq` of the observation frames of a session should rise by one with each.",
             ),
+    );
+    // Whether a stimulus for a port that the session lacks fails is the server's affair.
+    let stray = |reply: Json, time: f64| {
+        vec![
+            open("a"),
+            (step("a", Some(5.0), Some(("no-such-port", 1.0))), reply),
+            (step("a", Some(5.0), None), observed("a", time)),
+        ]
+    };
+    let answers = |trace: Vec<(String, Json)>| {
+        super::replies(trace.into_iter().map(|(_, reply)| reply).collect())
+    };
+    let without = super::replies(vec![not_opened("a"), error(), error()]);
+    cases.push(
+        case(
+            "life/failure-in-the-simulator".to_owned(),
+            &["NCP-SESS-037"],
+            stray(error(), 5.0),
+        )
+        .shows(any(vec![
+            answers(stray(error(), 5.0)),
+            answers(stray(observed("a", 5.0), 10.0)),
+            without,
+        ]))
+        .title("A stimulus for a port that the session lacks costs at most its request.")
+        .because("A request that fails within the simulator costs that request only."),
     );
     let again = vec![
         open("a"),

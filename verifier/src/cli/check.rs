@@ -390,12 +390,12 @@ fn nothing_selected(args: &CheckArgs) -> String {
     format!("no case fits {}; see ncp-verify list", parts.join(" "))
 }
 
-fn current_dir() -> Result<PathBuf, CliError> {
+pub(super) fn current_dir() -> Result<PathBuf, CliError> {
     std::env::current_dir()
         .map_err(|error| CliError::Harness(format!("the current folder is not known: {error}")))
 }
 
-fn write(file: &Path, text: &str) -> Result<(), CliError> {
+pub(super) fn write(file: &Path, text: &str) -> Result<(), CliError> {
     let folder = file
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty());

@@ -263,7 +263,7 @@ pub struct RateReport {
 }
 
 /// What became of one case.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct CaseReport {
     /// Its id.
     pub id: String,
@@ -313,7 +313,7 @@ pub struct CaseReport {
 }
 
 /// One difference.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct DifferenceReport {
     /// Where, as a JSON pointer.
     pub at: String,

@@ -628,7 +628,9 @@ fn cell(level: &LevelReport) -> String {
 }
 
 /// Cases by the first rule that they cite, in the order in which the rules first occur.
-fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
+pub(crate) fn by_rule<'c>(
+    cases: impl Iterator<Item = &'c CaseReport>,
+) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
     let mut groups: Vec<(&str, Vec<&CaseReport>)> = Vec::new();
     for case in cases {
         let rule = case.rules.first().map_or("", String::as_str);
