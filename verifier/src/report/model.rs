@@ -200,7 +200,7 @@ pub struct RoleReport {
     pub role: &'static str,
     /// Whether the peer claims it.
     pub claimed: bool,
-    /// The levels that have a case.
+    /// The levels from the lowest that has a case of the role; one above it may have none.
     pub levels: Vec<LevelReport>,
 }
 

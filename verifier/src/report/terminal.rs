@@ -620,6 +620,9 @@ fn cell(level: &LevelReport) -> String {
         (false, true) => '~',
         (false, false) => '✗',
     };
+    if total == 0 {
+        return format!("{mark} none of its own");
+    }
     format!(
         "{mark} {}/{}",
         thousands(passed as u64),
