@@ -185,8 +185,8 @@ pub extern "C" fn ncp_buffer_new() -> Option<Box<Buffer>> {
     entry(|| Ok(Some(Box::new(Buffer(Handle::new(ActionBuffer::new()))))))
 }
 
-/// Takes a command_frame as it arrives, at now_s. 1 if it was read, -1 if it is rejected; an ESTOP latches
-/// even then.
+/// Takes a command_frame as it arrives, at now_s. 1, or -1 if it is rejected. An ESTOP latches however torn its
+/// frame is, which is 1.
 ///
 /// # Safety
 /// The frame has that many bytes.
