@@ -352,8 +352,8 @@ void ncp_watchdog_free(ncp_watchdog *watchdog);
 // A buffer without a command.
 ncp_buffer *ncp_buffer_new(void);
 
-// Takes a command_frame as it arrives, at now_s. 1 if it was read, -1 if it is rejected; an ESTOP latches
-// even then.
+// Takes a command_frame as it arrives, at now_s. 1, or -1 if it is rejected. An ESTOP latches however torn its
+// frame is, which is 1.
 // The frame has that many bytes.
 int32_t ncp_buffer_on_frame(ncp_buffer *buffer,
                             const uint8_t *frame,
