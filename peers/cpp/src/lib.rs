@@ -20,6 +20,9 @@
 )]
 #![warn(clippy::undocumented_unsafe_blocks)]
 
+#[cfg(not(panic = "unwind"))]
+compile_error!("a panic that aborts would end the C program: build with panic = \"unwind\"");
+
 pub mod abi;
 pub mod bulk;
 pub mod control;

@@ -176,6 +176,14 @@ fn every_function_of_the_header_does_what_it_says_without_a_leak_or_an_invalid_r
     }
 }
 
+#[test]
+#[ignore = "needs cc, c++ and valgrind: cargo xtask test --only cpp"]
+fn the_cpp_objects_have_one_owner_and_throw_without_a_leak_or_an_invalid_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = compiled(cxx(), "tests/raii.cpp", true, folder.path());
+    assert_eq!(under_valgrind(&program), "0 failures\n");
+}
+
 /// The names of the header's functions.
 fn declared() -> BTreeSet<String> {
     let header = fs::read_to_string(Path::new(CRATE).join("include/ncp.h")).unwrap();

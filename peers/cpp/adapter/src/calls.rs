@@ -442,3 +442,42 @@ fn doubles_out(values: impl Iterator<Item = f64>) -> Value {
 fn longs_out(values: &[i64]) -> Value {
     values.iter().map(ToString::to_string).collect()
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+mod tests {
+    use super::*;
+
+    fn raw(text: &str) -> &RawValue {
+        serde_json::from_str(text).unwrap()
+    }
+
+    #[test]
+    fn fields_with_a_number_that_json_lacks_are_unsupported_at_any_depth() {
+        for text in [
+            r#"{"t":"NaN"}"#,
+            r#"{"channels":{"c":{"data":[1.0,"-Infinity"]}}}"#,
+            r#"{"a":[[{"b":"-0"}]]}"#,
+        ] {
+            let refused = expressible(raw(text)).unwrap_err();
+            assert!(matches!(refused, CallError::Unsupported), "{text}");
+        }
+        let members = expressible(raw(r#"{"t":1e400,"frame_id":"world","NaN":1}"#));
+        assert!(
+            members.is_err(),
+            "a number beyond a double is none that JSON readers share"
+        );
+        assert_eq!(expressible(raw(r#"{"seq":1,"NaN":2}"#)).unwrap().len(), 2);
+    }
+
+    #[test]
+    fn a_code_that_is_neither_yes_nor_no_is_the_librarys_fault() {
+        assert!(yes(1).unwrap() && !yes(0).unwrap());
+        for code in [2, -2, i32::MAX] {
+            let CallError::Refused { code, .. } = yes(code).unwrap_err() else {
+                unreachable!();
+            };
+            assert_eq!(code, "internal");
+        }
+    }
+}

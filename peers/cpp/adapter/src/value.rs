@@ -73,3 +73,37 @@ impl<'de> Deserialize<'de> for Bytes {
 pub(crate) fn base64(bytes: &[u8]) -> Value {
     STANDARD.encode(bytes).into()
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubles_come_back_with_their_bits() {
+        for double in [
+            0.1,
+            -0.0,
+            0.0,
+            5e-324,
+            f64::MAX,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            3.0,
+        ] {
+            let text = shown(double).to_string();
+            let Double(back) = serde_json::from_str(&text).unwrap();
+            assert_eq!(back.to_bits(), double.to_bits(), "{text}");
+        }
+        let Double(back) = serde_json::from_str(&shown(f64::NAN).to_string()).unwrap();
+        assert!(back.is_nan());
+        assert!(serde_json::from_str::<Double>("\"nan\"").is_err());
+    }
+
+    #[test]
+    fn a_long_is_a_string_of_digits() {
+        let Long(long) = serde_json::from_str("\"-9223372036854775808\"").unwrap();
+        assert_eq!(long, i64::MIN);
+        assert!(serde_json::from_str::<Long>("1").is_err());
+    }
+}
