@@ -94,6 +94,11 @@ pub(crate) const CHECKS: &[Check] = &[
         },
     },
     Check {
+        name: "cpp",
+        about: "C and C++: the header is fresh; installed, compiled, under valgrind; a broken build is named",
+        run: cpp,
+    },
+    Check {
         name: "rust",
         about: "all tests of all crates, and those in their documentation",
         run: |work| {
@@ -160,6 +165,15 @@ fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
     let stale = generate::check(work.project, folder)
         .map_err(|error| Failure::of_one(error.to_string()))?;
     nothing_wrong(&stale, "\nif this is meant: cargo xtask generate")
+}
+
+fn cpp(work: &mut Work<'_>) -> Result<Count, Failure> {
+    work.set_up(setup::cpp)?;
+    let mut count = fresh(work, "peers/cpp/include/ncp.h")?;
+    let test = ["test", "--quiet", "-p", "ncp-peer-cpp", "--no-fail-fast"];
+    let all = [&test[..], &["--", "--include-ignored"]].concat();
+    count += work.tests(work.project.cargo(&all), count::cargo)?;
+    Ok(count)
 }
 
 fn conformance(work: &mut Work<'_>) -> Result<Count, Failure> {

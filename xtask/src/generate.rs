@@ -1,5 +1,6 @@
 //! The files that are made from others: the JSON Schemas from the contract, the vector
-//! files from the executable specification, the manifest from the vector files.
+//! files from the executable specification, the manifest from the vector files, the C header
+//! from the code that it describes.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -15,7 +16,7 @@ use crate::project::Project;
 /// # Errors
 /// What cannot be generated, read or written.
 pub(crate) fn write(project: &Project) -> Result<bool, Error> {
-    let files = generate()?;
+    let files = generate(project)?;
     let stale = stale(project, &files)?;
     for Stale { path, what } in &stale {
         let target = project.path(path);
@@ -46,7 +47,7 @@ pub(crate) fn write(project: &Project) -> Result<bool, Error> {
 /// # Errors
 /// What cannot be generated or read.
 pub(crate) fn report_stale(project: &Project) -> Result<bool, Error> {
-    let files = generate()?;
+    let files = generate(project)?;
     let stale = stale(project, &files)?;
     for file in &stale {
         println!("{file}");
@@ -110,7 +111,7 @@ impl fmt::Display for Stale {
 /// # Errors
 /// What cannot be generated or read.
 pub(crate) fn check(project: &Project, folder: &str) -> Result<Vec<Stale>, Error> {
-    let mut files = generate()?;
+    let mut files = generate(project)?;
     files.retain(|path, _| path.starts_with(folder));
     let mut stale = stale(project, &files)?;
     stale.retain(|file| file.path.starts_with(folder));
@@ -120,13 +121,14 @@ pub(crate) fn check(project: &Project, folder: &str) -> Result<Vec<Stale>, Error
 /// All generated files: their text by their path within the project.
 type Files = BTreeMap<String, String>;
 
-fn generate() -> Result<Files, Error> {
+fn generate(project: &Project) -> Result<Files, Error> {
     let schemas = ncp_proto::schema::generate();
     let vectors = ncp_vectors::generate();
     if schemas.is_empty() {
         return Err(Error::Generate("proto/projection.json cannot be read"));
     }
     let mut files = Files::new();
+    files.insert(HEADER.to_owned(), header(project)?);
     for (name, text) in schemas {
         files.insert(format!("{SCHEMAS}{name}"), text);
     }
@@ -137,6 +139,31 @@ fn generate() -> Result<Files, Error> {
     Ok(files)
 }
 
+/// The C header of the crate in `peers/cpp`, as its `cbindgen.toml` wants it.
+fn header(project: &Project) -> Result<String, Error> {
+    let folder = project.path("peers/cpp");
+    let failed = |error: &dyn fmt::Display| Error::Header(error.to_string());
+    let config = cbindgen::Config::from_file(folder.join("cbindgen.toml"));
+    let config = config.map_err(|error| failed(&error))?;
+    // In the order in which a reader meets them.
+    let sources = [
+        "seed", "abi", "wire", "bulk", "safety", "control", "session",
+    ];
+    let builder = cbindgen::Builder::new().with_config(config);
+    let builder = sources.iter().fold(builder, |builder, name| {
+        builder.with_src(folder.join(format!("src/{name}.rs")))
+    });
+    let bindings = builder.generate().map_err(|error| failed(&error))?;
+    let mut text = Vec::new();
+    bindings.write(&mut text);
+    let text = String::from_utf8(text).map_err(|error| failed(&error))?;
+    // What Rust calls the safety of a function, C calls its use.
+    Ok(text
+        .replace("const char * ", "const char *")
+        .replace("//\n// # Safety\n", ""))
+}
+
+const HEADER: &str = "peers/cpp/include/ncp.h";
 const SCHEMAS: &str = "schemas/";
 const VECTORS: &str = "vectors/";
 const MANIFEST: &str = "vectors/MANIFEST.sha256";

@@ -30,9 +30,9 @@ Usage: cargo xtask <command>
 Commands:
   test [--only <check>]…  Set up what is missing, then check everything
   test --list             List the checks
-  generate                Write the generated files anew: schemas, vectors, their manifest
+  generate                Write the generated files anew: schemas, vectors, their manifest, the C header
   generate --check        Only say which of them are stale
-  setup                   Only set up: buf and the TypeScript packages, into ignored folders
+  setup                   Only set up: buf and the TypeScript packages, into ignored folders; valgrind
 ";
 
 fn main() -> ExitCode {
@@ -89,6 +89,8 @@ enum Error {
     Setup(#[from] setup::SetupError),
     #[error("cannot generate: {0}")]
     Generate(&'static str),
+    #[error("cannot generate the C header: {0}")]
+    Header(String),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
 }

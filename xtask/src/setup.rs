@@ -27,7 +27,10 @@ pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
     let mut say = |line: &str| println!("{line}");
     buf(project, &mut say)?;
     typescript(project, &mut say)?;
-    println!("ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}");
+    cpp(project, &mut say)?;
+    println!(
+        "ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, a C++ compiler, valgrind"
+    );
     Ok(true)
 }
 
@@ -96,6 +99,38 @@ pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupErr
         "installing the packages of {TYPESCRIPT} (npm ci) into its node_modules"
     ));
     carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], TYPESCRIPT))
+}
+
+/// Installs a C++ compiler and valgrind, where Debian's apt-get can.
+///
+/// # Errors
+/// They are missing, and cannot be installed.
+pub(crate) fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    const TOOLS: [(&str, &str); 3] = [("cc", "gcc"), ("c++", "g++"), ("valgrind", "valgrind")];
+    let missing = || {
+        let mut tools = TOOLS.into_iter();
+        tools.find(|(tool, _)| version(&mut Command::new(tool)).is_none())
+    };
+    while let Some((tool, package)) = missing() {
+        say(&format!("installing {package} (Debian, by apt-get)"));
+        let install = [
+            "apt-get",
+            "install",
+            "--yes",
+            "--no-install-recommends",
+            package,
+        ];
+        // As root, or as somebody who may become root without being asked.
+        let installed = carry_out(project.program(install[0], &install[1..], ""))
+            .or_else(|_| carry_out(project.program("sudo", &[&["-n"][..], &install].concat(), "")));
+        if installed.is_err() || version(&mut Command::new(tool)).is_none() {
+            return Err(SetupError::Missing {
+                tool,
+                remedy: "install a C and C++ compiler and valgrind",
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The program npm, by the name under which it can be started.
