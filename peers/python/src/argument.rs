@@ -7,16 +7,11 @@ use pyo3::prelude::*;
 use pyo3::pybacked::{PyBackedBytes, PyBackedStr};
 use pyo3::types::{PyBool, PyByteArray, PyBytes, PyString};
 
-use crate::error::Error;
+use crate::error::{Error, Result};
 
 /// A double: anything with `__float__` or `__index__` but a bool.
 pub(crate) fn double(value: &Bound<'_, PyAny>) -> PyResult<f64> {
-    if value.is_instance_of::<PyBool>() {
-        return Err(wrong_type("a number", value));
-    }
-    value
-        .extract()
-        .map_err(|error| fitting(value.py(), error, "an integer too large for a double"))
+    Ok(double_of(value)?)
 }
 
 /// A double, or nothing.
@@ -29,8 +24,23 @@ pub(crate) fn optional_double(value: &Bound<'_, PyAny>) -> PyResult<Option<f64>>
 
 /// A 64-bit integer: anything with `__index__` but a bool.
 pub(crate) fn integer(value: &Bound<'_, PyAny>) -> PyResult<i64> {
+    Ok(integer_of(value)?)
+}
+
+/// As [`double`].
+pub(crate) fn double_of(value: &Bound<'_, PyAny>) -> Result<f64> {
     if value.is_instance_of::<PyBool>() {
-        return Err(wrong_type("an integer", value));
+        return Err(wrong_type("a number", value).into());
+    }
+    value
+        .extract()
+        .map_err(|error| fitting(value.py(), error, "an integer beyond the largest double"))
+}
+
+/// As [`integer`].
+pub(crate) fn integer_of(value: &Bound<'_, PyAny>) -> Result<i64> {
+    if value.is_instance_of::<PyBool>() {
+        return Err(wrong_type("an integer", value).into());
     }
     value
         .extract()
@@ -105,10 +115,10 @@ fn doubles<const N: usize>(value: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
 }
 
 /// An `OverflowError` is no `ValueError` in Python, but means one here.
-fn fitting(py: Python<'_>, error: PyErr, what: &str) -> PyErr {
+fn fitting(py: Python<'_>, error: PyErr, what: &str) -> Error {
     if error.is_instance_of::<PyOverflowError>(py) {
-        Error::refused(ErrorCode::Value, &what).into()
+        Error::refused(ErrorCode::Value, &what)
     } else {
-        error
+        error.into()
     }
 }

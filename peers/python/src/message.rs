@@ -11,7 +11,7 @@ use pyo3::pybacked::PyBackedStr;
 use pyo3::types::{PyBool, PyDict, PyList, PyString};
 use serde_json::Value;
 
-use crate::argument::{Frame, double, integer, wrong_type};
+use crate::argument::{Frame, double_of, integer_of, wrong_type};
 use crate::error::{Error, Result};
 
 /// The kind of this name.
@@ -158,8 +158,8 @@ fn write_value(json: JsonType, value: &Bound<'_, PyAny>, out: &mut Vec<u8>) -> W
     match json {
         JsonType::Optional(_) if value.is_none() => out.extend_from_slice(b"null"),
         JsonType::Optional(inner) => return write_value(*inner, value, out),
-        JsonType::Number => write_double(double(value)?, out)?,
-        JsonType::Integer => write_json(&integer(value)?, out)?,
+        JsonType::Number => write_double(double_of(value)?, out)?,
+        JsonType::Integer => write_json(&integer_of(value)?, out)?,
         JsonType::String | JsonType::Enum(_) => write_json(&*string(value)?, out)?,
         JsonType::Boolean => {
             let flag = value.cast::<PyBool>();
