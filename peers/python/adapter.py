@@ -39,11 +39,11 @@ class Unsupported(Exception):
 # --- values (PROTOCOL.md, section 2) -------------------------------------------------------------
 
 _NAMED = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf, "-0": -0.0}
-#: The fields of type string: there, "NaN" is a text.
-_TEXTS = frozenset(
-    "ncp_version kind unit path role port direction ref model_name target observable recordables pop_model "
-    "model observation_model provenance_note backend device contract_hash session_id error controller_id "
-    "codec_id name frame_id mode note stream block sim_mode meta".split()
+#: The fields that hold doubles: elsewhere "NaN" is a text.
+_DOUBLES = frozenset(
+    "advance_ms cadence_ms chunk_ms command_timeout_ms control_rate_hz data dt_ms duration_ms geofence_radius_m "
+    "horizon_dt_ms loop_latency_ms loss_rate max_speed_mps max_tilt_rad params sim_time_ms t times ttl_ms "
+    "values".split()
 )
 
 
@@ -58,14 +58,13 @@ def optional_double_in(value):
 
 def fields_in(value, name=""):
     """The fields of a message, with floats for the four strings that stand for numbers."""
-    if isinstance(value, dict):
-        # The names of a map's entries are no fields' names, but those of `meta` are texts like it.
-        texts = name == "meta"
-        return {key: item if texts else fields_in(item, key) for key, item in value.items()}
+    if isinstance(value, dict) and name != "meta":
+        # In `params` the names are the simulator's; all of it is doubles, as all of `meta` is text.
+        return {key: fields_in(item, name if name == "params" else key) for key, item in value.items()}
     if isinstance(value, list):
         return [fields_in(item, name) for item in value]
-    if isinstance(value, str) and value in _NAMED and name not in _TEXTS:
-        return _NAMED[value]
+    if isinstance(value, str) and name in _DOUBLES:
+        return _NAMED.get(value, value)
     return value
 
 
