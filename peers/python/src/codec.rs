@@ -25,7 +25,10 @@ pub(crate) struct RateMapping(Mapping);
 #[pymethods]
 impl RateMapping {
     #[new]
-    #[pyo3(signature = (channel, component, population, value_range=(-1.0, 1.0), rate_range=(0.0, 200.0), unit=None))]
+    #[pyo3(
+        signature = (channel, component, population, value_range=(-1.0, 1.0), rate_range=(0.0, 200.0), unit=None),
+        text_signature = "(channel, component, population, value_range=(-1.0, 1.0), rate_range=(0.0, 200.0), unit=None)"
+    )]
     fn new(
         channel: String,
         #[pyo3(from_py_with = index)] component: usize,

@@ -13,6 +13,46 @@ _Received: TypeAlias = Literal["accepted", "held", "stopped", "dropped"]
 _Status: TypeAlias = Literal["match", "mismatch", "not_advertised"]
 _Dtype: TypeAlias = Literal["f32", "f64", "i32", "i64"]
 
+__all__ = [
+    "ActionBuffer",
+    "CONTRACT_HASH",
+    "CommandWatchdog",
+    "ControlLoop",
+    "DEFAULT_REALM",
+    "Keys",
+    "LinkMonitor",
+    "LinkReport",
+    "NCP_VERSION",
+    "NcpError",
+    "Qos",
+    "RateCodec",
+    "RateMapping",
+    "ReflexController",
+    "SafetyGovernor",
+    "SessionService",
+    "Tick",
+    "__version__",
+    "bulk_directory",
+    "bulk_encode",
+    "channel_value",
+    "check_reply",
+    "check_version",
+    "contract_status",
+    "decode",
+    "decode_command",
+    "encode",
+    "encode_rates",
+    "govern",
+    "key_matches",
+    "max_horizon_len",
+    "negotiate",
+    "observation_check",
+    "observation_pack",
+    "plane_qos",
+    "validate",
+    "verify_contract",
+]
+
 NCP_VERSION: str
 CONTRACT_HASH: str
 DEFAULT_REALM: str

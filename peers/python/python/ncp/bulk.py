@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sys
 from array import array
-from typing import TYPE_CHECKING, Iterable, Mapping, NamedTuple, Union
+from typing import TYPE_CHECKING, Iterable, Literal, Mapping, NamedTuple, Union
 
 from . import _ncp
 
@@ -24,7 +24,7 @@ Values = Union["numpy.ndarray", "array[float]", "array[int]", memoryview]
 Buffer = Union[bytes, bytearray, memoryview]
 
 #: The dtypes of a block, by the letter of the native type that has their values.
-_LETTERS = {"f32": "f", "f64": "d", "i32": "i", "i64": "q"}
+_LETTERS: dict[str, Literal["f", "d", "i", "q"]] = {"f32": "f", "f64": "d", "i32": "i", "i64": "q"}
 _DTYPES = {("f", 4): "f32", ("d", 8): "f64"}
 _DTYPES.update({(letter, 4): "i32" for letter in "il"})
 _DTYPES.update({(letter, 8): "i64" for letter in "lq"})
@@ -35,8 +35,8 @@ class Column(NamedTuple):
 
     #: `f32`, `f64`, `i32` or `i64`.
     dtype: str
-    #: Its values, typed.
-    values: memoryview
+    #: Its values, read-only.
+    values: memoryview[float] | memoryview[int]
 
 
 def bulk_views(block: Buffer) -> dict[str, Column]:
@@ -50,12 +50,12 @@ def bulk_views(block: Buffer) -> dict[str, Column]:
     for name, dtype, rows, offset in _ncp.bulk_directory(block):
         letter = _LETTERS[dtype]
         size = array(letter).itemsize
-        values = whole[offset : offset + rows * size].cast(letter)
+        values = whole[offset : offset + rows * size]
         if sys.byteorder == "big":
-            swapped = array(letter, values)
+            swapped = array(letter, values.tobytes())
             swapped.byteswap()
-            values = memoryview(swapped).toreadonly()
-        columns[name] = Column(dtype, values)
+            values = memoryview(swapped.tobytes())
+        columns[name] = Column(dtype, values.cast(letter))
     return columns
 
 
