@@ -228,9 +228,8 @@ class Peer:
         return {"block": base64.b64encode(block).decode("ascii")}
 
     def observation_unpack(self, args):
-        unpack = self.function("observation_unpack")
-        if not importable("numpy"):
-            raise Unsupported
+        names = ["observation_unpack"] if importable("numpy") else []
+        unpack = self.function(*names, "observation_views")
         times, values, senders = unpack(base64.b64decode(args["block"]))
         return {
             "times": times.tolist(),

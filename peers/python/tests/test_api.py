@@ -4,6 +4,7 @@ import doctest
 import inspect
 import json
 import math
+import sys
 import threading
 import unittest
 from pathlib import Path
@@ -31,8 +32,9 @@ class Published(unittest.TestCase):
             "govern": "(limits_json, command_json, now_s, sensor_json=None, last_sensor_s=None)",
             "validate": "(kind, json)",
             "channel_value": "(data, unit=None)",
-            "Keys": "(realm=None)",
         }
+        if sys.version_info >= (3, 10):  # before, the signature of a constructor cannot be seen
+            published["Keys"] = "(realm=None)"
         for name, signature in published.items():
             with self.subTest(name):
                 self.assertEqual(str(inspect.signature(getattr(ncp, name))), signature)

@@ -164,9 +164,11 @@ try:
     ncp.bulk_decode(block)
 except ImportError:
     print("no arrays")
+packed = ncp.observation_pack(array.array("d", [1.5]), array.array("d"), array.array("q", [7]))
+print([view.tolist() for view in ncp.observation_views(packed)])
 """
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-        self.assertEqual(done.stdout.split("\n"), ["[3]", "no arrays", ""])
+        self.assertEqual(done.stdout.split("\n"), ["[3]", "no arrays", "[[1.5], [], [7]]", ""])
 
 
 if __name__ == "__main__":

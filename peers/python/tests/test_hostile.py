@@ -142,7 +142,10 @@ def callables():
 
 
 def arity(function):
-    parameters = inspect.signature(function).parameters.values()
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except ValueError:  # Python 3.9 does not see the signature of a constructor
+        return 3, 1
     return len(parameters), sum(parameter.default is parameter.empty for parameter in parameters)
 
 

@@ -48,6 +48,7 @@ from .bulk import (
     bulk_views,
     observation_pack,
     observation_unpack,
+    observation_views,
 )
 
 __all__ = [
@@ -87,6 +88,7 @@ __all__ = [
     "negotiate",
     "observation_pack",
     "observation_unpack",
+    "observation_views",
     "plane_qos",
     "validate",
     "verify_contract",

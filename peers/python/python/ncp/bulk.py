@@ -105,6 +105,21 @@ def observation_pack(times: Values, values: Values, senders: Values) -> bytes:
     )
 
 
+def observation_views(
+    block: Buffer,
+) -> tuple[memoryview[float], memoryview[float], memoryview[int]]:
+    """The arrays of an observation as `observation_unpack` gives them, as typed memoryviews."""
+    block = _as_bytes(block)
+    _ncp.observation_check(block)
+    found = bulk_views(block)
+    empty = memoryview(b"")
+    return (
+        found["times"].values if "times" in found else empty.cast("d"),
+        found["values"].values if "values" in found else empty.cast("d"),
+        found["senders"].values if "senders" in found else empty.cast("q"),
+    )  # type: ignore[return-value]  # their types are among what was checked
+
+
 def observation_unpack(block: Buffer) -> tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
     """The arrays of an observation, `times`, `values` and `senders`, as `bulk_decode` gives them.
 
