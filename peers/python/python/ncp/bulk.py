@@ -10,12 +10,25 @@ from __future__ import annotations
 
 import sys
 from array import array
-from typing import TYPE_CHECKING, Iterable, Literal, Mapping, NamedTuple, Union
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Literal, NamedTuple, Union
 
 from . import _ncp
 
 if TYPE_CHECKING:
     import numpy
+
+__all__ = [
+    "Buffer",
+    "Column",
+    "Values",
+    "bulk_decode",
+    "bulk_encode",
+    "bulk_views",
+    "observation_pack",
+    "observation_unpack",
+    "observation_views",
+]
 
 #: The values of a column: a one-dimensional buffer of 32 or 64 bit floats or signed integers, such as a
 #: numpy array or an array.array.
