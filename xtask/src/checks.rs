@@ -99,6 +99,18 @@ pub(crate) const CHECKS: &[Check] = &[
         run: cpp,
     },
     Check {
+        name: "python",
+        about: "the Python peer's own tests: API, numpy, hostile input, stubs, wheel, adapter",
+        run: |work| {
+            let python = work.set_up(setup::python)?;
+            let tests = ["-m", "unittest", "discover", "-s", "tests"];
+            work.tests(
+                work.project.program(python, &tests, "peers/python"),
+                count::unittest,
+            )
+        },
+    },
+    Check {
         name: "rust",
         about: "all tests of all crates, and those in their documentation",
         run: |work| {

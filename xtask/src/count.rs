@@ -46,6 +46,35 @@ pub(crate) fn cargo(output: &str) -> Count {
     count
 }
 
+/// Reads the closing lines of Python's unittest: `Ran 60 tests in 3.2s`, then
+/// `OK (skipped=1)` or `FAILED (failures=1, errors=2)`. What was skipped did not pass.
+pub(crate) fn unittest(output: &str) -> Count {
+    let ran = output.lines().find_map(|line| {
+        let (count, _) = line.strip_prefix("Ran ")?.split_once(" test")?;
+        count.parse::<u64>().ok()
+    });
+    let ending = output.lines().rev().find_map(|line| {
+        let line = line.trim_end();
+        let told = line
+            .strip_prefix("OK")
+            .or_else(|| line.strip_prefix("FAILED"))?;
+        match told {
+            "" => Some(""),
+            told => told.strip_prefix(" (")?.strip_suffix(')'),
+        }
+    });
+    let number = |label| {
+        let mut told = ending?.split(", ");
+        told.find_map(|told| told.strip_prefix(label)?.parse::<u64>().ok())
+    };
+    let failed = number("failures=").unwrap_or(0) + number("errors=").unwrap_or(0);
+    let skipped = number("skipped=").unwrap_or(0);
+    Count {
+        passed: ran.unwrap_or(0).saturating_sub(failed + skipped),
+        failed,
+    }
+}
+
 /// Adds up the closing lines of `node --test`: `# pass 3` of the TAP reporter,
 /// `ℹ pass 3` of the other one.
 pub(crate) fn node(output: &str) -> Count {
@@ -143,5 +172,22 @@ test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; 
             }
         );
         assert_eq!(node("ok 1 - # pass 4 looks odd\n"), Count::default());
+    }
+
+    #[test]
+    fn what_unittest_skips_has_neither_passed_nor_failed() {
+        for (output, passed, failed) in [
+            ("...\nRan 60 tests in 3.2s\n\nOK\n", 60, 0),
+            ("Ran 60 tests in 3.2s\n\nOK (skipped=3)\n", 57, 0),
+            ("Ran 1 test in 0.0s\n\nOK (expected failures=1)\n", 1, 0),
+            (
+                "Ran 9 tests in 1s\n\nFAILED (failures=1, errors=2, skipped=1)\n",
+                5,
+                3,
+            ),
+            ("OK then\n", 0, 0),
+        ] {
+            assert_eq!(unittest(output), Count { passed, failed }, "{output}");
+        }
     }
 }

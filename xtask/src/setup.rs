@@ -15,6 +15,9 @@ use crate::project::{self, Project};
 const BUF_VERSION: &str = "1.75.0";
 const VENV: &str = ".tools/venv";
 const TYPESCRIPT: &str = "peers/typescript";
+const PYTHON: &str = "peers/python";
+/// Where its `build.py` installs it.
+const PYTHON_VENV: &str = ".tools/python-venv";
 
 /// Tells the person who waits what is being installed.
 pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
@@ -28,8 +31,10 @@ pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
     buf(project, &mut say)?;
     typescript(project, &mut say)?;
     cpp(project, &mut say)?;
+    python(project, &mut say)?;
     println!(
-        "ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, a C++ compiler, valgrind"
+        "ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, the module of {PYTHON}, \
+         a C++ compiler, valgrind"
     );
     Ok(true)
 }
@@ -46,13 +51,7 @@ pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError
     if version(&mut Command::new(&buf)).is_some_and(|version| version == BUF_VERSION) {
         return Ok(buf);
     }
-    let python = ["python3", "python"]
-        .into_iter()
-        .find(|python| version(&mut Command::new(python)).is_some())
-        .ok_or(SetupError::Missing {
-            tool: "python3",
-            remedy: "install Python 3.9 or later",
-        })?;
+    let python = find_python()?;
     say(&format!(
         "installing buf {BUF_VERSION} (buf-bin, from PyPI) into {VENV}"
     ));
@@ -121,8 +120,16 @@ pub(crate) fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
             package,
         ];
         // As root, or as somebody who may become root without being asked.
-        let installed = carry_out(project.program(install[0], &install[1..], ""))
-            .or_else(|_| carry_out(project.program("sudo", &[&["-n"][..], &install].concat(), "")));
+        let as_root = |command: &[&str]| {
+            carry_out(project.program(command[0], &command[1..], "")).or_else(|_| {
+                carry_out(project.program("sudo", &[&["-n"][..], command].concat(), ""))
+            })
+        };
+        // A new machine may not know its packages yet.
+        let installed = as_root(&install).or_else(|_| {
+            as_root(&["apt-get", "update"])?;
+            as_root(&install)
+        });
         if installed.is_err() || version(&mut Command::new(tool)).is_none() {
             return Err(SetupError::Missing {
                 tool,
@@ -131,6 +138,20 @@ pub(crate) fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
         }
     }
     Ok(())
+}
+
+/// Builds the module of the Python peer and installs it, and returns the Python that has it.
+///
+/// # Errors
+/// No Python, one that cannot make a virtual environment, no PyPI, or code that does not compile.
+pub(crate) fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    let python = find_python()?;
+    say(&format!(
+        "building the module of {PYTHON} (maturin, from PyPI) into {PYTHON_VENV}"
+    ));
+    carry_out(project.program(python, &["build.py", "--tests"], PYTHON))?;
+    let bin = if cfg!(windows) { "Scripts" } else { "bin" };
+    Ok(project.path(PYTHON_VENV).join(bin).join("python"))
 }
 
 /// The program npm, by the name under which it can be started.
@@ -156,6 +177,17 @@ pub(crate) enum SetupError {
     Start { command: String, source: io::Error },
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
+}
+
+/// A Python by the name under which it can be started.
+fn find_python() -> Result<&'static str, SetupError> {
+    ["python3", "python"]
+        .into_iter()
+        .find(|python| version(&mut Command::new(python)).is_some())
+        .ok_or(SetupError::Missing {
+            tool: "python3",
+            remedy: "install Python 3.9 or later",
+        })
 }
 
 fn carry_out(mut command: Command) -> Result<(), SetupError> {
