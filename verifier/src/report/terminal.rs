@@ -644,7 +644,7 @@ pub(crate) fn by_rule<'c>(
 
 /// The rules of failing cases, those that the peer most likely breaks first: by how many of a rule's cases fail, times
 /// the share of all its cases that they are. A defect fails many cases of its own rule, and some of others in passing.
-fn likeliest_first<'c>(
+pub(crate) fn likeliest_first<'c>(
     peer: &PeerReport,
     mut groups: Vec<(&'c str, Vec<&'c CaseReport>)>,
 ) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
