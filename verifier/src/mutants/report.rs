@@ -153,8 +153,8 @@ impl MutantsReport {
         writeln!(
             page,
             "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 KiB \
-             were run only where no other case did. The verdict names rules with the likeliest first, by how \
-             many of a rule's cases fail and what share of them that is. *Named first* means that the verdict on this \
+             were run only where no other case did. The verdict names the likeliest rule first: that of \
+             the lowest level, and within a level by how many of a rule's cases fail and what share of all they are. *Named first* means that the verdict on this \
              mutant begins with that rule; where it does not, the rules before it stand in brackets."
         )?;
         let remarks = self.remarks();
