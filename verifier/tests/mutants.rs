@@ -73,7 +73,7 @@ fn a_mutant_that_fails_by_its_rule_is_killed_and_reported() {
     let json = run.json.unwrap();
     let mutant = &json["mutants"][0];
     assert_eq!(mutant["fate"], "killed");
-    assert_eq!(mutant["named_first"], true);
+    assert_eq!(mutant["place"], 1);
     assert_eq!(mutant["failing_cases"], 1);
     assert_eq!(mutant["shortest_case"], "version/tiny/07-target");
     let page = run.markdown.unwrap();

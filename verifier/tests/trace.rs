@@ -47,6 +47,7 @@ impl Tree {
         tree.write("proto/src/lib.rs", "");
         tree.write("proto/tests/none.rs", "");
         tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
+        tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-001"));
         tree.write("vectors/wire/one.json", &vectors(&["NCP-TEST-001"]));
         tree.write("vectors/MANIFEST.sha256", "00  wire/one.json\n");
         let mut exclusions = "[rules]\n".to_owned();
@@ -118,6 +119,12 @@ impl Tree {
 fn vectors(rules: &[&str]) -> String {
     let case = json!({"id": "wire/one/a", "requirements": rules, "flags": []});
     json!({ "cases": [case] }).to_string()
+}
+
+fn mutant(rule: &str) -> String {
+    format!(
+        "# A table.\n\n[[mutant]]\nname = \"one-left-out\"\nabout = \"It does nothing.\"\nrules = [\"{rule}\"]\n"
+    )
 }
 
 #[test]
@@ -248,6 +255,39 @@ fn code_alone_shows_nothing_and_an_exclusion_says_why() {
         "spec/exclusions.toml names NCP-TEST-001, which is shown",
         "NCP-TEST-004 is binding",
     ]);
+}
+
+#[test]
+fn a_mutant_is_counted_for_its_rule_and_shows_nothing_by_itself() {
+    let tree = Tree::accepted();
+    let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
+    let place = "peers/mutants/mutants/wire.toml one-left-out";
+    let evidence = report["rules"][0]["evidence"].as_array().unwrap();
+    assert!(evidence.contains(&json!({"kind": "mutants", "place": place, "count": 1})));
+    let page = tree.read("reports/traceability.md");
+    assert!(
+        page.contains("[one-left-out](../peers/mutants/mutants/wire.toml)"),
+        "{page}"
+    );
+    assert!(!tree.read("spec/evidence.lock").contains("peers/mutants"));
+
+    // Rule 2 has a mutant now, and no property any more.
+    tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-002"));
+    tree.write("spec/tests/other.rs", "");
+    tree.fails_with(&["NCP-TEST-002 is binding, and nothing shows it"]);
+}
+
+#[test]
+fn a_mutant_of_a_rule_that_the_text_does_not_have_is_a_fault() {
+    let tree = Tree::accepted();
+    tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-404"));
+    tree.fails_with(&[
+        "NCP-TEST-404 is not in the text; orphaned is peers/mutants/mutants/wire.toml:4 one-left-out",
+    ]);
+    tree.write("peers/mutants/mutants/wire.toml", "[[mutant]]\n");
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 4, "{out}");
+    assert!(out.contains("peers/mutants/mutants/wire.toml"), "{out}");
 }
 
 #[test]

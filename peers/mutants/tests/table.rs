@@ -12,11 +12,11 @@ mod table;
 
 use table::Mutant;
 
-/// The audited findings that a call of the peer protocol shows. L04, L07 and L08 are those of level strict; the others
-/// are about memory, transports and deployments.
-const OBSERVABLE: [&str; 16] = [
-    "L01", "L02", "L03", "L06", "L09", "L10", "L11", "L12", "L13", "L14", "L15", "L21", "L22",
-    "L24", "L27", "L28",
+/// The audited findings that a call of the peer protocol shows; the others are about memory, transports and
+/// deployments.
+const OBSERVABLE: [&str; 20] = [
+    "L01", "L02", "L03", "L04", "L06", "L07", "L08", "L09", "L10", "L11", "L12", "L13", "L14",
+    "L15", "L21", "L22", "L24", "L25", "L27", "L28",
 ];
 
 fn mutants() -> Vec<Mutant> {
@@ -92,6 +92,24 @@ fn every_observable_finding_has_a_mutant_and_every_mutant_a_known_class() {
             "{finding}"
         );
     }
+}
+
+#[test]
+fn every_rule_of_the_strict_profile_has_a_mutant() {
+    let broken: HashSet<String> = mutants()
+        .into_iter()
+        .filter_map(|mutant| mutant.rules.into_iter().next())
+        .collect();
+    let catalogue = Catalogue::load().unwrap();
+    let strict = catalogue
+        .iter()
+        .filter(|rule| rule.id.starts_with("NCP-STRICT-"));
+    let mut rules = 0;
+    for rule in strict {
+        assert!(broken.contains(&rule.id), "no mutant breaks {}", rule.id);
+        rules += 1;
+    }
+    assert_eq!(rules, 12);
 }
 
 #[test]

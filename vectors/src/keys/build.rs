@@ -139,6 +139,8 @@ impl Builder {
         for (what, realm, says) in realms {
             let rules: &[_] = match realm {
                 None => &["NCP-KEY-006", self.rule],
+                // Its slashes are those between segments.
+                Some(_) if what == "realm-of-five" => &["NCP-KEY-018", self.rule],
                 Some(_) => &[self.rule],
             };
             cases.push(
@@ -171,6 +173,27 @@ impl Builder {
         cases
     }
 
+    /// What a builder might mend, or might stumble over.
+    fn reported(&self, part: &str, says: &str, args: impl Fn(&str) -> Json) -> Vec<Case> {
+        let mendable = [
+            ("space", "uav 3", "NCP-KEY-012"),
+            ("star", "uav*", "NCP-KEY-011"),
+            ("slash", "uav3/", "NCP-KEY-011"),
+            ("at", "@uav3", "NCP-KEY-013"),
+        ];
+        mendable
+            .into_iter()
+            .map(|(what, text, rule)| {
+                self.case(&format!("{part}/reported/{what}"), &["NCP-KEY-019", rule])
+                    .title(format!("The `{}` key is refused with an error for the {says} `{text}`, and no other key is built in its place.", self.key))
+                    .flags(&["L24"])
+                    .call("key.build", args(text))
+                    .rejects("key")
+                    .because("A refusal is reported as an error, not as a crash and not as another key.")
+            })
+            .collect()
+    }
+
     /// Session ids and names: the whole list for one key each, a sample for the others.
     fn segments(&self) -> Vec<Case> {
         let mut cases = Vec::new();
@@ -187,6 +210,7 @@ impl Builder {
                     self.args(REALM, &segment.text, None),
                 )
             }));
+            cases.extend(self.reported("session", "session id", |id| self.args(REALM, id, None)));
             cases.extend(accepted.iter().map(|segment| {
                 let expected = self.expected(REALM, &segment.text, None);
                 self.accepts(
@@ -220,6 +244,9 @@ impl Builder {
                     segment,
                     self.args(REALM, "uav3", Some(&segment.text)),
                 )
+            }));
+            cases.extend(self.reported("name", "stream name", |name| {
+                self.args(REALM, "uav3", Some(name))
             }));
             cases.extend(accepted.iter().map(|segment| {
                 let expected = self.expected(REALM, "uav3", Some(&segment.text));

@@ -429,6 +429,20 @@ fn bursts() -> Vec<Case> {
                 "At the reference loss what the missing seqs add the deliveries take off again.",
             ),
     );
+    let usual_loss: Vec<i64> = (0..300).map(|at| at + at / 20).collect();
+    cases.push(
+        usual("burst/usual-loss-goes-on", &["NCP-RES-046"], &usual_loss)
+            .title("A loss of one in twenty is no burst either when it goes on.")
+            .flags(&["burst-detector"])
+            .because("Each delivery takes 0.05 off, so the sum does not grow with the time."),
+    );
+    let small: Vec<i64> = std::iter::once(1).chain(8..60).collect();
+    cases.push(
+        usual("burst/clears-a-small-one", &["NCP-RES-046", "NCP-RES-049"], &small)
+            .title("A burst that is just above the threshold is over after some deliveries.")
+            .flags(&["burst-detector"])
+            .because("A gap of six adds 5.7, each delivery takes 0.05 off, and at 5 the sum is no longer above the threshold."),
+    );
     let dense: Vec<i64> = (0..30).map(|at| at * 2).collect();
     cases.push(
         usual("burst/every-second", &["NCP-RES-046"], &dense)

@@ -9,6 +9,7 @@ pub(super) fn file() -> File {
     let mut cases = followed();
     cases.extend(first());
     cases.extend(dropped());
+    cases.extend(kept());
     cases.extend(unversioned());
     cases.extend(holds());
     cases.extend(stops());
@@ -25,6 +26,8 @@ struct Sent {
     version: Option<&'static str>,
     seq: Option<i64>,
     mode: Option<&'static str>,
+    /// The seq of the command that it repeats, if it has another.
+    repeats: Option<i64>,
 }
 
 const OWN: Option<&str> = Some("0.5");
@@ -37,6 +40,7 @@ const fn sent(mode: Option<&'static str>, seq: Option<i64>) -> Sent {
         version: OWN,
         seq,
         mode,
+        repeats: None,
     }
 }
 
@@ -50,13 +54,19 @@ impl Sent {
         self
     }
 
+    /// The same command as that of another seq.
+    const fn repeating(mut self, seq: i64) -> Self {
+        self.repeats = Some(seq);
+        self
+    }
+
     /// What it commands: its seq, so that commands can be told apart.
     fn value(&self) -> f64 {
         #[expect(
             clippy::cast_precision_loss,
             reason = "a value is only to be told from others"
         )]
-        let value = self.seq.unwrap_or(99) as f64;
+        let value = self.repeats.or(self.seq).unwrap_or(99) as f64;
         value
     }
 
@@ -273,6 +283,46 @@ fn dropped() -> Vec<Case> {
                     .flags(&["L08"])
                     .because("It is rejected or dropped, whatever its mode, and leaves the buffer as it was: the command, its deadline and the last seq."),
             );
+        }
+    }
+    cases
+}
+
+/// What is left of a buffer by a command that says what the one before said, so that only what it takes away shows.
+fn kept() -> Vec<Case> {
+    let kept_from = |path: String, rule: &'static str, says: String, frame: Sent, flag| {
+        let events = [
+            Command(go(5), 1.0),
+            Command(frame.repeating(5), 1.0625),
+            Ask(1.125),
+            Command(go(6), 1.1875),
+            Ask(1.1875),
+        ];
+        case(path, &["NCP-STRICT-011", rule], &events)
+            .title(format!("A strict plant goes on with seq 5, and then with seq 6, after a command {says}."))
+            .flags(&[flag])
+            .because("A command that is rejected or dropped leaves the buffer as it was: the command before stays, and so does the last seq.")
+    };
+    let mut cases = Vec::new();
+    for (what, seq) in NOT_ADVANCING {
+        let frame = sent(Some("active"), seq);
+        cases.push(kept_from(
+            format!("kept/seq-{what}"),
+            rule_against(seq),
+            format!("whose seq is {what}"),
+            frame,
+            "L08",
+        ));
+    }
+    for (what, version) in unfit_versions() {
+        for (when, seq) in [("older", 4), ("newer", 9)] {
+            cases.push(kept_from(
+                format!("kept/version-{what}/{when}"),
+                against_version(version),
+                format!("with the {when} seq whose version is {what}"),
+                go(seq).of_version(version),
+                "L07",
+            ));
         }
     }
     cases

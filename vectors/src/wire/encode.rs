@@ -97,6 +97,12 @@ impl Encoder {
                     .because("An unset optional field is written, as null."),
             );
         }
+        cases.push(
+            self.says("plain", &["NCP-WIRE-092", WRITE], &explicit_fields)
+                .title(format!("{} of plain ASCII is written without a byte order mark before it.", a(self.kind)))
+                .flags(&["byte-order-mark"])
+                .because("An encoder writes UTF-8 without a byte order mark; with one, no receiver reads the frame."),
+        );
         let control = "\"\\/\u{8}\u{c}\n\r\t\u{0}\u{1}\u{1f}\u{7f}\u{80}\u{e9}\u{2028}\u{2029}\u{feff}\u{ffff}\u{1f681}";
         if let Some(field) = self.free_string() {
             cases.push(

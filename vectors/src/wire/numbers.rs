@@ -219,7 +219,99 @@ pub(super) fn more_doubles() -> Vec<Double> {
         "10.0",
         "many-digits",
     ));
+    all.extend(rounded_once());
     all
+}
+
+/// Digits of more than 53 bits with a power of ten: who rounds the digits first, and what the power makes of them
+/// again, mostly ends beside the nearest double.
+fn rounded_once() -> [Double; 14] {
+    [
+        spelled(
+            "two-to-53-plus-1-times-ten",
+            "9007199254740993e1",
+            "9.007199254740994e16",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-1-times-ten-negative",
+            "-9007199254740993e1",
+            "-9.007199254740994e16",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-1-times-hundred",
+            "9007199254740993e2",
+            "9.007199254740993e17",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-1-times-ten-to-22",
+            "9007199254740993e22",
+            "9.007199254740994e37",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-1-by-ten-to-22",
+            "9007199254740993e-22",
+            "9.007199254740993e-07",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-3-times-thousand",
+            "9007199254740995e3",
+            "9.007199254740995e18",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-5-times-ten",
+            "9007199254740997e1",
+            "9.007199254740997e16",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-5-by-ten",
+            "9007199254740997e-1",
+            "900719925474099.8",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-3-by-ten-to-5",
+            "9007199254740995e-5",
+            "90071992547.40994",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-plus-3-and-decimals",
+            "90071992547.40995",
+            "90071992547.40994",
+            "rounding",
+        ),
+        spelled(
+            "two-to-60-plus-129-by-ten-to-18",
+            "1152921504606847105e-18",
+            "1.152921504606847",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-times-ten",
+            "9007199254740992e1",
+            "9.007199254740992e16",
+            "rounding",
+        ),
+        spelled(
+            "two-to-53-minus-1-times-ten",
+            "9007199254740991e1",
+            "9.00719925474099e16",
+            "rounding",
+        ),
+        spelled(
+            "nineteen-nines-times-ten-to-22",
+            "9999999999999999999e22",
+            "1e41",
+            "rounding",
+        ),
+    ]
 }
 
 /// A number that is no finite double, for every field of type number.

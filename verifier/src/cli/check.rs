@@ -318,7 +318,10 @@ impl Check<'_> {
             self.stop,
         );
         progress.done();
-        let describe = (self.suite.describe(), judge_description(&description));
+        let describe = (
+            self.suite.describe(&description),
+            judge_description(&description),
+        );
         let runs = cases.into_iter().zip(record.cases.iter().cloned());
         let all: Vec<(&Case, CaseRun)> = std::iter::once(describe).chain(runs).collect();
         let verdict = judge(

@@ -238,10 +238,7 @@ impl Page {
     }
 
     fn citing(&mut self, suite: &Suite, cites: impl Fn(&Case) -> bool) {
-        let cases: Vec<&Case> = std::iter::once(suite.describe())
-            .chain(suite.cases())
-            .filter(|case| cites(case))
-            .collect();
+        let cases: Vec<&Case> = suite.with_describe().filter(|case| cites(case)).collect();
         self.heading(&match cases.len() {
             0 => "No case".to_owned(),
             1 => "1 case".to_owned(),

@@ -95,8 +95,8 @@ fn case_line(case: &Case) -> CaseLine<'_> {
 fn rules<'s>(suite: &'s Suite, selection: &Selection) -> Vec<RuleLine<'s>> {
     let mut lines = Vec::new();
     for rule in suite.requirements() {
-        let citing = std::iter::once(suite.describe())
-            .chain(suite.cases())
+        let citing = suite
+            .with_describe()
             .filter(|case| case.requirements.iter().any(|cited| cited.id == rule.id))
             .count();
         let meant = (selection.patterns.is_empty()

@@ -141,10 +141,11 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
         text.push_str(&format!("{}\n", styles.out.red(&remark)));
     }
     let line = format!(
-        "{}: {} killed, of which {} by the rule that the verdict names first; {} misnamed, {} survived, {} not finished",
+        "{}: {} killed, of which {} by the rule that the verdict names first and {} by one of its first three; {} misnamed, {} survived, {} not finished",
         plural(report.mutants.len()),
         totals.killed,
         totals.named_first,
+        totals.named_early,
         totals.misnamed,
         totals.survived,
         totals.unfinished

@@ -33,6 +33,8 @@ pub struct Totals {
     pub killed: usize,
     /// Of those: the rule is the first that the verdict names.
     pub named_first: usize,
+    /// Of those: the rule is among the first three that the verdict names.
+    pub named_early: usize,
     /// The suite fails them for other rules.
     pub misnamed: usize,
     /// The suite does not notice them.
@@ -61,7 +63,10 @@ impl MutantsReport {
                 Fate::Survived => &mut totals.survived,
                 Fate::Unfinished => &mut totals.unfinished,
             } += 1;
-            totals.named_first += usize::from(trial.fate == Fate::Killed && trial.named_first);
+            let is_within =
+                |places| trial.fate == Fate::Killed && trial.place.is_some_and(|at| at <= places);
+            totals.named_first += usize::from(is_within(1));
+            totals.named_early += usize::from(is_within(EARLY));
         }
         Self {
             format: FORMAT,
@@ -123,6 +128,7 @@ impl MutantsReport {
         let Totals {
             killed,
             named_first,
+            named_early,
             misnamed,
             survived,
             unfinished,
@@ -136,19 +142,20 @@ impl MutantsReport {
         )?;
         writeln!(
             page,
-            "| mutants | killed | rule named first | rule not named | survived | not finished |"
+            "| mutants | killed | rule named first | among the first {EARLY} | rule not named | survived | not finished |"
         )?;
-        writeln!(page, "|---|---|---|---|---|---|")?;
+        writeln!(page, "|---|---|---|---|---|---|---|")?;
         writeln!(
             page,
-            "| {} | {killed} | {named_first} | {misnamed} | {survived} | {unfinished} |\n",
+            "| {} | {killed} | {named_first} | {named_early} | {misnamed} | {survived} | {unfinished} |\n",
             self.mutants.len()
         )?;
         writeln!(
             page,
             "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 KiB \
-             were run only where no other case did. *Named first* means that the verdict on this mutant begins with \
-             that rule; where it does not, the rules before it stand in brackets."
+             were run only where no other case did. The verdict names the likeliest rule first: that of \
+             the lowest level, and within a level by how many of a rule's cases fail and what share of all they are. *Named first* means that the verdict on this \
+             mutant begins with that rule; where it does not, the rules before it stand in brackets."
         )?;
         let remarks = self.remarks();
         if !remarks.is_empty() {
@@ -218,6 +225,9 @@ impl MutantsReport {
         Ok(())
     }
 }
+
+/// How many rules somebody reads before giving up.
+const EARLY: usize = 3;
 
 type Named<'r> = &'r str;
 

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::{Hunt, Mutant, MutantsError};
 use crate::peer::{Connection, Description, Launch, handshake};
-use crate::report::{CaseReport, PeerReport, by_rule};
+use crate::report::{CaseReport, PeerReport, by_rule, likeliest_first};
 use crate::run::{self, CaseRun, Deaf, Settings, Stop};
 use crate::suite::Case;
 use crate::verdict::{Baseline, judge, judge_description};
@@ -36,8 +36,8 @@ pub struct Trial {
     pub mutant: Mutant,
     /// What became of it.
     pub fate: Fate,
-    /// Whether its rule is the first that the verdict names.
-    pub named_first: bool,
+    /// The place of its rule among those that the verdict names, from 1.
+    pub place: Option<usize>,
     /// How many cases fail.
     pub failing_cases: usize,
     /// How many of them end the process, or make it hang.
@@ -62,7 +62,7 @@ pub struct Named {
 /// Makes sure that the peer conforms as long as it has no defect.
 pub(super) fn healthy(hunt: &Hunt<'_>) -> Result<(), MutantsError> {
     let all: Vec<&Case> = hunt.suite.cases().iter().collect();
-    let failing = failing(hunt, None, &[&all], |_| true, hunt.stop)?;
+    let Findings { failing, .. } = failing(hunt, None, &[&all], |_| true, hunt.stop)?;
     match failing.first() {
         None if hunt.stop.is_set() => Err(MutantsError::Interrupted),
         None => Ok(()),
@@ -89,14 +89,7 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
             stop,
         )
     });
-    let failing = failing?;
-    let named: Vec<Named> = by_rule(failing.iter())
-        .into_iter()
-        .map(|(rule, cases)| Named {
-            rule: rule.to_owned(),
-            cases: cases.len(),
-        })
-        .collect();
+    let Findings { failing, named } = failing?;
     let fate = match (in_time, failing.is_empty(), names(&failing)) {
         (_, false, true) => Fate::Killed,
         (false, ..) => Fate::Unfinished,
@@ -109,7 +102,10 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
     Ok(Trial {
         mutant: mutant.clone(),
         fate,
-        named_first: named.first().is_some_and(|first| first.rule == rule),
+        place: named
+            .iter()
+            .position(|named| named.rule == rule)
+            .map(|before| before + 1),
         failing_cases: failing.len(),
         crashes: failing
             .iter()
@@ -119,6 +115,13 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
         shortest_case: shortest.map(|case| case.id.clone()),
         elapsed_s: start.elapsed().as_secs_f64(),
     })
+}
+
+/// What does not pass, and the rules that the verdict names for it.
+#[derive(Debug, Default)]
+struct Findings {
+    failing: Vec<CaseReport>,
+    named: Vec<Named>,
 }
 
 /// Whether a failing case names the rule: it is the first that the case cites.
@@ -138,7 +141,7 @@ fn failing(
     parts: &[&[&Case]],
     more: impl Fn(&[CaseReport]) -> bool,
     stop: &Stop,
-) -> Result<Vec<CaseReport>, MutantsError> {
+) -> Result<Findings, MutantsError> {
     let mut argv = vec![hunt.program.to_string_lossy().into_owned()];
     argv.extend(
         mutant
@@ -152,21 +155,24 @@ fn failing(
         ..Settings::default()
     };
     let mut runs = Vec::new();
-    let mut cases = Vec::new();
+    let mut findings = Findings::default();
     for part in parts {
-        if stop.is_set() || (!runs.is_empty() && !more(&cases)) {
+        if stop.is_set() || (!runs.is_empty() && !more(&findings.failing)) {
             break;
         }
         let mut connection = Connection::open(&launch)?;
         let description = handshake(&mut connection, settings.start_timeout, stop)?;
         if runs.is_empty() {
-            runs.push((hunt.suite.describe(), judge_description(&description)));
+            runs.push((
+                hunt.suite.describe(&description),
+                judge_description(&description),
+            ));
         }
         let record = run::run(&launch, connection, part, &settings, &Deaf, stop);
         runs.extend(part.iter().copied().zip(record.cases.iter().cloned()));
-        cases = not_passed(hunt, &description, &runs, &record);
+        findings = not_passed(hunt, &description, &runs, &record);
     }
-    Ok(cases)
+    Ok(findings)
 }
 
 fn not_passed(
@@ -174,10 +180,10 @@ fn not_passed(
     description: &Description,
     runs: &[(&Case, CaseRun)],
     record: &run::RunRecord,
-) -> Vec<CaseReport> {
+) -> Findings {
     let roles = Role::ALL.map(|role| (role, true));
     let mut runs = runs.to_vec();
-    // In the order in which the suite has them, as the verdict names rules in the order of the cases.
+    // In the order in which the suite has them, as the verdict names rules of one weight in the order of the cases.
     let place = |case: &Case| {
         hunt.suite
             .cases()
@@ -197,12 +203,18 @@ fn not_passed(
             .cloned()
             .collect()
     };
-    let failed = of("failed");
-    if failed.is_empty() {
-        of("advice")
-    } else {
-        failed
+    let mut failing = of("failed");
+    if failing.is_empty() {
+        failing = of("advice");
     }
+    let named = likeliest_first(&report, by_rule(failing.iter()))
+        .into_iter()
+        .map(|(rule, cases)| Named {
+            rule: rule.to_owned(),
+            cases: cases.len(),
+        })
+        .collect();
+    Findings { failing, named }
 }
 
 /// Does the work with a `Stop` of its own, which is set when the hunt's is or the time is over; whether it was in time.

@@ -580,8 +580,8 @@ fn names(roles: &[Role]) -> Vec<&'static str> {
 }
 
 fn rules(suite: &Suite) -> Vec<Rule> {
-    let cited: BTreeSet<&str> = std::iter::once(suite.describe())
-        .chain(suite.cases())
+    let cited: BTreeSet<&str> = suite
+        .with_describe()
         .flat_map(|case: &Case| case.requirements.iter().map(|rule| rule.id.as_str()))
         .collect();
     suite

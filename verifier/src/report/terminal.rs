@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 
+use ncp_spec::catalogue::Level;
+
 use super::layout::{Style, wrap};
 use super::model::{CaseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};
 
@@ -645,9 +647,12 @@ pub(crate) fn by_rule<'c>(
     groups
 }
 
-/// The rules of failing cases, those that the peer most likely breaks first: by how many of a rule's cases fail, times
-/// the share of all its cases that they are. A defect fails many cases of its own rule, and some of others in passing.
-fn likeliest_first<'c>(
+/// The rules of failing cases, those that the peer most likely breaks first.
+///
+/// What is broken at a level also fails cases of the levels above it, and hardly the other way round: so the lowest
+/// level comes first. Within a level it goes by how many of a rule's cases fail, times the share of all its cases that
+/// they are: a defect fails many cases of its own rule, and some of others in passing.
+pub(crate) fn likeliest_first<'c>(
     peer: &PeerReport,
     mut groups: Vec<(&'c str, Vec<&'c CaseReport>)>,
 ) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
@@ -659,8 +664,15 @@ fn likeliest_first<'c>(
         let failing = failing.len() as f64;
         failing * failing / all.get(rule).map_or(1.0, |all| *all as f64)
     };
+    let level = |(_, failing): &(&str, Vec<&CaseReport>)| {
+        let levels = failing.iter().filter_map(|case| Level::parse(case.level));
+        levels.min()
+    };
     // Stable: rules of one weight keep the order in which they first occur.
-    groups.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    groups.sort_by(|a, b| {
+        let heavier = || weight(b).total_cmp(&weight(a));
+        level(a).cmp(&level(b)).then_with(heavier)
+    });
     groups
 }
 
@@ -839,13 +851,13 @@ mod tests {
     }
 
     #[test]
-    fn the_rule_most_of_whose_cases_fail_comes_first() {
+    fn the_rule_most_of_whose_cases_fail_comes_first_at_the_lowest_level_that_fails() {
         let case = |rule: &str, failed: bool| CaseReport {
             id: String::new(),
             title: String::new(),
             rules: vec![rule.to_owned(), "also".to_owned()],
             roles: Vec::new(),
-            level: "wire",
+            level: if rule == "above" { "safety" } else { "wire" },
             binding: true,
             call: "decode",
             outcome: if failed { "fail" } else { "pass" },
@@ -862,9 +874,13 @@ mod tests {
         };
         let mut peer =
             PeerReport::unchecked(String::new(), String::new(), State::Checked, String::new());
-        for (rule, failing, passing) in
-            [("one", 1, 0), ("few", 6, 94), ("most", 4, 1), ("tie", 1, 0)]
-        {
+        for (rule, failing, passing) in [
+            ("above", 50, 0),
+            ("one", 1, 0),
+            ("few", 6, 94),
+            ("most", 4, 1),
+            ("tie", 1, 0),
+        ] {
             peer.cases.extend((0..failing).map(|_| case(rule, true)));
             peer.cases.extend((0..passing).map(|_| case(rule, false)));
         }
@@ -873,7 +889,7 @@ mod tests {
             .into_iter()
             .map(|(rule, _)| rule)
             .collect();
-        assert_eq!(order, ["most", "one", "tie", "few"]);
+        assert_eq!(order, ["most", "one", "tie", "few", "above"]);
     }
 
     #[test]

@@ -23,7 +23,7 @@ use ncp_spec::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
 use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
 use sha2::{Digest as _, Sha256};
 
-use crate::peer::Call;
+use crate::peer::{Call, Description};
 use case::Parts;
 
 /// The id of the case of `describe`.
@@ -37,7 +37,8 @@ include!(concat!(env!("OUT_DIR"), "/embedded.rs"));
 #[derive(Debug)]
 pub struct Suite {
     cases: Vec<Case>,
-    describe: Case,
+    /// Citing first the contract hash, and first the wire version.
+    describe: [Case; 2],
     requirements: Vec<Arc<Requirement>>,
     notes: BTreeMap<String, Vec<String>>,
     digest: String,
@@ -128,9 +129,22 @@ impl Suite {
     }
 
     /// The case that every run begins with: what the peer says about itself. No file holds it.
+    /// It cites first the rule that the description breaks.
     #[must_use]
-    pub fn describe(&self) -> &Case {
-        &self.describe
+    pub fn describe(&self, description: &Description) -> &Case {
+        let [hash_first, version_first] = &self.describe;
+        let breaks_hash = description.contract_hash != CONTRACT_HASH;
+        if breaks_hash || description.wire_version == WIRE_VERSION {
+            hash_first
+        } else {
+            version_first
+        }
+    }
+
+    /// Every case, with the one that no file holds before the others.
+    pub fn with_describe(&self) -> impl Iterator<Item = &Case> {
+        let [describe, _] = &self.describe;
+        std::iter::once(describe).chain(&self.cases)
     }
 
     /// Every rule of the text, in its order, tested or not.
@@ -175,9 +189,7 @@ impl Suite {
     /// The case of this id.
     #[must_use]
     pub fn case(&self, id: &str) -> Option<&Case> {
-        std::iter::once(&self.describe)
-            .chain(&self.cases)
-            .find(|case| case.id == id)
+        self.with_describe().find(|case| case.id == id)
     }
 
     /// The rule of this id.
@@ -224,7 +236,10 @@ impl Suite {
             });
         }
         let digest = hex(&Sha256::digest(&manifest));
-        let describe = describe(&rules)?;
+        let describe = [
+            describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?,
+            describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?,
+        ];
         Ok(Self {
             cases,
             describe,
@@ -237,13 +252,16 @@ impl Suite {
 }
 
 /// The case of `describe`.
-fn describe(rules: &HashMap<&str, &Arc<Requirement>>) -> Result<Case, SuiteError> {
+fn describe(
+    rules: &HashMap<&str, &Arc<Requirement>>,
+    cited: [&str; 2],
+) -> Result<Case, SuiteError> {
     let fault = |message: String| SuiteError::Case {
         file: BUILT_IN.to_owned(),
         id: DESCRIBE.to_owned(),
         message,
     };
-    let cited = ["NCP-VER-020", "NCP-VER-021"].map(|id| {
+    let cited = cited.map(|id| {
         rules
             .get(id)
             .map(|rule| Arc::clone(rule))

@@ -10,7 +10,8 @@
 //!   it. `spec/evidence.lock` holds what was accepted.
 //!
 //! Code that names a rule says where the rule is carried out. That is shown, but is no evidence: only
-//! what can fail is.
+//! what can fail is. A mutant is counted and is no evidence either: it shows that the vectors of its
+//! rule bite, not that the rule holds. So neither is in the lock, which stays short enough to be read.
 //!
 //! - `rust`: functions of Rust files, with what they cite.
 //! - `sources`: collects citations from the tree.
@@ -110,10 +111,10 @@ impl EvidenceKind {
         }
     }
 
-    /// Whether it can fail, and so shows something.
+    /// Whether it can fail when the rule is broken, and so shows something.
     #[must_use]
     pub const fn shows(self) -> bool {
-        !matches!(self, Self::Code)
+        !matches!(self, Self::Code | Self::Mutant)
     }
 }
 

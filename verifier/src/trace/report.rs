@@ -77,8 +77,11 @@ Made by `cargo verify trace` from the text, the corpus, the code and the tests; 
 look, and is no evidence.
 - **vectors**: cases of the golden corpus that cite the rule; every peer is held to them.
 - **tests**, **properties**: tests of the executable specification over chosen and over random input.
-- **fuzz**, **proofs**, **live**, **mutants**: fuzz targets, proved properties, scenarios between running programs, peers \
-with that one defect. A column without an entry is left out.
+- **fuzz**, **proofs**, **live**: fuzz targets, proved properties, scenarios between running programs.
+- **mutants**: peers with that one defect, which the vectors find. They show that the vectors bite, and are no evidence \
+for the rule.
+
+A column without an entry is left out.
 
 ";
 
@@ -137,7 +140,7 @@ fn summary(page: &mut String, trace: &Trace) {
 
 fn findings(page: &mut String, trace: &Trace) {
     page.push_str("## Audited findings\n\nThe cases that are flagged with a finding fail a peer that has it.\n\n");
-    header(page, &["finding", "rules", "cases"], &[], &[]);
+    header(page, &["finding", "cases", "rules"], &[], &[]);
     for finding in trace.findings() {
         let rules = match &finding.exclusion {
             Some(reason) => reason.clone(),

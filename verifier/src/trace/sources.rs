@@ -24,6 +24,8 @@ const ACCOUNTABLE: [&str; 4] = [
 const CATALOGUE: &str = "spec/src/catalogue.rs";
 /// An implementation that was written from the text alone.
 const TYPESCRIPT: &str = "peers/typescript/src";
+/// The tables of mutants.
+const MUTANTS: &str = "peers/mutants/mutants";
 /// Prose that names rules.
 const PROSE: [&str; 3] = ["README.md", "peers/PROTOCOL.md", "schemas/README.md"];
 
@@ -57,6 +59,7 @@ impl Sources {
             sources.rust(root, folder, true)?;
         }
         sources.typescript(root)?;
+        sources.mutants(root)?;
         for file in PROSE {
             if root.join(file).is_file() {
                 for Citation { id, line } in cited(&text(root, file)?) {
@@ -202,6 +205,31 @@ impl Sources {
         Ok(())
     }
 
+    fn mutants(&mut self, root: &Path) -> Result<(), TraceError> {
+        for file in files(root, MUTANTS, "toml")? {
+            let content = text(root, &file)?;
+            let table: MutantFile =
+                toml::from_str(&content).map_err(|error| TraceError::Content {
+                    path: file.clone(),
+                    message: error.to_string(),
+                })?;
+            for MutantEntry { name, rules } in table.mutant {
+                let entry = format!("name = \"{name}\"");
+                let line = content.lines().position(|line| line == entry);
+                let evidence = Evidence {
+                    kind: EvidenceKind::Mutant,
+                    place: format!("{file} {name}"),
+                    line: line.map(|before| before + 1),
+                    count: 1,
+                };
+                for id in rules {
+                    self.add(&id, evidence.clone());
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Code that names rules outside of functions: once a file and rule, at the first line.
     fn lines(&mut self, file: &str, citations: Vec<Citation>) {
         let mut first: BTreeMap<String, usize> = BTreeMap::new();
@@ -249,6 +277,18 @@ struct VectorCase {
     requirements: Vec<String>,
     #[serde(default)]
     flags: Vec<String>,
+}
+
+/// What is read of a table of mutants.
+#[derive(Deserialize)]
+struct MutantFile {
+    mutant: Vec<MutantEntry>,
+}
+
+#[derive(Deserialize)]
+struct MutantEntry {
+    name: String,
+    rules: Vec<String>,
 }
 
 /// Every `vectors/<area>/<name>.json`, sorted.

@@ -30,11 +30,7 @@ impl Baseline {
                 Target::Case(id) if suite.case(id).is_none() => {
                     return Err(BaselineError::Case(id.clone()));
                 }
-                Target::Requirement(id)
-                    if !std::iter::once(suite.describe())
-                        .chain(suite.cases())
-                        .any(|case| cites(case, id)) =>
-                {
+                Target::Requirement(id) if !suite.with_describe().any(|case| cites(case, id)) => {
                     return Err(BaselineError::Requirement(id.clone()));
                 }
                 _ => {}
