@@ -282,7 +282,7 @@ fn a_mutant_of_a_rule_that_the_text_does_not_have_is_a_fault() {
     let tree = Tree::accepted();
     tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-404"));
     tree.fails_with(&[
-        "NCP-TEST-404 is not in the text; orphaned is peers/mutants/mutants/wire.toml:4 one-left-out",
+        "NCP-TEST-404 is not in the text; orphaned are peers/mutants/mutants/wire.toml:4 one-left-out",
     ]);
     tree.write("peers/mutants/mutants/wire.toml", "[[mutant]]\n");
     let (exit, out) = tree.trace(&[]);
