@@ -33,7 +33,7 @@ class _AtField(NcpError):
 
 
 class DecodeError(_AtField):
-    """A frame was rejected: `malformed`, `type`, `kind`, `missing`, `value`, `provenance`, `limit` or `version`."""
+    """A frame was rejected: `malformed`, `type`, `kind`, `missing`, `value`, `provenance`, `limit`, `version`."""
 
 
 class EncodeError(_AtField):

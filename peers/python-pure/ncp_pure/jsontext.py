@@ -46,15 +46,20 @@ def read_object(frame):
 _STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 _NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _STEPS = bytes.maketrans(b"[{]}", b"\x01\x01\xff\xff")
+_AT_ONCE = 1 << 16
 
 
 def _check_levels(frame):
     """[NCP-WIRE-064] Counts the levels before anything recurses into them."""
     if frame.count(b"{") + frame.count(b"[") <= MAX_LEVELS:
         return
-    brackets = _STRING.sub(b"", frame).translate(None, _NOT_BRACKETS)
-    if max(accumulate(array("b", brackets.translate(_STEPS))), default=0) > MAX_LEVELS:
-        raise DecodeError("limit", f"more than {MAX_LEVELS} levels")
+    steps = _STRING.sub(b"", frame).translate(_STEPS, _NOT_BRACKETS)
+    level = 0
+    for begin in range(0, len(steps), _AT_ONCE):
+        levels = list(accumulate(array("b", steps[begin : begin + _AT_ONCE]), initial=level))
+        if max(levels) > MAX_LEVELS:
+            raise DecodeError("limit", f"more than {MAX_LEVELS} levels")
+        level = levels[-1]
 
 
 _UNPLAIN_NUMBER = re.compile(rb"-0(?![.0-9eE])|[eE]\+?[0-9]{3}")
