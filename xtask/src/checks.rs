@@ -95,10 +95,25 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "rust",
-        about: "all tests of all crates, and those in their documentation",
+        about: "all tests of all crates but fuzz, and those in their documentation",
         run: |work| {
-            let all = ["test", "--workspace", "--no-fail-fast", "--quiet"];
+            let all = [
+                "test",
+                "--workspace",
+                "--exclude",
+                FUZZ,
+                "--no-fail-fast",
+                "--quiet",
+            ];
             work.tests(work.project.cargo(&all), count::cargo)
+        },
+    },
+    Check {
+        name: "fuzz-corpus",
+        about: "every committed input of every fuzz target passes, and so does every seed",
+        run: |work| {
+            let replay = ["test", "--no-fail-fast", "--quiet", "-p", FUZZ];
+            work.tests(work.project.cargo(&replay), count::cargo)
         },
     },
     Check {
@@ -135,6 +150,9 @@ pub(crate) const CHECKS: &[Check] = &[
         run: conformance,
     },
 ];
+
+/// The crate with what the fuzz targets check.
+const FUZZ: &str = "ncp-fuzz-bodies";
 
 /// How cargo runs the verifier.
 const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];

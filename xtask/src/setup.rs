@@ -14,6 +14,8 @@ use crate::project::{self, Project};
 /// The version of the buf CLI, as the package `buf-bin` of PyPI has it.
 const BUF_VERSION: &str = "1.75.0";
 const VENV: &str = ".tools/venv";
+/// Where programs of crates.io are installed.
+const CARGO_ROOT: &str = ".tools";
 const TYPESCRIPT: &str = "peers/typescript";
 
 /// Tells the person who waits what is being installed.
@@ -98,6 +100,43 @@ pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupErr
     carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], TYPESCRIPT))
 }
 
+/// Installs a program of crates.io into `.tools`, and returns its path.
+///
+/// # Errors
+/// No registry, or it does not build here.
+pub(crate) fn program(
+    project: &Project,
+    name: &str,
+    pinned: &str,
+    say: Say<'_>,
+) -> Result<PathBuf, SetupError> {
+    let program = project.path(CARGO_ROOT).join("bin").join(name);
+    // As a subcommand of cargo, it says its version when it gets its own name first.
+    let subcommand = name.trim_start_matches("cargo-");
+    let mut ask = Command::new(&program);
+    if version(ask.arg(subcommand)).is_some_and(|version| version.ends_with(pinned)) {
+        return Ok(program);
+    }
+    say(&format!(
+        "installing {name} {pinned} (from crates.io) into {CARGO_ROOT}"
+    ));
+    let root = project.path(CARGO_ROOT);
+    let root = root.to_string_lossy();
+    let install = [
+        "install",
+        "--quiet",
+        "--locked",
+        "--force",
+        "--version",
+        pinned,
+        "--root",
+        &root,
+        name,
+    ];
+    carry_out(project.cargo(&install))?;
+    Ok(program)
+}
+
 /// The program npm, by the name under which it can be started.
 pub(crate) const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 
@@ -123,7 +162,11 @@ pub(crate) enum SetupError {
     File { path: PathBuf, source: io::Error },
 }
 
-fn carry_out(mut command: Command) -> Result<(), SetupError> {
+/// Runs a program to its end without showing what it prints, unless it fails.
+///
+/// # Errors
+/// It could not be started, or did not succeed.
+pub(crate) fn carry_out(mut command: Command) -> Result<(), SetupError> {
     io::stdout().flush().ok();
     let shown = project::shown(&command);
     let result = command.output();

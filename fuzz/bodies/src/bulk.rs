@@ -40,7 +40,7 @@ pub fn bulk_decode(input: &[u8]) {
             assert_eq!(block.find(&column.name).map(|(at, _)| at), Some(nth));
             match &column.data {
                 ColumnData::F32(values) => {
-                    views_agree(&view, values, |value| value.to_bits().into())
+                    views_agree(&view, values, |value| value.to_bits().into());
                 }
                 ColumnData::F64(values) => views_agree(&view, values, f64::to_bits),
                 ColumnData::I32(values) => views_agree(&view, values, i32::cast_unsigned_u64),
@@ -321,7 +321,7 @@ mod slow {
                 .map(|column| column.name.len())
                 .sum::<usize>();
         for Column { name, data: values } in columns {
-            while (start + data.len()) % 8 != 0 {
+            while !(start + data.len()).is_multiple_of(8) {
                 data.push(0);
             }
             let (code, offset) = (values.dtype().code(), start + data.len());

@@ -7,12 +7,14 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
+use serde_json::{Value, json};
+
 use ncp_fuzz_bodies::{TARGETS, Target, seeds, target};
 
 include!("../allocator.rs");
 
 const USAGE: &str = "\
-Usage: ncp-fuzz list                    the targets, and what each would find
+Usage: ncp-fuzz list [--json]           the targets, and what each would find
        ncp-fuzz replay <target> <file>… check inputs, such as a crash; panics when one is wrong
        ncp-fuzz show <target> <file>    an input as a person reads it
        ncp-fuzz seed <folder>           write the seeds that vectors/ gives, a folder a target
@@ -41,6 +43,12 @@ fn run(args: &[&str]) -> io::Result<bool> {
             for Target { name, finds, .. } in TARGETS {
                 println!("{name:20} {finds}");
             }
+        }
+        ["list", "--json"] => {
+            let targets = TARGETS.iter().map(|target| {
+                json!({"name": target.name, "finds": target.finds, "planted": target.planted})
+            });
+            println!("{}", Value::from_iter(targets));
         }
         ["replay", name, files @ ..] if let Some(target) = target(name) => {
             for file in files {
