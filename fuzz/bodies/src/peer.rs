@@ -2,12 +2,12 @@
 
 use ncp_spec::wire::decode_any;
 use ncp_verifier::json::{Json, JsonFault};
-use ncp_verifier::peer::{Answer, Reply, ReplyFault, excerpt};
+use ncp_verifier::peer::{Answer, ReplyFault, excerpt};
 use serde_json::Value;
 
 #[cfg(not(feature = "planted"))]
-fn parse(line: &[u8]) -> Result<Reply<'_>, ReplyFault> {
-    Reply::parse(line)
+fn parse(line: &[u8]) -> Result<ncp_verifier::peer::Reply<'_>, ReplyFault> {
+    ncp_verifier::peer::Reply::parse(line)
 }
 
 #[cfg(feature = "planted")]

@@ -41,7 +41,7 @@ pub(crate) fn to_columns(block: &Block<'_>) -> Vec<Column> {
     let mut columns = block.to_columns();
     for (column, view) in columns.iter_mut().zip(block.columns()) {
         let start = view.bytes().as_ptr() as usize - block.bytes().as_ptr() as usize;
-        if start % view.dtype().size() != 0 {
+        if !start.is_multiple_of(view.dtype().size()) {
             match &mut column.data {
                 ColumnData::F32(values) => _ = values.pop(),
                 ColumnData::F64(values) => _ = values.pop(),
