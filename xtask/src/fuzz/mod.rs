@@ -24,6 +24,8 @@ use report::Report;
 /// What each target checks, and the replay of the corpora.
 const BODIES: &str = "ncp-fuzz-bodies";
 const CORPUS: &str = "fuzz/corpus";
+/// The most inputs of a committed corpus: it is replayed with every change.
+const MOST_INPUTS: usize = 120;
 /// Within this every planted bug has to be found.
 const PLANTED_LIMIT: Duration = Duration::from_secs(120);
 
@@ -239,7 +241,10 @@ fn minimise(project: &Project, options: &Options, targets: &[Target]) -> Result<
         for file in files(&kept)? {
             remove(&file)?;
         }
-        let inputs = files(&merged)?;
+        // libFuzzer writes first what reaches most that nothing before it reached.
+        let mut inputs = files(&merged)?;
+        inputs.sort_by_key(|file| file.metadata().and_then(|file| file.modified()).ok());
+        inputs.truncate(MOST_INPUTS);
         let mut bytes = 0;
         for input in &inputs {
             let to = kept.join(input.file_name().unwrap_or_default());
