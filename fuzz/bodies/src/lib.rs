@@ -102,7 +102,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "validate_vs_schema",
         finds: "a frame on which schema and decoder disagree for no stated reason",
-        planted: "a seq that is null counts as 0",
+        planted: "a null counts as the empty value of its type",
         run: schema::validate_vs_schema,
         show: frame::show,
     },
@@ -165,7 +165,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "session",
         finds: "requests that a server answers not at all, wrongly, or with a panic",
-        planted: "what was never open is closed with success the second time",
+        planted: "what is not open is closed with success once something was opened",
         run: session::session,
         show: plain::show_text,
     },

@@ -17,7 +17,7 @@ const USAGE: &str = "\
 Usage: ncp-fuzz list [--json]           the targets, and what each would find
        ncp-fuzz replay <target> <file>… check inputs, such as a crash; panics when one is wrong
        ncp-fuzz show <target> <file>    an input as a person reads it
-       ncp-fuzz seed <folder>           write the seeds that vectors/ gives, a folder a target
+       ncp-fuzz seed <folder>           write the seeds that vectors/ gives, in all/<target>, and those that stay in rules/<target>
 ";
 
 fn main() -> ExitCode {
@@ -61,13 +61,18 @@ fn run(args: &[&str]) -> io::Result<bool> {
         }
         ["seed", folder] => {
             let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-            for (name, inputs) in seeds::seeds(root)? {
-                let folder = Path::new(folder).join(name);
-                fs::create_dir_all(&folder)?;
-                for (nth, input) in inputs.iter().enumerate() {
-                    fs::write(folder.join(format!("seed-{nth:04}")), input)?;
+            for (which, seeds) in [
+                ("all", seeds::seeds(root)?),
+                ("rules", seeds::essential(root)?),
+            ] {
+                for (name, inputs) in seeds {
+                    let folder = Path::new(folder).join(which).join(name);
+                    fs::create_dir_all(&folder)?;
+                    for (nth, input) in inputs.iter().enumerate() {
+                        fs::write(folder.join(format!("{which}-{nth:04}")), input)?;
+                    }
+                    println!("{which:6} {name:20} {} seeds", inputs.len());
                 }
-                println!("{name:20} {} seeds", inputs.len());
             }
             fs::write(root.join("fuzz/dict/frame.dict"), seeds::dictionary())?;
         }

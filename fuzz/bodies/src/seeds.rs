@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -22,18 +22,65 @@ const MOST_BYTES: usize = 4_096;
 /// By target, its seeds.
 pub type Seeds = BTreeMap<&'static str, BTreeSet<Vec<u8>>>;
 
+/// Those seeds that a corpus keeps whatever they reach: for every call and rule the first case that is
+/// accepted and the first that is rejected. What an input *means* is no edge in a program's flow.
+///
+/// # Errors
+/// A folder or a file that cannot be read.
+pub fn essential(root: &Path) -> io::Result<Seeds> {
+    let mut seen = BTreeSet::new();
+    let mut cases = cases(root)?;
+    cases.retain(|case| {
+        let rejected = case["expect"].get("reject").is_some();
+        let (call, rule) = (text(&case["call"]), text(&case["requirements"][0]));
+        seen.insert((call, rule, rejected))
+    });
+    Ok(of_cases(&cases))
+}
+
 /// The seeds that the vectors in `root` give.
 ///
 /// # Errors
 /// A folder or a file that cannot be read.
 pub fn seeds(root: &Path) -> io::Result<Seeds> {
+    let mut seeds = of_cases(&cases(root)?);
+    let mut add = |target: &'static str, seed: Vec<u8>| {
+        if seed.len() <= MOST_BYTES {
+            seeds.entry(target).or_default().insert(seed);
+        }
+    };
+    let lines = [
+        r#"{"id":1,"unsupported":true}"#,
+        r#"{"id":2,"error":{"code":"type","message":"seq: 1.0 is no integer"}}"#,
+        r#"{"id":3,"error":{"code":"internal"}}"#,
+        r#"{"id":4,"result":{"text":"\u00e9\ud83d\ude00","a":[1,-0.5e3,true,null]}}"#,
+        r#"{"result":{},"id":18446744073709551615,"note":[]}"#,
+    ];
+    for line in lines {
+        add("peer_protocol", line.as_bytes().to_vec());
+    }
+    let whole = fs::read_to_string(root.join("proto/ncp.proto"))?;
+    for part in whole.split("\n\n") {
+        add("canonical_proto", part.as_bytes().to_vec());
+    }
+    for text in [
+        "a = \"http://x /* y */\"; // z",
+        "a = \"\\\"//\"; '\\''",
+        "syntaxes\noptional x\n/*/ b */ c",
+    ] {
+        add("canonical_proto", text.as_bytes().to_vec());
+    }
+    Ok(seeds)
+}
+
+fn of_cases(cases: &[Value]) -> Seeds {
     let mut seeds = Seeds::new();
     let mut add = |target: &'static str, seed: Vec<u8>| {
         if seed.len() <= MOST_BYTES {
             seeds.entry(target).or_default().insert(seed);
         }
     };
-    for case in cases(root)? {
+    for case in cases {
         let args = &case["args"];
         match case["call"].as_str().unwrap_or_default() {
             "decode" => of_frame(args, &mut add),
@@ -91,28 +138,7 @@ pub fn seeds(root: &Path) -> io::Result<Seeds> {
             add("peer_protocol", answer.to_string().into_bytes());
         }
     }
-    let lines = [
-        r#"{"id":1,"unsupported":true}"#,
-        r#"{"id":2,"error":{"code":"type","message":"seq: 1.0 is no integer"}}"#,
-        r#"{"id":3,"error":{"code":"internal"}}"#,
-        r#"{"id":4,"result":{"text":"\u00e9\ud83d\ude00","a":[1,-0.5e3,true,null]}}"#,
-        r#"{"result":{},"id":18446744073709551615,"note":[]}"#,
-    ];
-    for line in lines {
-        add("peer_protocol", line.as_bytes().to_vec());
-    }
-    let whole = fs::read_to_string(root.join("proto/ncp.proto"))?;
-    for part in whole.split("\n\n") {
-        add("canonical_proto", part.as_bytes().to_vec());
-    }
-    for text in [
-        "a = \"http://x /* y */\"; // z",
-        "a = \"\\\"//\"; '\\''",
-        "syntaxes\noptional x\n/*/ b */ c",
-    ] {
-        add("canonical_proto", text.as_bytes().to_vec());
-    }
-    Ok(seeds)
+    seeds
 }
 
 /// The words of frames, as libFuzzer's dictionaries want them.
@@ -156,6 +182,10 @@ pub fn dictionary() -> String {
         "\\\"pose_position\\\"",
         "\\\"velocity_setpoint\\\"",
         "\\\"m/s\\\"",
+        "\\\"id\\\":7,",
+        "\\\"result\\\":{}",
+        "\\\"error\\\":{\\\"code\\\":\\\"type\\\"}",
+        "\\\"unsupported\\\":true",
         "ncp.reference.lif",
         "ncp.reference.rate",
         "current_pA",
@@ -164,20 +194,18 @@ pub fn dictionary() -> String {
     words.extend(others.map(str::to_owned));
     let lines: Vec<_> = words.iter().map(|word| format!("\"{word}\"\n")).collect();
     format!(
-        "# The words of frames, from the tables of the text: made by `ncp-fuzz seed`.\n{}",
+        "# The words of frames and of peers' answers, from the tables of the text: made by `ncp-fuzz seed`.\n{}",
         lines.concat()
     )
 }
 
 fn cases(root: &Path) -> io::Result<Vec<Value>> {
     let mut cases = Vec::new();
-    for area in fs::read_dir(root.join("vectors"))? {
-        let area = area?.path();
+    for area in sorted(&root.join("vectors"))? {
         if !area.is_dir() {
             continue;
         }
-        for file in fs::read_dir(area)? {
-            let file = file?.path();
+        for file in sorted(&area)? {
             if file
                 .extension()
                 .is_some_and(|extension| extension == "json")
@@ -189,6 +217,15 @@ fn cases(root: &Path) -> io::Result<Vec<Value>> {
         }
     }
     Ok(cases)
+}
+
+fn sorted(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        paths.push(entry?.path());
+    }
+    paths.sort();
+    Ok(paths)
 }
 
 fn of_frame(args: &Value, add: &mut impl FnMut(&'static str, Vec<u8>)) {

@@ -236,7 +236,7 @@ fn minimise(project: &Project, options: &Options, targets: &[Target]) -> Result<
         let merged = engine.merge(
             project,
             name,
-            &[&kept, &seeds.join(name), &engine.work(name)],
+            &[&kept, &seeds.join("all").join(name), &engine.work(name)],
         )?;
         for file in files(&kept)? {
             remove(&file)?;
@@ -244,7 +244,9 @@ fn minimise(project: &Project, options: &Options, targets: &[Target]) -> Result<
         // libFuzzer writes first what reaches most that nothing before it reached.
         let mut inputs = files(&merged)?;
         inputs.sort_by_key(|file| file.metadata().and_then(|file| file.modified()).ok());
-        inputs.truncate(MOST_INPUTS);
+        let rules = files(&seeds.join("rules").join(name))?;
+        inputs.truncate(MOST_INPUTS.saturating_sub(rules.len()).max(MOST_INPUTS / 3));
+        inputs.extend(rules);
         let mut bytes = 0;
         for input in &inputs {
             let to = kept.join(input.file_name().unwrap_or_default());
