@@ -1,7 +1,7 @@
 //! BulkBlocks, against a decoder and an encoder that go byte by byte.
 
 use arbitrary::{Result, Unstructured};
-use ncp_spec::bulk::{Block, Column, ColumnData, Dtype, Element, unpack};
+use ncp_spec::bulk::{Block, Column, ColumnData, Dtype, Element, pack, unpack};
 
 #[cfg(not(feature = "planted"))]
 use ncp_spec::bulk::encode;
@@ -55,9 +55,11 @@ pub fn bulk_decode(input: &[u8]) {
 /// Columns come back from a block as they went in; the block is laid out as the text says.
 ///
 /// It would find a column, a name or a value that is lost or cut short, and padding that is not zero.
+// [NCP-OBS-001] [NCP-OBS-002] [NCP-OBS-003]
 // [NCP-BULK-030] [NCP-BULK-031] [NCP-BULK-032] [NCP-BULK-033] [NCP-BULK-034]
 pub fn bulk_roundtrip(input: &[u8]) {
     let columns = read::<Columns>(input).0;
+    judge_pack(&columns);
     let mut names: Vec<_> = columns.iter().map(|column| &column.name).collect();
     names.sort();
     let distinct = names.windows(2).all(|pair| pair[0] != pair[1]);
@@ -225,6 +227,38 @@ fn views_agree<T: Element + PartialEq>(
     let other = Dtype::ALL.into_iter().find(|dtype| *dtype != T::DTYPE);
     if other == Some(Dtype::F32) {
         assert!(view.to_vec::<f32>().is_none() && view.get::<f32>(0).is_none());
+    }
+}
+
+/// The first doubles and integers as an observation, there and back.
+fn judge_pack(columns: &[Column]) {
+    let doubles = |nth| {
+        let mut found = columns.iter().filter_map(|column| match &column.data {
+            ColumnData::F64(values) => Some(values.as_slice()),
+            _ => None,
+        });
+        found.nth(nth).unwrap_or_default()
+    };
+    let integers = columns.iter().find_map(|column| match &column.data {
+        ColumnData::I64(values) => Some(values.as_slice()),
+        _ => None,
+    });
+    let (times, values, senders) = (doubles(0), doubles(1), integers.unwrap_or_default());
+    let mut rows = vec![times.len(), values.len(), senders.len()];
+    rows.retain(|rows| *rows > 0);
+    rows.dedup();
+    let packed = pack(times, values, senders);
+    assert_eq!(packed.is_ok(), rows.len() < 2);
+    if let Ok(block) = packed {
+        let bits = |values: &[f64]| {
+            values
+                .iter()
+                .map(|value| value.to_bits())
+                .collect::<Vec<_>>()
+        };
+        let back = unpack(&block).expect("what was packed is unpacked");
+        assert_eq!((bits(&back.0), bits(&back.1)), (bits(times), bits(values)));
+        assert_eq!(back.2, senders);
     }
 }
 

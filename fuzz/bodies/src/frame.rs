@@ -1,7 +1,7 @@
 //! Frames of all kinds: the first byte chooses the kind, the rest is the frame.
 
 use ncp_spec::ErrorCode;
-use ncp_spec::wire::{DecodeError, Kind, Message, decode_any};
+use ncp_spec::wire::{DecodeError, Kind, Message, build, decode_any};
 use serde_json::Value;
 
 #[cfg(not(feature = "planted"))]
@@ -92,6 +92,9 @@ pub fn frame_roundtrip(input: &[u8]) {
     let again = kind.read(text.as_bytes());
     assert_eq!(again, message);
     assert_eq!(encode(&again).as_deref(), Ok(text.as_str()));
+    // As an adapter sees the fields, and sets them.
+    let built = build(kind, message.fields().as_bytes()).expect("its own fields are known");
+    assert_eq!(encode(&built).as_deref(), Ok(text.as_str()));
 
     let given: Value = serde_json::from_slice(frame).expect("what is read is JSON");
     let written: Value = serde_json::from_str(&text).expect("what is written is JSON");

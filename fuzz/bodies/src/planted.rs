@@ -80,10 +80,10 @@ pub(crate) fn parse_and_copy(input: &[u8]) -> Option<Vec<Column>> {
 pub(crate) fn decode_lax(kind: Kind, frame: &[u8]) -> Result<Message, DecodeError> {
     let text = String::from_utf8_lossy(frame);
     let empties = [":0", ":\"\"", ":{}", ":[]", ":false"].into_iter();
-    let lax = empties.filter_map(|empty| {
+    let mut lax = empties.filter_map(|empty| {
         ncp_spec::wire::decode(kind, text.replace(":null", empty).as_bytes()).ok()
     });
-    ncp_spec::wire::decode(kind, frame).or_else(|error| lax.last().ok_or(error))
+    ncp_spec::wire::decode(kind, frame).or_else(|error| lax.next_back().ok_or(error))
 }
 
 /// `proto_vs_json`: the first two steps of a horizon change places.

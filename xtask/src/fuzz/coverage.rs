@@ -32,27 +32,36 @@ pub(super) fn measure(
     let output = project.path(".tools/logs/fuzz-coverage.json");
     super::create(output.parent().unwrap_or(Path::new(".")))?;
     let output_text = output.to_string_lossy().into_owned();
-    let args = [
+    let replay = [
         "llvm-cov",
         "test",
         "-p",
         BODIES,
         "--test",
         "replay",
-        "--dep-coverage",
-        "ncp-spec",
-        "--json",
-        "--output-path",
-        &output_text,
+        "--no-report",
         "--",
         "the_corpus_of",
     ];
-    let mut program = project.program(cargo_llvm_cov, &args, "");
-    program
-        .env("LLVM_COV", &cov)
-        .env("LLVM_PROFDATA", &profdata)
-        .env("CARGO_LLVM_COV_SETUP", "no");
-    setup::carry_out(program)?;
+    // The first command names what runs, the second whose lines count.
+    let count = [
+        "llvm-cov",
+        "report",
+        "-p",
+        "ncp-spec",
+        "--json",
+        "--summary-only",
+        "--output-path",
+        &output_text,
+    ];
+    for args in [&replay[..], &count] {
+        let mut program = project.program(&cargo_llvm_cov, args, "");
+        program
+            .env("LLVM_COV", &cov)
+            .env("LLVM_PROFDATA", &profdata)
+            .env("CARGO_LLVM_COV_SETUP", "no");
+        setup::carry_out(program)?;
+    }
 
     let text = std::fs::read(&output).map_err(|source| Error::File {
         path: output.clone(),
