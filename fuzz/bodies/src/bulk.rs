@@ -1,7 +1,9 @@
 //! BulkBlocks, against a decoder and an encoder that go byte by byte.
 
 use arbitrary::{Result, Unstructured};
-use ncp_spec::bulk::{Block, Column, ColumnData, Dtype, Element, pack, unpack};
+use ncp_spec::ErrorCode;
+use ncp_spec::bulk::{Block, Column, ColumnData, Dtype, Element, pack_observation, unpack};
+use ncp_spec::wire::Observation;
 
 #[cfg(not(feature = "planted"))]
 use ncp_spec::bulk::encode;
@@ -25,11 +27,18 @@ pub fn bulk_decode(input: &[u8]) {
     let block = Block::parse(input);
     if let Err(error) = &block {
         assert!(!error.to_string().is_empty());
+        assert!(matches!(error.code(), ErrorCode::Block | ErrorCode::Limit));
     }
     let columns = block.as_ref().ok().map(to_columns);
     assert_eq!(columns, expected);
     if let (Ok(block), Some(columns)) = (block, expected) {
-        assert_eq!(block.len(), columns.len());
+        assert_eq!(
+            (block.len(), block.is_empty()),
+            (columns.len(), columns.is_empty())
+        );
+        assert_eq!(block.bytes(), input);
+        assert!(format!("{block:?}").matches("dtype: ").count() >= columns.len());
+        assert_eq!(format!("{columns:?}"), format!("{:?}", block.to_columns()));
         assert_eq!(block.columns().rev().count(), columns.len());
         for (nth, column) in columns.iter().enumerate() {
             let view = block.column(nth).expect("a column that was counted");
@@ -214,6 +223,7 @@ fn views_agree<T: Element + PartialEq>(
 ) {
     let of = |values: &[T]| values.iter().map(|value| bits(*value)).collect::<Vec<_>>();
     assert_eq!(view.dtype(), T::DTYPE);
+    assert_eq!(Dtype::parse(&view.dtype().to_string()), Some(T::DTYPE));
     assert_eq!(view.bytes().len(), values.len() * T::DTYPE.size());
     assert_eq!(of(&view.to_vec::<T>().unwrap()), of(values));
     assert_eq!(
@@ -247,7 +257,13 @@ fn judge_pack(columns: &[Column]) {
     let mut rows = vec![times.len(), values.len(), senders.len()];
     rows.retain(|rows| *rows > 0);
     rows.dedup();
-    let packed = pack(times, values, senders);
+    let observation = Observation {
+        times: times.to_vec(),
+        values: values.to_vec(),
+        senders: senders.to_vec(),
+        ..Observation::default()
+    };
+    let packed = pack_observation(&observation);
     assert_eq!(packed.is_ok(), rows.len() < 2);
     if let Ok(block) = packed {
         let bits = |values: &[f64]| {

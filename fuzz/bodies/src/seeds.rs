@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use ncp_spec::bulk::{Column, ColumnData};
-use ncp_spec::wire::{CommandFrame, Frame, Kind, decode};
+use ncp_spec::wire::{CommandFrame, Frame, Kind, build, decode};
 use serde_json::Value;
 
 use crate::action_buffer::{self, Arrival, Damage};
@@ -84,6 +84,18 @@ fn of_cases(cases: &[Value]) -> Seeds {
         let args = &case["args"];
         match case["call"].as_str().unwrap_or_default() {
             "decode" => of_frame(args, &mut add),
+            // What is encoded there is decoded here.
+            "encode" => {
+                let kind = args["kind"].as_str().and_then(Kind::parse);
+                let fields = args["fields"].to_string();
+                let message = kind.and_then(|kind| build(kind, fields.as_bytes()).ok());
+                if let Some(Ok(frame)) = message.map(|message| message.encode()) {
+                    of_frame(
+                        &serde_json::json!({"kind": args["kind"], "text": frame}),
+                        &mut add,
+                    );
+                }
+            }
             "reply.check" => {
                 for name in ["request", "reply"] {
                     add("peer_protocol", text(&args[name]).into_bytes());
@@ -183,9 +195,9 @@ pub fn dictionary() -> String {
         "\\\"velocity_setpoint\\\"",
         "\\\"m/s\\\"",
         "\\\"id\\\":7,",
-        "\\\"result\\\":{}",
+        ",\\\"result\\\":{}",
         "\\\"error\\\":{\\\"code\\\":\\\"type\\\"}",
-        "\\\"unsupported\\\":true",
+        ",\\\"unsupported\\\":true",
         "ncp.reference.lif",
         "ncp.reference.rate",
         "current_pA",
