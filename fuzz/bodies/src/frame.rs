@@ -129,7 +129,7 @@ fn judge_error(error: &DecodeError, frame: &[u8], of_any: &Result<Message, Decod
         error.code(),
         ErrorCode::Internal | ErrorCode::Invalid
     ));
-    assert!(!error.to_string().is_empty() && !error.path().starts_with('.'));
+    assert!(!error.to_string().is_empty() && error.to_string().starts_with(error.path()));
     assert!(error.offset().is_none_or(|at| at <= frame.len()));
     if let Ok(message) = of_any {
         assert_eq!(error.code(), ErrorCode::Kind, "{}", message.kind());
