@@ -154,6 +154,37 @@ fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
 }
 
 #[test]
+fn a_fuzz_target_shows_what_the_function_of_its_name_cites() {
+    let tree = Tree::new();
+    tree.write("fuzz/fuzz_targets/things.rs", "fuzz_target!(things);\n");
+    tree.write(
+        "fuzz/bodies/src/all.rs",
+        "// [NCP-TEST-003]\npub fn things(input: &[u8]) {}\n",
+    );
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 0, "{out}");
+    let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
+    assert_eq!(
+        report["rules"][2]["evidence"],
+        json!([{"kind": "fuzz", "place": "fuzz/bodies/src/all.rs things", "count": 1}])
+    );
+    tree.replace("fuzz/bodies/src/all.rs", "NCP-TEST-003", "NCP-TEST-099");
+    tree.fails_with(&["NCP-TEST-099 is not in the text", "all.rs:2 things"]);
+}
+
+#[test]
+fn a_fuzz_target_that_cites_no_rule_or_checks_nothing_is_an_orphan() {
+    let tree = Tree::new();
+    tree.write("fuzz/fuzz_targets/silent.rs", "fuzz_target!(silent);\n");
+    tree.write("fuzz/fuzz_targets/empty.rs", "fuzz_target!(empty);\n");
+    tree.write("fuzz/bodies/src/all.rs", "pub fn silent(input: &[u8]) {}\n");
+    tree.fails_with(&[
+        "the fuzz target silent cites no rule",
+        "the fuzz target empty cites no rule",
+    ]);
+}
+
+#[test]
 fn a_vector_file_that_is_gone_is_named_with_the_rules_that_it_showed() {
     let tree = Tree::accepted();
     std::fs::remove_file(tree.root().join("vectors/wire/one.json")).unwrap();

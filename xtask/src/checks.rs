@@ -112,10 +112,25 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "rust",
-        about: "all tests of all crates, and those in their documentation",
+        about: "all tests of all crates but fuzz, and those in their documentation",
         run: |work| {
-            let all = ["test", "--workspace", "--no-fail-fast", "--quiet"];
+            let all = [
+                "test",
+                "--workspace",
+                "--exclude",
+                FUZZ,
+                "--no-fail-fast",
+                "--quiet",
+            ];
             work.tests(work.project.cargo(&all), count::cargo)
+        },
+    },
+    Check {
+        name: "fuzz-corpus",
+        about: "every committed input of every fuzz target passes, and so does every seed",
+        run: |work| {
+            let replay = ["test", "--no-fail-fast", "--quiet", "-p", FUZZ];
+            work.tests(work.project.cargo(&replay), count::cargo)
         },
     },
     Check {
@@ -168,6 +183,9 @@ pub(crate) const CHECKS: &[Check] = &[
         },
     },
 ];
+
+/// The crate with what the fuzz targets check.
+const FUZZ: &str = "ncp-fuzz-bodies";
 
 /// How cargo runs the verifier.
 const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];

@@ -5,12 +5,14 @@
 //! - `generate`: the files that are made from others, and whether they are fresh.
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
+//! - `fuzz`: builds the fuzz targets, runs them, and measures what they reach.
 //! - `count`: finds the number of tests in what a test program printed.
 
 #![forbid(unsafe_code)]
 
 mod checks;
 mod count;
+mod fuzz;
 mod generate;
 mod project;
 mod setup;
@@ -32,7 +34,10 @@ Commands:
   test --list             List the checks
   generate                Write the generated files anew: schemas, vectors, their manifest, the C header
   generate --check        Only say which of them are stale
-  setup                   Only set up: buf and the TypeScript packages, into ignored folders; valgrind
+  fuzz [--time 30s] [--target <name>]…
+                          Fuzz every target for so long; fuzz/README.md has the other modes:
+                          --replay, --planted, --coverage, --minimise
+  setup                   Only set up what the checks need, into ignored folders; valgrind
 ";
 
 fn main() -> ExitCode {
@@ -71,6 +76,7 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["test", selection @ ..] => test::run(&project, &test::select(selection)?),
         ["generate"] => generate::write(&project),
         ["generate", "--check"] => generate::report_stale(&project),
+        ["fuzz", options @ ..] => fuzz::run(&project, options),
         ["setup"] => setup::all(&project),
         _ => Err(Error::Usage {
             what: format!("`{}` is no command", args.join(" ")),

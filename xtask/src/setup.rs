@@ -14,6 +14,8 @@ use crate::project::{self, Project};
 /// The version of the buf CLI, as the package `buf-bin` of PyPI has it.
 const BUF_VERSION: &str = "1.75.0";
 const VENV: &str = ".tools/venv";
+/// Where programs of crates.io are installed.
+const CARGO_ROOT: &str = ".tools";
 const TYPESCRIPT: &str = "peers/typescript";
 const PYTHON: &str = "peers/python";
 /// Where its `build.py` installs it.
@@ -154,6 +156,43 @@ pub(crate) fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupEr
     Ok(project.path(PYTHON_VENV).join(bin).join("python"))
 }
 
+/// Installs a program of crates.io into `.tools`, and returns its path.
+///
+/// # Errors
+/// No registry, or it does not build here.
+pub(crate) fn program(
+    project: &Project,
+    name: &str,
+    pinned: &str,
+    say: Say<'_>,
+) -> Result<PathBuf, SetupError> {
+    let program = project.path(CARGO_ROOT).join("bin").join(name);
+    // As a subcommand of cargo, it says its version when it gets its own name first.
+    let subcommand = name.trim_start_matches("cargo-");
+    let mut ask = Command::new(&program);
+    if version(ask.arg(subcommand)).is_some_and(|version| version.ends_with(pinned)) {
+        return Ok(program);
+    }
+    say(&format!(
+        "installing {name} {pinned} (from crates.io) into {CARGO_ROOT}"
+    ));
+    let root = project.path(CARGO_ROOT);
+    let root = root.to_string_lossy();
+    let install = [
+        "install",
+        "--quiet",
+        "--locked",
+        "--force",
+        "--version",
+        pinned,
+        "--root",
+        &root,
+        name,
+    ];
+    carry_out(project.cargo(&install))?;
+    Ok(program)
+}
+
 /// The program npm, by the name under which it can be started.
 pub(crate) const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 
@@ -190,7 +229,11 @@ fn find_python() -> Result<&'static str, SetupError> {
         })
 }
 
-fn carry_out(mut command: Command) -> Result<(), SetupError> {
+/// Runs a program to its end without showing what it prints, unless it fails.
+///
+/// # Errors
+/// It could not be started, or did not succeed.
+pub(crate) fn carry_out(mut command: Command) -> Result<(), SetupError> {
     io::stdout().flush().ok();
     let shown = project::shown(&command);
     let result = command.output();

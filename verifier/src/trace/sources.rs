@@ -22,6 +22,8 @@ const ACCOUNTABLE: [&str; 4] = [
 ];
 /// It reads rules; those of its examples are invented.
 const CATALOGUE: &str = "spec/src/catalogue.rs";
+/// The wrappers of the fuzz targets, a file a target, and the functions of the same names that check.
+const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
 /// An implementation that was written from the text alone.
 const TYPESCRIPT: &str = "peers/typescript/src";
 /// The tables of mutants.
@@ -58,6 +60,7 @@ impl Sources {
         for folder in TESTS {
             sources.rust(root, folder, true)?;
         }
+        sources.fuzz(root)?;
         sources.typescript(root)?;
         sources.mutants(root)?;
         for file in PROSE {
@@ -194,6 +197,47 @@ impl Sources {
                 self.lines(&file, elsewhere);
             }
         }
+        Ok(())
+    }
+
+    /// A target shows the rules that the function of its name cites.
+    fn fuzz(&mut self, root: &Path) -> Result<(), TraceError> {
+        let [wrappers, bodies] = FUZZ;
+        if !root.join(wrappers).is_dir() {
+            return Ok(());
+        }
+        let wrappers = files(root, wrappers, "rs")?;
+        let names = wrappers
+            .iter()
+            .filter_map(|file| Path::new(file).file_stem()?.to_str());
+        let mut without: BTreeSet<&str> = names.collect();
+        for file in files(root, bodies, "rs")? {
+            for function in RustFile::read(&text(root, &file)?).functions {
+                let name = function.name.as_str();
+                if !function.public || function.cites.is_empty() || !without.remove(name) {
+                    continue;
+                }
+                let cites: BTreeSet<String> = function
+                    .cites
+                    .iter()
+                    .map(|cited| cited.id.clone())
+                    .collect();
+                for id in cites {
+                    let evidence = Evidence {
+                        kind: EvidenceKind::Fuzz,
+                        place: format!("{file} {name}"),
+                        line: Some(function.line),
+                        count: 1,
+                    };
+                    self.add(&id, evidence);
+                }
+            }
+        }
+        self.orphans
+            .extend(without.into_iter().map(|name| Fault::Orphan {
+                what: "the fuzz target",
+                place: name.to_owned(),
+            }));
         Ok(())
     }
 

@@ -1,0 +1,191 @@
+//! A server with the reference backend: each line of the input is a request.
+
+use std::collections::BTreeMap;
+
+use ncp_spec::reply::check_reply;
+use ncp_spec::session::ReferenceBackend;
+use ncp_spec::wire::{Kind, Message, OpenSession, decode_any};
+
+#[cfg(not(feature = "planted"))]
+use ncp_spec::session::SessionService;
+
+#[cfg(feature = "planted")]
+use crate::planted::SessionService;
+
+/// How many requests of an input are served.
+const MOST_REQUESTS: usize = 24;
+/// How much a request may cost, in steps times neurons. What would take longer is left out.
+const MOST_WORK: f64 = 20_000.0;
+
+/// Every request gets one reply, which is of the kind that answers it, which a client reads, and which
+/// is true: sessions open once, step by what was asked, count, and close.
+///
+/// It would find a panic, a session that is opened although it was refused, two sessions that get mixed
+/// up, a time that is not added up, and a reply that its own client refuses.
+// [NCP-SESS-020] [NCP-SESS-021] [NCP-SESS-022] [NCP-SESS-023] [NCP-SESS-024] [NCP-SESS-025]
+// [NCP-SESS-026] [NCP-SESS-027] [NCP-SESS-028] [NCP-SESS-029] [NCP-SESS-030] [NCP-SESS-031]
+// [NCP-SESS-032] [NCP-SESS-033] [NCP-SESS-034] [NCP-SESS-035] [NCP-SESS-037] [NCP-SESS-039]
+// [NCP-SESS-007] [NCP-PROV-007]
+pub fn session(input: &[u8]) {
+    let mut service = SessionService::new(ReferenceBackend);
+    let mut open: BTreeMap<String, Model> = BTreeMap::new();
+    for line in input.split(|byte| *byte == b'\n').take(MOST_REQUESTS) {
+        let request = decode_any(line);
+        if request
+            .as_ref()
+            .is_ok_and(|request| is_too_much(request, &open))
+        {
+            continue;
+        }
+        let text = service.serve(line);
+        let reply = decode_any(text.as_bytes()).expect("a reply can be read");
+        match &request {
+            Err(_) => assert_eq!(reply.kind(), Kind::Error),
+            Ok(request) => judge(request, &reply, &text, &mut open),
+        }
+        let sessions: Vec<_> = service.open_sessions().map(str::to_owned).collect();
+        assert!(sessions.iter().eq(open.keys()), "{sessions:?} are open");
+    }
+}
+
+struct Model {
+    dt_ms: f64,
+    chunk_ms: f64,
+    neurons: f64,
+    ports: Vec<String>,
+    seq: i64,
+    asked_ms: f64,
+}
+
+fn judge(request: &Message, reply: &Message, text: &str, open: &mut BTreeMap<String, Model>) {
+    match (request, reply) {
+        (Message::OpenSession(request), Message::SessionOpened(opened)) => {
+            assert_eq!(opened.session_id, request.session_id);
+            let id = request.session_id.to_string();
+            if opened.ok {
+                assert_eq!(
+                    request
+                        .ncp_version
+                        .split('.')
+                        .next_back()
+                        .map(|minor| minor.trim_start_matches('0')),
+                    Some("5")
+                );
+                assert!(opened.provenance.is_some());
+                assert!(
+                    open.insert(id, Model::of(request)).is_none(),
+                    "opened twice"
+                );
+            } else {
+                assert!(opened.error.is_some());
+            }
+        }
+        (Message::StepRequest(_) | Message::RunRequest(_), Message::ObservationFrame(frame)) => {
+            let (id, asked_ms) = asked(request);
+            let model = open.get_mut(id).expect("only an open session runs");
+            let asked_ms = asked_ms.unwrap_or(model.chunk_ms);
+            assert!(asked_ms.is_finite() && asked_ms >= 0.0);
+            model.seq += 1;
+            model.asked_ms += asked_ms;
+            assert_eq!((frame.session_id.as_ref(), frame.seq), (id, model.seq));
+            let behind = model.asked_ms - frame.sim_time_ms;
+            // What is less than a step waits for the next request.
+            assert!(
+                behind.abs() <= model.dt_ms * 1.001 + 1e-6 * model.asked_ms,
+                "{behind} ms behind"
+            );
+            assert!(
+                frame.records.keys().eq(model.ports.iter()),
+                "other ports are recorded"
+            );
+            for record in frame.records.values() {
+                assert_eq!(record.times.len(), record.senders.len());
+                assert!(
+                    record
+                        .times
+                        .iter()
+                        .all(|t| *t <= frame.sim_time_ms + 1e-9 * frame.sim_time_ms.abs())
+                );
+            }
+        }
+        (Message::CloseSession(request), Message::SessionClosed(closed)) => {
+            assert_eq!(closed.session_id, request.session_id);
+            let was_open = open.remove(request.session_id.as_ref()).is_some();
+            assert_eq!(closed.ok, was_open, "what is not open was closed");
+        }
+        (_, Message::Error(_)) => {
+            let asks_to_run = matches!(request, Message::StepRequest(_) | Message::RunRequest(_));
+            let is_request = asks_to_run
+                || matches!(request, Message::OpenSession(_) | Message::CloseSession(_));
+            assert!(
+                asks_to_run || !is_request,
+                "{} gets an error frame",
+                request.kind()
+            );
+        }
+        (request, reply) => panic!("{} answers {}", reply.kind(), request.kind()),
+    }
+    let succeeded = match reply {
+        Message::SessionOpened(opened) => opened.ok,
+        Message::SessionClosed(closed) => closed.ok,
+        Message::ObservationFrame(_) => true,
+        _ => false,
+    };
+    assert_eq!(check_reply(request, text.as_bytes()).is_ok(), succeeded);
+}
+
+impl Model {
+    fn of(request: &OpenSession) -> Self {
+        let mut ports: Vec<_> = request
+            .record
+            .targets
+            .iter()
+            .map(|target| target.port.to_string())
+            .collect();
+        ports.sort();
+        ports.dedup();
+        Self {
+            dt_ms: request.sim.dt_ms,
+            chunk_ms: request.sim.chunk_ms,
+            neurons: neurons(request),
+            ports,
+            seq: 0,
+            asked_ms: 0.0,
+        }
+    }
+}
+
+fn neurons(request: &OpenSession) -> f64 {
+    let listed = request.record.targets.len() as f64 + 1.0;
+    request
+        .network
+        .population_sizes
+        .values()
+        .map(|size| *size as f64)
+        .sum::<f64>()
+        .max(1.0)
+        * listed
+}
+
+fn asked(request: &Message) -> (&str, Option<f64>) {
+    match request {
+        Message::StepRequest(request) => (&request.session_id, request.advance_ms),
+        Message::RunRequest(request) => (&request.session_id, Some(request.duration_ms)),
+        _ => ("", None),
+    }
+}
+
+/// Whether serving a request would take long; what is refused at once is served.
+fn is_too_much(request: &Message, open: &BTreeMap<String, Model>) -> bool {
+    match request {
+        Message::OpenSession(request) => neurons(request) > 1_000.0,
+        Message::StepRequest(_) | Message::RunRequest(_) => {
+            let (id, asked_ms) = asked(request);
+            open.get(id).is_some_and(|model| {
+                let steps = asked_ms.unwrap_or(model.chunk_ms) / model.dt_ms;
+                steps * model.neurons > MOST_WORK && steps < 1e6
+            })
+        }
+        _ => false,
+    }
+}
