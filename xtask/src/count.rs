@@ -62,6 +62,28 @@ pub(crate) fn node(output: &str) -> Count {
     }
 }
 
+/// The closing lines of Python's `unittest`: `Ran 5 tests in 0.1s`, and `OK` or
+/// `FAILED (failures=1, errors=1)`.
+pub(crate) fn unittest(output: &str) -> Count {
+    let ran = output
+        .lines()
+        .filter_map(|line| line.strip_prefix("Ran ")?.split(' ').next()?.parse().ok())
+        .next_back()
+        .unwrap_or(0);
+    let failed = output
+        .lines()
+        .filter_map(|line| line.strip_prefix("FAILED (")?.strip_suffix(')'))
+        .flat_map(|parts| parts.split(", "))
+        .filter_map(|part| part.split_once('='))
+        .filter(|(what, _)| matches!(*what, "failures" | "errors" | "unexpected successes"))
+        .filter_map(|(_, number)| number.parse::<u64>().ok())
+        .sum();
+    Count {
+        passed: u64::saturating_sub(ran, failed),
+        failed,
+    }
+}
+
 /// The closing line of `ncp-verify mutants`: `5 mutants: 3 killed, …; 1 misnamed, 1 survived, 0 not finished`.
 pub(crate) fn mutants(output: &str) -> Count {
     let closing = |line: &&str| line.contains(" killed, of which ");
@@ -124,6 +146,26 @@ test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; 
             cargo("test the_test result: ok. 9 passed; ... ok\n"),
             Count::default()
         );
+    }
+
+    #[test]
+    fn the_failures_and_errors_of_unittest_are_taken_off_what_it_ran() {
+        let output = "FAILED (a line of a test)\nRan 30 tests in 8.220s\n\nFAILED (failures=2, errors=1, skipped=1)\n";
+        assert_eq!(
+            unittest(output),
+            Count {
+                passed: 27,
+                failed: 3
+            }
+        );
+        assert_eq!(
+            unittest("Ran 1 test in 0.000s\n\nOK\n"),
+            Count {
+                passed: 1,
+                failed: 0
+            }
+        );
+        assert_eq!(unittest("python3: No module named x\n"), Count::default());
     }
 
     #[test]
