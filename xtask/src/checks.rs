@@ -94,6 +94,17 @@ pub(crate) const CHECKS: &[Check] = &[
         },
     },
     Check {
+        name: "python-pure",
+        about: "the own tests of the peer in pure Python (unittest)",
+        run: |work| {
+            let discover = ["-m", "unittest", "discover"];
+            let python = work
+                .project
+                .program("python3", &discover, "peers/python-pure");
+            work.tests(python, count::unittest)
+        },
+    },
+    Check {
         name: "cpp",
         about: "C and C++: the header is fresh; installed, compiled, under valgrind; a broken build is named",
         run: cpp,

@@ -156,6 +156,26 @@ test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; 
     }
 
     #[test]
+    fn what_unittest_ran_and_neither_failed_nor_skipped_has_passed() {
+        let output = "FAILED (a line of a test)\nRan 30 tests in 8.220s\n\nFAILED (failures=2, errors=1, skipped=1)\n";
+        assert_eq!(
+            unittest(output),
+            Count {
+                passed: 26,
+                failed: 3
+            }
+        );
+        assert_eq!(
+            unittest("Ran 1 test in 0.000s\n\nOK\n"),
+            Count {
+                passed: 1,
+                failed: 0
+            }
+        );
+        assert_eq!(unittest("python3: No module named x\n"), Count::default());
+    }
+
+    #[test]
     fn both_reporters_of_node_are_understood() {
         assert_eq!(
             node("# tests 5\n# pass 4\n# fail 1\n"),
