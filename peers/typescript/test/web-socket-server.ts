@@ -14,10 +14,12 @@ export class TestServer {
   /** How many connections were made. */
   connections = 0;
   behave: Behaviour = answer;
+  readonly port: number;
   readonly #server: WebSocketServer;
 
   private constructor(server: WebSocketServer) {
     this.#server = server;
+    this.port = (server.address() as AddressInfo).port;
     server.on("connection", (socket) => {
       this.connections += 1;
       socket.on("error", () => {});
@@ -34,10 +36,6 @@ export class TestServer {
     const server = new WebSocketServer({ port, host: "127.0.0.1" });
     await once(server, "listening");
     return new TestServer(server);
-  }
-
-  get port(): number {
-    return (this.#server.address() as AddressInfo).port;
   }
 
   get url(): string {
