@@ -4,7 +4,10 @@
  * @module
  */
 
-/** Why something was refused. The list is that of the peer protocol, without its codes for adapters. */
+/**
+ * Why something was refused or failed. The list is that of the peer protocol, without its codes for adapters,
+ * and with two for connections.
+ */
 export type ErrorCode =
   /** The bytes are not one JSON object in UTF-8. */
   | "malformed"
@@ -31,7 +34,11 @@ export type ErrorCode =
   /** The encoder was given a number that JSON lacks. */
   | "non_finite"
   /** The reply does not fit, or reports a failure. */
-  | "reply";
+  | "reply"
+  /** There is no connection, or it was lost. */
+  | "connection"
+  /** There was no reply in time. */
+  | "timeout";
 
 /** The base of all errors that this library throws on purpose. */
 export abstract class NcpError extends Error {
@@ -69,8 +76,8 @@ export class EncodeError extends NcpError {
 
 /** A version is malformed, or incompatible under a strict check. */
 export class VersionError extends NcpError {
-  constructor(message: string) {
-    super("version", message);
+  constructor(message: string, options?: ErrorOptions) {
+    super("version", message, options);
   }
 }
 
@@ -102,7 +109,39 @@ export class ReplyError extends NcpError {
   }
 }
 
-/** A controller, a control loop, a codec or a monitor was to be built from values that it refuses. */
+/** The server reports that it could not serve the request: by an error frame, or by `ok` false. */
+export class NcpServerError extends ReplyError {}
+
+/** A frame claims to be more than the raw output of a model. */
+export class NcpScientificBoundaryError extends NcpError {
+  constructor(message: string, options?: ErrorOptions) {
+    super("provenance", message, options);
+  }
+}
+
+/** There is no connection, or it was lost. */
+export class NcpConnectionError extends NcpError {
+  /** Whether the request had been sent, so that the server may have carried it out. */
+  readonly sent: boolean;
+
+  constructor(message: string, sent: boolean, options?: ErrorOptions) {
+    super("connection", message, options);
+    this.sent = sent;
+  }
+}
+
+/** There was no reply in time. */
+export class NcpTimeoutError extends NcpError {
+  /** Whether the request had been sent, so that the server may have carried it out. */
+  readonly sent: boolean;
+
+  constructor(message: string, sent: boolean, options?: ErrorOptions) {
+    super("timeout", message, options);
+    this.sent = sent;
+  }
+}
+
+/** A controller, a control loop, a codec, a monitor or a connection was to be built from values that it refuses. */
 export class ConfigError extends NcpError {
   constructor(message: string) {
     super("value", message);

@@ -1,11 +1,22 @@
 /**
- * NCP wire 0.5: messages, strict decoding, encoding, keys, planes, versions, bulk blocks, sessions, and
- * what keeps a plant safe on either side of the action plane.
+ * NCP wire 0.5: messages, strict decoding, encoding, keys, planes, versions, bulk blocks, sessions and their
+ * client over a WebSocket, and what keeps a plant safe on either side of the action plane.
  *
  * @packageDocumentation
  */
 
 export { ActionBuffer, maxHorizonLen } from "./action-buffer.js";
+export { NeuroSimClient, type NeuroSimClientOptions } from "./client/neuro-sim-client.js";
+export { plain } from "./client/plain.js";
+export { assertScientificBoundary } from "./client/scientific-boundary.js";
+export {
+  WebSocketNeuroSim,
+  WebSocketTransport,
+  type WebSocketClass,
+  type WebSocketLike,
+  type WebSocketOptions,
+  type WebSocketState,
+} from "./client/web-socket.js";
 export { decodeBlock, encodeBlock, type Column, type Dtype } from "./bulk.js";
 export {
   canonicalText,
@@ -26,12 +37,19 @@ export {
   DecodeError,
   EncodeError,
   KeyError,
+  NcpConnectionError,
   NcpError,
+  NcpScientificBoundaryError,
+  NcpServerError,
+  NcpTimeoutError,
   ReplyError,
   SessionError,
   VersionError,
+  VersionError as NcpVersionError,
   type ErrorCode,
 } from "./errors.js";
+/** The messages as plain JSON values, generated from the schemas: what {@link NeuroSimClient} takes and gives. */
+export type * as wire from "./generated/messages.js";
 export { SafetyGovernor, type NegotiatedChannels } from "./governor.js";
 export { DEFAULT_REALM, isSegment, Keys, matches, validateRealm, validateSegment } from "./keys.js";
 export { LinkMonitor, type LinkReport } from "./link-monitor.js";
@@ -58,7 +76,7 @@ export {
 export { ReferenceBackend } from "./reference-backend.js";
 export { ReflexController, type ReflexConfig } from "./reflex.js";
 export { checkReply, isRequestKind, REPLIES, type ReplyTo, type Request, type RequestKind } from "./reply.js";
-export { SessionClient, type Send } from "./session-client.js";
+export { SessionClient, type RequestOptions, type Send } from "./session-client.js";
 export { SessionService, type Backend, type SessionServiceOptions, type Simulation } from "./session-service.js";
 export { checkVersion, NCP_VERSION } from "./version.js";
 export { CommandWatchdog, enforcedTtlMs } from "./watchdog.js";

@@ -5,7 +5,7 @@
  */
 
 import { decode, kindOf } from "./decode.js";
-import { NcpError, ReplyError } from "./errors.js";
+import { NcpError, NcpServerError, ReplyError } from "./errors.js";
 import type { CloseSession, Kind, Messages, OpenSession, RunRequest, StepRequest } from "./messages.js";
 import { checkVersion } from "./version.js";
 
@@ -37,26 +37,25 @@ export function isRequestKind(kind: string): kind is RequestKind {
  * @param request - the request that was sent
  * @param reply - the frame that came back
  * @param strict - whether the strict profile holds: the reply must say a version
- * @throws {@link ReplyError} when the reply is not one to go on with; its `cause` is the deeper error, if any
+ * @throws {@link ReplyError} when the reply is not one to go on with; its `cause` is the deeper error, if any.
+ *   A {@link NcpServerError} when it answers the request, and says that it failed.
  */
 export function checkReply<R extends Request>(request: R, reply: string | Uint8Array, strict = false): ReplyTo<R> {
   const message = readReply(request, reply, strict);
   if (message.session_id !== request.session_id) {
     throw new ReplyError(`the reply is for the session ${JSON.stringify(message.session_id)}`); // [NCP-SESS-002]
   }
-  const compatible = refusing("the reply's version is malformed", () => checkVersion(message.ncp_version));
-  // [NCP-SESS-003]
-  if (!compatible) throw new ReplyError(`the reply's version ${message.ncp_version} is not compatible`);
+  refusing("the reply's version is refused", () => checkVersion(message.ncp_version, true)); // [NCP-SESS-003]
   if ("ok" in message && !message.ok) {
     const reason = message.kind === "session_opened" ? message.error : null;
-    throw new ReplyError(reason ?? `the server reports that ${request.kind} failed`); // [NCP-SESS-004]
+    throw new NcpServerError(reason ?? `the server reports that ${request.kind} failed`); // [NCP-SESS-004]
   }
   return message as ReplyTo<R>; // [NCP-SESS-007]
 }
 
 function readReply(request: Request, reply: string | Uint8Array, strict: boolean): ReplyTo<Request> {
   return refusing("the reply is rejected", () => {
-    if (kindOf(reply) === "error") throw new ReplyError(decode("error", reply).error); // [NCP-SESS-005] [NCP-WIRE-100]
+    if (kindOf(reply) === "error") throw new NcpServerError(decode("error", reply).error); // [NCP-SESS-005] [NCP-WIRE-100]
     return decode(REPLIES[request.kind], reply, strict); // [NCP-SESS-001] [NCP-SESS-006]
   });
 }

@@ -8,8 +8,16 @@ import { create, encode } from "./encode.js";
 import type { Input, ObservationFrame, SessionOpened } from "./messages.js";
 import { checkReply, type ReplyTo, type Request } from "./reply.js";
 
+/** What may be said of one request. A transport need not heed it. */
+export interface RequestOptions {
+  /** Ends the request when it is aborted. */
+  readonly signal?: AbortSignal | undefined;
+  /** How long the request may take, ms. */
+  readonly timeoutMs?: number | undefined;
+}
+
 /** Sends the text of a request and answers with what came back. */
-export type Send = (request: string) => Promise<string | Uint8Array>;
+export type Send = (request: string, options?: RequestOptions) => Promise<string | Uint8Array>;
 
 /** Opens, runs and closes sessions. Every method throws {@link ReplyError} when the reply is not one to go on with. */
 export class SessionClient {
@@ -24,18 +32,18 @@ export class SessionClient {
     this.#strict = strict;
   }
 
-  async open(fields: Input<"open_session">): Promise<SessionOpened> {
-    const opened = await this.#ask(create("open_session", fields));
+  async open(fields: Input<"open_session">, options?: RequestOptions): Promise<SessionOpened> {
+    const opened = await this.#ask(create("open_session", fields), options);
     this.#owned.add(opened.session_id);
     return opened;
   }
 
-  async step(fields: Input<"step_request">): Promise<ObservationFrame> {
-    return this.#ask(create("step_request", fields));
+  async step(fields: Input<"step_request">, options?: RequestOptions): Promise<ObservationFrame> {
+    return this.#ask(create("step_request", fields), options);
   }
 
-  async run(fields: Input<"run_request">): Promise<ObservationFrame> {
-    return this.#ask(create("run_request", fields));
+  async run(fields: Input<"run_request">, options?: RequestOptions): Promise<ObservationFrame> {
+    return this.#ask(create("run_request", fields), options);
   }
 
   /**
@@ -43,14 +51,14 @@ export class SessionClient {
    *
    * @returns whether the session was this client's
    */
-  async close(sessionId: string): Promise<boolean> {
+  async close(sessionId: string, options?: RequestOptions): Promise<boolean> {
     if (!this.#owned.has(sessionId)) return false;
-    await this.#ask(create("close_session", { session_id: sessionId }));
+    await this.#ask(create("close_session", { session_id: sessionId }), options);
     this.#owned.delete(sessionId);
     return true;
   }
 
-  async #ask<R extends Request>(request: R): Promise<ReplyTo<R>> {
-    return checkReply(request, await this.#send(encode(request)), this.#strict);
+  async #ask<R extends Request>(request: R, options?: RequestOptions): Promise<ReplyTo<R>> {
+    return checkReply(request, await this.#send(encode(request), options), this.#strict);
   }
 }

@@ -17,6 +17,7 @@ const CHAPTERS = [
   "08-resilience",
   "09-codec",
   "10-control-loop",
+  "11-transports",
   "12-security",
 ];
 
@@ -145,7 +146,7 @@ test("every rule that the code names is a rule of the text", () => {
     ),
   );
   const folder = new URL("../../src/", import.meta.url);
-  for (const file of readdirSync(folder)) {
+  for (const file of readdirSync(folder, { encoding: "utf8", recursive: true }).filter((file) => file.endsWith(".ts"))) {
     for (const [id] of readFileSync(new URL(file, folder), "utf8").matchAll(/NCP-[A-Z]+-\d{3}/g)) {
       assert.ok(known.has(id), `${file} names ${id}`);
     }
