@@ -32,7 +32,7 @@ Commands:
   test --list             List the checks
   generate                Write the generated files anew: schemas, vectors, their manifest, the C header
   generate --check        Only say which of them are stale
-  setup                   Only set up: buf and the TypeScript packages, into ignored folders; valgrind
+  setup                   Only set up: buf and the TypeScript packages, into ignored folders; valgrind, Chromium
 ";
 
 fn main() -> ExitCode {
