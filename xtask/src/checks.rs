@@ -82,15 +82,18 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "typescript",
-        about: "the TypeScript peer's own tests",
+        about: "the TypeScript peer's own tests: library, client, generated types, packed package",
         run: |work| {
             work.set_up(setup::typescript)?;
-            let mut npm =
-                work.project
-                    .program(setup::NPM, &["test", "--silent"], "peers/typescript");
-            // This reporter repeats at the end what failed.
-            npm.env("NODE_OPTIONS", "--test-reporter=spec");
-            work.tests(npm, count::node)
+            node_tests(work, &["test", "--silent"])
+        },
+    },
+    Check {
+        name: "browser",
+        about: "the TypeScript package, imported by a page in a headless Chromium, runs a session",
+        run: |work| {
+            work.set_up(setup::browser)?;
+            node_tests(work, &["run", "test:browser", "--silent"])
         },
     },
     Check {
@@ -206,6 +209,14 @@ fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
     let stale = generate::check(work.project, folder)
         .map_err(|error| Failure::of_one(error.to_string()))?;
     nothing_wrong(&stale, "\nif this is meant: cargo xtask generate")
+}
+
+/// Has npm run tests of the TypeScript peer.
+fn node_tests(work: &mut Work<'_>, npm: &[&str]) -> Result<Count, Failure> {
+    let mut npm = work.project.program(setup::NPM, npm, "peers/typescript");
+    // This reporter repeats at the end what failed.
+    npm.env("NODE_OPTIONS", "--test-reporter=spec");
+    work.tests(npm, count::node)
 }
 
 fn cpp(work: &mut Work<'_>) -> Result<Count, Failure> {

@@ -37,7 +37,7 @@ Commands:
   fuzz [--time 30s] [--target <name>]…
                           Fuzz every target for so long; fuzz/README.md has the other modes:
                           --replay, --planted, --coverage, --minimise
-  setup                   Only set up what the checks need, into ignored folders; valgrind
+  setup                   Only set up what the checks need, into ignored folders; valgrind, Chromium
 ";
 
 fn main() -> ExitCode {

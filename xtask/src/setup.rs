@@ -1,6 +1,7 @@
 //! Tools and packages, into folders that git ignores. Each step says what it installs,
 //! and does nothing when that is there already.
 
+use std::env;
 use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -31,12 +32,12 @@ pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
 pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
     let mut say = |line: &str| println!("{line}");
     buf(project, &mut say)?;
-    typescript(project, &mut say)?;
+    browser(project, &mut say)?;
     cpp(project, &mut say)?;
     python(project, &mut say)?;
     println!(
         "ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, the module of {PYTHON}, \
-         a C++ compiler, valgrind"
+         a C++ compiler, valgrind, Chromium"
     );
     Ok(true)
 }
@@ -107,39 +108,24 @@ pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupErr
 /// # Errors
 /// They are missing, and cannot be installed.
 pub(crate) fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
-    const TOOLS: [(&str, &str); 3] = [("cc", "gcc"), ("c++", "g++"), ("valgrind", "valgrind")];
-    let missing = || {
-        let mut tools = TOOLS.into_iter();
-        tools.find(|(tool, _)| version(&mut Command::new(tool)).is_none())
-    };
-    while let Some((tool, package)) = missing() {
-        say(&format!("installing {package} (Debian, by apt-get)"));
-        let install = [
-            "apt-get",
-            "install",
-            "--yes",
-            "--no-install-recommends",
-            package,
-        ];
-        // As root, or as somebody who may become root without being asked.
-        let as_root = |command: &[&str]| {
-            carry_out(project.program(command[0], &command[1..], "")).or_else(|_| {
-                carry_out(project.program("sudo", &[&["-n"][..], command].concat(), ""))
-            })
-        };
-        // A new machine may not know its packages yet.
-        let installed = as_root(&install).or_else(|_| {
-            as_root(&["apt-get", "update"])?;
-            as_root(&install)
-        });
-        if installed.is_err() || version(&mut Command::new(tool)).is_none() {
-            return Err(SetupError::Missing {
-                tool,
-                remedy: "install a C and C++ compiler and valgrind",
-            });
-        }
+    let remedy = "install a C and C++ compiler and valgrind";
+    for (tool, package) in [("cc", "gcc"), ("c++", "g++"), ("valgrind", "valgrind")] {
+        debian(project, say, tool, package, remedy)?;
     }
     Ok(())
+}
+
+/// Installs the packages of the TypeScript peer and, where Debian's apt-get can, Chromium.
+///
+/// # Errors
+/// They are missing, and cannot be installed.
+pub(crate) fn browser(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    typescript(project, say)?;
+    if env::var_os("NCP_CHROMIUM").is_some() {
+        return Ok(());
+    }
+    let remedy = "install Chromium, or say by NCP_CHROMIUM where one is";
+    debian(project, say, "chromium", "chromium", remedy)
 }
 
 /// Builds the module of the Python peer and installs it, and returns the Python that has it.
@@ -216,6 +202,42 @@ pub(crate) enum SetupError {
     Start { command: String, source: io::Error },
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
+}
+
+/// Installs the package of a tool that is missing, by Debian's apt-get.
+fn debian(
+    project: &Project,
+    say: Say<'_>,
+    tool: &'static str,
+    package: &str,
+    remedy: &'static str,
+) -> Result<(), SetupError> {
+    let there = || version(&mut Command::new(tool)).is_some();
+    if there() {
+        return Ok(());
+    }
+    say(&format!("installing {package} (Debian, by apt-get)"));
+    let install = [
+        "apt-get",
+        "install",
+        "--yes",
+        "--no-install-recommends",
+        package,
+    ];
+    // As root, or as somebody who may become root without being asked.
+    let as_root = |command: &[&str]| {
+        carry_out(project.program(command[0], &command[1..], ""))
+            .or_else(|_| carry_out(project.program("sudo", &[&["-n"][..], command].concat(), "")))
+    };
+    // A new machine may not know its packages yet.
+    let installed = as_root(&install).or_else(|_| {
+        as_root(&["apt-get", "update"])?;
+        as_root(&install)
+    });
+    if installed.is_err() || !there() {
+        return Err(SetupError::Missing { tool, remedy });
+    }
+    Ok(())
 }
 
 /// A Python by the name under which it can be started.
