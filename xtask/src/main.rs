@@ -5,6 +5,7 @@
 //! - `generate`: the files that are made from others, and whether they are fresh.
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
+//! - `prove`: the proofs, and whether their report is fresh.
 //! - `count`: finds the number of tests in what a test program printed.
 
 #![forbid(unsafe_code)]
@@ -13,6 +14,7 @@ mod checks;
 mod count;
 mod generate;
 mod project;
+mod prove;
 mod setup;
 mod test;
 
@@ -32,6 +34,7 @@ Commands:
   test --list             List the checks
   generate                Write the generated files anew: schemas, vectors, their manifest
   generate --check        Only say which of them are stale
+  prove [--engine <name>]…  Prove the kernel anew, and write reports/proofs.{json,md,html}
   setup                   Only set up: buf and the TypeScript packages, into ignored folders
 ";
 
@@ -71,6 +74,7 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["test", selection @ ..] => test::run(&project, &test::select(selection)?),
         ["generate"] => generate::write(&project),
         ["generate", "--check"] => generate::report_stale(&project),
+        ["prove", engines @ ..] => prove::run(&project, engines),
         ["setup"] => setup::all(&project),
         _ => Err(Error::Usage {
             what: format!("`{}` is no command", args.join(" ")),

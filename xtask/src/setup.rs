@@ -14,6 +14,8 @@ use crate::project::{self, Project};
 /// The version of the buf CLI, as the package `buf-bin` of PyPI has it.
 const BUF_VERSION: &str = "1.75.0";
 const VENV: &str = ".tools/venv";
+const SOLVERS_VENV: &str = ".tools/proofs-venv";
+const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
 const TYPESCRIPT: &str = "peers/typescript";
 
 /// Tells the person who waits what is being installed.
@@ -69,6 +71,50 @@ pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError
     ];
     carry_out(project.program(bin.join("python"), &pip, ""))?;
     Ok(buf)
+}
+
+/// Installs the solvers of the proofs.
+///
+/// # Errors
+/// No Python, or one that cannot make a virtual environment, or no PyPI.
+pub(crate) fn solvers(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    let bin = project
+        .path(SOLVERS_VENV)
+        .join(if cfg!(windows) { "Scripts" } else { "bin" });
+    let python = bin.join("python");
+    let has_bitwuzla = Command::new(&python)
+        .args([
+            "-c",
+            "import bitwuzla, sys; sys.exit(bitwuzla.version() != '0.9.1')",
+        ])
+        .output()
+        .is_ok_and(|output| output.status.success());
+    if has_bitwuzla && version(&mut Command::new(bin.join("z3"))).is_some() {
+        return Ok(());
+    }
+    let system = ["python3", "python"]
+        .into_iter()
+        .find(|python| version(&mut Command::new(python)).is_some())
+        .ok_or(SetupError::Missing {
+            tool: "python3",
+            remedy: "install Python 3.9 or later",
+        })?;
+    say(&format!(
+        "installing bitwuzla and z3 (from PyPI) into {SOLVERS_VENV}"
+    ));
+    carry_out(project.program(system, &["-m", "venv", "--clear", SOLVERS_VENV], "")).map_err(
+        |failure| SetupError::Venv {
+            failure: Box::new(failure),
+        },
+    )?;
+    let pip = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+    ];
+    carry_out(project.program(python, &[&pip[..], &SOLVERS].concat(), ""))
 }
 
 /// Installs the packages of the TypeScript peer, as its lock file has them.
