@@ -71,8 +71,8 @@ pub const BROKEN: &[Broken] = &[
     broken("clamp_no_overflow", "speed.rs", "if !length.is_finite() {", "if length.is_finite() {", "clamp/direction"),
     broken("clamp_smallest", "speed.rs", "if largest.lt(x.abs()) {", "if x.abs().lt(largest) {", "clamp/direction"),
     broken("clamp_signed_largest", "speed.rs", "largest = x.abs();", "largest = *x;", "clamp/direction"),
-    broken("clamp_inverse_scale", "speed.rs", "*x = x.mul(scale);", "*x = x.div(scale);", "clamp/bound"),
-    broken("clamp_difference_of_squares", "speed.rs", "sum = sum.add(x.mul(*x));", "sum = sum.sub(x.mul(*x));", "clamp/bound"),
+    broken("clamp_inverse_scale", "speed.rs", "*x = x.mul(scale);", "*x = x.div(scale);", "clamp/direction"),
+    broken("clamp_difference_of_squares", "speed.rs", "sum = sum.add(x.mul(*x));", "sum = sum.sub(x.mul(*x));", "clamp/unchanged"),
     broken("clamp_any_width", "speed.rs", "channel.is_velocity && channel.data.len() == 3", "channel.is_velocity || channel.data.len() == 3", "clamp/tick"),
     broken("clamp_other_units", "speed.rs", "if !channel.in_mps {", "if channel.in_mps {", "clamp/tick"),
 

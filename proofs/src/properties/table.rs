@@ -142,7 +142,8 @@ pub const PROPERTIES: &[Property] = &[
         assumptions: &["IEEE 754: a product or quotient is the exact one rounded to nearest; that gives the bound in the sentence."],
         unwind: 4,
         symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 1e200, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
+        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 1e200,
+            -1e300, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
     },
     Property {
         id: "clamp/tick",
@@ -178,7 +179,8 @@ pub const PROPERTIES: &[Property] = &[
         assumptions: NONE,
         unwind: 5,
         symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, 1.0, 500.0, f64::NAN], seqs: &[0, 1, 2], length: 0 }),
+        enumeration: Some(Values { scalars: &[0.0, 1.0, 500.0,
+            1000.0, f64::NAN], seqs: &[0, 1, 2], length: 0 }),
     },
     Property {
         id: "latch/sequence",

@@ -237,8 +237,8 @@ pub fn refute(
 }
 
 /// What the search for one counterexample may take: for a question, and in all.
-const REFUTE_SECONDS: u32 = 4;
-const REFUTE: Duration = Duration::from_secs(60);
+const REFUTE_SECONDS: u32 = 30;
+const REFUTE: Duration = Duration::from_secs(120);
 
 fn ask(solvers: &Solvers, file: &FilePath, questions: &[&Question]) -> Result<Vec<Answer>, String> {
     ask_for(solvers, file, questions, SECONDS)
