@@ -9,6 +9,7 @@ use crate::Error;
 use crate::project::Project;
 use crate::setup;
 
+#[allow(unreachable_pub, reason = "the file belongs to the proofs, too")]
 #[path = "../../proofs/src/digest.rs"]
 mod digest;
 
