@@ -104,6 +104,7 @@ fn the_limits_of_the_specification_are_those_of_the_projection() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2048))]
 
+    /// [NCP-WIRE-020] [NCP-WIRE-021] [NCP-WIRE-027] [NCP-WIRE-050]
     #[test]
     fn schema_and_decoder_accept_the_same_frames((kind, text) in frame(true), place in any::<u64>(), value in odd_value(), change: bool) {
         let mut frame: Value = serde_json::from_str(&text).unwrap();

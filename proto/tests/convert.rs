@@ -34,6 +34,7 @@ use serde_json::{Value, json};
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
+    /// [NCP-WIRE-015] [NCP-WIRE-043]
     #[test]
     fn a_frame_comes_back_from_protobuf_bit_for_bit_or_says_what_is_lost((kind, text) in frame(true)) {
         let message = decode(kind, text.as_bytes()).unwrap();
@@ -46,6 +47,7 @@ proptest! {
         }
     }
 
+    /// [NCP-WIRE-034]
     #[test]
     fn the_protobuf_form_holds_each_value_under_its_own_field((kind, text) in frame(false)) {
         let message = decode(kind, text.as_bytes()).unwrap();
@@ -54,6 +56,7 @@ proptest! {
         prop_assert_eq!(READER.read(kind, &bytes), json);
     }
 
+    /// [NCP-WIRE-015]
     #[test]
     fn a_protobuf_form_comes_back_as_it_was((kind, text) in frame(false)) {
         let bytes = to_binary(&decode(kind, text.as_bytes()).unwrap()).unwrap();
@@ -61,6 +64,7 @@ proptest! {
         prop_assert_eq!(again, bytes);
     }
 
+    /// [NCP-WIRE-091] [NCP-PROV-006]
     #[test]
     fn what_is_read_from_any_protobuf_can_be_sent_and_crosses_unchanged_from_then_on((kind, bytes) in any_protobuf()) {
         if let Ok(message) = from_binary(kind, &bytes) {
@@ -71,6 +75,7 @@ proptest! {
         }
     }
 
+    /// [NCP-PROV-006]
     #[test]
     fn no_bytes_make_it_panic(kind in select(Kind::ALL.to_vec()), (of, bytes) in any_protobuf(), at in any::<prop::sample::Index>(), byte: u8, noise in vec(any::<u8>(), 0..64)) {
         let _ = from_binary(kind, &noise);

@@ -707,6 +707,7 @@ fn a_vector_file_with_a_mistake_is_rejected() {
 }
 
 proptest! {
+    /// [NCP-WIRE-031] [NCP-KEY-020]
     #[test]
     fn a_session_id_satisfies_the_schema_exactly_if_it_is_a_segment_but_for_its_bytes(id in "[ -~\u{7f}-\u{a1}é神@.*/]{0,6}") {
         let schema: Value = serde_json::from_str(&generate().into_iter().find(|(name, _)| name == "close_session.schema.json").unwrap().1).unwrap();

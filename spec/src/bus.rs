@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use thiserror::Error;
 
 use crate::keys::{KeyError, Keys, matches};
-use crate::reply::{ReplyError, check_reply};
+use crate::reply::{ReplyError, check_reply, check_reply_strict};
 use crate::wire::{
     CloseSession, EncodeError, Kind, Message, ObservationFrame, OpenSession, RunRequest,
     SessionClosed, SessionOpened, StepRequest, Text,
@@ -184,7 +184,8 @@ pub struct Serving {
 /// `[NCP-SESS-040]`
 pub struct NeuroSimClient {
     bus: LocalBus,
-    rpc_key: String,
+    keys: Keys,
+    is_strict: bool,
     opened: Vec<Text>,
 }
 
@@ -196,8 +197,22 @@ impl NeuroSimClient {
     pub fn new(bus: LocalBus, realm: Option<&str>) -> Result<Self, BusError> {
         Ok(Self {
             bus,
-            rpc_key: Keys::new(realm)?.rpc()?,
+            keys: Keys::new(realm)?,
+            is_strict: false,
             opened: Vec::new(),
+        })
+    }
+
+    /// A client that keeps the strict profile (chapter 12.1): it asks each request at the key of its
+    /// kind, and accepts no reply without a version.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn strict(bus: LocalBus, realm: Option<&str>) -> Result<Self, BusError> {
+        let client = Self::new(bus, realm)?;
+        Ok(Self {
+            is_strict: true,
+            ..client
         })
     }
 
@@ -263,10 +278,13 @@ impl NeuroSimClient {
     }
 
     fn ask(&self, request: &Message) -> Result<Message, BusError> {
-        let reply = self
-            .bus
-            .query(&self.rpc_key, request.encode()?.as_bytes())?;
-        Ok(check_reply(request, &reply)?)
+        let (key, check): (_, fn(&Message, &[u8]) -> _) = if self.is_strict {
+            (self.keys.rpc_verb(request.kind())?, check_reply_strict) // [NCP-STRICT-001]
+        } else {
+            (self.keys.rpc()?, check_reply)
+        };
+        let reply = self.bus.query(&key, request.encode()?.as_bytes())?;
+        Ok(check(request, &reply)?)
     }
 }
 

@@ -37,7 +37,7 @@ impl Catalogue {
     /// # Errors
     ///
     /// The first line that is a faulty rule, or repeats the id of another.
-    pub fn parse(chapters: &[Chapter]) -> Result<Self, CatalogueError> {
+    pub fn parse(chapters: &[Chapter<'_>]) -> Result<Self, CatalogueError> {
         let mut requirements = Vec::<Requirement>::new();
         let mut seen = HashMap::<String, usize>::new();
         for chapter in chapters {
@@ -97,7 +97,7 @@ macro_rules! chapter {
 }
 
 /// The chapters of the text, in order.
-pub const CHAPTERS: [Chapter; 14] = [
+pub const CHAPTERS: [Chapter<'static>; 14] = [
     chapter!("00-introduction.md"),
     chapter!("01-wire.md"),
     chapter!("02-version-and-identity.md"),
@@ -116,11 +116,11 @@ pub const CHAPTERS: [Chapter; 14] = [
 
 /// A chapter of the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Chapter {
+pub struct Chapter<'t> {
     /// The name of its file in `spec/text`.
     pub file: &'static str,
     /// The whole text, in Markdown.
-    pub text: &'static str,
+    pub text: &'t str,
 }
 
 /// One rule.
@@ -369,7 +369,7 @@ pub enum RuleProblem {
     NoKeyword,
 }
 
-impl Chapter {
+impl Chapter<'_> {
     fn requirements(&self) -> Result<Vec<Requirement>, CatalogueError> {
         let mut requirements = Vec::new();
         let mut section = String::new();

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::ErrorCode;
+use crate::wire::Kind;
 
 /// The realm that is meant when none is named. `// [NCP-KEY-006]`
 pub const DEFAULT_REALM: &str = "ncp";
@@ -56,6 +57,20 @@ impl Keys {
     /// None today; the signature is that of the other builders.
     pub fn rpc(&self) -> Result<String, KeyError> {
         Ok(format!("{}/rpc", self.realm))
+    }
+
+    /// `{realm}/rpc/{kind}`, the strict profile's control key of one kind of request.
+    /// `// [NCP-STRICT-001]`
+    ///
+    /// # Errors
+    ///
+    /// [`KeyError::NoRequest`] for a kind that is not a request's. `// [NCP-STRICT-006]`
+    pub fn rpc_verb(&self, kind: Kind) -> Result<String, KeyError> {
+        if kind.is_request() {
+            Ok(format!("{}/rpc/{kind}", self.realm))
+        } else {
+            Err(KeyError::NoRequest(kind))
+        }
     }
 
     /// `{realm}/session/{id}/sensor[/{name}]`, the perception plane. `// [NCP-KEY-002]`
@@ -202,6 +217,9 @@ pub enum KeyError {
         /// What is wrong with it.
         problem: ExpressionProblem,
     },
+    /// A control key is asked for a kind that is not a request's (`NCP-STRICT-006`).
+    #[error("{0} is not a request")]
+    NoRequest(Kind),
 }
 
 impl KeyError {
@@ -646,6 +664,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(8_000))]
 
+        /// [NCP-KEY-030] [NCP-KEY-031] [NCP-KEY-032] [NCP-KEY-033] [NCP-KEY-034] [NCP-KEY-035]
         #[test]
         fn matching_agrees_with_zenoh(
             pattern in expression(r"\*|\*\*|(a|b|@|\$\*|\$\*){1,4}"),
@@ -654,6 +673,7 @@ mod tests {
             prop_assert_eq!(matches(&pattern, &key).ok(), zenoh(&pattern, &key), "{} {}", pattern, key);
         }
 
+        /// [NCP-KEY-036]
         #[test]
         fn validity_agrees_with_zenoh(
             pattern in "[ab*$#?/@]{0,8}",
@@ -664,6 +684,7 @@ mod tests {
     }
 
     proptest! {
+        /// [NCP-KEY-002] [NCP-KEY-005] [NCP-KEY-007]
         #[test]
         fn what_the_builders_accept_is_a_key_that_the_globs_cover(id in "\\PC{0,8}", name in "\\PC{0,8}") {
             let keys = Keys::new(None).unwrap();

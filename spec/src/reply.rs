@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::ErrorCode;
 use crate::version::{VersionError, check_version};
-use crate::wire::{DecodeError, Kind, Message, decode_any};
+use crate::wire::{DecodeError, Kind, Message, decode_any, decode_any_strict};
 
 /// Checks the reply to a request, and gives it decoded.
 ///
@@ -23,8 +23,25 @@ use crate::wire::{DecodeError, Kind, Message, decode_any};
 ///
 /// [`ReplyError`] when the reply is not one to this request, or reports a failure.
 pub fn check_reply(request: &Message, reply: &[u8]) -> Result<Message, ReplyError> {
+    check(request, || decode_any(reply))
+}
+
+/// [`check_reply`] by the strict profile (chapter 12.1): the reply has a version, an error frame
+/// aside. `[NCP-STRICT-002]`
+///
+/// # Errors
+///
+/// As [`check_reply`], and when the profile rejects the reply.
+pub fn check_reply_strict(request: &Message, reply: &[u8]) -> Result<Message, ReplyError> {
+    check(request, || decode_any_strict(reply))
+}
+
+fn check(
+    request: &Message,
+    decode: impl FnOnce() -> Result<Message, DecodeError>,
+) -> Result<Message, ReplyError> {
     let (expected, asked) = expectation(request).ok_or(ReplyError::NotARequest(request.kind()))?;
-    let reply = decode_any(reply)?; // [NCP-SESS-006]
+    let reply = decode()?; // [NCP-SESS-006]
     let (version, session, failure) = match &reply {
         Message::Error(frame) => {
             return Err(ReplyError::Reported(Some(frame.error.to_string()))); // [NCP-SESS-005]

@@ -175,6 +175,7 @@ mod tests {
         assert!(shown.len() < 200, "{}", shown.len());
     }
 
+    /// [NCP-VER-005]
     #[test]
     fn from_major_1_on_the_minor_does_not_count() {
         let [one, other_minor] = ["1.2", "1.7"].map(|v| Version::parse(v).unwrap());
@@ -184,12 +185,14 @@ mod tests {
     }
 
     proptest! {
+        /// [NCP-VER-003] [NCP-VER-004] [NCP-VER-009]
         #[test]
         fn numbers_are_compared_by_value(major in 0u64..4, minor in 0u64..12, zeros in 0usize..4) {
             let version = format!("{}{major}.{}{minor}", "0".repeat(zeros), "0".repeat(zeros));
             prop_assert_eq!(check_version(&version, false), Ok(major == 0 && minor == 5));
         }
 
+        /// [NCP-VER-001] [NCP-VER-006] [NCP-VER-007] [NCP-VER-008]
         #[test]
         fn strict_errs_exactly_where_lenient_errs_or_says_no(version in "[0-9.v +]{0,6}") {
             let lenient = check_version(&version, false);

@@ -406,6 +406,7 @@ fn facts_of(column: &Column) -> Facts {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
+    /// [NCP-BULK-018] [NCP-BULK-021] [NCP-BULK-023] [NCP-BULK-030] [NCP-BULK-032]
     #[test]
     fn columns_come_back_bit_for_bit(columns in columns(), shift in 0..9_usize) {
         let block = encode(&columns).unwrap();
@@ -416,6 +417,7 @@ proptest! {
         prop_assert_eq!(encode(&back).unwrap(), block);
     }
 
+    /// [NCP-OBS-001] [NCP-OBS-002] [NCP-OBS-005]
     #[test]
     fn an_observation_comes_back_bit_for_bit(
         rows in 0..50_usize,
@@ -433,6 +435,7 @@ proptest! {
         prop_assert_eq!(back.2, senders);
     }
 
+    /// [NCP-BULK-018] [NCP-BULK-020] [NCP-BULK-021] [NCP-BULK-022] [NCP-BULK-023]
     #[test]
     fn a_valid_block_of_any_layout_is_read_as_it_was_planned(plan in plan()) {
         let block = plan.build();
@@ -443,11 +446,14 @@ proptest! {
         prop_assert_eq!(decode(&block), Some(plan.columns.iter().map(planned).collect()));
     }
 
+    /// [NCP-BULK-001] [NCP-BULK-002] [NCP-BULK-003] [NCP-BULK-004] [NCP-BULK-005] [NCP-BULK-006]
+    /// [NCP-BULK-007] [NCP-BULK-009] [NCP-BULK-010] [NCP-BULK-011] [NCP-BULK-012]
     #[test]
     fn a_damaged_block_is_judged_and_read_as_by_the_slow_decoder(block in damaged()) {
         prop_assert_eq!(decode(&block), model::decode(&block));
     }
 
+    /// [NCP-BULK-001] [NCP-BULK-005] [NCP-BULK-006]
     #[test]
     fn arbitrary_bytes_are_judged_as_by_the_slow_decoder(
         mut bytes in vec(any::<u8>(), 0..300),

@@ -397,6 +397,7 @@ mod ticks {
     }
 
     /// [NCP-CTRL-013]
+    /// [NCP-PLANE-006]
     #[test]
     fn a_command_echoes_the_seq_of_the_sensor_frame_that_the_tick_used() {
         let (mut looped, script) = scripted(&SafetyLimits::default());

@@ -209,7 +209,9 @@ proptest! {
         prop_assert_eq!(governor.is_stopped(), matches!(decision, Decision::Stopped(_)));
     }
 
-    /// [NCP-RES-001] to [NCP-RES-010]: the liveness rule, against its own words.
+    /// [NCP-RES-001] [NCP-RES-002] [NCP-RES-003] [NCP-RES-004] [NCP-RES-005] [NCP-RES-006]
+    /// [NCP-RES-007] [NCP-RES-008] [NCP-RES-009] [NCP-RES-010]: the liveness rule, against its own
+    /// words.
     #[test]
     fn the_watchdog_lets_a_plant_move_only_within_an_advancing_commands_ttl(
         events in prop::collection::vec(
@@ -304,12 +306,13 @@ proptest! {
         prop_assert!(buffer.is_stopped());
     }
 
+    /// [NCP-RES-022]
     #[test]
     fn no_bytes_make_the_estop_reader_fail(bytes in prop::collection::vec(any::<u8>(), 0..64)) {
         let _ = is_estop(&bytes);
     }
 
-    /// [NCP-RES-040] to [NCP-RES-045]
+    /// [NCP-RES-040] [NCP-RES-041] [NCP-RES-042] [NCP-RES-043] [NCP-RES-044] [NCP-RES-045]
     #[test]
     fn the_loss_rate_is_exact_under_loss_duplication_and_reordering(
         fate in prop::collection::vec((0..4_u8, 0..8_usize), 1..300),

@@ -20,6 +20,7 @@ mod frames;
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2_000))]
 
+    /// [NCP-WIRE-034] [NCP-WIRE-080] [NCP-WIRE-081] [NCP-WIRE-082] [NCP-WIRE-093]
     #[test]
     fn what_an_encoder_writes_is_read_and_written_again_byte_by_byte((kind, frame) in frames::frame()) {
         let text = frame.to_string();
@@ -29,6 +30,7 @@ proptest! {
         prop_assert_eq!(decode_any(text.as_bytes()), Ok(message));
     }
 
+    /// [NCP-WIRE-005] [NCP-WIRE-012] [NCP-WIRE-022] [NCP-WIRE-034]
     #[test]
     fn another_spelling_of_a_frame_is_the_same_message((kind, frame) in frames::frame(), seed: u64) {
         let text = frames::disguise(&frame, seed);
@@ -37,6 +39,7 @@ proptest! {
         prop_assert_eq!(decode_any(text.as_bytes()), Ok(message));
     }
 
+    /// [NCP-WIRE-023] [NCP-WIRE-024] [NCP-WIRE-032]
     #[test]
     fn a_frame_without_its_optional_members_means_one_with_defaults((kind, mut frame) in frames::frame(), drop: u32) {
         let required = |name: &str| kind.table().fields.iter().any(|f| f.name == name && f.required);
@@ -69,6 +72,7 @@ proptest! {
         }
     }
 
+    /// [NCP-WIRE-001] [NCP-WIRE-002] [NCP-WIRE-004] [NCP-WIRE-007]
     #[test]
     fn a_damaged_frame_is_judged_as_by_a_slower_reader_and_never_crashes(
         (kind, frame) in frames::frame(),
@@ -82,6 +86,7 @@ proptest! {
         judge(kind, &bytes)?;
     }
 
+    /// [NCP-WIRE-001] [NCP-WIRE-002] [NCP-WIRE-003] [NCP-WIRE-004] [NCP-WIRE-007]
     #[test]
     fn noise_is_judged_as_by_a_slower_reader_and_never_crashes(
         kind in proptest::sample::select(&Kind::ALL[..]),
@@ -95,6 +100,7 @@ proptest! {
         judge(Kind::CommandFrame, &ignored)?;
     }
 
+    /// [NCP-WIRE-007] [NCP-WIRE-026]
     #[test]
     fn any_json_is_ignored_in_an_unknown_member(text in json_text()) {
         let frame = format!(r#"{{"kind":"command_frame","x":{text}}}"#);
@@ -106,6 +112,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(10_000))]
 
+    /// [NCP-WIRE-012] [NCP-WIRE-013]
     #[test]
     fn a_number_means_the_double_that_the_standard_library_reads(
         text in "-?(0|[1-9][0-9]{0,25})(\\.[0-9]{1,25})?([eE][+-]?[0-9]{1,3})?",
@@ -122,6 +129,7 @@ proptest! {
         }
     }
 
+    /// [NCP-WIRE-015] [NCP-WIRE-084]
     #[test]
     fn a_double_comes_back_bit_for_bit_and_in_its_shortest_spelling(double in frames::double()) {
         let frame = SensorFrame { t: double, ..SensorFrame::default() }.encode().unwrap();
@@ -136,6 +144,7 @@ proptest! {
         prop_assert_eq!(digits(spelled), digits(&format!("{double:e}")), "{}", spelled);
     }
 
+    /// [NCP-WIRE-010] [NCP-WIRE-011]
     #[test]
     fn an_integer_is_read_exactly_when_it_is_spelled_as_one_and_has_53_bits(
         text in prop_oneof!["-?[0-9]{1,20}", "-?[0-9]{1,3}(\\.0|e0|E1)?", "[-+0-9.eE]{1,4}"],

@@ -68,7 +68,7 @@ impl Case {
 
     /// What the case shows, as a sentence.
     pub(crate) fn title(mut self, title: impl Into<String>) -> Self {
-        self.title = title.into();
+        self.title = with_short_doubles(&title.into());
         self
     }
 
@@ -174,6 +174,32 @@ impl Case {
     }
 }
 
+/// The text with an exponent in each double that is written out in more than [`FIGURES`] figures, as
+/// `Display` does with the largest and the smallest.
+fn with_short_doubles(text: &str) -> String {
+    let is_figure = |c: char| c.is_ascii_digit() || c == '.';
+    let mut short = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(is_figure) {
+        let (before, figures) = rest.split_at(start);
+        let end = figures.find(|c| !is_figure(c)).unwrap_or(figures.len());
+        let number = figures[..end].trim_end_matches('.');
+        short.push_str(before);
+        match number.parse::<f64>() {
+            Ok(double) if number.len() > FIGURES && double.to_string() == number => {
+                short.push_str(&format!("{double:?}"));
+            }
+            _ => short.push_str(number),
+        }
+        short.push_str(&figures[number.len()..end]);
+        rest = &figures[end..];
+    }
+    short + rest
+}
+
+/// More figures than a case spells on purpose.
+const FIGURES: usize = 40;
+
 /// The cases of one file.
 #[derive(Debug, Clone)]
 pub(crate) struct File {
@@ -192,7 +218,8 @@ impl File {
     ) -> Self {
         let (mut cases, name) = (cases, name.into());
         for case in cases.iter_mut().filter(|case| case.flags.is_empty()) {
-            case.flags.extend(flags::usual(area, &name));
+            let rule = case.requirements.first().copied().unwrap_or_default();
+            case.flags.extend(flags::usual(area, &name, rule));
         }
         Self {
             area,
@@ -224,5 +251,30 @@ impl File {
             "cases" => self.cases.into_iter().map(|case| case.json(&prefix)).collect::<Json>(),
         };
         (format!("{prefix}.json"), file.pretty())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_has_no_double_of_hundreds_of_figures() {
+        let text = format!("From {} to -{} and {}.", 5e-324, 1e308, f64::MAX);
+        assert_eq!(
+            with_short_doubles(&text),
+            "From 5e-324 to -1e308 and 1.7976931348623157e308."
+        );
+    }
+
+    #[test]
+    fn a_title_keeps_every_other_number_as_it_is_spelled() {
+        for text in [
+            "0.5, 0.05. 1.5e3 and ...",
+            "0.18446744073709551616 is 100000000000000000000000000000.",
+            "after 60.0625 s",
+        ] {
+            assert_eq!(with_short_doubles(text), text);
+        }
     }
 }

@@ -7,15 +7,57 @@ pub(crate) fn note(flag: &str) -> &'static str {
         .map_or("", |at| NOTES[at].1)
 }
 
-/// The bug class of a case that names none: what a failure of the file's cases comes from.
-pub(crate) fn usual(area: &str, name: &str) -> Option<&'static str> {
+/// The bug class of a case that names none: what breaks the rule that it is about, or else what a failure of the file's
+/// cases comes from.
+pub(crate) fn usual(area: &str, name: &str, rule: &str) -> Option<&'static str> {
+    by_rule(rule).or_else(|| by_file(area, name))
+}
+
+/// The audited finding or the bug class that a rule answers.
+fn by_rule(rule: &str) -> Option<&'static str> {
+    Some(match rule {
+        "NCP-CODEC-005" => "L06",
+        "NCP-CODEC-006" => "missing-population",
+        "NCP-CODEC-007" => "degenerate-range",
+        "NCP-CODEC-002" | "NCP-CODEC-004" => "unclamped-codec",
+        "NCP-CODEC-008" | "NCP-CODEC-010" => "mapping-components",
+        "NCP-CODEC-009" => "lost-fields",
+        "NCP-CODEC-020" | "NCP-CTRL-002" => "program-defaults",
+        "NCP-CTRL-003" => "L03",
+        "NCP-CTRL-005" | "NCP-RES-051" | "NCP-RES-052" => "misread-settings",
+        "NCP-CTRL-010" => "missing-period",
+        "NCP-CTRL-015" | "NCP-CTRL-018" => "ungoverned-command",
+        "NCP-RES-002" | "NCP-RES-006" => "stale-setpoint",
+        "NCP-RES-003" | "NCP-SAFE-034" | "NCP-SAFE-045" => "off-by-a-boundary",
+        "NCP-RES-008" | "NCP-SAFE-035" => "L14",
+        "NCP-RES-009" => "refreshed-deadline",
+        "NCP-RES-010" => "reviving-hold",
+        "NCP-RES-011" | "NCP-RES-031" => "reviving-reset",
+        "NCP-RES-020" => "revived-command",
+        "NCP-RES-023" => "lost-hold",
+        "NCP-RES-027" => "L27",
+        "NCP-SAFE-001" => "unknown-mode-moves",
+        "NCP-SAFE-004" | "NCP-SAFE-005" | "NCP-SAFE-006" => "lost-estop",
+        "NCP-SAFE-012" => "L13",
+        "NCP-SAFE-030" | "NCP-SAFE-033" => "stale-sensor",
+        "NCP-SAFE-040" => "L03",
+        "NCP-SAFE-051" => "short-look-ahead",
+        "NCP-SAFE-063" => "L11",
+        "NCP-SAFE-068" => "L27",
+        "NCP-SESS-020" | "NCP-SESS-021" | "NCP-SESS-022" => "unanswered-requests",
+        "NCP-SESS-032" => "unchecked-durations",
+        "NCP-SESS-035" => "mixed-sessions",
+        _ => return None,
+    })
+}
+
+fn by_file(area: &str, name: &str) -> Option<&'static str> {
     Some(match (area, name) {
         ("codec", _) => "codec-arithmetic",
         ("control", "loop") => "loop-contract",
         ("control", _) => "reflex-law",
         ("resilience", "horizon") => "wrong-tick",
         ("resilience", "horizon_length") => "horizon-length",
-        ("resilience", "link") => "misread-settings",
         ("resilience", _) => "liveness",
         ("safety", "gates") => "gate-order",
         ("safety", "latch") => "latch-transitions",
@@ -42,8 +84,16 @@ const NOTES: &[(&str, &str)] = &[
         "Audited finding L03: a position that is empty or missing counts as the origin.",
     ),
     (
+        "L04",
+        "Audited finding L04: one control key for all requests, so that no access rule can tell them apart.",
+    ),
+    (
         "L06",
         "Audited finding L06: a sensor that is missing is encoded as an extreme rate.",
+    ),
+    (
+        "L07",
+        "Audited finding L07: a frame without a version, or with another, is taken for one of the own version.",
     ),
     (
         "L08",
@@ -134,6 +184,10 @@ const NOTES: &[(&str, &str)] = &[
         "A limit in bytes is applied to characters or UTF-16 units.",
     ),
     (
+        "bytes-outside-the-object",
+        "The bytes of white space around the object do not count for its limit.",
+    ),
+    (
         "case-folded-kinds",
         "Kinds are compared without regard to case.",
     ),
@@ -166,6 +220,14 @@ const NOTES: &[(&str, &str)] = &[
         "Contract hashes are compared loosely: by a prefix, without regard to case, trimmed, or as numbers.",
     ),
     ("control-characters", "Control characters pass into a key."),
+    (
+        "cut-names",
+        "A name is cut at its first U+0000, or its length is read with too few bits.",
+    ),
+    (
+        "degenerate-range",
+        "A range without length divides by zero, or gives an end instead of the middle.",
+    ),
     (
         "dot-segment",
         "The segments `.` and `..` are resolved like a path, or refused where they are only a part.",
@@ -364,10 +426,26 @@ const NOTES: &[(&str, &str)] = &[
         "Map entries are written as inserted, or sorted by UTF-16 units, by number or without regard to case.",
     ),
     (
+        "mapping-components",
+        "A component that no mapping names, or one that a mapping names out of bounds, is made up or lost.",
+    ),
+    (
         "misread-settings",
         "A setting that cannot be used is used as it is.",
     ),
     ("missing-limits", "A limit of the text is not kept."),
+    (
+        "missing-period",
+        "The loop starts without a period by which it could keep time.",
+    ),
+    (
+        "missing-population",
+        "A population that is absent, or whose rate is no number, decodes to an end of the range.",
+    ),
+    (
+        "mixed-sessions",
+        "What is done to one session changes another.",
+    ),
     (
         "moving-hold",
         "A HOLD or ESTOP frame leaves a channel as it was, or loses one.",
@@ -517,6 +595,14 @@ const NOTES: &[(&str, &str)] = &[
     ("slow", "Not a bug class: the input has tens of megabytes."),
     ("stack-overflow", "Deep nesting ends the process."),
     (
+        "stale-sensor",
+        "A sensor that is too old, or of which nothing is known, passes for a fresh one.",
+    ),
+    (
+        "stale-setpoint",
+        "A setpoint outlives its ttl, or moves a plant before any command came.",
+    ),
+    (
         "string-escapes",
         "Escapes are read or written wrongly, or characters that need none are refused.",
     ),
@@ -567,12 +653,20 @@ const NOTES: &[(&str, &str)] = &[
     ),
     ("ttl-without-time", "A ttl that is no time counts as one."),
     (
+        "unanswered-requests",
+        "A request that cannot be read gets no reply, two, or one that is no error frame.",
+    ),
+    (
         "unbounded-work",
         "A gap makes as many updates or memories as it is long.",
     ),
     (
         "unchecked-dtypes",
         "A column of another dtype is reinterpreted or converted in silence.",
+    ),
+    (
+        "unchecked-durations",
+        "A time that is negative or no number is simulated.",
     ),
     (
         "unchecked-header",
@@ -602,6 +696,10 @@ const NOTES: &[(&str, &str)] = &[
         "unchecked-types",
         "A value of another JSON type is converted or dropped in silence.",
     ),
+    (
+        "unclamped-codec",
+        "A value beyond its range leaves the codec beyond the other range.",
+    ),
     ("unclamped-horizon", "The speed limit acts on tick 0 only."),
     (
         "underflow",
@@ -612,8 +710,16 @@ const NOTES: &[(&str, &str)] = &[
         "Arrays that must agree in length are cut or padded to do so.",
     ),
     (
+        "ungoverned-command",
+        "A command passes by the governor, or what the governor did is not told.",
+    ),
+    (
         "unknown-mode-moves",
         "A mode that is not known moves the plant, or costs the frame.",
+    ),
+    (
+        "unwrapped-horizon",
+        "A step of a horizon is unwrapped as if it were the proto's.",
     ),
     (
         "version-arithmetic",

@@ -29,6 +29,7 @@ mod resilience;
 mod roles;
 mod safety;
 mod session;
+mod strict;
 mod template;
 mod text;
 mod trace;
@@ -54,6 +55,7 @@ pub fn generate() -> Vec<(String, String)> {
         codec::files(),
         control::files(),
         session::files(),
+        strict::files(),
     ];
     let mut files: Vec<_> = areas
         .into_iter()

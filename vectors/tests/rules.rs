@@ -176,6 +176,25 @@ fn every_binding_rule_of_the_wire_has_a_case_or_a_reason_for_none() {
 }
 
 #[test]
+fn every_binding_rule_of_the_strict_profile_has_a_case_of_its_own() {
+    let catalogue = Catalogue::load().unwrap();
+    let decided: BTreeSet<String> = cases()
+        .iter()
+        .map(|case| rules(case, &catalogue)[0].id.clone())
+        .collect();
+    let strict = catalogue
+        .iter()
+        .filter(|rule| rule.level == Level::Strict && rule.keyword.is_binding());
+    for rule in strict {
+        let by_another = rule.id == "NCP-STRICT-011"; // Decided by whichever rule rejects or drops.
+        assert!(
+            by_another || decided.contains(&rule.id),
+            "no case is decided by {rule}"
+        );
+    }
+}
+
+#[test]
 fn every_advice_of_the_wire_has_a_case() {
     let catalogue = Catalogue::load().unwrap();
     let cases = cases();

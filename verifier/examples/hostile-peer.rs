@@ -133,7 +133,13 @@ fn answer(mode: &str, request: &Value) -> Value {
         _ => return json!({"id": request["id"], "unsupported": true}),
     };
     match outcome {
-        Ok(result) => json!({"id": request["id"], "result": result}),
+        Ok(mut result) => {
+            if mode == "talkative" {
+                result["elapsed_ms"] = json!(3);
+                result["trace"] = json!({"text": "x", "compatible": null});
+            }
+            json!({"id": request["id"], "result": result})
+        }
         Err((code, message)) => {
             let code = if mode == "other-codes" { "limit" } else { code };
             json!({"id": request["id"], "error": {"code": code, "message": message}})

@@ -80,8 +80,15 @@ fn without_lines(text: &str) -> String {
 }
 
 /// What `explain` says.
+/// An explanation as it is outside of the source tree, whose code is none of a snapshot's business.
 fn explained(id: &str) -> String {
-    without_lines(&verify(&["explain", id]).stdout)
+    let elsewhere = tempfile::tempdir().unwrap();
+    let vectors = std::path::absolute("tests/data/vectors").unwrap();
+    let run = run(program()
+        .current_dir(elsewhere.path())
+        .args(["explain", id, "--vectors"])
+        .arg(vectors));
+    without_lines(&run.stdout)
 }
 
 #[test]
@@ -142,6 +149,53 @@ fn a_long_input_is_explained_abbreviated() {
 fn a_rule_and_a_flag_are_explained_with_their_cases() {
     insta::assert_snapshot!("explain_rule", explained("ncp-ver-004"));
     insta::assert_snapshot!("explain_flag", explained("lenient-reader"));
+}
+
+#[test]
+fn an_explanation_within_the_source_tree_leads_to_code_and_tests() {
+    for (id, wanted) in [
+        (
+            "NCP-SAFE-040",
+            [
+                "Code\n",
+                "  spec/src/safety/governor.rs:",
+                "Tests\n",
+                "  spec/tests/governor.rs:",
+            ],
+        ),
+        (
+            "L03",
+            [
+                "NCP-SAFE-040 MUST",
+                "  spec/src/safety/governor.rs:",
+                " cases\n",
+                "  safety/fence/channel/empty\n",
+            ],
+        ),
+        (
+            "l18",
+            [
+                "no case is flagged",
+                "NCP-TRANS-008 MUST",
+                "Code\n",
+                "  spec/src/bus.rs:",
+            ],
+        ),
+        (
+            "safety/fence/channel/empty",
+            [
+                "Expected\n",
+                "Rule\n",
+                "Code\n",
+                "  spec/src/safety/governor.rs:",
+            ],
+        ),
+    ] {
+        let text = run(program().args(["explain", id])).stdout;
+        for wanted in wanted {
+            assert!(text.contains(wanted), "{id} lacks {wanted:?}: {text}");
+        }
+    }
 }
 
 #[test]
@@ -342,6 +396,15 @@ fn junit_has_a_test_for_each_case() {
 
 /// A workspace with bundled peers, and the program run in it.
 fn bundled(peers: &[(&str, &str)], args: &[&str]) -> (Run, PathBuf, tempfile::TempDir) {
+    bundled_on("tests/data/vectors", peers, args)
+}
+
+/// The same, on the vectors of another folder.
+fn bundled_on(
+    vectors: &str,
+    peers: &[(&str, &str)],
+    args: &[&str],
+) -> (Run, PathBuf, tempfile::TempDir) {
     let folder = tempfile::tempdir().unwrap();
     for (name, manifest) in peers {
         let peer = folder.path().join("peers").join(name);
@@ -349,7 +412,7 @@ fn bundled(peers: &[(&str, &str)], args: &[&str]) -> (Run, PathBuf, tempfile::Te
         std::fs::write(peer.join("peer.toml"), manifest).unwrap();
     }
     let inner = folder.path().join("peers");
-    let vectors = std::path::absolute("tests/data/vectors").unwrap();
+    let vectors = std::path::absolute(vectors).unwrap();
     let run = run(program()
         .current_dir(inner)
         .args(args)
@@ -440,6 +503,61 @@ fn a_peer_whose_tool_is_missing_is_skipped_loudly_and_never_counts_as_passed() {
         run.exit, 1,
         "with nothing checked, nothing conforms: {}",
         run.stdout
+    );
+}
+
+#[test]
+fn a_peer_is_held_to_the_level_of_its_manifest_unless_the_command_line_says_another() {
+    // A case of level wire that the peer passes, and one of level safety of which it has no call.
+    let held = |says: &str, args: &[&str]| {
+        let (run, ..) = bundled_on(
+            "tests/data/levels",
+            &[("p", &manifest("p", "honest", says))],
+            args,
+        );
+        let head = run.stdout.lines().next().unwrap_or_default().to_owned();
+        (run.exit, head)
+    };
+    let wire = (0, "NCP 0.5, level wire: 1 case in 1 file".to_owned());
+    let safety = (1, "NCP 0.5, level safety: 2 cases in 2 files".to_owned());
+    assert_eq!(held("", &[]), wire);
+    assert_eq!(held("level = \"wire\"\n", &[]), wire);
+    assert_eq!(held("level = \"safety\"\n", &[]), safety);
+    assert_eq!(held("level = \"safety\"\n", &["--level", "wire"]), wire);
+    assert_eq!(held("", &["--level", "safety"]), safety);
+    assert_eq!(held("level = \"high\"\n", &[]).0, 2);
+}
+
+#[test]
+fn each_peer_is_held_to_its_own_level() {
+    let (low, high) = (
+        manifest("low", "honest", ""),
+        manifest("high", "honest", "level = \"safety\"\n"),
+    );
+    let (run, result, _folder) = bundled_on("tests/data/levels", &[("a", &low), ("b", &high)], &[]);
+    assert_eq!(run.exit, 1, "{}", run.stdout);
+    let result = common::read_result(&std::fs::read_to_string(result).unwrap());
+    let conclusion = |nth: usize| result["peers"][nth]["conclusion"].clone();
+    assert_eq!(
+        (conclusion(0), conclusion(1)),
+        ("conformant".into(), "not conformant".into())
+    );
+    assert_eq!(
+        result["peers"][0]["totals"]["total"], 2,
+        "describe and one case"
+    );
+}
+
+#[test]
+fn the_head_of_a_report_counts_the_cases_that_are_meant() {
+    let head = |args: &[&str]| {
+        let text = report("honest", "100", args);
+        text.lines().next().unwrap_or_default().to_owned()
+    };
+    assert_eq!(head(&[]), "NCP 0.5, level wire: 16 cases in 2 files");
+    assert_eq!(
+        head(&["--filter", "version/*"]),
+        "NCP 0.5, level wire: 10 cases in 1 file"
     );
 }
 

@@ -128,11 +128,38 @@ pub(crate) const CHECKS: &[Check] = &[
         },
     },
     Check {
+        name: "trace",
+        about: "every binding rule is shown, and all evidence cites rules (ncp-verify trace)",
+        run: |work| {
+            let trace = [VERIFY, &["trace", "--check"]].concat();
+            work.program(work.project.cargo(&trace))
+        },
+    },
+    Check {
         name: "conformance",
         about: "every bundled peer conforms at the level that it claims (ncp-verify, release)",
         run: conformance,
     },
+    Check {
+        name: "mutants",
+        about: "the suite notices every mutant, and names the rule that it breaks (ncp-verify mutants)",
+        run: |work| {
+            let hunt = [
+                "run",
+                "--quiet",
+                "--release",
+                "-p",
+                "ncp-verifier",
+                "--",
+                "mutants",
+            ];
+            work.tests(work.project.cargo(&hunt), count::mutants)
+        },
+    },
 ];
+
+/// How cargo runs the verifier.
+const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];
 
 /// The generated files of a folder are what would be generated.
 fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
@@ -143,10 +170,7 @@ fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
 
 fn conformance(work: &mut Work<'_>) -> Result<Count, Failure> {
     const RESULT: &str = ".tools/logs/conformance.json";
-    let verify = ["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];
-    let cargo = work
-        .project
-        .cargo(&[&verify[..], &["--json", RESULT]].concat());
+    let cargo = work.project.cargo(&[VERIFY, &["--json", RESULT]].concat());
     let count = work.program(cargo)?;
 
     // For the verifier a peer without its toolchain is skipped, which is no failure. Here it

@@ -62,9 +62,43 @@ pub(crate) fn node(output: &str) -> Count {
     }
 }
 
+/// The closing line of `ncp-verify mutants`: `5 mutants: 3 killed, …; 1 misnamed, 1 survived, 0 not finished`.
+pub(crate) fn mutants(output: &str) -> Count {
+    let closing = |line: &&str| line.contains(" killed, of which ");
+    let Some(line) = output.lines().rev().find(closing) else {
+        return Count::default();
+    };
+    let number = |label| -> u64 {
+        let before = line.split_once(label).map_or("", |(before, _)| before);
+        before
+            .rsplit(' ')
+            .next()
+            .and_then(|digits| digits.parse().ok())
+            .unwrap_or(0)
+    };
+    Count {
+        passed: number(" killed"),
+        failed: number(" misnamed") + number(" survived") + number(" not finished"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn mutants_that_were_killed_pass_and_all_others_fail() {
+        let output = "✓ a  NCP-VER-001, 2 failing\nb survived: no case\n\
+            9 mutants: 3 killed, of which 2 by the rule that the verdict names first; 1 misnamed, 4 survived, 1 not finished\n";
+        assert_eq!(
+            mutants(output),
+            Count {
+                passed: 3,
+                failed: 6
+            }
+        );
+        assert_eq!(mutants("error: the suite\n"), Count::default());
+    }
 
     #[test]
     fn the_test_programs_of_cargo_are_added_up() {

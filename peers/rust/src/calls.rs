@@ -50,7 +50,7 @@ pub(crate) fn answer(call: &str, args: &RawValue) -> Result<Reply, CallError> {
         "codec.decode" => traces::codec_decode(parse(args)?),
         "reflex.step" => traces::reflex_step(&parse(args)?),
         "loop.run" => traces::loop_run(&parse(args)?),
-        "session.run" => Ok(traces::session_run(&parse(args)?)),
+        "session.run" => traces::session_run(&parse(args)?),
         _ => Err(CallError::Unsupported),
     }
 }
@@ -203,6 +203,8 @@ struct DecodeArgs<'a> {
     #[serde(borrow)]
     text: Option<Cow<'a, str>>,
     base64: Option<Bytes>,
+    #[serde(default)]
+    strict: bool,
 }
 
 fn decode(args: &DecodeArgs<'_>) -> Result<Reply, CallError> {
@@ -211,7 +213,12 @@ fn decode(args: &DecodeArgs<'_>) -> Result<Reply, CallError> {
         (None, Some(Bytes(bytes))) => bytes,
         _ => return Err(CallError::misfit(&"decode takes either text or base64")),
     };
-    let message = wire::decode(kind(&args.kind)?, frame)?;
+    let kind = kind(&args.kind)?;
+    let message = if args.strict {
+        wire::decode_strict(kind, frame)?
+    } else {
+        wire::decode(kind, frame)?
+    };
     // The frame was read, whatever the encoder says to it.
     Ok(message
         .encode()
@@ -292,6 +299,8 @@ struct KeyArgs<'a> {
     #[serde(borrow)]
     realm: Option<Cow<'a, str>>,
     #[serde(borrow)]
+    verb: Option<Cow<'a, str>>,
+    #[serde(borrow)]
     session: Option<Cow<'a, str>>,
     #[serde(borrow)]
     name: Option<Cow<'a, str>>,
@@ -318,7 +327,10 @@ fn key_build(args: &KeyArgs<'_>) -> Result<Reply, CallError> {
     };
     let name = args.name.as_deref();
     let key = match args.key {
-        KeyKind::Rpc => keys.rpc()?,
+        KeyKind::Rpc => match &args.verb {
+            Some(verb) => keys.rpc_verb(verb_in(verb)?)?,
+            None => keys.rpc()?,
+        },
         KeyKind::Sensor => keys.sensor(session()?, name)?,
         KeyKind::Command => keys.command(session()?, name)?,
         KeyKind::Observation => keys.observation(session()?)?,
@@ -328,6 +340,14 @@ fn key_build(args: &KeyArgs<'_>) -> Result<Reply, CallError> {
         KeyKind::FleetGlob => keys.fleet_glob()?,
     };
     Ok(Reply::Key { key })
+}
+
+/// The kind of this name. One that NCP does not have cannot even be named to [`Keys::rpc_verb`].
+fn verb_in(name: &str) -> Result<Kind, CallError> {
+    Kind::parse(name).ok_or_else(|| CallError::Refused {
+        code: ErrorCode::Key,
+        message: format!("{name:?} is not a kind"),
+    })
 }
 
 #[derive(Deserialize)]
@@ -434,13 +454,19 @@ struct ReplyArgs<'a> {
     request: Cow<'a, str>,
     #[serde(borrow)]
     reply: Cow<'a, str>,
+    #[serde(default)]
+    strict: bool,
 }
 
 fn reply_check(args: &ReplyArgs<'_>) -> Result<Reply, CallError> {
     // The client sent this request, so it is one: only the reply is on trial.
     let request = wire::decode_any(args.request.as_bytes())
         .map_err(|error| CallError::misfit(&format_args!("the request: {error}")))?;
-    reply::check_reply(&request, args.reply.as_bytes())?;
+    if args.strict {
+        reply::check_reply_strict(&request, args.reply.as_bytes())?;
+    } else {
+        reply::check_reply(&request, args.reply.as_bytes())?;
+    }
     Ok(Reply::Nothing {})
 }
 
@@ -448,7 +474,8 @@ pub(crate) fn parse<'a, T: Deserialize<'a>>(args: &'a RawValue) -> Result<T, Cal
     serde_json::from_str(args.get()).map_err(|error| CallError::misfit(&error))
 }
 
-fn kind(name: &str) -> Result<Kind, CallError> {
+/// The kind of this name.
+pub(crate) fn kind(name: &str) -> Result<Kind, CallError> {
     Kind::parse(name).ok_or_else(|| CallError::misfit(&format_args!("{name:?} is not a kind")))
 }
 

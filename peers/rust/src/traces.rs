@@ -18,7 +18,7 @@ use ncp_spec::wire::{Capabilities, CommandFrame, Kind, Message, Mode, SensorFram
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
-use crate::calls::{CallError, Reply, build, parse};
+use crate::calls::{CallError, Reply, build, kind, parse};
 use crate::value::{Bytes, Channels, Double, Fields};
 
 /// What a step gives, in the members that PROTOCOL.md lists with it.
@@ -170,8 +170,20 @@ struct Arrival<'a> {
     now_s: Double,
 }
 
-pub(crate) fn buffer_run(args: &StepsArgs<'_>) -> Result<Reply, CallError> {
-    let mut buffer = ActionBuffer::new();
+#[derive(Deserialize)]
+pub(crate) struct BufferArgs<'a> {
+    #[serde(default)]
+    strict: bool,
+    #[serde(borrow)]
+    steps: Vec<&'a RawValue>,
+}
+
+pub(crate) fn buffer_run(args: &BufferArgs<'_>) -> Result<Reply, CallError> {
+    let mut buffer = if args.strict {
+        ActionBuffer::strict()
+    } else {
+        ActionBuffer::new()
+    };
     run(&args.steps, |op, step| {
         match op {
             "command" => {
@@ -391,16 +403,28 @@ pub(crate) fn loop_run(args: &LoopArgs<'_>) -> Result<Reply, CallError> {
 pub(crate) struct SessionArgs<'a> {
     #[serde(borrow)]
     requests: Vec<Cow<'a, str>>,
+    #[serde(default)]
+    strict: bool,
+    /// At the key of which kind each request comes; none: each at the right one.
+    #[serde(borrow)]
+    verbs: Option<Vec<Cow<'a, str>>>,
 }
 
-pub(crate) fn session_run(args: &SessionArgs<'_>) -> Reply {
-    let mut service = SessionService::new(ReferenceBackend);
-    let requests = args.requests.iter();
-    Reply::Replies {
-        replies: requests
-            .map(|request| service.serve(request.as_bytes()))
-            .collect(),
-    }
+pub(crate) fn session_run(args: &SessionArgs<'_>) -> Result<Reply, CallError> {
+    let mut service = if args.strict {
+        SessionService::strict(ReferenceBackend)
+    } else {
+        SessionService::new(ReferenceBackend)
+    };
+    let requests = args.requests.iter().map(|request| request.as_bytes());
+    let replies = match &args.verbs {
+        None => requests.map(|request| service.serve(request)).collect(),
+        Some(verbs) => requests
+            .zip(verbs)
+            .map(|(request, verb)| Ok(service.serve_at(kind(verb)?, request)))
+            .collect::<Result<_, CallError>>()?,
+    };
+    Ok(Reply::Replies { replies })
 }
 
 /// Does the steps. One that is refused is an entry like others; one that PROTOCOL.md does not allow ends the call.

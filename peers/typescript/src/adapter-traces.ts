@@ -19,6 +19,7 @@ import {
   messageOut,
   Refusal,
   refusalOut,
+  strictIn,
   textIn,
   textOrNullIn,
   type Args,
@@ -32,6 +33,7 @@ import type { ChannelValue, CommandFrame, ControlStatus, Mode, SafetyLimits } fr
 import { RateCodec, UAV_CODEC, type DecoderMapping, type Range } from "./rate-codec.js";
 import { ReferenceBackend } from "./reference-backend.js";
 import { ReflexController, type ReflexConfig } from "./reflex.js";
+import type { RequestKind } from "./reply.js";
 import { SessionService } from "./session-service.js";
 import { CommandWatchdog } from "./watchdog.js";
 
@@ -76,7 +78,7 @@ export const TRACES: readonly (readonly [string, Call])[] = [
   [
     "buffer.run",
     (args) => {
-      const buffer = new ActionBuffer();
+      const buffer = new ActionBuffer(strictIn(args));
       return trace(args, {
         command: (step) => done(buffer.receive(frameIn(step), doubleIn(step["now_s"]))),
         active: (step) => {
@@ -137,9 +139,10 @@ export const TRACES: readonly (readonly [string, Call])[] = [
   [
     "session.run",
     (args) => {
-      const service = new SessionService(new ReferenceBackend());
-      const requests = listIn(args, "requests").map((text) => textIn({ text }, "text"));
-      return { replies: requests.map((request) => service.handle(request)) };
+      const service = new SessionService(new ReferenceBackend(), { strict: strictIn(args) });
+      const texts = (name: string): string[] => listIn(args, name).map((text) => textIn({ text }, "text"));
+      const verbs = (args["verbs"] === undefined ? [] : texts("verbs")) as RequestKind[];
+      return { replies: texts("requests").map((request, nth) => service.handle(request, verbs[nth])) };
     },
   ],
 ];

@@ -229,6 +229,11 @@ export function kindIn(args: Args): Kind {
   return kind;
 }
 
+/** Whether the call is about the strict profile. */
+export function strictIn(args: Args): boolean {
+  return args["strict"] === true;
+}
+
 export function textIn(args: Args, name: string): string {
   const value = args[name];
   if (typeof value !== "string") throw new Refusal("invalid", `the argument ${name} is not text`);

@@ -23,6 +23,7 @@ import {
   messageOf,
   Refusal,
   refusalOut,
+  strictIn,
   textIn,
   textOrNullIn,
   type Args,
@@ -37,7 +38,7 @@ import { Keys, matches } from "./keys.js";
 import { TABLES, type Input, type Kind } from "./messages.js";
 import { pack, unpack } from "./observation.js";
 import { PLANES, type Plane } from "./planes.js";
-import { checkReply, isRequestKind, type Request } from "./reply.js";
+import { checkReply, isRequestKind, type Request, type RequestKind } from "./reply.js";
 import { checkVersion, NCP_VERSION } from "./version.js";
 
 // --- the calls, in the order of the protocol's page ----------------------------------------------
@@ -58,7 +59,7 @@ const CALLS: ReadonlyMap<string, Call> = new Map<string, Call>([
     "decode",
     (args) => {
       const frame = frameIn(args);
-      return { text: normalise(kindIn(args), frame) };
+      return { text: normalise(kindIn(args), frame, strictIn(args)) };
     },
   ],
   [
@@ -116,7 +117,7 @@ const CALLS: ReadonlyMap<string, Call> = new Map<string, Call>([
     (args) => {
       const request = decodeAny(textIn(args, "request"));
       if (!isRequestKind(request.kind)) throw new Refusal("kind", `${request.kind} is not a request`);
-      checkReply(request as Request, textIn(args, "reply"));
+      checkReply(request as Request, textIn(args, "reply"), strictIn(args));
       return {};
     },
   ],
@@ -127,8 +128,10 @@ function buildKey(args: Args): string {
   const keys = new Keys(textOrNullIn(args, "realm"));
   const key = textIn(args, "key");
   switch (key) {
-    case "rpc":
-      return keys.rpc();
+    case "rpc": {
+      const verb = textOrNullIn(args, "verb");
+      return verb === null ? keys.rpc() : keys.rpcVerb(verb as RequestKind);
+    }
     case "sensor":
       return keys.sensor(textIn(args, "session"), textOrNullIn(args, "name"));
     case "command":

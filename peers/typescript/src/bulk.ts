@@ -33,7 +33,7 @@ export type Column =
  */
 export function decodeBlock(block: Uint8Array): Column[] {
   const length = block.length;
-  // [NCP-BULK-015]
+  // [NCP-BULK-015] [NCP-BULK-025]
   if (length > BLOCK_BYTES) throw new BulkError(`the block has more than ${BLOCK_BYTES} bytes`, "limit");
   if (length < HEADER_BYTES) throw new BulkError("the block is shorter than its header"); // [NCP-BULK-001]
   const view = new DataView(block.buffer, block.byteOffset, length);

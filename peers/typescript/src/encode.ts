@@ -56,10 +56,11 @@ export function encode(message: Message): string {
  * Reads a frame of one kind and writes it as this library would have: every field of the tables, in
  * their order, and nothing else. The result may be longer than the frame, and also than a frame may be.
  *
+ * @param strict - whether the strict profile holds, by agreement with the sender
  * @throws {@link DecodeError} when the frame is rejected
  */
-export function normalise(kind: Kind, frame: string | Uint8Array): string {
-  return write(decode(kind, frame));
+export function normalise(kind: Kind, frame: string | Uint8Array, strict = false): string {
+  return write(decode(kind, frame, strict));
 }
 
 function write(message: Message): string {

@@ -12,6 +12,8 @@ import { isWellFormed, utf8Length } from "./unicode.js";
 /** The realm of a deployment that names none. [NCP-KEY-006] */
 export const DEFAULT_REALM = "ncp";
 
+const VERBS: readonly RequestKind[] = ["open_session", "step_request", "run_request", "close_session"];
+
 /** Builds the keys of one realm. Every method throws {@link KeyError} for an id or a name that no key may hold. */
 export class Keys {
   /** The first part of every key. */
@@ -36,9 +38,10 @@ export class Keys {
    * [NCP-STRICT-001]
    *
    * @param kind - the kind of the request
+   * @throws {@link KeyError} for anything but the kind of a request [NCP-STRICT-006]
    */
   rpcVerb(kind: RequestKind): string {
-    validateSegment(kind);
+    if (!VERBS.includes(kind)) throw new KeyError("a verb of the control plane is the kind of a request");
     return `${this.rpc()}/${kind}`;
   }
 

@@ -17,7 +17,7 @@ import type {
   SimProvenance,
   StepRequest,
 } from "./messages.js";
-import { isRequestKind, type Request } from "./reply.js";
+import { isRequestKind, type Request, type RequestKind } from "./reply.js";
 import { checkVersion } from "./version.js";
 
 /** What runs networks. */
@@ -81,11 +81,18 @@ export class SessionService {
     this.#clock = options.clock ?? ((): number => performance.now() / 1000);
   }
 
-  /** The text of the one reply to a request, whatever its bytes. [NCP-SESS-020] */
-  handle(frame: string | Uint8Array): string {
+  /**
+   * The text of the one reply to a request, whatever its bytes. [NCP-SESS-020]
+   *
+   * @param verb - the kind in the strict profile's control key at which the request came, if it came at one
+   */
+  handle(frame: string | Uint8Array, verb?: RequestKind): string {
     let session: string | null = null;
     try {
       const request = requestIn(frame);
+      if (verb !== undefined && request.kind !== verb) {
+        throw new SessionError(`${request.kind} does not belong at the key of ${verb}`); // [NCP-STRICT-007]
+      }
       session = request.session_id;
       return encode(this.#reply(request, frame));
     } catch (error) {
@@ -96,7 +103,7 @@ export class SessionService {
 
   #reply(request: Request, frame: string | Uint8Array): Message {
     if (request.kind === "open_session") return this.#open(request, frame);
-    if (this.#strict) decode(request.kind, frame, true); // [NCP-STRICT-002] [NCP-STRICT-003]
+    if (this.#strict) decode(request.kind, frame, true); // [NCP-STRICT-009]
     if (request.kind === "close_session") return this.#close(request);
     return this.#advance(request);
   }
@@ -105,7 +112,7 @@ export class SessionService {
     const { session_id } = request;
     try {
       checkVersion(request.ncp_version, true); // [NCP-SESS-023] The contract hash is not judged. [NCP-SESS-025]
-      if (this.#strict) decode("open_session", frame, true); // [NCP-STRICT-002]
+      if (this.#strict) decode("open_session", frame, true); // [NCP-STRICT-008]
       if (this.#sessions.has(session_id)) throw new SessionError("the session is already open"); // [NCP-SESS-030]
       const { chunk_ms: chunkMs } = request.sim;
       checkTime("chunk_ms", chunkMs);

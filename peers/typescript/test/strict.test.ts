@@ -12,6 +12,7 @@ import {
   ReferenceBackend,
   SessionService,
   type Kind,
+  type RequestKind,
 } from "@ncp-conformance/peer";
 import { moving, refuses } from "./support.js";
 
@@ -108,5 +109,20 @@ test("a strict server refuses what says no version", () => {
 test("the strict profile has one control key a verb", () => {
   const keys = new Keys("a/b");
   assert.equal(keys.rpcVerb("step_request"), "a/b/rpc/step_request");
-  refuses("key", () => keys.rpcVerb("a/b" as never));
+  for (const kind of ["a/b", "", "session_opened", "stimulus_frame", "error"]) {
+    refuses("key", () => keys.rpcVerb(kind as never));
+  }
+});
+
+test("a request that takes another door than its own is not carried out", () => {
+  const service = new SessionService(new ReferenceBackend(), { strict: true });
+  const network = { ref: "ncp.reference.rate" };
+  const open = encode(create("open_session", { session_id: "s", network }));
+  const close = encode(create("close_session", { session_id: "s" }));
+  const kindAt = (frame: string, verb: RequestKind): string => decodeAny(service.handle(frame, verb)).kind;
+  assert.equal(kindAt(open, "step_request"), "error");
+  assert.equal(kindAt(open, "open_session"), "session_opened");
+  assert.equal(kindAt(close, "step_request"), "error");
+  // Had it been carried out, there would be nothing left to close.
+  assert.equal(decode("session_closed", service.handle(close, "close_session")).ok, true);
 });

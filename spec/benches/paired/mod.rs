@@ -30,8 +30,7 @@ impl Bench {
         mut other: impl FnMut() -> U,
     ) {
         let calls = self.calls(&mut work).max(self.calls(&mut other));
-        let samples = if self.quick { 1 } else { Self::SAMPLES };
-        let (work, other): (Vec<_>, Vec<_>) = (0..samples)
+        let (work, other): (Vec<_>, Vec<_>) = (0..self.samples())
             .map(|_| (sample(calls, &mut work), sample(calls, &mut other)))
             .unzip();
         let (work, other) = (median(work), median(other));
@@ -40,6 +39,21 @@ impl Bench {
             "ratio  {name} vs {against}  {:.2} ({aim}); {work_ns:.0} ns against {other_ns:.0} ns",
             work / other
         );
+    }
+
+    /// The median time of one call, in seconds.
+    #[allow(dead_code, reason = "not every bench has something to time alone")]
+    pub(crate) fn time<T>(&self, mut work: impl FnMut() -> T) -> f64 {
+        let calls = self.calls(&mut work);
+        median(
+            (0..self.samples())
+                .map(|_| sample(calls, &mut work))
+                .collect(),
+        )
+    }
+
+    fn samples(&self) -> usize {
+        if self.quick { 1 } else { Self::SAMPLES }
     }
 
     /// Warms up, and says how many calls make a sample of about 2 ms.

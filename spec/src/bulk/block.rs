@@ -1,4 +1,4 @@
-//! Reading a block without copying it.
+//! Reading a block without copying it. `[NCP-BULK-021] [NCP-BULK-023] [NCP-BULK-024]`
 
 use super::column::read_all;
 use super::layout::{

@@ -1,4 +1,4 @@
-//! Columns outside a block: owned and borrowed values, and their types.
+//! Columns outside a block: owned and borrowed values, and their types. `[NCP-BULK-007] [NCP-BULK-023]`
 
 use std::fmt;
 

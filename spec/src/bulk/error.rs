@@ -1,4 +1,4 @@
-//! What can be wrong with a block, or with columns that should become one.
+//! What can be wrong with a block, or with columns that should become one. `[NCP-BULK-031]`
 
 use std::fmt;
 

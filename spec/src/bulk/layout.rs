@@ -22,7 +22,7 @@ const VERSION: u8 = 1;
 
 /// Checks the header and cuts the directory, still raw, out of a whole block.
 pub(super) fn read_directory(block: &[u8]) -> Result<&[[u8; ENTRY_LEN]], BulkError> {
-    // [NCP-BULK-015]
+    // [NCP-BULK-015] [NCP-BULK-025]
     if block.len() > MAX_BLOCK_LEN {
         return Err(BulkError::TooLong {
             len: block.len() as u64,

@@ -1,4 +1,4 @@
-//! The arrays of an observation as a block.
+//! The arrays of an observation as a block. `[NCP-OBS-001]`
 
 use crate::wire::Observation;
 

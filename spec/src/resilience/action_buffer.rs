@@ -1,30 +1,47 @@
 //! The action buffer: the newest command, and what of it a plant does now.
 
-use crate::safety::kernel::{Plant, Received};
-use crate::wire::{ChannelMap, CommandFrame, DecodeError, Frame};
+use crate::safety::kernel::{Plant, Received, advances};
+use crate::wire::{ChannelMap, CommandFrame, DecodeError, Frame, Mode};
 
 /// Keeps the newest command and replays its horizon. All times are seconds on the plant's own clock.
 #[derive(Debug, Clone, Default)]
 pub struct ActionBuffer {
     command: CommandFrame,
     plant: Plant<f64, i64>,
+    is_strict: bool,
 }
 
 impl ActionBuffer {
-    /// An empty buffer.
+    /// An empty buffer. `[NCP-RES-006]`
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes a frame from the wire, received at `now_s`.
+    /// An empty buffer that keeps the strict profile (chapter 12.1): every command has a version and
+    /// a stamp, and advances, a HOLD too. `[NCP-STRICT-004] [NCP-STRICT-005]`
+    #[must_use]
+    pub fn strict() -> Self {
+        Self {
+            is_strict: true,
+            ..Self::default()
+        }
+    }
+
+    /// Takes a frame from the wire, received at `now_s`. One that is rejected changes nothing, an
+    /// ESTOP aside. `[NCP-STRICT-011]`
     ///
     /// # Errors
     /// The frame cannot be decoded. If it is an ESTOP for all that, it latches.
     pub fn on_frame(&mut self, frame: &[u8], now_s: f64) -> Result<Received, DecodeError> {
-        match CommandFrame::decode(frame) {
+        let decoded = if self.is_strict {
+            CommandFrame::decode_strict(frame)
+        } else {
+            CommandFrame::decode(frame)
+        };
+        match decoded {
             Ok(command) => Ok(self.on_command(command, now_s)),
-            // [NCP-RES-022]
+            // [NCP-RES-022] [NCP-STRICT-010]
             Err(_) if is_estop(frame) => {
                 self.plant.stop();
                 Ok(Received::Stopped)
@@ -33,8 +50,15 @@ impl ActionBuffer {
         }
     }
 
-    /// Takes a command received at `now_s`.
+    /// Takes a command received at `now_s`. `[NCP-RES-020] [NCP-RES-021] [NCP-RES-023]`
     pub fn on_command(&mut self, command: CommandFrame, now_s: f64) -> Received {
+        // [NCP-STRICT-004] [NCP-STRICT-005] The stamp of a decoded command is that of its frame.
+        if self.is_strict && command.mode != Mode::Estop {
+            let last = self.plant.watchdog().last_seq();
+            if command.seq < 1 || !advances(last, command.seq) {
+                return Received::Dropped;
+            }
+        }
         let received = self
             .plant
             .on_command(command.mode, now_s, command.ttl_ms, command.seq);
@@ -66,7 +90,7 @@ impl ActionBuffer {
         self.plant.reset();
     }
 
-    /// Whether ESTOP is latched.
+    /// Whether ESTOP is latched. `[NCP-RES-021]`
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.plant.is_stopped()

@@ -94,7 +94,7 @@ impl LinkMonitor {
         self.deliver();
     }
 
-    /// What is known by now.
+    /// What is known by now. `[NCP-RES-044] [NCP-RES-046]`
     #[must_use]
     pub fn report(&self) -> LinkReport {
         let saturated = |count: u64| i64::try_from(count).unwrap_or(i64::MAX);

@@ -18,7 +18,7 @@ pub struct SafetyGovernor {
 }
 
 impl SafetyGovernor {
-    /// A governor for the canonical channels.
+    /// A governor for the canonical channels. `[NCP-SAFE-012] [NCP-SAFE-013]`
     #[must_use]
     pub fn new(limits: &SafetyLimits) -> Self {
         Self {
@@ -57,7 +57,7 @@ impl SafetyGovernor {
         governor
     }
 
-    /// A governor for the channels and limits that a plant declares.
+    /// A governor for the channels and limits that a plant declares. `[NCP-SAFE-014]`
     #[must_use]
     pub fn from_capabilities(capabilities: &Capabilities) -> Self {
         Self::negotiated(
@@ -70,7 +70,7 @@ impl SafetyGovernor {
     /// Decides on a command, and makes of it what may be sent.
     ///
     /// `now_s` is the governor's clock and `last_sensor_s` the time on it at which `sensor` was
-    /// received, both in seconds.
+    /// received, both in seconds. `[NCP-SAFE-020] [NCP-SAFE-021]`
     pub fn govern(
         &mut self,
         command: &mut CommandFrame,
@@ -103,13 +103,13 @@ impl SafetyGovernor {
         self.gates.reset();
     }
 
-    /// Whether ESTOP is latched.
+    /// Whether ESTOP is latched. `[NCP-SAFE-005]`
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.gates.is_stopped()
     }
 
-    /// Whether the limits cannot be enforced.
+    /// Whether the limits cannot be enforced. `[NCP-SAFE-017]`
     #[must_use]
     pub const fn has_config_fault(&self) -> bool {
         self.gates.has_config_fault()

@@ -6,14 +6,16 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::backend::{BackendError, Simulation, SimulationBackend};
 use crate::version::check_version;
 use crate::wire::{
-    ChannelMap, CloseSession, ErrorFrame, Message, ObservationFrame, OpenSession, SessionClosed,
-    SessionOpened, SimProvenance, StimulusFrame, Text, decode_any,
+    ChannelMap, CloseSession, DecodeError, ErrorFrame, Kind, Message, ObservationFrame,
+    OpenSession, SessionClosed, SessionOpened, SimProvenance, StimulusFrame, Text, decode_any,
+    decode_any_strict,
 };
 
 /// Serves sessions over one backend.
 pub struct SessionService<B> {
     backend: B,
     sessions: BTreeMap<Text, Session>,
+    is_strict: bool,
 }
 
 struct Session {
@@ -28,22 +30,61 @@ impl<B: SimulationBackend> SessionService<B> {
         Self {
             backend,
             sessions: BTreeMap::new(),
+            is_strict: false,
+        }
+    }
+
+    /// A service without sessions that keeps the strict profile (chapter 12.1): every request has a
+    /// compatible version.
+    pub const fn strict(backend: B) -> Self {
+        Self {
+            backend,
+            sessions: BTreeMap::new(),
+            is_strict: true,
         }
     }
 
     /// The one reply to a request, whatever its bytes. `[NCP-SESS-020]`
     pub fn serve(&mut self, request: &[u8]) -> String {
-        let reply = match decode_any(request) {
-            Ok(request) => self.answer(request),
-            Err(error) => failure(None, error), // [NCP-SESS-021]
+        let reply = self.reply(request, |_| true);
+        written(&reply)
+    }
+
+    /// The one reply to a request that came at the strict profile's control key of a kind, see
+    /// [`Keys::rpc_verb`](crate::keys::Keys::rpc_verb). A request of another kind is not carried
+    /// out. `[NCP-STRICT-007]`
+    pub fn serve_at(&mut self, verb: Kind, request: &[u8]) -> String {
+        let reply = self.reply(request, |kind| kind == verb);
+        written(&reply)
+    }
+
+    fn reply(&mut self, frame: &[u8], comes_right: impl FnOnce(Kind) -> bool) -> Message {
+        let request = match decode_any(frame) {
+            Ok(request) => request,
+            Err(error) => return failure(None, error), // [NCP-SESS-021]
         };
-        reply.encode().unwrap_or_else(|error| {
-            // The backend gave what no frame can hold. [NCP-SESS-037]
-            let reply = failure(None, error);
-            reply
-                .encode()
-                .unwrap_or_else(|_| r#"{"kind":"error","error":"no reply"}"#.to_owned())
-        })
+        if !comes_right(request.kind()) {
+            return failure(
+                None,
+                format_args!("this is not the key of {}", request.kind()),
+            );
+        }
+        if self.is_strict
+            && let Err(error) = decode_any_strict(frame)
+        {
+            return self.refuse(&request, error);
+        }
+        self.answer(request)
+    }
+
+    /// The reply to a request that only the strict profile rejects.
+    fn refuse(&self, request: &Message, error: DecodeError) -> Message {
+        match request {
+            Message::OpenSession(request) => {
+                Message::SessionOpened(self.not_opened(request, error)) // [NCP-STRICT-008]
+            }
+            _ => failure(None, error), // [NCP-STRICT-009]
+        }
     }
 
     /// The ids of the open sessions.
@@ -74,36 +115,19 @@ impl<B: SimulationBackend> SessionService<B> {
     }
 
     fn open(&mut self, request: &OpenSession) -> SessionOpened {
-        let refused = |why: String| SessionOpened {
-            session_id: request.session_id.clone(),
-            ok: false,
-            backend: self.backend.name().to_owned().into(),
-            error: Some(why.into()),
-            ..SessionOpened::default()
-        };
         // [NCP-SESS-023] [NCP-SESS-024] The contract hash is not looked at. [NCP-SESS-025]
         if let Err(error) = check_version(&request.ncp_version, true) {
-            return refused(error.to_string());
+            return self.not_opened(request, error);
         }
         // [NCP-SESS-030]
         if self.sessions.contains_key(&request.session_id) {
-            return refused(format!(
-                "the session {:?} is open already",
-                request.session_id
-            ));
+            let why = format_args!("the session {:?} is open already", request.session_id);
+            return self.not_opened(request, why);
         }
         let backend = &mut self.backend;
         let opened = match guarded(|| backend.open(request)) {
             Ok(opened) => opened,
-            Err(error) => {
-                return SessionOpened {
-                    session_id: request.session_id.clone(),
-                    ok: false,
-                    backend: self.backend.name().to_owned().into(),
-                    error: Some(error.into()),
-                    ..SessionOpened::default()
-                };
-            }
+            Err(error) => return self.not_opened(request, error),
         };
         let session = Session {
             simulation: opened.simulation,
@@ -123,6 +147,16 @@ impl<B: SimulationBackend> SessionService<B> {
                 seed: opened.seed,
                 ..SimProvenance::default()
             }),
+            ..SessionOpened::default()
+        }
+    }
+
+    fn not_opened(&self, request: &OpenSession, why: impl std::fmt::Display) -> SessionOpened {
+        SessionOpened {
+            session_id: request.session_id.clone(),
+            ok: false,
+            backend: self.backend.name().to_owned().into(),
+            error: Some(why.to_string().into()),
             ..SessionOpened::default()
         }
     }
@@ -179,6 +213,16 @@ impl<B: SimulationBackend> SessionService<B> {
             ..SessionClosed::default()
         }
     }
+}
+
+fn written(reply: &Message) -> String {
+    reply.encode().unwrap_or_else(|error| {
+        // The backend gave what no frame can hold. [NCP-SESS-037]
+        let reply = failure(None, error);
+        reply
+            .encode()
+            .unwrap_or_else(|_| r#"{"kind":"error","error":"no reply"}"#.to_owned())
+    })
 }
 
 fn failure(session_id: Option<&Text>, error: impl std::fmt::Display) -> Message {

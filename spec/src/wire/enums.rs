@@ -1,4 +1,4 @@
-//! The enums of section 1.4.
+//! The enums of section 1.4. `[NCP-WIRE-040] [NCP-WIRE-087]`
 //!
 //! Six are *descriptive*: a wire string that this build does not know is kept as it is and written
 //! unchanged. `Mode` and `SimMode` decide what happens, so for them it is not kept.

@@ -1,4 +1,4 @@
-//! Why a frame is rejected, and why a message is not written.
+//! Why a frame is rejected, and why a message is not written. `[NCP-WIRE-020] [NCP-WIRE-086]`
 
 use std::fmt;
 
@@ -343,7 +343,7 @@ impl EncodeProblem {
 }
 
 /// A rule about a message that its types do not express; it holds of every message that was read,
-/// and of every message that is written.
+/// and of every message that is written, those of the strict profile aside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Rule {
@@ -356,6 +356,12 @@ pub enum Rule {
     /// A stimulus frame within a request has the request's version (`NCP-WIRE-038`).
     #[error("the stimulus is of another version than the request")]
     StimulusVersion,
+    /// The strict profile holds, and the version is not compatible (`NCP-STRICT-003`).
+    #[error("the version is not compatible")]
+    Version,
+    /// The strict profile holds, and a command has no place in its stream (`NCP-STRICT-004`).
+    #[error("a command is stamped from 1 on")]
+    Unstamped,
     /// An epistemic pin (`NCP-PROV-001` to `NCP-PROV-004`).
     #[error("the pin is {pinned}")]
     Pin {
@@ -369,7 +375,11 @@ impl Rule {
     #[must_use]
     pub const fn code(self) -> ErrorCode {
         match self {
-            Self::SessionId(_) | Self::StimulusSession | Self::StimulusVersion => ErrorCode::Value,
+            Self::SessionId(_)
+            | Self::StimulusSession
+            | Self::StimulusVersion
+            | Self::Unstamped => ErrorCode::Value,
+            Self::Version => ErrorCode::Version,
             Self::Pin { .. } => ErrorCode::Provenance,
         }
     }

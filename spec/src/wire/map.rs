@@ -1,4 +1,4 @@
-//! A map with few, short keys.
+//! A map with few, short keys, kept in the order in which it is written. `[NCP-WIRE-083]`
 
 use std::borrow::Borrow;
 use std::fmt;
@@ -235,6 +235,7 @@ mod tests {
     }
 
     proptest! {
+        /// [NCP-WIRE-083]
         #[test]
         fn it_behaves_like_a_tree_map(
             steps in proptest::collection::vec(("[abc]{0,2}", any::<u8>(), any::<bool>()), 0..40),

@@ -1,4 +1,4 @@
-//! The messages of section 1.8, in the contract's order.
+//! The messages of section 1.8, in the contract's order. `[NCP-WIRE-080] [NCP-WIRE-090]`
 //!
 //! `Default` is what a program gets that builds a message. What a receiver reads for an absent field
 //! is the same, but where the declaration says `absent`.
@@ -13,6 +13,7 @@ use super::table::{Field, JsonType, Table};
 use super::value::{Item, Value};
 use super::{Fields, Frame, Kind, SortedMap, Text};
 use crate::keys::segment_problem;
+use crate::version::check_version;
 use crate::{CONTRACT_HASH, WIRE_VERSION};
 
 /// Values by the name of their channel or port.
@@ -552,6 +553,11 @@ impl Frame for ErrorFrame {
         Ok(message)
     }
 
+    /// An error frame has no version that could be asked for.
+    fn decode_strict(frame: &[u8]) -> Result<Self, DecodeError> {
+        Self::decode(frame)
+    }
+
     fn encode(&self) -> Result<String, EncodeError> {
         let mut w = Writer::new();
         self.write_members(&mut w);
@@ -600,14 +606,31 @@ trait Rules {
     fn check(&self) -> Result<(), Breach> {
         Ok(())
     }
+
+    /// Says whether the strict profile misses the message's place in its stream.
+    fn check_stamp(&self) -> Result<(), Breach> {
+        Ok(())
+    }
 }
 
 impl Rules for SensorFrame {}
-impl Rules for CommandFrame {}
 impl Rules for ControlStatus {}
 impl Rules for LinkStatus {}
 impl Rules for Capabilities {}
 impl Rules for BulkObservation {}
+
+impl Rules for CommandFrame {
+    /// `[NCP-STRICT-004]`
+    fn check_stamp(&self) -> Result<(), Breach> {
+        if self.seq < 1 {
+            return Err(Breach {
+                field: "seq",
+                rule: Rule::Unstamped,
+            });
+        }
+        Ok(())
+    }
+}
 
 impl Rules for OpenSession {
     fn check(&self) -> Result<(), Breach> {

@@ -76,6 +76,34 @@ pub fn decode_any(frame: &[u8]) -> Result<Message, DecodeError> {
     kind_of(frame)?.decode(frame)
 }
 
+/// [`decode`] by the strict profile (chapter 12.1): the frame has a compatible `ncp_version`, and a
+/// command frame a `seq` of at least 1. `[NCP-STRICT-002] [NCP-STRICT-003] [NCP-STRICT-004]`
+///
+/// ```
+/// use ncp_spec::wire::{Kind, decode, decode_strict};
+///
+/// let frame = br#"{"kind":"sensor_frame","seq":1}"#;
+/// assert!(decode(Kind::SensorFrame, frame).is_ok());
+/// let error = decode_strict(Kind::SensorFrame, frame).unwrap_err();
+/// assert_eq!(error.to_string(), "ncp_version: the member is required (byte 31)");
+/// ```
+///
+/// # Errors
+///
+/// As [`decode`], and when the profile rejects the frame.
+pub fn decode_strict(kind: Kind, frame: &[u8]) -> Result<Message, DecodeError> {
+    kind.decode_strict(frame)
+}
+
+/// [`decode_any`] by the strict profile, as [`decode_strict`].
+///
+/// # Errors
+///
+/// As [`decode_any`], and when the profile rejects the frame.
+pub fn decode_any_strict(frame: &[u8]) -> Result<Message, DecodeError> {
+    kind_of(frame)?.decode_strict(frame)
+}
+
 /// Builds a message as a program would: `fields` is a JSON object of the fields that it sets, named
 /// and nested as on the wire, without `kind`. Every other field is as [`Default`] makes it.
 ///
@@ -101,6 +129,13 @@ pub trait Frame: Sized {
     ///
     /// [`DecodeError`] when the frame is rejected.
     fn decode(frame: &[u8]) -> Result<Self, DecodeError>;
+
+    /// Decodes a frame of this kind by the strict profile; see [`decode_strict`].
+    ///
+    /// # Errors
+    ///
+    /// [`DecodeError`] when the frame is rejected.
+    fn decode_strict(frame: &[u8]) -> Result<Self, DecodeError>;
 
     /// Writes the frame: fields in order, maps sorted, unset optionals as `null`.
     ///
@@ -167,6 +202,12 @@ macro_rules! kinds {
             fn decode(self, frame: &[u8]) -> Result<Message, DecodeError> {
                 match self {
                     $(Self::$kind => $message::decode(frame).map(Message::$kind),)*
+                }
+            }
+
+            fn decode_strict(self, frame: &[u8]) -> Result<Message, DecodeError> {
+                match self {
+                    $(Self::$kind => $message::decode_strict(frame).map(Message::$kind),)*
                 }
             }
 
@@ -256,6 +297,15 @@ kinds! {
 }
 
 impl Kind {
+    /// Whether a frame of this kind is a request of the control plane.
+    #[must_use]
+    pub const fn is_request(self) -> bool {
+        matches!(
+            self,
+            Self::OpenSession | Self::StepRequest | Self::RunRequest | Self::CloseSession
+        )
+    }
+
     /// The most bytes that a frame of this kind may have.
     #[must_use]
     pub const fn max_bytes(self) -> usize {

@@ -27,13 +27,12 @@ macro_rules! record {
             const KIND: Kind = Kind::$kind;
 
             fn decode(frame: &[u8]) -> Result<Self, DecodeError> {
-                Self::KIND.check_len(frame.len())?;
-                let mut r = Reader::new(frame, Purpose::Receive)?;
-                r.begin()?;
-                let mut message = Self::read_members(&mut r)?;
-                r.end()?;
-                message.inherit(r.left_out);
-                message.check()?;
+                Self::receive(frame, Purpose::Receive)
+            }
+
+            fn decode_strict(frame: &[u8]) -> Result<Self, DecodeError> {
+                let message = Self::receive(frame, Purpose::ReceiveStrict)?;
+                message.check_strict()?;
                 Ok(message)
             }
 
@@ -43,6 +42,28 @@ macro_rules! record {
                 let mut w = Writer::new();
                 self.write_members(&mut w)?;
                 w.finish(Self::KIND)
+            }
+        }
+
+        impl $name {
+            fn receive(frame: &[u8], purpose: Purpose) -> Result<Self, DecodeError> {
+                Self::KIND.check_len(frame.len())?;
+                let mut r = Reader::new(frame, purpose)?;
+                r.begin()?;
+                let mut message = Self::read_members(&mut r)?;
+                r.end()?;
+                message.inherit(r.left_out);
+                message.check()?;
+                Ok(message)
+            }
+
+            /// What the strict profile asks of a frame beyond its version being there.
+            fn check_strict(&self) -> Result<(), Breach> {
+                // [NCP-STRICT-003] [NCP-STRICT-012]
+                if !check_version(&self.ncp_version, false).unwrap_or(false) {
+                    return Err(Breach { field: "ncp_version", rule: Rule::Version });
+                }
+                self.check_stamp()
             }
         }
 

@@ -1,8 +1,9 @@
 //! The entries of the directory, field by field.
 
 use super::build::{Block, Part, f32s, f64s, golden, i64s};
-use super::{read, rejected};
+use super::{decode, read, rejected};
 use crate::case::{Case, File};
+use crate::json::object;
 
 pub(super) fn file() -> File {
     let mut cases = dtypes();
@@ -166,6 +167,35 @@ fn names() -> Vec<Case> {
         .flags(&["duplicate-columns"])
         .because("Two columns have the same name."),
     );
+    let twice = Block::new([f64s("a", [1.5]), f64s("a", [2.5])]);
+    cases.push(
+        decode(
+            "name/repeated-keeps-both",
+            &["NCP-BULK-021"],
+            &twice.bytes(),
+        )
+        .shows_or_refuses(object! { "columns" => twice.columns() })
+        .title("A block of two columns of one name is rejected, or read as both of them.")
+        .flags(&["duplicate-columns"])
+        .because(
+            "A decoder that takes the block gives the columns of the directory, and it has two.",
+        ),
+    );
+    for (what, name, says) in [
+        ("of-300-bytes", "n".repeat(300), "a name of 300 bytes"),
+        ("with-nul", "a\0b".to_owned(), "a name that holds U+0000"),
+    ] {
+        cases.push(
+            read(
+                format!("name/{what}"),
+                &["NCP-BULK-021"],
+                &Block::new([f64s(&name, [1.5])]),
+            )
+            .title(format!("A column of {says} is read with that name."))
+            .flags(&["cut-names"])
+            .because("A name is its name_len bytes of UTF-8, whichever they are."),
+        );
+    }
     cases
 }
 

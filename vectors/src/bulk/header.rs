@@ -3,6 +3,7 @@
 use super::build::{Block, HEADER, f32s, golden, le16, le32};
 use super::{READERS, decode, read, rejected};
 use crate::case::{Case, File};
+use crate::json::Json;
 use crate::json::object;
 use crate::template::Text;
 
@@ -22,7 +23,7 @@ pub(super) fn file() -> File {
     cases.extend(lengths());
     cases.extend(directory_size());
     cases.extend(many_columns());
-    cases.push(too_large());
+    cases.extend(sizes());
     File::new(
         "bulk",
         "header",
@@ -247,26 +248,43 @@ pub(super) fn short_name(nth: usize) -> String {
     name
 }
 
-/// A block without columns that has 64 MiB and a byte.
-fn too_large() -> Case {
-    const LEN: usize = (64 << 20) + 1;
-    // Every byte of the header is ASCII, so the block can be a template. What follows the header
-    // belongs to nothing.
-    let header: String = [b"NCPB", &[1, 0][..], &le16(0), &le32(LEN)]
+/// Blocks without columns at the limit of their length, far below it and beyond it.
+fn sizes() -> [Case; 3] {
+    const LIMIT: usize = 64 << 20;
+    let decode = |name, rule, len| {
+        Case::new(format!("size/{name}"), &[rule], READERS)
+            .call("bulk.decode", object! { "block" => empty(len) })
+            .because("A block may have 64 MiB.")
+    };
+    let nothing = || object! { "columns" => Json::Array(Vec::new()) };
+    [
+        decode("above-a-frame", "NCP-BULK-025", (1 << 20) + 1)
+            .title("A block of 1 MiB and a byte, more than a frame may have, is read.")
+            .flags(&["low-limits"])
+            .gives(nothing()),
+        decode("limit", "NCP-BULK-025", LIMIT)
+            .title("A block of 64 MiB is read.")
+            .flags(&["low-limits", "slow"])
+            .gives(nothing()),
+        decode("beyond-limit", "NCP-BULK-015", LIMIT + 1)
+            .title("A block of 64 MiB and a byte is rejected.")
+            .flags(&["missing-limits", "slow"])
+            .rejects("limit"),
+    ]
+}
+
+/// A block without columns, in whose bytes behind the header nothing lies. Every byte of the header
+/// has to be ASCII, so that the block can be a template.
+fn empty(len: usize) -> Text {
+    let header: String = [b"NCPB", &[1, 0][..], &le16(0), &le32(len)]
         .concat()
         .into_iter()
         .map(char::from)
         .collect();
-    let block = Text::Base64(Box::new(Text::concat([
+    Text::Base64(Box::new(Text::concat([
         header.into(),
-        Text::repeat("x", LEN - HEADER),
-    ])));
-    Case::new("size/beyond-limit", &["NCP-BULK-015"], READERS)
-        .title("A block of 64 MiB and a byte is rejected.")
-        .flags(&["missing-limits", "slow"])
-        .call("bulk.decode", object! { "block" => block })
-        .rejects("limit")
-        .because("A block may have 64 MiB.")
+        Text::repeat("x", len - HEADER),
+    ])))
 }
 
 #[cfg(test)]

@@ -30,7 +30,21 @@ fn shared() -> Vec<Case> {
     let narrow = Block::new([f64s("ab", [1.5, 2.5]), f32s("cd", [3.5])]);
     let integers = Block::new([f64s("ab", [1.5]), i64s("cd", [7])]);
     let name_in_name = Block::new([f64s("abc", [1.5]), f64s("b", [2.5])]);
+    let three = Block::new([f64s("ab", [1.5]), f64s("cd", [2.5]), f64s("ef", [3.5])]);
     let table: Vec<(&str, Vec<u8>, &str)> = vec![
+        (
+            "data-data/first-and-third",
+            three
+                .clone()
+                .laid_out(&[60, 62, 64], &[72, 80, 72], 88)
+                .bytes(),
+            "the data of the first of three columns and of the third",
+        ),
+        (
+            "name-name/first-and-third",
+            three.laid_out(&[60, 62, 60], &[72, 80, 88], 96).bytes(),
+            "the names of the first of three columns and of the third",
+        ),
         (
             "data-data/same",
             at([48, 56], [64, 64]),

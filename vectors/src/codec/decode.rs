@@ -1,6 +1,6 @@
 //! From rates to a command.
 
-use super::{Mapping, PLAIN, RANGES, STRANGE, codec, map};
+use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, int, name_of, num, nums};
@@ -153,30 +153,19 @@ fn uav() -> Vec<Case> {
 fn ranges() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, rate) in RANGES {
-        for (which, share) in [
-            ("low", 0.0),
-            ("quarter", 0.25),
-            ("middle", 0.5),
-            ("high", 1.0),
-            ("below", -0.5),
-            ("above", 1.5),
-        ] {
+        for share in SHARES {
             for value in [[-1.0, 1.0], [2.0, 6.0]] {
-                let r = rate[0] + share * (rate[1] - rate[0]);
+                let r = share.of(rate);
                 let mapping = Mapping {
                     value,
                     rate,
                     ..PLAIN
                 };
-                let rule = if (0.0..=1.0).contains(&share) {
-                    "NCP-CODEC-003"
-                } else {
-                    "NCP-CODEC-004"
-                };
+                let rule = share.decides("NCP-CODEC-003", "NCP-CODEC-004");
                 cases.push(
-                    case(format!("range/{name}/{which}/to-{}-{}", value[0], value[1]).replace("--", "-minus-"), &[rule], codec(&[], &[mapping]), &[("p", r)])
+                    case(format!("range/{name}/{}/to-{}-{}", share.name, value[0], value[1]).replace("--", "-minus-"), &[rule], codec(&[], &[mapping]), &[("p", r)])
                         .shows(channels(vec![("x", vec![map(r, rate, value)])]))
-                        .title(format!("{r} Hz in {} \u{2026} {} is decoded within {} \u{2026} {} ({which}).", rate[0], rate[1], value[0], value[1]))
+                        .title(format!("{r} Hz in {} \u{2026} {} is decoded within {} \u{2026} {} ({}).", rate[0], rate[1], value[0], value[1], share.name))
                         .because("The value is v0 + (r \u{2212} r0) / (r1 \u{2212} r0) \u{b7} (v1 \u{2212} v0), clamped to the value range."),
                 );
             }

@@ -1,6 +1,6 @@
 //! From sensor channels to rates.
 
-use super::{Mapping, PLAIN, RANGES, STRANGE, codec, map};
+use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, exactly, name_of, num, nums};
@@ -101,30 +101,19 @@ fn uav() -> Vec<Case> {
 fn ranges() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, value) in RANGES {
-        for (which, share) in [
-            ("low", 0.0),
-            ("quarter", 0.25),
-            ("middle", 0.5),
-            ("high", 1.0),
-            ("below", -0.5),
-            ("above", 1.5),
-        ] {
-            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0]] {
-                let x = value[0] + share * (value[1] - value[0]);
+        for share in SHARES {
+            for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0], [200.0, 0.0]] {
+                let x = share.of(value);
                 let mapping = Mapping {
                     value,
                     rate,
                     ..PLAIN
                 };
-                let rule = if (0.0..=1.0).contains(&share) {
-                    "NCP-CODEC-001"
-                } else {
-                    "NCP-CODEC-002"
-                };
+                let rule = share.decides("NCP-CODEC-001", "NCP-CODEC-002");
                 cases.push(
-                    case(format!("range/{name}/{which}/to-{}-{}", rate[0], rate[1]).replace("--", "-minus-"), &[rule], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                    case(format!("range/{name}/{}/to-{}-{}", share.name, rate[0], rate[1]).replace("--", "-minus-"), &[rule], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
                         .shows(rates(&[("p", map(x, value, rate))]))
-                        .title(format!("{x} in {} \u{2026} {} is encoded within {} \u{2026} {} Hz ({which}).", value[0], value[1], rate[0], rate[1]))
+                        .title(format!("{x} in {} \u{2026} {} is encoded within {} \u{2026} {} Hz ({}).", value[0], value[1], rate[0], rate[1], share.name))
                         .because("The rate is r0 + (x \u{2212} v0) / (v1 \u{2212} v0) \u{b7} (r1 \u{2212} r0), clamped to the rate range."),
                 );
             }

@@ -70,3 +70,54 @@ const RANGES: [(&str, [f64; 2]); 6] = [
     ("inverted", [1.0, -1.0]),
     ("wide", [-1e6, 1e6]),
 ];
+
+/// A place by its share of a range: 0 is its first end, 1 its second.
+#[derive(Clone, Copy)]
+struct Share {
+    name: &'static str,
+    share: f64,
+}
+
+impl Share {
+    /// The number at that place.
+    fn of(self, range: [f64; 2]) -> f64 {
+        range[0] + self.share * (range[1] - range[0])
+    }
+
+    /// The rule of the map within the range, that of the clamp outside of it.
+    fn decides(self, map: &'static str, clamp: &'static str) -> &'static str {
+        if (0.0..=1.0).contains(&self.share) {
+            map
+        } else {
+            clamp
+        }
+    }
+}
+
+/// Places within a range and outside of it.
+const SHARES: [Share; 6] = [
+    Share {
+        name: "low",
+        share: 0.0,
+    },
+    Share {
+        name: "quarter",
+        share: 0.25,
+    },
+    Share {
+        name: "middle",
+        share: 0.5,
+    },
+    Share {
+        name: "high",
+        share: 1.0,
+    },
+    Share {
+        name: "below",
+        share: -0.5,
+    },
+    Share {
+        name: "above",
+        share: 1.5,
+    },
+];

@@ -589,9 +589,23 @@ fn links() -> Vec<Case> {
     cases
 }
 
-/// The counter of the status. Where it begins is the loop's affair.
+/// The counter of the status, of which where it begins is the loop's affair, and its mode.
 fn status() -> Vec<Case> {
-    let mut cases = Vec::new();
+    let mut cases = vec![
+        run(
+            "status/mode/held",
+            &["NCP-CTRL-017"],
+            50.0,
+            Json::object(),
+            vec![
+                arrives(7, 1.0),
+                tick(1.0, object! { "mode" => "active" }, object! { "mode" => "active" }),
+                tick(9.0, object! { "mode" => "hold" }, object! { "mode" => "hold" }),
+            ],
+        )
+        .title("The status of a tick whose command the governor holds says `hold`.")
+        .because("The status carries the mode that was sent, and not the one that the controller wanted."),
+    ];
     for (name, with_sensor) in [("moving", true), ("waiting", false)] {
         let from = |first: i64| {
             let mut trace = if with_sensor {

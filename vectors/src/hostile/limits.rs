@@ -62,6 +62,17 @@ fn sizes() -> Vec<Case> {
                 a(kind)
             )),
         );
+        for (what, side) in [("before", Side::Before), ("after", Side::After)] {
+            let text = outside(&minimal(kind).text(), MIB + 1, side);
+            cases.push(
+                too_large(kind, &format!("white-space-{what}"), text)
+                    .flags(&["bytes-outside-the-object"])
+                    .title(format!(
+                        "{} of 1 MiB and a byte, most of it white space {what} the object, is rejected.",
+                        a(kind)
+                    )),
+            );
+        }
         let table = [
             ("padded", padded(&frame, MIB, "x"), "of exactly 1 MiB"),
             (
@@ -73,6 +84,16 @@ fn sizes() -> Vec<Case> {
                 "white-space",
                 spaced(&frame, MIB),
                 "of exactly 1 MiB, most of it white space,",
+            ),
+            (
+                "white-space-before",
+                outside(&frame, MIB, Side::Before),
+                "of exactly 1 MiB, most of it white space before the object,",
+            ),
+            (
+                "white-space-after",
+                outside(&frame, MIB, Side::After),
+                "of exactly 1 MiB, most of it white space after the object,",
             ),
         ];
         for (what, text, says) in table {
@@ -306,18 +327,22 @@ fn maps() -> Vec<Case> {
 
 /// Arrays of 4,096 items that are no numbers, and of one more.
 fn arrays() -> Vec<Case> {
+    let spec = explicit_message("ChannelSpec").text();
+    let binding = explicit_message("EntityBinding").text();
+    let record = explicit_message("RecordTarget").text();
+    let stimulus = explicit_message("StimulusTarget").text();
     let places: [(&str, &[&str], &str); 7] = [
         ("command_frame", &["horizon"], "{}"),
-        ("capabilities", &["sensor_channels"], "{}"),
-        ("capabilities", &["command_channels"], "{}"),
-        ("open_session", &["bindings"], "{}"),
-        ("open_session", &["record", "targets"], "{}"),
+        ("capabilities", &["sensor_channels"], &spec),
+        ("capabilities", &["command_channels"], &spec),
+        ("open_session", &["bindings"], &binding),
+        ("open_session", &["record", "targets"], &record),
         (
             "open_session",
             &["record", "targets", "0", "recordables"],
             "\"x\"",
         ),
-        ("open_session", &["stimulus", "targets"], "{}"),
+        ("open_session", &["stimulus", "targets"], &stimulus),
     ];
     let mut cases = Vec::new();
     for (kind, path, item) in places {
@@ -368,7 +393,7 @@ fn arrays() -> Vec<Case> {
             .flags(&["low-limits"])
             .decode(kind, text.clone())
             .means(text)
-            .because("An array may have 4,096 items; what each leaves out has its default."),
+            .because("An array may have 4,096 items."),
         );
     }
     cases
@@ -511,6 +536,22 @@ fn spaced(frame: &str, total: usize) -> Text {
     ])
 }
 
+/// A side of the object.
+#[derive(Clone, Copy)]
+enum Side {
+    Before,
+    After,
+}
+
+/// The frame with so much white space on one side of its object that the whole has `total` bytes.
+fn outside(frame: &str, total: usize, side: Side) -> Text {
+    let space = |character: &str| Text::repeat(character, total - frame.len());
+    match side {
+        Side::Before => Text::concat([space(" "), frame.into()]),
+        Side::After => Text::concat([frame.into(), space("\n")]),
+    }
+}
+
 /// The frame with a value at a path; what the path needs is made.
 fn set(frame: Json, path: &[&str], value: Json) -> Json {
     let Some((name, rest)) = path.split_first() else {
@@ -518,18 +559,24 @@ fn set(frame: Json, path: &[&str], value: Json) -> Json {
     };
     let inner = match frame.get(name) {
         Some(known) if !rest.is_empty() && !known.members().is_empty() => known.clone(),
-        _ => Json::object(),
+        _ => ground(name, rest),
     };
     match rest {
-        ["0", rest @ ..] => frame.with(name, Json::Array(vec![set(ground(name), rest, value)])),
+        ["0", rest @ ..] => frame.with(
+            name,
+            Json::Array(vec![set(ground(name, rest), rest, value)]),
+        ),
         rest => frame.with(name, set(inner, rest, value)),
     }
 }
 
-/// What an item of that array is, apart from what is set in it.
-fn ground(name: &str) -> Json {
-    match name {
-        "bindings" => explicit_message("EntityBinding"),
+/// What stands in that member, apart from what is set in it by the path: its defaults written out.
+fn ground(name: &str, rest: &[&str]) -> Json {
+    match (name, rest) {
+        ("bindings", _) => explicit_message("EntityBinding"),
+        ("targets", ["params", ..]) => explicit_message("StimulusTarget"),
+        ("targets", [_, ..]) => explicit_message("RecordTarget"),
+        ("a", ["times" | "values" | "senders"]) => explicit_message("Observation"),
         _ => Json::object(),
     }
 }
@@ -565,6 +612,10 @@ mod tests {
             assert_eq!(expanded(&padded(&frame, MIB + 1, unit)).len(), MIB + 1);
         }
         assert_eq!(expanded(&spaced(&frame, MIB)).len(), MIB);
+        for side in [Side::Before, Side::After] {
+            let text = expanded(&outside(&frame, MIB, side));
+            assert_eq!((text.len(), text.trim()), (MIB, frame.as_str()));
+        }
     }
 
     #[test]

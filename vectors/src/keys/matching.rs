@@ -465,6 +465,13 @@ const PATTERNS: &[Pattern] = &[
     ),
     pattern(
         "NCP-KEY-033",
+        "a/b$*",
+        &["a/b", "a/bc"],
+        &["a/b/c", "a/bc/d", "a"],
+        &[],
+    ),
+    pattern(
+        "NCP-KEY-033",
         "\u{e9}$*",
         &["\u{e9}", "\u{e9}a", "\u{e9}\u{1f681}"],
         &["e", "e\u{301}"],

@@ -1,6 +1,7 @@
 //! Modes, seqs, holds, resets and malformed frames at the action buffer.
 
 use super::model::{Event, active, buffer};
+use super::{buffer_case as case, go};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, name_of, no_result, nums, steps};
@@ -15,17 +16,6 @@ pub(super) fn file() -> File {
     cases.extend(channels());
     let about = "The action buffer: which command a plant follows, and when it follows none.";
     File::new("resilience", "buffer", about, cases)
-}
-
-fn case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Case {
-    let (args, pattern) = buffer(events);
-    Case::new(path, rules, &[Role::Body])
-        .call("buffer.run", args)
-        .shows(pattern)
-}
-
-fn go(seq: i64, now: f64) -> Event {
-    Event::Command(active(seq), now)
 }
 
 fn of(mode: &'static str, seq: i64, now: f64) -> Event {

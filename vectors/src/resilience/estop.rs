@@ -1,7 +1,8 @@
 //! An ESTOP is never lost.
 
-use super::model::{Event, active, buffer};
-use crate::case::{Case, File, Role};
+use super::model::{Event, active};
+use super::{buffer_case as case, go};
+use crate::case::{Case, File};
 use crate::json::{Json, object};
 
 pub(super) fn file() -> File {
@@ -15,17 +16,6 @@ pub(super) fn file() -> File {
     cases.extend(sequences());
     let about = "ESTOP at the plant: frames that latch however malformed they are, frames that only look alike, and what a latch outlives.";
     File::new("resilience", "estop", about, cases)
-}
-
-fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
-    let (args, pattern) = buffer(events);
-    Case::new(path, rules, &[Role::Body])
-        .call("buffer.run", args)
-        .shows(pattern)
-}
-
-fn go(seq: i64, now: f64) -> Event {
-    Event::Command(active(seq), now)
 }
 
 /// The text between active commands: after it nothing moves until a reset, or everything goes on.
@@ -385,6 +375,23 @@ fn stops() -> Vec<(&'static str, &'static str, Json)> {
             "escaped-kind",
             "An ESTOP whose kind is escaped",
             Json::string(r#"{"\u006bind":"command\u005fframe","mode":"estop"}"#),
+        ),
+        (
+            "escaped-name-malformed",
+            "A malformed ESTOP whose member name is escaped",
+            Json::string(r#"{"kind":"command_frame","m\u006fde":"estop","seq":"x"}"#),
+        ),
+        (
+            "escaped-value-malformed",
+            "A malformed ESTOP whose value is escaped",
+            Json::string(
+                r#"{"kind":"command_frame","mode":"\u0065\u0073\u0074\u006f\u0070","seq":"x"}"#,
+            ),
+        ),
+        (
+            "escaped-kind-malformed",
+            "A malformed ESTOP whose kind is escaped",
+            Json::string(r#"{"\u006bind":"command\u005fframe","mode":"estop","seq":"x"}"#),
         ),
         (
             "text-with-quotes",

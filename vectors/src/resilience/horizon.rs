@@ -1,6 +1,7 @@
 //! Replaying a horizon, and how long one may be.
 
-use super::model::{Event, active, buffer};
+use super::buffer_case as case;
+use super::model::{Event, active};
 use crate::case::{Case, File, Role};
 use crate::json::object;
 use crate::trace::{any, int, name_of, num, within};
@@ -11,13 +12,6 @@ pub(super) fn replay() -> File {
     cases.extend(traces());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
     File::new("resilience", "horizon", about, cases)
-}
-
-fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
-    let (args, pattern) = buffer(events);
-    Case::new(path, rules, &[Role::Body])
-        .call("buffer.run", args)
-        .shows(pattern)
 }
 
 /// The tick at many ages, around each boundary that doubles hold exactly.

@@ -436,6 +436,27 @@ fn bursts() -> Vec<Case> {
             .flags(&["burst-detector"])
             .because("Each pair adds 0.95 and takes off 0.05, until the sum is above 5."),
     );
+    // Without a usual loss every sum is a whole number, so that the threshold itself can be met.
+    let entry = |burst| object! { "burst" => Json::Bool(burst) };
+    cases.push(
+        Case::new("burst/at-the-threshold", &["NCP-RES-046"], &BOTH)
+            .call("link.run", args(Some(0.0), Some(5.0), &[1, 7, 9]))
+            .shows(steps(vec![entry(false), entry(false), entry(true)]))
+            .title("A sum of exactly the threshold is no burst, and one more loss is.")
+            .flags(&["burst-detector"])
+            .because(
+                "The burst is true exactly while the sum is above the threshold; 5 is not above 5.",
+            ),
+    );
+    let after_good: Vec<i64> = (1..=60).chain([67, 68]).collect();
+    cases.push(
+        usual("burst/after-a-good-link", &["NCP-RES-046"], &after_good)
+            .title("Sixty deliveries do not make up for a gap of six.")
+            .flags(&["burst-detector"])
+            .because(
+                "The sum stays within 0 and twice the threshold, so deliveries save up nothing.",
+            ),
+    );
     let duplicates: Vec<i64> = [1, 20].into_iter().chain([20; 100]).collect();
     cases.push(
         usual(
@@ -510,6 +531,25 @@ fn parameters() -> Vec<Case> {
                 ),
             );
         }
+    }
+    // A burst of which only the usual loss, taken off with each delivery, can tell how long it lasts.
+    let clearing: Vec<i64> = std::iter::once(1).chain(8..40).collect();
+    for ref_loss in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        cases.push(
+            case(
+                format!("ref-loss/{}/clears", name_of(ref_loss)),
+                &["NCP-RES-051"],
+                (Some(ref_loss), None),
+                (0.05, 5.0),
+                &clearing,
+            )
+            .title(format!(
+                "Under a reference loss of {} a burst clears as fast as under 0.05.",
+                name_of(ref_loss)
+            ))
+            .flags(&["burst-detector"])
+            .because("`ref_loss` is 0.05 when it is not finite, and each delivery takes it off."),
+        );
     }
     for (threshold, meant) in [
         (f64::NAN, 5.0),

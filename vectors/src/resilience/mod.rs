@@ -8,7 +8,8 @@ mod liveness;
 mod model;
 mod watchdog;
 
-use crate::case::File;
+use crate::case::{Case, File, Role};
+use model::{Event, active, buffer};
 
 pub(crate) fn files() -> Vec<File> {
     let mut files = vec![
@@ -21,4 +22,17 @@ pub(crate) fn files() -> Vec<File> {
     ];
     files.extend(liveness::files());
     files
+}
+
+/// What becomes of an action buffer that sees these events.
+fn buffer_case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Case {
+    let (args, pattern) = buffer(events);
+    Case::new(path, rules, &[Role::Body])
+        .call("buffer.run", args)
+        .shows(pattern)
+}
+
+/// A command that moves the plant.
+fn go(seq: i64, now: f64) -> Event {
+    Event::Command(active(seq), now)
 }

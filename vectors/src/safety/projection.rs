@@ -375,7 +375,7 @@ fn horizons() -> Vec<Case> {
         ),
         (
             "tick-longer-than-ttl",
-            &["NCP-SAFE-054"],
+            &["NCP-SAFE-021", "NCP-SAFE-054"],
             "Of a tick longer than the ttl only the ttl counts",
             [4.0, 0.0, 0.0],
             Command::moving(&[4.0, 0.0, 0.0])
@@ -410,7 +410,7 @@ fn horizons() -> Vec<Case> {
         ),
         (
             "turns",
-            &["NCP-SAFE-054"],
+            &["NCP-SAFE-021", "NCP-SAFE-054"],
             "A horizon that turns in time stays inside",
             [0.0, 0.0, 0.0],
             Command::moving(&[8.0, 0.0, 0.0])

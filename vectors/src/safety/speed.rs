@@ -6,11 +6,12 @@ use super::model::{
 };
 use super::{case, near};
 use crate::case::{Case, File};
-use crate::json::object;
+use crate::json::{Json, object};
 use crate::trace::{any, name_of, num, nums, refused, steps, within};
 
 pub(super) fn file() -> File {
     let mut cases = vectors();
+    cases.extend(never_above());
     cases.extend(huge());
     cases.extend(unusable());
     cases.extend(channels());
@@ -100,6 +101,33 @@ fn vectors() -> Vec<Case> {
         .title("A subnormal velocity passes.")
         .because("Its norm is not above the limit."),
     );
+    cases
+}
+
+/// Along one axis the norm is the component itself, so that not one ulp above the limit is allowed.
+fn never_above() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for limit in [0.1, 0.3, 1.0, 1.5, 2.9, 1000.0 / 3.0] {
+        for speed in [3.0, 7.7, 1e3] {
+            let command = Command::moving(&[speed * limit, 0.0, 0.0]);
+            let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
+            let scaled = vec![within(limit * (1.0 - 1e-9), limit), num(0.0), num(0.0)];
+            let frame = object! { "mode" => "active", "channels" => object! { VELOCITY => object! { "data" => Json::Array(scaled) } } };
+            cases.push(
+                case(
+                    format!("never-above/{limit:.1}/{speed}"),
+                    &["NCP-SAFE-060"],
+                    &trace,
+                )
+                .shows(steps(vec![object! { "frame" => frame }]))
+                .title(format!(
+                    "{speed} times the limit of {limit:.1} m/s along x is scaled to the limit, and to no ulp above it."
+                ))
+                .flags(&["overflowing-norm"])
+                .because("The norm of what is sent is not above the limit, as it is computed."),
+            );
+        }
+    }
     cases
 }
 

@@ -1,7 +1,8 @@
 //! What a server answers from `open_session` to `close_session`.
 
 use super::{
-    Open, case, close, closed, error, not_closed, not_opened, observed, opened, run, step,
+    Open, case, close, closed, error, not_closed, not_opened, observed, opened, record, run, step,
+    stimulus,
 };
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -13,6 +14,7 @@ pub(super) fn file() -> File {
     cases.extend(malformed());
     cases.extend(versions());
     cases.extend(times());
+    cases.extend(failures());
     let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
     File::new("session", "life", about, cases)
 }
@@ -67,6 +69,16 @@ fn lives() -> Vec<Case> {
                 (run("a", 100.0), observed("a", 115.0)),
                 steps("a", 125.0),
                 (step("a", Some(1.0), None), observed("a", 126.0)),
+            ],
+        ),
+        (
+            "time-since-opened",
+            &["NCP-SESS-033"],
+            "Simulation time counts from the opening of the session, not from the request.",
+            vec![
+                open("a"),
+                (step("a", Some(5.0), None), observed("a", 5.0)),
+                (step("a", Some(5.0), None), observed("a", 10.0)),
             ],
         ),
         (
@@ -210,7 +222,7 @@ fn lives() -> Vec<Case> {
             "other-hash",
             &["NCP-SESS-025"],
             "Another contract hash is no reason to refuse.",
-            vec![(with_hash.text(), opened("a")), steps("a", 10.0)],
+            vec![open("b"), (with_hash.text(), opened("a")), steps("a", 10.0)],
         ),
     ];
     let mut cases: Vec<Case> = table
@@ -230,7 +242,8 @@ fn lives() -> Vec<Case> {
             case(
                 format!("hash/{name}"),
                 &["NCP-SESS-025"],
-                vec![(request, opened("a")), steps("a", 10.0)],
+                // The session before shows that the network is offered at all.
+                vec![open("b"), (request, opened("a")), steps("a", 10.0)],
             )
             .title(format!(
                 "A contract hash that does not match ({name}) opens a session all the same."
@@ -263,6 +276,32 @@ fn lives() -> Vec<Case> {
             .because(
                 "The `seq` of the observation frames of a session should rise by one with each.",
             ),
+    );
+    // Whether a stimulus for a port that the session lacks fails is the server's affair.
+    let stray = |reply: Json, time: f64| {
+        vec![
+            open("a"),
+            (step("a", Some(5.0), Some(("no-such-port", 1.0))), reply),
+            (step("a", Some(5.0), None), observed("a", time)),
+        ]
+    };
+    let answers = |trace: Vec<(String, Json)>| {
+        super::replies(trace.into_iter().map(|(_, reply)| reply).collect())
+    };
+    let without = super::replies(vec![not_opened("a"), error(), error()]);
+    cases.push(
+        case(
+            "life/failure-in-the-simulator".to_owned(),
+            &["NCP-SESS-037"],
+            stray(error(), 5.0),
+        )
+        .shows(any(vec![
+            answers(stray(error(), 5.0)),
+            answers(stray(observed("a", 5.0), 10.0)),
+            without,
+        ]))
+        .title("A stimulus for a port that the session lacks costs at most its request.")
+        .because("A request that fails within the simulator costs that request only."),
     );
     let again = vec![
         open("a"),
@@ -497,4 +536,51 @@ fn times() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Numbers that leave the doubles within the simulator, so that no frame can hold what it gives.
+fn failures() -> Vec<Case> {
+    let driven = |open: Open, observable: &str, kind: &str| Open {
+        records: vec![record("out", observable, 1.0)],
+        stimuli: vec![stimulus("in", kind)],
+        ..open
+    };
+    let rate = driven(
+        Open {
+            params: vec![("mu", 1.7e308)],
+            ..Open::rate("a")
+        },
+        "rate",
+        "rate_inject",
+    );
+    let membrane = driven(
+        Open {
+            params: vec![("C_m", 1.0)],
+            ..Open::lif("a")
+        },
+        "V_m",
+        "current_pA",
+    );
+    [
+        ("rate", rate, 1.7e308),
+        ("membrane", membrane, -1.7e308),
+    ]
+    .map(|(what, a, input)| {
+        let trace = vec![
+            (a.text(), opened("a")),
+            (Open::lif("b").text(), opened("b")),
+            steps("b", 10.0),
+            (step("a", None, Some(("in", input))), error()),
+            steps("b", 20.0),
+            (close("a"), closed("a")),
+            (a.text(), opened("a")),
+            steps("a", 10.0),
+            steps("b", 30.0),
+        ];
+        case(format!("fails/{what}"), &["NCP-SESS-037"], trace)
+            .title(format!("A step whose {what} leaves the doubles is an error, and costs nothing but that step."))
+            .flags(&["session-lifecycle", "non-finite-numbers"])
+            .because("A request that fails within the simulator costs that request only, and is answered with an error frame; no frame can hold an infinity.")
+    })
+    .into()
 }

@@ -12,19 +12,19 @@ pub(crate) fn files() -> Vec<File> {
 }
 
 /// A session of the reference networks.
-struct Open {
+pub(crate) struct Open {
     id: &'static str,
     network: &'static str,
     params: Vec<(&'static str, f64)>,
     size: u32,
     records: Vec<Json>,
-    stimuli: Vec<Json>,
+    pub(crate) stimuli: Vec<Json>,
     dt: f64,
     chunk: f64,
 }
 
 impl Open {
-    fn lif(id: &'static str) -> Self {
+    pub(crate) fn lif(id: &'static str) -> Self {
         Self {
             id,
             network: "ncp.reference.lif",
@@ -37,7 +37,7 @@ impl Open {
         }
     }
 
-    fn rate(id: &'static str) -> Self {
+    pub(crate) fn rate(id: &'static str) -> Self {
         Self {
             network: "ncp.reference.rate",
             ..Self::lif(id)
@@ -66,7 +66,7 @@ impl Open {
         }
     }
 
-    fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         self.json().text()
     }
 }
@@ -75,11 +75,11 @@ fn record(port: &str, observable: &str, cadence: f64) -> Json {
     object! { "port" => port, "target" => "pop", "observable" => observable, "cadence_ms" => num(cadence) }
 }
 
-fn stimulus(port: &str, kind: &str) -> Json {
+pub(crate) fn stimulus(port: &str, kind: &str) -> Json {
     object! { "port" => port, "target" => "pop", "kind" => kind }
 }
 
-fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -> String {
+pub(crate) fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -> String {
     let mut request =
         object! { "ncp_version" => "0.5", "kind" => "step_request", "session_id" => id };
     if let Some(advance) = advance {
@@ -91,27 +91,27 @@ fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -> String {
     request.text()
 }
 
-fn run(id: &str, duration: f64) -> String {
+pub(crate) fn run(id: &str, duration: f64) -> String {
     object! { "ncp_version" => "0.5", "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }.text()
 }
 
-fn close(id: &str) -> String {
+pub(crate) fn close(id: &str) -> String {
     object! { "ncp_version" => "0.5", "kind" => "close_session", "session_id" => id }.text()
 }
 
-fn opened(id: &str) -> Json {
+pub(crate) fn opened(id: &str) -> Json {
     text_of(object! { "kind" => "session_opened", "session_id" => id, "ok" => true })
 }
 
-fn not_opened(id: &str) -> Json {
+pub(crate) fn not_opened(id: &str) -> Json {
     text_of(object! { "kind" => "session_opened", "session_id" => id, "ok" => false })
 }
 
-fn error() -> Json {
+pub(crate) fn error() -> Json {
     text_of(object! { "kind" => "error" })
 }
 
-fn observed(id: &str, time: f64) -> Json {
+pub(crate) fn observed(id: &str, time: f64) -> Json {
     observed_with(id, time, Json::object())
 }
 
@@ -126,7 +126,7 @@ fn observed_with(id: &str, time: f64, records: Json) -> Json {
     })
 }
 
-fn closed(id: &str) -> Json {
+pub(crate) fn closed(id: &str) -> Json {
     text_of(object! { "kind" => "session_closed", "session_id" => id, "ok" => true })
 }
 
@@ -143,7 +143,7 @@ fn replies(of: Vec<Json>) -> Json {
 
 /// A case of requests and what they are answered; a server without the reference networks opens no
 /// session, and then answers every step with an error frame and every close with a refusal.
-fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
+pub(crate) fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
     let mut without = Vec::new();
     let mut offers = false;
     for (request, reply) in &trace {

@@ -145,7 +145,8 @@ pub(super) fn negotiate_file() -> File {
     let mut cases = Vec::new();
     for (name, hash, contract, says) in hashes {
         let rules: &[_] = match contract {
-            "mismatch" => &["NCP-VER-025", "NCP-VER-031", "NCP-VER-024"],
+            "mismatch" if name == "older-hash" => &["NCP-VER-025", "NCP-VER-031"],
+            "mismatch" => &["NCP-VER-024", "NCP-VER-031"],
             "match" => &["NCP-VER-031", "NCP-VER-023"],
             _ => &["NCP-VER-031", "NCP-VER-022"],
         };

@@ -228,6 +228,7 @@ const VERSIONS: &[Version] = &[
     malformed("nul-hides-the-rest", "0.5\0.9"),
     malformed("byte-order-mark", "\u{feff}0.5"),
     malformed("underscore", "0.0_5"),
+    malformed("underscore-in-major", "0_0.5"),
     malformed("underscore-last", "0.5_"),
     malformed("exponent", "0.5e0"),
     malformed("exponent-without-dot", "5e0"),

@@ -5,9 +5,9 @@ use super::place::{Ground, put};
 use crate::case::Role::{self, Server};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{CONTRACT_HASH, explicit, full, meaning, minimal};
+use crate::model::{CONTRACT_HASH, explicit, explicit_message, full, meaning, minimal};
 use crate::roles::{a, writers};
-use crate::text::{Default, Message, Shape, tables};
+use crate::text::{Default, Message, Shape, Unknown, tables};
 
 /// A file a kind.
 pub(super) fn files() -> Vec<File> {
@@ -51,12 +51,22 @@ impl Encoder {
         // `mode` and `contract_hash` have cases of their own: what a program gets for them is not
         // in the tables.
         let required = self.with_program_defaults(required);
-        let mut rules = vec!["NCP-WIRE-081", "NCP-WIRE-090"];
-        if self.has_optional() {
-            rules.push("NCP-WIRE-082");
+        let nulls = self.has_optional().then_some("NCP-WIRE-082");
+        let rules = |first: &[&'static str]| first.iter().copied().chain(nulls).collect::<Vec<_>>();
+        let explicit_fields = self.fields(explicit(self.kind));
+        if explicit_fields != required {
+            cases.push(
+                self.writes("explicit", &rules(&["NCP-WIRE-081"]), &explicit_fields)
+                    .title(format!(
+                        "{} whose fields are set to their defaults has every one of them.",
+                        a(self.kind)
+                    ))
+                    .flags(&["omitted-fields"])
+                    .because("Every field of the table is written, also one that has its default."),
+            );
         }
         cases.push(
-            self.writes("defaults", &rules, &required)
+            self.writes("defaults", &rules(&["NCP-WIRE-090", "NCP-WIRE-081"]), &required)
                 .title(format!("{} that a program builds from what it must name has every other field, at its default.", a(self.kind)))
                 .flags(&["omitted-fields"])
                 .because("Every field of the table is written, in its order, an unset optional one as null."),
@@ -103,28 +113,27 @@ impl Encoder {
     fn programs(&self) -> Vec<Case> {
         let mut cases = Vec::new();
         if self.kind == "command_frame" {
-            let expected = meaning(self.kind, &object! { "mode" => "active" });
+            let fields = self.fields(explicit(self.kind)).without("mode");
+            let expected = meaning(self.kind, &fields.clone().with("mode", "active".into()));
             cases.push(
                 self.case("mode", &["NCP-WIRE-088"])
                     .title("A `command_frame` that a program builds without naming a mode is `active`.")
                     .flags(&["program-defaults"])
-                    .encode(self.kind, Json::object())
-                    .writes(expected.text())
+                    .encode(self.kind, fields)
+                    .means(expected.text())
                     .because("A program that builds a command means it; only a receiver reads `hold` into silence."),
             );
         }
         if self.message.field("contract_hash").is_some() {
-            let fields = self.fields(minimal(self.kind));
-            let expected = meaning(
-                self.kind,
-                &fields.clone().with("contract_hash", CONTRACT_HASH.into()),
-            );
+            let named = self.fields(explicit(self.kind));
+            let fields = named.clone().without("contract_hash");
+            let expected = meaning(self.kind, &named);
             cases.push(
                 self.case("contract-hash", &["NCP-WIRE-089", "NCP-VER-020"])
                     .title(format!("{} that a program builds without naming a contract hash has that of its build.", a(self.kind)))
                     .flags(&["program-defaults"])
                     .encode(self.kind, fields)
-                    .writes(expected.text())
+                    .means(expected.text())
                     .because("A build of wire 0.5 has the contract hash of wire 0.5."),
             );
         }
@@ -267,6 +276,31 @@ impl Encoder {
                         .because(format!("`{string}` is a wire string of {enumeration}.")),
                     );
                 }
+                // What a receiver would not keep, no sender may send: it refuses, or writes a mode that moves nothing.
+                let unknown = tables()
+                    .enumeration(enumeration)
+                    .map(|known| &known.unknown);
+                let written = match unknown {
+                    Some(Unknown::ReadsAs(other)) => vec![other.as_str()],
+                    Some(Unknown::Rejected) => strings.iter().map(String::as_str).collect(),
+                    _ => Vec::new(),
+                };
+                if !written.is_empty() {
+                    let any = object! { "$any" => written.into_iter().collect::<Json>() };
+                    let path: Vec<&str> = leaf.path.iter().map(String::as_str).collect();
+                    let frame = path
+                        .iter()
+                        .rev()
+                        .fold(any, |inner, name| object! { *name => inner });
+                    cases.push(
+                        Case::new(format!("{name}/novel"), &["NCP-WIRE-087"], roles)
+                            .title(format!("{} whose `{shown}` is set to `novel_value` is refused, or written with a wire string.", a(self.kind)))
+                            .flags(&["enum-constants"])
+                            .encode(self.kind, among_defaults(Json::string("novel_value")))
+                            .shows_or_refuses(object! { "text" => object! { "$json" => frame } })
+                            .because(format!("`novel_value` is no wire string of {enumeration}.")),
+                    );
+                }
             }
             Shape::Map(value) => {
                 let sample = leaf
@@ -289,7 +323,7 @@ impl Encoder {
                 }
                 if matches!(**value, Shape::Message(_)) {
                     cases.push(
-                        self.at(&name, "defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &in_full(object! { "a" => Json::object() }))
+                        self.at(&name, "defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &in_full(object! { "a" => Json::object() }))
                             .title(format!("{} with an entry of `{shown}` of which nothing is set has every field of it.", a(self.kind)))
                             .flags(&["omitted-fields"])
                             .because("The rules for encoders hold at every level."),
@@ -307,13 +341,13 @@ impl Encoder {
         match self.kind {
             "command_frame" => {
                 let step = |x: &str| object! { "v" => object! { "data" => [x].into_iter().map(Json::literal).collect::<Json>(), "unit" => "m/s" } };
-                let fields = object! {
-                    "mode" => "active",
-                    "horizon" => Json::Array(vec![step("1.0"), step("0.5"), Json::object()]),
-                    "horizon_dt_ms" => Json::literal("20.0"),
-                };
+                let steps = Json::Array(vec![step("1.0"), step("0.5"), Json::object()]);
+                let fields = self
+                    .fields(explicit(self.kind))
+                    .with("horizon", steps)
+                    .with("horizon_dt_ms", Json::literal("20.0"));
                 cases.push(
-                    self.writes("horizon/plain-maps", &["NCP-WIRE-051"], &fields)
+                    self.says("horizon/plain-maps", &["NCP-WIRE-051"], &fields)
                         .title("A `command_frame` has its horizon as an array of plain channel maps, an empty one included.")
                         .flags(&["proto-json-names"])
                         .because("The member that wraps a map in the proto does not travel."),
@@ -321,19 +355,20 @@ impl Encoder {
             }
             "observation_frame" => {
                 cases.push(
-                    self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &self.fields(minimal(self.kind)))
+                    self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &without_pins(self.fields(explicit(self.kind))))
                         .title("An `observation_frame` that a program builds carries both pins, at their values.")
                         .flags(&["unchecked-pins"])
                         .because("Both pins stand on every `observation_frame`."),
                 );
             }
             "session_opened" => {
+                let provenance = without_pins(explicit_message("SimProvenance"));
                 let fields = self
-                    .with_program_defaults(self.fields(minimal(self.kind)))
-                    .with("provenance", Json::object());
+                    .fields(explicit(self.kind))
+                    .with("provenance", provenance);
                 cases.push(
                     self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &fields)
-                        .title("A `session_opened` with a provenance of which nothing is set carries both pins, at their values.")
+                        .title("A `session_opened` with a provenance of which no pin is set carries both pins, at their values.")
                         .flags(&["unchecked-pins"])
                         .because("Both pins stand in every `provenance`."),
                 );
@@ -355,7 +390,7 @@ impl Encoder {
                     )
                     .with("sim", Json::object());
                 cases.push(
-                    self.writes("defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &fields)
+                    self.writes("defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &fields)
                         .title("An `open_session` with targets, bindings and a configuration of which nothing is set has every field of them.")
                         .flags(&["omitted-fields"])
                         .because("The rules for encoders hold at every level."),
@@ -367,7 +402,7 @@ impl Encoder {
                     .with("sensor_channels", Json::Array(vec![Json::object()]))
                     .with("safety", Json::object());
                 cases.push(
-                    self.writes("defaults-within", &["NCP-WIRE-081", "NCP-WIRE-082", "NCP-WIRE-090"], &fields)
+                    self.writes("defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &fields)
                         .title("A `capabilities` frame with a channel and limits of which nothing is set has every field of them.")
                         .flags(&["omitted-fields"])
                         .because("The rules for encoders hold at every level."),
@@ -583,6 +618,13 @@ fn collect_shape(shape: &Shape, sample: &Json, path: &mut Vec<String>, leaves: &
     path.push(step.to_owned());
     collect_shape(inner, within.unwrap_or(&Json::Null), path, leaves);
     path.pop();
+}
+
+/// The message with its pins left out.
+fn without_pins(message: Json) -> Json {
+    message
+        .without("calibrated_posterior")
+        .without("is_simulation_output")
 }
 
 /// The members of an object from the last to the first, at every level.

@@ -5,16 +5,19 @@ use super::READ;
 use super::place::{Ground, Place};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{explicit, full, meaning, minimal};
+use crate::model::{self, explicit, full, is_pin, meaning, minimal};
 use crate::roles::{ANY, a, readers};
+use crate::text::Default;
 
 pub(super) fn file() -> File {
     let mut cases = unknown_values();
     cases.extend(unknown_everywhere());
     cases.extend(unknown_names());
+    cases.extend(other_case_alone());
     cases.extend(unknown_overflow());
     cases.extend(repeated());
     cases.extend(not_repeated());
+    cases.extend(not_wrapped());
     let about = "Unknown members, which every receiver ignores, and repeated ones, which every receiver rejects.";
     File::new("wire", "members", about, cases)
 }
@@ -179,6 +182,72 @@ fn unknown_names() -> Vec<Case> {
             .because("`__proto__` is a member like any other unknown one, and the frame has no mode."),
     );
     cases
+}
+
+/// Every name in capitals, where the name itself is not there to win over it.
+fn other_case_alone() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for place in Place::frames() {
+        for field in &place.message.fields {
+            let name = field.name.to_uppercase();
+            // Of a pin, the value that would break it.
+            let value = match model::sample(place.message, field) {
+                Json::Bool(pinned) if is_pin(&field.name) => Json::Bool(!pinned),
+                sample => sample,
+            };
+            let path = format!("{}/other-case-alone/{}", place.kind, field.name);
+            let says = format!(
+                "{} with `{name}` in the place of `{}`",
+                a(place.kind),
+                field.name
+            );
+            let frame = |ground| {
+                place
+                    .alone(ground)
+                    .without(&field.name)
+                    .and(&name, value.clone())
+            };
+            let rule = match (&field.default, field.name.as_str()) {
+                (Default::Kind, _) => Some(("NCP-WIRE-028", "kind")),
+                (Default::Required, "error") => Some(("NCP-WIRE-101", "missing")),
+                (Default::Required, _) => Some(("NCP-WIRE-027", "missing")),
+                _ => None,
+            };
+            cases.push(match rule {
+                None => other_case(path, &place, &frame(Ground::Explicit), &["NCP-WIRE-026"])
+                    .title(format!("{says} is read with the default.")),
+                Some((rule, code)) => Case::new(path, &[rule, "NCP-WIRE-026"], readers(place.kind))
+                    .title(format!("{says} is rejected."))
+                    .flags(&["case-folded-names"])
+                    .decode(place.kind, frame(Ground::Minimal).text())
+                    .rejects(code)
+                    .because(
+                        "The name in capitals is another name, so what is required is not there.",
+                    ),
+            });
+        }
+    }
+    let nested = Place::nested().into_iter();
+    cases.extend(nested.filter(|place| !place.is_twin() && place.message.kind.is_none()).map(|place| {
+        let names = model::full_message(&place.message.name);
+        let capitals = names.members().iter().map(|(name, value)| (name.to_uppercase(), value.clone()));
+        let message = Json::Object(capitals.collect());
+        let path = format!("{}other-case-alone", place.label());
+        other_case(path, &place, &place.frame(Ground::Explicit, message), &["NCP-WIRE-026", "NCP-WIRE-050"]).title(format!(
+            "{} whose `{}` has its fields by names in capitals only is read with their defaults.",
+            a(place.kind),
+            place.member("")
+        ))
+    }));
+    cases
+}
+
+fn other_case(path: String, place: &Place, frame: &Json, rules: &[&'static str]) -> Case {
+    Case::new(path, rules, readers(place.kind))
+        .flags(&["case-folded-names"])
+        .decode(place.kind, frame.text())
+        .means(place.meaning(frame))
+        .because("The tables do not list a name in capitals, and the field itself is absent.")
 }
 
 /// A number beyond a double within a member that is ignored.
@@ -473,4 +542,65 @@ fn not_repeated() -> Vec<Case> {
         .because("Member names are equal when they are so after their escapes are resolved."),
     );
     cases
+}
+
+/// Steps of a horizon that look like the proto's `SetpointStep`, whose one member is `channels`.
+fn not_wrapped() -> Vec<Case> {
+    let kind = "command_frame";
+    let one = || Json::Array(vec![Json::literal("1.5")]);
+    let channel = || object! { "data" => one(), "unit" => "m/s" };
+    let frame = |ground: Json, step: Json| ground.with("horizon", Json::Array(vec![step]));
+    let read = [
+        (
+            "alone",
+            object! { "channels" => channel() },
+            "one channel, named `channels`,",
+        ),
+        (
+            "of-channels",
+            object! { "channels" => object! { "a" => channel(), "b" => channel() } },
+            "one channel, named `channels`, that has two unknown members",
+        ),
+        (
+            "empty",
+            object! { "channels" => Json::object() },
+            "one channel, named `channels`, that is empty",
+        ),
+        (
+            "beside",
+            object! { "a" => channel(), "channels" => object! { "b" => channel() } },
+            "a channel named `channels` beside another",
+        ),
+    ];
+    let rejected = [
+        (
+            "data",
+            object! { "data" => channel() },
+            "has an object for `data`",
+        ),
+        (
+            "unit",
+            object! { "unit" => channel() },
+            "has an object for `unit`",
+        ),
+    ];
+    let read = read.into_iter().map(|(what, step, says)| {
+        let frame = frame(explicit(kind), step);
+        Case::new(format!("{kind}/not-wrapped/{what}"), &[READ, "NCP-WIRE-026", "NCP-WIRE-050"], readers(kind))
+            .title(format!("A `{kind}` whose horizon has a step of {says} is read with that channel."))
+            .flags(&["unwrapped-horizon"])
+            .decode(kind, frame.text())
+            .means(meaning(kind, &frame).text())
+            .because("A step is a map of channels without the proto's wrapper, so `channels` is a channel's name.")
+    });
+    let rejected = rejected.into_iter().map(|(what, value, says)| {
+        let step = object! { "channels" => value };
+        Case::new(format!("{kind}/not-wrapped/{what}-of-wrong-type"), &["NCP-WIRE-020", "NCP-WIRE-050"], readers(kind))
+            .title(format!("A `{kind}` whose horizon has a step of a channel named `channels` that {says} is rejected."))
+            .flags(&["unwrapped-horizon"])
+            .decode(kind, frame(minimal(kind), step).text())
+            .rejects("type")
+            .because("`channels` is a channel's name there, and no ChannelValue has an object in that field.")
+    });
+    read.chain(rejected).collect()
 }

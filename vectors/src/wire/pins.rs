@@ -123,10 +123,15 @@ fn beside() -> Vec<Case> {
     let session = || explicit("session_opened");
     let table = [
         (
-            "provenance-empty",
-            session().with("provenance", Json::object()),
+            "provenance-without-pins",
+            session().with(
+                "provenance",
+                explicit_message("SimProvenance")
+                    .without("calibrated_posterior")
+                    .without("is_simulation_output"),
+            ),
             "NCP-PROV-005",
-            "whose `provenance` is an empty object is read with both pins at their values",
+            "whose `provenance` has neither pin is read with both pins at their values",
         ),
         (
             "pin-beside-provenance",

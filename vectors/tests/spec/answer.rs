@@ -6,7 +6,7 @@ use ncp_spec::bulk::{self, Block, Column, ColumnData, Dtype};
 use ncp_spec::contract::{contract_status, negotiate, verify_contract};
 use ncp_spec::keys::{self, KeyError, Keys};
 use ncp_spec::plane::Plane;
-use ncp_spec::reply::check_reply;
+use ncp_spec::reply::{check_reply, check_reply_strict};
 use ncp_spec::version::check_version;
 use ncp_spec::wire::{self, Kind};
 use serde_json::{Value, json};
@@ -84,7 +84,12 @@ pub(crate) fn answer(call: &str, args: &Value) -> Answer {
         "reply.check" => {
             let request =
                 wire::decode_any(given("request").as_bytes()).expect("a request is a frame");
-            check_reply(&request, given("reply").as_bytes())
+            let check = if strict(args) {
+                check_reply_strict
+            } else {
+                check_reply
+            };
+            check(&request, given("reply").as_bytes())
                 .map(|_| json!({}))
                 .map_err(words)
         }
@@ -99,7 +104,12 @@ pub(crate) fn decode(args: &Value) -> Answer {
         Some(text) => text.as_bytes().to_vec(),
         None => bytes(args["base64"].as_str().unwrap()),
     };
-    let message = wire::decode(kind, &frame).map_err(words)?;
+    let decode = if strict(args) {
+        wire::decode_strict
+    } else {
+        wire::decode
+    };
+    let message = decode(kind, &frame).map_err(words)?;
     // What was read can be written: only then is there an answer at all.
     Ok(json!({ "text": message.encode().expect("what was read can be written") }))
 }
@@ -109,6 +119,10 @@ pub(crate) fn columns_of(block: &str) -> Result<Value, String> {
     let block = bytes(block);
     let columns = Block::parse(&block).map_err(words)?.to_columns();
     Ok(columns.iter().map(column_out).collect())
+}
+
+fn strict(args: &Value) -> bool {
+    args["strict"] == true
 }
 
 fn words(error: impl std::fmt::Display) -> String {
@@ -124,7 +138,10 @@ fn key(args: &Value) -> Result<String, KeyError> {
     let session = args["session"].as_str().unwrap_or_default();
     let name = args["name"].as_str();
     match args["key"].as_str().unwrap() {
-        "rpc" => keys.rpc(),
+        "rpc" => match args["verb"].as_str() {
+            Some(verb) => keys.rpc_verb(Kind::parse(verb).unwrap_or(Kind::Error)),
+            None => keys.rpc(),
+        },
         "sensor" => keys.sensor(session, name),
         "command" => keys.command(session, name),
         "observation" => keys.observation(session),

@@ -70,6 +70,14 @@ fn the_spec_agrees_with_every_case_of_bulk() {
     agrees("bulk/");
 }
 
+/// Those of the plant and the server are traces, which the peers are asked.
+#[test]
+fn the_spec_agrees_with_every_strict_case_without_a_trace() {
+    for file in ["strict/frames", "strict/keys", "strict/replies"] {
+        agrees(file);
+    }
+}
+
 #[test]
 fn the_spec_agrees_with_every_hostile_case() {
     agrees("hostile/");

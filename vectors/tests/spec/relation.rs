@@ -12,6 +12,9 @@ pub(crate) fn judge(expect: &Value, answer: Answer) -> Result<(), String> {
             Ok(result) => Err(format!("should be rejected, but is {}", short(&result))),
         };
     }
+    if expect["or_reject"] == true && answer.is_err() {
+        return Ok(());
+    }
     let result = answer.map_err(|error| format!("should be accepted, but: {error}"))?;
     let Some(relation) = expect["relation"].as_str() else {
         return Ok(());
@@ -24,10 +27,29 @@ pub(crate) fn judge(expect: &Value, answer: Answer) -> Result<(), String> {
             columns_of(result["block"].as_str().unwrap())?,
         ),
         "message" => return message(expect, result["text"].as_str().unwrap()),
+        "pattern" => return pattern(&expect["value"], &result, ""),
         "encoding" => return encoding(&parsed(&expect["text"]), &parsed(&result["text"]), ""),
         other => panic!("{other} is no relation"),
     };
     same(&expected, &got, "", true)
+}
+
+/// What the patterns of the wire areas need: objects whose other members are free, `$any` and `$json`.
+fn pattern(expected: &Value, got: &Value, at: &str) -> Result<(), String> {
+    let Value::Object(members) = expected else {
+        return same(expected, got, at, true);
+    };
+    if let Some(any) = members.get("$any").and_then(Value::as_array) {
+        let fits = |one: &Value| pattern(one, got, at).is_ok();
+        let nothing = || format!("{at}: {} is none of {}", short(got), short(expected));
+        return any.iter().any(fits).then_some(()).ok_or_else(nothing);
+    }
+    if let Some(inner) = members.get("$json") {
+        return pattern(inner, &parsed(got), at);
+    }
+    members
+        .iter()
+        .try_for_each(|(name, value)| pattern(value, &got[name], &format!("{at}/{name}")))
 }
 
 fn parsed(text: &Value) -> Value {

@@ -285,7 +285,7 @@ fn block(result: &Json<'_>, differences: &mut Differences) -> Option<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::Shape;
+    use crate::suite::{Shape, Template};
 
     fn pattern(or_reject: bool) -> Expect {
         Expect::Pattern {
@@ -317,6 +317,25 @@ mod tests {
             judge_by(&pattern(true), &Answer::Unsupported),
             Judgement::Unsupported
         );
+    }
+
+    #[test]
+    fn what_a_result_tells_beyond_what_is_listed_is_not_looked_at() {
+        let compatible = Expect::Json(Template::new(r#"{"compatible":true}"#).unwrap());
+        let answers = [
+            (r#"{"compatible":true}"#, true),
+            (r#"{"compatible":true,"major":0,"why":{"minor":[5]}}"#, true),
+            (r#"{"why":null,"compatible":true}"#, true),
+            (r#"{"compatible":false,"why":"older"}"#, false),
+            (r#"{"Compatible":true}"#, false),
+            (r#"{"result":{"compatible":true}}"#, false),
+            ("{}", false),
+            ("true", false),
+        ];
+        for (result, right) in answers {
+            let answer = Answer::Result(Json::parse(result).unwrap());
+            assert_eq!(passes(&compatible, &answer), right, "{result}");
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Checking peers: the bundled ones, or those that were named.
 
+use std::collections::HashSet;
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
@@ -165,7 +166,7 @@ fn check(
     stop: &Stop,
 ) -> Result<Exit, CliError> {
     let (started, clock) = (SystemTime::now(), Instant::now());
-    let selection = args.select.selection();
+    let mut selection = args.select.selection();
     // A peer is held to what it claims; who filters has said which cases are meant.
     let default = (!selection.patterns.is_empty()).then(|| suite.highest_level());
     let asked_level = args.select.level.or(default);
@@ -179,13 +180,18 @@ fn check(
         )));
     }
     let partial = !selection.patterns.is_empty();
-    if !suite.cases().iter().any(|case| selection.meets(case)) {
+    selection.level = Some(level);
+    let selected = || suite.cases().iter().filter(|case| selection.meets(case));
+    let files: HashSet<&str> = selected().map(|case| &*case.file).collect();
+    if files.is_empty() {
         return Err(CliError::Usage(nothing_selected(args)));
     }
     let asked = Asked {
         level: level.as_str(),
         roles: args.select.role.iter().map(|role| role.as_str()).collect(),
         filters: args.select.filter.clone(),
+        files: files.len(),
+        cases: selected().count(),
         repeat: args.repeat,
         partial,
     };
@@ -384,12 +390,12 @@ fn nothing_selected(args: &CheckArgs) -> String {
     format!("no case fits {}; see ncp-verify list", parts.join(" "))
 }
 
-fn current_dir() -> Result<PathBuf, CliError> {
+pub(super) fn current_dir() -> Result<PathBuf, CliError> {
     std::env::current_dir()
         .map_err(|error| CliError::Harness(format!("the current folder is not known: {error}")))
 }
 
-fn write(file: &Path, text: &str) -> Result<(), CliError> {
+pub(super) fn write(file: &Path, text: &str) -> Result<(), CliError> {
     let folder = file
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty());

@@ -1,11 +1,16 @@
 //! `ncp-verify explain`.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use ncp_spec::catalogue::Requirement;
 
+use super::workspace::Workspace;
 use super::{CliError, print};
 use crate::peer::excerpt;
 use crate::report::{Exit, Style, wrap};
 use crate::suite::{Case, Expect, Suite};
+use crate::trace::{EvidenceKind, Trace};
 
 /// How many characters of an input are shown.
 const SHOWN: usize = 800;
@@ -16,7 +21,7 @@ const SUGGESTED: usize = 3;
 /// How alike an id has to be to be suggested, from 0 to 1.
 const ALIKE: f64 = 0.75;
 
-/// Explains a case, a rule or a flag.
+/// Explains a case, a rule or a flag: its text, its cases and, in a source tree, its code.
 pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, CliError> {
     let mut page = Page {
         style,
@@ -26,22 +31,54 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
         .requirements()
         .iter()
         .find(|rule| rule.id.eq_ignore_ascii_case(id));
+    let flag = suite.flags().find(|flag| flag.eq_ignore_ascii_case(id));
     if let Some(case) = suite.case(id) {
         page.case(case, suite);
+        page.evidence(case.requirements.iter().map(|rule| rule.id.as_str()));
     } else if let Some(rule) = rule {
         page.rule(rule);
+        page.evidence([rule.id.as_str()].into_iter());
         page.citing(suite, |case| {
             case.requirements.iter().any(|cited| cited.id == rule.id)
         });
-    } else if suite.flags().any(|flag| flag == id) {
-        page.flag(id, suite);
-        page.line("");
-        page.citing(suite, |case| case.flags.iter().any(|flag| flag == id));
+    } else if let Some(flag) = flag {
+        let flagged = |case: &Case| case.flags.iter().any(|known| known == flag);
+        page.flag(flag, suite);
+        let cited = |rule: &&Arc<Requirement>| {
+            let cites = |case: &Case| case.requirements.iter().any(|cited| cited.id == rule.id);
+            suite
+                .cases()
+                .iter()
+                .any(|case| flagged(case) && cites(case))
+        };
+        page.rules(suite.requirements().iter().filter(cited));
+        page.citing(suite, flagged);
+    } else if let Some((why, rules)) = finding(id) {
+        page.paragraph(0, &why);
+        page.rules(
+            suite
+                .requirements()
+                .iter()
+                .filter(|rule| rules.contains(&rule.id)),
+        );
     } else {
         return Err(CliError::Usage(unknown(suite, id)));
     }
     print(&page.out)?;
     Ok(Exit::Conformant)
+}
+
+/// What the source tree says of a finding that no case can show: why, and the rules that answer it.
+fn finding(id: &str) -> Option<(String, BTreeSet<String>)> {
+    let trace = Trace::read(&Workspace::here()?.root).ok()?;
+    let mut findings = trace.findings().iter();
+    let finding = findings.find(|finding| finding.id.eq_ignore_ascii_case(id))?;
+    let why = finding.exclusion.as_ref()?;
+    let why = format!(
+        "{}: no case is flagged with this finding. {why}",
+        finding.id
+    );
+    Some((why, finding.rules.clone()))
 }
 
 struct Page {
@@ -151,6 +188,52 @@ impl Page {
         self.line(&format!("  {shown}"));
         for note in suite.notes(flag) {
             self.paragraph(2, note);
+        }
+    }
+
+    /// Some rules, and where they are carried out and tested.
+    fn rules<'r>(&mut self, rules: impl Iterator<Item = &'r Arc<Requirement>>) {
+        let rules: Vec<_> = rules.collect();
+        if rules.is_empty() {
+            return;
+        }
+        self.heading("Rules");
+        for rule in &rules {
+            self.rule(rule);
+        }
+        self.evidence(rules.iter().map(|rule| rule.id.as_str()));
+    }
+
+    /// Where rules are carried out and tested, as the source tree has it.
+    fn evidence<'r>(&mut self, rules: impl Iterator<Item = &'r str>) {
+        let Some(trace) = Workspace::here().and_then(|here| Trace::read(&here.root).ok()) else {
+            self.heading("Code");
+            self.paragraph(2, "is shown within the source tree of the suite");
+            return;
+        };
+        let rules: Vec<&str> = rules.collect();
+        let about = |id: &str| rules.contains(&id);
+        for kind in EvidenceKind::ALL {
+            let mut places: Vec<String> = Vec::new();
+            for rule in trace
+                .rules()
+                .iter()
+                .filter(|rule| about(&rule.requirement.id))
+            {
+                for evidence in rule.evidence.iter().filter(|one| one.kind == kind) {
+                    let place = evidence.shown_place();
+                    if !places.contains(&place) {
+                        places.push(place);
+                    }
+                }
+            }
+            // The cases themselves are listed.
+            if !places.is_empty() && kind != EvidenceKind::Vector {
+                self.heading(kind.title());
+                for place in places {
+                    self.line(&format!("  {place}"));
+                }
+            }
         }
     }
 

@@ -18,6 +18,11 @@ impl Workspace {
         from.ancestors().chain(built_in).find_map(Self::at)
     }
 
+    /// The nearest one at or above the current folder.
+    pub(super) fn here() -> Option<Self> {
+        Self::above(&std::env::current_dir().ok()?)
+    }
+
     /// The nearest one at or above `from`.
     pub(super) fn above(from: &Path) -> Option<Self> {
         from.ancestors().find_map(Self::at)

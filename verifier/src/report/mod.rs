@@ -17,4 +17,5 @@ pub use model::{
     RoleReport, Rule, RunReport, State, Tool, outcome_name,
 };
 pub use progress::Progress;
+pub(crate) use terminal::by_rule;
 pub use terminal::{Detail, terminal};

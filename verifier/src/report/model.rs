@@ -108,6 +108,10 @@ pub struct Asked {
     pub roles: Vec<&'static str>,
     /// The filters; empty: all cases.
     pub filters: Vec<String>,
+    /// Of how many files cases are meant.
+    pub files: usize,
+    /// How many cases are meant, by level, roles and filters.
+    pub cases: usize,
     /// How often each case was run.
     pub repeat: u32,
     /// Whether the filters left cases out, so that a pass is no conformance.
@@ -196,7 +200,7 @@ pub struct RoleReport {
     pub role: &'static str,
     /// Whether the peer claims it.
     pub claimed: bool,
-    /// The levels that have a case.
+    /// The levels from the lowest that has a case of the role; one above it may have none.
     pub levels: Vec<LevelReport>,
 }
 
@@ -259,7 +263,7 @@ pub struct RateReport {
 }
 
 /// What became of one case.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct CaseReport {
     /// Its id.
     pub id: String,
@@ -309,7 +313,7 @@ pub struct CaseReport {
 }
 
 /// One difference.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct DifferenceReport {
     /// Where, as a JSON pointer.
     pub at: String,

@@ -1,6 +1,6 @@
 //! A report on a terminal, or in a pipe.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 
 use super::layout::{Style, wrap};
@@ -75,12 +75,11 @@ impl Page<'_> {
     fn head(&mut self) {
         let Report {
             asked,
-            corpus,
             wire_version,
             ..
         } = self.report;
-        let cases = plural(corpus.cases, "case");
-        let files = plural(corpus.files, "file");
+        let cases = plural(asked.cases, "case");
+        let files = plural(asked.files, "file");
         self.paragraph(
             0,
             &format!(
@@ -299,7 +298,7 @@ impl Page<'_> {
         };
         let mut in_full = 0;
         let mut rest: Vec<String> = Vec::new();
-        for (rule, cases) in by_rule(failing.iter().copied()) {
+        for (rule, cases) in likeliest_first(peer, by_rule(failing.iter().copied())) {
             if in_full >= limit {
                 rest.push(format!("{rule} ({})", cases.len()));
                 continue;
@@ -621,6 +620,9 @@ fn cell(level: &LevelReport) -> String {
         (false, true) => '~',
         (false, false) => '✗',
     };
+    if total == 0 {
+        return format!("{mark} none of its own");
+    }
     format!(
         "{mark} {}/{}",
         thousands(passed as u64),
@@ -629,7 +631,9 @@ fn cell(level: &LevelReport) -> String {
 }
 
 /// Cases by the first rule that they cite, in the order in which the rules first occur.
-fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
+pub(crate) fn by_rule<'c>(
+    cases: impl Iterator<Item = &'c CaseReport>,
+) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
     let mut groups: Vec<(&str, Vec<&CaseReport>)> = Vec::new();
     for case in cases {
         let rule = case.rules.first().map_or("", String::as_str);
@@ -638,6 +642,25 @@ fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec
             None => groups.push((rule, vec![case])),
         }
     }
+    groups
+}
+
+/// The rules of failing cases, those that the peer most likely breaks first: by how many of a rule's cases fail, times
+/// the share of all its cases that they are. A defect fails many cases of its own rule, and some of others in passing.
+fn likeliest_first<'c>(
+    peer: &PeerReport,
+    mut groups: Vec<(&'c str, Vec<&'c CaseReport>)>,
+) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
+    let mut all: HashMap<&str, usize> = HashMap::new();
+    for rule in peer.cases.iter().filter_map(|case| case.rules.first()) {
+        *all.entry(rule).or_default() += 1;
+    }
+    let weight = |(rule, failing): &(&str, Vec<&CaseReport>)| {
+        let failing = failing.len() as f64;
+        failing * failing / all.get(rule).map_or(1.0, |all| *all as f64)
+    };
+    // Stable: rules of one weight keep the order in which they first occur.
+    groups.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     groups
 }
 
@@ -742,14 +765,16 @@ mod tests {
             wire_version: "0.5",
             contract_hash: "",
             corpus: Corpus {
-                files: 80,
-                cases: 6100,
+                files: 90,
+                cases: 7000,
                 sha256: String::new(),
             },
             asked: Asked {
                 level: "strict",
                 roles: Vec::new(),
                 filters: Vec::new(),
+                files: 80,
+                cases: 6100,
                 repeat: 1,
                 partial: false,
             },
@@ -811,6 +836,44 @@ mod tests {
         the peer does not conform at level strict; 1
         skipped and so not shown to conform
         ");
+    }
+
+    #[test]
+    fn the_rule_most_of_whose_cases_fail_comes_first() {
+        let case = |rule: &str, failed: bool| CaseReport {
+            id: String::new(),
+            title: String::new(),
+            rules: vec![rule.to_owned(), "also".to_owned()],
+            roles: Vec::new(),
+            level: "wire",
+            binding: true,
+            call: "decode",
+            outcome: if failed { "fail" } else { "pass" },
+            status: if failed { "failed" } else { "passed" },
+            expected: None,
+            differences: Vec::new(),
+            more_differences: 0,
+            what: None,
+            request: None,
+            answer: None,
+            log: None,
+            note: None,
+            reason: None,
+        };
+        let mut peer =
+            PeerReport::unchecked(String::new(), String::new(), State::Checked, String::new());
+        for (rule, failing, passing) in
+            [("one", 1, 0), ("few", 6, 94), ("most", 4, 1), ("tie", 1, 0)]
+        {
+            peer.cases.extend((0..failing).map(|_| case(rule, true)));
+            peer.cases.extend((0..passing).map(|_| case(rule, false)));
+        }
+        let failing = peer.cases.iter().filter(|case| case.status == "failed");
+        let order: Vec<&str> = likeliest_first(&peer, by_rule(failing))
+            .into_iter()
+            .map(|(rule, _)| rule)
+            .collect();
+        assert_eq!(order, ["most", "one", "tie", "few"]);
     }
 
     #[test]

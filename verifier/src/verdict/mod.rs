@@ -112,7 +112,7 @@ pub struct RoleVerdict {
     pub role: Role,
     /// Whether the peer claims it, or it is judged because it was asked for.
     pub claimed: bool,
-    /// The levels that have a case, from the lowest.
+    /// The levels from the lowest that has a case of the role; one above it may have none.
     pub levels: Vec<LevelVerdict>,
 }
 
@@ -249,7 +249,9 @@ fn judge_role(
                 as_expected &= passed || judged.status == Status::ExpectedFailure;
             }
         }
-        if tally.total() > 0 {
+        // A level that asks nothing of a role of its own is reached with the level below.
+        let reached = !levels.is_empty() && cases.iter().any(|judged| judged.case.level == level);
+        if tally.total() > 0 || reached {
             levels.push(LevelVerdict {
                 level,
                 tally,
@@ -305,6 +307,25 @@ mod tests {
 
     const MUST: &str = "NCP-WIRE-010";
     const SHOULD: &str = "NCP-WIRE-008";
+
+    #[test]
+    fn a_level_that_asks_nothing_of_a_role_is_reached_with_the_one_below() {
+        let wire = testing::case("a", &[MUST], &[Role::Body, Role::Observer]);
+        let safety = testing::case("b", &["NCP-SAFE-001"], &[Role::Body]);
+        let observer = |of_wire: Outcome| {
+            let runs = [(&wire, run(of_wire)), (&safety, run(Outcome::Pass))];
+            let roles = [(Role::Body, true), (Role::Observer, true)];
+            let verdict = judge(runs, &roles, Level::Strict, &testing::baseline(&[]), false);
+            let levels = verdict.roles[1].levels.iter();
+            levels
+                .map(|level| (level.level, level.tally.total(), level.conformant))
+                .collect::<Vec<_>>()
+        };
+        let good = [(Level::Wire, 1, true), (Level::Safety, 0, true)];
+        assert_eq!(observer(Outcome::Pass), good);
+        let bad = [(Level::Wire, 1, false), (Level::Safety, 0, false)];
+        assert_eq!(observer(fail()), bad);
+    }
 
     #[test]
     fn a_role_conforms_when_all_its_binding_cases_pass() {

@@ -54,7 +54,7 @@ pub fn is_duration<S: Scalar>(value: S) -> bool {
     value.is_finite() && S::constant(0.0).lt(value)
 }
 
-/// From `then_s` to `now_s`, in ms.
+/// From `then_s` to `now_s`, in ms. `[NCP-SAFE-033] [NCP-RES-002]`
 #[inline]
 pub fn age_ms<S: Scalar>(now_s: S, then_s: S) -> S {
     now_s.sub(then_s).mul(S::constant(1000.0))

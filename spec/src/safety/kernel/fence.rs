@@ -13,7 +13,7 @@ pub fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool {
         && norm(position).le(radius)
 }
 
-/// Where a plant is that moves from `position` with `velocity` for `time_s` seconds.
+/// Where a plant is that moves from `position` with `velocity` for `time_s` seconds. `[NCP-SAFE-050]`
 #[inline]
 pub fn travel<S: Scalar>(position: &[S; 3], velocity: &[S; 3], time_s: S) -> [S; 3] {
     let [x, y, z] = *position;
@@ -26,7 +26,7 @@ pub fn travel<S: Scalar>(position: &[S; 3], velocity: &[S; 3], time_s: S) -> [S;
 }
 
 /// The part of tick `k`, [k·dt, (k+1)·dt), that lies before the end of the ttl; both in ms. 0 when
-/// there is none.
+/// there is none. `[NCP-SAFE-050] [NCP-SAFE-051]`
 #[inline]
 pub fn tick_share_ms<S: Scalar>(tick: usize, dt_ms: S, ttl_ms: S) -> S {
     // A horizon has at most 4,096 steps: the conversion is exact.

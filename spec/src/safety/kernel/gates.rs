@@ -124,14 +124,14 @@ impl<S: Scalar> Gates<S> {
         self.estop = false;
     }
 
-    /// Whether ESTOP is latched.
+    /// Whether ESTOP is latched. `[NCP-SAFE-005]`
     #[inline]
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.estop
     }
 
-    /// Whether the limits cannot be enforced.
+    /// Whether the limits cannot be enforced. `[NCP-SAFE-017]`
     #[inline]
     #[must_use]
     pub const fn has_config_fault(&self) -> bool {

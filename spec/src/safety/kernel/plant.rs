@@ -87,14 +87,14 @@ impl<S: Scalar, Q: Seq> Plant<S, Q> {
         *self = Self::new();
     }
 
-    /// Its watchdog.
+    /// Its watchdog. `[NCP-RES-001]`
     #[inline]
     #[must_use]
     pub const fn watchdog(&self) -> &Watchdog<S, Q> {
         &self.watchdog
     }
 
-    /// Whether ESTOP is latched.
+    /// Whether ESTOP is latched. `[NCP-RES-021]`
     #[inline]
     #[must_use]
     pub const fn is_stopped(&self) -> bool {

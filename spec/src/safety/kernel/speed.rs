@@ -18,7 +18,7 @@ pub fn limit<S: Scalar>(value: Option<S>) -> Limit<S> {
     }
 }
 
-/// √(Σ xᵢ²).
+/// √(Σ xᵢ²). `[NCP-SAFE-043] [NCP-SAFE-060]`
 #[inline]
 pub fn norm<S: Scalar>(vector: &[S]) -> S {
     let mut sum = S::constant(0.0);
@@ -28,7 +28,7 @@ pub fn norm<S: Scalar>(vector: &[S]) -> S {
     sum.sqrt()
 }
 
-/// Whether all components are finite.
+/// Whether all components are finite. `[NCP-SAFE-044] [NCP-SAFE-064]`
 #[inline]
 pub fn all_finite<S: Scalar>(vector: &[S]) -> bool {
     for x in vector {
@@ -44,7 +44,7 @@ pub fn all_finite<S: Scalar>(vector: &[S]) -> bool {
 /// finite or `max` is not a finite bound above 0.
 ///
 /// The bound is on [`norm`] as it is computed, and holds for every double: where scaling rounds
-/// above it, the vector becomes zero.
+/// above it, the vector becomes zero. `[NCP-SAFE-060] [NCP-SAFE-061] [NCP-SAFE-062]`
 #[inline]
 pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
     bring_within(vector, max).is_some()

@@ -58,7 +58,7 @@ impl<S: Scalar, Q: Seq> Watchdog<S, Q> {
         self.deadline.is_none()
     }
 
-    /// Holds at once, until an advancing command.
+    /// Holds at once, until an advancing command. `[NCP-RES-010]`
     #[inline]
     pub const fn hold(&mut self) {
         self.deadline = None;
@@ -71,7 +71,7 @@ impl<S: Scalar, Q: Seq> Watchdog<S, Q> {
         *self = Self::new();
     }
 
-    /// The seq of the last command that advanced.
+    /// The seq of the last command that advanced. `[NCP-RES-009]`
     #[inline]
     #[must_use]
     pub const fn last_seq(&self) -> Option<Q> {
@@ -79,7 +79,7 @@ impl<S: Scalar, Q: Seq> Watchdog<S, Q> {
     }
 
     /// When the command was received that the plant may act upon, in seconds, and its ttl as sent, in
-    /// ms; none while the plant is held.
+    /// ms; none while the plant is held. `[NCP-RES-001]`
     #[inline]
     #[must_use]
     pub const fn deadline(&self) -> Option<(S, S)> {

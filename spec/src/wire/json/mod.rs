@@ -69,6 +69,7 @@ mod tests {
     }
 
     proptest! {
+        /// [NCP-WIRE-002]
         #[test]
         fn whole_words_find_what_single_bytes_find(bytes in proptest::collection::vec(any::<u8>(), 0..64)) {
             prop_assert_eq!(plain_len(&bytes), plain_len_bytewise(&bytes));

@@ -37,6 +37,8 @@ pub(crate) struct Reader<'a> {
 pub(crate) enum Purpose {
     /// It came over the wire.
     Receive,
+    /// It came over the wire, and the strict profile holds.
+    ReceiveStrict,
     /// A program names the fields that it sets.
     Build,
 }
@@ -205,10 +207,14 @@ impl<'a> Reader<'a> {
             self.left_out.ncp_version = !has_version; // [NCP-WIRE-035]
             return Ok(());
         }
-        if has_kind || self.is_building() {
-            return Ok(());
+        if !has_kind && !self.is_building() {
+            return Err(self.error(DecodeProblem::KindMissing).inside("kind")); // [NCP-WIRE-028]
         }
-        Err(self.error(DecodeProblem::KindMissing).inside("kind")) // [NCP-WIRE-028]
+        if !has_version && self.purpose == Purpose::ReceiveStrict {
+            // [NCP-STRICT-002]
+            return Err(self.error(DecodeProblem::Missing).inside("ncp_version"));
+        }
+        Ok(())
     }
 
     /// Takes note that a required field is not there.

@@ -1,0 +1,170 @@
+//! A strict server: requests without a version, and requests at another key than their own.
+
+use super::keys::VERBS;
+use super::{against_version, unfit_versions};
+use crate::case::{Case, File};
+use crate::json::Json;
+use crate::session::{Open, case, close, closed, error, not_opened, observed, opened, run, step};
+
+pub(super) fn file() -> File {
+    let mut cases = lives();
+    cases.extend(openings());
+    cases.extend(unversioned());
+    cases.extend(doors());
+    let about = "A strict server: requests without a compatible version, and requests at the control key of another kind.";
+    File::new("strict", "server", about, cases)
+}
+
+/// The session of all cases.
+const ID: &str = "a";
+
+type Exchange = (String, Json);
+
+fn open() -> Exchange {
+    (Open::lif(ID).text(), opened(ID))
+}
+
+/// A step that finds the session as it was after `before` ms.
+fn step_after(before: f64) -> Exchange {
+    (step(ID, Some(10.0), None), observed(ID, before + 10.0))
+}
+
+/// A request of each kind, and what it is answered in a session that has run nothing.
+fn request(kind: &str) -> Exchange {
+    match kind {
+        "open_session" => open(),
+        "step_request" => step_after(0.0),
+        "run_request" => (run(ID, 10.0), observed(ID, 10.0)),
+        _ => (close(ID), closed(ID)),
+    }
+}
+
+/// The request without its version, or with another.
+fn with_version(request: &str, version: Option<&str>) -> String {
+    let own = r#""ncp_version":"0.5","#;
+    let other = version.map_or(String::new(), |version| {
+        format!("\"ncp_version\":\"{version}\",")
+    });
+    request.replacen(own, &other, 1)
+}
+
+/// The case, with the kind in the key at which each request comes.
+fn at(case: Case, verbs: &[&str]) -> Case {
+    let verbs: Json = verbs.iter().copied().collect();
+    let mut case = case.strictly();
+    case.args = case.args.and("verbs", verbs);
+    case
+}
+
+fn lives() -> Vec<Case> {
+    let life = vec![
+        open(),
+        step_after(0.0),
+        (run(ID, 20.0), observed(ID, 30.0)),
+        (close(ID), closed(ID)),
+    ];
+    let mut with_stimulus = Open::rate(ID);
+    with_stimulus.stimuli = vec![crate::session::stimulus("drive", "rate_inject")];
+    let stimulated = vec![
+        (with_stimulus.text(), opened(ID)),
+        (
+            step(ID, Some(10.0), Some(("drive", 1.0))),
+            observed(ID, 10.0),
+        ),
+    ];
+    vec![
+        case("life/plain".into(), &["NCP-STRICT-012"], life.clone())
+            .strictly()
+            .title("A strict server carries out requests with a version.")
+            .flags(&["over-strict"])
+            .because("Their version is compatible, and no other chapter rejects them."),
+        at(
+            case("life/at-their-keys".into(), &["NCP-STRICT-012"], life),
+            &["open_session", "step_request", "run_request", "close_session"],
+        )
+        .title("A strict server carries out requests at the keys of their kinds.")
+        .flags(&["over-strict"])
+        .because("Each comes at the control key of its kind."),
+        case("life/stimulus".into(), &["NCP-STRICT-012"], stimulated)
+            .strictly()
+            .title("A strict server carries out a request whose stimulus frame leaves the version to it.")
+            .flags(&["over-strict", "nested-stimulus"])
+            .because("A stimulus frame within a request may still leave its version to the request."),
+    ]
+}
+
+fn openings() -> Vec<Case> {
+    let open_with = |(what, version): (&str, Option<&str>)| {
+        let trace = vec![
+            (with_version(&Open::lif(ID).text(), version), not_opened(ID)),
+            (step(ID, Some(10.0), None), error()),
+            open(),
+            step_after(0.0),
+        ];
+        case(
+            format!("open/{what}"),
+            &["NCP-STRICT-008", against_version(version)],
+            trace,
+        )
+        .strictly()
+        .title(format!(
+            "A strict server does not open a session for a request whose version is {what}."
+        ))
+        .flags(&["L07"])
+        .because("It answers `session_opened` with `ok` false, and opens nothing.")
+    };
+    unfit_versions().into_iter().map(open_with).collect()
+}
+
+fn unversioned() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for kind in ["step_request", "run_request", "close_session"] {
+        for (what, version) in unfit_versions() {
+            let (text, answer) = request(kind);
+            let trace = vec![
+                open(),
+                (with_version(&text, version), error()),
+                // What was not carried out is still to be done.
+                (text, answer),
+            ];
+            cases.push(
+                case(
+                    format!("{kind}/{what}"),
+                    &["NCP-STRICT-009", against_version(version)],
+                    trace,
+                )
+                .strictly()
+                .title(format!(
+                    "A strict server does not carry out a `{kind}` whose version is {what}."
+                ))
+                .flags(&["L07"])
+                .because("It answers with an error frame, and does not carry it out."),
+            );
+        }
+    }
+    cases
+}
+
+/// Every request at the key of every other.
+fn doors() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for kind in VERBS {
+        for verb in VERBS.into_iter().filter(|verb| *verb != kind) {
+            let (text, answer) = request(kind);
+            let (mut trace, mut verbs) = (Vec::new(), Vec::new());
+            if kind != "open_session" {
+                trace.push(open());
+                verbs.push("open_session");
+            }
+            trace.extend([(text.clone(), error()), (text, answer)]);
+            verbs.extend([verb, kind]);
+            cases.push(
+                at(case(format!("door/{kind}/{verb}"), &["NCP-STRICT-007"], trace), &verbs)
+                    .title(format!("A strict server does not carry out a `{kind}` at the key of `{verb}`."))
+                    .flags(&["L04"])
+                    .because("The request comes at another control key than that of its kind: an error frame, and it is not carried out."),
+            );
+        }
+    }
+    cases
+}

@@ -1,0 +1,230 @@
+//! The trial of one mutant.
+
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use ncp_spec::catalogue::{Level, Role};
+use serde::Serialize;
+
+use super::{Hunt, Mutant, MutantsError};
+use crate::peer::{Connection, Description, Launch, handshake};
+use crate::report::{CaseReport, PeerReport, by_rule};
+use crate::run::{self, CaseRun, Deaf, Settings, Stop};
+use crate::suite::Case;
+use crate::verdict::{Baseline, judge, judge_description};
+
+/// What became of a mutant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Fate {
+    /// The suite fails it and names its rule. A mutant that only breaks a SHOULD is told so.
+    Killed,
+    /// The suite fails it, but for other rules.
+    Misnamed,
+    /// The suite does not notice it.
+    Survived,
+    /// Its trial took too long.
+    Unfinished,
+}
+
+/// The trial of a mutant.
+#[derive(Debug, Clone, Serialize)]
+pub struct Trial {
+    /// The mutant.
+    #[serde(flatten)]
+    pub mutant: Mutant,
+    /// What became of it.
+    pub fate: Fate,
+    /// Whether its rule is the first that the verdict names.
+    pub named_first: bool,
+    /// How many cases fail.
+    pub failing_cases: usize,
+    /// How many of them end the process, or make it hang.
+    pub crashes: usize,
+    /// The rules that the verdict names, in its order.
+    pub named: Vec<Named>,
+    /// The case with the shortest request that fails: of those of its rule, if there are any.
+    pub shortest_case: Option<String>,
+    /// How long it took, in seconds.
+    pub elapsed_s: f64,
+}
+
+/// A rule that the verdict names.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Named {
+    /// The rule.
+    pub rule: String,
+    /// How many failing cases are about it.
+    pub cases: usize,
+}
+
+/// Makes sure that the peer conforms as long as it has no defect.
+pub(super) fn healthy(hunt: &Hunt<'_>) -> Result<(), MutantsError> {
+    let all: Vec<&Case> = hunt.suite.cases().iter().collect();
+    let failing = failing(hunt, None, &[&all], |_| true, hunt.stop)?;
+    match failing.first() {
+        None if hunt.stop.is_set() => Err(MutantsError::Interrupted),
+        None => Ok(()),
+        Some(first) => Err(MutantsError::Sick {
+            count: failing.len(),
+            first: first.id.clone(),
+        }),
+    }
+}
+
+/// Puts a mutant on trial.
+pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, MutantsError> {
+    let start = Instant::now();
+    let (large, small): (Vec<&Case>, Vec<&Case>) =
+        hunt.suite.cases().iter().partition(|case| case.is_large());
+    let rule = mutant.rules.first().map_or("", String::as_str);
+    let names = |cases: &[CaseReport]| cases.iter().any(|case| is_about(case, rule));
+    let (failing, in_time) = limited(hunt, |stop| {
+        failing(
+            hunt,
+            Some(mutant),
+            &[&small, &large],
+            |cases| !names(cases),
+            stop,
+        )
+    });
+    let failing = failing?;
+    let named: Vec<Named> = by_rule(failing.iter())
+        .into_iter()
+        .map(|(rule, cases)| Named {
+            rule: rule.to_owned(),
+            cases: cases.len(),
+        })
+        .collect();
+    let fate = match (in_time, failing.is_empty(), names(&failing)) {
+        (_, false, true) => Fate::Killed,
+        (false, ..) => Fate::Unfinished,
+        (true, false, false) => Fate::Misnamed,
+        (true, true, _) => Fate::Survived,
+    };
+    let shortest = failing
+        .iter()
+        .min_by_key(|case| (!is_about(case, rule), request_len(case)));
+    Ok(Trial {
+        mutant: mutant.clone(),
+        fate,
+        named_first: named.first().is_some_and(|first| first.rule == rule),
+        failing_cases: failing.len(),
+        crashes: failing
+            .iter()
+            .filter(|case| matches!(case.outcome, "crash" | "timeout" | "protocol"))
+            .count(),
+        named,
+        shortest_case: shortest.map(|case| case.id.clone()),
+        elapsed_s: start.elapsed().as_secs_f64(),
+    })
+}
+
+/// Whether a failing case names the rule: it is the first that the case cites.
+fn is_about(case: &CaseReport, rule: &str) -> bool {
+    case.rules.first().is_some_and(|first| first == rule)
+}
+
+fn request_len(case: &CaseReport) -> usize {
+    case.request.as_ref().map_or(usize::MAX, String::len)
+}
+
+/// Runs parts of the suite one after the other as long as `more` of what fails so far, and gives what does not pass:
+/// what fails, or if nothing does what is told as advice.
+fn failing(
+    hunt: &Hunt<'_>,
+    mutant: Option<&Mutant>,
+    parts: &[&[&Case]],
+    more: impl Fn(&[CaseReport]) -> bool,
+    stop: &Stop,
+) -> Result<Vec<CaseReport>, MutantsError> {
+    let mut argv = vec![hunt.program.to_string_lossy().into_owned()];
+    argv.extend(
+        mutant
+            .into_iter()
+            .flat_map(|mutant| ["--mutant".to_owned(), mutant.name.clone()]),
+    );
+    let launch = Launch::new(argv, ".");
+    let settings = Settings {
+        // A mutant that crashes is run to its end too: the time bounds it.
+        max_restarts: u32::MAX,
+        ..Settings::default()
+    };
+    let mut runs = Vec::new();
+    let mut cases = Vec::new();
+    for part in parts {
+        if stop.is_set() || (!runs.is_empty() && !more(&cases)) {
+            break;
+        }
+        let mut connection = Connection::open(&launch)?;
+        let description = handshake(&mut connection, settings.start_timeout, stop)?;
+        if runs.is_empty() {
+            runs.push((hunt.suite.describe(), judge_description(&description)));
+        }
+        let record = run::run(&launch, connection, part, &settings, &Deaf, stop);
+        runs.extend(part.iter().copied().zip(record.cases.iter().cloned()));
+        cases = not_passed(hunt, &description, &runs, &record);
+    }
+    Ok(cases)
+}
+
+fn not_passed(
+    hunt: &Hunt<'_>,
+    description: &Description,
+    runs: &[(&Case, CaseRun)],
+    record: &run::RunRecord,
+) -> Vec<CaseReport> {
+    let roles = Role::ALL.map(|role| (role, true));
+    let mut runs = runs.to_vec();
+    // In the order in which the suite has them, as the verdict names rules in the order of the cases.
+    let place = |case: &Case| {
+        hunt.suite
+            .cases()
+            .iter()
+            .position(|other| std::ptr::eq(other, case))
+    };
+    if runs.iter().any(|(case, _)| case.is_large()) {
+        runs.sort_by_cached_key(|(case, _)| place(case));
+    }
+    let verdict = judge(runs, &roles, Level::Strict, &Baseline::default(), false);
+    let report = PeerReport::checked(String::new(), String::new(), description, &verdict, record);
+    let of = |status| -> Vec<CaseReport> {
+        report
+            .cases
+            .iter()
+            .filter(|case| case.status == status)
+            .cloned()
+            .collect()
+    };
+    let failed = of("failed");
+    if failed.is_empty() {
+        of("advice")
+    } else {
+        failed
+    }
+}
+
+/// Does the work with a `Stop` of its own, which is set when the hunt's is or the time is over; whether it was in time.
+fn limited<T: Send>(hunt: &Hunt<'_>, work: impl FnOnce(&Stop) -> T) -> (T, bool) {
+    let stop = Stop::default();
+    let (done, ended) = mpsc::channel::<()>();
+    thread::scope(|scope| {
+        let expired = &stop;
+        let watch = scope.spawn(move || {
+            let start = Instant::now();
+            while ended.recv_timeout(Duration::from_millis(20))
+                == Err(mpsc::RecvTimeoutError::Timeout)
+            {
+                if hunt.stop.is_set() || start.elapsed() > hunt.limit {
+                    expired.set();
+                    return false;
+                }
+            }
+            true
+        });
+        let result = work(&stop);
+        drop(done);
+        (result, watch.join().unwrap_or(false))
+    })
+}

@@ -1,0 +1,179 @@
+//! `ncp-verify mutants` on a program that holds some: what it says of each, what it writes, how it ends.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use serde_json::{Value, json};
+
+struct Run {
+    exit: i32,
+    stdout: String,
+    stderr: String,
+    /// The reports, if they were written.
+    json: Option<Value>,
+    markdown: Option<String>,
+}
+
+/// Runs the command on a program whose mutants are modes of the hostile peer, each with the rule that it breaks.
+fn hunt_in(healthy: &str, mutants: &[(&str, &str)], args: &[&str]) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    let peer = Path::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        .parent()
+        .unwrap()
+        .join("examples/hostile-peer");
+    let list: Vec<Value> = mutants
+        .iter()
+        .map(|(name, rule)| {
+            json!({"name": name, "about": format!("It is {name}."), "finding": "L24", "rules": [rule]})
+        })
+        .collect();
+    fs::write(folder.path().join("list.json"), json!(list).to_string()).unwrap();
+    let program = folder.path().join("program");
+    let script = format!(
+        "#!/bin/sh\ncase \"$1\" in\n--list) cat '{}/list.json';;\n--mutant) exec '{peer}' \"$2\";;\n*) exec '{peer}' {healthy};;\nesac\n",
+        folder.path().display(),
+        peer = peer.display(),
+    );
+    fs::write(&program, script).unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+    let reports = folder.path().join("reports");
+    let output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        .args(["mutants", "--vectors", "tests/data/vectors", "--program"])
+        .arg(&program)
+        .arg("--reports")
+        .arg(&reports)
+        .args(args)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap();
+    let read = |name: &str| fs::read_to_string(reports.join(name)).ok();
+    Run {
+        exit: output.status.code().unwrap(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+        json: read("mutants.json").map(|text| serde_json::from_str(&text).unwrap()),
+        markdown: read("mutants.md"),
+    }
+}
+
+fn hunt(mutants: &[(&str, &str)]) -> Run {
+    hunt_in("honest", mutants, &[])
+}
+
+#[test]
+fn a_mutant_that_fails_by_its_rule_is_killed_and_reported() {
+    let run = hunt(&[("wrong-answer", "NCP-VER-004")]);
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("1 mutant: 1 killed"), "{}", run.stdout);
+    let json = run.json.unwrap();
+    let mutant = &json["mutants"][0];
+    assert_eq!(mutant["fate"], "killed");
+    assert_eq!(mutant["named_first"], true);
+    assert_eq!(mutant["failing_cases"], 1);
+    assert_eq!(mutant["shortest_case"], "version/tiny/07-target");
+    let page = run.markdown.unwrap();
+    assert!(
+        page.contains(
+            "| wrong-answer | It is wrong-answer. | L24 | NCP-VER-004 | 1 | `version/tiny/07-target` |"
+        ),
+        "{page}"
+    );
+    assert!(page.contains("| L24 | wrong-answer |"), "{page}");
+}
+
+#[test]
+fn a_mutant_that_no_case_notices_survives_and_fails_the_run() {
+    let run = hunt(&[("wrong-answer", "NCP-VER-004"), ("harmless", "NCP-VER-008")]);
+    assert_eq!(run.exit, 1);
+    let said = "harmless survived: no case of NCP-VER-008 notices it. It is harmless.";
+    assert!(run.stdout.contains(said), "{}", run.stdout);
+    assert!(run.markdown.unwrap().contains(said));
+    assert_eq!(run.json.unwrap()["totals"]["survived"], 1);
+}
+
+#[test]
+fn a_mutant_that_fails_by_another_rule_is_misnamed_and_fails_the_run() {
+    let run = hunt(&[("wrong-answer", "NCP-VER-001")]);
+    assert_eq!(run.exit, 1);
+    let said = "wrong-answer breaks NCP-VER-001, but the verdict names NCP-VER-004";
+    assert!(run.stdout.contains(said), "{}", run.stdout);
+}
+
+#[test]
+fn a_mutant_that_crashes_is_named_so() {
+    let run = hunt(&[("die-on-target", "NCP-VER-004")]);
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    assert_eq!(run.json.unwrap()["mutants"][0]["crashes"], 1);
+    assert!(run.markdown.unwrap().contains("| 1, 1 by a crash |"));
+}
+
+#[test]
+fn a_mutant_whose_trial_takes_too_long_is_not_finished() {
+    let run = hunt_in(
+        "honest",
+        &[("sleep-on-target", "NCP-VER-001")],
+        &["--limit", "1"],
+    );
+    assert_eq!(run.exit, 1, "{}{}", run.stdout, run.stderr);
+    assert!(
+        run.stdout
+            .contains("sleep-on-target: its trial took too long"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
+fn a_peer_that_fails_without_a_mutant_ends_the_hunt() {
+    let run = hunt_in("wrong-answer", &[("harmless", "NCP-VER-008")], &[]);
+    assert_eq!(run.exit, 4);
+    assert!(
+        run.stderr
+            .contains("without a mutant the peer fails 1 cases, version/tiny/07-target first"),
+        "{}",
+        run.stderr
+    );
+    assert!(run.json.is_none());
+}
+
+#[test]
+fn a_rule_that_the_text_does_not_have_ends_the_hunt() {
+    let run = hunt(&[("harmless", "NCP-VER-999")]);
+    assert_eq!(run.exit, 4);
+    assert!(
+        run.stderr
+            .contains("the mutant harmless breaks no rule of the text: \"NCP-VER-999\""),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn only_tries_the_named_mutant_and_writes_no_report() {
+    let both = [("wrong-answer", "NCP-VER-004"), ("harmless", "NCP-VER-008")];
+    let run = hunt_in("honest", &both, &["--only", "wrong-answer"]);
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.json.is_none() && run.markdown.is_none());
+    let run = hunt_in("honest", &both, &["--only", "no-such"]);
+    assert_eq!(run.exit, 2);
+    assert!(
+        run.stderr.contains("there is no mutant no-such"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn the_list_shows_each_mutant_with_its_rule() {
+    let run = hunt_in("honest", &[("harmless", "NCP-VER-008")], &["--list"]);
+    assert_eq!(run.exit, 0);
+    assert_eq!(
+        run.stdout,
+        "harmless  L24  NCP-VER-008\n    It is harmless.\n"
+    );
+}

@@ -1,0 +1,270 @@
+//! `ncp-verify trace` on small trees of its own: what passes, and what each fault is called.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+
+use ncp_spec::catalogue::CHAPTERS;
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+const TEXT: &str = "\
+# 1. Test
+
+- **[NCP-TEST-001]** A peer MUST do one thing. *(wire; all)*
+- **[NCP-TEST-002]** A peer MUST do another thing. *(wire; all)*
+- **[NCP-TEST-003]** A peer SHOULD do a third. *(wire; all)*
+";
+const CODE: &str = "\
+//! Does things.
+
+/// Does one. `[NCP-TEST-001]`
+pub fn does_one() {}
+";
+const TESTS: &str = "\
+proptest! {
+    /// [NCP-TEST-002]
+    #[test]
+    fn it_does_another(x in 0..3) {}
+}
+";
+
+/// A tree in which everything is shown: rule 1 by a vector file, rule 2 by a property.
+struct Tree(TempDir);
+
+impl Tree {
+    fn new() -> Self {
+        let tree = Self(TempDir::new().unwrap());
+        for chapter in CHAPTERS {
+            tree.write(&format!("spec/text/{}", chapter.file), "# Nothing\n");
+        }
+        tree.write(&format!("spec/text/{}", CHAPTERS[1].file), TEXT);
+        tree.write("spec/src/wire/one.rs", CODE);
+        tree.write("spec/tests/other.rs", TESTS);
+        tree.write("proto/src/lib.rs", "");
+        tree.write("proto/tests/none.rs", "");
+        tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
+        tree.write("vectors/wire/one.json", &vectors(&["NCP-TEST-001"]));
+        tree.write("vectors/MANIFEST.sha256", "00  wire/one.json\n");
+        let mut exclusions = "[rules]\n".to_owned();
+        for number in 1..=35 {
+            write!(
+                exclusions,
+                "\n[findings.L{number:02}]\nrules = []\nwhy = \"Nothing in this tree is audited.\"\n"
+            )
+            .unwrap();
+        }
+        tree.write("spec/exclusions.toml", &exclusions);
+        tree
+    }
+
+    /// A tree that was traced, so that its evidence is accepted.
+    fn accepted() -> Self {
+        let tree = Self::new();
+        let (exit, out) = tree.trace(&[]);
+        assert_eq!(exit, 0, "{out}");
+        tree
+    }
+
+    fn root(&self) -> &Path {
+        self.0.path()
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        let path = self.root().join(file);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+
+    fn read(&self, file: &str) -> String {
+        std::fs::read_to_string(self.root().join(file)).unwrap()
+    }
+
+    fn replace(&self, file: &str, from: &str, to: &str) {
+        let text = self.read(file);
+        assert!(text.contains(from), "{file} lacks {from}");
+        self.write(file, &text.replace(from, to));
+    }
+
+    fn trace(&self, args: &[&str]) -> (i32, String) {
+        let output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
+            .args(["trace", "--root"])
+            .arg(self.root())
+            .args(args)
+            .env("COLUMNS", "160")
+            .output()
+            .unwrap();
+        let printed = [output.stdout, output.stderr].concat();
+        let printed = String::from_utf8(printed).unwrap();
+        (
+            output.status.code().unwrap(),
+            printed.split_whitespace().collect::<Vec<_>>().join(" "),
+        )
+    }
+
+    /// Traces, and expects exit code 1 with these words.
+    fn fails_with(&self, words: &[&str]) {
+        let (exit, out) = self.trace(&[]);
+        assert_eq!(exit, 1, "{out}");
+        for word in words {
+            assert!(out.contains(word), "{word:?} is not in: {out}");
+        }
+    }
+}
+
+fn vectors(rules: &[&str]) -> String {
+    let case = json!({"id": "wire/one/a", "requirements": rules, "flags": []});
+    json!({ "cases": [case] }).to_string()
+}
+
+#[test]
+fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
+    let tree = Tree::new();
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 0, "{out}");
+    assert!(
+        out.contains("3 rules, 2 of them binding: 2 shown, 0 excluded with a reason"),
+        "{out}"
+    );
+    let page = tree.read("reports/traceability.md");
+    assert!(
+        page.contains("NCP-TEST-001") && page.contains("[one.json](../vectors/wire/one.json) 1")
+    );
+    let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
+    let evidence = &report["rules"][1]["evidence"];
+    assert_eq!(
+        evidence,
+        &json!([{"kind": "properties", "place": "spec/tests/other.rs it_does_another", "count": 1}])
+    );
+    assert!(
+        tree.read("spec/evidence.lock")
+            .contains("vectors/wire/one.json")
+    );
+    assert_eq!(tree.trace(&["--check"]).0, 0);
+}
+
+#[test]
+fn a_vector_file_that_is_gone_is_named_with_the_rules_that_it_showed() {
+    let tree = Tree::accepted();
+    std::fs::remove_file(tree.root().join("vectors/wire/one.json")).unwrap();
+    tree.fails_with(&[
+        "vectors/wire/one.json is in the manifest and is gone; orphaned is its evidence for NCP-TEST-001",
+        "NCP-TEST-001 has lost vectors/wire/one.json",
+        "NCP-TEST-001 is binding, and nothing shows it: A peer MUST do one thing.",
+    ]);
+}
+
+#[test]
+fn an_id_that_is_renamed_in_the_text_orphans_what_cites_it() {
+    let tree = Tree::accepted();
+    let chapter = format!("spec/text/{}", CHAPTERS[1].file);
+    tree.replace(&chapter, "NCP-TEST-001", "NCP-TEST-009");
+    tree.fails_with(&[
+        "NCP-TEST-001 is not in the text; orphaned are peers/typescript/src/one.ts:1, \
+         spec/src/wire/one.rs:4 does_one, vectors/wire/one.json (1 case)",
+        "NCP-TEST-001 is gone from the text; orphaned is vectors/wire/one.json",
+        "NCP-TEST-009 is binding, and nothing shows it",
+    ]);
+}
+
+#[test]
+fn a_sentence_that_changes_has_to_be_accepted_again() {
+    let tree = Tree::accepted();
+    let chapter = format!("spec/text/{}", CHAPTERS[1].file);
+    tree.replace(&chapter, "do another thing", "leave another thing");
+    tree.fails_with(&[
+        "the sentence of NCP-TEST-002 changed",
+        "spec/tests/other.rs it_does_another",
+        "cargo verify trace --accept",
+    ]);
+    let (exit, out) = tree.trace(&["--accept"]);
+    assert_eq!(exit, 0, "{out}");
+    assert_eq!(tree.trace(&["--check"]).0, 0);
+}
+
+#[test]
+fn evidence_that_is_gone_is_missed_although_other_evidence_is_left() {
+    let tree = Tree::new();
+    tree.write(
+        "spec/tests/more.rs",
+        &TESTS.replace("it_does_another", "and_again"),
+    );
+    assert_eq!(tree.trace(&[]).0, 0);
+    tree.write("spec/tests/more.rs", "");
+    tree.fails_with(&["NCP-TEST-002 has lost spec/tests/more.rs and_again"]);
+}
+
+#[test]
+fn what_cites_no_rule_is_an_orphan() {
+    for (file, text, fault) in [
+        (
+            "spec/src/wire/two.rs",
+            "pub fn does_two() {}\n",
+            "the public function spec/src/wire/two.rs:1 does_two cites no rule",
+        ),
+        (
+            "spec/tests/two.rs",
+            "proptest! {\n    #[test]\n    fn it_holds(x in 0..3) {}\n}\n",
+            "the property spec/tests/two.rs:3 it_holds cites no rule",
+        ),
+        (
+            "vectors/wire/two.json",
+            &vectors(&[]),
+            "the case wire/one/a cites no rule",
+        ),
+    ] {
+        let tree = Tree::accepted();
+        tree.write(file, text);
+        tree.fails_with(&[fault]);
+    }
+}
+
+#[test]
+fn code_alone_shows_nothing_and_an_exclusion_says_why() {
+    let tree = Tree::accepted();
+    let chapter = format!("spec/text/{}", CHAPTERS[1].file);
+    let rule = "- **[NCP-TEST-004]** A peer MUST do a fourth. *(wire; all)*\n";
+    tree.write(&chapter, &format!("{TEXT}{rule}"));
+    tree.write(
+        "spec/src/wire/four.rs",
+        "/// [NCP-TEST-004]\npub fn four() {}\n",
+    );
+    tree.fails_with(&["NCP-TEST-004 is binding, and nothing shows it"]);
+
+    let reason = "[rules]\nNCP-TEST-004 = \"No call can show it.\"\n";
+    tree.replace("spec/exclusions.toml", "[rules]\n", reason);
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 0, "{out}");
+    assert!(
+        tree.read("reports/traceability.md")
+            .contains("No call can show it.")
+    );
+
+    tree.replace("spec/exclusions.toml", "NCP-TEST-004", "NCP-TEST-001");
+    tree.fails_with(&[
+        "spec/exclusions.toml names NCP-TEST-001, which is shown",
+        "NCP-TEST-004 is binding",
+    ]);
+}
+
+#[test]
+fn a_stale_report_fails_the_check_and_is_left_alone() {
+    let tree = Tree::accepted();
+    tree.write("reports/traceability.md", "old\n");
+    let (exit, out) = tree.trace(&["--check"]);
+    assert_eq!(exit, 1);
+    assert!(out.contains("reports/traceability.md is stale"), "{out}");
+    assert_eq!(tree.read("reports/traceability.md"), "old\n");
+}
+
+#[test]
+fn a_tree_that_is_none_is_said() {
+    let folder = TempDir::new().unwrap();
+    let tree = Tree(folder);
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 4, "{out}");
+    assert!(out.contains("spec/text"), "{out}");
+}
