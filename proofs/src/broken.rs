@@ -2,6 +2,7 @@
 
 include!("../broken.rs");
 
+#[cfg(feature = "broken")]
 /// The copies, which the build script makes of the kernel's source.
 #[allow(
     missing_docs,
@@ -21,4 +22,5 @@ mod kernels {
     include!(concat!(env!("OUT_DIR"), "/broken_kernels.rs"));
 }
 
+#[cfg(feature = "broken")]
 pub use kernels::harness;

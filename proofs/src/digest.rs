@@ -7,8 +7,15 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// What the proofs are about, and what says it: a change of either makes the report stale.
-const SOURCES: [&str; 3] = ["spec/src/safety/kernel", "proofs/src", "proofs/broken.rs"];
+/// What the proofs are about, what says it, and what shows it: a change of any makes the report stale.
+const SOURCES: [&str; 6] = [
+    "spec/src/safety/kernel",
+    "proofs/src/properties",
+    "proofs/src/engines",
+    "proofs/src/kernel.rs",
+    "proofs/src/prover.rs",
+    "proofs/broken.rs",
+];
 
 /// SHA-256 over the names and the contents of the kernel's sources and of the harnesses.
 ///

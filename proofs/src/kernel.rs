@@ -227,6 +227,7 @@ macro_rules! kernel {
         }
     };
 }
+#[cfg(feature = "broken")]
 pub(crate) use kernel;
 
 kernel! {

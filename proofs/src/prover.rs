@@ -29,6 +29,12 @@ pub trait Prover {
     /// Says what has to hold, under a name.
     fn check(&mut self, name: &'static str, condition: Self::B);
 
+    /// Says that the kernel never comes here; the one check that need not be reached.
+    fn never(&mut self, name: &'static str) {
+        let no = self.truth(false);
+        self.check(name, no);
+    }
+
     /// A formula that is true or false.
     fn truth(&mut self, value: bool) -> Self::B;
     /// ¬a

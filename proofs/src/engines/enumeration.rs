@@ -6,12 +6,17 @@ use super::native::{Enumerate, Native};
 use super::{Counterexample, Outcome, Verdict};
 use crate::properties::{Harness, Property};
 
-/// Runs the harness on every combination; none for a property that lists no values.
+/// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
+/// no values.
 #[must_use]
-pub fn run(property: &Property, harness: &Harness) -> Option<Outcome> {
+pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
     let values = property.enumeration?;
     let began = Instant::now();
-    let mut native = Native::new(Enumerate::new(values.scalars, values.seqs, values.length));
+    let mut native = Native::new(Enumerate::new(
+        values.scalars,
+        values.seqs,
+        length.min(values.length),
+    ));
     let mut outcome = Outcome::new(began);
     loop {
         native.again();
@@ -35,6 +40,7 @@ pub fn run(property: &Property, harness: &Harness) -> Option<Outcome> {
             break;
         }
     }
+    outcome.reached = native.reached.into_keys().collect();
     outcome.seconds = began.elapsed().as_secs_f64();
     Some(outcome)
 }

@@ -5,6 +5,7 @@ pub mod native;
 pub mod standin;
 pub mod symbolic;
 
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 use native::Drawn;
@@ -32,6 +33,8 @@ pub struct Outcome {
     pub seconds: f64,
     /// Inputs that break it.
     pub counterexample: Option<Counterexample>,
+    /// The checks that were reached.
+    pub reached: BTreeSet<&'static str>,
 }
 
 /// How an engine ended with a property.
@@ -82,6 +85,7 @@ impl Outcome {
             evidence: Vec::new(),
             seconds: began.elapsed().as_secs_f64(),
             counterexample: None,
+            reached: BTreeSet::new(),
         }
     }
 }

@@ -112,6 +112,10 @@ impl<D: Draw> Prover for Native<D> {
             self.failed = Some(name);
         }
     }
+    fn never(&mut self, name: &'static str) {
+        self.check(name, false);
+        self.reached.remove(name);
+    }
     fn truth(&mut self, value: bool) -> bool {
         value
     }
@@ -179,6 +183,7 @@ impl Draw for Replay {
 #[derive(Debug, Clone)]
 pub struct Sample {
     state: u64,
+    length: usize,
 }
 
 const EDGES: [f64; 26] = [
@@ -212,10 +217,13 @@ const EDGES: [f64; 26] = [
 const SEQS: [i64; 8] = [0, 1, 2, -1, 7, i64::MAX, i64::MIN, i64::MAX - 1];
 
 impl Sample {
-    /// A source of values from a seed.
+    /// A source of values from a seed, and of sequences of at most this length.
     #[must_use]
-    pub const fn new(seed: u64) -> Self {
-        Self { state: seed }
+    pub const fn new(seed: u64, length: usize) -> Self {
+        Self {
+            state: seed,
+            length,
+        }
     }
 
     /// SplitMix64.
@@ -258,6 +266,9 @@ impl Draw for Sample {
     }
     fn choice(&mut self, count: usize) -> usize {
         self.below(count)
+    }
+    fn length(&self, most: usize) -> usize {
+        most.min(self.length)
     }
 }
 

@@ -7,20 +7,20 @@ use super::native::{Native, Sample};
 use super::{Counterexample, Outcome, Verdict};
 use crate::properties::Harness;
 
-/// Runs the harness on so many samples.
+/// Runs the harness on so many samples, in sequences of at most this length.
 #[must_use]
-pub fn run(harness: &Harness, samples: u64) -> (Outcome, Vec<&'static str>) {
+pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
     let began = Instant::now();
-    let mut native = Native::new(Sample::new(0));
+    let mut native = Native::new(Sample::new(0, length));
     let mut outcome = Outcome::new(began);
     for nth in 0..samples {
-        native.draw = Sample::new(nth);
+        native.draw = Sample::new(nth, length);
         native.again();
         (harness.sample)(&mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
             native.keep = true;
-            native.draw = Sample::new(nth);
+            native.draw = Sample::new(nth, length);
             native.again();
             (harness.sample)(&mut native);
             outcome.verdict = Verdict::Refuted;
@@ -31,6 +31,7 @@ pub fn run(harness: &Harness, samples: u64) -> (Outcome, Vec<&'static str>) {
             break;
         }
     }
+    outcome.reached = native.reached.into_keys().collect();
     outcome.seconds = began.elapsed().as_secs_f64();
-    (outcome, native.reached.into_keys().collect())
+    outcome
 }

@@ -199,8 +199,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
         Decision::Held(
             Reason::NoPosition | Reason::StaleSensor | Reason::Estop | Reason::NotActive,
         ) => {
-            let no = p.truth(false);
-            p.check("no other gate closes", no);
+            p.never("no other gate closes");
         }
         Decision::Held(Reason::BadHorizon) => {
             let has_time = match dt {

@@ -9,6 +9,7 @@ mod words;
 use crate::engines::native::{Enumerate, Native, Replay, Sample};
 use crate::engines::symbolic::Symbolic;
 use crate::kernel::Kernel;
+use crate::vector::Event;
 
 /// What a property is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +25,9 @@ pub enum Family {
 }
 
 impl Family {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Watchdog, Self::Geofence, Self::Clamp, Self::Latch];
+
     /// Its name in reports and in the table of broken kernels.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
@@ -90,24 +94,34 @@ const TIMES: &[f64] = &[
 
 include!("table.rs");
 
+/// A harness on a kernel, for each kind of prover.
+macro_rules! of {
+    ($kernel:ty, $($harness:ident)::+) => {
+        $crate::properties::Harness {
+            symbolic: $($harness)::+::<$kernel, $crate::engines::symbolic::Symbolic>,
+            sample: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Sample>>,
+            enumerate: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Enumerate>>,
+            replay: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Replay>>,
+            trace: $crate::vector::run::<$kernel>,
+        }
+    };
+}
+#[cfg(feature = "broken")]
+pub(crate) use of;
+
 /// The harnesses of a kernel, by the ids of their properties.
 macro_rules! harnesses {
     ($($id:literal => $($harness:ident)::+,)*) => {
-        /// The harness of a property on a broken or sound kernel, for each kind of prover.
+        /// The harness of a property on a kernel.
         #[must_use]
         pub fn harness<K: Kernel>(id: &str) -> Option<Harness> {
             match id {
-                $($id => Some(Harness {
-                    symbolic: $($harness)::+::<K, Symbolic>,
-                    sample: $($harness)::+::<K, Native<Sample>>,
-                    enumerate: $($harness)::+::<K, Native<Enumerate>>,
-                    replay: $($harness)::+::<K, Native<Replay>>,
-                }),)*
+                $($id => Some(of!(K, $($harness)::+)),)*
                 _ => None,
             }
         }
 
-        #[cfg(kani)]
+        #[cfg(any(kani, test))]
         pub(crate) fn kani_harness(id: &str, p: &mut Native<crate::kani_engine::Any>) {
             match id {
                 $($id => $($harness)::+::<crate::kernel::Production, Native<crate::kani_engine::Any>>(p),)*
@@ -128,6 +142,8 @@ pub struct Harness {
     pub enumerate: fn(&mut Native<Enumerate>),
     /// On given doubles.
     pub replay: fn(&mut Native<Replay>),
+    /// What the kernel's watchdog answers to a trace.
+    pub trace: fn(&[Event]) -> Vec<serde_json::Value>,
 }
 
 harnesses! {

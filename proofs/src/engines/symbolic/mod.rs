@@ -7,26 +7,25 @@ mod term;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::path::Path as FilePath;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 pub use solver::{Answer, SolverError, Solvers, read_answers, read_values};
 pub use term::{Symbolic, SymbolicScalar, SymbolicSeq};
 
-use super::native::{Native, Replay};
-use super::{Counterexample, Outcome, Verdict};
+use super::native::{Drawn, Native, Replay};
+use super::{Counterexample, Outcome, Verdict, enumeration, standin};
 use crate::properties::{Harness, Property};
 use smt::Question;
-use term::Path;
+use term::{Guide, Path};
 
 /// More paths than these are a failure of the property.
 const MOST_PATHS: u64 = 4_000_000;
 /// Obligations in one file.
 const PER_FILE: usize = 400;
-/// Seconds for one obligation.
-const SECONDS: u32 = 60;
-/// What z3 may take for one obligation, and for one file.
-const CROSS_MS: u32 = 300;
-const CROSS_FILE: Duration = Duration::from_secs(6);
+/// Seconds of the processor for one file of obligations.
+const SECONDS: u32 = 300;
+/// What z3 may take for one obligation, in its own steps.
+const CROSS_STEPS: u32 = 200_000;
 
 /// What the exploration of a harness left.
 #[derive(Debug, Default)]
@@ -36,6 +35,7 @@ struct Explored {
     open: Vec<Path>,
     /// Each question with the paths that raise it, by their places in `open`.
     questions: BTreeMap<Question, Vec<usize>>,
+    reached: BTreeSet<&'static str>,
 }
 
 /// Explores all paths of a harness.
@@ -53,6 +53,7 @@ fn explore(property: &Property, harness: fn(&mut Symbolic)) -> Result<Explored, 
         let path = term::run(property.symbolic_length, harness);
         all.paths += 1;
         all.by_evaluation += path.by_evaluation;
+        all.reached.extend(&path.reached);
         for &(check, formula) in &path.checks {
             let atoms = atoms.entry(formula).or_insert_with(|| smt::atoms(formula));
             let mut literals = path.literals.clone();
@@ -128,6 +129,7 @@ fn try_prove(
 ) -> Result<Verdict, String> {
     let explored = explore(property, harness.symbolic)?;
     (outcome.paths, outcome.by_evaluation) = (explored.paths, explored.by_evaluation);
+    outcome.reached = explored.reached.iter().copied().collect();
     let folder = evidence.join(property.id);
     let in_folder = |error: std::io::Error| format!("{}: {error}", folder.display());
     if folder.exists() {
@@ -159,7 +161,7 @@ fn try_prove(
                 Answer::Unknown => return Err("bitwuzla: unknown".to_owned()),
                 Answer::Sat => {
                     let found =
-                        counterexample(property, harness, question, path, solvers, &folder)?;
+                        counterexample(property, harness, question, path, solvers, &draft, None)?;
                     outcome.counterexample = Some(found);
                     return Ok(Verdict::Refuted);
                 }
@@ -181,7 +183,7 @@ fn try_prove(
             chunk.len()
         );
         let questions: Vec<&Question> = chunk.iter().collect();
-        let (script, _) = smt::script(&title, &questions, false);
+        let (script, _) = smt::script(&title, &questions, false, None);
         fs::write(&file, script).map_err(in_folder)?;
         outcome.evidence.push(name);
         let answers = solvers
@@ -191,7 +193,7 @@ fn try_prove(
             return Err("bitwuzla does not answer unsat again".to_owned());
         }
         let answers = solvers
-            .z3(&file, chunk.len(), CROSS_MS, CROSS_FILE)
+            .z3(&file, chunk.len(), CROSS_STEPS)
             .map_err(|error| format!("z3: {error}"))?;
         let count = |answer| answers.iter().filter(|a| **a == Some(answer)).count() as u64;
         outcome.cross_checked += count(Answer::Unsat);
@@ -202,46 +204,87 @@ fn try_prove(
     Ok(Verdict::Proved)
 }
 
-/// Looks for a counterexample only, small questions first: for kernels that are broken.
+/// Looks for a counterexample only: for kernels that are broken.
+///
+/// Hints come first: inputs that break the harness on doubles. Their path is run on terms, and the question
+/// that it raises goes to the solver together with the inputs; the solver has to say `sat`. So the solver need
+/// not search, and it is shown that no proof would have come of it. Without a hint the solver searches.
 ///
 /// # Errors
-/// No solver, or none of its models fails on doubles.
+/// No solver, or it does not answer, or none of its models fails on doubles.
 pub fn refute(
     property: &Property,
     harness: &Harness,
     solvers: &Solvers,
-    folder: &FilePath,
+    file: &FilePath,
 ) -> Result<Option<Counterexample>, String> {
-    let began = Instant::now();
+    if let Some(hint) = hint(property, harness) {
+        term::clear();
+        let (path, broken) =
+            term::run_guided(property.symbolic_length, harness.symbolic, hint.clone());
+        let Some(&(check, formula)) = broken.first() else {
+            return Err("what fails on doubles does not on terms".to_owned());
+        };
+        let literals = path.literals.clone();
+        let question = Question {
+            check,
+            formula,
+            literals,
+        };
+        return counterexample(
+            property,
+            harness,
+            &question,
+            &path,
+            solvers,
+            file,
+            Some(&hint),
+        )
+        .map(Some);
+    }
     let explored = explore(property, harness.symbolic)?;
-    fs::create_dir_all(folder).map_err(|error| error.to_string())?;
-    let file = folder.join("draft.smt2");
     let mut questions: Vec<&Question> = explored.questions.keys().collect();
     questions.sort_by_cached_key(|question| smt::size(question.formula));
     for chunk in questions.chunks(25) {
-        let answers = ask_for(solvers, &file, chunk, REFUTE_SECONDS)?;
+        let answers = ask_for(solvers, file, chunk, REFUTE_SECONDS, None)?;
         for (question, _) in chunk.iter().zip(answers).filter(|(_, a)| *a == Answer::Sat) {
             for (question, path) in explored.one_by_one(question).into_iter().take(8) {
-                let answers = ask_for(solvers, &file, &[&question], REFUTE_SECONDS)?;
+                let answers = ask_for(solvers, file, &[&question], REFUTE_SECONDS, None)?;
                 if answers == [Answer::Sat] {
-                    return counterexample(property, harness, &question, path, solvers, folder)
+                    return counterexample(property, harness, &question, path, solvers, file, None)
                         .map(Some);
                 }
             }
-        }
-        if began.elapsed() > REFUTE {
-            break;
         }
     }
     Ok(None)
 }
 
-/// What the search for one counterexample may take: for a question, and in all.
+/// Seconds of the processor for one search of the solver for a counterexample.
 const REFUTE_SECONDS: u32 = 30;
-const REFUTE: Duration = Duration::from_secs(120);
+/// How many samples are tried for a hint.
+const HINTS: u64 = 300_000;
+
+/// Inputs that break the harness on doubles: of samples, or of the values that are enumerated.
+fn hint(property: &Property, harness: &Harness) -> Option<Guide> {
+    let sampled = standin::run(harness, HINTS, property.symbolic_length);
+    let found = sampled.counterexample.or_else(|| {
+        let most = property.symbolic_length;
+        enumeration::run(property, harness, most)?.counterexample
+    })?;
+    let mut guide = Guide::default();
+    for (_, drawn) in found.inputs {
+        match drawn {
+            Drawn::Scalar(value) => guide.scalars.push(value),
+            Drawn::Seq(value) => guide.seqs.push(value),
+            Drawn::Choice(value) => guide.choices.push(value),
+        }
+    }
+    Some(guide)
+}
 
 fn ask(solvers: &Solvers, file: &FilePath, questions: &[&Question]) -> Result<Vec<Answer>, String> {
-    ask_for(solvers, file, questions, SECONDS)
+    ask_for(solvers, file, questions, SECONDS, None)
 }
 
 fn ask_for(
@@ -249,8 +292,9 @@ fn ask_for(
     file: &FilePath,
     questions: &[&Question],
     seconds: u32,
+    inputs: Option<&Guide>,
 ) -> Result<Vec<Answer>, String> {
-    let (script, _) = smt::script("draft", questions, false);
+    let (script, _) = smt::script("draft", questions, false, inputs);
     fs::write(file, script).map_err(|error| format!("{}: {error}", file.display()))?;
     solvers
         .bitwuzla(file, questions.len(), seconds)
@@ -264,14 +308,18 @@ fn counterexample(
     question: &Question,
     path: &Path,
     solvers: &Solvers,
-    folder: &FilePath,
+    file: &FilePath,
+    inputs: Option<&Guide>,
 ) -> Result<Counterexample, String> {
-    let file = folder.join("refuted.smt2");
-    let (script, variables) = smt::script(property.id, &[question], true);
-    fs::write(&file, script).map_err(|error| error.to_string())?;
+    let (script, variables) = smt::script(property.id, &[question], true, inputs);
+    fs::write(file, script).map_err(|error| error.to_string())?;
     let printed = solvers
-        .bitwuzla_prints(&file, SECONDS)
+        .bitwuzla_prints(file, SECONDS)
         .map_err(|error| error.to_string())?;
+    let first = printed.split('\n').next().unwrap_or_default();
+    if read_answers(first, 1) != Ok(vec![Answer::Sat]) {
+        return Err(format!("the solver finds no counterexample: {first:?}"));
+    }
     let values = read_values(&printed);
     let value = |name: String| {
         values
@@ -280,16 +328,24 @@ fn counterexample(
             .map(|(_, bits)| *bits)
     };
     let most = |set: &std::collections::BTreeSet<u32>| set.last().map_or(0, |last| last + 1);
-    let replay = Replay {
+    let choices = path.choices.iter().copied().collect();
+    let length = property.symbolic_length;
+    let replay = inputs.map(|inputs| Replay {
+        scalars: inputs.scalars.iter().copied().collect(),
+        seqs: inputs.seqs.iter().copied().collect(),
+        choices: inputs.choices.iter().copied().collect(),
+        length,
+    });
+    let replay = replay.unwrap_or_else(|| Replay {
         scalars: (0..most(&variables.doubles))
             .map(|nth| f64::from_bits(value(format!("x{nth}")).unwrap_or(0)))
             .collect(),
         seqs: (0..most(&variables.seqs))
             .map(|nth| value(format!("q{nth}")).unwrap_or(0).cast_signed())
             .collect(),
-        choices: path.choices.iter().copied().collect(),
-        length: property.symbolic_length,
-    };
+        choices,
+        length,
+    });
     let mut run = Native::new(replay);
     run.keep = true;
     (harness.replay)(&mut run);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::term::{Node, node};
+use super::term::{Guide, Node, node};
 
 /// The variables of a script.
 #[derive(Debug, Default)]
@@ -43,8 +43,13 @@ pub(super) fn size(formula: u32) -> usize {
 }
 
 /// A script with one `check-sat` a question, each to be answered with `unsat`. With `values`, the values
-/// of all variables are asked for too.
-pub(super) fn script(title: &str, questions: &[&Question], values: bool) -> (String, Variables) {
+/// of all variables are asked for too; with `inputs`, the variables are these.
+pub(super) fn script(
+    title: &str,
+    questions: &[&Question],
+    values: bool,
+    inputs: Option<&Guide>,
+) -> (String, Variables) {
     let mut text = String::new();
     let mut variables = Variables::default();
     let mut used = BTreeSet::new();
@@ -74,6 +79,18 @@ pub(super) fn script(title: &str, questions: &[&Question], values: bool) -> (Str
             _ => {
                 let sort = if is_double(what) { "Float64" } else { "Bool" };
                 let _ = writeln!(text, "(define-fun t{term} () {sort} {})", body(what));
+            }
+        }
+    }
+    if let Some(inputs) = inputs {
+        for (nth, value) in inputs.scalars.iter().enumerate() {
+            if u32::try_from(nth).is_ok_and(|nth| variables.doubles.contains(&nth)) {
+                let _ = writeln!(text, "(assert (= x{nth} {}))", double(value.to_bits()));
+            }
+        }
+        for (nth, value) in inputs.seqs.iter().enumerate() {
+            if u32::try_from(nth).is_ok_and(|nth| variables.seqs.contains(&nth)) {
+                let _ = writeln!(text, "(assert (= q{nth} #b{value:064b}))");
             }
         }
     }

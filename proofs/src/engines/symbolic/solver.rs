@@ -5,7 +5,6 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::Duration;
 
 use thiserror::Error;
 
@@ -85,10 +84,10 @@ fn read_answer(line: &str) -> Result<Answer, SolverError> {
 }
 
 impl Solvers {
-    /// The answers of bitwuzla, with a limit for each question.
+    /// The answers of bitwuzla, with a limit in seconds of the processor for the whole file.
     ///
     /// # Errors
-    /// It could not be run, failed, or printed something else than answers.
+    /// It could not be run, failed, came to its limit, or printed something else than answers.
     pub fn bitwuzla(
         &self,
         file: &Path,
@@ -101,14 +100,18 @@ impl Solvers {
     /// All that bitwuzla prints.
     ///
     /// # Errors
-    /// It could not be run, or failed.
+    /// It could not be run, failed, or came to its limit.
     pub fn bitwuzla_prints(&self, file: &Path, seconds: u32) -> Result<String, SolverError> {
         let mut python = Command::new(self.bin.join("python"));
-        python.arg(&self.script).arg(file).arg(seconds.to_string());
+        python.arg(&self.script).arg(file).arg(BY_THE_CLOCK);
+        if cfg!(unix) {
+            python.arg(seconds.to_string());
+        }
         printed(python)
     }
 
-    /// What z3 answers within a limit for each question and for all; what comes later is `None`.
+    /// What z3 answers within a limit for each question, which counts z3's steps and not its time; where
+    /// that is not enough, `None`.
     ///
     /// # Errors
     /// It could not be run, or printed something else than answers.
@@ -116,36 +119,24 @@ impl Solvers {
         &self,
         file: &Path,
         wanted: usize,
-        milliseconds: u32,
-        total: Duration,
+        steps: u32,
     ) -> Result<Vec<Option<Answer>>, SolverError> {
         let mut z3 = Command::new(self.bin.join("z3"));
-        z3.arg(format!("-t:{milliseconds}"))
-            .arg(format!("-T:{}", total.as_secs().max(1)))
-            .arg(file);
+        z3.arg(format!("rlimit={steps}")).arg(file);
         let output = z3.output().map_err(|error| SolverError::Start {
             program: "z3".to_owned(),
             why: error.to_string(),
         })?;
         let text = String::from_utf8_lossy(&output.stdout);
-        let mut answers = Vec::new();
-        for line in text.split_terminator('\n') {
-            match line {
-                // The whole run's limit: nothing follows.
-                "timeout" => break,
-                line => answers.push(Some(read_answer(line)?)),
-            }
-        }
-        if answers.len() > wanted {
-            return Err(SolverError::Count {
-                found: answers.len(),
-                wanted,
-            });
-        }
-        answers.resize(wanted, None);
-        Ok(answers)
+        let answers = read_answers(&text, wanted)?.into_iter();
+        Ok(answers
+            .map(|answer| Some(answer).filter(|answer| *answer != Answer::Unknown))
+            .collect())
     }
 }
+
+/// What one question may take by the clock, in seconds: far more than by the processor, as machines are busy.
+const BY_THE_CLOCK: &str = "600";
 
 fn printed(mut command: Command) -> Result<String, SolverError> {
     let output = command.output().map_err(|error| SolverError::Start {

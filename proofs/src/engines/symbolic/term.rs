@@ -6,7 +6,7 @@
 //! whether or not numbers exist that give it: the solver is asked about that, nobody else.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use ncp_spec::safety::kernel::{Scalar, Seq};
 
@@ -60,6 +60,26 @@ pub(super) struct World {
     is_dead: bool,
     checks: Vec<(&'static str, u32)>,
     by_evaluation: u64,
+    reached: BTreeSet<&'static str>,
+    guide: Option<Guide>,
+}
+
+/// Inputs that decide which path is run.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Guide {
+    pub(super) scalars: Vec<f64>,
+    pub(super) seqs: Vec<i64>,
+    pub(super) choices: Vec<usize>,
+    /// What terms are for them, as far as it was asked.
+    pub(super) known: RefCell<HashMap<u32, Concrete>>,
+}
+
+/// What a term is for given inputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Concrete {
+    Double(f64),
+    Seq(i64),
+    Truth(bool),
 }
 
 /// What one path left.
@@ -73,6 +93,8 @@ pub(super) struct Path {
     pub(super) choices: Vec<usize>,
     /// How many checks were true by evaluation alone: their answers were constants.
     pub(super) by_evaluation: u64,
+    /// The names of all checks on it.
+    pub(super) reached: BTreeSet<&'static str>,
 }
 
 thread_local! {
@@ -102,7 +124,25 @@ pub(super) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
         checks: std::mem::take(&mut world.checks),
         choices: std::mem::take(&mut world.choices),
         by_evaluation: world.by_evaluation,
+        reached: std::mem::take(&mut world.reached),
     })
+}
+
+/// Runs a harness once, on the path that these inputs take; and the checks on it that they break.
+pub(super) fn run_guided(
+    length: usize,
+    harness: fn(&mut Symbolic),
+    guide: Guide,
+) -> (Path, Vec<(&'static str, u32)>) {
+    with(|world| world.guide = Some(guide));
+    let path = run(length, harness);
+    let broken = with(|world| {
+        let is_broken = |(_, check): &&(_, u32)| world.concrete(*check) == Concrete::Truth(false);
+        let broken = path.checks.iter().filter(is_broken).copied().collect();
+        world.guide = None;
+        broken
+    });
+    (path, broken)
 }
 
 /// Turns the last decision that can be turned; false when all paths are done.
@@ -130,6 +170,7 @@ impl World {
         self.decided.clear();
         self.choices.clear();
         self.checks.clear();
+        self.reached.clear();
         (self.variables, self.seqs, self.by_evaluation) = (0, 0, 0);
         (self.assumed, self.is_dead) = (None, false);
     }
@@ -269,6 +310,10 @@ impl World {
         }
         let at = self.at;
         self.at += 1;
+        if let Some(guide) = &self.guide {
+            let nth = self.choices.len();
+            return guide.choices.get(nth).copied().unwrap_or_default();
+        }
         if let Some(fork) = self.forks.get(at) {
             return fork.way;
         }
@@ -276,11 +321,74 @@ impl World {
         0
     }
 
+    /// The term's value for the inputs of the guide.
+    fn concrete(&self, term: u32) -> Concrete {
+        let known = self.guide.as_ref().map(|guide| &guide.known);
+        if let Some(known) = known.and_then(|known| known.borrow().get(&term).copied()) {
+            return known;
+        }
+        let value = self.evaluate(term);
+        if let Some(known) = known {
+            known.borrow_mut().insert(term, value);
+        }
+        value
+    }
+
+    fn evaluate(&self, term: u32) -> Concrete {
+        let double = |term| match self.concrete(term) {
+            Concrete::Double(value) => value,
+            _ => f64::NAN,
+        };
+        let seq = |term| match self.concrete(term) {
+            Concrete::Seq(value) => value,
+            _ => 0,
+        };
+        let truth = |term| self.concrete(term) == Concrete::Truth(true);
+        let nth = |nth: u32| nth as usize;
+        let guide = self.guide.as_ref();
+        match self.node(term) {
+            Node::Double(bits) => Concrete::Double(f64::from_bits(bits)),
+            Node::Variable(number) => Concrete::Double(
+                guide
+                    .and_then(|guide| guide.scalars.get(nth(number)).copied())
+                    .unwrap_or_default(),
+            ),
+            Node::SeqVariable(number) => Concrete::Seq(
+                guide
+                    .and_then(|guide| guide.seqs.get(nth(number)).copied())
+                    .unwrap_or_default(),
+            ),
+            Node::Add(a, b) => Concrete::Double(double(a) + double(b)),
+            Node::Sub(a, b) => Concrete::Double(double(a) - double(b)),
+            Node::Mul(a, b) => Concrete::Double(double(a) * double(b)),
+            Node::Div(a, b) => Concrete::Double(double(a) / double(b)),
+            Node::Sqrt(a) => Concrete::Double(double(a).sqrt()),
+            Node::Abs(a) => Concrete::Double(double(a).abs()),
+            Node::Select(c, a, b) => Concrete::Double(double(if truth(c) { a } else { b })),
+            Node::True => Concrete::Truth(true),
+            Node::Lt(a, b) => Concrete::Truth(double(a) < double(b)),
+            Node::Le(a, b) => Concrete::Truth(double(a) <= double(b)),
+            Node::Finite(a) => Concrete::Truth(double(a).is_finite()),
+            Node::Same(a, b) => {
+                let (a, b) = (double(a), double(b));
+                Concrete::Truth(a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()))
+            }
+            Node::SeqLt(a, b) => Concrete::Truth(seq(a) < seq(b)),
+            Node::SeqSame(a, b) => Concrete::Truth(seq(a) == seq(b)),
+            Node::SeqZero(a) => Concrete::Truth(seq(a) == 0),
+            Node::Not(a) => Concrete::Truth(!truth(a)),
+            Node::And(a, b) => Concrete::Truth(truth(a) && truth(b)),
+        }
+    }
+
     fn decide(&mut self, formula: u32) -> bool {
         if let Some(known) = self.known(formula) {
             return known;
         }
-        let answer = self.fork(2) == 0;
+        let answer = match self.guide {
+            Some(_) => self.concrete(formula) == Concrete::Truth(true),
+            None => self.fork(2) == 0,
+        };
         self.literals.push((formula, answer));
         self.decided.insert(formula, answer);
         answer
@@ -421,6 +529,11 @@ impl Prover for Symbolic {
             world.is_dead |= world.known(condition) == Some(false);
         });
     }
+    fn never(&mut self, name: &'static str) {
+        let no = self.truth(false);
+        self.check(name, no);
+        with(|world| world.reached.remove(name));
+    }
     fn check(&mut self, name: &'static str, condition: u32) {
         let condition = match with(|world| world.assumed) {
             Some(assumed) => self.implies(assumed, condition),
@@ -428,7 +541,10 @@ impl Prover for Symbolic {
         };
         with(|world| {
             if world.is_dead {
-            } else if world.value(condition) == Some(true) {
+                return;
+            }
+            world.reached.insert(name);
+            if world.value(condition) == Some(true) {
                 world.by_evaluation += 1;
             } else {
                 world.checks.push((name, condition));
