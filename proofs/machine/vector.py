@@ -1,0 +1,2 @@
+def case(defect, wanted, found, right):
+    return None
