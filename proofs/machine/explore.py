@@ -7,8 +7,10 @@ import argparse
 import hashlib
 import importlib.metadata
 import json
+import os
 import sys
 import time
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import claripy
@@ -25,6 +27,11 @@ Z3_MS = 5_000
 BITWUZLA_MS = 60_000
 # So many paths are one obligation.
 GROUP = 32
+
+SLOW = ("plant_active", "gates_govern")
+
+# What a process of the pool works with.
+HELD = {}
 
 TRUSTED = [
     "angr's lifter (VEX) gives each instruction its meaning, doubles by IEEE 754 in round-to-nearest; the control registers are those that a program starts with",
@@ -47,18 +54,17 @@ def main():
     evidence = arguments.evidence
     if evidence:
         evidence.mkdir(parents=True, exist_ok=True)
-    library = Library(arguments.library)
-    results = [
-        prove(library, wanted, evidence)
-        for wanted in PROPERTIES
-        if arguments.only in wanted.id
-    ]
-    refuted = []
-    if not arguments.no_broken:
-        whole, broken = native.load(arguments.library), native.load(arguments.broken)
-        code = Library(arguments.broken)
-        for defect in json.loads((HERE / "broken.json").read_text(encoding="utf-8")):
-            refuted.append(refute(code, broken, whole, defect))
+    wanted = [p for p in PROPERTIES if arguments.only in p.id]
+    defects = json.loads((HERE / "broken.json").read_text(encoding="utf-8"))
+    defects = [d for d in defects if arguments.only in d["property"] and not arguments.no_broken]
+    files = (arguments.library, arguments.broken, evidence)
+    # The slow ones first: none of them is left alone at the end.
+    queue = sorted(wanted, key=lambda p: p.function not in SLOW)
+    with ProcessPoolExecutor(arguments.jobs, initializer=begin, initargs=files) as pool:
+        proved = {p.id: pool.submit(prove_here, p.id) for p in queue}
+        refuted = [pool.submit(refute_here, defect) for defect in defects]
+        results = [proved[p.id].result() for p in wanted]
+        refuted = [future.result() for future in refuted]
     report = {
         "engine": "machine code",
         "version": "angr {}, bitwuzla {}, z3 {}".format(
@@ -78,6 +84,22 @@ def main():
     good = all(r["result"] == "proved" for r in results) and all(r["refuted"] for r in refuted)
     print(f"{report['seconds']} s: " + ("all proved and refuted" if good else "NOT all"))
     return 0 if good else 1
+
+
+def begin(library, broken, evidence):
+    """Loads the libraries, once a process."""
+    HELD["library"], HELD["broken"] = Library(library), Library(broken)
+    HELD["native"] = (native.load(broken), native.load(library))
+    HELD["evidence"] = evidence
+
+
+def prove_here(name):
+    wanted = next(p for p in PROPERTIES if p.id == name)
+    return prove(HELD["library"], wanted, HELD["evidence"])
+
+
+def refute_here(defect):
+    return refute(HELD["broken"], *HELD["native"], defect)
 
 
 def prove(library, wanted, evidence, prefix="ncp"):
@@ -158,7 +180,7 @@ def refute(code, broken, whole, defect):
     report = {"id": defect["id"], "property": wanted.id, "about": defect["about"]}
     report |= {"refuted": False}
     try:
-        found = counterexample(code, wanted, defect["id"])
+        found = counterexample(code, wanted, defect)
     except Incomplete as error:
         found, report["why"] = None, str(error)
     if found:
@@ -175,16 +197,24 @@ def refute(code, broken, whole, defect):
         case = vector.case(defect, wanted, found, right)
         if case:
             report["vector"] = case
-    print(f"{'refuted' if report['refuted'] else 'NOT REFUTED':8} {defect['id']}")
+    print(f"{'refuted' if report['refuted'] else 'NOT REFUTED':8} {defect['id']}", flush=True)
     return report
 
 
-def counterexample(code, wanted, prefix):
-    """Inputs for which a path of a broken kernel ends where the property forbids."""
+def counterexample(code, wanted, defect):
+    """Inputs for which a path of a broken kernel ends where the property forbids.
+
+    A defect may say with which flags it shows, which spares the search for them.
+    """
     signature = SIGNATURES[wanted.function]
-    exploration = code.explore(f"{prefix}_{wanted.function}", signature, wanted.assume)
+
+    def assume(inputs):
+        narrow = [inputs["flags"] == defect["flags"]] if "flags" in defect else []
+        return [*wanted.assume(inputs), *narrow]
+
+    exploration = code.explore(f"{defect['id']}_{wanted.function}", signature, assume)
     names = {name: symbol.args[0] for name, symbol in exploration.inputs.items()}
-    assumed = wanted.assume(exploration.inputs)
+    assumed = assume(exploration.inputs)
     for path in exploration.paths:
         wrong = ends_wrongly(wanted, exploration.inputs, path)
         found = solver.model(solver.smt([*assumed, wrong]), names, BITWUZLA_MS)
@@ -220,6 +250,7 @@ def parse_arguments():
     parser.add_argument("--json", type=Path, help="write the result there")
     parser.add_argument("--evidence", type=Path, help="write each obligation there, as SMT-LIB 2")
     parser.add_argument("--only", default="", help="only properties whose id has this in it")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes")
     parser.add_argument("--no-broken", action="store_true", help="leave the broken kernels out")
     return parser.parse_args()
 

@@ -5,7 +5,13 @@
     unsafe_code,
     reason = "a function is exported by name with an attribute that counts as unsafe"
 )]
-#![allow(missing_docs, unused, unreachable_pub, clippy::all, reason = "the copies are not to be used")]
+#![allow(
+    missing_docs,
+    unused,
+    unreachable_pub,
+    clippy::all,
+    reason = "the copies are not to be used"
+)]
 
 #[path = "../src/wrappers.rs"]
 mod wrappers;

@@ -133,6 +133,7 @@ pub(crate) fn refute<P: Protocol>() -> Vec<Broken> {
         let checker = P::broken(defect).checker().finish_when(wanted);
         let checker = checker.spawn_bfs().join();
         let path = checker.discovery(claim).map(stateright::Path::into_actions);
+        let path = path.map(|path| shortened(&P::broken(defect), claim, path));
         let counterexample = path.map(|path| P::replay(defect, &path));
         // The path alone is the checker's word; the replay has to show the difference too.
         let differs = |replay: &Replay| replay.real != replay.broken;
@@ -197,6 +198,49 @@ where
             "witnesses": witnesses,
         }),
     }
+}
+
+/// The path without the events that the violation does not need.
+fn shortened<M>(model: &M, claim: &'static str, mut path: Vec<M::Action>) -> Vec<M::Action>
+where
+    M: Model,
+    M::Action: Clone + PartialEq,
+{
+    let mut at = 0;
+    while at < path.len() {
+        let mut shorter = path.clone();
+        shorter.remove(at);
+        if violates(model, claim, &shorter) {
+            path = shorter;
+            at = 0;
+        } else {
+            at += 1;
+        }
+    }
+    path
+}
+
+/// Whether the events can happen in this order, and lead to where the claim does not hold.
+fn violates<M>(model: &M, claim: &'static str, path: &[M::Action]) -> bool
+where
+    M: Model,
+    M::Action: Clone + PartialEq,
+{
+    let holds = model.property(claim).condition;
+    model.init_states().into_iter().any(|mut state| {
+        for event in path {
+            let mut enabled = vec![];
+            model.actions(&state, &mut enabled);
+            if !enabled.contains(event) {
+                return false;
+            }
+            match model.next_state(&state, event.clone()) {
+                Some(next) => state = next,
+                None => return false,
+            }
+        }
+        !holds(model, &state)
+    })
 }
 
 fn id<P: Protocol>(claim: &str) -> String {

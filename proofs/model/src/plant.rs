@@ -159,7 +159,11 @@ impl Subject {
             ),
             Self::Broken(wrong) => (wrong.last, wrong.deadline, wrong.stopped),
         };
-        (last, deadline.map(|(r, ttl)| (r.to_bits(), ttl.to_bits())), stopped)
+        (
+            last,
+            deadline.map(|(r, ttl)| (r.to_bits(), ttl.to_bits())),
+            stopped,
+        )
     }
 
     fn arrive(&mut self, text: &str, now_s: f64) {
@@ -185,7 +189,10 @@ impl Subject {
             Self::Real(buffer, plant) => {
                 let moves = buffer.active(now_s).is_some();
                 let like = plant.active(now_s, None, 0).is_some();
-                (moves, moves == like && buffer.is_stopped() == plant.is_stopped())
+                (
+                    moves,
+                    moves == like && buffer.is_stopped() == plant.is_stopped(),
+                )
             }
             Self::Broken(wrong) => (wrong.ask(now_s), true),
         }
@@ -339,7 +346,11 @@ impl Model for Link {
         state.last = 0;
         match event {
             Event::Send(body) => {
-                let seq = if body == Body::Unstamped { 0 } else { state.next };
+                let seq = if body == Body::Unstamped {
+                    0
+                } else {
+                    state.next
+                };
                 let sent = Sent { body, seq };
                 state.next += 1;
                 match state.sent.binary_search(&sent) {
@@ -386,9 +397,15 @@ impl Model for Link {
             sometimes!("the plant moves", MOVED),
             sometimes!("a deadline passes", EXPIRED),
             sometimes!("a stale command arrives while the plant moves", STALE),
-            sometimes!("an ESTOP arrives that is older than the newest command", OLD_ESTOP),
+            sometimes!(
+                "an ESTOP arrives that is older than the newest command",
+                OLD_ESTOP
+            ),
             sometimes!("a restarted sender is held", RESTART_HELD),
-            sometimes!("a restarted sender moves the plant after a reset", RESTART_MOVED),
+            sometimes!(
+                "a restarted sender moves the plant after a reset",
+                RESTART_MOVED
+            ),
             sometimes!("the plant moves at the very end of a ttl", MOVED_AT_END),
         ]
     }
@@ -408,9 +425,19 @@ impl Protocol for PlantSide {
         Claim {
             name: "liveness",
             rules: &[
-                "NCP-RES-001", "NCP-RES-002", "NCP-RES-004", "NCP-RES-005", "NCP-RES-006",
-                "NCP-RES-007", "NCP-RES-008", "NCP-RES-009", "NCP-RES-010", "NCP-RES-023",
-                "NCP-RES-024", "NCP-RES-025", "NCP-RES-032",
+                "NCP-RES-001",
+                "NCP-RES-002",
+                "NCP-RES-004",
+                "NCP-RES-005",
+                "NCP-RES-006",
+                "NCP-RES-007",
+                "NCP-RES-008",
+                "NCP-RES-009",
+                "NCP-RES-010",
+                "NCP-RES-023",
+                "NCP-RES-024",
+                "NCP-RES-025",
+                "NCP-RES-032",
             ],
             sentence: "Over every network and clock, a plant moves only on an advancing command that was received at r ≤ now with now − r ≤ min(ttl, 60 s), and that no HOLD, hold or reset has ended since.",
             formal: "always: moves(now) ⟹ ∃ accepted (r, ttl): r ≤ now ∧ now − r ≤ min(ttl, 60 s) ∧ not ended",
@@ -453,22 +480,102 @@ impl Protocol for PlantSide {
         },
     ];
     const BROKEN: &'static [Variant<Defect>] = &[
-        (Defect::DuplicateRefreshes, "duplicate-refreshes", "A duplicate refreshes the deadline.", "stale changes nothing"),
-        (Defect::OldRefreshes, "old-refreshes", "A reordered command counts as new.", "liveness"),
-        (Defect::NoCap, "no-cap", "A ttl is not capped at 60 s.", "liveness"),
-        (Defect::ZeroTtlCounts, "zero-ttl", "A ttl of 0 counts as 250 ms.", "liveness"),
-        (Defect::ClockBackwardCounts, "clock-backward", "A clock that reads less than at the receipt counts as no age.", "liveness"),
-        (Defect::ReviveAfterExpiry, "revives", "A hold ends when the clock goes back.", "liveness"),
-        (Defect::NanIsFresh, "nan-is-fresh", "A clock that reads NaN passes every comparison.", "liveness"),
-        (Defect::EndIsPast, "end-is-past", "A command counts as expired at exactly its ttl.", "no needless hold"),
-        (Defect::RestartIsNewer, "restart-is-newer", "A seq of 1 always counts as a new stream.", "liveness"),
-        (Defect::HoldDoesNotAdvance, "hold-does-not-advance", "A HOLD does not advance the stream, so that a command which it overtook moves the plant.", "liveness"),
-        (Defect::ResetKeepsDeadline, "reset-keeps-deadline", "A reset keeps the deadline.", "reset never revives"),
-        (Defect::OldEstopDropped, "old-estop-dropped", "A stale ESTOP is dropped.", "estop is never lost"),
-        (Defect::TornEstopDropped, "torn-estop-dropped", "An ESTOP in a malformed frame is dropped.", "estop is never lost"),
-        (Defect::ActiveClearsLatch, "active-clears-latch", "A newer active command ends ESTOP.", "latch"),
-        (Defect::EstopIsHold, "estop-is-hold", "An ESTOP only holds.", "latch"),
-        (Defect::HoldClearsLatch, "hold-clears-latch", "A HOLD ends ESTOP.", "latch"),
+        (
+            Defect::DuplicateRefreshes,
+            "duplicate-refreshes",
+            "A duplicate refreshes the deadline.",
+            "stale changes nothing",
+        ),
+        (
+            Defect::OldRefreshes,
+            "old-refreshes",
+            "A reordered command counts as new.",
+            "liveness",
+        ),
+        (
+            Defect::NoCap,
+            "no-cap",
+            "A ttl is not capped at 60 s.",
+            "liveness",
+        ),
+        (
+            Defect::ZeroTtlCounts,
+            "zero-ttl",
+            "A ttl of 0 counts as 250 ms.",
+            "liveness",
+        ),
+        (
+            Defect::ClockBackwardCounts,
+            "clock-backward",
+            "A clock that reads less than at the receipt counts as no age.",
+            "liveness",
+        ),
+        (
+            Defect::ReviveAfterExpiry,
+            "revives",
+            "A hold ends when the clock goes back.",
+            "liveness",
+        ),
+        (
+            Defect::NanIsFresh,
+            "nan-is-fresh",
+            "A clock that reads NaN passes every comparison.",
+            "liveness",
+        ),
+        (
+            Defect::EndIsPast,
+            "end-is-past",
+            "A command counts as expired at exactly its ttl.",
+            "no needless hold",
+        ),
+        (
+            Defect::RestartIsNewer,
+            "restart-is-newer",
+            "A seq of 1 always counts as a new stream.",
+            "liveness",
+        ),
+        (
+            Defect::HoldDoesNotAdvance,
+            "hold-does-not-advance",
+            "A HOLD does not advance the stream, so that a command which it overtook moves the plant.",
+            "liveness",
+        ),
+        (
+            Defect::ResetKeepsDeadline,
+            "reset-keeps-deadline",
+            "A reset keeps the deadline.",
+            "reset never revives",
+        ),
+        (
+            Defect::OldEstopDropped,
+            "old-estop-dropped",
+            "A stale ESTOP is dropped.",
+            "estop is never lost",
+        ),
+        (
+            Defect::TornEstopDropped,
+            "torn-estop-dropped",
+            "An ESTOP in a malformed frame is dropped.",
+            "estop is never lost",
+        ),
+        (
+            Defect::ActiveClearsLatch,
+            "active-clears-latch",
+            "A newer active command ends ESTOP.",
+            "latch",
+        ),
+        (
+            Defect::EstopIsHold,
+            "estop-is-hold",
+            "An ESTOP only holds.",
+            "latch",
+        ),
+        (
+            Defect::HoldClearsLatch,
+            "hold-clears-latch",
+            "A HOLD ends ESTOP.",
+            "latch",
+        ),
     ];
 
     fn models(small: bool) -> Vec<Link> {
@@ -553,7 +660,12 @@ fn with_an_ending(path: &[Event]) -> Vec<Event> {
         body: Body::Active(1),
         seq: 9,
     };
-    let ending = [Event::Ask(0), Event::Ask(1), Event::Arrive(newest, 0), Event::Ask(0)];
+    let ending = [
+        Event::Ask(0),
+        Event::Ask(1),
+        Event::Arrive(newest, 0),
+        Event::Ask(0),
+    ];
     path.iter().copied().chain(ending).collect()
 }
 
@@ -617,7 +729,10 @@ fn ask(state: &mut State, time: usize) {
     tell(!moves && had.is_some() && !latched, EXPIRED);
     let at_end = had.is_some_and(|(received, ttl)| TTLS_MS[ttl] == 250.0 && received + 1 == time);
     tell(moves && at_end, MOVED_AT_END);
-    tell(moves && state.restarted && state.text.newest == Some(1), RESTART_MOVED);
+    tell(
+        moves && state.restarted && state.text.newest == Some(1),
+        RESTART_MOVED,
+    );
     // [NCP-RES-010] A hold persists, and so what has expired is no permit any more.
     let lives = Permit {
         latched: false,
@@ -681,7 +796,11 @@ fn vector(path: &[Event]) -> Value {
 }
 
 fn number(value: f64) -> Value {
-    if value.is_nan() { json!("NaN") } else { json!(value) }
+    if value.is_nan() {
+        json!("NaN")
+    } else {
+        json!(value)
+    }
 }
 
 #[cfg(test)]
@@ -707,7 +826,11 @@ mod tests {
     #[test]
     fn the_plant_of_the_broken_variants_is_right_without_a_defect() {
         use stateright::Checker;
-        let model = Link { seqs: 2, bodies: &ORDERED, ..PlantSide::broken(Defect::Nothing) };
+        let model = Link {
+            seqs: 2,
+            bodies: &ORDERED,
+            ..PlantSide::broken(Defect::Nothing)
+        };
         let checker = model.checker().spawn_bfs().join();
         for claim in PlantSide::CLAIMS {
             assert!(checker.discovery(claim.name).is_none(), "{claim:?}");

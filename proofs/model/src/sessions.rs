@@ -96,11 +96,15 @@ impl Server {
             return vec![];
         };
         let ask = |ask, session| text_of(Event::Request(ask, session));
-        let serve = |service: &mut SessionService<Clock>, text: &str| service.serve(text.as_bytes());
+        let serve =
+            |service: &mut SessionService<Clock>, text: &str| service.serve(text.as_bytes());
         match (self.defect, event) {
             (Some(Defect::SilentToTorn), Event::Torn) => vec![],
             (Some(Defect::CloseKeeps), Event::Request(Ask::Close, session)) => {
-                let is_open = self.service.open_sessions().any(|id| id == SESSIONS[session]);
+                let is_open = self
+                    .service
+                    .open_sessions()
+                    .any(|id| id == SESSIONS[session]);
                 vec![json!({"kind": "session_closed", "session_id": SESSIONS[session], "ok": is_open}).to_string()]
             }
             (Some(Defect::StepOpens), Event::Request(Ask::Step, session)) => {
@@ -238,7 +242,12 @@ impl Model for Service {
 }
 
 /// What the text says of the replies to an event.
-fn judge(open: &mut BTreeMap<usize, i64>, server: &Server, event: Event, replies: &[String]) -> u16 {
+fn judge(
+    open: &mut BTreeMap<usize, i64>,
+    server: &Server,
+    event: Event,
+    replies: &[String],
+) -> u16 {
     let mut said = 0;
     let mut tell = |when, sign| {
         if when {
@@ -277,7 +286,10 @@ fn judge(open: &mut BTreeMap<usize, i64>, server: &Server, event: Event, replies
                 *steps += 1;
                 // One step is 10 ms.
                 let time_ms = f64::from(i32::try_from(*steps).unwrap_or(0)) * 10.0;
-                tell(reply.seq != *steps || reply.sim_time_ms != time_ms, WRONG_SEQ);
+                tell(
+                    reply.seq != *steps || reply.sim_time_ms != time_ms,
+                    WRONG_SEQ,
+                );
                 tell(true, STEPPED);
             }
             true
@@ -345,36 +357,99 @@ impl Protocol for Sessions {
         },
         Claim {
             name: "seq and time",
-            rules: &["NCP-SESS-030", "NCP-SESS-031", "NCP-SESS-033", "NCP-SESS-034", "NCP-SESS-035"],
+            rules: &[
+                "NCP-SESS-030",
+                "NCP-SESS-031",
+                "NCP-SESS-033",
+                "NCP-SESS-034",
+                "NCP-SESS-035",
+            ],
             sentence: "The n-th step of a session since it was opened has seq n and n steps of simulation time, whatever happens to the other session, and a second open changes nothing.",
             formal: "always: observation ⟹ seq = n ∧ sim_time_ms = 10 n",
         },
         Claim {
             name: "client knows success",
-            rules: &["NCP-SESS-001", "NCP-SESS-002", "NCP-SESS-004", "NCP-SESS-005", "NCP-SESS-007"],
+            rules: &[
+                "NCP-SESS-001",
+                "NCP-SESS-002",
+                "NCP-SESS-004",
+                "NCP-SESS-005",
+                "NCP-SESS-007",
+            ],
             sentence: "A client takes a reply for a success exactly when the server did what was asked.",
             formal: "always: check_reply(request, reply) is ok ⟺ the request succeeded",
         },
     ];
     const BROKEN: &'static [Variant<Defect>] = &[
-        (Defect::SilentToTorn, "silent-to-torn", "A request that cannot be decoded gets no reply.", "one reply"),
-        (Defect::CloseKeeps, "close-keeps", "A close is answered and does not close.", "steps only while open"),
-        (Defect::StepOpens, "step-opens", "A step opens the session that it names.", "steps only while open"),
-        (Defect::RestartRemembers, "restart-remembers", "Sessions outlive the server's restart.", "steps only while open"),
-        (Defect::OpenReplaces, "open-replaces", "A second open begins the session anew.", "opens once"),
-        (Defect::SecondCloseSucceeds, "second-close", "A close of a session that is not open succeeds.", "closes once"),
-        (Defect::OneSession, "one-session", "Both sessions are one.", "opens once"),
-        (Defect::SeqStands, "seq-stands", "The seq does not rise.", "seq and time"),
-        (Defect::ClientTakesErrors, "client-takes-errors", "A client takes any reply for a success.", "client knows success"),
+        (
+            Defect::SilentToTorn,
+            "silent-to-torn",
+            "A request that cannot be decoded gets no reply.",
+            "one reply",
+        ),
+        (
+            Defect::CloseKeeps,
+            "close-keeps",
+            "A close is answered and does not close.",
+            "steps only while open",
+        ),
+        (
+            Defect::StepOpens,
+            "step-opens",
+            "A step opens the session that it names.",
+            "steps only while open",
+        ),
+        (
+            Defect::RestartRemembers,
+            "restart-remembers",
+            "Sessions outlive the server's restart.",
+            "steps only while open",
+        ),
+        (
+            Defect::OpenReplaces,
+            "open-replaces",
+            "A second open begins the session anew.",
+            "opens once",
+        ),
+        (
+            Defect::SecondCloseSucceeds,
+            "second-close",
+            "A close of a session that is not open succeeds.",
+            "closes once",
+        ),
+        (
+            Defect::OneSession,
+            "one-session",
+            "Both sessions are one.",
+            "opens once",
+        ),
+        (
+            Defect::SeqStands,
+            "seq-stands",
+            "The seq does not rise.",
+            "seq and time",
+        ),
+        (
+            Defect::ClientTakesErrors,
+            "client-takes-errors",
+            "A client takes any reply for a success.",
+            "client knows success",
+        ),
     ];
 
     fn models(small: bool) -> Vec<Service> {
         let events = if small { 4 } else { 6 };
-        vec![Service { defect: None, events }]
+        vec![Service {
+            defect: None,
+            events,
+        }]
     }
 
     fn broken(defect: Defect) -> Service {
-        Service { defect: Some(defect), events: 4 }
+        Service {
+            defect: Some(defect),
+            events: 4,
+        }
     }
 
     fn bounds(small: bool) -> String {
@@ -424,7 +499,10 @@ fn text_of(event: Event) -> String {
             SESSIONS[session]
         ),
         Event::Request(Ask::Close, session) => {
-            format!(r#"{{"kind":"close_session","session_id":"{}"}}"#, SESSIONS[session])
+            format!(
+                r#"{{"kind":"close_session","session_id":"{}"}}"#,
+                SESSIONS[session]
+            )
         }
         Event::Torn | Event::Restart => r#"{"kind":"step_request","session_id":"a""#.to_owned(),
     }
