@@ -43,7 +43,8 @@ TRUSTED = [
 NOT_PROVED = [
     "that a clamped vector keeps the bound and the direction: proved over the kernel's source, by the symbolic engine",
     "what the governor's gates do with an active command that is fresh, within the fence and in no fault, and with a position that is finite: the projection and the horizon",
-    "which step of a horizon a plant follows; only that it is none past the end, and none when it must hold",
+    "which step of a horizon a plant follows, and that with a horizon it holds once the command is too old; without one it is proved",
+    "that the governor compares the age of a sensor with the timeout as is-fresh does: only what is decided without the age",
     "the machine code of any other target or profile than the one that was built",
 ]
 

@@ -49,6 +49,8 @@ BYPASSES = {
     sim_options.CONCRETIZE_SYMBOLIC_FILE_READ_SIZES,
     sim_options.CONCRETIZE_SYMBOLIC_WRITE_SIZES,
 }
+# Notes that nothing here reads.
+NOTES = sim_options.refs | {sim_options.TRACK_CONSTRAINT_ACTIONS}
 
 
 class Incomplete(Exception):
@@ -90,7 +92,7 @@ class Library:
         if entry is None:
             raise Incomplete(f"there is no function {symbol}")
         inputs = {name: claripy.BVS(name, 64) for name in signature.words + signature.doubles}
-        state = self.project.factory.blank_state(addr=entry.rebased_addr, remove_options=BYPASSES)
+        state = self.project.factory.blank_state(addr=entry.rebased_addr, remove_options=BYPASSES | NOTES)
         left = {option for option in BYPASSES if option in state.options}
         if left:
             raise Incomplete(f"bypass options are on: {left}")

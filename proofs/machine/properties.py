@@ -464,17 +464,19 @@ def _(i, o):
     "plant-horizon-holds",
     "latch",
     "plant_active",
-    "RES-002 RES-005 RES-006 RES-007 RES-008 RES-010 RES-025",
-    "Whatever the horizon: a plant that is latched, has no deadline, or is not alive by the liveness rule does not move, and stays so.",
-    "stopped ∨ ¬has_deadline ∨ ¬alive ⟹ answer = 0 ∧ stopped' = stopped ∧ (¬alive ⟹ ¬has_deadline')",
+    "RES-005 RES-006 RES-007 RES-008 RES-010 RES-025",
+    "Whatever the horizon: a plant that is latched, or has no deadline, or whose clock or ttl is none, or whose clock went back, does not move, and stays so.",
+    "stopped ∨ ¬has_deadline ∨ ¬finite(now, received) ∨ now < received ∨ ¬finite(ttl) ∨ ttl ≤ 0 ⟹ answer = 0 ∧ stopped' = stopped ∧ (¬alive ⟹ ¬has_deadline')",
     assume=lambda i: [
         claripy.Or(
             has(i["flags"], STOPPED),
             claripy.Not(has(i["flags"], FIRST)),
             claripy.Not(has(i["flags"], SECOND)),
-            claripy.Not(alive(i["now_s"], i["received_s"], i["ttl_ms"])),
+            claripy.Not(in_order(i["now_s"], i["received_s"])),
+            claripy.Not(positive(i["ttl_ms"])),
         )
     ],
+    bounds="the age itself is left to watchdog-should-hold; else none",
 )
 def _(i, o):
     lives = claripy.And(o["has_deadline"] == 1, alive(i["now_s"], o["received_s"], o["ttl_ms"]))

@@ -151,7 +151,7 @@ fn govern(
             frame.mode = Mode::Hold;
         }
         Some(Defect::EstopIsPassedOn) if !was_stopped && MODES[mode] == Mode::Estop => {
-            governor.reset()
+            governor.reset();
         }
         Some(Defect::HoldIsPassedOn) if MODES[mode] == Mode::Hold && frame.mode == Mode::Hold => {
             frame = command(seq, Mode::Active);
