@@ -205,13 +205,13 @@ def refute(code, broken, whole, defect):
 def counterexample(code, wanted, defect):
     """Inputs for which a path of a broken kernel ends where the property forbids.
 
-    A defect may say with which flags it shows, which spares the search for them.
+    A defect may say with which inputs it shows, which spares the search for them.
     """
     signature = SIGNATURES[wanted.function]
 
     def assume(inputs):
-        narrow = [inputs["flags"] == defect["flags"]] if "flags" in defect else []
-        return [*wanted.assume(inputs), *narrow]
+        fixed = defect.get("where", {}).items()
+        return [*wanted.assume(inputs), *(inputs[name] == native.bits(value) for name, value in fixed)]
 
     exploration = code.explore(f"{defect['id']}_{wanted.function}", signature, assume)
     names = {name: symbol.args[0] for name, symbol in exploration.inputs.items()}

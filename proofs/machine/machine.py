@@ -16,7 +16,7 @@ OUT_BYTES = 256
 STACK = 0x20_000_000
 MAX_STEPS = 4_096
 # How long the question may take whether a path can be taken at all; longer is a failure.
-FORK_MS = 20_000
+FORK_MS = 60_000
 
 # Whatever would let angr go on where it does not know.
 BYPASSES = {

@@ -31,6 +31,11 @@ def run(library, symbol, function, signature, inputs):
     return left
 
 
+def bits(value):
+    """The bits of a double, or of an integer."""
+    return struct.unpack("<Q", struct.pack("<d", value))[0] if isinstance(value, float) else value
+
+
 def double(bits):
     """The double of some bits."""
     return struct.unpack("<d", struct.pack("<Q", bits & MASK))[0]
