@@ -184,7 +184,7 @@ def refute(code, broken, whole, defect):
         found = counterexample(code, wanted, defect)
     except Incomplete as error:
         found, report["why"] = None, str(error)
-    if found:
+    if found is not None:
         function, signature = wanted.function, SIGNATURES[wanted.function]
         wrong = native.run(broken, f"{defect['id']}_{function}", function, signature, found)
         right = native.run(whole, f"ncp_{function}", function, signature, found)
@@ -208,19 +208,20 @@ def counterexample(code, wanted, defect):
     A defect may say with which inputs it shows, which spares the search for them.
     """
     signature = SIGNATURES[wanted.function]
-
-    def assume(inputs):
-        fixed = defect.get("where", {}).items()
-        return [*wanted.assume(inputs), *(inputs[name] == native.bits(value) for name, value in fixed)]
-
-    exploration = code.explore(f"{defect['id']}_{wanted.function}", signature, assume)
-    names = {name: symbol.args[0] for name, symbol in exploration.inputs.items()}
-    assumed = assume(exploration.inputs)
+    fixed = {name: native.bits(value) for name, value in defect.get("where", {}).items()}
+    symbol = f"{defect['id']}_{wanted.function}"
+    exploration = code.explore(symbol, signature, wanted.assume, fixed)
+    names = {
+        name: variable.args[0]
+        for name, variable in exploration.inputs.items()
+        if name not in fixed
+    }
+    assumed = wanted.assume(exploration.inputs)
     for path in exploration.paths:
         wrong = ends_wrongly(wanted, exploration.inputs, path)
         found = solver.model(solver.smt([*assumed, wrong]), names, BITWUZLA_MS)
-        if found:
-            return found
+        if found is not None:
+            return found | fixed
     return None
 
 

@@ -86,12 +86,13 @@ class Library:
         self.code = self.project.loader.main_object
         self.base = self.code.mapped_base
 
-    def explore(self, symbol, signature, assume=lambda inputs: []):
-        """All paths of a function whose inputs are any bits that `assume` leaves."""
+    def explore(self, symbol, signature, assume=lambda inputs: [], fixed=None):
+        """All paths of a function whose inputs are any bits that `assume` leaves, or are fixed."""
         entry = self.code.get_symbol(symbol)
         if entry is None:
             raise Incomplete(f"there is no function {symbol}")
         inputs = {name: claripy.BVS(name, 64) for name in signature.words + signature.doubles}
+        inputs |= {name: claripy.BVV(bits, 64) for name, bits in (fixed or {}).items()}
         state = self.project.factory.blank_state(addr=entry.rebased_addr, remove_options=BYPASSES | NOTES)
         left = {option for option in BYPASSES if option in state.options}
         if left:
