@@ -3,12 +3,13 @@
 import logging
 from dataclasses import dataclass, field
 
-import angr
-import claripy
-from angr import sim_options
-
-for noisy in ("angr", "cle", "pyvex", "claripy"):
+# angr complains while it is loaded, of an accelerator that nothing here uses.
+for noisy in ("angr", "angr.state_plugins.unicorn_engine", "cle", "pyvex", "claripy"):
     logging.getLogger(noisy).setLevel(logging.CRITICAL)
+
+import angr  # noqa: E402
+import claripy  # noqa: E402
+from angr import sim_options  # noqa: E402
 
 # Where the functions write, and how much.
 OUT = 0x10_000_000
