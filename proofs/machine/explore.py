@@ -58,7 +58,7 @@ def main():
     wanted = [p for p in PROPERTIES if arguments.only in p.id]
     defects = json.loads((HERE / "broken.json").read_text(encoding="utf-8"))
     defects = [d for d in defects if arguments.only in d["property"] and not arguments.no_broken]
-    files = (arguments.library, arguments.broken, evidence)
+    files = (arguments.library, arguments.broken if defects else None, evidence)
     # The slow ones first: none of them is left alone at the end.
     queue = sorted(wanted, key=lambda p: p.function not in SLOW)
     with ProcessPoolExecutor(arguments.jobs, initializer=begin, initargs=files) as pool:
@@ -89,8 +89,10 @@ def main():
 
 def begin(library, broken, evidence):
     """Loads the libraries, once a process."""
-    HELD["library"], HELD["broken"] = Library(library), Library(broken)
-    HELD["native"] = (native.load(broken), native.load(library))
+    HELD["library"] = Library(library)
+    if broken:
+        HELD["broken"] = Library(broken)
+        HELD["native"] = (native.load(broken), native.load(library))
     HELD["evidence"] = evidence
 
 
@@ -138,6 +140,9 @@ def prove(library, wanted, evidence, prefix="ncp"):
             file = evidence / f"{wanted.id.replace('/', '-')}-{name}.smt2"
             file.write_text(text, encoding="utf-8")
     seconds = round(time.monotonic() - start, 2)
+    if outcome == "refuted":
+        result["counterexample"] = shown_model(wanted, exploration, decisions)
+        print(result["counterexample"])
     print(f"{outcome:8} {wanted.id}: {len(exploration.paths)} paths, {seconds} s", flush=True)
     return result | {
         "result": outcome,
@@ -156,6 +161,14 @@ def prove(library, wanted, evidence, prefix="ncp"):
             for name, text, decision in decisions
         ],
     }
+
+
+def shown_model(wanted, exploration, decisions):
+    """Inputs for which a property does not hold."""
+    names = {name: variable.args[0] for name, variable in exploration.inputs.items()}
+    text = next(text for _, text, decision in decisions if decision.verdict is solver.Verdict.SAT)
+    found = solver.model(text, names, BITWUZLA_MS)
+    return found and native.shown(SIGNATURES[wanted.function], found)
 
 
 def obligations(wanted, exploration):
