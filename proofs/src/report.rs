@@ -82,7 +82,7 @@ pub fn elsewhere(mut head: Value, file: &Path) -> Value {
         head["version"] = left["version"].clone();
     }
     let claims = ["properties", "claims"].map(|name| list(&left[name]));
-    head["results"] = claims
+    let results: Vec<Value> = claims
         .into_iter()
         .flatten()
         .map(|claim| {
@@ -95,13 +95,16 @@ pub fn elsewhere(mut head: Value, file: &Path) -> Value {
             })
         })
         .collect();
+    head["results"] = json!(results);
     head["broken"] = list(&left["broken"])
         .into_iter()
         .map(|broken| {
-            let id = word(&broken["property"]);
-            let family = id.split('/').next().unwrap_or_default();
+            let claim = results
+                .iter()
+                .find(|claim| claim["property"] == broken["property"]);
             let mut entry = json!({
-                "id": broken["id"], "property": broken["property"], "family": family, "about": broken["about"],
+                "id": broken["id"], "property": broken["property"],
+                "family": claim.map(|claim| claim["family"].clone()), "about": broken["about"],
             });
             if broken["refuted"] == true {
                 entry["counterexample"] = broken["counterexample"].clone();
@@ -178,10 +181,9 @@ pub fn problems(report: &Value) -> Vec<String> {
     }
     for family in Family::ALL.map(Family::as_str) {
         let proves = |engine: &&Value| {
-            results(engine).iter().any(|result| {
-                word(&result["property"]).starts_with(&format!("{family}/"))
-                    && result["verdict"] == "proved"
-            })
+            results(engine)
+                .iter()
+                .any(|result| family_of(result) == family && result["verdict"] == "proved")
         };
         if exhaustive().filter(proves).count() < 2 {
             problems.push(format!("{family}: not proved by two exhaustive engines"));
@@ -541,6 +543,17 @@ fn change(broken: &Value) -> String {
         flat(&broken["from"]),
         flat(&broken["to"])
     )
+}
+
+/// The family of a result: its own word, or the first part of its property.
+fn family_of(result: &Value) -> String {
+    let named = word(&result["family"]);
+    if named.is_empty() {
+        let property = word(&result["property"]);
+        property.split('/').next().unwrap_or_default().to_owned()
+    } else {
+        named
+    }
 }
 
 fn broken_ids(engines: &[Value]) -> BTreeSet<String> {
