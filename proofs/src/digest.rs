@@ -8,13 +8,16 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// What the proofs are about, what says it, and what shows it: a change of any makes the report stale.
-const SOURCES: [&str; 6] = [
+const SOURCES: [&str; 9] = [
     "spec/src/safety/kernel",
     "proofs/src/properties",
     "proofs/src/engines",
     "proofs/src/kernel.rs",
     "proofs/src/prover.rs",
     "proofs/broken.rs",
+    "proofs/machine/src",
+    "proofs/machine/properties.py",
+    "proofs/model/src",
 ];
 
 /// SHA-256 over the names and the contents of the kernel's sources and of the harnesses.

@@ -251,6 +251,9 @@ impl Draw for Sample {
             }
             4 => f64::from_bits(self.next()),
             5 => self.below(5) as f64,
+            // Times that meet: quarters of a second, and as many milliseconds.
+            6 => self.below(5) as f64 / 4.0,
+            7 => self.below(5) as f64 * 250.0,
             _ => (self.next() >> 11) as f64 / (1u64 << 53) as f64 * 8.0 - 2.0,
         }
     }

@@ -189,7 +189,7 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                     p.check("only active moves", never);
                     if answer == Received::Held {
                         let now = K::plant_state(&plant).0;
-                        last = super::watchdog::after_hold::<K, P>(p, now, last, seq);
+                        last = super::watchdog::after_hold(p, now, last, seq);
                         deadline = None;
                     }
                 }

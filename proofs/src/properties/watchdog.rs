@@ -89,7 +89,7 @@ pub fn step<K: Kernel, P: Prover>(p: &mut P) {
             p.exactly("a HOLD is never ignored", answer, says);
             if answer {
                 deadline = None;
-                last = after_hold::<K, P>(p, K::watchdog_state(&watchdog).0, last, seq);
+                last = after_hold(p, K::watchdog_state(&watchdog).0, last, seq);
             }
         }
         2 => {
@@ -122,13 +122,16 @@ pub fn step<K: Kernel, P: Prover>(p: &mut P) {
     }
 }
 
+/// A command: when it was received, its ttl, its seq, and whether something has held the plant since.
+type Command<S, Q> = (S, S, Q, bool);
+
 /// The liveness rule over sequences of events: whenever the plant may move, an advancing command of the
 /// sequence is alive, no event has held the plant since, and nothing was reset.
 pub fn sequence<K: Kernel, P: Prover>(p: &mut P) {
     let mut watchdog = K::watchdog::<P::S, P::Q>();
     let length = p.length(6);
     // The commands since the last reset, and for each whether something has held the plant since.
-    let mut commands: Vec<(P::S, P::S, P::Q, bool)> = Vec::new();
+    let mut commands: Vec<Command<P::S, P::Q>> = Vec::new();
     let mut seqs: Vec<P::Q> = Vec::new();
     for _ in 0..length {
         match p.choice("event", 4) {
@@ -178,7 +181,7 @@ pub fn sequence<K: Kernel, P: Prover>(p: &mut P) {
 }
 
 /// The last seq after a HOLD that took effect: its own where it advances and is not 0.
-pub(super) fn after_hold<K: Kernel, P: Prover>(
+pub(super) fn after_hold<P: Prover>(
     p: &mut P,
     now: Option<P::Q>,
     last: Option<P::Q>,

@@ -85,10 +85,13 @@ pub(super) fn all_finite<P: Prover>(p: &mut P, vector: &[P::S]) -> P::B {
     p.all(&parts)
 }
 
+/// What a watchdog knows: its last seq, and when it received and for how long.
+type State<S, Q> = (Option<Q>, Option<(S, S)>);
+
 /// A watchdog's last seq, when it received and for how long: those of the model.
 pub(super) fn same_state<P: Prover>(
     p: &mut P,
-    state: (Option<P::Q>, Option<(P::S, P::S)>),
+    state: State<P::S, P::Q>,
     last: Option<P::Q>,
     deadline: Option<(P::S, P::S)>,
 ) {

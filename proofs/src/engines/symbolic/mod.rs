@@ -26,6 +26,8 @@ const PER_FILE: usize = 400;
 const SECONDS: u32 = 300;
 /// What z3 may take for one obligation, in its own steps.
 const CROSS_STEPS: u32 = 200_000;
+/// And for one file, in seconds of the processor.
+const CROSS_SECONDS: u32 = 5;
 
 /// What the exploration of a harness left.
 #[derive(Debug, Default)]
@@ -193,7 +195,7 @@ fn try_prove(
             return Err("bitwuzla does not answer unsat again".to_owned());
         }
         let answers = solvers
-            .z3(&file, chunk.len(), CROSS_STEPS)
+            .z3(&file, chunk.len(), CROSS_STEPS, CROSS_SECONDS)
             .map_err(|error| format!("z3: {error}"))?;
         let count = |answer| answers.iter().filter(|a| **a == Some(answer)).count() as u64;
         outcome.cross_checked += count(Answer::Unsat);

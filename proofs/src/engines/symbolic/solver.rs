@@ -110,8 +110,8 @@ impl Solvers {
         printed(python)
     }
 
-    /// What z3 answers within a limit for each question, which counts z3's steps and not its time; where
-    /// that is not enough, `None`.
+    /// What z3 answers within a limit for each question, which counts z3's own steps, and a limit for the whole
+    /// file in seconds of the processor; what comes later, or is not decided, is `None`.
     ///
     /// # Errors
     /// It could not be run, or printed something else than answers.
@@ -120,19 +120,56 @@ impl Solvers {
         file: &Path,
         wanted: usize,
         steps: u32,
+        seconds: u32,
     ) -> Result<Vec<Option<Answer>>, SolverError> {
-        let mut z3 = Command::new(self.bin.join("z3"));
-        z3.arg(format!("rlimit={steps}")).arg(file);
-        let output = z3.output().map_err(|error| SolverError::Start {
+        let z3 = self.bin.join("z3");
+        let steps = format!("rlimit={steps}");
+        // A shell sets the processor's limit, where there is one.
+        let mut command = if cfg!(unix) {
+            let mut shell = Command::new("sh");
+            let limited = format!("ulimit -t {seconds}; exec \"$0\" \"$@\"");
+            shell.args(["-c", &limited]).arg(z3);
+            shell
+        } else {
+            let mut command = Command::new(z3);
+            command.arg(format!("-T:{seconds}"));
+            command
+        };
+        let output = command.arg(steps).arg(file).output();
+        let output = output.map_err(|error| SolverError::Start {
             program: "z3".to_owned(),
             why: error.to_string(),
         })?;
-        let text = String::from_utf8_lossy(&output.stdout);
-        let answers = read_answers(&text, wanted)?.into_iter();
-        Ok(answers
-            .map(|answer| Some(answer).filter(|answer| *answer != Answer::Unknown))
-            .collect())
+        read_some(&String::from_utf8_lossy(&output.stdout), wanted)
     }
+}
+
+/// Reads the answers of a run that may have been ended before all were given.
+fn read_some(printed: &str, wanted: usize) -> Result<Vec<Option<Answer>>, SolverError> {
+    let whole = printed
+        .rfind('\n')
+        .map_or("", |end| printed.get(..end).unwrap_or_default());
+    let lines: Vec<&str> = whole
+        .lines()
+        .take_while(|line| *line != "timeout")
+        .collect();
+    let answers = lines
+        .iter()
+        .map(|line| read_answer(line))
+        .collect::<Result<Vec<_>, _>>()?;
+    if answers.len() > wanted {
+        return Err(SolverError::Count {
+            found: answers.len(),
+            wanted,
+        });
+    }
+    let is_known = |answer: &Answer| *answer != Answer::Unknown;
+    let mut some: Vec<_> = answers
+        .into_iter()
+        .map(|answer| Some(answer).filter(is_known))
+        .collect();
+    some.resize(wanted, None);
+    Ok(some)
 }
 
 /// What one question may take by the clock, in seconds: far more than by the processor, as machines are busy.
@@ -216,6 +253,15 @@ mod tests {
                 Err(SolverError::NoAnswer(wrong.to_owned()))
             );
         }
+    }
+
+    #[test]
+    fn a_run_that_was_ended_answers_what_it_had_printed() {
+        let some = read_some("unsat\nunknown\nsat\nuns", 5);
+        let [unsat, sat] = [Some(Answer::Unsat), Some(Answer::Sat)];
+        assert_eq!(some, Ok(vec![unsat, None, sat, None, None]));
+        let wrong = read_some("(error \"no\")\n", 1);
+        assert!(matches!(wrong, Err(SolverError::NoAnswer(_))));
     }
 
     #[test]
