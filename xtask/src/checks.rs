@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::count::{self, Count};
 use crate::generate;
+use crate::prove;
 use crate::setup;
 use crate::test::{Failure, Work};
 
@@ -45,6 +46,11 @@ pub(crate) const CHECKS: &[Check] = &[
         name: "vectors",
         about: "vectors/ and its manifest hold what the generator generates",
         run: |work| fresh(work, "vectors/"),
+    },
+    Check {
+        name: "proofs-fresh",
+        about: "reports/proofs.json is about the kernel and the harnesses as they are",
+        run: |work| nothing_wrong(&prove::stale(work.project), ""),
     },
     Check {
         name: "buf-lint",

@@ -6,6 +6,7 @@
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `fuzz`: builds the fuzz targets, runs them, and measures what they reach.
+//! - `prove`: the proofs, and whether their report is fresh.
 //! - `count`: finds the number of tests in what a test program printed.
 
 #![forbid(unsafe_code)]
@@ -15,6 +16,7 @@ mod count;
 mod fuzz;
 mod generate;
 mod project;
+mod prove;
 mod setup;
 mod test;
 
@@ -37,6 +39,8 @@ Commands:
   fuzz [--time 30s] [--target <name>]…
                           Fuzz every target for so long; fuzz/README.md has the other modes:
                           --replay, --planted, --coverage, --minimise
+  prove [--engine <name>]…
+                          Prove the kernel anew, and write reports/proofs.{json,md,html}
   setup                   Only set up what the checks need, into ignored folders; valgrind, Chromium
 ";
 
@@ -77,6 +81,7 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["generate"] => generate::write(&project),
         ["generate", "--check"] => generate::report_stale(&project),
         ["fuzz", options @ ..] => fuzz::run(&project, options),
+        ["prove", engines @ ..] => prove::run(&project, engines),
         ["setup"] => setup::all(&project),
         _ => Err(Error::Usage {
             what: format!("`{}` is no command", args.join(" ")),

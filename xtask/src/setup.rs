@@ -17,6 +17,15 @@ const BUF_VERSION: &str = "1.75.0";
 const VENV: &str = ".tools/venv";
 /// Where programs of crates.io are installed.
 const CARGO_ROOT: &str = ".tools";
+const SOLVERS_VENV: &str = ".tools/proofs-venv";
+const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
+const ANGR_VENV: &str = ".tools/machine-venv";
+const ANGR: [&str; 4] = [
+    "angr==9.2.213",
+    "bitstring==4.4.0",
+    "pycparser==3.0",
+    "bitwuzla==0.9.1",
+];
 const TYPESCRIPT: &str = "peers/typescript";
 const PYTHON: &str = "peers/python";
 /// Where its `build.py` installs it.
@@ -74,6 +83,68 @@ pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError
     ];
     carry_out(project.program(bin.join("python"), &pip, ""))?;
     Ok(buf)
+}
+
+/// Installs the solvers of the proofs.
+///
+/// # Errors
+/// No Python, or one that cannot make a virtual environment, or no PyPI.
+pub(crate) fn solvers(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    python_packages(project, SOLVERS_VENV, "bitwuzla, z3", &SOLVERS, say)
+}
+
+/// Installs what explores the machine code of the kernel.
+///
+/// # Errors
+/// As [`solvers`].
+pub(crate) fn angr(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    python_packages(project, ANGR_VENV, "angr, bitwuzla", &ANGR, say)
+}
+
+/// Installs pinned packages of PyPI into a virtual environment, unless it has their modules.
+fn python_packages(
+    project: &Project,
+    venv: &str,
+    modules: &str,
+    packages: &[&str],
+    say: Say<'_>,
+) -> Result<(), SetupError> {
+    let bin = project
+        .path(venv)
+        .join(if cfg!(windows) { "Scripts" } else { "bin" });
+    let python = bin.join("python");
+    // What was installed is noted beside it: other pins are another environment.
+    let (note, pins) = (project.path(venv).join("packages.txt"), packages.join("\n"));
+    let has_modules = || {
+        let import = Command::new(&python)
+            .args(["-c", &format!("import {modules}")])
+            .output();
+        import.is_ok_and(|output| output.status.success())
+    };
+    if fs::read_to_string(&note).is_ok_and(|noted| noted == pins) && has_modules() {
+        return Ok(());
+    }
+    let system = ["python3", "python"]
+        .into_iter()
+        .find(|python| version(&mut Command::new(python)).is_some())
+        .ok_or(SetupError::Missing {
+            tool: "python3",
+            remedy: "install Python 3.9 or later",
+        })?;
+    say(&format!("installing {modules} (from PyPI) into {venv}"));
+    let failed = |failure| SetupError::Venv {
+        failure: Box::new(failure),
+    };
+    carry_out(project.program(system, &["-m", "venv", "--clear", venv], "")).map_err(failed)?;
+    let pip = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+    ];
+    carry_out(project.program(&python, &[&pip[..], packages].concat(), ""))?;
+    fs::write(&note, pins).map_err(|source| SetupError::File { path: note, source })
 }
 
 /// Installs the packages of the TypeScript peer, as its lock file has them.

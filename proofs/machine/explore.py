@@ -1,0 +1,274 @@
+"""Proves what the machine code of the safety kernel does. `README.md` says how to run it.
+
+Exit code 0: every property is proved, and every broken kernel refuted. 1: not so.
+"""
+
+import argparse
+import hashlib
+import importlib.metadata
+import json
+import os
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import claripy
+
+import native
+import solver
+import vector
+from machine import Incomplete, Library
+from properties import PROPERTIES, SIGNATURES, outputs
+
+HERE = Path(__file__).resolve().parent
+KERNEL = HERE.parent.parent / "spec" / "src" / "safety" / "kernel"
+Z3_MS = 5_000
+BITWUZLA_MS = 60_000
+# So many paths are one obligation.
+GROUP = 32
+
+SLOW = ("plant_active", "gates_govern")
+
+# What a process of the pool works with.
+HELD = {}
+
+TRUSTED = [
+    "angr's lifter (VEX) gives each instruction its meaning, doubles by IEEE 754 in round-to-nearest; the control registers are those that a program starts with",
+    "claripy's translation of formulas to SMT-LIB, and bitwuzla or z3, whichever answers; no two answers contradict each other",
+    "the processor computes what the lifter says",
+    "the sentences and formulas of proofs/machine/properties.py say what the text says",
+    "a program that uses ncp-spec inlines the kernel anew: this is the machine code of the exported functions, by the same compiler and profile",
+]
+NOT_PROVED = [
+    "that a clamped vector keeps the bound and the direction: proved over the kernel's source, by the symbolic engine",
+    "what the governor's gates do with an active command that is fresh, within the fence and in no fault, and with a position that is finite: the projection and the horizon",
+    "which step of a horizon a plant follows, and that with a horizon it holds once the command is too old; without one it is proved",
+    "that the governor compares the age of a sensor with the timeout as is-fresh does: only what is decided without the age",
+    "the machine code of any other target or profile than the one that was built",
+]
+
+
+def main():
+    arguments = parse_arguments()
+    start = time.monotonic()
+    evidence = arguments.evidence
+    if evidence:
+        evidence.mkdir(parents=True, exist_ok=True)
+    wanted = [p for p in PROPERTIES if arguments.only in p.id]
+    defects = json.loads((HERE / "broken.json").read_text(encoding="utf-8"))
+    defects = [d for d in defects if arguments.only in d["property"] and not arguments.no_broken]
+    files = (arguments.library, arguments.broken if defects else None, evidence)
+    # The slow ones first: none of them is left alone at the end.
+    queue = sorted(wanted, key=lambda p: p.function not in SLOW)
+    with ProcessPoolExecutor(arguments.jobs, initializer=begin, initargs=files) as pool:
+        proved = {p.id: pool.submit(prove_here, p.id) for p in queue}
+        refuted = [pool.submit(refute_here, defect) for defect in defects]
+        results = [proved[p.id].result() for p in wanted]
+        refuted = [future.result() for future in refuted]
+    report = {
+        "engine": "machine code",
+        "version": "angr {}, bitwuzla {}, z3 {}".format(
+            *(importlib.metadata.version(name) for name in ("angr", "bitwuzla", "z3-solver"))
+        ),
+        "properties": results,
+        "broken": refuted,
+        "trusted": TRUSTED,
+        "not_proved": NOT_PROVED,
+        "code_digest": digest(),
+        "library_sha256": hashlib.sha256(arguments.library.read_bytes()).hexdigest(),
+        "seconds": round(time.monotonic() - start, 1),
+    }
+    if arguments.json:
+        text = json.dumps(report, indent=2, ensure_ascii=False) + "\n"
+        arguments.json.write_text(text, encoding="utf-8")
+    good = all(r["result"] == "proved" for r in results) and all(r["refuted"] for r in refuted)
+    print(f"{report['seconds']} s: " + ("all proved and refuted" if good else "NOT all"))
+    return 0 if good else 1
+
+
+def begin(library, broken, evidence):
+    """Loads the libraries, once a process."""
+    HELD["library"] = Library(library)
+    if broken:
+        HELD["broken"] = Library(broken)
+        HELD["native"] = (native.load(broken), native.load(library))
+    HELD["evidence"] = evidence
+
+
+def prove_here(name):
+    wanted = next(p for p in PROPERTIES if p.id == name)
+    return prove(HELD["library"], wanted, HELD["evidence"])
+
+
+def refute_here(defect):
+    return refute(HELD["broken"], *HELD["native"], defect)
+
+
+def prove(library, wanted, evidence, prefix="ncp"):
+    """Shows one property of one function on each of its paths, and that no path is missing."""
+    start = time.monotonic()
+    result = {
+        "id": wanted.id,
+        "family": wanted.family,
+        "rules": list(wanted.rules),
+        "sentence": wanted.sentence,
+        "formal": wanted.formal,
+        "bounds": wanted.bounds,
+        "assumptions": list(wanted.assumptions),
+    }
+    try:
+        exploration = library.explore(
+            f"{prefix}_{wanted.function}", SIGNATURES[wanted.function], wanted.assume
+        )
+    except Incomplete as error:
+        print(f"not run  {wanted.id}: {error}")
+        return result | {"result": "not run", "why": str(error), "paths": 0, "seconds": 0}
+    decisions = [
+        (name, text, solver.decide(text, Z3_MS, BITWUZLA_MS))
+        for name, text in obligations(wanted, exploration)
+    ]
+    verdicts = {decision.verdict for _, _, decision in decisions}
+    if verdicts == {solver.Verdict.UNSAT}:
+        outcome = "proved"
+    elif solver.Verdict.SAT in verdicts:
+        outcome = "refuted"
+    else:
+        outcome = "not run"
+    if evidence:
+        for name, text, _ in decisions:
+            file = evidence / f"{wanted.id.replace('/', '-')}-{name}.smt2"
+            file.write_text(text, encoding="utf-8")
+    seconds = round(time.monotonic() - start, 2)
+    if outcome == "refuted":
+        result["counterexample"] = shown_model(wanted, exploration, decisions)
+        print(result["counterexample"])
+    print(f"{outcome:8} {wanted.id}: {len(exploration.paths)} paths, {seconds} s", flush=True)
+    return result | {
+        "result": outcome,
+        "paths": len(exploration.paths),
+        "seconds": seconds,
+        "function": f"{prefix}_{wanted.function}",
+        "address": hex(exploration.start),
+        "instructions": len(exploration.instructions),
+        "path_blocks": [[hex(block) for block in path.blocks] for path in exploration.paths],
+        "evidence": [
+            {
+                "obligation": name,
+                "sha256": hashlib.sha256(text.encode()).hexdigest(),
+                "answers": decision.words,
+            }
+            for name, text, decision in decisions
+        ],
+    }
+
+
+def shown_model(wanted, exploration, decisions):
+    """Inputs for which a property does not hold."""
+    names = {name: variable.args[0] for name, variable in exploration.inputs.items()}
+    text = next(text for _, text, decision in decisions if decision.verdict is solver.Verdict.SAT)
+    found = solver.model(text, names, BITWUZLA_MS)
+    return found and native.shown(SIGNATURES[wanted.function], found)
+
+
+def obligations(wanted, exploration):
+    """What must be unsatisfiable: a path that ends wrongly, and an input that takes no path."""
+    inputs, assumed = exploration.inputs, wanted.assume(exploration.inputs)
+    wrong = [ends_wrongly(wanted, inputs, path) for path in exploration.paths]
+    for first in range(0, len(wrong), GROUP):
+        some = claripy.Or(claripy.false(), *wrong[first : first + GROUP])
+        yield f"paths-from-{first}", solver.smt([*assumed, some])
+    taken = [claripy.And(claripy.true(), *path.conditions) for path in exploration.paths]
+    yield "no-other-path", solver.smt([*assumed, claripy.Not(claripy.Or(*taken, claripy.false()))])
+
+
+def ends_wrongly(wanted, inputs, path):
+    """That the path is taken, and leaves what the property forbids."""
+    left = outputs(wanted.function, path.answer, path.memory)
+    return claripy.And(*path.conditions, claripy.Not(wanted.conclusion(inputs, left)))
+
+
+def refute(code, broken, whole, defect):
+    """Finds a counterexample to a property in a broken kernel, and runs it natively."""
+    wanted = next(p for p in PROPERTIES if p.id == defect["property"])
+    report = {"id": defect["id"], "property": wanted.id, "about": defect["about"]}
+    report |= {"refuted": False}
+    try:
+        found = counterexample(code, wanted, defect)
+    except Incomplete as error:
+        found, report["why"] = None, str(error)
+    if found is not None:
+        function, signature = wanted.function, SIGNATURES[wanted.function]
+        wrong = native.run(broken, f"{defect['id']}_{function}", function, signature, found)
+        right = native.run(whole, f"ncp_{function}", function, signature, found)
+        report["counterexample"] = {
+            "function": function,
+            "inputs": native.shown(signature, found),
+            "broken": native.shown_outputs(function, wrong),
+            "kernel": native.shown_outputs(function, right),
+        }
+        report["refuted"] = not holds(wanted, found, wrong) and holds(wanted, found, right)
+        case = vector.case(defect, wanted, found, right)
+        if case:
+            report["vector"] = case
+    print(f"{'refuted' if report['refuted'] else 'NOT REFUTED':8} {defect['id']}", flush=True)
+    return report
+
+
+def counterexample(code, wanted, defect):
+    """Inputs for which a path of a broken kernel ends where the property forbids.
+
+    A defect may say with which inputs it shows, which spares the search for them.
+    """
+    signature = SIGNATURES[wanted.function]
+    fixed = {name: native.bits(value) for name, value in defect.get("where", {}).items()}
+    symbol = f"{defect['id']}_{wanted.function}"
+    exploration = code.explore(symbol, signature, wanted.assume, fixed)
+    names = {
+        name: variable.args[0]
+        for name, variable in exploration.inputs.items()
+        if name not in fixed
+    }
+    assumed = wanted.assume(exploration.inputs)
+    for path in exploration.paths:
+        wrong = ends_wrongly(wanted, exploration.inputs, path)
+        found = solver.model(solver.smt([*assumed, wrong]), names, BITWUZLA_MS)
+        if found is not None:
+            return found | fixed
+    return None
+
+
+def holds(wanted, inputs, left):
+    """Whether a property holds of one native run."""
+    bits = {name: claripy.BVV(value, 64) for name, value in inputs.items()}
+    words = {name: claripy.BVV(value, 64) for name, value in left.items()}
+    wrong = claripy.Not(wanted.conclusion(bits, words))
+    answer = solver.decide(solver.smt([wrong]), Z3_MS, BITWUZLA_MS)
+    return answer.verdict is solver.Verdict.UNSAT
+
+
+def digest():
+    """Of the source of the kernel and of the wrappers."""
+    total = hashlib.sha256()
+    for file in [*sorted(KERNEL.glob("*.rs")), *sorted((HERE / "src").glob("*.rs"))]:
+        total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
+    return total.hexdigest()
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    release = HERE.parent.parent / "target" / "release"
+    parser.add_argument("--library", type=Path, default=release / "libncp_machine.so")
+    parser.add_argument(
+        "--broken", type=Path, default=release / "examples" / "libncp_machine_broken.so"
+    )
+    parser.add_argument("--json", type=Path, help="write the result there")
+    parser.add_argument("--evidence", type=Path, help="write each obligation there, as SMT-LIB 2")
+    parser.add_argument("--only", default="", help="only properties whose id has this in it")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes")
+    parser.add_argument("--no-broken", action="store_true", help="leave the broken kernels out")
+    return parser.parse_args()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,178 @@
+"""Paths through machine code, by angr: all of them, and nothing but that code."""
+
+import logging
+from dataclasses import dataclass, field
+
+# angr complains while it is loaded, of an accelerator that nothing here uses.
+for noisy in ("angr", "angr.state_plugins.unicorn_engine", "cle", "pyvex", "claripy"):
+    logging.getLogger(noisy).setLevel(logging.CRITICAL)
+
+import angr  # noqa: E402
+import claripy  # noqa: E402
+from angr import sim_options  # noqa: E402
+
+# Where the functions write, and how much.
+OUT = 0x10_000_000
+OUT_BYTES = 256
+STACK = 0x20_000_000
+MAX_STEPS = 4_096
+# How long the question may take whether a path can be taken at all; longer is a failure.
+FORK_MS = 60_000
+
+# Whatever would let angr go on where it does not know.
+BYPASSES = {
+    sim_options.LAZY_SOLVES,
+    sim_options.BYPASS_UNSUPPORTED_IROP,
+    sim_options.BYPASS_UNSUPPORTED_IREXPR,
+    sim_options.BYPASS_UNSUPPORTED_IRSTMT,
+    sim_options.BYPASS_UNSUPPORTED_IRDIRTY,
+    sim_options.BYPASS_UNSUPPORTED_IRCCALL,
+    sim_options.BYPASS_ERRORED_IROP,
+    sim_options.BYPASS_ERRORED_IRCCALL,
+    sim_options.BYPASS_ERRORED_IRSTMT,
+    sim_options.BYPASS_UNSUPPORTED_SYSCALL,
+    sim_options.BYPASS_VERITESTING_EXCEPTIONS,
+    sim_options.UNSUPPORTED_BYPASS_ZERO_DEFAULT,
+    sim_options.UNSUPPORTED_FORCE_CONCRETIZE,
+    sim_options.APPROXIMATE_SATISFIABILITY,
+    sim_options.APPROXIMATE_GUARDS,
+    sim_options.APPROXIMATE_MEMORY_INDICES,
+    sim_options.APPROXIMATE_MEMORY_SIZES,
+    sim_options.CONSERVATIVE_READ_STRATEGY,
+    sim_options.CONSERVATIVE_WRITE_STRATEGY,
+    sim_options.AVOID_MULTIVALUED_READS,
+    sim_options.AVOID_MULTIVALUED_WRITES,
+    sim_options.KEEP_IP_SYMBOLIC,
+    sim_options.NO_SYMBOLIC_JUMP_RESOLUTION,
+    sim_options.ZERO_FILL_UNCONSTRAINED_MEMORY,
+    sim_options.ZERO_FILL_UNCONSTRAINED_REGISTERS,
+    sim_options.CONCRETIZE,
+    sim_options.CONCRETIZE_SYMBOLIC_FILE_READ_SIZES,
+    sim_options.CONCRETIZE_SYMBOLIC_WRITE_SIZES,
+}
+# Notes that nothing here reads.
+NOTES = sim_options.refs | {sim_options.TRACK_CONSTRAINT_ACTIONS}
+
+
+class Incomplete(Exception):
+    """Not every path was followed to its end."""
+
+
+@dataclass
+class Path:
+    """One way through a function: under which conditions, and what it leaves."""
+
+    conditions: list
+    answer: object
+    memory: list
+    blocks: list
+
+
+@dataclass
+class Exploration:
+    """All ways through a function."""
+
+    inputs: dict
+    paths: list
+    instructions: set = field(default_factory=set)
+    start: int = 0
+
+
+class Library:
+    """A library whose functions can be explored."""
+
+    def __init__(self, file):
+        self.file = file
+        self.project = angr.Project(str(file), auto_load_libs=False)
+        self.code = self.project.loader.main_object
+        self.base = self.code.mapped_base
+
+    def explore(self, symbol, signature, assume=lambda inputs: [], fixed=None):
+        """All paths of a function whose inputs are any bits that `assume` leaves, or are fixed."""
+        entry = self.code.get_symbol(symbol)
+        if entry is None:
+            raise Incomplete(f"there is no function {symbol}")
+        inputs = {name: claripy.BVS(name, 64) for name in signature.words + signature.doubles}
+        inputs |= {name: claripy.BVV(bits, 64) for name, bits in (fixed or {}).items()}
+        state = self.project.factory.blank_state(addr=entry.rebased_addr, remove_options=BYPASSES | NOTES)
+        left = {option for option in BYPASSES if option in state.options}
+        if left:
+            raise Incomplete(f"bypass options are on: {left}")
+        state.solver._solver.timeout = FORK_MS
+        self._call(state, signature, inputs)
+        for condition in assume(inputs):
+            state.add_constraints(condition)
+        state.inspect.b("address_concretization", when=angr.BP_BEFORE, action=_refuse_address)
+
+        exploration = Exploration(inputs, [], start=entry.rebased_addr - self.base)
+        manager = self.project.factory.simulation_manager(state, save_unsat=False)
+        for _ in range(MAX_STEPS):
+            if not manager.active:
+                break
+            for active in manager.active:
+                self._check_place(active, exploration)
+            manager.step()
+        self._check_end(manager)
+        for ended in manager.deadended:
+            exploration.paths.append(
+                Path(
+                    list(ended.solver.constraints),
+                    ended.regs.rax,
+                    [
+                        ended.memory.load(OUT + 8 * word, 8, endness="Iend_LE")
+                        for word in range(OUT_BYTES // 8)
+                    ],
+                    [address - self.base for address in ended.history.bbl_addrs][:-1],
+                )
+            )
+        return exploration
+
+    def _call(self, state, signature, inputs):
+        """The registers and the stack of a call by the System V convention."""
+        registers = ["rdi", "rsi", "rdx", "rcx", "r8", "r9"]
+        if signature.writes:
+            setattr(state.regs, registers.pop(0), claripy.BVV(OUT, 64))
+        for name, register in zip(signature.words, registers, strict=False):
+            setattr(state.regs, register, inputs[name])
+        for number, name in enumerate(signature.doubles[:8]):
+            above = claripy.BVS(f"above_{name}", 64)
+            setattr(state.regs, f"xmm{number}", claripy.Concat(above, inputs[name]))
+        state.regs.rsp = claripy.BVV(STACK, 64)
+        state.memory.store(STACK, claripy.BVV(self._return(), 64), endness="Iend_LE")
+        for number, name in enumerate(signature.doubles[8:]):
+            state.memory.store(STACK + 8 + 8 * number, inputs[name], endness="Iend_LE")
+
+    def _return(self):
+        return self.project.simos.return_deadend
+
+    def _check_place(self, state, exploration):
+        """A state stands in the library's own code, or has returned."""
+        address = state.addr
+        if address == self._return():
+            return
+        section = self.code.find_section_containing(address)
+        if section is None or section.name != ".text" or self.project.is_hooked(address):
+            raise Incomplete(f"a path leaves the code for {address:#x}")
+        block = self.project.factory.block(address)
+        exploration.instructions.update(a - self.base for a in block.instruction_addrs)
+
+    def _check_end(self, manager):
+        """No state was given up."""
+        if manager.active:
+            raise Incomplete(f"{len(manager.active)} paths have no end after {MAX_STEPS} blocks")
+        if manager.errored:
+            raise Incomplete(f"a path failed: {manager.errored[0].error}")
+        for stash, states in manager.stashes.items():
+            if states and stash not in ("active", "deadended"):
+                raise Incomplete(f"{len(states)} paths are {stash}")
+        if not manager.deadended:
+            raise Incomplete("no path ends")
+        for state in manager.deadended:
+            if state.addr != self._return():
+                raise Incomplete(f"a path ends at {state.addr:#x}")
+
+
+def _refuse_address(state):
+    address = state.inspect.address_concretization_expr
+    if address is not None and state.solver.symbolic(address):
+        raise Incomplete(f"an address depends on an input: {address}")

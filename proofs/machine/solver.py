@@ -1,0 +1,144 @@
+"""What decides an obligation: two solvers, which read one SMT-LIB text.
+
+Their answers are words. Only the word `unsat` counts as a proof, only `sat` as a refutation, and
+anything else, in whatever letters, as neither.
+"""
+
+import tempfile
+import time
+from dataclasses import dataclass
+from enum import Enum
+
+import bitwuzla
+import claripy
+import z3
+
+
+class Verdict(Enum):
+    """What an answer says."""
+
+    UNSAT = "unsat"
+    SAT = "sat"
+    UNKNOWN = "unknown"
+
+
+@dataclass
+class Decision:
+    """What the solvers made of one text: a word each, and both together."""
+
+    words: dict
+    verdict: Verdict
+    seconds: float
+
+
+def read(word):
+    """The verdict of an answer: the very words `unsat` and `sat`, and nothing like them."""
+    if word == "unsat":
+        return Verdict.UNSAT
+    if word == "sat":
+        return Verdict.SAT
+    return Verdict.UNKNOWN
+
+
+def together(words):
+    """The verdict of several answers: decided by one at least, contradicted by none."""
+    verdicts = {read(word) for word in words} - {Verdict.UNKNOWN}
+    return verdicts.pop() if len(verdicts) == 1 else Verdict.UNKNOWN
+
+
+def smt(formulas):
+    """Formulas of claripy as one SMT-LIB 2 text, all of them asserted.
+
+    Where the bits of a computed double are used, they are any bits which stand for that double: the
+    standard does not say which NaN an operation gives.
+    """
+    solver = z3.Solver(ctx=claripy.backends.z3._context)
+    bits = {}
+    for formula in formulas:
+        solver.add(with_free_bits(claripy.backends.z3.convert(formula), bits))
+    for free, double in bits.values():
+        solver.add(z3.fpBVToFP(free, double.sort()) == double)
+    return "(set-logic QF_BVFP)\n" + solver.to_smt2().split("\n", 1)[1]
+
+
+def with_free_bits(term, bits):
+    """The term with a variable for each reading of the bits of a computed double."""
+    known = {}
+    stack = [(term, False)]
+    while stack:
+        node, ready = stack.pop()
+        key = node.get_id()
+        if key in known:
+            continue
+        if not ready:
+            stack.append((node, True))
+            stack.extend((child, False) for child in node.children())
+            continue
+        children = [known[child.get_id()] for child in node.children()]
+        new = node.decl()(*children) if children else node
+        if z3.is_app_of(node, z3.Z3_OP_FPA_TO_IEEE_BV):
+            double = children[0]
+            if double.get_id() not in bits:
+                free = z3.BitVec(f"bits_{len(bits)}", new.size(), new.ctx)
+                bits[double.get_id()] = (free, double)
+            new = bits[double.get_id()][0]
+        known[key] = new
+    return known[term.get_id()]
+
+
+def decide(text, z3_ms, bitwuzla_ms):
+    """Asks both solvers."""
+    start = time.monotonic()
+    words = {"bitwuzla": ask_bitwuzla(text, bitwuzla_ms), "z3": ask_z3(text, z3_ms)}
+    return Decision(words, together(words.values()), time.monotonic() - start)
+
+
+def ask_z3(text, limit_ms):
+    """The answer of z3, which is the word that it prints."""
+    try:
+        solver = z3.Solver(ctx=z3.Context())
+        solver.set("timeout", limit_ms)
+        solver.from_string(text)
+        return repr(solver.check())
+    except z3.Z3Exception as error:
+        return f"error: {error}"
+
+
+def ask_bitwuzla(text, limit_ms):
+    """The answer of bitwuzla, which is the word that it prints."""
+    try:
+        terms = bitwuzla.TermManager()
+        options = bitwuzla.Options()
+        options.set(bitwuzla.Option.TIME_LIMIT_PER, limit_ms)
+        with tempfile.NamedTemporaryFile("w", suffix=".smt2") as file:
+            file.write(text.replace("(check-sat)", ""))
+            file.flush()
+            parser = bitwuzla.Parser(terms, options)
+            parser.parse(file.name)
+            return str(parser.bitwuzla().check_sat())
+    except Exception as error:  # The bindings raise plain exceptions.
+        return f"error: {error}"
+
+
+def model(text, names, limit_ms):
+    """The bits of some variables in a model of the text, by bitwuzla; None when there is none.
+
+    A variable that the text does not mention is 0.
+    """
+    terms = bitwuzla.TermManager()
+    options = bitwuzla.Options()
+    options.set(bitwuzla.Option.TIME_LIMIT_PER, limit_ms)
+    options.set(bitwuzla.Option.PRODUCE_MODELS, True)
+    with tempfile.NamedTemporaryFile("w", suffix=".smt2") as file:
+        file.write(text.replace("(check-sat)", ""))
+        file.flush()
+        parser = bitwuzla.Parser(terms, options)
+        parser.parse(file.name)
+        found = parser.bitwuzla()
+        if read(str(found.check_sat())) is not Verdict.SAT:
+            return None
+        declared = {str(symbol): symbol for symbol in parser.get_declared_funs()}
+        return {
+            name: int(found.get_value(declared[symbol]).value(10)) if symbol in declared else 0
+            for name, symbol in names.items()
+        }

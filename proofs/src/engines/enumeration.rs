@@ -1,0 +1,46 @@
+//! Every combination of the values that a property lists, on doubles.
+
+use std::time::Instant;
+
+use super::native::{Enumerate, Native};
+use super::{Counterexample, Outcome, Verdict};
+use crate::properties::{Harness, Property};
+
+/// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
+/// no values.
+#[must_use]
+pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
+    let values = property.enumeration?;
+    let began = Instant::now();
+    let mut native = Native::new(Enumerate::new(
+        values.scalars,
+        values.seqs,
+        length.min(values.length),
+    ));
+    let mut outcome = Outcome::new(began);
+    loop {
+        native.again();
+        (harness.enumerate)(&mut native);
+        outcome.runs += 1;
+        if let Some(check) = native.failed {
+            // Once more, to note what was drawn.
+            native.keep = true;
+            native.draw.restart();
+            native.again();
+            (harness.enumerate)(&mut native);
+            outcome.verdict = Verdict::Refuted;
+            outcome.counterexample = Some(Counterexample {
+                check: check.to_owned(),
+                inputs: std::mem::take(&mut native.drawn),
+            });
+            break;
+        }
+        if !native.draw.advance() {
+            outcome.verdict = Verdict::Proved;
+            break;
+        }
+    }
+    outcome.reached = native.reached.into_keys().collect();
+    outcome.seconds = began.elapsed().as_secs_f64();
+    Some(outcome)
+}

@@ -1,0 +1,37 @@
+//! The stand-in for Kani's API: the same harnesses on edges and random values. It proves nothing; it shows
+//! that the harnesses run, reach their checks, and notice a broken kernel.
+
+use std::time::Instant;
+
+use super::native::{Native, Sample};
+use super::{Counterexample, Outcome, Verdict};
+use crate::properties::Harness;
+
+/// Runs the harness on so many samples, in sequences of at most this length.
+#[must_use]
+pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
+    let began = Instant::now();
+    let mut native = Native::new(Sample::new(0, length));
+    let mut outcome = Outcome::new(began);
+    for nth in 0..samples {
+        native.draw = Sample::new(nth, length);
+        native.again();
+        (harness.sample)(&mut native);
+        outcome.runs += 1;
+        if let Some(check) = native.failed {
+            native.keep = true;
+            native.draw = Sample::new(nth, length);
+            native.again();
+            (harness.sample)(&mut native);
+            outcome.verdict = Verdict::Refuted;
+            outcome.counterexample = Some(Counterexample {
+                check: check.to_owned(),
+                inputs: std::mem::take(&mut native.drawn),
+            });
+            break;
+        }
+    }
+    outcome.reached = native.reached.into_keys().collect();
+    outcome.seconds = began.elapsed().as_secs_f64();
+    outcome
+}

@@ -1,0 +1,287 @@
+//! Solvers as programs, and the reader of what they print.
+//!
+//! An answer is one of the lines `sat`, `unsat` and `unknown`, letter for letter. Anything else that a solver
+//! prints where an answer is due, on whichever stream, is an error.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use thiserror::Error;
+
+/// The programs of the virtual environment.
+#[derive(Debug, Clone)]
+pub struct Solvers {
+    /// The folder of its programs.
+    pub bin: PathBuf,
+    /// The script that decides a file with bitwuzla.
+    pub script: PathBuf,
+}
+
+/// What a solver says of one `check-sat`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answer {
+    /// The obligation holds.
+    Unsat,
+    /// There is a counterexample.
+    Sat,
+    /// The solver gave up.
+    Unknown,
+}
+
+/// Why there are no answers.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum SolverError {
+    /// The program could not be run.
+    #[error("cannot run {program}: {why}")]
+    Start {
+        /// Which.
+        program: String,
+        /// The system's words.
+        why: String,
+    },
+    /// It ended with an error, or printed one.
+    #[error("the solver failed: {0}")]
+    Failed(String),
+    /// A line that is no answer.
+    #[error("no answer, but {0:?}")]
+    NoAnswer(String),
+    /// Not as many answers as questions.
+    #[error("{found} answers to {wanted} questions")]
+    Count {
+        /// Answers.
+        found: usize,
+        /// Questions.
+        wanted: usize,
+    },
+}
+
+/// Reads answers, one a line and nothing else, as many as there are questions.
+///
+/// # Errors
+/// Anything but that.
+pub fn read_answers(printed: &str, wanted: usize) -> Result<Vec<Answer>, SolverError> {
+    let answers = printed
+        .split_terminator('\n')
+        .map(read_answer)
+        .collect::<Result<Vec<_>, _>>()?;
+    if answers.len() == wanted {
+        Ok(answers)
+    } else {
+        Err(SolverError::Count {
+            found: answers.len(),
+            wanted,
+        })
+    }
+}
+
+fn read_answer(line: &str) -> Result<Answer, SolverError> {
+    match line {
+        "unsat" => Ok(Answer::Unsat),
+        "sat" => Ok(Answer::Sat),
+        "unknown" => Ok(Answer::Unknown),
+        other => Err(SolverError::NoAnswer(other.to_owned())),
+    }
+}
+
+impl Solvers {
+    /// The answers of bitwuzla, with a limit in seconds of the processor for the whole file.
+    ///
+    /// # Errors
+    /// It could not be run, failed, came to its limit, or printed something else than answers.
+    pub fn bitwuzla(
+        &self,
+        file: &Path,
+        wanted: usize,
+        seconds: u32,
+    ) -> Result<Vec<Answer>, SolverError> {
+        read_answers(&self.bitwuzla_prints(file, seconds)?, wanted)
+    }
+
+    /// All that bitwuzla prints.
+    ///
+    /// # Errors
+    /// It could not be run, failed, or came to its limit.
+    pub fn bitwuzla_prints(&self, file: &Path, seconds: u32) -> Result<String, SolverError> {
+        let mut python = Command::new(self.bin.join("python"));
+        python.arg(&self.script).arg(file).arg(BY_THE_CLOCK);
+        if cfg!(unix) {
+            python.arg(seconds.to_string());
+        }
+        printed(python)
+    }
+
+    /// What z3 answers within a limit for each question, which counts z3's own steps, and a limit for the whole
+    /// file in seconds of the processor; what comes later, or is not decided, is `None`.
+    ///
+    /// # Errors
+    /// It could not be run, or printed something else than answers.
+    pub fn z3(
+        &self,
+        file: &Path,
+        wanted: usize,
+        steps: u32,
+        seconds: u32,
+    ) -> Result<Vec<Option<Answer>>, SolverError> {
+        let z3 = self.bin.join("z3");
+        let steps = format!("rlimit={steps}");
+        // A shell sets the processor's limit, where there is one.
+        let mut command = if cfg!(unix) {
+            let mut shell = Command::new("sh");
+            let limited = format!("ulimit -t {seconds}; exec \"$0\" \"$@\"");
+            shell.args(["-c", &limited]).arg(z3);
+            shell
+        } else {
+            let mut command = Command::new(z3);
+            command.arg(format!("-T:{seconds}"));
+            command
+        };
+        let output = command.arg(steps).arg(file).output();
+        let output = output.map_err(|error| SolverError::Start {
+            program: "z3".to_owned(),
+            why: error.to_string(),
+        })?;
+        read_some(&String::from_utf8_lossy(&output.stdout), wanted)
+    }
+}
+
+/// Reads the answers of a run that may have been ended before all were given.
+fn read_some(printed: &str, wanted: usize) -> Result<Vec<Option<Answer>>, SolverError> {
+    let whole = printed
+        .rfind('\n')
+        .map_or("", |end| printed.get(..end).unwrap_or_default());
+    let lines: Vec<&str> = whole
+        .lines()
+        .take_while(|line| *line != "timeout")
+        .collect();
+    let answers = lines
+        .iter()
+        .map(|line| read_answer(line))
+        .collect::<Result<Vec<_>, _>>()?;
+    if answers.len() > wanted {
+        return Err(SolverError::Count {
+            found: answers.len(),
+            wanted,
+        });
+    }
+    let is_known = |answer: &Answer| *answer != Answer::Unknown;
+    let mut some: Vec<_> = answers
+        .into_iter()
+        .map(|answer| Some(answer).filter(is_known))
+        .collect();
+    some.resize(wanted, None);
+    Ok(some)
+}
+
+/// What one question may take by the clock, in seconds: far more than by the processor, as machines are busy.
+const BY_THE_CLOCK: &str = "600";
+
+fn printed(mut command: Command) -> Result<String, SolverError> {
+    let output = command.output().map_err(|error| SolverError::Start {
+        program: command.get_program().to_string_lossy().into_owned(),
+        why: error.to_string(),
+    })?;
+    let errors = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() || !errors.is_empty() {
+        return Err(SolverError::Failed(format!("{} {errors}", output.status)));
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// Reads `(get-value …)`: pairs of a variable and a value. A double is `(fp #b0 #b… #b…)` or a named one,
+/// a seq is `#b…`.
+#[must_use]
+pub fn read_values(printed: &str) -> Vec<(String, u64)> {
+    let spaced = printed.replace('(', " ( ").replace(')', " ) ");
+    let words: Vec<&str> = spaced.split_whitespace().collect();
+    let mut values = Vec::new();
+    let bits = |word: &str| u64::from_str_radix(word.strip_prefix("#b")?, 2).ok();
+    for (at, word) in words.iter().enumerate() {
+        let is_name = word.starts_with(['x', 'q'])
+            && word.len() > 1
+            && word.chars().skip(1).all(|c| c.is_ascii_digit());
+        if !is_name {
+            continue;
+        }
+        let rest = words.get(at + 1..).unwrap_or_default();
+        let value = match rest {
+            ["(", "fp", sign, exponent, fraction, ..] => {
+                match (bits(sign), bits(exponent), bits(fraction)) {
+                    (Some(s), Some(e), Some(f)) => Some(s << 63 | e << 52 | f),
+                    _ => None,
+                }
+            }
+            ["(", "_", "NaN", ..] => Some(f64::NAN.to_bits()),
+            ["(", "_", "+oo", ..] => Some(f64::INFINITY.to_bits()),
+            ["(", "_", "-oo", ..] => Some(f64::NEG_INFINITY.to_bits()),
+            ["(", "_", "+zero", ..] => Some(0),
+            ["(", "_", "-zero", ..] => Some((-0.0_f64).to_bits()),
+            [value, ..] => bits(value),
+            [] => None,
+        };
+        if let Some(value) = value {
+            values.push(((*word).to_owned(), value));
+        }
+    }
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_literal_word_is_an_answer() {
+        assert_eq!(
+            read_answers("unsat\nsat\nunknown\n", 3),
+            Ok(vec![Answer::Unsat, Answer::Sat, Answer::Unknown])
+        );
+        for wrong in [
+            "UNSAT",
+            "Unsat",
+            " unsat",
+            "unsat ",
+            "unsat\r",
+            "(error \"line 3: expected unsat\")",
+            "unsat unsat",
+            "unsatisfiable",
+            "success",
+            "timeout",
+            "",
+        ] {
+            assert_eq!(
+                read_answers(&format!("{wrong}\n"), 1),
+                Err(SolverError::NoAnswer(wrong.to_owned()))
+            );
+        }
+    }
+
+    #[test]
+    fn a_run_that_was_ended_answers_what_it_had_printed() {
+        let some = read_some("unsat\nunknown\nsat\nuns", 5);
+        let [unsat, sat] = [Some(Answer::Unsat), Some(Answer::Sat)];
+        assert_eq!(some, Ok(vec![unsat, None, sat, None, None]));
+        let wrong = read_some("(error \"no\")\n", 1);
+        assert!(matches!(wrong, Err(SolverError::NoAnswer(_))));
+    }
+
+    #[test]
+    fn as_many_answers_as_questions_or_none() {
+        for (printed, found, wanted) in [("unsat\n", 1, 2), ("unsat\nunsat\n", 2, 1), ("", 0, 1)] {
+            assert_eq!(
+                read_answers(printed, wanted),
+                Err(SolverError::Count { found, wanted })
+            );
+        }
+    }
+
+    #[test]
+    fn values_are_read_to_the_bit() {
+        let printed = "sat\n((x0 (fp #b1 #b01111111111 #b0000000000000000000000000000000000000000000000000001))\n (x2 (_ NaN 11 53)) (x3 (_ -zero 11 53)) (q0 #b11))\n";
+        let values = read_values(printed);
+        assert_eq!(values.len(), 4);
+        assert_eq!(values[0].1, (-1.000_000_000_000_000_2_f64).to_bits());
+        assert!(f64::from_bits(values[1].1).is_nan());
+        assert_eq!(values[2].1, (-0.0_f64).to_bits());
+        assert_eq!(values[3], ("q0".to_owned(), 3));
+    }
+}

@@ -1,0 +1,21 @@
+//! Proofs of the safety kernel.
+//!
+//! - `properties`: what is claimed, in words, in symbols, and as a harness that any engine runs.
+//! - `prover`: what a harness asks of an engine.
+//! - `kernel`, `broken`: the kernel of production, and copies of its source with one token changed.
+//! - `engines`: symbolic execution, enumeration, and the stand-in for Kani's API.
+//! - `report`, `document`, `digest`: what was found out, how it is shown, and about which sources.
+
+#![forbid(unsafe_code)]
+
+pub mod broken;
+pub mod digest;
+pub mod document;
+pub mod engines;
+#[cfg(any(kani, test))]
+mod kani_engine;
+pub mod kernel;
+pub mod properties;
+pub mod prover;
+pub mod report;
+pub mod vector;

@@ -1,0 +1,167 @@
+//! The properties: what is claimed, in words and in symbols, and the harness that says it.
+
+pub mod clamp;
+pub mod geofence;
+pub mod latch;
+pub mod watchdog;
+mod words;
+
+use crate::engines::native::{Enumerate, Native, Replay, Sample};
+use crate::engines::symbolic::Symbolic;
+use crate::kernel::Kernel;
+use crate::vector::Event;
+
+/// What a property is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// The deadline of a command, and the order of commands.
+    Watchdog,
+    /// The fence and the look-ahead.
+    Geofence,
+    /// The speed limit.
+    Clamp,
+    /// ESTOP, the order of the gates, the modes.
+    Latch,
+}
+
+impl Family {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Watchdog, Self::Geofence, Self::Clamp, Self::Latch];
+
+    /// Its name in reports and in the table of broken kernels.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Watchdog => "watchdog",
+            Self::Geofence => "geofence",
+            Self::Clamp => "clamp",
+            Self::Latch => "latch",
+        }
+    }
+}
+
+/// A property of the kernel.
+#[derive(Debug, Clone, Copy)]
+pub struct Property {
+    /// Its name: family and subject.
+    pub id: &'static str,
+    /// What it is about.
+    pub family: Family,
+    /// The rules for which it is evidence.
+    pub rules: &'static [&'static str],
+    /// The claim in words.
+    pub sentence: &'static str,
+    /// The claim in symbols.
+    pub statement: &'static str,
+    /// The bounds within which it is claimed; all doubles and all seqs where nothing is said.
+    pub bounds: &'static str,
+    /// What is assumed.
+    pub assumptions: &'static [&'static str],
+    /// How often Kani unwinds a loop.
+    pub unwind: u32,
+    /// The longest sequence of events for the symbolic engine.
+    pub symbolic_length: usize,
+    /// Values that the enumeration combines; none where the harness has too many inputs for that.
+    pub enumeration: Option<Values>,
+}
+
+/// The finite sets of an enumeration.
+#[derive(Debug, Clone, Copy)]
+pub struct Values {
+    /// The doubles.
+    pub scalars: &'static [f64],
+    /// The seqs.
+    pub seqs: &'static [i64],
+    /// The longest sequence of events.
+    pub length: usize,
+}
+
+const ALL: usize = 6;
+const NONE: &[&str] = &[];
+const TIMES: &[f64] = &[
+    0.0,
+    0.25,
+    1.0,
+    -1.0,
+    250.0,
+    60_000.0,
+    60_000.5,
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+];
+
+include!("table.rs");
+
+/// A harness on a kernel, for each kind of prover.
+macro_rules! of {
+    ($kernel:ty, $($harness:ident)::+) => {
+        $crate::properties::Harness {
+            symbolic: $($harness)::+::<$kernel, $crate::engines::symbolic::Symbolic>,
+            sample: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Sample>>,
+            enumerate: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Enumerate>>,
+            replay: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Replay>>,
+            trace: $crate::vector::run::<$kernel>,
+        }
+    };
+}
+#[cfg(feature = "broken")]
+pub(crate) use of;
+
+/// The harnesses of a kernel, by the ids of their properties.
+macro_rules! harnesses {
+    ($($id:literal => $($harness:ident)::+,)*) => {
+        /// The harness of a property on a kernel.
+        #[must_use]
+        pub fn harness<K: Kernel>(id: &str) -> Option<Harness> {
+            match id {
+                $($id => Some(of!(K, $($harness)::+)),)*
+                _ => None,
+            }
+        }
+
+        #[cfg(any(kani, test))]
+        pub(crate) fn kani_harness(id: &str, p: &mut Native<crate::kani_engine::Any>) {
+            match id {
+                $($id => $($harness)::+::<crate::kernel::Production, Native<crate::kani_engine::Any>>(p),)*
+                _ => {}
+            }
+        }
+    };
+}
+
+/// One harness, ready for each engine.
+#[derive(Debug, Clone, Copy)]
+pub struct Harness {
+    /// On terms.
+    pub symbolic: fn(&mut Symbolic),
+    /// On sampled doubles.
+    pub sample: fn(&mut Native<Sample>),
+    /// On every combination of some doubles.
+    pub enumerate: fn(&mut Native<Enumerate>),
+    /// On given doubles.
+    pub replay: fn(&mut Native<Replay>),
+    /// What the kernel's watchdog answers to a trace.
+    pub trace: fn(&[Event]) -> Vec<serde_json::Value>,
+}
+
+harnesses! {
+    "watchdog/deadline" => watchdog::deadline,
+    "watchdog/ttl" => watchdog::ttl,
+    "watchdog/order" => watchdog::order,
+    "watchdog/step" => watchdog::step,
+    "watchdog/sequence" => watchdog::sequence,
+    "geofence/inside" => geofence::inside,
+    "geofence/limit" => geofence::limit,
+    "geofence/projection" => geofence::projection,
+    "geofence/projection-and-clamp" => geofence::projection_and_clamp,
+    "clamp/bound" => clamp::bound,
+    "clamp/unchanged" => clamp::unchanged,
+    "clamp/direction" => clamp::direction,
+    "clamp/tick" => clamp::tick,
+    "latch/gates" => latch::gates,
+    "latch/plant" => latch::plant,
+    "latch/sequence" => latch::sequence,
+    "latch/plant-sequence" => latch::plant_sequence,
+}

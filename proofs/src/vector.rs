@@ -1,0 +1,194 @@
+//! Counterexamples as cases of vectors, where a call of the peer protocol can show them.
+
+use serde_json::{Value, json};
+
+use crate::engines::{Counterexample, native::Drawn};
+use crate::kernel::{Kernel, Production};
+use crate::properties::Harness;
+
+/// A number as vectors spell it.
+#[must_use]
+pub fn number(x: f64) -> Value {
+    if x.is_nan() {
+        json!("NaN")
+    } else if x.is_infinite() {
+        json!(if x > 0.0 { "Infinity" } else { "-Infinity" })
+    } else if x == 0.0 && x.is_sign_negative() {
+        json!("-0")
+    } else {
+        json!(x)
+    }
+}
+
+/// A case that the broken kernel of this harness fails, by a counterexample to this property. What it expects is
+/// what the kernel of production answers.
+#[must_use]
+pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
+    let inputs = Inputs(found);
+    let events = match property {
+        "watchdog/deadline" if found.check.starts_with("alive") => vec![
+            inputs.command("received", "ttl", None)?,
+            Event::ShouldHold(inputs.double("now")?),
+        ],
+        "watchdog/ttl" => {
+            let ttl = inputs.double("ttl")?;
+            // Where the least of ttl and 60 s ends, and a moment later.
+            let end = if ttl.is_finite() {
+                ttl.clamp(0.0, 60_000.0) / 1000.0
+            } else {
+                0.0
+            };
+            vec![
+                Event::Command(0.0, ttl, 1),
+                Event::ShouldHold(end),
+                Event::Command(0.0, ttl, 2),
+                Event::ShouldHold(end + 0.001),
+            ]
+        }
+        "watchdog/order" if found.check == "advances" && inputs.choice("has_last")? == 1 => vec![
+            Event::Command(0.0, 1000.0, inputs.seq("last")?),
+            Event::Command(5.0, 1000.0, inputs.seq("seq")?),
+            Event::ShouldHold(5.0),
+        ],
+        "watchdog/step" => step(&inputs)?,
+        _ => return None,
+    };
+    let answers = run::<Production>(&events);
+    if answers == (harness.trace)(&events) {
+        return None;
+    }
+    let steps: Vec<Value> = events.iter().map(Event::json).collect();
+    Some(json!({
+        "roles": ["body"],
+        "call": "watchdog.run",
+        "args": { "steps": steps },
+        "expect": { "relation": "pattern", "value": { "steps": answers } },
+    }))
+}
+
+/// The state and the event of `watchdog/step`, where the protocol has a word for them.
+fn step(inputs: &Inputs<'_>) -> Option<Vec<Event>> {
+    let mut events = Vec::new();
+    match inputs.choice("state")? {
+        0 => {}
+        1 => events.push(inputs.command("received", "ttl", Some("last"))?),
+        _ => return None,
+    }
+    match inputs.choice("event")? {
+        0 => {
+            events.push(inputs.command("now", "new_ttl", Some("seq"))?);
+            events.push(Event::ShouldHold(inputs.double("now")?));
+        }
+        2 => events.push(Event::ShouldHold(inputs.double("now")?)),
+        4 => {
+            events.push(Event::Reset);
+            events.push(Event::ShouldHold(inputs.double("later")?));
+        }
+        _ => return None,
+    }
+    Some(events)
+}
+
+/// A step of `watchdog.run`.
+#[derive(Debug, Clone, Copy)]
+pub enum Event {
+    /// A command: the clock in seconds, the ttl in ms, the seq.
+    Command(f64, f64, i64),
+    /// A reading of the clock, in seconds.
+    ShouldHold(f64),
+    /// A reset.
+    Reset,
+}
+
+impl Event {
+    fn json(&self) -> Value {
+        match *self {
+            Self::Command(now, ttl, seq) => {
+                json!({"op": "command", "now_s": number(now), "ttl_ms": number(ttl), "seq": seq})
+            }
+            Self::ShouldHold(now) => json!({"op": "should_hold", "now_s": number(now)}),
+            Self::Reset => json!({"op": "reset"}),
+        }
+    }
+}
+
+/// What a kernel's watchdog answers to a trace.
+#[must_use]
+pub fn run<K: Kernel>(events: &[Event]) -> Vec<Value> {
+    let mut watchdog = K::watchdog::<f64, i64>();
+    let answers = events.iter().map(|event| match *event {
+        Event::Command(now, ttl, seq) => {
+            K::watchdog_command(&mut watchdog, now, ttl, seq);
+            json!({})
+        }
+        Event::ShouldHold(now) => json!({"hold": K::watchdog_should_hold(&mut watchdog, now)}),
+        Event::Reset => {
+            K::watchdog_reset(&mut watchdog);
+            json!({})
+        }
+    });
+    answers.collect()
+}
+
+/// The inputs of a counterexample, by their names.
+struct Inputs<'a>(&'a Counterexample);
+
+impl Inputs<'_> {
+    fn find(&self, name: &str) -> Option<Drawn> {
+        let mut inputs = self.0.inputs.iter();
+        inputs
+            .find(|(known, _)| known == name)
+            .map(|(_, drawn)| *drawn)
+    }
+    fn double(&self, name: &str) -> Option<f64> {
+        match self.find(name)? {
+            Drawn::Scalar(x) => Some(x),
+            _ => None,
+        }
+    }
+    fn seq(&self, name: &str) -> Option<i64> {
+        match self.find(name)? {
+            Drawn::Seq(seq) => Some(seq),
+            _ => None,
+        }
+    }
+    fn choice(&self, name: &str) -> Option<usize> {
+        match self.find(name)? {
+            Drawn::Choice(way) => Some(way),
+            _ => None,
+        }
+    }
+    fn command(&self, now: &str, ttl: &str, seq: Option<&str>) -> Option<Event> {
+        let seq = match seq {
+            Some(name) => self.seq(name)?,
+            None => 1,
+        };
+        Some(Event::Command(self.double(now)?, self.double(ttl)?, seq))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::properties::harness;
+
+    #[test]
+    fn a_command_that_is_too_old_is_a_case_that_expects_a_hold() {
+        let inputs = [("now", 61.0), ("received", 0.0), ("ttl", f64::MAX)];
+        let found = Counterexample {
+            check: "alive exactly by the liveness rule".to_owned(),
+            inputs: inputs
+                .map(|(name, x)| (name.to_owned(), Drawn::Scalar(x)))
+                .to_vec(),
+        };
+        let mut harness = harness::<Production>("watchdog/deadline").unwrap();
+        assert_eq!(case("watchdog/deadline", &harness, &found), None);
+        harness.trace = |_| vec![json!({}), json!({"hold": false})];
+        let case = case("watchdog/deadline", &harness, &found).unwrap();
+        assert_eq!(case["call"], "watchdog.run");
+        assert_eq!(
+            case["expect"]["value"]["steps"],
+            json!([{}, {"hold": true}])
+        );
+    }
+}

@@ -1,0 +1,149 @@
+//! The proofs: sets the solvers up, runs the engines, and says whether the report is about the sources.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::Error;
+use crate::project::Project;
+use crate::setup;
+
+#[allow(unreachable_pub, reason = "the file belongs to the proofs, too")]
+#[path = "../../proofs/src/digest.rs"]
+mod digest;
+
+const REPORT: &str = "reports/proofs.json";
+/// Where the engines that are programs of their own leave their results.
+const MACHINE: &str = ".tools/machine.json";
+const MODEL: &str = ".tools/model.json";
+
+/// Runs the engines; `false` if a property is not proved or a broken kernel not refuted.
+///
+/// # Errors
+/// The solvers cannot be set up, or a program cannot be started.
+pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
+    let is_wanted = |engine: &str| args.is_empty() || args.contains(&engine);
+    setup::solvers(project, &mut |line| println!("{line}"))?;
+    let mut good = true;
+    if is_wanted("model") {
+        forget(project, MODEL);
+        let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--"];
+        good &= start(project.cargo(&[&words[..], &["--json", MODEL]].concat()))?;
+    }
+    if is_wanted("machine") {
+        good &= machine(project)?;
+    }
+    let program = [
+        "run",
+        "--quiet",
+        "--release",
+        "-p",
+        "ncp-proofs",
+        "--features",
+        "broken",
+        "--",
+    ];
+    good &= start(project.cargo(&[&program[..], args].concat()))?;
+    Ok(good)
+}
+
+/// Explores the machine code, where that can be done: on other machines it is not run, which is no failure,
+/// and the report says so.
+fn machine(project: &Project) -> Result<bool, Error> {
+    forget(project, MACHINE);
+    if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+        println!("machine code: not run here, as it is for x86-64 Linux");
+        return Ok(true);
+    }
+    if let Err(error) = setup::angr(project, &mut |line| println!("{line}")) {
+        println!("machine code: not run here: {error}");
+        return Ok(true);
+    }
+    start(project.program(
+        OsString::from("proofs/machine/prove.sh"),
+        &["--json", MACHINE],
+        "",
+    ))
+}
+
+/// Removes the results of an earlier run.
+fn forget(project: &Project, file: &str) {
+    fs::remove_file(project.path(file)).ok();
+}
+
+fn start(mut command: std::process::Command) -> Result<bool, Error> {
+    let status = command.status().map_err(|source| Error::File {
+        path: command.get_program().into(),
+        source,
+    })?;
+    Ok(status.success())
+}
+
+/// What is wrong with the report: missing, or about other sources.
+pub(crate) fn stale(project: &Project) -> Vec<String> {
+    stale_at(&project.path(""))
+        .err()
+        .map(|why| format!("{REPORT}: {why}; cargo xtask prove"))
+        .into_iter()
+        .collect()
+}
+
+fn stale_at(root: &Path) -> Result<(), String> {
+    let text = fs::read_to_string(root.join(REPORT)).map_err(|error| error.to_string())?;
+    let report: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let now = digest::of(root).map_err(|error| error.to_string())?;
+    if report["digest"] != now.as_str() {
+        return Err("the kernel or its harnesses have changed since they were proved".to_owned());
+    }
+    match report["problems"].as_array() {
+        Some(problems) if problems.is_empty() => Ok(()),
+        Some(problems) => Err(format!("not everything is shown: {problems:?}")),
+        None => Err("it does not say whether everything is shown".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_of_the_kernel_makes_the_report_stale() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        for folder in [
+            "spec/src/safety/kernel",
+            "proofs/src/properties",
+            "proofs/src/engines",
+            "proofs/machine/src",
+            "proofs/model/src",
+            "reports",
+        ] {
+            fs::create_dir_all(root.join(folder)).unwrap();
+        }
+        for file in [
+            "src/kernel.rs",
+            "src/prover.rs",
+            "broken.rs",
+            "machine/properties.py",
+        ] {
+            fs::write(root.join("proofs").join(file), "").unwrap();
+        }
+        let kernel = root.join("spec/src/safety/kernel/speed.rs");
+        fs::write(&kernel, "a.le(b)").unwrap();
+        assert!(stale_at(root).unwrap_err().contains("No such file"));
+
+        let digest = digest::of(root).unwrap();
+        let report = |problems: &str| {
+            let text = format!("{{\"digest\":{digest:?},\"problems\":{problems}}}");
+            fs::write(root.join(REPORT), text).unwrap();
+        };
+        report("[\"clamp/bound: no engine proves it\"]");
+        assert!(stale_at(root).unwrap_err().contains("clamp/bound"));
+        report("[]");
+        assert_eq!(stale_at(root), Ok(()));
+        fs::write(&kernel, "a.lt(b)").unwrap();
+        assert!(stale_at(root).unwrap_err().contains("have changed"));
+    }
+}
