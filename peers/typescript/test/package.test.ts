@@ -26,8 +26,8 @@ after(async () => {
 });
 
 /** Runs a file of the folder and returns what it prints. */
-async function node(file: string): Promise<string> {
-  const { stdout, stderr } = await run(process.execPath, [file], { cwd: installed.folder, env, timeout: 30_000 });
+async function node(file: string, ...options: string[]): Promise<string> {
+  const { stdout, stderr } = await run(process.execPath, [...options, file], { cwd: installed.folder, env, timeout: 30_000 });
   assert.equal(stderr, "");
   return stdout;
 }
@@ -64,7 +64,19 @@ test("the README names commands and examples that are there", () => {
 
 test("the README's client runs a session as an ES module, and prints what the README says", async () => {
   // The interval is ln(20 / 5) · 10 ms on the grid of 0.1 ms, and 2 ms of rest: 13.9, then 15.9 more each time.
-  assert.equal(await node("client.mjs"), "50 ms, spikes at 13.9, 29.8, 45.7 ms\n");
+  const printed = "50 ms, spikes at 13.9, 29.8, 45.7 ms";
+  assert.equal(await node("client.mjs"), `${printed}\n`);
+  assert.ok(examples().get("client.mjs")!.includes(`// ${printed}\n`));
+});
+
+test("the README's client runs with the WebSocket of the runtime, without that of ws", async () => {
+  const text = readFileSync(join(installed.folder, "client.mjs"), "utf8");
+  const own = text.replace(/^import .* from "ws".*\n/m, "").replace(", { WebSocket }", "");
+  assert.ok(!/ws"|WebSocket }\)/.test(own));
+  writeFileSync(join(installed.folder, "client-own.mjs"), own);
+  // In Node 20 it is there on request; later versions take the option as well.
+  const printed = await node("client-own.mjs", "--experimental-websocket", "--no-warnings");
+  assert.equal(printed, "50 ms, spikes at 13.9, 29.8, 45.7 ms\n");
 });
 
 test("the README's client runs a session as CommonJS", async () => {
@@ -90,10 +102,16 @@ test("both builds offer the same names, among them those of the published client
     join(installed.folder, "names.mjs"),
     `import { createRequire } from "node:module";
      import * as esm from "@ncp-conformance/peer";
-     const cjs = createRequire(import.meta.url)("@ncp-conformance/peer");
-     console.log(JSON.stringify([esm, cjs].map((of) => Object.keys(of).sort())));`,
+     const require = createRequire(import.meta.url);
+     const cjs = require("@ncp-conformance/peer");
+     console.log(JSON.stringify([
+       ...[esm, cjs].map((of) => Object.keys(of).sort()),
+       [import.meta.resolve("@ncp-conformance/peer"), require.resolve("@ncp-conformance/peer")],
+     ]));`,
   );
-  const [esm, cjs] = JSON.parse(await node("names.mjs")) as [string[], string[]];
+  const [esm, cjs, paths] = JSON.parse(await node("names.mjs")) as [string[], string[], string[]];
+  assert.match(paths[0]!, /peer\/dist\/index\.js$/);
+  assert.match(paths[1]!, /peer[/\\]dist[/\\]cjs[/\\]index\.js$/); // New Nodes could require the other one, too.
   assert.deepEqual(esm, cjs);
   for (const name of [
     "NCP_VERSION",
