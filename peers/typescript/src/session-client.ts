@@ -5,6 +5,7 @@
  */
 
 import { create, encode } from "./encode.js";
+import { NcpServerError } from "./errors.js";
 import type { Input, ObservationFrame, SessionOpened } from "./messages.js";
 import { checkReply, type ReplyTo, type Request } from "./reply.js";
 
@@ -53,7 +54,13 @@ export class SessionClient {
    */
   async close(sessionId: string, options?: RequestOptions): Promise<boolean> {
     if (!this.#owned.has(sessionId)) return false;
-    await this.#ask(create("close_session", { session_id: sessionId }), options);
+    try {
+      await this.#ask(create("close_session", { session_id: sessionId }), options);
+    } catch (error) {
+      // The server does not have it (any more). Should another client open it anew, it is that client's.
+      if (error instanceof NcpServerError) this.#owned.delete(sessionId);
+      throw error;
+    }
     this.#owned.delete(sessionId);
     return true;
   }

@@ -77,6 +77,34 @@ test("a borrowed session is not closed, and nothing is sent", async () => {
   assert.equal(sent, 0);
 });
 
+test("a session that the server no longer has is not closed once another client has opened it anew", async () => {
+  const sent: string[] = [];
+  let server = new SessionService(new ReferenceBackend());
+  const client = new NeuroSimClient((request) => {
+    sent.push(request);
+    return Promise.resolve(server.handle(request));
+  });
+  await open(client);
+  server = new SessionService(new ReferenceBackend()); // It was restarted.
+  await assert.rejects(client.close("s"), NcpServerError);
+  await open(new NeuroSimClient((request) => Promise.resolve(server.handle(request))));
+  assert.equal(await client.close("s"), false);
+  assert.equal(sent.length, 2);
+});
+
+test("a close that got no reply can be tried again", async () => {
+  const service = new SessionService(new ReferenceBackend());
+  let down = false;
+  const client = new NeuroSimClient((request) =>
+    down ? Promise.reject(new Error("down")) : Promise.resolve(service.handle(request)),
+  );
+  await open(client);
+  down = true;
+  await assert.rejects(client.close("s"), /down/);
+  down = false;
+  assert.equal(await client.close("s"), true);
+});
+
 test("each way to fail has an error of its own, and only a misfit tells that replies are out of step", async () => {
   const step = async (reply: object | string): Promise<[Error, number]> => {
     let misfits = 0;
