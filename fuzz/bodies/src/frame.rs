@@ -178,6 +178,8 @@ fn keeps(given: &Value, written: &Value, name: &str) {
             for (member, written) in written {
                 match given.get(member) {
                     None | Some(Value::Null) => {}
+                    // The entries of a map have names of their own, which mean nothing here.
+                    Some(given) if MAPS.contains(&name) => keeps(given, written, ""),
                     Some(given) => keeps(given, written, member),
                 }
             }
