@@ -1,8 +1,14 @@
 //! Frames of all kinds: the first byte chooses the kind, the rest is the frame.
 
 use ncp_spec::ErrorCode;
-use ncp_spec::wire::{DecodeError, Kind, Message, build, decode_any};
+use ncp_spec::version::check_version;
+use ncp_spec::wire::{
+    DecodeError, DecodeProblem, JsonType, Kind, Message, NESTED, build, decode_any,
+    decode_any_strict, decode_strict,
+};
 use serde_json::Value;
+
+use crate::message;
 
 #[cfg(not(feature = "planted"))]
 use ncp_spec::wire::decode;
@@ -34,20 +40,25 @@ pub fn show(input: &[u8]) -> String {
 }
 
 /// Decoding ends with a message or an error, whatever the bytes, and a frame that is read is what
-/// another JSON reader takes for an object of that kind, with its pins in place.
+/// another JSON reader takes for an object of that kind, with its pins in place. An error says what
+/// stands at its place. The strict profile refuses what it has to, and nothing else.
 ///
-/// It would find a panic, an endless loop, a lax grammar, a kind that is not looked at, and a way
-/// around a pin.
+/// It would find a panic, an endless loop, a lax grammar, a kind that is not looked at, a way around
+/// a pin, and an error that points elsewhere.
 // [NCP-WIRE-001] [NCP-WIRE-002] [NCP-WIRE-003] [NCP-WIRE-004] [NCP-WIRE-006] [NCP-WIRE-028]
 // [NCP-WIRE-030] [NCP-WIRE-060] [NCP-PROV-001] [NCP-PROV-002] [NCP-PROV-003] [NCP-PROV-004]
-// [NCP-PROV-006]
+// [NCP-PROV-006] [NCP-STRICT-002] [NCP-STRICT-003] [NCP-STRICT-004]
 pub fn frame_decode(input: &[u8]) {
     let (kind, frame) = split(input);
     let decoded = decode(kind, frame);
     let of_any = decode_any(frame);
     let message = match decoded {
         Ok(message) => message,
-        Err(error) => return judge_error(&error, frame, &of_any),
+        Err(error) => {
+            judge_error(&error, frame, &of_any);
+            assert!(decode_strict(kind, frame).is_err());
+            return;
+        }
     };
     assert_eq!(message.kind(), kind);
     assert_eq!(of_any.as_ref(), Ok(&message));
@@ -66,6 +77,8 @@ pub fn frame_decode(input: &[u8]) {
         Kind::SessionOpened => value.get("provenance").filter(|value| !value.is_null()),
         _ => None,
     };
+    judge_strictness(&message, frame, &value);
+    judge_length(kind, frame);
     if let Some(pinned) = pinned {
         let is = |pin: &str, at| {
             pinned
@@ -80,33 +93,46 @@ pub fn frame_decode(input: &[u8]) {
 /// gave, in the order of the tables.
 ///
 /// It would find a digit or a sign that is lost, a map entry that is dropped, two fields that are
-/// swapped, and an encoder whose frames its own decoder refuses.
+/// swapped, an encoder whose frames its own decoder refuses, one that sends what nobody may, and a
+/// map that loses what a program puts into it.
 // [NCP-WIRE-015] [NCP-WIRE-034] [NCP-WIRE-041] [NCP-WIRE-043] [NCP-WIRE-080] [NCP-WIRE-081]
-// [NCP-WIRE-083] [NCP-WIRE-084] [NCP-WIRE-085] [NCP-WIRE-086] [NCP-WIRE-093] [NCP-WIRE-102]
+// [NCP-WIRE-083] [NCP-WIRE-084] [NCP-WIRE-085] [NCP-WIRE-086] [NCP-WIRE-091] [NCP-WIRE-093] [NCP-WIRE-102]
+// [NCP-PROV-008]
 pub fn frame_roundtrip(input: &[u8]) {
     let (kind, frame) = split(input);
     let Ok(message) = ncp_spec::wire::decode(kind, frame) else {
         return;
     };
-    let text = encode(&message).expect("what was read can be sent");
+    message::has_maps_like_trees(&message);
+    message::refuses_one_too_many(&message);
+    let text = match encode(&message) {
+        Ok(text) => text,
+        // What was read can be sent, unless the fields that it left out make it too long.
+        Err(error) => {
+            assert!(message.fields().len() > kind.max_bytes(), "{error}");
+            assert_eq!((error.code(), error.path()), (ErrorCode::Limit, ""));
+            return message::tells(&error);
+        }
+    };
+    message::refuses_what_is_spoilt(&message);
     let again = kind.read(text.as_bytes());
     assert_eq!(again, message);
     assert_eq!(encode(&again).as_deref(), Ok(text.as_str()));
     // As an adapter sees the fields, and sets them.
     let built = build(kind, message.fields().as_bytes()).expect("its own fields are known");
     assert_eq!(encode(&built).as_deref(), Ok(text.as_str()));
-    let unsendable = message.fields().replacen(":0.0", ":\"NaN\"", 1);
-    if let Ok(message) = build(kind, unsendable.as_bytes())
-        && message.fields().contains("\"NaN\"")
-        && !text.contains("\"NaN\"")
-    {
-        let refused = message.encode().expect_err("JSON has no NaN");
-        assert_eq!(refused.code(), ErrorCode::NonFinite, "{refused}");
+    if let Err(error) = build(kind, frame) {
+        assert_eq!(error.code(), ErrorCode::Invalid, "{error}");
+        assert_eq!(error.offset().and_then(|at| frame.get(at)), Some(&b'"'));
     }
 
     let given: Value = serde_json::from_slice(frame).expect("what is read is JSON");
     let written: Value = serde_json::from_str(&text).expect("what is written is JSON");
     keeps(&given, &written, "");
+    let members = written.as_object().into_iter().flatten();
+    for (_, word) in members {
+        message::is_a_word_of_no_other_value(word.as_str().unwrap_or_default());
+    }
     let written = written.as_object().expect("a frame is an object");
     if kind == Kind::Error {
         let known = ["kind", "error", "session_id"];
@@ -122,17 +148,82 @@ fn encode(message: &Message) -> Result<String, ncp_spec::wire::EncodeError> {
     message.encode()
 }
 
-/// An error has a reason and a text; where the kind was right, the frame is refused by its own kind
-/// too.
+/// An error has a reason, a place and a text that tells both; where the kind was right, the frame is
+/// refused by its own kind too.
 fn judge_error(error: &DecodeError, frame: &[u8], of_any: &Result<Message, DecodeError>) {
     assert!(!matches!(
         error.code(),
         ErrorCode::Internal | ErrorCode::Invalid
     ));
-    assert!(!error.to_string().is_empty() && error.to_string().starts_with(error.path()));
+    let (text, problem) = (error.to_string(), error.problem().to_string());
+    assert!(text.starts_with(error.path()) && text.contains(&problem) && !problem.is_empty());
     assert!(error.offset().is_none_or(|at| at <= frame.len()));
+    let place = error.offset().map(|at| format!("(byte {at})"));
+    assert!(place.is_none_or(|place| text.ends_with(&place)), "{text}");
+    assert_eq!(error.code(), error.problem().code());
+    assert!(format!("{error:?}").contains(&format!("{:?}", error.problem())));
+    let here = error.offset().and_then(|at| frame.get(at));
+    match error.problem() {
+        DecodeProblem::WrongType { expected, found } => {
+            let is_found = match here {
+                Some(b'"') => *found == JsonType::String,
+                Some(b'{') => matches!(found, JsonType::Object(_)),
+                Some(b'[') => matches!(found, JsonType::Array(_)),
+                Some(b't' | b'f') => *found == JsonType::Boolean,
+                Some(b'-' | b'0'..=b'9') => *found == JsonType::Number,
+                _ => false,
+            };
+            assert!(is_found, "{error}");
+            assert!(is_type_of(error.path(), *expected), "{error}");
+        }
+        DecodeProblem::Null { expected } => {
+            assert_eq!(here, Some(&b'n'));
+            assert!(is_type_of(error.path(), *expected), "{error}");
+        }
+        _ => {}
+    }
     if let Ok(message) = of_any {
         assert_eq!(error.code(), ErrorCode::Kind, "{}", message.kind());
+    }
+}
+
+/// Whether a type is that of a field that the path names, or a part of it: an enum is a string.
+fn is_type_of(path: &str, expected: JsonType) -> bool {
+    let tables = Kind::ALL.into_iter().map(Kind::table).chain(NESTED);
+    let mut fields = tables.flat_map(|table| table.fields);
+    let is_part = |json: JsonType| json.to_string().contains(&expected.to_string());
+    let is_enum = |json| matches!(json, JsonType::Enum(_)) && expected == JsonType::String;
+    fields.any(|field| path.contains(field.name) && (is_part(field.json) || is_enum(field.json)))
+}
+
+/// The strict profile refuses a frame that is read without it if, and only if, the version is left
+/// out or not compatible, or a command has no place in its stream.
+fn judge_strictness(message: &Message, frame: &[u8], value: &Value) {
+    let version = value.get("ncp_version").and_then(Value::as_str);
+    let expected = if message.kind() == Kind::Error {
+        Ok(())
+    } else if version.is_none() {
+        Err(ErrorCode::Missing)
+    } else if !version.is_some_and(|version| check_version(version, false) == Ok(true)) {
+        Err(ErrorCode::Version)
+    } else if matches!(message, Message::CommandFrame(command) if command.seq < 1) {
+        Err(ErrorCode::Value)
+    } else {
+        Ok(())
+    };
+    let strict = decode_strict(message.kind(), frame);
+    assert_eq!(decode_any_strict(frame), strict);
+    let judged = strict.map(|same| assert_eq!(&same, message));
+    assert_eq!(judged.map_err(|error| error.code()), expected);
+}
+
+/// White space counts: a frame with one byte too many is refused.
+fn judge_length(kind: Kind, frame: &[u8]) {
+    if kind != Kind::ObservationFrame {
+        let mut long = frame.to_vec();
+        long.resize(kind.max_bytes() + 1, b' ');
+        let error = ncp_spec::wire::decode(kind, &long).expect_err("it is over the limit");
+        assert_eq!(error.code(), ErrorCode::Limit, "{error}");
     }
 }
 
@@ -152,9 +243,10 @@ impl KindExt for Kind {
 }
 
 /// Fields that are maps: all of their entries have to be kept.
-const MAPS: [&str; 7] = [
+const MAPS: [&str; 8] = [
     "channels",
     "horizon",
+    "meta",
     "params",
     "population_sizes",
     "records",
@@ -167,20 +259,21 @@ const MAPS: [&str; 7] = [
 fn keeps(given: &Value, written: &Value, name: &str) {
     match (given, written) {
         (Value::Object(given), Value::Object(written)) => {
+            let is_map = MAPS.contains(&name);
             assert!(
-                !MAPS.contains(&name) || written.len() == given.len(),
+                !is_map || written.len() == given.len(),
                 "entries of {name} are lost"
             );
             assert!(
-                !MAPS.contains(&name) || written.keys().is_sorted(),
+                !is_map || written.keys().is_sorted(),
                 "entries of {name} are not sorted"
             );
             for (member, written) in written {
+                // An entry may be called as a field is.
+                let member_name = if is_map { "" } else { member };
                 match given.get(member) {
                     None | Some(Value::Null) => {}
-                    // The entries of a map have names of their own, which mean nothing here.
-                    Some(given) if MAPS.contains(&name) => keeps(given, written, ""),
-                    Some(given) => keeps(given, written, member),
+                    Some(given) => keeps(given, written, member_name),
                 }
             }
         }

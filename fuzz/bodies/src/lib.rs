@@ -32,11 +32,13 @@ pub mod action_buffer;
 pub mod bulk;
 pub mod canonical;
 pub mod codec;
+mod edges;
 pub mod frame;
 pub mod governor;
 pub mod keys;
 pub mod link_monitor;
 pub mod memory;
+mod message;
 pub mod peer;
 pub mod plain;
 #[cfg(feature = "planted")]

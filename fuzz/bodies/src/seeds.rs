@@ -14,9 +14,9 @@ use serde_json::Value;
 use crate::action_buffer::{self, Arrival, Damage};
 use crate::governor::{self, Channel, Command, Govern, KindName, ModeName, Name, Spec, Unit};
 use crate::plain::write;
-use crate::{bulk, codec, frame, link_monitor, proto};
+use crate::{bulk, codec, edges, frame, link_monitor, proto};
 
-/// The longest seed in bytes: a corpus is to be quick.
+/// The longest seed of a vector in bytes: a corpus is to be quick.
 const MOST_BYTES: usize = 4_096;
 
 /// Lines of peers: every form of an answer, and every way to miss it.
@@ -52,6 +52,7 @@ pub fn essential(root: &Path) -> io::Result<Seeds> {
     let mut seeds = of_cases(&cases);
     let answers = ANSWERS.map(|line| line.as_bytes().to_vec());
     seeds.entry("peer_protocol").or_default().extend(answers);
+    at_edges(&mut seeds);
     Ok(seeds)
 }
 
@@ -80,7 +81,19 @@ pub fn seeds(root: &Path) -> io::Result<Seeds> {
     ] {
         add("canonical_proto", text.as_bytes().to_vec());
     }
+    at_edges(&mut seeds);
     Ok(seeds)
+}
+
+/// The frames at the edges of what may be, the long ones too, for those targets that look at frames
+/// alone.
+fn at_edges(seeds: &mut Seeds) {
+    for (kind, text) in edges::frames() {
+        for target in ["frame_decode", "frame_roundtrip"] {
+            let seed = frame::join(kind, text.as_bytes());
+            seeds.entry(target).or_default().insert(seed);
+        }
+    }
 }
 
 fn of_cases(cases: &[Value]) -> Seeds {

@@ -32,6 +32,8 @@ pub(super) fn measure(
     let output = project.path(".tools/logs/fuzz-coverage.json");
     super::create(output.parent().unwrap_or(Path::new(".")))?;
     let output_text = output.to_string_lossy().into_owned();
+    // What an earlier replay reached, of other inputs, does not count.
+    let forget = ["llvm-cov", "clean", "--profraw-only"];
     let replay = [
         "llvm-cov",
         "test",
@@ -43,7 +45,7 @@ pub(super) fn measure(
         "--",
         "the_corpus_of",
     ];
-    // The first command names what runs, the second whose lines count.
+    // The one command names what runs, the other whose lines count.
     let count = [
         "llvm-cov",
         "report",
@@ -54,7 +56,7 @@ pub(super) fn measure(
         "--output-path",
         &output_text,
     ];
-    for args in [&replay[..], &count] {
+    for args in [&forget[..], &replay, &count] {
         let mut program = project.program(&cargo_llvm_cov, args, "");
         program
             .env("LLVM_COV", &cov)

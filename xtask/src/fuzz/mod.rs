@@ -24,7 +24,8 @@ use report::Report;
 /// What each target checks, and the replay of the corpora.
 const BODIES: &str = "ncp-fuzz-bodies";
 const CORPUS: &str = "fuzz/corpus";
-/// The most inputs of a committed corpus: it is replayed with every change.
+/// The most inputs of a committed corpus, unless more of them stay whatever they reach: it is replayed
+/// with every change.
 const MOST_INPUTS: usize = 120;
 /// Within this every planted bug has to be found.
 const PLANTED_LIMIT: Duration = Duration::from_secs(120);
