@@ -56,7 +56,7 @@ pub const BROKEN: &[Broken] = &[
     broken("geofence_wrong_axis", "fence.rs", "z.add(w.mul(time_s))", "z.add(v.mul(time_s))", "geofence/projection"),
     broken("geofence_long_share", "fence.rs", "if dt_ms.lt(rest) { dt_ms } else { rest }", "if rest.lt(dt_ms) { dt_ms } else { rest }", "geofence/projection"),
     broken("geofence_late_start", "fence.rs", "if !start.lt(ttl_ms)", "if !ttl_ms.lt(start)", "geofence/projection"),
-    broken("geofence_one_step_short", "fence.rs", "let tick = kept + 1;", "let tick = kept + 0;", "geofence/projection"),
+    broken("geofence_step_skipped", "fence.rs", "let tick = kept + 1;", "let tick = kept + 2;", "geofence/projection"),
     broken("geofence_first_place", "fence.rs", "after(&place, &velocity, share_ms(tick))", "after(position, &velocity, share_ms(tick))", "geofence/projection"),
     broken("geofence_first_tick_only", "fence.rs", "if kept > 0 {", "if kept >= 0 {", "geofence/projection"),
     broken("geofence_microseconds", "fence.rs", "time_ms.div(S::constant(1000.0))", "time_ms.mul(S::constant(1000.0))", "geofence/projection"),

@@ -69,28 +69,27 @@ pub(super) fn script(
         match what {
             Node::Variable(nth) => {
                 variables.doubles.insert(nth);
-                let _ = writeln!(text, "(declare-const x{nth} Float64)");
+                let _ = match inputs.and_then(|inputs| inputs.scalars.get(nth as usize)) {
+                    Some(value) => {
+                        let value = double(value.to_bits());
+                        writeln!(text, "(define-fun x{nth} () Float64 {value})")
+                    }
+                    None => writeln!(text, "(declare-const x{nth} Float64)"),
+                };
             }
             Node::SeqVariable(nth) => {
                 variables.seqs.insert(nth);
-                let _ = writeln!(text, "(declare-const q{nth} (_ BitVec 64))");
+                let _ = match inputs.and_then(|inputs| inputs.seqs.get(nth as usize)) {
+                    Some(value) => {
+                        writeln!(text, "(define-fun q{nth} () (_ BitVec 64) #b{value:064b})")
+                    }
+                    None => writeln!(text, "(declare-const q{nth} (_ BitVec 64))"),
+                };
             }
             Node::Double(_) | Node::True | Node::Not(_) => {}
             _ => {
                 let sort = if is_double(what) { "Float64" } else { "Bool" };
                 let _ = writeln!(text, "(define-fun t{term} () {sort} {})", body(what));
-            }
-        }
-    }
-    if let Some(inputs) = inputs {
-        for (nth, value) in inputs.scalars.iter().enumerate() {
-            if u32::try_from(nth).is_ok_and(|nth| variables.doubles.contains(&nth)) {
-                let _ = writeln!(text, "(assert (= x{nth} {}))", double(value.to_bits()));
-            }
-        }
-        for (nth, value) in inputs.seqs.iter().enumerate() {
-            if u32::try_from(nth).is_ok_and(|nth| variables.seqs.contains(&nth)) {
-                let _ = writeln!(text, "(assert (= q{nth} #b{value:064b}))");
             }
         }
     }
