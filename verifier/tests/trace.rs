@@ -339,3 +339,29 @@ fn a_tree_that_is_none_is_said() {
     assert_eq!(exit, 4, "{out}");
     assert!(out.contains("spec/text"), "{out}");
 }
+
+#[test]
+fn what_is_proved_shows_its_rules_and_what_is_only_tried_does_not() {
+    let report = |verdict: &str| {
+        let result = json!({"property": "clamp/bound", "verdict": verdict});
+        json!({
+            "properties": [{"id": "clamp/bound", "rules": ["NCP-TEST-004"]}],
+            "engines": [{"name": "symbolic", "results": [result]}, {"name": "kani", "not_run": true}],
+        })
+        .to_string()
+    };
+    let tree = Tree::accepted();
+    let chapter = format!("spec/text/{}", CHAPTERS[1].file);
+    let rule = "- **[NCP-TEST-004]** A peer MUST do a fourth. *(wire; all)*\n";
+    tree.write(&chapter, &format!("{TEXT}{rule}"));
+    tree.write("reports/proofs.json", &report("tried"));
+    tree.fails_with(&["NCP-TEST-004 is binding, and nothing shows it"]);
+    tree.write("reports/proofs.json", &report("proved"));
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 0, "{out}");
+    let page = tree.read("reports/traceability.md");
+    assert!(
+        page.contains("[clamp/bound](../reports/proofs.md)"),
+        "{page}"
+    );
+}

@@ -28,6 +28,8 @@ const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
 const TYPESCRIPT: &str = "peers/typescript/src";
 /// The tables of mutants.
 const MUTANTS: &str = "peers/mutants/mutants";
+/// The report of the proofs.
+const PROOFS: &str = "reports/proofs.json";
 /// Prose that names rules.
 const PROSE: [&str; 3] = ["README.md", "peers/PROTOCOL.md", "schemas/README.md"];
 
@@ -63,6 +65,7 @@ impl Sources {
         sources.fuzz(root)?;
         sources.typescript(root)?;
         sources.mutants(root)?;
+        sources.proofs(root)?;
         for file in PROSE {
             if root.join(file).is_file() {
                 for Citation { id, line } in cited(&text(root, file)?) {
@@ -249,6 +252,40 @@ impl Sources {
         Ok(())
     }
 
+    /// What an engine has proved, as the report of the proofs says; a test holds that report to the code.
+    fn proofs(&mut self, root: &Path) -> Result<(), TraceError> {
+        if !root.join(PROOFS).is_file() {
+            return Ok(());
+        }
+        let report: ProofReport =
+            serde_json::from_str(&text(root, PROOFS)?).map_err(|error| TraceError::Content {
+                path: PROOFS.to_owned(),
+                message: error.to_string(),
+            })?;
+        let mut proved: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for claim in report.engines.into_iter().flat_map(|engine| engine.results) {
+            let shared = report.properties.iter();
+            let mut shared = shared.filter(|property| property.id == claim.property);
+            let rules = claim.rules.or_else(|| Some(shared.next()?.rules.clone()));
+            if claim.verdict == "proved" {
+                let known = proved.entry(claim.property).or_default();
+                known.extend(rules.unwrap_or_default());
+            }
+        }
+        for (property, rules) in proved {
+            for id in rules {
+                let evidence = Evidence {
+                    kind: EvidenceKind::Proof,
+                    place: format!("reports/proofs.md {property}"),
+                    line: None,
+                    count: 1,
+                };
+                self.add(&id, evidence);
+            }
+        }
+        Ok(())
+    }
+
     fn mutants(&mut self, root: &Path) -> Result<(), TraceError> {
         for file in files(root, MUTANTS, "toml")? {
             let content = text(root, &file)?;
@@ -302,10 +339,38 @@ impl Evidence {
         match (line, place.split_once(' ')) {
             (Some(line), Some((file, item))) => format!("{file}:{line} {item}"),
             (Some(line), None) => format!("{place}:{line}"),
-            (None, _) if *count == 1 => format!("{place} (1 case)"),
-            (None, _) => format!("{place} ({count} cases)"),
+            (None, Some((file, item))) => format!("{file} {item}"),
+            (None, None) if *count == 1 => format!("{place} (1 case)"),
+            (None, None) => format!("{place} ({count} cases)"),
         }
     }
+}
+
+/// What is read of the report of the proofs.
+#[derive(Deserialize)]
+struct ProofReport {
+    properties: Vec<ProofProperty>,
+    engines: Vec<ProofEngine>,
+}
+
+#[derive(Deserialize)]
+struct ProofProperty {
+    id: String,
+    rules: Vec<String>,
+}
+
+#[derive(Deserialize)]
+struct ProofEngine {
+    #[serde(default)]
+    results: Vec<ProofClaim>,
+}
+
+#[derive(Deserialize)]
+struct ProofClaim {
+    property: String,
+    /// Its own rules, if it is not one of the shared properties.
+    rules: Option<Vec<String>>,
+    verdict: String,
 }
 
 /// What is read of a vector file.
