@@ -69,7 +69,7 @@ mod kani {
     use crate::engines::native::{Draw, Sample};
 
     thread_local! {
-        static SAMPLE: RefCell<Sample> = RefCell::new(Sample::new(0, usize::MAX));
+        static SAMPLE: RefCell<Sample> = const { RefCell::new(Sample::new(0, usize::MAX)) };
         static IS_VOID: Cell<bool> = const { Cell::new(false) };
     }
 

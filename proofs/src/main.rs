@@ -31,12 +31,15 @@ struct Engine {
     how: How,
 }
 
+/// A counterexample, or why there is none.
+type Refutation = Result<Value, String>;
+
 /// Where an engine's results come from.
 enum How {
     /// It runs here.
     Here {
         prove: fn(&Property, &Harness, &Place) -> Option<Value>,
-        refute: fn(&Property, &Harness, &Place, &Broken) -> Option<Result<Value, String>>,
+        refute: fn(&Property, &Harness, &Place, &Broken) -> Option<Refutation>,
     },
     /// Another program has left its results in a file of `.tools`; it is not run here if there is none.
     Elsewhere(&'static str),
@@ -97,7 +100,7 @@ const ENGINES: &[Engine] = &[
                 Some(report::outcome(property.id, harness, &outcome))
             },
             refute: |property, harness, _, _| {
-                let outcome = standin::run(harness, 10 * SAMPLES, usize::MAX);
+                let outcome = standin::run(harness, 100 * SAMPLES, usize::MAX);
                 Some(counterexample(property, harness, outcome.counterexample))
             },
         },

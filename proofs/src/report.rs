@@ -44,7 +44,7 @@ pub fn outcome(property: &str, harness: &Harness, outcome: &Outcome) -> Value {
         "runs": outcome.runs,
         "reached": outcome.reached,
         "evidence": outcome.evidence,
-        "seconds": outcome.seconds.round(),
+        "seconds": whole(outcome.seconds),
         "counterexample": outcome.counterexample.as_ref().map(|found| counterexample(property, harness, found)),
     })
 }
@@ -91,7 +91,7 @@ pub fn elsewhere(mut head: Value, file: &Path) -> Value {
                 "sentence": claim["sentence"], "statement": claim["formal"], "bounds": claim["bounds"],
                 "assumptions": claim["assumptions"], "verdict": claim["result"],
                 "detail": word(&claim["why"]), "paths": claim["paths"], "states": claim["states"],
-                "seconds": claim["seconds"].as_f64().unwrap_or_default().round(),
+                "seconds": whole(claim["seconds"].as_f64().unwrap_or_default()),
             })
         })
         .collect();
@@ -582,6 +582,12 @@ fn points(fixed: &[&str], engines: &[Value], member: &str) -> Block {
         );
     }
     Block::List(items)
+}
+
+/// Whole seconds.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn whole(seconds: f64) -> u64 {
+    seconds.round() as u64
 }
 
 fn heading(level: u8, name: &str, title: &str) -> Block {

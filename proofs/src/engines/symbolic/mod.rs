@@ -265,7 +265,7 @@ pub fn refute(
 /// Seconds of the processor for one search of the solver for a counterexample.
 const REFUTE_SECONDS: u32 = 30;
 /// How many samples are tried for a hint.
-const HINTS: u64 = 300_000;
+const HINTS: u64 = 3_000_000;
 
 /// Inputs that break the harness on doubles: of samples, or of the values that are enumerated.
 fn hint(property: &Property, harness: &Harness) -> Option<Guide> {
