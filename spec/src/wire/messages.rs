@@ -520,9 +520,8 @@ impl ErrorFrame {
         r.no_repeats(mark)?;
         r.settle_header(has_kind, true)?;
         // [NCP-WIRE-101] Nor is there one for a program that builds the frame without it.
-        let Some(error) = error else {
-            return Err(r.error(DecodeProblem::Missing).inside("error"));
-        };
+        let missing = || r.error(DecodeProblem::Missing).inside("error");
+        let error = error.ok_or_else(missing)?;
         Ok(Self {
             error,
             session_id: session_id.flatten(),
