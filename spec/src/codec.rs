@@ -35,7 +35,7 @@ pub struct Mapping {
     pub value_range: (f64, f64),
     /// The range of the rate, in Hz.
     pub rate_range: (f64, f64),
-    /// The unit of a decoded channel.
+    /// The unit of a decoded channel: the first of its mappings that names one decides.
     pub unit: Option<Text>,
 }
 
@@ -120,15 +120,15 @@ impl RateCodec {
         for mapping in usable(&self.decoders) {
             let value = mapping.decode(rates.get(mapping.population.as_ref()).copied());
             if !command.channels.contains_key(&mapping.channel) {
-                let empty = ChannelValue {
-                    data: Vec::new(),
-                    unit: mapping.unit.clone(),
-                };
+                let empty = ChannelValue::default();
                 command.channels.insert(mapping.channel.clone(), empty);
             }
             let Some(channel) = command.channels.get_mut(&mapping.channel) else {
                 continue;
             };
+            if channel.unit.is_none() {
+                channel.unit.clone_from(&mapping.unit);
+            }
             if channel.data.len() <= mapping.component {
                 channel.data.resize(mapping.component + 1, 0.0); // [NCP-CODEC-010]
             }

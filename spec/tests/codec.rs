@@ -268,6 +268,26 @@ fn a_component_between_those_that_are_mapped_is_zero() {
     );
 }
 
+#[test]
+fn the_first_mapping_of_a_channel_that_names_a_unit_decides_on_it() {
+    let unit = |units: [Option<&'static str>; 3]| {
+        let decoders = (0..).zip(units).map(|(component, unit)| Mapping {
+            component,
+            unit: unit.map(Into::into),
+            ..plain()
+        });
+        let codec = RateCodec {
+            encoders: vec![],
+            decoders: decoders.collect(),
+        };
+        decode(&codec, &[])["stick"].unit.clone()
+    };
+    assert_eq!(unit([None, None, None]), None);
+    assert_eq!(unit([Some("m"), None, Some("rad")]).as_deref(), Some("m"));
+    assert_eq!(unit([None, Some("rad"), Some("m")]).as_deref(), Some("rad"));
+    assert_eq!(unit([None, None, Some("m")]).as_deref(), Some("m"));
+}
+
 /// [NCP-CODEC-020] Every cell of the table.
 #[test]
 fn the_default_uav_codec_is_the_one_of_the_table() {

@@ -1017,10 +1017,29 @@ fn the_pins_of_a_provenance_hold_for_who_reads_and_for_who_writes() {
 
 // ---- building --------------------------------------------------------------------------------
 
+/// The fewest fields that a message is built of.
+const fn least(kind: Kind) -> &'static [u8] {
+    match kind {
+        Kind::Error => br#"{"error":""}"#,
+        _ => b"{}",
+    }
+}
+
+/// [NCP-WIRE-101]
+#[test]
+fn an_error_frame_is_not_built_without_saying_what_went_wrong() {
+    for fields in ["{}", r#"{"session_id":"s"}"#, r#"{"kind":"error"}"#] {
+        let refused = build(Kind::Error, fields.as_bytes()).unwrap_err();
+        assert_eq!(refused.code(), ErrorCode::Missing, "{fields}");
+        assert_eq!(refused.path(), "error", "{fields}");
+    }
+    assert!(build(Kind::Error, br#"{"error":""}"#).is_ok());
+}
+
 #[test]
 fn what_a_program_builds_has_the_programs_defaults() {
     for kind in Kind::ALL {
-        let built = build(kind, b"{}").unwrap();
+        let built = build(kind, least(kind)).unwrap();
         assert_eq!(built.kind(), kind);
     }
     let Message::CommandFrame(frame) = build(Kind::CommandFrame, br#"{"seq":3}"#).unwrap() else {
@@ -1092,7 +1111,7 @@ fn what_a_message_holds_is_shown_whatever_it_is() {
     let again = build(Kind::CommandFrame, unsendable.fields().as_bytes());
     assert_eq!(again.unwrap(), unsendable);
     for kind in Kind::ALL {
-        let built = build(kind, b"{}").unwrap();
+        let built = build(kind, least(kind)).unwrap();
         assert_eq!(build(kind, built.fields().as_bytes()).unwrap(), built);
     }
 

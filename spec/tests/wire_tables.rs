@@ -190,7 +190,7 @@ fn an_absent_field_is_read_as_the_text_says() {
     }
 }
 
-/// What a program gets that names no field, or at most a session.
+/// What a program gets that names no field, or at most a session or what went wrong.
 fn built_defaults(kind: Kind) -> Value {
     let has_session = kind != Kind::Error && kind != Kind::LinkStatus && {
         let fields = kind.table().fields;
@@ -198,6 +198,8 @@ fn built_defaults(kind: Kind) -> Value {
     };
     let fields = if has_session {
         r#"{"session_id":"s"}"#
+    } else if kind == Kind::Error {
+        r#"{"error":""}"#
     } else {
         "{}"
     };

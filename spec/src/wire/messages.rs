@@ -6,7 +6,7 @@
 use super::enums::{
     ChannelKind, EntityRole, Mode, NetworkRefKind, Observable, Role, SimMode, StimulusKind,
 };
-use super::error::{Breach, DecodeError, EncodeError, Rule};
+use super::error::{Breach, DecodeError, DecodeProblem, EncodeError, Rule};
 use super::json::{LeftOut, Purpose, Reader, Writer};
 use super::record::record;
 use super::table::{Field, JsonType, Table};
@@ -519,11 +519,11 @@ impl ErrorFrame {
         }
         r.no_repeats(mark)?;
         r.settle_header(has_kind, true)?;
-        if error.is_none() {
-            r.lacks("error")?; // [NCP-WIRE-101]
-        }
+        // [NCP-WIRE-101] Nor is there one for a program that builds the frame without it.
+        let missing = || r.error(DecodeProblem::Missing).inside("error");
+        let error = error.ok_or_else(missing)?;
         Ok(Self {
-            error: error.unwrap_or_default(),
+            error,
             session_id: session_id.flatten(),
         })
     }

@@ -113,7 +113,8 @@ pub fn decode_any_strict(frame: &[u8]) -> Result<Message, DecodeError> {
 ///
 /// # Errors
 ///
-/// [`DecodeError`] when `fields` is not such an object, or names a field that the message lacks.
+/// [`DecodeError`] when `fields` is not such an object, or names a field that the message lacks, and
+/// for an error frame without its `error`.
 pub fn build(kind: Kind, fields: &[u8]) -> Result<Message, DecodeError> {
     kind.build(fields)
 }

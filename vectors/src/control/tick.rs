@@ -536,6 +536,15 @@ fn links() -> Vec<Case> {
         .map(|seq| arrives(seq, 1.0))
         .chain([moves(7, 1.0)])
         .collect();
+    // A gap of six lifts the detector to 5.7. With the six late frames, ten good ones bring it below
+    // 5; without them it takes thirteen.
+    let late: Vec<Step> = [1, 8]
+        .into_iter()
+        .chain(2..=7)
+        .chain(9..=18)
+        .map(|seq| arrives(seq, 1.0))
+        .chain([moves(18, 1.0)])
+        .collect();
     let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
         (
             "burst",
@@ -578,6 +587,12 @@ fn links() -> Vec<Case> {
             &["NCP-RES-041", "NCP-RES-053"],
             "Frames out of order are no loss.",
             shuffled,
+        ),
+        (
+            "late-frames",
+            &["NCP-RES-053", "NCP-RES-046"],
+            "Late frames, which the loop does not use, still take a burst back.",
+            late,
         ),
     ];
     cases.extend(table.into_iter().map(|(name, rules, title, trace)| {

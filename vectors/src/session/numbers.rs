@@ -114,6 +114,9 @@ fn networks() -> Vec<(&'static str, Params)> {
         ("small", vec![("C_m", 125.0), ("I_e", 250.0)]),
         ("no-rest", vec![("t_ref", 0.0), ("I_e", 600.0)]),
         ("long-rest", vec![("t_ref", 5.0), ("I_e", 600.0)]),
+        // No whole number of steps, and never half of one.
+        ("rest-rounded-up", vec![("t_ref", 0.8), ("I_e", 600.0)]),
+        ("rest-rounded-down", vec![("t_ref", 1.2), ("I_e", 600.0)]),
         (
             "other-levels",
             vec![
@@ -176,7 +179,7 @@ fn potentials() -> Vec<Case> {
 fn spikes() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, params) in networks() {
-        for (dt, steps) in [(1.0, 60_u32), (0.125, 480)] {
+        for (dt, steps) in [(1.0, 60_u32), (0.5, 120), (0.125, 480)] {
             let (_, _, spikes) = simulate(&params, dt, steps, current(&params));
             let open = Open {
                 params: params.clone(),
