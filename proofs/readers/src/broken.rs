@@ -1,0 +1,28 @@
+//! The broken readers: what the engine has to refute, or it would prove anything.
+
+include!("../broken.rs");
+
+#[cfg(feature = "broken")]
+/// The copies, which the build script makes of the readers' sources.
+#[allow(
+    missing_docs,
+    missing_debug_implementations,
+    dead_code,
+    unused_assignments,
+    unused_imports,
+    unused_mut,
+    unused_variables,
+    unreachable_code,
+    unreachable_patterns,
+    unreachable_pub,
+    clippy::all,
+    clippy::pedantic,
+    clippy::restriction,
+    reason = "copies of the readers, broken on purpose"
+)]
+mod copies {
+    include!(concat!(env!("OUT_DIR"), "/broken_readers.rs"));
+}
+
+#[cfg(feature = "broken")]
+pub use copies::harness;

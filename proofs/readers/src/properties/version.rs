@@ -1,0 +1,178 @@
+//! The version guard: it accepts exactly the grammar of 2.1, and compares by value.
+
+use ncp_proofs::prover::Prover;
+use serde_json::{Value, json};
+
+use super::strings::{self, Alphabet, Class};
+use crate::readers::Readers;
+
+/// What the text tells apart, and beyond that what readers of numbers are known to take for digits, signs,
+/// spaces or parts of a number.
+pub const CLASSES: Alphabet = &[
+    Class {
+        width: 1,
+        members: &['0'],
+        holds: |c| c == '0',
+    },
+    Class {
+        width: 1,
+        members: &['5'],
+        holds: |c| c == '5',
+    },
+    Class {
+        width: 1,
+        members: &['4', '6', '1', '9', '7', '3', '2', '8'],
+        holds: |c| c.is_ascii_digit(),
+    },
+    Class {
+        width: 1,
+        members: &['.'],
+        holds: |c| c == '.',
+    },
+    Class {
+        width: 1,
+        members: &['+', '-'],
+        holds: |c| c == '+' || c == '-',
+    },
+    Class {
+        width: 1,
+        members: &[' ', '\t', '\n', '\u{b}', '\u{c}', '\r'],
+        holds: |c| matches!(c, '\t'..='\r' | ' '),
+    },
+    Class {
+        width: 1,
+        members: &['v', 'e', 'x', 'E', 'a', 'f'],
+        holds: |c| c.is_ascii_alphabetic(),
+    },
+    Class {
+        width: 1,
+        members: &['_', ',', '\0', '/', ':', '\u{7f}'],
+        holds: |c| c.is_ascii(),
+    },
+    Class {
+        width: 2,
+        members: &['\u{665}', '\u{b2}', '\u{a0}', '\u{80}'],
+        holds: |c| c.len_utf8() == 2,
+    },
+    Class {
+        width: 3,
+        members: &['\u{ff15}', '\u{ff0e}', '\u{feff}', '\u{2007}'],
+        holds: |c| c.len_utf8() == 3,
+    },
+    Class {
+        width: 4,
+        members: &['\u{1d7d3}', '\u{10ffff}'],
+        holds: |c| c.len_utf8() == 4,
+    },
+];
+
+/// What stands beside a character of any kind.
+const CONTEXTS: &[&str] = &["", "0.", ".5", "0.5"];
+
+/// All strings of few bytes: the guard accepts exactly the grammar, and answers alike for characters of the
+/// same classes.
+pub fn bytes<R: Readers, P: Prover>(p: &mut P) {
+    if let Some(version) = strings::any_bytes(p) {
+        accepts_the_grammar::<R, P>(p, &version);
+        answers_alike::<R, P>(p, &version);
+    }
+}
+
+/// Every character of Unicode, in contexts.
+pub fn scalars<R: Readers, P: Prover>(p: &mut P) {
+    if let Some(version) = strings::any_scalar(p, CONTEXTS) {
+        accepts_the_grammar::<R, P>(p, &version);
+        answers_alike::<R, P>(p, &version);
+    }
+}
+
+/// All strings of classes.
+pub fn classes<R: Readers, P: Prover>(p: &mut P) {
+    let version = strings::of_classes(p, CLASSES);
+    accepts_the_grammar::<R, P>(p, &version);
+}
+
+/// The case that a harness's inputs are, as a vector.
+pub(super) fn vector<P: Prover>(property: &str, p: &mut P) -> Option<Value> {
+    let version = match property {
+        "version/bytes" => strings::any_bytes(p)?,
+        "version/scalars" => strings::any_scalar(p, CONTEXTS)?,
+        _ => strings::of_classes(p, CLASSES),
+    };
+    let verdict = guard(&version);
+    // A malformed version is so strict or not; else the call that is not strict tells more.
+    Some(json!({
+        "roles": ["commander", "body", "server", "observer"],
+        "call": "version.check",
+        "args": { "version": version, "strict": false },
+        "expect": match verdict {
+            None => json!({ "reject": "version" }),
+            Some(compatible) => json!({ "relation": "json", "value": { "compatible": compatible } }),
+        },
+    }))
+}
+
+fn accepts_the_grammar<R: Readers, P: Prover>(p: &mut P, version: &str) {
+    let says = guard(version);
+    let answer = R::version(version, false);
+    let same = p.truth(answer == says);
+    p.check("not strict, as the text says", same);
+    let answer = R::version(version, true);
+    let says = says.filter(|compatible| *compatible);
+    let same = p.truth(answer == says);
+    p.check("strict, as the text says", same);
+}
+
+fn answers_alike<R: Readers, P: Prover>(p: &mut P, version: &str) {
+    let canonical = strings::canonical(version, CLASSES);
+    let same = [false, true]
+        .into_iter()
+        .all(|strict| R::version(version, strict) == R::version(&canonical, strict));
+    let same = p.truth(same);
+    p.check("answers alike within a class", same);
+}
+
+/// The guard of 2.1 as an automaton over bytes: whether a version is compatible with 0.5, or none.
+fn guard(version: &str) -> Option<bool> {
+    #[derive(Clone, Copy)]
+    enum State {
+        Start,
+        /// Within the major; whether it is 0 so far.
+        Major(bool),
+        /// Behind the dot.
+        Dot(bool),
+        /// Within the minor.
+        Minor(bool, Minor),
+    }
+    #[derive(Clone, Copy, PartialEq)]
+    enum Minor {
+        Zero,
+        Five,
+        Other,
+    }
+    let mut state = State::Start;
+    for byte in version.bytes() {
+        state = match (state, byte) {
+            (State::Start, b'0') => State::Major(true),
+            (State::Start, b'1'..=b'9') => State::Major(false),
+            (State::Major(zero), b'0') => State::Major(zero),
+            (State::Major(_), b'1'..=b'9') => State::Major(false),
+            (State::Major(zero), b'.') => State::Dot(zero),
+            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'0') => {
+                State::Minor(zero, Minor::Zero)
+            }
+            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'5') => {
+                State::Minor(zero, Minor::Five)
+            }
+            (State::Dot(zero) | State::Minor(zero, _), b'0'..=b'9') => {
+                State::Minor(zero, Minor::Other)
+            }
+            _ => return None,
+        };
+    }
+    match state {
+        State::Start | State::Dot(_) => None,
+        State::Major(_) => Some(false),
+        State::Minor(zero, minor) => Some(zero && minor == Minor::Five),
+    }
+}
