@@ -1,9 +1,12 @@
 //! Strange numbers in every numeric position of a command and a sensor frame.
 
-use super::model::{Command, Limits, M, MPS, POSITION, Sensor, Trace, channel, govern, velocity};
+use super::model::{
+    Command, Limits, M, MPS, POSITION, Sensor, Trace, VELOCITY, channel, govern, velocity,
+};
 use super::{case, good, near};
 use crate::case::{Case, File};
-use crate::trace::name_of;
+use crate::json::{Json, object};
+use crate::trace::{any, name_of, refused, steps};
 
 pub(super) fn file() -> File {
     let mut cases = commands();
@@ -212,6 +215,7 @@ fn positions() -> Vec<Case> {
 /// `ttl_ms`, `t` and the clock.
 fn beside() -> Vec<Case> {
     let mut cases = Vec::new();
+    // A plant does nothing with such a ttl; a governor may pass it or hold.
     for ttl in [
         f64::NAN,
         f64::INFINITY,
@@ -222,59 +226,29 @@ fn beside() -> Vec<Case> {
         5e-324,
         1e308,
     ] {
-        for (with, limits) in [
-            ("no-limit", Limits::NONE),
-            ("fence", Limits::fence(5.0)),
-            ("both-limits", Limits::both(2.0, 5.0)),
-        ] {
+        for (with, limits) in [("no-limit", Limits::NONE), ("fence", Limits::fence(5.0))] {
             let command = Command::of(vec![velocity(&[0.0625, 0.0, 0.0])]).ttl(ttl);
             let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[0.0; 3]))]);
-            cases.push(
-                case(
-                    format!("ttl/{}/{with}", name_of(ttl)),
-                    &["NCP-SAFE-021"],
-                    &trace,
-                )
-                .title(format!(
-                    "A command with a ttl of {} passes, with {}.",
-                    name_of(ttl),
-                    with.replace('-', " ")
-                ))
-                .flags(&["L12"])
-                .because("A ttl that is no time closes no gate, and the projection of any other ends at 60 s; a number that JSON lacks may be refused."),
-            );
-        }
-    }
-    // Nothing to project: the plant does not move for such a time, neither forward nor backward.
-    for ttl in [0.0, -250.0, -60_000.0, -1e308] {
-        for (way, command, at) in [
-            (
-                "inward",
-                Command::moving(&[-8.0, 0.0, 0.0]),
-                [5.0, 0.0, 0.0],
-            ),
-            (
-                "outward",
-                Command::moving(&[8.0, 0.0, 0.0]),
-                [5.0, 0.0, 0.0],
-            ),
-            ("fast", Command::moving(&[0.0, 0.0, 40.0]), [0.0; 3]),
-        ] {
-            cases.push(
-                case(
-                    format!("ttl/{}/{way}", name_of(ttl)),
-                    &["NCP-SAFE-021"],
-                    &Trace::new(
-                        Limits::fence(5.0),
-                        vec![govern(command.ttl(ttl), Sensor::at(&at))],
-                    ),
-                )
-                .title(format!(
-                    "A command with a ttl of {ttl} ms passes the fence whatever its velocity: {way}."
-                ))
-                .flags(&["L12"])
-                .because("A ttl that is no time closes no gate: such a command passes, and the plant holds on it."),
-            );
+            let frame = |mode: &str, x: f64| object! { "frame" => object! { "mode" => mode, "seq" => crate::trace::int(7), "channels" => object! { VELOCITY => object! { "data" => crate::trace::nums(&[x, 0.0, 0.0]) } } } };
+            let allowed: Vec<Json> = vec![frame("active", 0.0625), frame("hold", 0.0), refused()];
+            let usable = ttl == 5e-324 || ttl == 1e308;
+            let case = case(
+                format!("ttl/{}/{with}", name_of(ttl)),
+                &["NCP-SAFE-021"],
+                &trace,
+            )
+            .title(format!(
+                "A command with a ttl of {} is answered, with {}.",
+                name_of(ttl),
+                with.replace('-', " ")
+            ))
+            .flags(&["L12"]);
+            cases.push(if usable {
+                case.because("No gate closes on a ttl that is finite and positive, and the projection ends at 60 s.")
+            } else {
+                case.shows(steps(vec![any(allowed)]))
+                    .because("No gate closes on such a ttl, and the plant does not act on it: what comes back is the command or a HOLD.")
+            });
         }
     }
     for t in [-0.0, 5e-324, 1e308, -1e308] {
