@@ -536,6 +536,8 @@ fn each_peer_is_held_to_its_own_level() {
     );
     let (run, result, _folder) = bundled_on("tests/data/levels", &[("a", &low), ("b", &high)], &[]);
     assert_eq!(run.exit, 1, "{}", run.stdout);
+    let closing = "1 of 2 peers conform at the level that each claims";
+    assert!(run.stdout.contains(closing), "{}", run.stdout);
     let result = common::read_result(&std::fs::read_to_string(result).unwrap());
     let conclusion = |nth: usize| result["peers"][nth]["conclusion"].clone();
     assert_eq!(

@@ -567,14 +567,27 @@ impl Page<'_> {
         let as_expected = count(&|peer| peer.conclusion == Some("as expected"));
         let skipped = count(&|peer| peer.state == State::Skipped);
         let not_started = count(&|peer| peer.state == State::NotStarted);
-        let level = self.report.asked.level;
+        let asked = self.report.asked.level;
+        let is_judged_at_it = |peer: &&PeerReport| {
+            let mut levels = peer.roles.iter().flat_map(|role| &role.levels);
+            levels.any(|level| level.level == asked)
+        };
+        let peers = self.report.peers.iter();
+        let checked_ones = peers.filter(|peer| peer.state == State::Checked);
+        let judged = checked_ones.filter(is_judged_at_it).count();
+        // Peers that are held to different levels have none in common to name.
+        let level = if judged == checked || judged == 0 {
+            format!("at level {asked}")
+        } else {
+            "at the level that each claims".to_owned()
+        };
         let mut parts = vec![match (checked, conformant) {
             (0, _) => "no peer was checked".to_owned(),
-            (1, 1) => format!("the peer conforms at level {level}"),
-            (1, 0) => format!("the peer does not conform at level {level}"),
-            (2, 2) => format!("both peers conform at level {level}"),
-            (all, some) if all == some => format!("all {all} peers conform at level {level}"),
-            (all, some) => format!("{some} of {all} peers conform at level {level}"),
+            (1, 1) => format!("the peer conforms {level}"),
+            (1, 0) => format!("the peer does not conform {level}"),
+            (2, 2) => format!("both peers conform {level}"),
+            (all, some) if all == some => format!("all {all} peers conform {level}"),
+            (all, some) => format!("{some} of {all} peers conform {level}"),
         }];
         if as_expected > 0 {
             parts.push(format!(
