@@ -450,7 +450,9 @@ fn parse_rule(item: &str) -> Result<Requirement, RuleProblem> {
     })
 }
 
-fn is_id(id: &str) -> bool {
+/// Whether a text has the form of a rule's id: `NCP-AREA-nnn`.
+#[must_use]
+pub fn is_id(id: &str) -> bool {
     let mut parts = id.split('-');
     let mut next = || parts.next().unwrap_or_default();
     let (ncp, area, number) = (next(), next(), next());

@@ -5,6 +5,7 @@
 
 use std::ops::RangeInclusive;
 
+use ncp_spec::catalogue::is_id;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// A function.
@@ -242,19 +243,6 @@ fn cited_in(lines: &[&str], range: RangeInclusive<usize>) -> Vec<Citation> {
         }
     }
     found
-}
-
-fn is_id(id: &str) -> bool {
-    let mut parts = id.split('-');
-    let (ncp, area, number) = (parts.next(), parts.next(), parts.next());
-    ncp == Some("NCP")
-        && area.is_some_and(|area| {
-            !area.is_empty() && area.bytes().all(|byte| byte.is_ascii_uppercase())
-        })
-        && number.is_some_and(|number| {
-            number.len() == 3 && number.bytes().all(|byte| byte.is_ascii_digit())
-        })
-        && parts.next().is_none()
 }
 
 #[cfg(test)]
