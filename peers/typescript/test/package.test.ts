@@ -35,7 +35,8 @@ async function node(file: string, ...options: string[]): Promise<string> {
 test("the package installs without dependencies, tests, adapter or leftovers of the build", () => {
   assert.deepEqual(installed.packages().sort(), ["@ncp-conformance", "ws"]);
   const files = installed.files();
-  for (const file of ["dist/index.js", "dist/index.d.ts", "dist/cjs/index.js", "dist/cjs/index.d.ts", "README.md"]) {
+  const documents = ["README.md", "LICENSE-APACHE", "LICENSE-MIT"];
+  for (const file of ["dist/index.js", "dist/index.d.ts", "dist/cjs/index.js", "dist/cjs/index.d.ts", ...documents]) {
     assert.ok(files.includes(file), `${file} is missing`);
   }
   assert.deepEqual(

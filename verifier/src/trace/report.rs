@@ -73,8 +73,8 @@ const HEAD: &str = "\
 Made by `cargo verify trace` from the text, the corpus, the code and the tests; `cargo xtask test` fails when it is stale. \
 `cargo verify explain <id>` leads from a rule, a finding or a case to the text, the cases and the lines of code.
 
-- **code**: functions and files that carry the rule out, here in `ncp-spec` and in the TypeScript peer. This is where to \
-look, and is no evidence.
+- **code**: functions and files that carry the rule out, here in `ncp-spec` and in the two peers that were written from \
+the text alone (TypeScript, pure Python). This is where to look, and is no evidence.
 - **vectors**: cases of the golden corpus that cite the rule; every peer is held to them.
 - **tests**, **properties**: tests of the executable specification over chosen and over random input.
 - **fuzz**, **proofs**, **live**: fuzz targets, proved properties, scenarios between running programs.

@@ -24,8 +24,11 @@ const ACCOUNTABLE: [&str; 4] = [
 const CATALOGUE: &str = "spec/src/catalogue.rs";
 /// The wrappers of the fuzz targets, a file a target, and the functions of the same names that check.
 const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
-/// An implementation that was written from the text alone.
-const TYPESCRIPT: &str = "peers/typescript/src";
+/// Implementations that were written from the text alone, and how the names of their files end.
+const INDEPENDENT: [(&str, &str); 2] = [
+    ("peers/typescript/src", "ts"),
+    ("peers/python-pure/ncp_pure", "py"),
+];
 /// The tables of mutants.
 const MUTANTS: &str = "peers/mutants/mutants";
 /// The report of the proofs.
@@ -63,7 +66,7 @@ impl Sources {
             sources.rust(root, folder, true)?;
         }
         sources.fuzz(root)?;
-        sources.typescript(root)?;
+        sources.independent(root)?;
         sources.mutants(root)?;
         sources.proofs(root)?;
         for file in PROSE {
@@ -244,10 +247,12 @@ impl Sources {
         Ok(())
     }
 
-    fn typescript(&mut self, root: &Path) -> Result<(), TraceError> {
-        for file in files(root, TYPESCRIPT, "ts")? {
-            let content = text(root, &file)?;
-            self.lines(&file, cited(&content));
+    fn independent(&mut self, root: &Path) -> Result<(), TraceError> {
+        for (folder, extension) in INDEPENDENT {
+            for file in files(root, folder, extension)? {
+                let content = text(root, &file)?;
+                self.lines(&file, cited(&content));
+            }
         }
         Ok(())
     }
