@@ -47,6 +47,7 @@ impl Tree {
         tree.write("proto/src/lib.rs", "");
         tree.write("proto/tests/none.rs", "");
         tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
+        tree.write("peers/python-pure/ncp_pure/one.py", "# [NCP-TEST-001]\n");
         tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-001"));
         tree.write("vectors/wire/one.json", &vectors(&["NCP-TEST-001"]));
         tree.write("vectors/MANIFEST.sha256", "00  wire/one.json\n");
@@ -201,7 +202,8 @@ fn an_id_that_is_renamed_in_the_text_orphans_what_cites_it() {
     let chapter = format!("spec/text/{}", CHAPTERS[1].file);
     tree.replace(&chapter, "NCP-TEST-001", "NCP-TEST-009");
     tree.fails_with(&[
-        "NCP-TEST-001 is not in the text; orphaned are peers/typescript/src/one.ts:1, \
+        "NCP-TEST-001 is not in the text; orphaned are peers/python-pure/ncp_pure/one.py:1, \
+         peers/typescript/src/one.ts:1, \
          spec/src/wire/one.rs:4 does_one, vectors/wire/one.json (1 case)",
         "NCP-TEST-001 is gone from the text; orphaned is vectors/wire/one.json",
         "NCP-TEST-009 is binding, and nothing shows it",
