@@ -4,7 +4,7 @@
 //! - `prover`: what a harness asks of an engine.
 //! - `kernel`, `broken`: the kernel of production, and copies of its source with one token changed.
 //! - `engines`: symbolic execution, enumeration, and the stand-in for Kani's API.
-//! - `report`, `document`, `digest`: what was found out, how it is shown, and about which sources.
+//! - `report`, `page`, `document`, `digest`: what was found out, how it is shown, and about which sources.
 
 #![forbid(unsafe_code)]
 
@@ -15,6 +15,7 @@ pub mod engines;
 #[cfg(any(kani, test))]
 mod kani_engine;
 pub mod kernel;
+pub mod page;
 pub mod properties;
 pub mod prover;
 pub mod report;

@@ -15,11 +15,11 @@ use ncp_proofs::engines::symbolic::{self, Solvers};
 use ncp_proofs::engines::{Counterexample, enumeration, standin};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Harness, PROPERTIES, Property, harness};
-use ncp_proofs::{digest, document, report};
+use ncp_proofs::{digest, document, page, report};
 use serde_json::{Value, json};
 
 const USAGE: &str = "\
-Usage: ncp-prove [--engine kani|kani-stand-in|enumeration|symbolic|model|machine]…
+Usage: ncp-prove [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
        ncp-prove --render     # reports/proofs.{md,html} from reports/proofs.json
 ";
 
@@ -89,6 +89,12 @@ const ENGINES: &[Engine] = &[
         version: "stateright",
         about: "Exhaustive over finite worlds: every state of the protocol over a bad network.",
         how: How::Elsewhere(".tools/model.json"),
+    },
+    Engine {
+        name: "readers",
+        version: env!("CARGO_PKG_VERSION"),
+        about: "Exhaustive within bounds: every input of what reads blocks, versions and keys, natively.",
+        how: How::Elsewhere(".tools/readers.json"),
     },
     Engine {
         name: "kani-stand-in",
@@ -232,7 +238,7 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
 }
 
 fn render(place: &Place, report: &Value) -> Result<(), Box<dyn Error>> {
-    let document = report::document(report);
+    let document = page::document(report);
     let reports = place.root.join("reports");
     fs::write(reports.join("proofs.md"), document::markdown(&document))?;
     fs::write(reports.join("proofs.html"), document::html(&document))?;
