@@ -89,7 +89,7 @@ code { padding: 0.1em 0.25em; } pre { padding: 0.75rem; white-space: pre-wrap; }
 th, td { border: 1px solid var(--line); padding: 0.3rem 0.5rem; text-align: left; vertical-align: top; }
 th { background: var(--soft); } .good { color: var(--good); font-weight: 600; } .bad { color: var(--bad); font-weight: 600; }
 summary { cursor: pointer; } details { margin: 0.5rem 0; }
-@media print { main { max-width: none; padding: 0; } body { font-size: 10pt; } tr, h2, h3 { break-inside: avoid; break-after: auto; } a { color: inherit; } }
+@media print { details::details-content { content-visibility: visible; block-size: auto; } main { max-width: none; padding: 0; } body { font-size: 10pt; } tr, h2, h3 { break-inside: avoid; break-after: auto; } a { color: inherit; } }
 ";
 
 fn body(blocks: &[Block]) -> String {
@@ -124,7 +124,7 @@ fn body(blocks: &[Block]) -> String {
             }
             Block::Details(title, inner) => writeln!(
                 text,
-                "<details open>\n<summary>{}</summary>\n{}</details>",
+                "<details>\n<summary>{}</summary>\n{}</details>",
                 inline(title),
                 body(inner)
             ),

@@ -49,7 +49,7 @@ enum How {
 const ENGINES: &[Engine] = &[
     Engine {
         name: "symbolic",
-        version: "bitwuzla 0.9.1, cross-checked by z3",
+        version: "bitwuzla, cross-checked by z3",
         about: "Exhaustive: all paths of the kernel's own code over symbolic doubles and seqs.",
         how: How::Here {
             prove: |property, harness, place| {
@@ -59,7 +59,12 @@ const ENGINES: &[Engine] = &[
             refute: |property, harness, place, broken| {
                 let draft = place.drafts.join(format!("{}.smt2", broken.id));
                 let found = symbolic::refute(property, harness, &place.solvers, &draft);
-                Some(found.and_then(|found| counterexample(property, harness, found)))
+                Some(found.and_then(|found| {
+                    let (found, origin) = found.unzip();
+                    let mut shown = counterexample(property, harness, found)?;
+                    shown["found_by"] = json!(origin.map(symbolic::Origin::as_str));
+                    Ok(shown)
+                }))
             },
         },
     },
@@ -223,8 +228,12 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
             engines.push(whole);
         }
     }
+    if names.is_empty() || names.contains(&"symbolic") {
+        report::name_version(&mut engines, "symbolic", &place.solvers.versions()?);
+    }
+    let run = report::take_run(&mut engines, &before["run"]);
     let mut report = json!({
-        "format": 1, "digest": now, "properties": report::properties(), "engines": engines,
+        "format": 2, "digest": now, "properties": report::properties(), "engines": engines, "run": run,
     });
     let problems = report::problems(&report);
     for problem in &problems {

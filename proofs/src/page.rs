@@ -1,8 +1,8 @@
 //! The report as a document: what a reader sees of the results. Nothing is decided here.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::document::Block;
 use crate::report::{is_refuted, list, word};
@@ -14,19 +14,19 @@ pub fn document(report: &Value) -> Vec<Block> {
     let mut blocks = vec![
         heading(1, "top", "Proofs of the safety kernel"),
         text(
-            "What is claimed of the code that decides whether a plant moves; by which engine, within which bounds and under which assumptions it was shown; and how to repeat it. \"proved\" is said of engines that cover every case within the stated bounds, and of nothing else.",
+            "What is claimed of the code that decides whether a plant moves, and of the code that reads untrusted bytes; by which engine, within which bounds and under which assumptions it was shown; and how to repeat it. \"proved\" is said of engines that cover every case within the stated bounds, and of nothing else.",
         ),
         text(&format!(
-            "Digest of the kernel's sources and of the harnesses (SHA-256): `{}`",
+            "Digest of the sources: of what is proved, of what proves it, and of what decides whether it is (SHA-256): `{}`. `cargo xtask test --only proofs-fresh` compares it with the sources as they are.",
             word(&report["digest"])
         )),
         text(
-            "[Properties](#properties) · [Engines](#engines) · [Broken kernels](#broken) · [Each property](#each) · [What is trusted](#trusted) · [What is not proved](#not-proved) · [Repeat it](#repeat)",
+            "[Properties](#properties) · [Engines](#engines) · [Broken kernels](#broken) · [Each property](#each) · [What is trusted](#trusted) · [What is not proved](#not-proved) · [Repeat it](#repeat) · [This run](#run)",
         ),
     ];
     let problems = list(&report["problems"]);
     if problems.is_empty() {
-        blocks.push(text("Every property is proved by an exhaustive engine, every family by two; every broken kernel is refuted."));
+        blocks.push(text("Every property is proved by an exhaustive engine, every family of the kernel by two; every broken kernel and every broken reader is refuted."));
     } else {
         blocks.push(text("Not everything is shown:"));
         blocks.push(Block::List(problems.iter().map(word).collect()));
@@ -35,9 +35,7 @@ pub fn document(report: &Value) -> Vec<Block> {
     blocks.push(overview(report, &engines));
     blocks.push(heading(2, "engines", "Engines"));
     blocks.push(engine_table(&engines));
-    blocks.push(heading(2, "broken", "Broken kernels"));
-    blocks.push(text("Copies of the kernel's source with one change each. An engine that would prove anything does not refute them. Each counterexample was replayed on doubles. A dash: the engine does not cover the property."));
-    blocks.push(broken_table(&engines));
+    broken_kernels(&engines, &mut blocks);
     blocks.push(heading(2, "each", "Each property"));
     for property in list(&report["properties"]) {
         each(&property, &engines, &mut blocks);
@@ -50,29 +48,139 @@ pub fn document(report: &Value) -> Vec<Block> {
     blocks.push(heading(2, "not-proved", "What is not proved"));
     blocks.push(points(NOT_PROVED, &engines, "not_proved"));
     blocks.push(heading(2, "repeat", "Repeat it"));
-    blocks.push(text("All of it, from the root of the repository: `cargo xtask prove`. One file of obligations, with a stock solver; every line of the answer has to be `unsat`, as many as the head of the file says:"));
+    blocks.push(text("All of it, from the root of the repository: `cargo xtask prove`; one engine: `cargo xtask prove --engine symbolic`. One file of obligations, with a stock solver; every line of the answer has to be `unsat`, as many as the head of the file says:"));
     blocks.push(Block::Code(
-        "python3 -m venv venv && venv/bin/pip install bitwuzla==0.9.1 z3-solver\nvenv/bin/python proofs/solve.py proofs/evidence/watchdog/deadline/001.smt2\nvenv/bin/z3 proofs/evidence/watchdog/deadline/001.smt2\nbitwuzla proofs/evidence/watchdog/deadline/001.smt2     # where bitwuzla's own program is installed".to_owned(),
+        "python3 -m venv venv && venv/bin/pip install bitwuzla==0.9.1 z3-solver==5.4.0.0\nvenv/bin/python proofs/solve.py proofs/evidence/watchdog/deadline/001.smt2\nvenv/bin/z3 proofs/evidence/watchdog/deadline/001.smt2\nbitwuzla proofs/evidence/watchdog/deadline/001.smt2     # where bitwuzla's own program is installed".to_owned(),
     ));
+    blocks.push(text("The engine of the machine code leaves no files. It writes its obligations, of one property or of all, for any solver with floating point:"));
+    blocks.push(Block::Code(
+        "proofs/machine/prove.sh --only machine/within-deadline --no-broken --evidence obligations\nbitwuzla obligations/machine-within-deadline-paths-from-0.smt2                     # or z3".to_owned(),
+    ));
+    blocks.push(text("The model and the readers leave no obligations either: they run the code on each of their cases. `cargo run --release -p ncp-model -- --json model.json`, `cargo run --release -p ncp-readers --features broken -- --json readers.json`."));
+    this_run(&report["run"], &engines, &mut blocks);
     blocks
 }
 
 const TRUSTED: &[&str] = &[
-    "rustc and the processor: that the program does what its source says, and that doubles are IEEE 754 binary64 with rounding to nearest. The machine-code engine, where it was run, narrows this to its lifter.",
-    "The harnesses: that they say what the text says. Each sentence and formula stands here beside its rules.",
+    "The text as it was put into sentences, and the sentences as they were put into formulas and harnesses: that they say what the rules say. Each stands here beside its rules, so that a reader can compare.",
+    "rustc and LLVM, and the processor: that the program does what its source says, and that doubles are IEEE 754 binary64 with rounding to nearest. The machine-code engine, where it was run, narrows this to its lifter, for one build by one compiler.",
+    "The square root: `f64::sqrt`, which IEEE 754 rounds correctly and which x86-64 and AArch64 have as an instruction. No other function of a mathematical library is used; `f64::floor`, the absolute value and the saturating conversion to an index are Rust's own.",
     "The harness's own model: `watchdog/step`, `latch/gates` and `latch/plant` compare the kernel with a model of a few lines within the harness.",
+    "The kernel's source is generic over its numbers, and production runs it on `f64` and `i64`: that the few lines which map `Scalar` and `Seq` to these (`scalar.rs`) do so. The engines on doubles and the machine code run them; the symbolic engine does not.",
     "The symbolic scalar: that its terms mean in SMT-LIB what the operations of `f64` do, that both ways of every comparison are run, and the writer of the obligations. Refuting the broken kernels exercises all of that.",
     "The rule that drops decisions: a question to the solver keeps only those decisions of its path that its check mentions. With fewer decisions the question claims more, so `unsat` stays a proof; where the answer is `sat`, each path is asked again with all its decisions.",
     "A comparison that follows from those decided before (a < b excludes b ≤ a) is not asked again.",
-    "bitwuzla's library. z3 answers the same obligations within a limit of its own steps and has not contradicted it; how many it answered stands with each property.",
-    "What calls the kernel: that `ActionBuffer` and `SafetyGovernor` ask it and do what it says. Tests and vectors cover that, no proof here.",
+    "The solvers: that bitwuzla's `unsat` is right. It leaves no certificate that another program could check. z3 is asked the same within a limit of its own steps and has not contradicted it; what it did not answer rests on bitwuzla alone, and [this run](#run) counts both.",
+    "The programs of this project that run the engines, read their answers and write this report; and that the broken copies are the kernel with that one change, which the build script makes.",
+    "What calls the kernel: that `ActionBuffer` and `SafetyGovernor` ask it and do what it says. The model explores both within its bounds; tests and vectors cover the rest.",
 ];
 const NOT_PROVED: &[&str] = &[
+    "Anything about the world: that a number which is called metres, seconds or metres per second is one, that a sensor tells the truth, that a clock runs, that a plant follows its command. The proofs are about doubles.",
     "Positions against real arithmetic: NCP-SAFE-054 speaks of a plant that follows a command exactly; the proof is about positions as computed in doubles.",
     "Anything beyond the bounds: horizons of more steps, longer sequences, wider vectors, more channels than each property states, except where it says that it holds by induction.",
     "What the enumeration says it proves is proved for the listed values only.",
+    "What the stand-in for Kani tried is no proof: it runs the harnesses on edges and samples.",
     "Liveness: that something moves at last. The properties say when the plant must hold and when it may move.",
+    "Time and memory: how long the kernel takes, and that it is called in time.",
+    "Other implementations. A peer is held to the text by the vectors and the scenarios, and proved by nothing here.",
 ];
+
+/// The broken copies: how many, by whom they are refuted, and which print a vector.
+fn broken_kernels(engines: &[Value], blocks: &mut Vec<Block>) {
+    blocks.push(heading(2, "broken", "Broken kernels"));
+    blocks.push(text("Copies of the source with one change each: an engine that would prove anything does not refute them. Each counterexample was run again, natively: the broken kernel fails the check. Those of the symbolic engine come from one of two places, and each says from which: a model of bitwuzla; or inputs that broke the harness on doubles, of samples or of the enumeration, for which bitwuzla confirmed with the inputs fixed that the question which they raise is satisfiable. A dash: the engine does not cover the property."));
+    let rows = broken_rows(engines);
+    let mut origins: BTreeMap<String, usize> = BTreeMap::new();
+    let all = engines.iter().flat_map(|engine| list(&engine["broken"]));
+    for broken in all {
+        if let Some(origin) = broken["counterexample"]["found_by"].as_str() {
+            *origins.entry(origin.to_owned()).or_default() += 1;
+        }
+    }
+    let origins = origins.iter();
+    let mut facts: Vec<String> = origins
+        .map(|(origin, count)| format!("symbolic: {count} by {origin}"))
+        .collect();
+    let shown = |broken: &&Value| broken["counterexample"]["vector"].is_object();
+    let (mut with, mut without) = (0, BTreeMap::<String, Vec<String>>::new());
+    for broken in first_refutations(engines) {
+        if shown(&&broken) {
+            with += 1;
+        } else {
+            let why = word(&broken["counterexample"]["no_vector"]);
+            without.entry(why).or_default().push(word(&broken["id"]));
+        }
+    }
+    let count = with + without.values().map(Vec::len).sum::<usize>();
+    facts.push(format!(
+        "{with} of {count} refuted broken kernels print a counterexample as a vector: a call of [the peer protocol](../peers/PROTOCOL.md) that a peer with this defect fails, and that expects what the executable specification answers"
+    ));
+    facts.extend(without.into_iter().map(|(why, ids)| {
+        let ids: Vec<String> = ids.iter().map(|id| format!("`{id}`")).collect();
+        format!("no vector, as {why}: {}", ids.join(", "))
+    }));
+    blocks.push(Block::List(facts));
+    let title = format!("All {} broken kernels, and who refutes them", rows.1.len());
+    blocks.push(Block::Details(title, vec![Block::Table(rows.0, rows.1)]));
+}
+
+/// Each broken kernel with the best of its refutations: one that prints a vector, if there is one.
+fn first_refutations(engines: &[Value]) -> Vec<Value> {
+    let mut found: Vec<Value> = Vec::new();
+    for engine in engines {
+        for mut broken in list(&engine["broken"]) {
+            if !is_refuted(&broken) || !broken["file"].is_string() {
+                continue;
+            }
+            broken["by"] = json!([engine["name"]]);
+            match found.iter_mut().find(|known| known["id"] == broken["id"]) {
+                None => found.push(broken),
+                Some(known) => {
+                    let mut by = list(&known["by"]);
+                    by.push(engine["name"].clone());
+                    let had = known["counterexample"]["vector"].is_object();
+                    if !had && broken["counterexample"]["vector"].is_object() {
+                        *known = broken;
+                    }
+                    known["by"] = json!(by);
+                }
+            }
+        }
+    }
+    found
+}
+
+/// What differs from run to run, and nothing else does.
+fn this_run(run: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
+    blocks.push(heading(2, "run", "This run: times and cross-check"));
+    blocks.push(text("What differs from one run to the next on the same sources, and on other machines: how long each property took, in seconds, and how many of the obligations z3 answered within its limit, each of them as bitwuzla did."));
+    let mut rows = Vec::new();
+    for engine in engines {
+        let name = word(&engine["name"]);
+        for result in list(&engine["results"]) {
+            let property = word(&result["property"]);
+            let mine = &run[&name][&property];
+            let z3 = match (
+                mine["cross_checked"].as_u64(),
+                result["obligations"].as_u64(),
+            ) {
+                (Some(some), Some(all)) if all > 0 && name == "symbolic" => {
+                    format!("{some} of {all}")
+                }
+                _ => "–".to_owned(),
+            };
+            rows.push(vec![
+                property,
+                name.clone(),
+                mine["seconds"].to_string(),
+                z3,
+            ]);
+        }
+    }
+    let head = ["property", "engine", "seconds", "also answered by z3"];
+    let table = Block::Table(head.map(str::to_owned).to_vec(), rows);
+    blocks.push(Block::Details("Each property".to_owned(), vec![table]));
+}
 
 fn overview(report: &Value, engines: &[Value]) -> Block {
     let mut head = vec!["property".to_owned()];
@@ -88,9 +196,7 @@ fn overview(report: &Value, engines: &[Value]) -> Block {
                     .iter()
                     .find(|result| result["property"] == property["id"]);
                 match mine {
-                    Some(result) => {
-                        format!("{}, {} s", word(&result["verdict"]), result["seconds"])
-                    }
+                    Some(result) => word(&result["verdict"]),
                     None if engine["not_run"] == true => "not run here".to_owned(),
                     None if has_own_claims(engine) => {
                         "[own claims](#".to_owned() + &word(&engine["name"]) + ")"
@@ -122,19 +228,71 @@ fn engine_table(engines: &[Value]) -> Block {
             } else {
                 format!("refuted {refuted} of {}", broken.len())
             };
-            vec![
-                word(&engine["name"]),
-                word(&engine["version"]),
-                word(&engine["about"]),
-                what,
-            ]
+            let name = word(&engine["name"]);
+            let results = list(&engine["results"]);
+            let proved = results.iter().filter(|r| r["verdict"] == "proved").count();
+            let shown = match results.len() {
+                0 => "–".to_owned(),
+                all if proved == 0 => format!("tried {all}"),
+                all => format!("proved {proved} of {all}"),
+            };
+            let repeat = repeat(&name).map_or("–".to_owned(), |how| format!("`{how}`"));
+            let about = word(&engine["about"]);
+            vec![name, word(&engine["version"]), about, shown, what, repeat]
         })
         .collect();
-    let head = ["engine", "version", "what it does", "broken kernels"];
+    let head = [
+        "engine",
+        "version",
+        "what it does",
+        "properties",
+        "broken code",
+        "repeat",
+    ];
     Block::Table(head.map(str::to_owned).to_vec(), rows)
 }
 
-fn broken_table(engines: &[Value]) -> Block {
+/// The command that runs an engine again.
+fn repeat(engine: &str) -> Option<String> {
+    match engine {
+        "kani" => Some("cargo kani -p ncp-proofs -p ncp-readers".to_owned()),
+        "" => None,
+        name => Some(format!("cargo xtask prove --engine {name}")),
+    }
+}
+
+/// The code that a property is about.
+fn code(engine: &str, id: &str) -> Vec<String> {
+    let kernel = |names: &[&str]| {
+        let files = names.iter();
+        let file = |name: &&str| format!("spec/src/safety/kernel/{name}.rs");
+        files.map(file).collect::<Vec<_>>()
+    };
+    let (family, subject) = id.split_once('/').unwrap_or((id, ""));
+    let subject = subject.split(['/', '-']).next().unwrap_or_default();
+    let files: &[&str] = match (engine, family) {
+        ("machine", _) => &["spec/src/safety/kernel", "proofs/machine/src"],
+        ("model", _) => match subject {
+            "plant" => &["spec/src/resilience/action_buffer.rs"],
+            "latch" => &[
+                "spec/src/safety/governor.rs",
+                "spec/src/resilience/action_buffer.rs",
+            ],
+            _ => &["spec/src/session", "spec/src/reply.rs"],
+        },
+        ("readers", "bulk") => &["spec/src/bulk"],
+        ("readers", "version") => &["spec/src/version.rs"],
+        ("readers", _) => &["spec/src/keys.rs"],
+        (_, "watchdog") => return kernel(&["deadline", "order", "watchdog"]),
+        (_, "geofence") => return kernel(&["fence", "speed", "gates"]),
+        (_, "clamp") => return kernel(&["speed"]),
+        _ if subject == "plant" => return kernel(&["plant", "watchdog", "order", "deadline"]),
+        _ => return kernel(&["gates"]),
+    };
+    files.iter().map(|file| (*file).to_owned()).collect()
+}
+
+fn broken_rows(engines: &[Value]) -> (Vec<String>, Vec<Vec<String>>) {
     let shared = |engine: &&Value| {
         list(&engine["broken"])
             .iter()
@@ -162,22 +320,22 @@ fn broken_table(engines: &[Value]) -> Block {
             row
         })
         .collect();
-    Block::Table(head, rows)
+    (head, rows)
 }
 
 fn each(property: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
     let id = word(&property["id"]);
     blocks.push(heading(3, &anchor(&id), &id));
-    claim(property, blocks);
-    let mut shown = Vec::new();
-    for engine in engines {
-        for result in list(&engine["results"]) {
-            if result["property"] == property["id"] {
-                shown.push(said(engine, &result));
-            }
-        }
-    }
-    blocks.push(Block::List(shown));
+    claim("", &id, property, blocks);
+    let rows: Vec<Vec<String>> = engines
+        .iter()
+        .flat_map(|engine| {
+            let results = list(&engine["results"]).into_iter();
+            let mine = results.filter(|result| result["property"] == property["id"]);
+            mine.map(|result| said(engine, &result)).collect::<Vec<_>>()
+        })
+        .collect();
+    blocks.push(results_table(rows));
     let files: Vec<String> = engines
         .iter()
         .flat_map(|engine| list(&engine["results"]))
@@ -186,40 +344,43 @@ fn each(property: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
         .map(|file| format!("[{0}](../proofs/evidence/{0})", word(&file)))
         .collect();
     if !files.is_empty() {
-        blocks.push(text(&format!("Obligations: {}", files.join(", "))));
+        blocks.push(text(&format!(
+            "Its obligations, each answered `unsat`: {}",
+            files.join(", ")
+        )));
     }
-    let mut refuted: Vec<(String, String, String, String)> = Vec::new();
-    for engine in engines {
-        for broken in list(&engine["broken"]) {
-            if broken["property"] == property["id"]
-                && is_refuted(&broken)
-                && broken["file"].is_string()
-            {
-                let name = word(&broken["id"]);
-                let seen = refuted.iter().position(|(known, ..)| *known == name);
-                let found = shown_counterexample(&broken["counterexample"]);
-                match seen {
-                    Some(_) => {}
-                    None => refuted.push((name, change(&broken), word(&engine["name"]), found)),
-                }
-            }
-        }
-    }
-    if !refuted.is_empty() {
+    let mine = first_refutations(engines).into_iter();
+    let rows: Vec<Vec<String>> = mine
+        .filter(|broken| broken["property"] == property["id"])
+        .map(|broken| {
+            let by: Vec<String> = list(&broken["by"]).iter().map(word).collect();
+            let found = &broken["counterexample"];
+            vec![
+                word(&broken["id"]),
+                change(&broken),
+                by.join(", "),
+                shown_inputs(found),
+                shown_vector(found),
+            ]
+        })
+        .collect();
+    if !rows.is_empty() {
         let head = [
             "broken kernel",
             "change",
-            "first refuted by",
+            "refuted by",
             "counterexample",
+            "as a vector",
         ];
-        let rows = refuted
-            .into_iter()
-            .map(|(a, b, c, d)| vec![a, b, c, d])
-            .collect();
-        let title = "Broken kernels that it refutes".to_owned();
+        let title = format!("{} broken kernels that it refutes", rows.len());
         let table = Block::Table(head.map(str::to_owned).to_vec(), rows);
         blocks.push(Block::Details(title, vec![table]));
     }
+}
+
+fn results_table(rows: Vec<Vec<String>>) -> Block {
+    let head = ["result", "engine", "what was run", "repeat"];
+    Block::Table(head.map(str::to_owned).to_vec(), rows)
 }
 
 /// Claims that an engine makes beside the shared properties.
@@ -245,14 +406,19 @@ fn own_claims(report: &Value, engine: &Value, blocks: &mut Vec<Block>) {
             &format!("{name}-{}", anchor(&word(&result["property"]))),
             &word(&result["property"]),
         ));
-        claim(result, blocks);
-        blocks.push(Block::List(vec![said(engine, result)]));
+        claim(&name, &word(&result["property"]), result, blocks);
+        blocks.push(results_table(vec![said(engine, result)]));
     }
     let rows: Vec<Vec<String>> = list(&engine["broken"])
         .iter()
         .map(|broken| {
             let how = if is_refuted(broken) {
-                shown_counterexample(&broken["counterexample"])
+                let found = &broken["counterexample"];
+                if found["vector"].is_object() {
+                    shown_vector(found)
+                } else {
+                    shown_inputs(found)
+                }
             } else {
                 "NOT REFUTED".to_owned()
             };
@@ -266,71 +432,107 @@ fn own_claims(report: &Value, engine: &Value, blocks: &mut Vec<Block>) {
         .collect();
     let head = ["broken", "by", "what is wrong", "counterexample"];
     let table = Block::Table(head.map(str::to_owned).to_vec(), rows);
-    blocks.push(Block::Details("What it refutes".to_owned(), vec![table]));
+    let title = format!(
+        "{} broken ones that it refutes",
+        list(&engine["broken"]).len()
+    );
+    blocks.push(Block::Details(title, vec![table]));
 }
 
-/// The sentence, the formula, the rules, the bounds and the assumptions of a claim.
-fn claim(claim: &Value, blocks: &mut Vec<Block>) {
+/// The sentence, the formula, the code, the rules, the bounds and the assumptions of a claim.
+fn claim(engine: &str, id: &str, claim: &Value, blocks: &mut Vec<Block>) {
     blocks.push(text(&word(&claim["sentence"])));
     blocks.push(Block::Code(word(&claim["statement"])));
     let rules: Vec<String> = list(&claim["rules"]).iter().map(word).collect();
+    let code: Vec<String> = code(engine, id)
+        .iter()
+        .map(|file| format!("[{file}](../{file})"))
+        .collect();
     let mut facts = vec![
+        format!("code: {}", code.join(", ")),
         format!("rules: {}", rules.join(", ")),
         format!("bounds: {}", word(&claim["bounds"])),
     ];
-    facts.extend(
-        list(&claim["assumptions"])
-            .iter()
-            .map(|a| format!("assumed: {}", word(a))),
-    );
+    let assumptions = list(&claim["assumptions"]);
+    facts.extend(assumptions.iter().map(|a| format!("assumed: {}", word(a))));
+    if assumptions.is_empty() {
+        facts.push("assumed: nothing but what is [trusted](#trusted)".to_owned());
+    }
     blocks.push(Block::List(facts));
 }
 
-/// What an engine says of a claim, with its numbers.
-fn said(engine: &Value, result: &Value) -> String {
+/// What an engine says of a claim, with its version, its numbers, and how to ask it again.
+fn said(engine: &Value, result: &Value) -> Vec<String> {
+    let name = word(&engine["name"]);
     let mut numbers = Vec::new();
-    for (name, what) in [
+    for (member, what) in [
         ("paths", "paths"),
-        ("states", "states"),
+        (
+            "states",
+            if name == "readers" {
+                "inputs"
+            } else {
+                "states"
+            },
+        ),
         ("obligations", "obligations"),
-        ("cross_checked", "of them also answered by z3"),
         ("true_by_evaluation", "checks true by evaluation"),
         ("runs", "runs"),
     ] {
-        if let Some(count) = result[name].as_u64().filter(|count| *count > 0) {
+        if let Some(count) = result[member].as_u64().filter(|count| *count > 0) {
             numbers.push(format!("{count} {what}"));
         }
     }
-    numbers.push(format!("{} s", result["seconds"]));
-    format!(
-        "{}: {}; {} {}",
-        word(&engine["name"]),
+    for member in ["function", "detail"] {
+        let told = word(&result[member]);
+        if !told.is_empty() {
+            numbers.push(if member == "function" {
+                format!("`{told}`")
+            } else {
+                told
+            });
+        }
+    }
+    let property = word(&result["property"]);
+    let repeat = match &*name {
+        "machine" => Some(format!(
+            "proofs/machine/prove.sh --no-broken --only {property}"
+        )),
+        name => repeat(name),
+    };
+    vec![
         word(&result["verdict"]),
+        format!("{name}, {}", word(&engine["version"])),
         numbers.join(", "),
-        word(&result["detail"])
-    )
-    .trim_end()
-    .to_owned()
+        repeat.map_or_else(String::new, |how| format!("`{how}`")),
+    ]
 }
 
-fn shown_counterexample(found: &Value) -> String {
-    if found["vector"].is_object() {
-        let vector = &found["vector"];
-        return format!(
-            "`{}` `{}` expects `{}`",
-            word(&vector["call"]),
-            vector["args"],
-            vector["expect"]
-        );
+/// The inputs of a counterexample, with the check that fails and where they come from.
+fn shown_inputs(found: &Value) -> String {
+    if !found["inputs"].is_array() {
+        return format!("`{found}`");
     }
-    if found["inputs"].is_array() {
-        let inputs: Vec<String> = list(&found["inputs"])
-            .iter()
-            .map(|input| format!("{} = {}", word(&input[0]), input[1]))
-            .collect();
-        return format!("{}: `{}`", word(&found["check"]), inputs.join(", "));
+    let inputs: Vec<String> = list(&found["inputs"])
+        .iter()
+        .map(|input| format!("{} = {}", word(&input[0]), input[1]))
+        .collect();
+    let by = found["found_by"].as_str();
+    let by = by.map_or_else(String::new, |by| format!(" ({by})"));
+    format!("{}: `{}`{by}", word(&found["check"]), inputs.join(", "))
+}
+
+/// A counterexample as a vector, or why it is none.
+fn shown_vector(found: &Value) -> String {
+    let vector = &found["vector"];
+    if vector.is_object() {
+        let (call, args, expect) = (word(&vector["call"]), &vector["args"], &vector["expect"]);
+        return format!("`{call}` `{args}` expects `{expect}`");
     }
-    format!("`{found}`")
+    match word(&found["no_vector"]) {
+        why if why.is_empty() => "none".to_owned(),
+        why => format!("none, as {why}"),
+    }
 }
 
 /// The change that makes a broken kernel.

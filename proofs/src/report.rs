@@ -70,8 +70,9 @@ pub fn counterexample(property: &str, harness: &Harness, found: &Counterexample)
         json!([name, value])
     });
     let mut whole = json!({ "check": found.check, "inputs": inputs.collect::<Vec<_>>() });
-    if let Some(case) = vector::case(property, harness, found) {
-        whole["vector"] = case;
+    match vector::try_case(property, harness, found) {
+        Ok(case) => whole["vector"] = case,
+        Err(why) => whole["no_vector"] = json!(why.as_str()),
     }
     whole
 }
@@ -99,6 +100,7 @@ pub fn elsewhere(mut head: Value, file: &Path) -> Value {
                 "sentence": claim["sentence"], "statement": claim["formal"], "bounds": claim["bounds"],
                 "assumptions": claim["assumptions"], "verdict": claim["result"],
                 "detail": word(&claim["why"]), "paths": claim["paths"], "states": claim["states"],
+                "obligations": claim["evidence"].as_array().map(Vec::len), "function": claim["function"],
                 "seconds": whole(claim["seconds"].as_f64().unwrap_or_default()),
             })
         })
@@ -129,6 +131,43 @@ pub fn elsewhere(mut head: Value, file: &Path) -> Value {
         head[name] = left[name].clone();
     }
     head
+}
+
+/// Says which version of an engine was run.
+pub fn name_version(engines: &mut [Value], name: &str, version: &str) {
+    for engine in engines.iter_mut().filter(|engine| engine["name"] == name) {
+        engine["version"] = json!(version);
+    }
+}
+
+/// Takes out of the results what differs from one run to the next: how long it took, and how much the second solver
+/// answered within its limit. Of engines that were not run again, it is that of `before`.
+pub fn take_run(engines: &mut [Value], before: &Value) -> Value {
+    let mut run = serde_json::Map::new();
+    for engine in engines {
+        let name = word(&engine["name"]);
+        let mut mine = serde_json::Map::new();
+        for result in engine["results"].as_array_mut().into_iter().flatten() {
+            let property = word(&result["property"]);
+            let Some(result) = result.as_object_mut() else {
+                continue;
+            };
+            let mut taken = serde_json::Map::new();
+            for member in ["seconds", "cross_checked"] {
+                let value = result.shift_remove(member);
+                taken.extend(value.map(|value| (member.to_owned(), value)));
+            }
+            let old = || before[&name][&property].clone();
+            let taken = if taken.is_empty() {
+                old()
+            } else {
+                taken.into()
+            };
+            mine.insert(property, taken);
+        }
+        run.insert(name, mine.into());
+    }
+    run.into()
 }
 
 /// What is wrong with a report: everything that keeps it from saying that the kernel is proved.
@@ -367,6 +406,18 @@ mod tests {
             &report("proved", &json!({}), &[]),
             "no numbers reach the check \"a\""
         ));
+    }
+
+    #[test]
+    fn what_differs_from_run_to_run_stands_apart_and_outlives_a_run_of_other_engines() {
+        let result = json!({"property": "clamp/bound", "verdict": "proved", "seconds": 7, "cross_checked": 3});
+        let mut engines = [json!({"name": "symbolic", "results": [result]})];
+        let run = take_run(&mut engines, &Value::Null);
+        let taken = json!({"symbolic": {"clamp/bound": {"seconds": 7, "cross_checked": 3}}});
+        assert_eq!(run, taken);
+        let left = json!([{"property": "clamp/bound", "verdict": "proved"}]);
+        assert_eq!(engines[0]["results"], left);
+        assert_eq!(take_run(&mut engines, &run), taken);
     }
 
     #[test]
