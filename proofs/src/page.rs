@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::{Value, json};
 
 use crate::document::Block;
+use crate::engines::symbolic::Origin;
 use crate::report::{is_refuted, list, word};
 
 /// The report as a document.
@@ -32,7 +33,7 @@ pub fn document(report: &Value) -> Vec<Block> {
         blocks.push(Block::List(problems.iter().map(word).collect()));
     }
     blocks.push(heading(2, "properties", "Properties and engines"));
-    blocks.push(overview(report, &engines));
+    blocks.extend(overview(report, &engines));
     blocks.push(heading(2, "engines", "Engines"));
     blocks.push(engine_table(&engines));
     broken_kernels(&engines, &mut blocks);
@@ -90,7 +91,9 @@ fn broken_kernels(engines: &[Value], blocks: &mut Vec<Block>) {
     blocks.push(heading(2, "broken", "Broken kernels"));
     blocks.push(text("Copies of the source with one change each: an engine that would prove anything does not refute them. Each counterexample was run again, natively: the broken kernel fails the check. Those of the symbolic engine come from one of two places, and each says from which: a model of bitwuzla; or inputs that broke the harness on doubles, of samples or of the enumeration, for which bitwuzla confirmed with the inputs fixed that the question which they raise is satisfiable. A dash: the engine does not cover the property."));
     let rows = broken_rows(engines);
-    let mut origins: BTreeMap<String, usize> = BTreeMap::new();
+    let kinds = [Origin::Model, Origin::Sampled, Origin::Enumerated];
+    let mut origins: BTreeMap<String, usize> =
+        kinds.map(|kind| (kind.as_str().to_owned(), 0)).into();
     let all = engines.iter().flat_map(|engine| list(&engine["broken"]));
     for broken in all {
         if let Some(origin) = broken["counterexample"]["found_by"].as_str() {
@@ -182,32 +185,54 @@ fn this_run(run: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
     blocks.push(Block::Details("Each property".to_owned(), vec![table]));
 }
 
-fn overview(report: &Value, engines: &[Value]) -> Block {
+fn overview(report: &Value, engines: &[Value]) -> Vec<Block> {
+    let (own, shared): (Vec<&Value>, Vec<&Value>) =
+        engines.iter().partition(|engine| has_own_claims(engine));
     let mut head = vec!["property".to_owned()];
-    head.extend(engines.iter().map(|engine| word(&engine["name"])));
+    head.extend(shared.iter().map(|engine| word(&engine["name"])));
     let rows = list(&report["properties"])
         .iter()
         .map(|property| {
             let id = word(&property["id"]);
             let mut row = vec![format!("[{id}](#{})", anchor(&id))];
-            row.extend(engines.iter().map(|engine| {
+            row.extend(shared.iter().map(|engine| {
                 let results = list(&engine["results"]);
                 let mine = results
                     .iter()
                     .find(|result| result["property"] == property["id"]);
                 match mine {
-                    Some(result) => word(&result["verdict"]),
+                    Some(result) => verdict(engine, result),
                     None if engine["not_run"] == true => "not run here".to_owned(),
-                    None if has_own_claims(engine) => {
-                        "[own claims](#".to_owned() + &word(&engine["name"]) + ")"
-                    }
                     None => "–".to_owned(),
                 }
             }));
             row
         })
         .collect();
-    Block::Table(head, rows)
+    let mut blocks = vec![Block::Table(head, rows)];
+    let own = own.into_iter().map(|engine| {
+        let (name, results) = (word(&engine["name"]), list(&engine["results"]));
+        let proved = results.iter().filter(|r| r["verdict"] == "proved").count();
+        format!(
+            "[{name}](#{name}): {proved} of {} claims of its own proved. {}",
+            results.len(),
+            word(&engine["about"])
+        )
+    });
+    let own: Vec<String> = own.collect();
+    if !own.is_empty() {
+        blocks.push(Block::List(own));
+    }
+    blocks
+}
+
+/// What an engine found, with how far it goes.
+fn verdict(engine: &Value, result: &Value) -> String {
+    let verdict = word(&result["verdict"]);
+    if engine["name"] == "enumeration" && verdict == "proved" {
+        return "proved for the listed values".to_owned();
+    }
+    verdict
 }
 
 /// Whether an engine was held against other properties than the shared ones.
@@ -349,32 +374,26 @@ fn each(property: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
             files.join(", ")
         )));
     }
-    let mine = first_refutations(engines).into_iter();
-    let rows: Vec<Vec<String>> = mine
-        .filter(|broken| broken["property"] == property["id"])
-        .map(|broken| {
-            let by: Vec<String> = list(&broken["by"]).iter().map(word).collect();
-            let found = &broken["counterexample"];
-            vec![
-                word(&broken["id"]),
-                change(&broken),
-                by.join(", "),
-                shown_inputs(found),
-                shown_vector(found),
-            ]
-        })
-        .collect();
-    if !rows.is_empty() {
-        let head = [
-            "broken kernel",
-            "change",
-            "refuted by",
-            "counterexample",
-            "as a vector",
-        ];
-        let title = format!("{} broken kernels that it refutes", rows.len());
-        let table = Block::Table(head.map(str::to_owned).to_vec(), rows);
-        blocks.push(Block::Details(title, vec![table]));
+    let mut mine = first_refutations(engines);
+    mine.retain(|broken| broken["property"] == property["id"]);
+    let mut inner = Vec::new();
+    for broken in &mine {
+        let by: Vec<String> = list(&broken["by"]).iter().map(word).collect();
+        let found = &broken["counterexample"];
+        inner.push(text(&format!(
+            "`{}`: {}. Refuted by {}. {}{}",
+            word(&broken["id"]),
+            change(broken),
+            by.join(", "),
+            shown_inputs(found),
+            no_vector(found)
+        )));
+        inner.extend(shown_vector(found));
+    }
+    if !mine.is_empty() {
+        let count = mine.len();
+        let title = format!("{count} broken kernels that it refutes, with counterexamples");
+        blocks.push(Block::Details(title, inner));
     }
 }
 
@@ -409,34 +428,23 @@ fn own_claims(report: &Value, engine: &Value, blocks: &mut Vec<Block>) {
         claim(&name, &word(&result["property"]), result, blocks);
         blocks.push(results_table(vec![said(engine, result)]));
     }
-    let rows: Vec<Vec<String>> = list(&engine["broken"])
-        .iter()
-        .map(|broken| {
-            let how = if is_refuted(broken) {
-                let found = &broken["counterexample"];
-                if found["vector"].is_object() {
-                    shown_vector(found)
-                } else {
-                    shown_inputs(found)
-                }
-            } else {
-                "NOT REFUTED".to_owned()
-            };
-            vec![
-                word(&broken["id"]),
-                word(&broken["property"]),
-                word(&broken["about"]),
-                how,
-            ]
-        })
-        .collect();
-    let head = ["broken", "by", "what is wrong", "counterexample"];
-    let table = Block::Table(head.map(str::to_owned).to_vec(), rows);
-    let title = format!(
-        "{} broken ones that it refutes",
-        list(&engine["broken"]).len()
-    );
-    blocks.push(Block::Details(title, vec![table]));
+    let mut inner = Vec::new();
+    for broken in list(&engine["broken"]) {
+        let found = &broken["counterexample"];
+        let (id, property) = (word(&broken["id"]), word(&broken["property"]));
+        let about = word(&broken["about"]);
+        let about = about.trim_end_matches('.');
+        let how = match (is_refuted(&broken), found["vector"].is_object()) {
+            (false, _) => "NOT REFUTED.".to_owned(),
+            (true, true) => format!("Refuted by {property}, which this vector shows."),
+            (true, false) => format!("Refuted by {property}. {}", shown_inputs(found)),
+        };
+        inner.push(text(&format!("`{id}`: {about}. {how}")));
+        inner.extend(shown_vector(found));
+    }
+    let count = list(&engine["broken"]).len();
+    let title = format!("{count} broken ones, with counterexamples");
+    blocks.push(Block::Details(title, inner));
 }
 
 /// The sentence, the formula, the code, the rules, the bounds and the assumptions of a claim.
@@ -501,7 +509,7 @@ fn said(engine: &Value, result: &Value) -> Vec<String> {
         name => repeat(name),
     };
     vec![
-        word(&result["verdict"]),
+        verdict(engine, result),
         format!("{name}, {}", word(&engine["version"])),
         numbers.join(", "),
         repeat.map_or_else(String::new, |how| format!("`{how}`")),
@@ -511,27 +519,35 @@ fn said(engine: &Value, result: &Value) -> Vec<String> {
 /// The inputs of a counterexample, with the check that fails and where they come from.
 fn shown_inputs(found: &Value) -> String {
     if !found["inputs"].is_array() {
-        return format!("`{found}`");
+        return format!("Counterexample: `{found}`.");
     }
     let inputs: Vec<String> = list(&found["inputs"])
         .iter()
         .map(|input| format!("{} = {}", word(&input[0]), input[1]))
         .collect();
-    let by = found["found_by"].as_str();
+    // The longer words stand with the numbers of all of them.
+    let by = found["found_by"]
+        .as_str()
+        .and_then(|by| by.split(',').next());
     let by = by.map_or_else(String::new, |by| format!(" ({by})"));
-    format!("{}: `{}`{by}", word(&found["check"]), inputs.join(", "))
+    let check = word(&found["check"]);
+    format!("Fails \"{check}\" for `{}`{by}.", inputs.join(", "))
 }
 
-/// A counterexample as a vector, or why it is none.
-fn shown_vector(found: &Value) -> String {
+/// A counterexample as a vector.
+fn shown_vector(found: &Value) -> Option<Block> {
     let vector = &found["vector"];
-    if vector.is_object() {
+    vector.is_object().then(|| {
         let (call, args, expect) = (word(&vector["call"]), &vector["args"], &vector["expect"]);
-        return format!("`{call}` `{args}` expects `{expect}`");
-    }
+        Block::Code(format!("call   {call}\nargs   {args}\nexpect {expect}"))
+    })
+}
+
+/// Why a counterexample is no vector.
+fn no_vector(found: &Value) -> String {
     match word(&found["no_vector"]) {
-        why if why.is_empty() => "none".to_owned(),
-        why => format!("none, as {why}"),
+        why if why.is_empty() || found["vector"].is_object() => String::new(),
+        why => format!(" No vector, as {why}."),
     }
 }
 
