@@ -261,7 +261,19 @@ impl Inputs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engines::native::{Native, Sample};
     use crate::properties::harness;
+
+    /// Inputs of a harness, as if they were a counterexample.
+    pub(super) fn sampled(harness: &Harness, seed: u64) -> Counterexample {
+        let mut native = Native::new(Sample::new(seed, usize::MAX));
+        native.keep = true;
+        (harness.sample)(&mut native);
+        Counterexample {
+            check: String::new(),
+            inputs: native.drawn,
+        }
+    }
 
     #[test]
     fn a_command_that_is_too_old_is_a_case_that_expects_a_hold() {

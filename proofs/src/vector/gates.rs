@@ -203,7 +203,7 @@ pub fn answers(trace: &Trace) -> Vec<Value> {
             let mut ticks = given.ticks.iter().map(channels);
             let mut command = CommandFrame {
                 seq: 1,
-                mode: given.mode.clone(),
+                mode: given.mode,
                 ttl_ms: given.ttl,
                 channels: ticks.next().unwrap_or_default(),
                 horizon: ticks.collect(),
@@ -336,7 +336,7 @@ impl<K> Ticks<K> {
 
 impl<K: Kernel> Plan<f64> for Ticks<K> {
     fn mode(&self) -> Mode {
-        self.command.mode.clone()
+        self.command.mode
     }
     fn ttl_ms(&self) -> f64 {
         self.command.ttl
@@ -648,4 +648,62 @@ fn sequence(inputs: &Inputs<'_>) -> Trace {
     // The latch shows at the next command.
     steps.push(command(Mode::Active, Some(3.0), Some(home)).step());
     Trace::of(Some(10.0), Some(10.0), steps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::properties::{PROPERTIES, harness};
+
+    #[test]
+    fn the_small_governor_answers_as_that_of_the_specification() {
+        let mut moving = 0;
+        for property in PROPERTIES {
+            let harness = harness::<Production>(property.id).unwrap();
+            for seed in 0..300 {
+                let found = super::super::tests::sampled(&harness, seed);
+                let traces = traces(property.id, "", &Inputs(&found)).unwrap_or_default();
+                for trace in traces {
+                    let expected = answers(&trace);
+                    assert_eq!(run::<Production>(&trace).unwrap(), expected, "{trace:?}");
+                    let moves = |answer: &Value| answer["frame"]["mode"] == "active";
+                    moving += usize::from(expected.iter().any(moves));
+                }
+            }
+        }
+        assert!(moving > 100, "{moving}");
+    }
+
+    #[test]
+    fn a_governor_may_cut_off_more_of_a_horizon_and_never_less() {
+        let step = |x| vec![velocity([x, 0.0, 0.0])];
+        let command = Command {
+            ttl: 300.0,
+            dt: Some(100.0),
+            ticks: vec![step(1.0), step(1.0), step(100.0)],
+            ..Command::still()
+        };
+        let trace = Trace::of(None, Some(5.0), vec![command.step()]);
+        let expected = answers(&trace);
+        let kept = |answer: &Value| answer["frame"]["horizon"].as_array().unwrap().len();
+        let allowed = alternatives(&trace, &trace.steps[0], &expected[0]);
+        assert_eq!(allowed.iter().map(kept).collect::<Vec<_>>(), [1, 0]);
+        let mut longer = expected.clone();
+        longer[0]["frame"]["horizon"] = json!([{}, {}]);
+        assert!(shown(&trace, &longer).is_ok());
+        let mut shorter = expected.clone();
+        shorter[0]["frame"]["horizon"] = json!([]);
+        assert_eq!(shown(&trace, &shorter), Err(WhyNone::Rounding));
+        assert_eq!(shown(&trace, &expected), Err(WhyNone::Alike));
+    }
+
+    #[test]
+    fn numbers_within_rounding_are_not_apart() {
+        assert!(!is_apart(
+            &json!([1.0, "-0"]),
+            &json!([1.000_000_000_1, 0.0])
+        ));
+        assert!(is_apart(&json!({ "x": 1.0 }), &json!({ "x": 1.001 })));
+        assert!(is_apart(&json!("NaN"), &json!(0.0)));
+    }
 }

@@ -114,7 +114,7 @@ fn follow<K: Kernel>(steps: &[Step]) -> Vec<Value> {
     let mut followed = None;
     let steps = steps.iter().map(|step| match step {
         Step::Command(command) => {
-            let (mode, seq) = (command.mode.clone(), command.seq);
+            let (mode, seq) = (command.mode, command.seq);
             let answer = K::plant_command(&mut plant, mode, command.now, command.ttl, seq);
             if answer == Received::Accepted {
                 followed = Some(command);
@@ -308,4 +308,29 @@ fn sequence(inputs: &Inputs<'_>) -> Vec<Step> {
     }
     steps.push(Step::Active(1.0));
     steps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::properties::{PROPERTIES, harness};
+
+    #[test]
+    fn the_small_buffer_answers_as_that_of_the_specification() {
+        let mut moving = 0;
+        for property in PROPERTIES {
+            let harness = harness::<Production>(property.id).unwrap();
+            for seed in 0..300 {
+                let found = super::super::tests::sampled(&harness, seed);
+                for steps in traces(property.id, &Inputs(&found)).unwrap_or_default() {
+                    let Some(expected) = answers(&steps) else {
+                        continue;
+                    };
+                    assert_eq!(run::<Production>(&steps).unwrap(), expected, "{steps:?}");
+                    moving += usize::from(expected.iter().any(|a| a["channels"].is_object()));
+                }
+            }
+        }
+        assert!(moving > 100, "{moving}");
+    }
 }
