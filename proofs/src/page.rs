@@ -153,10 +153,10 @@ fn first_refutations(engines: &[Value]) -> Vec<Value> {
     found
 }
 
-/// What differs from run to run, and nothing else does.
+/// What differs from run to run.
 fn this_run(run: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
     blocks.push(heading(2, "run", "This run: times and cross-check"));
-    blocks.push(text("What differs from one run to the next on the same sources, and on other machines: how long each property took, in seconds, and how many of the obligations z3 answered within its limit, each of them as bitwuzla did."));
+    blocks.push(text("What differs from one run to the next on the same sources, and on other machines: how long each property took, in seconds, and how many of the obligations z3 answered within its limit, each of them as bitwuzla did. The engine of the machine code has limits by the clock: on a busy machine another of its solvers may answer first, whose counterexample may be another one, or none in time."));
     let mut rows = Vec::new();
     for engine in engines {
         let name = word(&engine["name"]);
