@@ -7,20 +7,57 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// What the proofs are about, what says it, and what shows it: a change of any makes the report stale.
-const SOURCES: [&str; 9] = [
-    "spec/src/safety/kernel",
+/// What the proofs are about, what says it, what shows it, and what decides whether it is shown: a change of any
+/// makes the report stale. How the report looks is none of that.
+pub const SOURCES: [&str; 40] = [
+    // What is proved: the kernel, what the model explores around it, and what reads untrusted bytes.
+    "spec/src/safety",
+    "spec/src/resilience",
+    "spec/src/session",
+    "spec/src/wire",
+    "spec/src/contract.rs",
+    "spec/src/reply.rs",
+    "spec/src/version.rs",
+    "spec/src/keys.rs",
+    "spec/src/bulk",
+    // The properties of the kernel, the engines, the broken kernels, and what is a problem of a report.
     "proofs/src/properties",
     "proofs/src/engines",
     "proofs/src/kernel.rs",
     "proofs/src/prover.rs",
+    "proofs/src/broken.rs",
+    "proofs/src/vector.rs",
+    "proofs/src/report.rs",
+    "proofs/src/main.rs",
     "proofs/broken.rs",
+    "proofs/build.rs",
+    "proofs/solve.py",
+    // Its machine code.
     "proofs/machine/src",
+    "proofs/machine/broken",
+    "proofs/machine/broken.json",
+    "proofs/machine/build.rs",
+    "proofs/machine/explore.py",
+    "proofs/machine/machine.py",
+    "proofs/machine/native.py",
     "proofs/machine/properties.py",
+    "proofs/machine/prove.sh",
+    "proofs/machine/solver.py",
+    "proofs/machine/vector.py",
+    // The model.
     "proofs/model/src",
+    // The readers.
+    "proofs/readers/src/properties",
+    "proofs/readers/src/broken.rs",
+    "proofs/readers/src/exhaustive.rs",
+    "proofs/readers/src/lib.rs",
+    "proofs/readers/src/main.rs",
+    "proofs/readers/src/readers.rs",
+    "proofs/readers/broken.rs",
+    "proofs/readers/build.rs",
 ];
 
-/// SHA-256 over the names and the contents of the kernel's sources and of the harnesses.
+/// SHA-256 over the names and the contents of the [`SOURCES`].
 ///
 /// # Errors
 /// A file cannot be read.

@@ -85,11 +85,12 @@ h1 { line-height: 1.2; } h2 { margin-top: 2.5rem; border-bottom: 1px solid var(-
 a { color: var(--link); }
 code, pre { font: 0.85em/1.45 ui-monospace, monospace; background: var(--soft); border-radius: 3px; overflow-wrap: anywhere; }
 code { padding: 0.1em 0.25em; } pre { padding: 0.75rem; white-space: pre-wrap; }
+td code.line { white-space: nowrap; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.9em; width: 100%; }
 th, td { border: 1px solid var(--line); padding: 0.3rem 0.5rem; text-align: left; vertical-align: top; }
 th { background: var(--soft); } .good { color: var(--good); font-weight: 600; } .bad { color: var(--bad); font-weight: 600; }
 summary { cursor: pointer; } details { margin: 0.5rem 0; }
-@media print { main { max-width: none; padding: 0; } body { font-size: 10pt; } tr, h2, h3 { break-inside: avoid; break-after: auto; } a { color: inherit; } }
+@media print { details::details-content { content-visibility: visible; block-size: auto; } main { max-width: none; padding: 0; } body { font-size: 10pt; } tr, h2, h3 { break-inside: avoid; break-after: auto; } a { color: inherit; } }
 ";
 
 fn body(blocks: &[Block]) -> String {
@@ -124,7 +125,7 @@ fn body(blocks: &[Block]) -> String {
             }
             Block::Details(title, inner) => writeln!(
                 text,
-                "<details open>\n<summary>{}</summary>\n{}</details>",
+                "<details>\n<summary>{}</summary>\n{}</details>",
                 inline(title),
                 body(inner)
             ),
@@ -155,7 +156,10 @@ fn inline(words: &str) -> String {
     let mut text = String::new();
     for (nth, part) in words.split('`').enumerate() {
         if nth % 2 == 1 {
-            let _ = write!(text, "<code>{}</code>", escaped(part));
+            // A command is to be copied as one line.
+            let is_command = part.starts_with("cargo ") || part.starts_with("proofs/machine/");
+            let class = if is_command { " class=\"line\"" } else { "" };
+            let _ = write!(text, "<code{class}>{}</code>", escaped(part));
             continue;
         }
         let mut rest = part;

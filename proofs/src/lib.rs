@@ -4,7 +4,8 @@
 //! - `prover`: what a harness asks of an engine.
 //! - `kernel`, `broken`: the kernel of production, and copies of its source with one token changed.
 //! - `engines`: symbolic execution, enumeration, and the stand-in for Kani's API.
-//! - `report`, `document`, `digest`: what was found out, how it is shown, and about which sources.
+//! - `kani_engine`, `kani_proofs`: Kani as an engine, and the harnesses as proofs of it.
+//! - `report`, `page`, `document`, `digest`: what was found out, how it is shown, and about which sources.
 
 #![forbid(unsafe_code)]
 
@@ -12,9 +13,11 @@ pub mod broken;
 pub mod digest;
 pub mod document;
 pub mod engines;
+pub mod kani_engine;
 #[cfg(any(kani, test))]
-mod kani_engine;
+mod kani_proofs;
 pub mod kernel;
+pub mod page;
 pub mod properties;
 pub mod prover;
 pub mod report;

@@ -15,11 +15,11 @@ use ncp_proofs::engines::symbolic::{self, Solvers};
 use ncp_proofs::engines::{Counterexample, enumeration, standin};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Harness, PROPERTIES, Property, harness};
-use ncp_proofs::{digest, document, report};
+use ncp_proofs::{digest, document, page, report};
 use serde_json::{Value, json};
 
 const USAGE: &str = "\
-Usage: ncp-prove [--engine kani|kani-stand-in|enumeration|symbolic|model|machine]…
+Usage: ncp-prove [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
        ncp-prove --render     # reports/proofs.{md,html} from reports/proofs.json
 ";
 
@@ -49,7 +49,7 @@ enum How {
 const ENGINES: &[Engine] = &[
     Engine {
         name: "symbolic",
-        version: "bitwuzla 0.9.1, cross-checked by z3",
+        version: "bitwuzla, cross-checked by z3",
         about: "Exhaustive: all paths of the kernel's own code over symbolic doubles and seqs.",
         how: How::Here {
             prove: |property, harness, place| {
@@ -59,7 +59,12 @@ const ENGINES: &[Engine] = &[
             refute: |property, harness, place, broken| {
                 let draft = place.drafts.join(format!("{}.smt2", broken.id));
                 let found = symbolic::refute(property, harness, &place.solvers, &draft);
-                Some(found.and_then(|found| counterexample(property, harness, found)))
+                Some(found.and_then(|found| {
+                    let (found, origin) = found.unzip();
+                    let mut shown = counterexample(property, harness, found)?;
+                    shown["found_by"] = json!(origin.map(symbolic::Origin::as_str));
+                    Ok(shown)
+                }))
             },
         },
     },
@@ -89,6 +94,12 @@ const ENGINES: &[Engine] = &[
         version: "stateright",
         about: "Exhaustive over finite worlds: every state of the protocol over a bad network.",
         how: How::Elsewhere(".tools/model.json"),
+    },
+    Engine {
+        name: "readers",
+        version: env!("CARGO_PKG_VERSION"),
+        about: "Exhaustive within bounds: every input of what reads blocks, versions and keys, natively.",
+        how: How::Elsewhere(".tools/readers.json"),
     },
     Engine {
         name: "kani-stand-in",
@@ -217,8 +228,12 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
             engines.push(whole);
         }
     }
+    if names.is_empty() || names.contains(&"symbolic") {
+        report::name_version(&mut engines, "symbolic", &place.solvers.versions()?);
+    }
+    let run = report::take_run(&mut engines, &before["run"]);
     let mut report = json!({
-        "format": 1, "digest": now, "properties": report::properties(), "engines": engines,
+        "format": 2, "digest": now, "properties": report::properties(), "engines": engines, "run": run,
     });
     let problems = report::problems(&report);
     for problem in &problems {
@@ -232,7 +247,7 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
 }
 
 fn render(place: &Place, report: &Value) -> Result<(), Box<dyn Error>> {
-    let document = report::document(report);
+    let document = page::document(report);
     let reports = place.root.join("reports");
     fs::write(reports.join("proofs.md"), document::markdown(&document))?;
     fs::write(reports.join("proofs.html"), document::html(&document))?;

@@ -1,5 +1,10 @@
-//! Counterexamples as cases of vectors, where a call of the peer protocol can show them.
+//! Counterexamples as cases of vectors, where a call of the peer protocol can show them: traces of `watchdog.run`
+//! here, of `governor.run` in `gates`, of `buffer.run` in `plant`.
 
+pub mod gates;
+pub mod plant;
+
+use ncp_spec::wire::Mode;
 use serde_json::{Value, json};
 
 use crate::engines::{Counterexample, native::Drawn};
@@ -20,10 +25,76 @@ pub fn number(x: f64) -> Value {
     }
 }
 
+/// A number that may be absent.
+fn optional_number(x: Option<f64>) -> Value {
+    x.map_or(Value::Null, number)
+}
+
+/// The mode that a harness draws by its place.
+fn mode(nth: usize) -> Option<Mode> {
+    let modes = [Mode::Active, Mode::Hold, Mode::Init, Mode::Estop];
+    modes.into_iter().nth(nth)
+}
+
 /// A case that the broken kernel of this harness fails, by a counterexample to this property. What it expects is
 /// what the kernel of production answers.
 #[must_use]
 pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
+    try_case(property, harness, found).ok()
+}
+
+/// The same, or why there is none.
+///
+/// # Errors
+/// What stands between this counterexample and a call of the protocol.
+pub fn try_case(
+    property: &str,
+    harness: &Harness,
+    found: &Counterexample,
+) -> Result<Value, WhyNone> {
+    let inputs = Inputs(found);
+    if let Some(case) = watched(property, harness, found) {
+        return Ok(case);
+    }
+    let gates = match gates::case(property, &found.check, harness, &inputs) {
+        Ok(case) => return Ok(case),
+        Err(why) => why,
+    };
+    plant::case(property, harness, &inputs).map_err(|why| why.max(gates))
+}
+
+/// Why a counterexample is no case. The last one that is true says most.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum WhyNone {
+    /// No trace was made of its inputs.
+    NoCall,
+    /// A frame cannot hold them.
+    NoFrame,
+    /// The answers are the same.
+    Alike,
+    /// They are not quite the same.
+    Rounding,
+}
+
+impl WhyNone {
+    /// Its words in reports, after "as".
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::NoCall => "no call of the protocol takes inputs like those of its counterexample",
+            Self::NoFrame => "its counterexample has numbers that JSON lacks",
+            Self::Alike => {
+                "every call answers its counterexample alike: what is wrong does not leave the kernel, or another decision comes first"
+            }
+            Self::Rounding => {
+                "the answers to its counterexample differ by no more than a peer's rounding may"
+            }
+        }
+    }
+}
+
+/// A case of `watchdog.run`.
+fn watched(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
     let inputs = Inputs(found);
     let events = match property {
         "watchdog/deadline" if found.check.starts_with("alive") => vec![
@@ -134,29 +205,49 @@ pub fn run<K: Kernel>(events: &[Event]) -> Vec<Value> {
 struct Inputs<'a>(&'a Counterexample);
 
 impl Inputs<'_> {
-    fn find(&self, name: &str) -> Option<Drawn> {
-        let mut inputs = self.0.inputs.iter();
+    /// All that was drawn by a name: a double that may be absent has a choice of the same name.
+    fn named(&self, name: &str) -> impl Iterator<Item = Drawn> {
+        let inputs = self.0.inputs.iter();
         inputs
-            .find(|(known, _)| known == name)
+            .filter(move |(known, _)| known == name)
             .map(|(_, drawn)| *drawn)
     }
     fn double(&self, name: &str) -> Option<f64> {
-        match self.find(name)? {
+        self.named(name).find_map(|drawn| match drawn {
             Drawn::Scalar(x) => Some(x),
             _ => None,
-        }
+        })
     }
-    fn seq(&self, name: &str) -> Option<i64> {
-        match self.find(name)? {
+    fn seqs(&self, name: &str) -> Vec<i64> {
+        let seqs = self.named(name).filter_map(|drawn| match drawn {
             Drawn::Seq(seq) => Some(seq),
             _ => None,
-        }
+        });
+        seqs.collect()
     }
-    fn choice(&self, name: &str) -> Option<usize> {
-        match self.find(name)? {
+    fn seq(&self, name: &str) -> Option<i64> {
+        self.seqs(name).first().copied()
+    }
+    fn choices(&self, name: &str) -> Vec<usize> {
+        let choices = self.named(name).filter_map(|drawn| match drawn {
             Drawn::Choice(way) => Some(way),
             _ => None,
+        });
+        choices.collect()
+    }
+    fn choice(&self, name: &str) -> Option<usize> {
+        self.choices(name).first().copied()
+    }
+    /// A double that is there or not.
+    fn optional(&self, name: &str) -> Option<Option<f64>> {
+        match self.choice(name)? {
+            0 => Some(None),
+            _ => self.double(name).map(Some),
         }
+    }
+    fn vector(&self, name: &str) -> Option<[f64; 3]> {
+        let [x, y, z] = [0, 1, 2].map(|axis| self.double(&format!("{name}_{axis}")));
+        Some([x?, y?, z?])
     }
     fn command(&self, now: &str, ttl: &str, seq: Option<&str>) -> Option<Event> {
         let seq = match seq {
@@ -170,7 +261,19 @@ impl Inputs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engines::native::{Native, Sample};
     use crate::properties::harness;
+
+    /// Inputs of a harness, as if they were a counterexample.
+    pub(super) fn sampled(harness: &Harness, seed: u64) -> Counterexample {
+        let mut native = Native::new(Sample::new(seed, usize::MAX));
+        native.keep = true;
+        (harness.sample)(&mut native);
+        Counterexample {
+            check: String::new(),
+            inputs: native.drawn,
+        }
+    }
 
     #[test]
     fn a_command_that_is_too_old_is_a_case_that_expects_a_hold() {

@@ -18,6 +18,7 @@ const REPORT: &str = "reports/proofs.json";
 /// Where the engines that are programs of their own leave their results.
 const MACHINE: &str = ".tools/machine.json";
 const MODEL: &str = ".tools/model.json";
+const READERS: &str = ".tools/readers.json";
 
 /// Runs the engines; `false` if a property is not proved or a broken kernel not refuted.
 ///
@@ -31,6 +32,12 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
         forget(project, MODEL);
         let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--"];
         good &= start(project.cargo(&[&words[..], &["--json", MODEL]].concat()))?;
+    }
+    if is_wanted("readers") {
+        forget(project, READERS);
+        let program = ["-p", "ncp-readers", "--features", "broken", "--"];
+        let words = [&["run", "--quiet", "--release"], &program[..]].concat();
+        good &= start(project.cargo(&[&words[..], &["--json", READERS]].concat()))?;
     }
     if is_wanted("machine") {
         good &= machine(project)?;
@@ -112,23 +119,16 @@ mod tests {
     fn a_change_of_the_kernel_makes_the_report_stale() {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
-        for folder in [
-            "spec/src/safety/kernel",
-            "proofs/src/properties",
-            "proofs/src/engines",
-            "proofs/machine/src",
-            "proofs/model/src",
-            "reports",
-        ] {
-            fs::create_dir_all(root.join(folder)).unwrap();
+        for source in digest::SOURCES.map(|source| root.join(source)) {
+            if source.extension().is_none() {
+                fs::create_dir_all(source).unwrap();
+                continue;
+            }
+            fs::create_dir_all(source.parent().unwrap()).unwrap();
+            fs::write(source, "").unwrap();
         }
-        for file in [
-            "src/kernel.rs",
-            "src/prover.rs",
-            "broken.rs",
-            "machine/properties.py",
-        ] {
-            fs::write(root.join("proofs").join(file), "").unwrap();
+        for folder in ["spec/src/safety/kernel", "reports"] {
+            fs::create_dir_all(root.join(folder)).unwrap();
         }
         let kernel = root.join("spec/src/safety/kernel/speed.rs");
         fs::write(&kernel, "a.le(b)").unwrap();

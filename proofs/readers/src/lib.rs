@@ -9,6 +9,6 @@
 pub mod broken;
 pub mod exhaustive;
 #[cfg(any(kani, test))]
-mod kani_engine;
+mod kani_proofs;
 pub mod properties;
 pub mod readers;

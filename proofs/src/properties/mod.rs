@@ -9,7 +9,7 @@ mod words;
 use crate::engines::native::{Enumerate, Native, Replay, Sample};
 use crate::engines::symbolic::Symbolic;
 use crate::kernel::Kernel;
-use crate::vector::Event;
+use crate::vector::{Event, gates, plant};
 
 /// What a property is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,6 +103,8 @@ macro_rules! of {
             enumerate: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Enumerate>>,
             replay: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Replay>>,
             trace: $crate::vector::run::<$kernel>,
+            govern: $crate::vector::gates::run::<$kernel>,
+            follow: $crate::vector::plant::run::<$kernel>,
         }
     };
 }
@@ -144,6 +146,10 @@ pub struct Harness {
     pub replay: fn(&mut Native<Replay>),
     /// What the kernel's watchdog answers to a trace.
     pub trace: fn(&[Event]) -> Vec<serde_json::Value>,
+    /// What a small governor around the kernel answers to a trace.
+    pub govern: fn(&gates::Trace) -> Option<Vec<serde_json::Value>>,
+    /// What a small action buffer around the kernel answers to a trace.
+    pub follow: fn(&[plant::Step]) -> Option<Vec<serde_json::Value>>,
 }
 
 harnesses! {

@@ -112,11 +112,11 @@ macro_rules! harnesses {
         }
 
         #[cfg(any(kani, test))]
-        pub(crate) fn kani_harness(id: &str, p: &mut Native<crate::kani_engine::Any>) {
+        pub(crate) fn kani_harness(id: &str, p: &mut Native<ncp_proofs::kani_engine::Any>) {
             match id {
                 $($($id => {
                     use $harness as body;
-                    body::<Production, Native<crate::kani_engine::Any>>(p);
+                    body::<Production, Native<ncp_proofs::kani_engine::Any>>(p);
                 })*)*
                 _ => {}
             }

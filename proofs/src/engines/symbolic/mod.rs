@@ -206,6 +206,34 @@ fn try_prove(
     Ok(Verdict::Proved)
 }
 
+/// Where the inputs of a counterexample come from. In each case bitwuzla said `sat` of the question that they raise,
+/// and the harness failed on them on doubles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// The solver found them.
+    Model,
+    /// Samples broke the harness on doubles; the solver confirmed them with the inputs fixed.
+    Sampled,
+    /// The same, by the values of the enumeration.
+    Enumerated,
+}
+
+impl Origin {
+    /// Its words in reports.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Model => "a model of bitwuzla, replayed on doubles",
+            Self::Sampled => {
+                "a sampled hint, confirmed by bitwuzla with the inputs fixed, replayed on doubles"
+            }
+            Self::Enumerated => {
+                "an enumerated hint, confirmed by bitwuzla with the inputs fixed, replayed on doubles"
+            }
+        }
+    }
+}
+
 /// Looks for a counterexample only: for kernels that are broken.
 ///
 /// Hints come first: inputs that break the harness on doubles. Their path is run on terms, and the question
@@ -219,8 +247,8 @@ pub fn refute(
     harness: &Harness,
     solvers: &Solvers,
     file: &FilePath,
-) -> Result<Option<Counterexample>, String> {
-    if let Some(hint) = hint(property, harness) {
+) -> Result<Option<(Counterexample, Origin)>, String> {
+    if let Some((hint, origin)) = hint(property, harness) {
         term::clear();
         let (path, broken) =
             term::run_guided(property.symbolic_length, harness.symbolic, hint.clone());
@@ -242,7 +270,7 @@ pub fn refute(
             file,
             Some(&hint),
         )
-        .map(Some);
+        .map(|found| Some((found, origin)));
     }
     let explored = explore(property, harness.symbolic)?;
     let mut questions: Vec<&Question> = explored.questions.keys().collect();
@@ -254,7 +282,7 @@ pub fn refute(
                 let answers = ask_for(solvers, file, &[&question], REFUTE_SECONDS, None)?;
                 if answers == [Answer::Sat] {
                     return counterexample(property, harness, &question, path, solvers, file, None)
-                        .map(Some);
+                        .map(|found| Some((found, Origin::Model)));
                 }
             }
         }
@@ -268,12 +296,16 @@ const REFUTE_SECONDS: u32 = 30;
 const HINTS: u64 = 3_000_000;
 
 /// Inputs that break the harness on doubles: of samples, or of the values that are enumerated.
-fn hint(property: &Property, harness: &Harness) -> Option<Guide> {
-    let sampled = standin::run(harness, HINTS, property.symbolic_length);
-    let found = sampled.counterexample.or_else(|| {
-        let most = property.symbolic_length;
-        enumeration::run(property, harness, most)?.counterexample
-    })?;
+fn hint(property: &Property, harness: &Harness) -> Option<(Guide, Origin)> {
+    let most = property.symbolic_length;
+    let sampled = standin::run(harness, HINTS, most).counterexample;
+    let (found, origin) = match sampled {
+        Some(found) => (found, Origin::Sampled),
+        None => {
+            let all = enumeration::run(property, harness, most)?;
+            (all.counterexample?, Origin::Enumerated)
+        }
+    };
     let mut guide = Guide::default();
     for (_, drawn) in found.inputs {
         match drawn {
@@ -282,7 +314,7 @@ fn hint(property: &Property, harness: &Harness) -> Option<Guide> {
             Drawn::Choice(value) => guide.choices.push(value),
         }
     }
-    Some(guide)
+    Some((guide, origin))
 }
 
 fn ask(solvers: &Solvers, file: &FilePath, questions: &[&Question]) -> Result<Vec<Answer>, String> {

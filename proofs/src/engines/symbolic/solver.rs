@@ -83,7 +83,30 @@ fn read_answer(line: &str) -> Result<Answer, SolverError> {
     }
 }
 
+/// Prints the versions of the packages.
+const VERSIONS: &str = "from importlib.metadata import version as v; print('bitwuzla', v('bitwuzla') + ', cross-checked by z3', v('z3-solver'))";
+
 impl Solvers {
+    /// The solvers with their versions, as they are installed.
+    ///
+    /// # Errors
+    /// They are not installed.
+    pub fn versions(&self) -> Result<String, SolverError> {
+        let python = Command::new(self.bin.join("python"))
+            .args(["-c", VERSIONS])
+            .output();
+        let output = python.map_err(|error| SolverError::Start {
+            program: "python".to_owned(),
+            why: error.to_string(),
+        })?;
+        let printed = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+        if !output.status.success() || printed.is_empty() {
+            let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+            return Err(SolverError::Failed(errors));
+        }
+        Ok(printed)
+    }
+
     /// The answers of bitwuzla, with a limit in seconds of the processor for the whole file.
     ///
     /// # Errors

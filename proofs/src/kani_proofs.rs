@@ -1,0 +1,45 @@
+//! The harnesses of the kernel as proofs of Kani.
+
+crate::kani_proofs! {
+    crate::properties::kani_harness:
+    watchdog_deadline = "watchdog/deadline", 1;
+    watchdog_ttl = "watchdog/ttl", 1;
+    watchdog_order = "watchdog/order", 1;
+    watchdog_step = "watchdog/step", 1;
+    watchdog_sequence = "watchdog/sequence", 7;
+    geofence_inside = "geofence/inside", 4;
+    geofence_limit = "geofence/limit", 1;
+    geofence_projection = "geofence/projection", 5;
+    geofence_projection_and_clamp = "geofence/projection-and-clamp", 5;
+    clamp_bound = "clamp/bound", 4;
+    clamp_unchanged = "clamp/unchanged", 4;
+    clamp_direction = "clamp/direction", 4;
+    clamp_tick = "clamp/tick", 4;
+    latch_gates = "latch/gates", 5;
+    latch_plant = "latch/plant", 5;
+    latch_sequence = "latch/sequence", 7;
+    latch_plant_sequence = "latch/plant-sequence", 7;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kani_engine::begin;
+    use crate::properties::PROPERTIES;
+
+    #[test]
+    fn every_property_is_a_proof_of_kani_that_runs() {
+        let table: Vec<_> = PROPERTIES.iter().map(|p| (p.id, p.unwind)).collect();
+        let proofs: Vec<_> = PROOFS
+            .iter()
+            .map(|(id, unwind, _)| (*id, *unwind))
+            .collect();
+        assert_eq!(proofs, table);
+        for (_, _, proof) in PROOFS {
+            for seed in 0..1_000 {
+                begin(seed);
+                proof();
+            }
+        }
+    }
+}
