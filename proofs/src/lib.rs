@@ -17,5 +17,7 @@ mod kani_engine;
 pub mod kernel;
 pub mod properties;
 pub mod prover;
+pub mod reference;
 pub mod report;
+pub mod terminal;
 pub mod vector;

@@ -3,8 +3,9 @@
 use serde_json::{Value, json};
 
 use crate::engines::{Counterexample, native::Drawn};
-use crate::kernel::{Kernel, Production};
+use crate::kernel::Kernel;
 use crate::properties::Harness;
+use crate::reference;
 
 /// A number as vectors spell it.
 #[must_use]
@@ -20,8 +21,8 @@ pub fn number(x: f64) -> Value {
     }
 }
 
-/// A case that the broken kernel of this harness fails, by a counterexample to this property. What it expects is
-/// what the kernel of production answers.
+/// A case that the kernel of this harness fails, by a counterexample to this property. What it expects is
+/// what the text's watchdog answers.
 #[must_use]
 pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
     let inputs = Inputs(found);
@@ -53,7 +54,7 @@ pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option
         "watchdog/step" => step(&inputs)?,
         _ => return None,
     };
-    let answers = run::<Production>(&events);
+    let answers = reference::run(&events);
     if answers == (harness.trace)(&events) {
         return None;
     }
@@ -170,6 +171,7 @@ impl Inputs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kernel::Production;
     use crate::properties::harness;
 
     #[test]

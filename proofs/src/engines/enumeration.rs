@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use super::native::{Enumerate, Native};
-use super::{Counterexample, Outcome, Verdict};
+use super::{Counterexample, Outcome, Verdict, run_once};
 use crate::properties::{Harness, Property};
 
 /// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
@@ -20,14 +20,14 @@ pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outc
     let mut outcome = Outcome::new(began);
     loop {
         native.again();
-        (harness.enumerate)(&mut native);
+        run_once(harness.enumerate, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
             // Once more, to note what was drawn.
             native.keep = true;
             native.draw.restart();
             native.again();
-            (harness.enumerate)(&mut native);
+            run_once(harness.enumerate, &mut native);
             outcome.verdict = Verdict::Refuted;
             outcome.counterexample = Some(Counterexample {
                 check: check.to_owned(),

@@ -31,6 +31,8 @@ pub struct Native<D> {
     pub reached: BTreeMap<&'static str, u64>,
     /// The first check that failed.
     pub failed: Option<&'static str>,
+    /// What the kernel answered there, and what the text says, where the check compares the two.
+    pub compared: Option<String>,
     /// What was drawn, by name, in order.
     pub drawn: Vec<(String, Drawn)>,
     /// Whether `drawn` is kept.
@@ -56,6 +58,7 @@ impl<D: Draw> Native<D> {
             draw,
             reached: BTreeMap::new(),
             failed: None,
+            compared: None,
             drawn: Vec::new(),
             keep: false,
             is_void: false,
@@ -115,6 +118,15 @@ impl<D: Draw> Prover for Native<D> {
     fn never(&mut self, name: &'static str) {
         self.check(name, false);
         self.reached.remove(name);
+    }
+    fn exactly(&mut self, name: &'static str, answer: bool, says: bool) {
+        let had_failed = self.failed.is_some();
+        self.check(name, answer == says);
+        if self.failed.is_some() && !had_failed {
+            let word = |is| if is { "yes" } else { "no" };
+            let (answer, says) = (word(answer), word(says));
+            self.compared = Some(format!("the text says {says}, the kernel {answer}"));
+        }
     }
     fn truth(&mut self, value: bool) -> bool {
         value

@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use super::native::{Native, Sample};
-use super::{Counterexample, Outcome, Verdict};
+use super::{Counterexample, Outcome, Verdict, run_once};
 use crate::properties::Harness;
 
 /// Runs the harness on so many samples, in sequences of at most this length.
@@ -16,13 +16,13 @@ pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
     for nth in 0..samples {
         native.draw = Sample::new(nth, length);
         native.again();
-        (harness.sample)(&mut native);
+        run_once(harness.sample, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
             native.keep = true;
             native.draw = Sample::new(nth, length);
             native.again();
-            (harness.sample)(&mut native);
+            run_once(harness.sample, &mut native);
             outcome.verdict = Verdict::Refuted;
             outcome.counterexample = Some(Counterexample {
                 check: check.to_owned(),

@@ -3,7 +3,7 @@
 use ncp_spec::safety::kernel::{Decision, Reason, Received, Scalar};
 use ncp_spec::wire::Mode;
 
-use super::geofence::{Ticks, limit_says};
+use super::geofence::{Asked, Ticks, limit_says};
 use super::words::{advances, alive, fresh, hold_takes_effect, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
@@ -47,6 +47,7 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
         dt: None,
         ticks: [Some(still), None, None, None],
         steps: 0,
+        asked: Asked::default(),
         kernel: std::marker::PhantomData,
     };
     let decision = K::gates_govern(&mut gates, &mut plan, now, last, position);
@@ -315,6 +316,7 @@ pub fn sequence<K: Kernel, P: Prover>(p: &mut P) {
             dt: None,
             ticks: [Some(home), None, None, None],
             steps: 0,
+            asked: Asked::default(),
             kernel: std::marker::PhantomData,
         };
         let is_away = position.is_some_and(|_| matches!((mode, last), (Mode::Active, Some(_))))
