@@ -57,9 +57,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = folder.join("mod.rs");
         let id = broken.id;
         writeln!(modules, "#[path = {path:?}]\nmod {id};")?;
+        let numbers = if broken.file == "scalar.rs" {
+            let path = folder.join("scalar.rs");
+            writeln!(modules, "#[path = {path:?}]\nmod {id}_numbers;")?;
+            format!("super::{id}_numbers")
+        } else {
+            "ncp_spec::safety::kernel".to_owned()
+        };
         writeln!(
             modules,
-            "pub mod k_{id} {{ use super::*; crate::kernel::kernel! {{ /// A broken kernel.\nKernel = super::{id} }} }}"
+            "pub mod k_{id} {{ use super::*; crate::kernel::kernel! {{ /// A broken kernel.\nKernel = [super::{id}] [{numbers}] }} }}"
         )?;
         let harness = broken.property.replace('/', "::").replace('-', "_");
         writeln!(

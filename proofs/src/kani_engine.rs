@@ -59,6 +59,7 @@ proofs! {
     latch_plant = "latch/plant", 5;
     latch_sequence = "latch/sequence", 7;
     latch_plant_sequence = "latch/plant-sequence", 7;
+    number_operations = "number/operations", 10;
 }
 
 /// The part of Kani's API that stands above, on samples.
@@ -88,7 +89,7 @@ mod kani {
     }
     impl Arbitrary for usize {
         fn any(sample: &mut Sample) -> Self {
-            sample.choice(16)
+            sample.choice(24)
         }
     }
 

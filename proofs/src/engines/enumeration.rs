@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::native::{Enumerate, Native};
+use super::native::{Enumerate, Native, Source};
 use super::{Counterexample, Outcome, Verdict, run_once};
 use crate::properties::{Harness, Property};
 
@@ -12,22 +12,22 @@ use crate::properties::{Harness, Property};
 pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
     let values = property.enumeration?;
     let began = Instant::now();
-    let mut native = Native::new(Enumerate::new(
+    let mut native = Native::new(Source::Enumerate(Enumerate::new(
         values.scalars,
         values.seqs,
         length.min(values.length),
-    ));
+    )));
     let mut outcome = Outcome::new(began);
     loop {
         native.again();
-        run_once(harness.enumerate, &mut native);
+        run_once(harness.native, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
             // Once more, to note what was drawn.
             native.keep = true;
             native.draw.restart();
             native.again();
-            run_once(harness.enumerate, &mut native);
+            run_once(harness.native, &mut native);
             outcome.verdict = Verdict::Refuted;
             outcome.counterexample = Some(Counterexample {
                 check: check.to_owned(),

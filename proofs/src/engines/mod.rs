@@ -11,7 +11,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use native::{Draw, Drawn, Native, Replay};
+use native::{Draw, Drawn, Native, Replay, Source};
 
 use crate::properties::Harness;
 
@@ -170,7 +170,7 @@ pub fn compared(harness: &Harness, found: &Counterexample, length: usize) -> Opt
             Drawn::Choice(value) => replay.choices.push_back(value),
         }
     }
-    let mut native = Native::new(replay);
-    run_once(harness.replay, &mut native);
-    native.compared
+    let mut native = Native::new(Source::Replay(replay));
+    run_once(harness.native, &mut native);
+    native.compared.filter(|compared| !compared.is_empty())
 }

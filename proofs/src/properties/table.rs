@@ -206,4 +206,16 @@ pub const PROPERTIES: &[Property] = &[
         symbolic_length: 5,
         enumeration: Some(Values { scalars: &[0.0], seqs: &[0, 1, 2], length: 6 }),
     },
+    Property {
+        id: "number/operations",
+        family: Family::Number,
+        rules: &["NCP-RES-002", "NCP-RES-003", "NCP-RES-009", "NCP-RES-023", "NCP-RES-028", "NCP-SAFE-043", "NCP-SAFE-044", "NCP-SAFE-045", "NCP-SAFE-060"],
+        sentence: "The numbers on which production runs the kernel compute what their names say: sums, differences, products, quotients, roots and comparisons of doubles as IEEE 754 has them, the order of seqs, and whole numbers as indices.",
+        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, lt ⇔ a < b, le ⇔ a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = 0",
+        bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges; no engine goes beyond these here, and the machine code's proofs are about all doubles",
+        assumptions: &["What Rust's own operators do is what IEEE 754 says."],
+        unwind: 10,
+        symbolic_length: ALL,
+        enumeration: Some(Values { scalars: &[0.0], seqs: &[0], length: 0 }),
+    },
 ];

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 pub use solver::{Answer, SolverError, Solvers, read_answers, read_values};
 pub use term::{Symbolic, SymbolicScalar, SymbolicSeq};
 
-use super::native::{Drawn, Native, Replay};
+use super::native::{Drawn, Native, Replay, Source};
 use super::{Counterexample, Outcome, Patience, Verdict, enumeration, run_once, said, standin};
 use crate::properties::{Harness, Property};
 use smt::Question;
@@ -364,9 +364,9 @@ fn counterexample(
         choices,
         length,
     });
-    let mut run = Native::new(replay);
+    let mut run = Native::new(Source::Replay(replay));
     run.keep = true;
-    run_once(harness.replay, &mut run);
+    run_once(harness.native, &mut run);
     match run.failed {
         Some(check) => Ok(Counterexample {
             check: check.to_owned(),
