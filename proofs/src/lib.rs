@@ -15,6 +15,8 @@ pub mod engines;
 #[cfg(any(kani, test))]
 mod kani_engine;
 pub mod kernel;
+#[cfg(feature = "mutants")]
+pub mod mutants;
 pub mod properties;
 pub mod prover;
 pub mod reference;

@@ -183,6 +183,7 @@ fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
             }),
             script: root.join("proofs/solve.py"),
             patience: Patience::of(PATIENCE),
+            known: None,
         },
         shown: Mutex::default(),
         root,

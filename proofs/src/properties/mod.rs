@@ -114,7 +114,7 @@ macro_rules! of {
         }
     };
 }
-#[cfg(any(feature = "broken", feature = "mutants"))]
+#[cfg(feature = "broken")]
 pub(crate) use of;
 
 /// The harnesses of a kernel, by the ids of their properties.

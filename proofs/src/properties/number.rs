@@ -96,7 +96,5 @@ pub fn operations<K: Kernel, P: Prover>(p: &mut P) {
     }
     let right = p.truth(is == says);
     p.check("⌊a⌋, at most that many", right);
-    p.explain(&|| {
-        format!("a = {a:?}, at most {most}: the text says {says}, the kernel {is}")
-    });
+    p.explain(&|| format!("a = {a:?}, at most {most}: the text says {says}, the kernel {is}"));
 }
