@@ -39,12 +39,14 @@ pub trait Kernel {
     fn limit<S: Scalar>(value: Option<S>) -> Limit<S>;
     fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool;
     fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool>;
+    fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool;
     fn limit_tick<'a, S: Scalar + 'a>(
         channels: impl Iterator<Item = Channel<'a, S>>,
         max_mps: Limit<S>,
     ) -> Result<bool, Reason>;
 
     fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
+    fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
     fn watchdog_command<S: Scalar, Q: Seq>(
         watchdog: &mut Self::Watchdog<S, Q>,
         now_s: S,
@@ -63,6 +65,7 @@ pub trait Kernel {
     ) -> (Option<Q>, Option<(S, S)>);
 
     fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
+    fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
     fn plant_command<S: Scalar, Q: Seq>(
         plant: &mut Self::Plant<S, Q>,
         mode: Mode,
@@ -155,6 +158,9 @@ macro_rules! kernel {
             fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
                 $($module)+::bring_within(vector, max)
             }
+            fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
+                $($module)+::clamp(vector, max)
+            }
             fn limit_tick<'a, S: Scalar + 'a>(
                 channels: impl Iterator<Item = Channel<'a, S>>,
                 max_mps: Limit<S>,
@@ -163,6 +169,9 @@ macro_rules! kernel {
             }
             fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q> {
                 $($module)+::Watchdog::new()
+            }
+            fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q> {
+                $($module)+::Watchdog::default()
             }
             fn watchdog_command<S: Scalar, Q: Seq>(
                 watchdog: &mut Self::Watchdog<S, Q>,
@@ -197,6 +206,9 @@ macro_rules! kernel {
             }
             fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q> {
                 $($module)+::Plant::new()
+            }
+            fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q> {
+                $($module)+::Plant::default()
             }
             fn plant_command<S: Scalar, Q: Seq>(
                 plant: &mut Self::Plant<S, Q>,

@@ -16,10 +16,9 @@ use ncp_proofs::{report, terminal};
 use serde_json::{Value, json};
 
 const WORKERS: usize = 2;
-/// As many as the proofs of the kernel try.
-const SAMPLES: u64 = 200_000;
-/// And so many when these find nothing.
-const MORE: u64 = 2_000_000;
+/// Samples of a property: at first, and when the enumeration finds nothing.
+const FEW: u64 = 2_000;
+const MANY: u64 = 200_000;
 /// What the solvers may take for one property.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -49,7 +48,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Enumerates, then samples.
+/// Samples, and enumerates.
 fn by_numbers(id: &str, file: &str) -> Value {
     let enumerated = |property: &Property| {
         let harness = harness(id, property.id)?;
@@ -69,9 +68,9 @@ fn by_numbers(id: &str, file: &str) -> Value {
             .filter(|property| !is_number || property.id.starts_with("number/"))
     };
     wanted()
-        .find_map(enumerated)
-        .or_else(|| wanted().find_map(|property| sampled(SAMPLES, property)))
-        .or_else(|| wanted().find_map(|property| sampled(MORE, property)))
+        .find_map(|property| sampled(FEW, property))
+        .or_else(|| wanted().find_map(enumerated))
+        .or_else(|| wanted().find_map(|property| sampled(MANY, property)))
         .unwrap_or_else(|| json!({ "id": id, "said": "no numbers refute it" }))
 }
 

@@ -215,13 +215,17 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
             let good = p.and(none, with_steps);
             p.check("a bad horizon is one", good);
         }
-        Decision::Held(Reason::NotFinite | Reason::NoVelocity) => {
-            let usable = match before.first().copied().flatten() {
+        Decision::Held(Reason::NotFinite) => {
+            let finite = match before.first().copied().flatten() {
                 Some(velocity) => super::words::all_finite(p, &velocity),
-                None => p.truth(false),
+                None => p.truth(true),
             };
-            let bad = p.not(usable);
-            p.check("holds for the velocity only when it cannot be used", bad);
+            let bad = p.not(finite);
+            p.check("holds for a component only when it is not finite", bad);
+        }
+        Decision::Held(Reason::NoVelocity) => {
+            let none = p.truth(before.first().copied().flatten().is_none());
+            p.check("holds for the velocity only when there is none", none);
         }
         Decision::Held(Reason::ConfigFault | Reason::OutsideFence) => {
             let (_, mut faulty) = limit_says(p, Some(radius));
@@ -266,7 +270,7 @@ impl Asked {
     const ENOUGH: u32 = 100;
 
     /// Whether this question is still answered.
-    fn again(&self) -> bool {
+    pub(super) fn again(&self) -> bool {
         self.0.set(self.0.get() + 1);
         assert!(self.0.get() < 100 * Self::ENOUGH, "the kernel does not end");
         self.0.get() <= Self::ENOUGH

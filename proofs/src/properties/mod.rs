@@ -182,5 +182,6 @@ harnesses! {
     "latch/plant" => latch::plant,
     "latch/sequence" => latch::sequence,
     "latch/plant-sequence" => latch::plant_sequence,
+    "latch/horizon" => latch::horizon,
     "number/operations" => number::operations,
 }
