@@ -92,4 +92,17 @@ pub const BROKEN: &[Broken] = &[
     broken("latch_plant_past_the_end", "plant.rs", "if tick > steps {", "if tick >= steps {", "latch/plant"),
     broken("latch_plant_replays", "plant.rs", "floor_index(steps + 1)", "floor_index(steps + 0)", "latch/plant"),
     broken("latch_plant_tick_times", "plant.rs", "age_ms(now_s, received_s).div(dt_ms)", "age_ms(now_s, received_s).mul(dt_ms)", "latch/plant"),
+    broken("latch_horizon_unsaid", "gates.rs", "limited |= changed", "limited &= changed", "latch/horizon"),
+    broken("latch_horizon_step_kept", "gates.rs", "plan.truncate(step);", "plan.truncate(step + 1);", "latch/horizon"),
+    broken("latch_horizon_wrong_tick", "gates.rs", "plan.limit(step + 1, max_mps)", "plan.limit(step + 0, max_mps)", "latch/horizon"),
+    broken("clamp_says_no", "speed.rs", "bring_within(vector, max).is_some()", "bring_within(vector, max).is_none()", "clamp/bound"),
+
+    broken("number_difference", "scalar.rs", "self + other", "self - other", "number/operations"),
+    broken("number_quotient", "scalar.rs", "self / other", "self * other", "number/operations"),
+    broken("number_no_root", "scalar.rs", "Self::sqrt(self)", "Self::cbrt(self)", "number/operations"),
+    broken("number_at_most", "scalar.rs", "self <= other", "self < other", "number/operations"),
+    broken("number_infinite", "scalar.rs", "Self::is_finite(self)", "Self::is_infinite(self)", "number/operations"),
+    broken("number_rounded_up", "scalar.rs", "self.floor()", "self.ceil()", "number/operations"),
+    broken("number_no_end", "scalar.rs", "index.min(most)", "index.max(most)", "number/operations"),
+    broken("number_not_zero", "scalar.rs", "self == 0", "self != 0", "number/operations"),
 ];

@@ -65,6 +65,10 @@ def main():
         proved = {p.id: pool.submit(prove_here, p.id) for p in queue}
         refuted = [pool.submit(refute_here, defect) for defect in defects]
         results = [proved[p.id].result() for p in wanted]
+        if any(result["result"] == "refuted" for result in results):
+            print("the kernel is refuted: the broken kernels would mean nothing and are left out")
+            pool.shutdown(cancel_futures=True)
+            refuted = []
         refuted = [future.result() for future in refuted]
     report = {
         "engine": "machine code",

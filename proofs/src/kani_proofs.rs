@@ -19,6 +19,8 @@ crate::kani_proofs! {
     latch_plant = "latch/plant", 5;
     latch_sequence = "latch/sequence", 7;
     latch_plant_sequence = "latch/plant-sequence", 7;
+    latch_horizon = "latch/horizon", 6;
+    number_operations = "number/operations", 10;
 }
 
 #[cfg(test)]

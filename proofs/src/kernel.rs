@@ -3,12 +3,33 @@
 use ncp_spec::safety::kernel::{Channel, Decision, Limit, Plan, Reason, Received, Scalar, Seq};
 use ncp_spec::wire::Mode;
 
+/// The operations of the numbers on which production runs the kernel.
+#[allow(missing_docs, reason = "each is the operation of that name")]
+#[derive(Debug, Clone, Copy)]
+pub struct Numbers {
+    pub constant: fn(f64) -> f64,
+    pub add: fn(f64, f64) -> f64,
+    pub sub: fn(f64, f64) -> f64,
+    pub mul: fn(f64, f64) -> f64,
+    pub div: fn(f64, f64) -> f64,
+    pub sqrt: fn(f64) -> f64,
+    pub abs: fn(f64) -> f64,
+    pub lt: fn(f64, f64) -> bool,
+    pub le: fn(f64, f64) -> bool,
+    pub is_finite: fn(f64) -> bool,
+    pub floor_index: fn(f64, usize) -> usize,
+    pub seq_is_zero: fn(i64) -> bool,
+    pub seq_lt: fn(i64, i64) -> bool,
+}
+
 /// Everything that the kernel decides.
 #[allow(missing_docs, reason = "each function is that of the kernel")]
 pub trait Kernel {
     type Watchdog<S: Scalar, Q: Seq>: Copy;
     type Plant<S: Scalar, Q: Seq>: Copy;
     type Gates<S: Scalar>: Copy;
+
+    fn numbers() -> Numbers;
 
     fn enforced_ttl_ms<S: Scalar>(ttl_ms: S) -> Option<S>;
     fn within_deadline<S: Scalar>(now_s: S, received_s: S, ttl_ms: S) -> bool;
@@ -18,12 +39,14 @@ pub trait Kernel {
     fn limit<S: Scalar>(value: Option<S>) -> Limit<S>;
     fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool;
     fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool>;
+    fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool;
     fn limit_tick<'a, S: Scalar + 'a>(
         channels: impl Iterator<Item = Channel<'a, S>>,
         max_mps: Limit<S>,
     ) -> Result<bool, Reason>;
 
     fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
+    fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
     fn watchdog_command<S: Scalar, Q: Seq>(
         watchdog: &mut Self::Watchdog<S, Q>,
         now_s: S,
@@ -42,6 +65,7 @@ pub trait Kernel {
     ) -> (Option<Q>, Option<(S, S)>);
 
     fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
+    fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
     fn plant_command<S: Scalar, Q: Seq>(
         plant: &mut Self::Plant<S, Q>,
         mode: Mode,
@@ -79,9 +103,9 @@ pub trait Kernel {
     fn gates_has_config_fault<S: Scalar>(gates: &Self::Gates<S>) -> bool;
 }
 
-/// Makes a [`Kernel`] of a module that has the kernel's functions.
+/// Makes a [`Kernel`] of a module that has the kernel's functions, and of one that has its numbers.
 macro_rules! kernel {
-    ($(#[$doc:meta])* $name:ident = $($module:tt)+) => {
+    ($(#[$doc:meta])* $name:ident = [$($module:tt)+] [$($numbers:tt)+]) => {
         $(#[$doc])*
         #[derive(Debug)]
         pub struct $name;
@@ -90,6 +114,25 @@ macro_rules! kernel {
             type Watchdog<S: Scalar, Q: Seq> = $($module)+::Watchdog<S, Q>;
             type Plant<S: Scalar, Q: Seq> = $($module)+::Plant<S, Q>;
             type Gates<S: Scalar> = $($module)+::Gates<S>;
+
+            fn numbers() -> $crate::kernel::Numbers {
+                use $($numbers)+ as numbers;
+                $crate::kernel::Numbers {
+                    constant: <f64 as numbers::Scalar>::constant,
+                    add: <f64 as numbers::Scalar>::add,
+                    sub: <f64 as numbers::Scalar>::sub,
+                    mul: <f64 as numbers::Scalar>::mul,
+                    div: <f64 as numbers::Scalar>::div,
+                    sqrt: <f64 as numbers::Scalar>::sqrt,
+                    abs: <f64 as numbers::Scalar>::abs,
+                    lt: <f64 as numbers::Scalar>::lt,
+                    le: <f64 as numbers::Scalar>::le,
+                    is_finite: <f64 as numbers::Scalar>::is_finite,
+                    floor_index: <f64 as numbers::Scalar>::floor_index,
+                    seq_is_zero: <i64 as numbers::Seq>::is_zero,
+                    seq_lt: <i64 as numbers::Seq>::lt,
+                }
+            }
 
             fn enforced_ttl_ms<S: Scalar>(ttl_ms: S) -> Option<S> {
                 $($module)+::enforced_ttl_ms(ttl_ms)
@@ -115,6 +158,9 @@ macro_rules! kernel {
             fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
                 $($module)+::bring_within(vector, max)
             }
+            fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
+                $($module)+::clamp(vector, max)
+            }
             fn limit_tick<'a, S: Scalar + 'a>(
                 channels: impl Iterator<Item = Channel<'a, S>>,
                 max_mps: Limit<S>,
@@ -123,6 +169,9 @@ macro_rules! kernel {
             }
             fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q> {
                 $($module)+::Watchdog::new()
+            }
+            fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q> {
+                $($module)+::Watchdog::default()
             }
             fn watchdog_command<S: Scalar, Q: Seq>(
                 watchdog: &mut Self::Watchdog<S, Q>,
@@ -157,6 +206,9 @@ macro_rules! kernel {
             }
             fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q> {
                 $($module)+::Plant::new()
+            }
+            fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q> {
+                $($module)+::Plant::default()
             }
             fn plant_command<S: Scalar, Q: Seq>(
                 plant: &mut Self::Plant<S, Q>,
@@ -227,10 +279,10 @@ macro_rules! kernel {
         }
     };
 }
-#[cfg(feature = "broken")]
+#[cfg(any(feature = "broken", feature = "mutants"))]
 pub(crate) use kernel;
 
 kernel! {
     /// The kernel that production runs.
-    Production = ncp_spec::safety::kernel
+    Production = [ncp_spec::safety::kernel] [ncp_spec::safety::kernel]
 }

@@ -17,8 +17,12 @@ pub mod kani_engine;
 #[cfg(any(kani, test))]
 mod kani_proofs;
 pub mod kernel;
+#[cfg(feature = "mutants")]
+pub mod mutants;
 pub mod page;
 pub mod properties;
 pub mod prover;
+pub mod reference;
 pub mod report;
+pub mod terminal;
 pub mod vector;

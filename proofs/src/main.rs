@@ -1,25 +1,28 @@
 //! `ncp-prove`: holds the kernel against its properties, and the engines against broken kernels.
 #![forbid(unsafe_code)]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard};
 use std::thread;
+use std::time::Duration;
 
 use ncp_proofs::broken::{self, Broken};
 use ncp_proofs::engines::symbolic::{self, Solvers};
-use ncp_proofs::engines::{Counterexample, enumeration, standin};
+use ncp_proofs::engines::{
+    Counterexample, Outcome, Patience, Verdict, compared, enumeration, standin,
+};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Harness, PROPERTIES, Property, harness};
-use ncp_proofs::{digest, document, page, report};
+use ncp_proofs::{digest, document, page, report, terminal};
 use serde_json::{Value, json};
 
 const USAGE: &str = "\
-Usage: ncp-prove [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
+Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
        ncp-prove --render     # reports/proofs.{md,html} from reports/proofs.json
 ";
 
@@ -38,8 +41,10 @@ type Refutation = Result<Value, String>;
 enum How {
     /// It runs here.
     Here {
-        prove: fn(&Property, &Harness, &Place) -> Option<Value>,
-        refute: fn(&Property, &Harness, &Place, &Broken) -> Option<Refutation>,
+        /// Whether it takes a moment only, and so has its word before the others.
+        is_quick: bool,
+        prove: fn(&Property, &Harness, &Place) -> Option<Outcome>,
+        refute: fn(&Property, &Harness, &Place, &str) -> Option<Refutation>,
     },
     /// Another program has left its results in a file of `.tools`; it is not run here if there is none.
     Elsewhere(&'static str),
@@ -52,12 +57,22 @@ const ENGINES: &[Engine] = &[
         version: "bitwuzla, cross-checked by z3",
         about: "Exhaustive: all paths of the kernel's own code over symbolic doubles and seqs.",
         how: How::Here {
+            is_quick: false,
             prove: |property, harness, place| {
-                let outcome = symbolic::prove(property, harness, &place.solvers, &place.evidence);
-                Some(report::outcome(property.id, harness, &outcome))
+                let mut outcome =
+                    symbolic::prove(property, harness, &place.solvers, &place.evidence);
+                if outcome.verdict == Verdict::Failed && !place.solvers.patience.is_over() {
+                    // No proof, and no counterexample of the solver's: perhaps samples have one.
+                    let wide = standin::run(harness, 100 * SAMPLES, property.symbolic_length);
+                    if let Some(found) = wide.counterexample {
+                        outcome.verdict = Verdict::Refuted;
+                        outcome.counterexample = Some(found);
+                    }
+                }
+                Some(outcome)
             },
-            refute: |property, harness, place, broken| {
-                let draft = place.drafts.join(format!("{}.smt2", broken.id));
+            refute: |property, harness, place, id| {
+                let draft = place.drafts.join(format!("{id}.smt2"));
                 let found = symbolic::refute(property, harness, &place.solvers, &draft);
                 Some(found.and_then(|found| {
                     let (found, origin) = found.unzip();
@@ -73,10 +88,8 @@ const ENGINES: &[Engine] = &[
         version: env!("CARGO_PKG_VERSION"),
         about: "Exhaustive over finite sets: every combination of the values that the property lists, as doubles.",
         how: How::Here {
-            prove: |property, harness, _| {
-                let outcome = enumeration::run(property, harness, usize::MAX)?;
-                Some(report::outcome(property.id, harness, &outcome))
-            },
+            is_quick: true,
+            prove: |property, harness, _| enumeration::run(property, harness, usize::MAX),
             refute: |property, harness, _, _| {
                 let outcome = enumeration::run(property, harness, usize::MAX)?;
                 Some(counterexample(property, harness, outcome.counterexample))
@@ -106,10 +119,8 @@ const ENGINES: &[Engine] = &[
         version: env!("CARGO_PKG_VERSION"),
         about: "The harnesses of Kani on edges and samples. It proves nothing.",
         how: How::Here {
-            prove: |property, harness, _| {
-                let outcome = standin::run(harness, SAMPLES, usize::MAX);
-                Some(report::outcome(property.id, harness, &outcome))
-            },
+            is_quick: true,
+            prove: |_, harness, _| Some(standin::run(harness, 10 * SAMPLES, usize::MAX)),
             refute: |property, harness, _, _| {
                 let outcome = standin::run(harness, 100 * SAMPLES, usize::MAX);
                 Some(counterexample(property, harness, outcome.counterexample))
@@ -127,6 +138,11 @@ const ENGINES: &[Engine] = &[
 const SAMPLES: u64 = 20_000;
 /// How many properties or broken kernels are at work at a time.
 const WORKERS: usize = 2;
+/// How long all proofs of the kernel may take together. A kernel that was changed may have far more paths, or
+/// questions that no solver answers.
+const PATIENCE: Duration = Duration::from_secs(600);
+/// What is found out about the kernel before the slower part of the command.
+const KERNEL: &str = ".tools/proofs-kernel.json";
 
 /// Where things are.
 struct Place {
@@ -134,13 +150,19 @@ struct Place {
     evidence: PathBuf,
     drafts: PathBuf,
     solvers: Solvers,
+    /// The properties whose counterexample was shown.
+    shown: Mutex<BTreeSet<&'static str>>,
 }
 
-/// Something to do: an engine on a property, or on a broken kernel.
-#[derive(Clone, Copy)]
-enum Job {
-    Prove(&'static Engine, &'static Property),
-    Refute(&'static Engine, &'static Broken),
+/// What part of the work is done.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    /// All of it.
+    Whole,
+    /// The kernel only; nothing is said where it is proved.
+    Kernel,
+    /// What comes after that.
+    Rest,
 }
 
 fn main() -> ExitCode {
@@ -170,8 +192,11 @@ fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
             } else {
                 "bin"
             }),
-            script: root.join("proofs/solve.py"),
+            script: root.join("proofs/evidence/solve.py"),
+            patience: Patience::of(PATIENCE),
+            known: None,
         },
+        shown: Mutex::default(),
         root,
     };
     if args == ["--render"] {
@@ -179,21 +204,55 @@ fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
         render(&place, &serde_json::from_str(&text)?)?;
         return Ok(true);
     }
-    let mut names = Vec::new();
+    let (mut names, mut stage) = (Vec::new(), Stage::Whole);
     for pair in args.chunks(2) {
         match pair {
             ["--engine", name] if ENGINES.iter().any(|engine| engine.name == *name) => {
                 names.push(*name);
             }
+            ["--stage", "kernel"] => stage = Stage::Kernel,
+            ["--stage", "rest"] => stage = Stage::Rest,
             _ => return Err(USAGE.into()),
         }
     }
-    prove(&place, &names)
+    prove(&place, &names, stage)
 }
 
-fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
+/// What the engines say of the kernel: their results by their names, in the order of the properties.
+type Results = BTreeMap<String, Vec<Value>>;
+
+fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Error>> {
     let now = digest::of(&place.root)?;
     fs::create_dir_all(&place.drafts)?;
+    let wanted: Vec<&Engine> = ENGINES
+        .iter()
+        .filter(|engine| names.is_empty() || names.contains(&engine.name))
+        .collect();
+    let kernel = match stage {
+        Stage::Rest => found_before(place, &now)?,
+        Stage::Whole | Stage::Kernel => hold_kernel(place, &wanted)?,
+    };
+    let mut refuted = refuted(&kernel);
+    if stage == Stage::Kernel && refuted.is_empty() {
+        let found = json!({ "digest": now, "results": kernel });
+        fs::write(place.root.join(KERNEL), found.to_string())?;
+        return Ok(true);
+    }
+
+    let mut left: BTreeMap<&str, Value> = BTreeMap::new();
+    for engine in &wanted {
+        if let How::Elsewhere(file) = engine.how {
+            let result = report::elsewhere(head(engine), &place.root.join(file));
+            refuted.extend(refuted_elsewhere(engine, &result));
+            left.insert(engine.name, result);
+        }
+    }
+    let mut broken = if refuted.is_empty() && broken::IS_BUILT {
+        refute_broken(place, &wanted)?
+    } else {
+        Results::new()
+    };
+
     let file = place.root.join("reports/proofs.json");
     // What other engines found out about the same sources stays.
     let before: Value = fs::read_to_string(&file)
@@ -201,30 +260,17 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
         .and_then(|text| serde_json::from_str(&text).ok())
         .filter(|report: &Value| report["digest"] == now.as_str())
         .unwrap_or_default();
-    let is_wanted = |engine: &Engine| names.is_empty() || names.contains(&engine.name);
-
-    let wanted = || ENGINES.iter().filter(|engine| is_wanted(engine));
-    let here = || wanted().filter(|engine| matches!(engine.how, How::Here { .. }));
-    // The longest first.
-    let proofs = here().flat_map(|engine| PROPERTIES.iter().map(move |p| Job::Prove(engine, p)));
-    let refutations =
-        here().flat_map(|engine| broken::BROKEN.iter().map(move |b| Job::Refute(engine, b)));
-    let jobs: Vec<Job> = proofs.chain(refutations).collect();
-    let mut done = work(place, &jobs)?;
-
     let mut engines = Vec::new();
     for engine in ENGINES {
-        let head = json!({ "name": engine.name, "version": engine.version, "about": engine.about });
-        if !is_wanted(engine) {
+        if !wanted.iter().any(|wanted| wanted.name == engine.name) {
             let old = before["engines"].as_array().into_iter().flatten();
             engines.extend(old.filter(|old| old["name"] == engine.name).cloned());
-        } else if let How::Elsewhere(file) = engine.how {
-            engines.push(report::elsewhere(head, &place.root.join(file)));
+        } else if let Some(result) = left.remove(engine.name) {
+            engines.push(result);
         } else {
-            let (results, broken) = done.remove(engine.name).unwrap_or_default();
-            let mut whole = head;
-            whole["results"] = results.into();
-            whole["broken"] = broken.into();
+            let mut whole = head(engine);
+            whole["results"] = kernel.get(engine.name).cloned().unwrap_or_default().into();
+            whole["broken"] = broken.remove(engine.name).unwrap_or_default().into();
             engines.push(whole);
         }
     }
@@ -235,7 +281,21 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
     let mut report = json!({
         "format": 2, "digest": now, "properties": report::properties(), "engines": engines, "run": run,
     });
-    let problems = report::problems(&report);
+    let mut problems: Vec<String> = broken::missing();
+    if refuted.is_empty() {
+        problems.extend(report::problems(&report));
+        if !broken::IS_BUILT {
+            problems.push("the broken kernels are not part of this build".to_owned());
+        }
+    } else {
+        problems.splice(0..0, refuted.iter().map(|(_, problem)| problem.clone()));
+        problems.push(
+            terminal::SKIPPED
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" "),
+        );
+    }
     for problem in &problems {
         println!("PROBLEM: {problem}");
     }
@@ -243,7 +303,196 @@ fn prove(place: &Place, names: &[&str]) -> Result<bool, Box<dyn Error>> {
     fs::create_dir_all(place.root.join("reports"))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
     render(place, &report)?;
+    if !refuted.is_empty() {
+        let mut ids: Vec<String> = refuted.into_iter().map(|(id, _)| id).collect();
+        ids.sort();
+        ids.dedup();
+        println!("{}", terminal::summary(&ids));
+    }
     Ok(problems.is_empty())
+}
+
+fn head(engine: &Engine) -> Value {
+    json!({ "name": engine.name, "version": engine.version, "about": engine.about })
+}
+
+/// The refuted properties, each with the problem that it is.
+fn refuted(kernel: &Results) -> Vec<(String, String)> {
+    let mut refuted = Vec::new();
+    for (engine, results) in kernel {
+        for result in results
+            .iter()
+            .filter(|result| result["verdict"] == "refuted")
+        {
+            let id = result["property"].as_str().unwrap_or_default();
+            let problem = terminal::problem(engine, id, &result["counterexample"]);
+            refuted.push((id.to_owned(), problem));
+        }
+    }
+    refuted
+}
+
+/// What another program has refuted.
+fn refuted_elsewhere(engine: &Engine, left: &Value) -> Vec<(String, String)> {
+    let results = left["results"].as_array().into_iter().flatten();
+    let refuted = results.filter(|result| result["verdict"] == "refuted");
+    refuted
+        .map(|result| {
+            let id = result["property"].as_str().unwrap_or_default();
+            let (name, detail) = (engine.name, &result["counterexample"]);
+            (
+                id.to_owned(),
+                format!("{id} is refuted by {name}: {detail}"),
+            )
+        })
+        .collect()
+}
+
+/// What the first part of the command found out.
+fn found_before(place: &Place, digest: &str) -> Result<Results, Box<dyn Error>> {
+    let file = place.root.join(KERNEL);
+    let text = fs::read_to_string(&file).map_err(|error| format!("{KERNEL}: {error}"))?;
+    let found: Value = serde_json::from_str(&text)?;
+    if found["digest"] != digest {
+        return Err(format!("{KERNEL} is about other sources").into());
+    }
+    Ok(serde_json::from_value(found["results"].clone())?)
+}
+
+/// Holds the kernel against all properties: by the quick engines first, and by the others if none of these has
+/// refuted it.
+fn hold_kernel(place: &Place, engines: &[&Engine]) -> Result<Results, Box<dyn Error>> {
+    let mut results = Results::new();
+    for quick in [true, false] {
+        let mut jobs = Vec::new();
+        for engine in engines {
+            if let How::Here { is_quick, .. } = engine.how
+                && is_quick == quick
+            {
+                jobs.extend(PROPERTIES.iter().map(|property| (*engine, property)));
+            }
+        }
+        let bad: BTreeSet<String> = refuted(&results).into_iter().map(|(id, _)| id).collect();
+        if !bad.is_empty() {
+            jobs.retain(|(_, property)| bad.contains(property.id));
+        }
+        let answers = parallel(jobs.len(), |nth| {
+            let (engine, property) = jobs.get(nth)?;
+            hold(place, engine, property, !bad.is_empty()).transpose()
+        });
+        for (answer, (engine, _)) in answers.into_iter().zip(&jobs) {
+            if let Some(answer) = answer {
+                let results = results.entry(engine.name.to_owned()).or_default();
+                results.push(answer?);
+            }
+        }
+    }
+    Ok(results)
+}
+
+/// Holds the kernel against one property; nothing where the engine does not cover it. A refuted one is only
+/// confirmed.
+fn hold(
+    place: &Place,
+    engine: &Engine,
+    property: &'static Property,
+    is_refuted: bool,
+) -> Result<Option<Value>, String> {
+    let How::Here {
+        is_quick,
+        prove,
+        refute,
+    } = engine.how
+    else {
+        return Ok(None);
+    };
+    let harness = harness::<Production>(property.id)
+        .ok_or_else(|| format!("{} has no harness", property.id))?;
+    if is_refuted {
+        let word = match refute(property, &harness, place, "kernel") {
+            Some(Ok(_)) => "refutes it, too",
+            Some(Err(_)) | None => "finds no counterexample of its own",
+        };
+        println!("{:14} {:32} {word}", engine.name, property.id);
+        return Ok(None);
+    }
+    if place.solvers.patience.is_over() {
+        return Ok(None);
+    }
+    let Some(outcome) = prove(property, &harness, place) else {
+        return Ok(None);
+    };
+    if outcome.verdict == Verdict::Failed && place.solvers.patience.is_over() {
+        return Ok(None);
+    }
+    let mut answer = report::outcome(property.id, &harness, &outcome);
+    let verdict = outcome.verdict.as_str();
+    let (name, id, detail) = (engine.name, property.id, &outcome.detail);
+    println!("{name:14} {id:32} {verdict} {detail}");
+    if let Some(found) = &outcome.counterexample {
+        let compared = compared(&harness, found, usize::MAX);
+        let found = terminal::with_compared(answer["counterexample"].take(), compared);
+        // One counterexample of a property is enough to read.
+        let is_new = |mut shown: MutexGuard<'_, BTreeSet<_>>| shown.insert(property.id);
+        if place.shown.lock().is_ok_and(is_new) {
+            println!("{}", terminal::refutation(engine.name, property, &found));
+        }
+        answer["counterexample"] = found;
+    }
+    if outcome.verdict == Verdict::Refuted && !is_quick {
+        place.solvers.patience.end();
+    }
+    Ok(Some(answer))
+}
+
+/// Refutes the broken kernels.
+fn refute_broken(place: &Place, engines: &[&Engine]) -> Result<Results, Box<dyn Error>> {
+    let jobs: Vec<(&Engine, &Broken)> = engines
+        .iter()
+        .flat_map(|engine| broken::BROKEN.iter().map(move |broken| (*engine, broken)))
+        .filter(|(_, broken)| broken::MISSING.iter().all(|(id, _)| *id != broken.id))
+        .collect();
+    let answers = parallel(jobs.len(), |nth| {
+        let (engine, broken) = jobs.get(nth)?;
+        refute_one(place, engine, broken).transpose()
+    });
+    let mut results = Results::new();
+    for (answer, (engine, _)) in answers.into_iter().zip(&jobs) {
+        if let Some(answer) = answer {
+            let results = results.entry(engine.name.to_owned()).or_default();
+            results.push(answer?);
+        }
+    }
+    Ok(results)
+}
+
+/// Refutes one broken kernel; nothing where the engine does not cover the property.
+fn refute_one(place: &Place, engine: &Engine, broken: &Broken) -> Result<Option<Value>, String> {
+    let How::Here { refute, .. } = engine.how else {
+        return Ok(None);
+    };
+    let property = PROPERTIES.iter().find(|p| p.id == broken.property);
+    let (Some(property), Some(harness)) = (property, broken::harness(broken.id)) else {
+        return Err(format!("{} has no harness", broken.id));
+    };
+    let Some(answer) = refute(property, &harness, place, broken.id) else {
+        return Ok(None);
+    };
+    let mut entry = json!({
+        "id": broken.id, "property": broken.property, "family": property.family.as_str(),
+        "file": broken.file, "from": broken.from, "to": broken.to,
+    });
+    match answer {
+        Ok(found) => {
+            println!("{:14} {:32} refuted by {found}", engine.name, broken.id);
+            entry["counterexample"] = found;
+        }
+        Err(why) => {
+            println!("{:14} {:32} NOT REFUTED: {why}", engine.name, broken.id);
+            entry["missed"] = json!(why);
+        }
+    }
+    Ok(Some(entry))
 }
 
 fn render(place: &Place, report: &Value) -> Result<(), Box<dyn Error>> {
@@ -254,87 +503,29 @@ fn render(place: &Place, report: &Value) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Results and refutations of each engine, in the order of the tables.
-type Done = BTreeMap<&'static str, (Vec<Value>, Vec<Value>)>;
-
-/// Does all jobs, some at a time.
-fn work(place: &Place, jobs: &[Job]) -> Result<Done, Box<dyn Error>> {
+/// Does so many things, some at a time; the answers in their order.
+fn parallel<T: Send>(count: usize, job: impl Fn(usize) -> Option<T> + Sync) -> Vec<Option<T>> {
     let next = AtomicUsize::new(0);
-    let answers: Mutex<BTreeMap<usize, Result<Option<Value>, String>>> = Mutex::default();
+    let answers: Mutex<BTreeMap<usize, T>> = Mutex::default();
     thread::scope(|scope| {
         for _ in 0..WORKERS {
             scope.spawn(|| {
                 loop {
                     let nth = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(job) = jobs.get(nth) else { break };
-                    let answer = job.run(place);
-                    let Ok(mut answers) = answers.lock() else {
+                    if nth >= count {
                         break;
-                    };
-                    answers.insert(nth, answer);
+                    }
+                    if let Some(answer) = job(nth)
+                        && let Ok(mut answers) = answers.lock()
+                    {
+                        answers.insert(nth, answer);
+                    }
                 }
             });
         }
     });
-    let mut done = Done::new();
-    for (nth, answer) in answers.into_inner()? {
-        let (Some(job), Some(answer)) = (jobs.get(nth), answer?) else {
-            continue;
-        };
-        match job {
-            Job::Prove(engine, _) => done.entry(engine.name).or_default().0.push(answer),
-            Job::Refute(engine, _) => done.entry(engine.name).or_default().1.push(answer),
-        }
-    }
-    Ok(done)
-}
-
-impl Job {
-    /// What came of it; nothing where the engine does not cover the property.
-    fn run(self, place: &Place) -> Result<Option<Value>, String> {
-        match self {
-            Self::Prove(engine, property) => {
-                let How::Here { prove, .. } = engine.how else {
-                    return Ok(None);
-                };
-                let harness = harness::<Production>(property.id)
-                    .ok_or_else(|| format!("{} has no harness", property.id))?;
-                let answer = prove(property, &harness, place);
-                if let Some(answer) = &answer {
-                    let verdict = &answer["verdict"];
-                    println!("{:14} {:32} {verdict}", engine.name, property.id);
-                }
-                Ok(answer)
-            }
-            Self::Refute(engine, broken) => {
-                let How::Here { refute, .. } = engine.how else {
-                    return Ok(None);
-                };
-                let property = PROPERTIES.iter().find(|p| p.id == broken.property);
-                let (Some(property), Some(harness)) = (property, broken::harness(broken.id)) else {
-                    return Err(format!("{} has no harness", broken.id));
-                };
-                let Some(answer) = refute(property, &harness, place, broken) else {
-                    return Ok(None);
-                };
-                let mut entry = json!({
-                    "id": broken.id, "property": broken.property, "family": property.family.as_str(),
-                    "file": broken.file, "from": broken.from, "to": broken.to,
-                });
-                match answer {
-                    Ok(found) => {
-                        println!("{:14} {:32} refuted by {found}", engine.name, broken.id);
-                        entry["counterexample"] = found;
-                    }
-                    Err(why) => {
-                        println!("{:14} {:32} NOT REFUTED: {why}", engine.name, broken.id);
-                        entry["missed"] = json!(why);
-                    }
-                }
-                Ok(Some(entry))
-            }
-        }
-    }
+    let mut answers = answers.into_inner().unwrap_or_default();
+    (0..count).map(|nth| answers.remove(&nth)).collect()
 }
 
 fn counterexample(

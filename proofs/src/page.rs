@@ -51,7 +51,7 @@ pub fn document(report: &Value) -> Vec<Block> {
     blocks.push(heading(2, "repeat", "Repeat it"));
     blocks.push(text("All of it, from the root of the repository: `cargo xtask prove`; one engine: `cargo xtask prove --engine symbolic`. One file of obligations, with a stock solver; every line of the answer has to be `unsat`, as many as the head of the file says:"));
     blocks.push(Block::Code(
-        "python3 -m venv venv && venv/bin/pip install bitwuzla==0.9.1 z3-solver==5.4.0.0\nvenv/bin/python proofs/solve.py proofs/evidence/watchdog/deadline/001.smt2\nvenv/bin/z3 proofs/evidence/watchdog/deadline/001.smt2\nbitwuzla proofs/evidence/watchdog/deadline/001.smt2     # where bitwuzla's own program is installed".to_owned(),
+        "python3 -m venv venv && venv/bin/pip install bitwuzla==0.9.1 z3-solver==5.4.0.0\nvenv/bin/python proofs/evidence/solve.py proofs/evidence/watchdog/deadline/001.smt2\nvenv/bin/z3 proofs/evidence/watchdog/deadline/001.smt2\nbitwuzla proofs/evidence/watchdog/deadline/001.smt2     # where bitwuzla's own program is installed".to_owned(),
     ));
     blocks.push(text("The engine of the machine code leaves no files. It writes its obligations, of one property or of all, for any solver with floating point:"));
     blocks.push(Block::Code(

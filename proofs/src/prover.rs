@@ -35,6 +35,9 @@ pub trait Prover {
         self.check(name, no);
     }
 
+    /// What is to be said of the check before, should it have failed.
+    fn explain(&mut self, _what: &dyn Fn() -> String) {}
+
     /// A formula that is true or false.
     fn truth(&mut self, value: bool) -> Self::B;
     /// ¬a

@@ -8,8 +8,9 @@ use ncp_spec::wire::Mode;
 use serde_json::{Value, json};
 
 use crate::engines::{Counterexample, native::Drawn};
-use crate::kernel::{Kernel, Production};
+use crate::kernel::Kernel;
 use crate::properties::Harness;
+use crate::reference;
 
 /// A number as vectors spell it.
 #[must_use]
@@ -36,8 +37,8 @@ fn mode(nth: usize) -> Option<Mode> {
     modes.into_iter().nth(nth)
 }
 
-/// A case that the broken kernel of this harness fails, by a counterexample to this property. What it expects is
-/// what the kernel of production answers.
+/// A case that the kernel of this harness fails, by a counterexample to this property. What it expects is
+/// what the text's watchdog, or the specification's governor or buffer, answers.
 #[must_use]
 pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
     try_case(property, harness, found).ok()
@@ -124,7 +125,7 @@ fn watched(property: &str, harness: &Harness, found: &Counterexample) -> Option<
         "watchdog/step" => step(&inputs)?,
         _ => return None,
     };
-    let answers = run::<Production>(&events);
+    let answers = reference::run(&events);
     if answers == (harness.trace)(&events) {
         return None;
     }
@@ -261,14 +262,15 @@ impl Inputs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engines::native::{Native, Sample};
+    use crate::engines::native::{Native, Sample, Source};
+    use crate::kernel::Production;
     use crate::properties::harness;
 
     /// Inputs of a harness, as if they were a counterexample.
     pub(super) fn sampled(harness: &Harness, seed: u64) -> Counterexample {
-        let mut native = Native::new(Sample::new(seed, usize::MAX));
+        let mut native = Native::new(Source::Sample(Sample::new(seed, usize::MAX)));
         native.keep = true;
-        (harness.sample)(&mut native);
+        (harness.native)(&mut native);
         Counterexample {
             check: String::new(),
             inputs: native.drawn,

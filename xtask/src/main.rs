@@ -6,6 +6,7 @@
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `fuzz`: builds the fuzz targets, runs them, and measures what they reach.
+//! - `mutate`: changes one token of the kernel at a time, and asks whether the proofs notice.
 //! - `prove`: the proofs, and whether their report is fresh.
 //! - `count`: finds the number of tests in what a test program printed.
 
@@ -15,6 +16,7 @@ mod checks;
 mod count;
 mod fuzz;
 mod generate;
+mod mutate;
 mod project;
 mod prove;
 mod setup;
@@ -41,6 +43,9 @@ Commands:
                           --replay, --planted, --coverage, --minimise
   prove [--engine <name>]…
                           Prove the kernel anew, and write reports/proofs.{json,md,html}
+  prove --mutate <N> [--seed <S>]
+                          Change one token of the kernel, N times, and hold each changed one against the
+                          properties; writes reports/mutations.{json,md}
   setup                   Only set up what the checks need, into ignored folders; valgrind, Chromium
 ";
 
@@ -81,6 +86,7 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["generate"] => generate::write(&project),
         ["generate", "--check"] => generate::report_stale(&project),
         ["fuzz", options @ ..] => fuzz::run(&project, options),
+        ["prove", options @ ..] if options.contains(&"--mutate") => mutate::run(&project, options),
         ["prove", engines @ ..] => prove::run(&project, engines),
         ["setup"] => setup::all(&project),
         _ => Err(Error::Usage {
@@ -100,6 +106,8 @@ enum Error {
     Setup(#[from] setup::SetupError),
     #[error("cannot generate: {0}")]
     Generate(&'static str),
+    #[error("changed kernels: {0}")]
+    Mutants(String),
     #[error("cannot generate the C header: {0}")]
     Header(String),
     #[error("{}: {source}", path.display())]

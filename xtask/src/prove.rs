@@ -14,6 +14,8 @@ use crate::setup;
 #[path = "../../proofs/src/digest.rs"]
 mod digest;
 
+/// What the first stage finds out about the kernel, for the second.
+const KERNEL: &str = ".tools/proofs-kernel.json";
 const REPORT: &str = "reports/proofs.json";
 /// Where the engines that are programs of their own leave their results.
 const MACHINE: &str = ".tools/machine.json";
@@ -27,9 +29,22 @@ const READERS: &str = ".tools/readers.json";
 pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     let is_wanted = |engine: &str| args.is_empty() || args.contains(&engine);
     setup::solvers(project, &mut |line| println!("{line}"))?;
+    // First the kernel itself, without the broken ones: whoever has changed it wants to hear that at once.
+    forget(project, KERNEL);
+    for (engine, file) in [("model", MODEL), ("machine", MACHINE)] {
+        if is_wanted(engine) {
+            forget(project, file);
+        }
+    }
+    let program = |options: &[&str], stage: &str| {
+        let start = ["run", "--quiet", "--release", "-p", "ncp-proofs"];
+        project.cargo(&[&start[..], options, &["--", "--stage", stage], args].concat())
+    };
+    if !start(program(&[], "kernel"))? {
+        return Ok(false);
+    }
     let mut good = true;
     if is_wanted("model") {
-        forget(project, MODEL);
         let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--"];
         good &= start(project.cargo(&[&words[..], &["--json", MODEL]].concat()))?;
     }
@@ -42,24 +57,13 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     if is_wanted("machine") {
         good &= machine(project)?;
     }
-    let program = [
-        "run",
-        "--quiet",
-        "--release",
-        "-p",
-        "ncp-proofs",
-        "--features",
-        "broken",
-        "--",
-    ];
-    good &= start(project.cargo(&[&program[..], args].concat()))?;
+    good &= start(program(&["--features", "broken"], "rest"))?;
     Ok(good)
 }
 
 /// Explores the machine code, where that can be done: on other machines it is not run, which is no failure,
 /// and the report says so.
 fn machine(project: &Project) -> Result<bool, Error> {
-    forget(project, MACHINE);
     if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
         println!("machine code: not run here, as it is for x86-64 Linux");
         return Ok(true);

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use super::native::{Enumerate, Native};
-use super::{Counterexample, Outcome, Verdict};
+use super::native::{Enumerate, Native, Source};
+use super::{Counterexample, Outcome, Verdict, run_once};
 use crate::properties::{Harness, Property};
 
 /// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
@@ -12,22 +12,22 @@ use crate::properties::{Harness, Property};
 pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
     let values = property.enumeration?;
     let began = Instant::now();
-    let mut native = Native::new(Enumerate::new(
+    let mut native = Native::new(Source::Enumerate(Enumerate::new(
         values.scalars,
         values.seqs,
         length.min(values.length),
-    ));
+    )));
     let mut outcome = Outcome::new(began);
     loop {
         native.again();
-        (harness.enumerate)(&mut native);
+        run_once(harness.native, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
             // Once more, to note what was drawn.
             native.keep = true;
             native.draw.restart();
             native.again();
-            (harness.enumerate)(&mut native);
+            run_once(harness.native, &mut native);
             outcome.verdict = Verdict::Refuted;
             outcome.counterexample = Some(Counterexample {
                 check: check.to_owned(),

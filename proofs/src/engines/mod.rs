@@ -5,10 +5,15 @@ pub mod native;
 pub mod standin;
 pub mod symbolic;
 
+use std::any::Any;
 use std::collections::BTreeSet;
-use std::time::Instant;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
-use native::Drawn;
+use native::{Draw, Drawn, Native, Replay, Source};
+
+use crate::properties::Harness;
 
 /// What an engine found out about a property.
 #[derive(Debug, Clone)]
@@ -73,7 +78,7 @@ pub struct Counterexample {
 }
 
 impl Outcome {
-    fn new(began: Instant) -> Self {
+    pub(crate) fn new(began: Instant) -> Self {
         Self {
             verdict: Verdict::Tried,
             detail: String::new(),
@@ -88,4 +93,84 @@ impl Outcome {
             reached: BTreeSet::new(),
         }
     }
+}
+
+/// How long an engine goes on.
+#[derive(Debug)]
+pub struct Patience {
+    until: Instant,
+    is_over: AtomicBool,
+}
+
+impl Patience {
+    /// For so long from now on.
+    #[must_use]
+    pub fn of(time: Duration) -> Self {
+        Self {
+            until: Instant::now() + time,
+            is_over: AtomicBool::new(false),
+        }
+    }
+
+    /// Ends it.
+    pub fn end(&self) {
+        self.is_over.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was ended.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.is_over.load(Ordering::Relaxed)
+    }
+
+    /// What is left of it.
+    ///
+    /// # Errors
+    /// Nothing; and why.
+    pub(crate) fn left(&self) -> Result<Duration, String> {
+        let left = self.until.saturating_duration_since(Instant::now());
+        if self.is_over() {
+            Err("ended, as the kernel is refuted".to_owned())
+        } else if left.is_zero() {
+            Err("not decided in time".to_owned())
+        } else {
+            Ok(left)
+        }
+    }
+}
+
+/// The check that fails where the kernel panics.
+const NO_PANIC: &str = "the kernel does not panic";
+
+/// Runs a harness once on doubles. A panic is a failure.
+fn run_once<D: Draw>(harness: fn(&mut Native<D>), native: &mut Native<D>) {
+    if catch_unwind(AssertUnwindSafe(|| harness(native))).is_err() {
+        native.failed.get_or_insert(NO_PANIC);
+    }
+}
+
+/// What a panic says.
+fn said(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+    format!("the kernel panics: {}", text.unwrap_or_default())
+}
+
+/// What the kernel answers to a counterexample and what the text says, where the check compares the two.
+#[must_use]
+pub fn compared(harness: &Harness, found: &Counterexample, length: usize) -> Option<String> {
+    let mut replay = Replay {
+        length,
+        ..Replay::default()
+    };
+    for (_, drawn) in &found.inputs {
+        match *drawn {
+            Drawn::Scalar(value) => replay.scalars.push_back(value),
+            Drawn::Seq(value) => replay.seqs.push_back(value),
+            Drawn::Choice(value) => replay.choices.push_back(value),
+        }
+    }
+    let mut native = Native::new(Source::Replay(replay));
+    run_once(harness.native, &mut native);
+    native.compared.filter(|compared| !compared.is_empty())
 }

@@ -31,6 +31,8 @@ pub struct Native<D> {
     pub reached: BTreeMap<&'static str, u64>,
     /// The first check that failed.
     pub failed: Option<&'static str>,
+    /// What the kernel answered there, and what the text says, where the check compares the two.
+    pub compared: Option<String>,
     /// What was drawn, by name, in order.
     pub drawn: Vec<(String, Drawn)>,
     /// Whether `drawn` is kept.
@@ -56,6 +58,7 @@ impl<D: Draw> Native<D> {
             draw,
             reached: BTreeMap::new(),
             failed: None,
+            compared: None,
             drawn: Vec::new(),
             keep: false,
             is_void: false,
@@ -108,6 +111,10 @@ impl<D: Draw> Prover for Native<D> {
         }
         self.draw.check(name, condition);
         *self.reached.entry(name).or_default() += 1;
+        if self.failed.is_some() && self.compared.is_none() {
+            // The check that failed was not explained, and this is another one.
+            self.compared = Some(String::new());
+        }
         if !condition && self.failed.is_none() {
             self.failed = Some(name);
         }
@@ -115,6 +122,17 @@ impl<D: Draw> Prover for Native<D> {
     fn never(&mut self, name: &'static str) {
         self.check(name, false);
         self.reached.remove(name);
+    }
+    fn exactly(&mut self, name: &'static str, answer: bool, says: bool) {
+        self.check(name, answer == says);
+        let word = |is| if is { "yes" } else { "no" };
+        let (answer, says) = (word(answer), word(says));
+        self.explain(&|| format!("the text says {says}, the kernel {answer}"));
+    }
+    fn explain(&mut self, what: &dyn Fn() -> String) {
+        if self.failed.is_some() && self.compared.is_none() {
+            self.compared = Some(what());
+        }
     }
     fn truth(&mut self, value: bool) -> bool {
         value
@@ -341,5 +359,64 @@ impl Draw for Enumerate {
     }
     fn length(&self, most: usize) -> usize {
         most.min(self.length)
+    }
+}
+
+/// Any of the sources of inputs, so that a harness is compiled once for all of them.
+#[derive(Debug, Clone)]
+pub enum Source {
+    /// Edges and random values.
+    Sample(Sample),
+    /// Every combination of some values.
+    Enumerate(Enumerate),
+    /// Given values.
+    Replay(Replay),
+}
+
+impl Draw for Source {
+    fn scalar(&mut self) -> f64 {
+        match self {
+            Self::Sample(draw) => draw.scalar(),
+            Self::Enumerate(draw) => draw.scalar(),
+            Self::Replay(draw) => draw.scalar(),
+        }
+    }
+    fn seq(&mut self) -> i64 {
+        match self {
+            Self::Sample(draw) => draw.seq(),
+            Self::Enumerate(draw) => draw.seq(),
+            Self::Replay(draw) => draw.seq(),
+        }
+    }
+    fn choice(&mut self, count: usize) -> usize {
+        match self {
+            Self::Sample(draw) => draw.choice(count),
+            Self::Enumerate(draw) => draw.choice(count),
+            Self::Replay(draw) => draw.choice(count),
+        }
+    }
+    fn length(&self, most: usize) -> usize {
+        match self {
+            Self::Sample(draw) => draw.length(most),
+            Self::Enumerate(draw) => draw.length(most),
+            Self::Replay(draw) => draw.length(most),
+        }
+    }
+}
+
+impl Source {
+    /// Begins the combination at hand anew.
+    pub fn restart(&mut self) {
+        if let Self::Enumerate(draw) = self {
+            draw.restart();
+        }
+    }
+
+    /// Goes on to the next combination; false after the last.
+    pub fn advance(&mut self) -> bool {
+        match self {
+            Self::Enumerate(draw) => draw.advance(),
+            Self::Sample(_) | Self::Replay(_) => false,
+        }
     }
 }

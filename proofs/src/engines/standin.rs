@@ -3,26 +3,27 @@
 
 use std::time::Instant;
 
-use super::native::{Native, Sample};
-use super::{Counterexample, Outcome, Verdict};
+use super::native::{Native, Sample, Source};
+use super::{Counterexample, Outcome, Verdict, run_once};
 use crate::properties::Harness;
 
 /// Runs the harness on so many samples, in sequences of at most this length.
 #[must_use]
 pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
     let began = Instant::now();
-    let mut native = Native::new(Sample::new(0, length));
+    let sample = |seed| Source::Sample(Sample::new(seed, length));
+    let mut native = Native::new(sample(0));
     let mut outcome = Outcome::new(began);
     for nth in 0..samples {
-        native.draw = Sample::new(nth, length);
+        native.draw = sample(nth);
         native.again();
-        (harness.sample)(&mut native);
+        run_once(harness.native, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
             native.keep = true;
-            native.draw = Sample::new(nth, length);
+            native.draw = sample(nth);
             native.again();
-            (harness.sample)(&mut native);
+            run_once(harness.native, &mut native);
             outcome.verdict = Verdict::Refuted;
             outcome.counterexample = Some(Counterexample {
                 check: check.to_owned(),

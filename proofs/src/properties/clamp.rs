@@ -41,6 +41,17 @@ pub fn bound<K: Kernel, P: Prover>(p: &mut P) {
     let good = positive(p, c.max);
     let usable = p.and(finite, good);
     p.exactly("usable exactly when finite", c.answer.is_some(), usable);
+    let mut again = c.before;
+    let is_usable = K::clamp(again.get_mut(..c.width).unwrap_or_default(), c.max);
+    let alike: Vec<_> = again
+        .iter()
+        .zip(&c.after)
+        .map(|(a, b)| p.same(*a, *b))
+        .collect();
+    let alike = p.all(&alike);
+    let same = p.truth(is_usable == c.answer.is_some());
+    let alike = p.and(same, alike);
+    p.check("clamp says and does the same", alike);
     if c.answer.is_some() {
         let after = norm(p, c.after.get(..c.width).unwrap_or_default());
         let within = p.le(after, c.max);
@@ -113,12 +124,13 @@ pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
 /// A tick: it passes exactly when all its channels are finite and, with the limit enabled, its velocity is
 /// 3 wide and in m/s; then every channel in m/s is within the limit, and every other one as it was.
 pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
-    let is_enabled = p.boolean("enabled");
+    let kind = p.choice("limit", 3);
+    let (is_enabled, is_faulty) = (kind == 1, kind == 2);
     let max = p.scalar("max");
-    let limit = if is_enabled {
-        Limit::Enabled(max)
-    } else {
-        Limit::Disabled
+    let limit = match kind {
+        0 => Limit::Disabled,
+        1 => Limit::Enabled(max),
+        _ => Limit::Faulty,
     };
     let width = if p.boolean("is_wide") { 3 } else { 2 };
     let flags = [p.boolean("is_named"), p.boolean("velocity_in_mps")];
@@ -144,7 +156,7 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
         let (a, b) = (all_finite(p, before), all_finite(p, &other_before));
         p.and(a, b)
     };
-    let acts = p.truth(!is_enabled || (width == 3 && flags[0] && flags[1]));
+    let acts = p.truth(!is_faulty && (!is_enabled || (width == 3 && flags[0] && flags[1])));
     let good = if is_enabled && (flags[1] || other_in_mps) {
         positive(p, max)
     } else {
@@ -179,8 +191,15 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
         }
         p.exactly("says whether it changed something", changed, above);
     }
-    if answer == Err(Reason::NotFinite) {
-        let bad = p.not(finite);
-        p.check("not finite only when so", bad);
-    }
+    // Where the limit is a bound, as it is when it was read.
+    let infinite = p.not(finite);
+    let said = p.truth(answer == Err(Reason::NotFinite));
+    let right = p.iff(said, infinite);
+    let right = p.implies(good, right);
+    p.check("not finite exactly when so", right);
+    let reasons = p.truth(matches!(
+        answer,
+        Ok(_) | Err(Reason::NotFinite | Reason::NoVelocity)
+    ));
+    p.check("no other reason", reasons);
 }

@@ -1,5 +1,7 @@
 //! The geofence: where the plant is, what its limit says, and where a command leads.
 
+use std::cell::Cell;
+
 use ncp_spec::safety::kernel::{Decision, Limit, Plan, Reason, Scalar};
 use ncp_spec::wire::Mode;
 
@@ -73,6 +75,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
         dt,
         ticks,
         steps,
+        asked: Asked::default(),
         kernel: std::marker::PhantomData,
     };
 
@@ -80,6 +83,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
     let mut gates = K::gates(max, Some(radius), timeout);
     let decision = K::gates_govern(&mut gates, &mut plan, now, Some(now), Some(position));
     let kept = plan.steps;
+    plan.asked.ends(p);
 
     // T of 7.5, 0 where the ttl is none.
     let (is_time, zero) = (positive(p, ttl), p.number(0.0));
@@ -185,6 +189,8 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
             };
             let outside = p.not(end);
             p.check("holds for the fence only when tick 0 leads out", outside);
+            let has_velocity = p.truth(before[0].is_some());
+            p.check("without a velocity the reason is another", has_velocity);
         }
         Decision::Stopped(_) => {
             let (inside, (enabled, faulty)) = (
@@ -211,13 +217,17 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
             let good = p.and(none, with_steps);
             p.check("a bad horizon is one", good);
         }
-        Decision::Held(Reason::NotFinite | Reason::NoVelocity) => {
-            let usable = match before.first().copied().flatten() {
+        Decision::Held(Reason::NotFinite) => {
+            let finite = match before.first().copied().flatten() {
                 Some(velocity) => super::words::all_finite(p, &velocity),
-                None => p.truth(false),
+                None => p.truth(true),
             };
-            let bad = p.not(usable);
-            p.check("holds for the velocity only when it cannot be used", bad);
+            let bad = p.not(finite);
+            p.check("holds for a component only when it is not finite", bad);
+        }
+        Decision::Held(Reason::NoVelocity) => {
+            let none = p.truth(before.first().copied().flatten().is_none());
+            p.check("holds for the velocity only when there is none", none);
         }
         Decision::Held(Reason::ConfigFault | Reason::OutsideFence) => {
             let (_, mut faulty) = limit_says(p, Some(radius));
@@ -247,7 +257,32 @@ pub(super) struct Ticks<K, S> {
     pub(super) dt: Option<S>,
     pub(super) ticks: [Option<[S; 3]>; 4],
     pub(super) steps: usize,
+    /// How often it was asked.
+    pub(super) asked: Asked,
     pub(super) kernel: std::marker::PhantomData<K>,
+}
+
+/// Counts the questions to a plan. A kernel that asks without end is told after some that there is nothing more, and
+/// fails a check; one that goes on even so is ended.
+#[derive(Debug, Default)]
+pub(super) struct Asked(Cell<u32>);
+
+impl Asked {
+    /// More than any plan of a harness is asked.
+    const ENOUGH: u32 = 100;
+
+    /// Whether this question is still answered.
+    pub(super) fn again(&self) -> bool {
+        self.0.set(self.0.get() + 1);
+        assert!(self.0.get() < 100 * Self::ENOUGH, "the kernel does not end");
+        self.0.get() <= Self::ENOUGH
+    }
+
+    /// The check that it ends.
+    pub(super) fn ends<P: Prover>(&self, p: &mut P) {
+        let ends = p.truth(self.0.get() <= Self::ENOUGH);
+        p.check("the kernel ends", ends);
+    }
 }
 
 impl<K: Kernel, S: Scalar> Plan<S> for Ticks<K, S> {
@@ -261,7 +296,7 @@ impl<K: Kernel, S: Scalar> Plan<S> for Ticks<K, S> {
         self.dt
     }
     fn steps(&self) -> usize {
-        self.steps
+        if self.asked.again() { self.steps } else { 0 }
     }
     fn limit(&mut self, tick: usize, max_mps: Limit<S>) -> Result<bool, Reason> {
         let velocity = self.ticks.get_mut(tick).and_then(Option::as_mut);
@@ -273,7 +308,8 @@ impl<K: Kernel, S: Scalar> Plan<S> for Ticks<K, S> {
         K::limit_tick(channels.into_iter(), max_mps)
     }
     fn velocity(&self, tick: usize) -> Option<[S; 3]> {
-        self.ticks.get(tick).copied().flatten()
+        let tick = self.ticks.get(tick).copied().flatten();
+        tick.filter(|_| self.asked.again())
     }
     fn truncate(&mut self, steps: usize) {
         self.steps = self.steps.min(steps);

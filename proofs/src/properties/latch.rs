@@ -1,9 +1,9 @@
 //! The latch of ESTOP, the order of the gates, and who may move the plant.
 
-use ncp_spec::safety::kernel::{Decision, Reason, Received, Scalar};
+use ncp_spec::safety::kernel::{Decision, Limit, Plan, Reason, Received, Scalar};
 use ncp_spec::wire::Mode;
 
-use super::geofence::{Ticks, limit_says};
+use super::geofence::{Asked, Ticks, limit_says};
 use super::words::{advances, alive, fresh, hold_takes_effect, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
@@ -47,6 +47,7 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
         dt: None,
         ticks: [Some(still), None, None, None],
         steps: 0,
+        asked: Asked::default(),
         kernel: std::marker::PhantomData,
     };
     let decision = K::gates_govern(&mut gates, &mut plan, now, last, position);
@@ -122,6 +123,7 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
 
 /// One event on a plant in any state that it can reach: the answer and the next state are the model's.
 pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
+    same_state::<K, P>(p, &K::plant_default(), None, None, false);
     let mut plant = K::plant::<P::S, P::Q>();
     let (mut last, mut deadline) = (None, None);
     let form = p.choice("state", 3);
@@ -315,6 +317,7 @@ pub fn sequence<K: Kernel, P: Prover>(p: &mut P) {
             dt: None,
             ticks: [Some(home), None, None, None],
             steps: 0,
+            asked: Asked::default(),
             kernel: std::marker::PhantomData,
         };
         let is_away = position.is_some_and(|_| matches!((mode, last), (Mode::Active, Some(_))))
@@ -372,5 +375,127 @@ pub fn plant_sequence<K: Kernel, P: Prover>(p: &mut P) {
                 (stopped, commanded) = (false, false);
             }
         }
+    }
+}
+
+/// A command with a horizon, and a speed limit or none: what its ticks answer to the limit decides which of them are
+/// kept and whether something changed. The ticks answer anything; clamp/tick is about what they answer.
+pub fn horizon<K: Kernel, P: Prover>(p: &mut P) {
+    let (steps, dt) = (p.choice("steps", 4), p.optional("dt"));
+    let speed = p.boolean("has_speed").then(|| p.scalar("speed"));
+    let mut answers = [Ok(false); 4];
+    for (tick, answer) in answers.iter_mut().enumerate().take(steps + 1) {
+        let ways = [
+            Ok(false),
+            Ok(true),
+            Err(Reason::NotFinite),
+            Err(Reason::NoVelocity),
+        ];
+        let way = p.choice(&format!("answer_{tick}"), ways.len());
+        *answer = ways.get(way).copied().unwrap_or(Ok(false));
+    }
+    let (now, timeout) = (p.number(0.0), p.number(500.0));
+    let mut plan = Answers {
+        dt,
+        ttl: timeout,
+        steps,
+        answers,
+        asked: Vec::new(),
+        count: Asked::default(),
+    };
+    let mut gates = K::gates(speed, None, timeout);
+    let decision = K::gates_govern(&mut gates, &mut plan, now, Some(now), None);
+    plan.count.ends(p);
+
+    let (enabled, faulty) = limit_says(p, speed);
+    p.exactly(
+        "a faulty limit holds",
+        decision == Decision::Held(Reason::ConfigFault),
+        faulty,
+    );
+    let sound = p.not(faulty);
+    let has_time = match dt {
+        Some(dt) => positive(p, dt),
+        None => p.truth(false),
+    };
+    let is_bad = {
+        let (none, with_steps) = (p.not(has_time), p.truth(steps > 0));
+        p.all(&[sound, none, with_steps])
+    };
+    p.exactly(
+        "a bad horizon holds",
+        decision == Decision::Held(Reason::BadHorizon),
+        is_bad,
+    );
+
+    let first_bad = |answer: &Result<bool, Reason>| answer.is_err();
+    let kept = answers.iter().skip(1).take(steps).position(first_bad);
+    let kept = kept.unwrap_or(steps);
+    let changed = answers
+        .iter()
+        .take(kept + 1)
+        .any(|answer| *answer == Ok(true));
+    let says = match answers[0] {
+        Err(reason) => Decision::Held(reason),
+        Ok(_) if changed || kept < steps => Decision::Limited,
+        Ok(_) => Decision::Passed,
+    };
+    let good = p.not(is_bad);
+    let good = p.and(sound, good);
+    let is_held = answers[0].is_err();
+    let right = p.truth(decision == says && (is_held || plan.steps == kept));
+    let right = p.implies(good, right);
+    p.check(
+        "ticks are kept up to the first that is not to be used",
+        right,
+    );
+    if matches!(decision, Decision::Passed | Decision::Limited) {
+        for tick in 0..=plan.steps {
+            let mut limits = plan.asked.iter().filter(|(asked, _)| *asked == tick);
+            let right = match (limits.next(), speed) {
+                (Some((_, Limit::Enabled(is))), Some(says)) => {
+                    let same = p.same(*is, says);
+                    p.and(same, enabled)
+                }
+                (Some((_, Limit::Disabled)), _) => p.not(enabled),
+                _ => p.truth(false),
+            };
+            p.check("every kept tick was limited as configured", right);
+        }
+    }
+}
+
+/// A command whose ticks answer to the limit as they are told to.
+struct Answers<S> {
+    dt: Option<S>,
+    ttl: S,
+    steps: usize,
+    answers: [Result<bool, Reason>; 4],
+    asked: Vec<(usize, Limit<S>)>,
+    count: Asked,
+}
+
+impl<S: Scalar> Plan<S> for Answers<S> {
+    fn mode(&self) -> Mode {
+        Mode::Active
+    }
+    fn ttl_ms(&self) -> S {
+        self.ttl
+    }
+    fn dt_ms(&self) -> Option<S> {
+        self.dt
+    }
+    fn steps(&self) -> usize {
+        if self.count.again() { self.steps } else { 0 }
+    }
+    fn limit(&mut self, tick: usize, max_mps: Limit<S>) -> Result<bool, Reason> {
+        self.asked.push((tick, max_mps));
+        self.answers.get(tick).copied().unwrap_or(Ok(false))
+    }
+    fn velocity(&self, _tick: usize) -> Option<[S; 3]> {
+        None
+    }
+    fn truncate(&mut self, steps: usize) {
+        self.steps = self.steps.min(steps);
     }
 }

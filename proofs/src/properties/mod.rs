@@ -3,10 +3,11 @@
 pub mod clamp;
 pub mod geofence;
 pub mod latch;
+pub mod number;
 pub mod watchdog;
 mod words;
 
-use crate::engines::native::{Enumerate, Native, Replay, Sample};
+use crate::engines::native::{Native, Source};
 use crate::engines::symbolic::Symbolic;
 use crate::kernel::Kernel;
 use crate::vector::{Event, gates, plant};
@@ -22,11 +23,19 @@ pub enum Family {
     Clamp,
     /// ESTOP, the order of the gates, the modes.
     Latch,
+    /// The numbers on which all of it runs.
+    Number,
 }
 
 impl Family {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Watchdog, Self::Geofence, Self::Clamp, Self::Latch];
+    pub const ALL: [Self; 5] = [
+        Self::Watchdog,
+        Self::Geofence,
+        Self::Clamp,
+        Self::Latch,
+        Self::Number,
+    ];
 
     /// Its name in reports and in the table of broken kernels.
     #[must_use]
@@ -36,6 +45,7 @@ impl Family {
             Self::Geofence => "geofence",
             Self::Clamp => "clamp",
             Self::Latch => "latch",
+            Self::Number => "number",
         }
     }
 }
@@ -99,9 +109,7 @@ macro_rules! of {
     ($kernel:ty, $($harness:ident)::+) => {
         $crate::properties::Harness {
             symbolic: $($harness)::+::<$kernel, $crate::engines::symbolic::Symbolic>,
-            sample: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Sample>>,
-            enumerate: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Enumerate>>,
-            replay: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Replay>>,
+            native: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Source>>,
             trace: $crate::vector::run::<$kernel>,
             govern: $crate::vector::gates::run::<$kernel>,
             follow: $crate::vector::plant::run::<$kernel>,
@@ -123,6 +131,22 @@ macro_rules! harnesses {
             }
         }
 
+        /// The harness of a property on a kernel that is only run on doubles.
+        #[cfg(feature = "mutants")]
+        #[must_use]
+        pub fn native_harness<K: Kernel>(id: &str) -> Option<Harness> {
+            match id {
+                $($id => Some(Harness {
+                    symbolic: |_| {},
+                    native: $($harness)::+::<K, Native<Source>>,
+                    trace: crate::vector::run::<K>,
+                    govern: crate::vector::gates::run::<K>,
+                    follow: crate::vector::plant::run::<K>,
+                }),)*
+                _ => None,
+            }
+        }
+
         #[cfg(any(kani, test))]
         pub(crate) fn kani_harness(id: &str, p: &mut Native<crate::kani_engine::Any>) {
             match id {
@@ -138,12 +162,8 @@ macro_rules! harnesses {
 pub struct Harness {
     /// On terms.
     pub symbolic: fn(&mut Symbolic),
-    /// On sampled doubles.
-    pub sample: fn(&mut Native<Sample>),
-    /// On every combination of some doubles.
-    pub enumerate: fn(&mut Native<Enumerate>),
-    /// On given doubles.
-    pub replay: fn(&mut Native<Replay>),
+    /// On doubles: sampled, every combination of some, or given ones.
+    pub native: fn(&mut Native<Source>),
     /// What the kernel's watchdog answers to a trace.
     pub trace: fn(&[Event]) -> Vec<serde_json::Value>,
     /// What a small governor around the kernel answers to a trace.
@@ -170,4 +190,6 @@ harnesses! {
     "latch/plant" => latch::plant,
     "latch/sequence" => latch::sequence,
     "latch/plant-sequence" => latch::plant_sequence,
+    "latch/horizon" => latch::horizon,
+    "number/operations" => number::operations,
 }

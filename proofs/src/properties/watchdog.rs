@@ -53,8 +53,11 @@ pub fn order<K: Kernel, P: Prover>(p: &mut P) {
 pub fn step<K: Kernel, P: Prover>(p: &mut P) {
     let mut watchdog = K::watchdog::<P::S, P::Q>();
     let start = K::watchdog_state(&watchdog);
-    let is_empty = p.truth(start.0.is_none() && start.1.is_none());
-    p.check("a new watchdog holds", is_empty);
+    let default = K::watchdog_state(&K::watchdog_default::<P::S, P::Q>());
+    for start in [start, default] {
+        let is_empty = p.truth(start.0.is_none() && start.1.is_none());
+        p.check("a new watchdog holds", is_empty);
+    }
 
     // The states that it can reach: no command yet, one that is followed, one that is not any more.
     let (mut last, mut deadline) = (None, None);

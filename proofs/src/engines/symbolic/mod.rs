@@ -6,14 +6,15 @@ mod term;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path as FilePath;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 pub use solver::{Answer, SolverError, Solvers, read_answers, read_values};
 pub use term::{Symbolic, SymbolicScalar, SymbolicSeq};
 
-use super::native::{Drawn, Native, Replay};
-use super::{Counterexample, Outcome, Verdict, enumeration, standin};
+use super::native::{Drawn, Native, Replay, Source};
+use super::{Counterexample, Outcome, Patience, Verdict, enumeration, run_once, said, standin};
 use crate::properties::{Harness, Property};
 use smt::Question;
 use term::{Guide, Path};
@@ -46,13 +47,18 @@ struct Explored {
 /// it: with fewer decisions it claims more. Where that is too much, the paths are asked one by one.
 ///
 /// # Errors
-/// The path cap.
-fn explore(property: &Property, harness: fn(&mut Symbolic)) -> Result<Explored, String> {
+/// The path cap, a panic of the kernel, or no patience.
+fn explore(
+    property: &Property,
+    harness: fn(&mut Symbolic),
+    patience: &Patience,
+) -> Result<Explored, String> {
     term::clear();
     let mut all = Explored::default();
     let mut atoms: HashMap<u32, BTreeSet<u32>> = HashMap::new();
     loop {
-        let path = term::run(property.symbolic_length, harness);
+        let run = || term::run(property.symbolic_length, harness);
+        let path = catch_unwind(AssertUnwindSafe(run)).map_err(|panic| said(&*panic))?;
         all.paths += 1;
         all.by_evaluation += path.by_evaluation;
         all.reached.extend(&path.reached);
@@ -79,6 +85,12 @@ fn explore(property: &Property, harness: fn(&mut Symbolic)) -> Result<Explored, 
         }
         if all.paths >= MOST_PATHS {
             return Err(format!("more than {MOST_PATHS} paths"));
+        }
+        if all.paths.is_multiple_of(1024) {
+            let paths = all.paths;
+            patience
+                .left()
+                .map_err(|why| format!("{paths} paths explored, and more to come: {why}"))?;
         }
     }
 }
@@ -129,7 +141,7 @@ fn try_prove(
     evidence: &FilePath,
     outcome: &mut Outcome,
 ) -> Result<Verdict, String> {
-    let explored = explore(property, harness.symbolic)?;
+    let explored = explore(property, harness.symbolic, &solvers.patience)?;
     (outcome.paths, outcome.by_evaluation) = (explored.paths, explored.by_evaluation);
     outcome.reached = explored.reached.iter().copied().collect();
     let folder = evidence.join(property.id);
@@ -248,10 +260,11 @@ pub fn refute(
     solvers: &Solvers,
     file: &FilePath,
 ) -> Result<Option<(Counterexample, Origin)>, String> {
+    let patience = Patience::of(REFUTE);
     if let Some((hint, origin)) = hint(property, harness) {
         term::clear();
-        let (path, broken) =
-            term::run_guided(property.symbolic_length, harness.symbolic, hint.clone());
+        let run = || term::run_guided(property.symbolic_length, harness.symbolic, hint.clone());
+        let (path, broken) = catch_unwind(AssertUnwindSafe(run)).map_err(|panic| said(&*panic))?;
         let Some(&(check, formula)) = broken.first() else {
             return Err("what fails on doubles does not on terms".to_owned());
         };
@@ -272,7 +285,7 @@ pub fn refute(
         )
         .map(|found| Some((found, origin)));
     }
-    let explored = explore(property, harness.symbolic)?;
+    let explored = explore(property, harness.symbolic, &patience)?;
     let mut questions: Vec<&Question> = explored.questions.keys().collect();
     questions.sort_by_cached_key(|question| smt::size(question.formula));
     for chunk in questions.chunks(25) {
@@ -290,6 +303,8 @@ pub fn refute(
     Ok(None)
 }
 
+/// How long one broken kernel is searched for a counterexample.
+const REFUTE: Duration = Duration::from_secs(600);
 /// Seconds of the processor for one search of the solver for a counterexample.
 const REFUTE_SECONDS: u32 = 30;
 /// How many samples are tried for a hint.
@@ -318,7 +333,8 @@ fn hint(property: &Property, harness: &Harness) -> Option<(Guide, Origin)> {
 }
 
 fn ask(solvers: &Solvers, file: &FilePath, questions: &[&Question]) -> Result<Vec<Answer>, String> {
-    ask_for(solvers, file, questions, SECONDS, None)
+    let left = u32::try_from(solvers.patience.left()?.as_secs()).unwrap_or(SECONDS);
+    ask_for(solvers, file, questions, left.clamp(1, SECONDS), None)
 }
 
 fn ask_for(
@@ -380,9 +396,9 @@ fn counterexample(
         choices,
         length,
     });
-    let mut run = Native::new(replay);
+    let mut run = Native::new(Source::Replay(replay));
     run.keep = true;
-    (harness.replay)(&mut run);
+    run_once(harness.native, &mut run);
     match run.failed {
         Some(check) => Ok(Counterexample {
             check: check.to_owned(),

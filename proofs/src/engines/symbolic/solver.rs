@@ -3,18 +3,29 @@
 //! An answer is one of the lines `sat`, `unsat` and `unknown`, letter for letter. Anything else that a solver
 //! prints where an answer is due, on whichever stream, is an error.
 
+use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::Duration;
 
+use sha2::{Digest, Sha256};
 use thiserror::Error;
 
+use crate::engines::Patience;
+
 /// The programs of the virtual environment.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Solvers {
     /// The folder of its programs.
     pub bin: PathBuf,
     /// The script that decides a file with bitwuzla.
     pub script: PathBuf,
+    /// How long all proofs together may take; when it is ended, so is the solver.
+    pub patience: Patience,
+    /// A folder of questions that were answered before; where there is none, everything is asked.
+    pub known: Option<PathBuf>,
 }
 
 /// What a solver says of one `check-sat`.
@@ -117,7 +128,29 @@ impl Solvers {
         wanted: usize,
         seconds: u32,
     ) -> Result<Vec<Answer>, SolverError> {
-        read_answers(&self.bitwuzla_prints(file, seconds)?, wanted)
+        let known = self.known_file(file);
+        if let Some(known) = known
+            .as_ref()
+            .and_then(|known| fs::read_to_string(known).ok())
+        {
+            return read_answers(&known, wanted);
+        }
+        let printed = self.bitwuzla_prints(file, seconds)?;
+        let answers = read_answers(&printed, wanted)?;
+        if let Some(known) = known.filter(|_| !answers.contains(&Answer::Unknown)) {
+            // What is not noted is asked again.
+            fs::write(known, printed).ok();
+        }
+        Ok(answers)
+    }
+
+    /// Where the answers to the questions of this file are noted: under the digest of its text.
+    fn known_file(&self, file: &Path) -> Option<PathBuf> {
+        let folder = self.known.as_ref()?;
+        fs::create_dir_all(folder).ok()?;
+        let digest: [u8; 32] = Sha256::digest(fs::read(file).ok()?).into();
+        let name: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        Some(folder.join(name))
     }
 
     /// All that bitwuzla prints.
@@ -130,7 +163,7 @@ impl Solvers {
         if cfg!(unix) {
             python.arg(seconds.to_string());
         }
-        printed(python)
+        self.printed(python)
     }
 
     /// What z3 answers within a limit for each question, which counts z3's own steps, and a limit for the whole
@@ -198,16 +231,50 @@ fn read_some(printed: &str, wanted: usize) -> Result<Vec<Option<Answer>>, Solver
 /// What one question may take by the clock, in seconds: far more than by the processor, as machines are busy.
 const BY_THE_CLOCK: &str = "600";
 
-fn printed(mut command: Command) -> Result<String, SolverError> {
-    let output = command.output().map_err(|error| SolverError::Start {
-        program: command.get_program().to_string_lossy().into_owned(),
-        why: error.to_string(),
-    })?;
-    let errors = String::from_utf8_lossy(&output.stderr);
-    if !output.status.success() || !errors.is_empty() {
-        return Err(SolverError::Failed(format!("{} {errors}", output.status)));
+/// How often a solver at work is looked after.
+const LOOK: Duration = Duration::from_millis(5);
+
+impl Solvers {
+    /// All that a program prints; it is ended when there is no more patience.
+    fn printed(&self, mut command: Command) -> Result<String, SolverError> {
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let failed = |error: std::io::Error| SolverError::Failed(error.to_string());
+        let mut child = command.spawn().map_err(|error| SolverError::Start {
+            program: command.get_program().to_string_lossy().into_owned(),
+            why: error.to_string(),
+        })?;
+        let (output, errors) = (child.stdout.take(), child.stderr.take());
+        let (status, output, errors) = thread::scope(|scope| {
+            let output = scope.spawn(|| read_all(output));
+            let errors = scope.spawn(|| read_all(errors));
+            let status = loop {
+                match child.try_wait() {
+                    Ok(None) => {}
+                    ended => break ended,
+                }
+                if self.patience.left().is_err() {
+                    child.kill().ok();
+                }
+                thread::sleep(LOOK);
+            };
+            let text = |reader: thread::ScopedJoinHandle<'_, _>| reader.join().unwrap_or_default();
+            (status, text(output), text(errors))
+        });
+        let status = status.map_err(failed)?;
+        if !status.is_some_and(|status| status.success()) || !errors.is_empty() {
+            let status = status.map(|status| status.to_string()).unwrap_or_default();
+            return Err(SolverError::Failed(format!("{status} {errors}")));
+        }
+        Ok(output)
     }
-    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+fn read_all(stream: Option<impl Read>) -> String {
+    let mut bytes = Vec::new();
+    if let Some(mut stream) = stream {
+        stream.read_to_end(&mut bytes).ok();
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// Reads `(get-value …)`: pairs of a variable and a value. A double is `(fp #b0 #b… #b…)` or a named one,

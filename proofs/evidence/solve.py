@@ -1,6 +1,6 @@
 """Decides an SMT-LIB 2 file with bitwuzla: one line of answer for each check-sat.
 
-    python proofs/solve.py FILE [SECONDS [CPU]]
+    python proofs/evidence/solve.py FILE [SECONDS [CPU]]
 
 SECONDS are those of the clock for each check-sat (default 60), after which the answer is `unknown`; CPU are those of
 the processor for the whole file (default: no limit), after which the program is ended.
