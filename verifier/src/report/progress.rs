@@ -81,8 +81,8 @@ impl Listener for Progress {
                     self.bar.set_message(format!("{wrong} not right"));
                 }
             }
-            Event::Fault { case, what } => self.bar.println(format!("{case}: it {what}")),
-            Event::GivenUp { why } => self.bar.println(format!("given up: {why}")),
+            Event::Fault { case, what } => self.say(&format!("{case}: it {what}")),
+            Event::GivenUp { why } => self.say(&format!("given up: {why}")),
         }
     }
 }

@@ -293,27 +293,25 @@ impl Page<'_> {
             .style
             .red(&format!("{} of {total} {verb}", failing.len()));
         self.line(&format!("  {count}"));
+        let groups = likeliest_first(peer, by_rule(failing.iter().copied()));
         let limit = if self.detail == Detail::Verbose {
             usize::MAX
         } else {
             IN_FULL
         };
-        let mut in_full = 0;
+        let shown = shares(groups.iter().map(|(_, cases)| cases.len()), limit);
+        let in_full: usize = shown.iter().sum();
         let mut rest: Vec<String> = Vec::new();
-        for (rule, cases) in likeliest_first(peer, by_rule(failing.iter().copied())) {
-            if in_full >= limit {
-                rest.push(format!("{rule} ({})", cases.len()));
-                continue;
+        for ((rule, cases), shown) in groups.into_iter().zip(shown) {
+            if shown > 0 {
+                self.line("");
+                self.rule(rule, cases.len());
+                for case in cases.iter().take(shown) {
+                    self.case(case);
+                }
             }
-            self.line("");
-            self.rule(rule, cases.len());
-            let room = limit - in_full;
-            for case in cases.iter().take(room) {
-                self.case(case);
-            }
-            in_full += cases.len().min(room);
-            if cases.len() > room {
-                rest.push(format!("{rule} ({})", cases.len() - room));
+            if cases.len() > shown {
+                rest.push(format!("{rule} ({})", cases.len() - shown));
             }
         }
         if !rest.is_empty() {
@@ -348,6 +346,9 @@ impl Page<'_> {
         let mark = self.style.red("✗");
         self.line(&format!("    {mark} {} [{}]", case.id, case.outcome));
         self.paragraph(6, &case.title);
+        if case.rules.len() > 1 {
+            self.item(6, "also about", &case.rules[1..].join(", "));
+        }
         if let Some(what) = &case.what {
             self.item(6, "it", what);
         }
@@ -689,6 +690,22 @@ pub(crate) fn likeliest_first<'c>(
     groups
 }
 
+/// How many of each group are shown when `room` are shown in all: one of each in turn, those that come first first.
+fn shares(sizes: impl Iterator<Item = usize>, room: usize) -> Vec<usize> {
+    let sizes: Vec<usize> = sizes.collect();
+    let mut room = room.min(sizes.iter().sum());
+    let mut shares = vec![0; sizes.len()];
+    while room > 0 {
+        for (share, size) in shares.iter_mut().zip(&sizes) {
+            if *share < *size && room > 0 {
+                *share += 1;
+                room -= 1;
+            }
+        }
+    }
+    shares
+}
+
 /// Whether a case was answered by `unsupported`, and not expected to be.
 fn is_unsupported(case: &CaseReport) -> bool {
     case.outcome == "unsupported" && matches!(case.status, "failed" | "advice")
@@ -736,6 +753,14 @@ fn thousands(number: u64) -> String {
 mod tests {
     use super::super::model::{Asked, Corpus, Exit, Tool};
     use super::*;
+
+    #[test]
+    fn every_rule_shows_a_case_before_one_shows_two() {
+        assert_eq!(shares([69, 3, 1].into_iter(), 8), [4, 3, 1]);
+        assert_eq!(shares([2, 0, 9, 9, 9].into_iter(), 3), [1, 0, 1, 1, 0]);
+        assert_eq!(shares([2, 1].into_iter(), usize::MAX), [2, 1]);
+        assert!(shares([].into_iter(), 8).is_empty());
+    }
 
     fn level(level: &'static str, passed: usize, failed: usize, conformant: bool) -> LevelReport {
         let cases = TallyReport {
