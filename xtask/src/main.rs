@@ -6,6 +6,7 @@
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `fuzz`: builds the fuzz targets, runs them, and measures what they reach.
+//! - `mutate`: mutants of the specification, and what notices them.
 //! - `prove`: the proofs, and whether their report is fresh.
 //! - `count`: finds the number of tests in what a test program printed.
 
@@ -15,6 +16,7 @@ mod checks;
 mod count;
 mod fuzz;
 mod generate;
+mod mutate;
 mod project;
 mod prove;
 mod setup;
@@ -41,6 +43,10 @@ Commands:
                           --replay, --planted, --coverage, --minimise
   prove [--engine <name>]…
                           Prove the kernel anew, and write reports/proofs.{json,md,html}
+  mutate-spec [--module <name>]…
+                          Mutate the specification by cargo-mutants, and write reports/cargo-mutants.{json,md}
+  mutate-spec --missed    Only what no run has seen noticed so far
+  mutate-spec --check     Only say whether that report is about the sources as they are
   setup                   Only set up what the checks need, into ignored folders; valgrind, Chromium
 ";
 
@@ -82,6 +88,7 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["generate", "--check"] => generate::report_stale(&project),
         ["fuzz", options @ ..] => fuzz::run(&project, options),
         ["prove", engines @ ..] => prove::run(&project, engines),
+        ["mutate-spec", options @ ..] => mutate::run(&project, options),
         ["setup"] => setup::all(&project),
         _ => Err(Error::Usage {
             what: format!("`{}` is no command", args.join(" ")),
