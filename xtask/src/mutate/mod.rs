@@ -35,51 +35,65 @@ const MOST_JOBS: usize = 4;
 /// A part of the specification whose mutants are tried together.
 struct Module {
     name: &'static str,
-    /// Its file or its folder.
-    path: &'static str,
-    /// The cases that are judged first, as patterns of `ncp-verify run --filter`.
-    first: &'static str,
+    /// Its files, as a pattern of cargo-mutants.
+    files: &'static str,
+    /// The cases that reach it, as patterns of `ncp-verify run --filter`. What stands after a `;` is judged
+    /// only when all that stands before it passes.
+    cases: &'static str,
     /// The test programs of the specification that are about it, besides its unit tests.
     tests: &'static [&'static str],
 }
 
 /// The modules, what weighs most for safety first. `.cargo/mutants.toml` names the same files.
-const MODULES: [Module; 5] = [
+const MODULES: [Module; 6] = [
     Module {
         name: "safety",
-        path: "spec/src/safety",
-        first: "safety/*",
+        files: "spec/src/safety/**/*.rs",
+        cases: PLANT,
         tests: &["governor", "safety_properties", "resilience"],
     },
     Module {
         name: "resilience",
-        path: "spec/src/resilience",
-        first: "resilience/* control/* safety/*",
+        files: "spec/src/resilience/*.rs",
+        cases: PLANT,
         tests: &["resilience", "safety_properties", "control_loop"],
     },
     Module {
         name: "bulk",
-        path: "spec/src/bulk",
-        first: "bulk/values/* bulk/directory/* bulk/observation/*",
+        files: "spec/src/bulk/*.rs",
+        cases: "bulk/values/* bulk/directory/* bulk/observation/*; bulk/* session/*",
         tests: &["bulk_format", "bulk_model", "bulk_memory"],
     },
     Module {
         name: "wire",
-        path: "spec/src/wire",
-        first: "wire/* hostile/s* hostile/t* hostile/e*",
-        tests: &[
-            "wire_rules",
-            "wire_properties",
-            "wire_tables",
-            "wire_memory",
-        ],
+        files: "spec/src/wire/*.rs",
+        cases: FRAMES,
+        tests: WIRE,
+    },
+    Module {
+        name: "json",
+        files: "spec/src/wire/json/*.rs",
+        cases: FRAMES,
+        tests: WIRE,
     },
     Module {
         name: "codec",
-        path: "spec/src/codec.rs",
-        first: "codec/*",
+        files: "spec/src/codec.rs",
+        cases: "codec/* control/*",
         tests: &["codec"],
     },
+];
+
+/// The cases that reach what moves a plant.
+const PLANT: &str = "safety/* resilience/* control/* strict/* session/*";
+/// All cases, those first that are about frames and small.
+const FRAMES: &str = "wire/* hostile/s* hostile/t* hostile/e*; *";
+/// The tests that are about frames.
+const WIRE: &[&str] = &[
+    "wire_rules",
+    "wire_properties",
+    "wire_tables",
+    "wire_memory",
 ];
 
 /// Carries out `cargo xtask mutate-spec`; `false` if a mutant is missed and not explained, an explanation
@@ -201,7 +215,7 @@ fn conforms_unmutated(project: &Project, verifier: &Path) -> Result<(), Error> {
         "cases",
     ];
     let mut cargo = project.cargo(&test);
-    cargo.env("NCP_VERIFIER", verifier);
+    cargo.env("NCP_VERIFIER", verifier).env("NCP_CASES", "*");
     Ok(setup::carry_out(cargo)?)
 }
 
@@ -235,7 +249,7 @@ impl Run<'_> {
     /// these miss by the tests.
     fn carry_out(&self, verifier: &Path, missed: bool) -> Result<(), Error> {
         let Module {
-            name, first, tests, ..
+            name, cases, tests, ..
         } = *self.module;
         if !missed {
             fs::remove_dir_all(&self.folder).ok();
@@ -244,15 +258,15 @@ impl Run<'_> {
         made.map_err(|source| self.no_file(source))?;
 
         println!("{name}: the golden cases");
-        let mut cases = self.command();
-        cases.args(["--test-package", MUTATED, "-C=--test", "-C=cases"]);
+        let mut first = self.command();
+        first.args(["--test-package", MUTATED, "-C=--test", "-C=cases"]);
         // cargo-mutants would try the tests of the mutated crate itself without a mutation.
-        cases.args(["--baseline", "skip"]);
-        cases.env("NCP_VERIFIER", verifier).env("NCP_FIRST", first);
+        first.args(["--baseline", "skip"]);
+        first.env("NCP_VERIFIER", verifier).env("NCP_CASES", cases);
         if missed {
-            cases.arg("--iterate");
+            first.arg("--iterate");
         }
-        self.stage(cases, By::Cases)?;
+        self.stage(first, By::Cases)?;
         if !self.outcomes()?.iter().any(Outcome::is_missed) {
             return Ok(());
         }
@@ -286,10 +300,7 @@ impl Run<'_> {
         // Its options that choose add to the files of its configuration, or let some mutants through.
         for other in MODULES {
             if other.name != self.module.name {
-                command.arg("--exclude").arg(match other.path {
-                    file if file.ends_with(".rs") => file.to_owned(),
-                    folder => format!("{folder}/**"),
-                });
+                command.args(["--exclude", other.files]);
             }
         }
         command.arg("--output").arg(&self.folder);
@@ -376,7 +387,7 @@ mod tests {
             let modules = options.modules.iter().map(|module| module.name);
             (modules.collect::<Vec<_>>(), options.missed)
         };
-        let all = vec!["safety", "resilience", "bulk", "wire", "codec"];
+        let all: Vec<_> = MODULES.iter().map(|module| module.name).collect();
         assert_eq!(parsed(&[]), (all.clone(), false));
         assert_eq!(parsed(&["--missed"]), (all, true));
         assert_eq!(
@@ -424,15 +435,8 @@ mod tests {
         let project = Project::at(Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap());
         let config = fs::read_to_string(project.path(".cargo/mutants.toml")).unwrap();
         for module in MODULES {
-            let globs = [
-                format!("\"{}\"", module.path),
-                format!("\"{}/**/*.rs\"", module.path),
-            ];
-            assert!(
-                globs.iter().any(|glob| config.contains(glob)),
-                "{}",
-                module.name
-            );
+            let glob = format!("{:?}", module.files);
+            assert!(config.contains(&glob), "{glob}");
         }
         assert_eq!(config.matches("\"spec/").count(), MODULES.len());
     }

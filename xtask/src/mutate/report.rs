@@ -163,9 +163,9 @@ impl Report {
             let text = |member: &str| tried[member].as_str().unwrap_or("not tried");
             let _ = write!(
                 page,
-                "| [{}](../{}) | {} | {} | {} |",
+                "| {} (`{}`) | {} | {} | {} |",
                 module.name,
-                module.path,
+                module.files,
                 text("tool"),
                 text("started"),
                 text("ended")
@@ -217,9 +217,9 @@ const HEAD: &str = "\
 # Mutants of the specification
 
 Made by `cargo xtask mutate-spec`, which has cargo-mutants change the specification in one place after the other, and asks \
-whether that is noticed. A mutant is first held against all golden cases, by a verifier that was built without the mutation. \
-What they miss is held against the unit tests of `ncp-spec` and those of its test programs that are about the module. \
-`.cargo/mutants.toml` is the configuration; `spec/equivalent.toml` says why a mutant that is missed is none.
+whether that is noticed. A mutant is first held against the golden cases that can reach its module, by a verifier that was built without the \
+mutation. What they miss is held against the unit tests of `ncp-spec` and those of its test programs that are about the module. \
+`.cargo/mutants.toml` is the configuration; `xtask/src/mutate/mod.rs` names the modules, their cases and their tests; `spec/equivalent.toml` says why a mutant that is missed is none.
 
 `cargo xtask mutate-spec --check` says whether the sources are still those that were tried. `reports/mutants.md` is about \
 something else: peers with one defect each, chosen by hand, and the rule that each breaks.
@@ -248,15 +248,22 @@ impl Digests {
             })
         };
         Ok(Self {
-            sources: of(module.path)?,
+            sources: of(module.files)?,
             cases: of(MANIFEST)?,
         })
     }
 }
 
-fn digest(root: &Path, path: &str) -> io::Result<String> {
+/// The digest of the files that a pattern of a module means.
+fn digest(root: &Path, pattern: &str) -> io::Result<String> {
     let mut files = Vec::new();
-    collect(&root.join(path), &mut files)?;
+    if let Some(folder) = pattern.strip_suffix("/**/*.rs") {
+        collect(&root.join(folder), true, &mut files)?;
+    } else if let Some(folder) = pattern.strip_suffix("/*.rs") {
+        collect(&root.join(folder), false, &mut files)?;
+    } else {
+        files.push(root.join(pattern));
+    }
     files.sort();
     let mut hash = Sha256::new();
     for file in files {
@@ -274,13 +281,14 @@ fn digest(root: &Path, path: &str) -> io::Result<String> {
     }))
 }
 
-fn collect(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    if path.is_dir() {
-        for entry in fs::read_dir(path)? {
-            collect(&entry?.path(), files)?;
+fn collect(folder: &Path, is_deep: bool, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if !path.is_dir() {
+            files.push(path);
+        } else if is_deep {
+            collect(&path, is_deep, files)?;
         }
-    } else {
-        files.push(path.to_owned());
     }
     Ok(())
 }
@@ -302,4 +310,125 @@ fn texts(list: &Value) -> impl Iterator<Item = &str> {
         .into_iter()
         .flatten()
         .filter_map(Value::as_str)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WITH_LINE: &str = "spec/src/codec.rs:1:1: x";
+    const KEY: &str = "spec/src/codec.rs: x";
+
+    /// A project whose files are empty, and a report that every module was tried with nothing missed.
+    fn tried() -> (tempfile::TempDir, Project, Report) {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        for path in [
+            "spec/src/safety/kernel",
+            "spec/src/resilience",
+            "spec/src/bulk",
+            "spec/src/wire/json",
+            "reports",
+            "vectors",
+        ] {
+            fs::create_dir_all(root.join(path)).unwrap();
+        }
+        for file in [
+            EQUIVALENT,
+            MANIFEST,
+            "spec/src/codec.rs",
+            "spec/src/safety/kernel/speed.rs",
+        ] {
+            fs::write(root.join(file), "").unwrap();
+        }
+        let project = Project::at(root);
+        let mut report = Report::read(&project);
+        for module in &MODULES {
+            report.ran(module, &Digests::of(&project, module).unwrap(), &[], &[]);
+        }
+        (folder, project, report)
+    }
+
+    fn problems(project: &Project, report: &Report) -> String {
+        report.write(project).unwrap();
+        Report::read(project).problems(project).unwrap().join("\n")
+    }
+
+    /// Has one mutant of the codec fare so, or not be tried.
+    fn codec(project: &Project, report: &mut Report, fate: Option<Fate>) {
+        let module = MODULES
+            .iter()
+            .find(|module| module.name == "codec")
+            .unwrap();
+        let mutant = Mutant {
+            name: WITH_LINE.to_owned(),
+            key: KEY.to_owned(),
+        };
+        let run = ["2026-01-02T03:04:05Z", "2026-01-02T04:04:05Z"].map(str::to_owned);
+        let outcome = fate.map(|fate| Outcome {
+            name: WITH_LINE.to_owned(),
+            fate,
+            run,
+        });
+        let digests = Digests::of(project, module).unwrap();
+        report.ran(module, &digests, &[mutant], outcome.as_slice());
+    }
+
+    #[test]
+    fn a_mutant_that_is_missed_needs_an_explanation_and_no_other_has_one() {
+        let (_folder, project, mut report) = tried();
+        assert_eq!(problems(&project, &report), "");
+        codec(&project, &mut report, Some(Fate::Missed));
+        assert_eq!(
+            problems(&project, &report),
+            format!("missed, and not explained: {KEY}")
+        );
+        fs::write(
+            project.path(EQUIVALENT),
+            format!("{KEY:?} = \"Both are 0.\"\n"),
+        )
+        .unwrap();
+        assert_eq!(problems(&project, &report), "");
+        assert!(
+            fs::read_to_string(project.path(MARKDOWN))
+                .unwrap()
+                .contains("x`: Both are 0.")
+        );
+        for fate in [Fate::Caught(By::Cases), Fate::TimedOut, Fate::Unviable] {
+            codec(&project, &mut report, Some(fate));
+            let stale = format!("{EQUIVALENT} explains what is not missed: {KEY}");
+            assert_eq!(problems(&project, &report), stale, "{fate:?}");
+        }
+    }
+
+    #[test]
+    fn a_mutant_or_a_module_that_was_not_tried_is_told() {
+        let (_folder, project, mut report) = tried();
+        codec(&project, &mut report, None);
+        assert_eq!(problems(&project, &report), format!("not tried: {KEY}"));
+        report.0["modules"]["codec"] = Value::Null;
+        assert!(problems(&project, &report).starts_with("codec: not tried"));
+    }
+
+    #[test]
+    fn a_change_makes_the_report_of_its_module_stale() {
+        let (_folder, project, report) = tried();
+        report.write(&project).unwrap();
+        fs::write(project.path("spec/src/safety/kernel/speed.rs"), "a.lt(b)").unwrap();
+        let found = problems(&project, &report);
+        assert!(
+            found.starts_with("safety: changed") && found.lines().count() == 1,
+            "{found}"
+        );
+    }
+
+    #[test]
+    fn a_page_that_was_changed_by_hand_is_noticed() {
+        let (_folder, project, report) = tried();
+        report.write(&project).unwrap();
+        fs::write(project.path(MARKDOWN), "all is well").unwrap();
+        let found = Report::read(&project).problems(&project).unwrap();
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].starts_with(MARKDOWN));
+    }
 }
