@@ -69,30 +69,38 @@ impl Outcome {
     }
 }
 
-/// The mutants of a list, in the order of the files and the lines.
+/// The mutants of a list, in the order of the files and of the places within them.
 pub(super) fn listed(list: &Value) -> Option<Vec<Mutant>> {
-    let mut mutants = Vec::new();
-    let mut times: BTreeMap<String, u32> = BTreeMap::new();
-    for mutant in list.as_array()? {
+    let place = |mutant: &Value| {
         let (name, file) = (mutant["name"].as_str()?, mutant["file"].as_str()?);
-        let without_line = without_line(name, file)?;
+        let (line, rest) = name
+            .strip_prefix(file)?
+            .strip_prefix(':')?
+            .split_once(':')?;
+        let (column, what) = rest.split_once(": ")?;
+        let (line, column): (u32, u32) = (line.parse().ok()?, column.parse().ok()?);
+        Some((
+            file.to_owned(),
+            line,
+            column,
+            what.to_owned(),
+            name.to_owned(),
+        ))
+    };
+    let mut places: Vec<_> = list.as_array()?.iter().map(place).collect::<Option<_>>()?;
+    places.sort();
+    let mut times: BTreeMap<String, u32> = BTreeMap::new();
+    let mutant = |(file, _, _, what, name)| {
+        let without_line = format!("{file}: {what}");
         let nth = times.entry(without_line.clone()).or_default();
         *nth += 1;
         let key = match *nth {
             1 => without_line,
             nth => format!("{without_line} #{nth}"),
         };
-        let name = name.to_owned();
-        mutants.push(Mutant { name, key });
-    }
-    Some(mutants)
-}
-
-/// `file: what`, of `file:line:column: what`.
-fn without_line(name: &str, file: &str) -> Option<String> {
-    let place = name.strip_prefix(file)?.strip_prefix(':')?;
-    let (_, what) = place.split_once(": ")?;
-    Some(format!("{file}: {what}"))
+        Mutant { name, key }
+    };
+    Some(places.into_iter().map(mutant).collect())
 }
 
 /// The outcomes of a run that is over.
@@ -147,15 +155,13 @@ mod tests {
     #[test]
     fn a_mutant_is_known_without_its_line_and_two_of_one_name_by_their_order() {
         let list = json!([
-            {"file": "a.rs", "name": "a.rs:7:9: replace < with <= in f"},
-            {"file": "a.rs", "name": "a.rs:8:9: replace < with <= in f"},
+            {"file": "a.rs", "name": "a.rs:10:9: replace < with <= in f"},
+            {"file": "a.rs", "name": "a.rs:9:10: replace < with <= in f"},
             {"file": "b.rs", "name": "b.rs:1:2: replace S::g -> Option<u8> with Some(0)"},
         ]);
-        let keys: Vec<_> = listed(&list)
-            .unwrap()
-            .into_iter()
-            .map(|mutant| mutant.key)
-            .collect();
+        let mutants = listed(&list).unwrap();
+        assert_eq!(mutants[0].name, "a.rs:9:10: replace < with <= in f");
+        let keys: Vec<_> = mutants.into_iter().map(|mutant| mutant.key).collect();
         assert_eq!(
             keys,
             [
