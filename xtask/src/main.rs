@@ -46,6 +46,7 @@ Commands:
   mutate-spec [--module <name>]…
                           Mutate the specification by cargo-mutants, and write reports/cargo-mutants.{json,md}
   mutate-spec --missed    Only what no run has seen noticed so far
+  mutate-spec --report    Only write the report of what the last runs left in .tools
   mutate-spec --check     Only say whether that report is about the sources as they are
   setup                   Only set up what the checks need, into ignored folders; valgrind, Chromium
 ";

@@ -27,6 +27,8 @@ const SPEC: &str = "ncp-spec";
 const MUTATED: &str = "ncp-mutated";
 /// Where the runs are kept, a folder a module.
 const RUNS: &str = ".tools/mutate-spec";
+/// The file of such a folder that holds the digest of the sources that were mutated.
+const NOTE: &str = "sources.sha256";
 /// A build and a test of a mutant may each take so many seconds.
 const TIMEOUT: &str = "120";
 /// More jobs at a time want more memory than they save time.
@@ -109,9 +111,14 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     }
     let options = Options::parse(args)?;
     let cargo_mutants = setup::program(project, "cargo-mutants", CARGO_MUTANTS, &mut say)?;
-    let verifier = verifier(project)?;
-    limit_memory();
-    conforms_unmutated(project, &verifier)?;
+    let verifier = if options.report {
+        None
+    } else {
+        let verifier = verifier(project)?;
+        limit_memory();
+        conforms_unmutated(project, &verifier)?;
+        Some(verifier)
+    };
     let mut report = Report::read(project);
     for module in options.modules {
         let digests = Digests::of(project, module)?;
@@ -121,9 +128,12 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
             module,
             folder: project.path(RUNS).join(module.name),
         };
-        let mutants = run.list()?;
-        run.carry_out(&verifier, options.missed)?;
-        report.ran(module, &digests, &mutants, &run.outcomes()?);
+        match &verifier {
+            Some(verifier) => run.carry_out(verifier, &digests, options.missed)?,
+            None if !run.is_kept(&digests) => continue,
+            None => {}
+        }
+        report.ran(module, &digests, &run.list()?, &run.outcomes()?);
         report.write(project)?;
     }
     let problems = report.problems(project)?;
@@ -136,16 +146,22 @@ struct Options {
     modules: Vec<&'static Module>,
     /// Only what the last run did not see noticed.
     missed: bool,
+    /// Nothing is run: only what the last runs left is reported.
+    report: bool,
 }
 
 impl Options {
     fn parse(mut args: &[&str]) -> Result<Self, Error> {
-        let (mut modules, mut missed) = (Vec::new(), false);
+        let (mut modules, mut missed, mut report) = (Vec::new(), false, false);
         loop {
             args = match args {
                 [] => break,
                 ["--missed", rest @ ..] => {
                     missed = true;
+                    rest
+                }
+                ["--report", rest @ ..] => {
+                    report = true;
                     rest
                 }
                 ["--module", name, rest @ ..] => {
@@ -167,7 +183,11 @@ impl Options {
         if modules.is_empty() {
             modules = MODULES.iter().collect();
         }
-        Ok(Self { modules, missed })
+        Ok(Self {
+            modules,
+            missed,
+            report,
+        })
     }
 }
 
@@ -247,15 +267,18 @@ struct Run<'a> {
 impl Run<'_> {
     /// Tries the mutants of the module, or those that were missed so far: by the golden cases, and what
     /// these miss by the tests.
-    fn carry_out(&self, verifier: &Path, missed: bool) -> Result<(), Error> {
+    fn carry_out(&self, verifier: &Path, digests: &Digests, missed: bool) -> Result<(), Error> {
         let Module {
             name, cases, tests, ..
         } = *self.module;
+        // Of other sources nothing is kept: the lines in the names of their mutants mean others now.
+        let missed = missed && self.is_kept(digests);
         if !missed {
             fs::remove_dir_all(&self.folder).ok();
+            let made = fs::create_dir_all(&self.folder);
+            made.and_then(|()| fs::write(self.folder.join(NOTE), &digests.sources))
+                .map_err(|source| self.no_file(source))?;
         }
-        let made = fs::create_dir_all(&self.folder);
-        made.map_err(|source| self.no_file(source))?;
 
         println!("{name}: the golden cases");
         let mut first = self.command();
@@ -278,6 +301,12 @@ impl Run<'_> {
             other.args(["-C=--test".to_owned(), format!("-C={test}")]);
         }
         self.stage(other, By::Tests)
+    }
+
+    /// Whether what the last run left is about the sources as they are.
+    fn is_kept(&self, digests: &Digests) -> bool {
+        let noted = fs::read_to_string(self.folder.join(NOTE));
+        noted.is_ok_and(|noted| noted == digests.sources)
     }
 
     /// The mutants of the module.

@@ -229,7 +229,7 @@ something else: peers with one defect each, chosen by hand, and the rule that ea
 /// What a run over a module is about.
 pub(super) struct Digests {
     /// SHA-256 over the names and the contents of the module's files.
-    sources: String,
+    pub(super) sources: String,
     /// SHA-256 of the manifest of the golden cases.
     cases: String,
 }
