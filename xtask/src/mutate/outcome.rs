@@ -103,10 +103,11 @@ pub(super) fn listed(list: &Value) -> Option<Vec<Mutant>> {
     Some(places.into_iter().map(mutant).collect())
 }
 
-/// The outcomes of a run that is over.
+/// The outcomes of a run. One that was broken off has no end, and is told with its beginning only.
 pub(super) fn told(outcomes: &Value, by: By) -> Option<Vec<Outcome>> {
     let time = |member: &str| outcomes[member].as_str().map(to_the_second);
-    let run = [time("start_time")?, time("end_time")?];
+    let start = time("start_time")?;
+    let run = [start.clone(), time("end_time").unwrap_or(start)];
     let tried = outcomes["outcomes"].as_array()?.iter();
     let mutants = tried.filter(|outcome| outcome["scenario"]["Mutant"].is_object());
     let outcome = |outcome: &Value| {
@@ -219,10 +220,16 @@ mod tests {
     }
 
     #[test]
+    fn of_a_run_that_was_broken_off_what_it_tried_counts() {
+        let mut broken_off = run(&[("a", "CaughtMutant")]);
+        broken_off["end_time"] = Value::Null;
+        let outcomes = told(&broken_off, By::Cases).unwrap();
+        assert_eq!(outcomes.len(), 1);
+        assert_eq!(outcomes[0].run[1], "2026-01-02T03:04:05Z");
+    }
+
+    #[test]
     fn an_unknown_outcome_is_not_guessed() {
         assert_eq!(told(&run(&[("a", "Lost")]), By::Cases), None);
-        let mut broken_off = run(&[]);
-        broken_off["end_time"] = Value::Null;
-        assert_eq!(told(&broken_off, By::Cases), None);
     }
 }
