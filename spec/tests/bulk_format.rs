@@ -101,6 +101,33 @@ fn the_golden_block_reads_as_its_two_columns_in_order() {
 }
 
 #[test]
+fn a_block_lends_the_bytes_that_it_was_read_from_and_is_empty_without_columns() {
+    let block = Block::parse(&GOLDEN).unwrap();
+    assert_eq!(block.bytes(), GOLDEN);
+    assert!(!block.is_empty());
+    let header = encode::<ColumnRef<'_>>(&[]).unwrap();
+    let block = Block::parse(&header).unwrap();
+    assert_eq!(block.bytes(), &header[..]);
+    assert!(block.is_empty());
+}
+
+#[test]
+fn shown_to_people_a_block_lists_its_columns_and_a_column_its_type_and_values() {
+    let shown = format!("{:?}", Block::parse(&GOLDEN).unwrap());
+    let (times, senders) = shown.split_once("senders").unwrap();
+    assert!(
+        times.contains("\"times\"") && times.contains("rows: 3"),
+        "{shown}"
+    );
+    assert!(senders.contains("rows: 3"), "{shown}");
+    let whole = Column::new("x", vec![1_i32, -2]);
+    assert_eq!(format!("{:?}", whole.data), "i32 [1, -2]");
+    assert_eq!(Dtype::F64.to_string(), "f64");
+    assert!(!whole.data.is_empty() && whole.data.len() == 2);
+    assert!(Column::new("x", Vec::<f32>::new()).data.is_empty());
+}
+
+#[test]
 fn a_view_gives_values_only_as_the_type_that_the_column_has() {
     let block = encode(&[ColumnRef::new("x", &[1_i64, 2][..])]).unwrap();
     let view = Block::parse(&block).unwrap().column(0).unwrap();

@@ -1064,6 +1064,20 @@ mod speed_limit {
         }
     }
 
+    /// [NCP-SAFE-060] Half an ulp for each component and a few for the rest is taken off, and no more: along one
+    /// axis at powers of two no other step rounds.
+    #[test]
+    fn a_velocity_is_scaled_no_further_below_the_limit_than_roundings_need() {
+        let half_ulp = f64::EPSILON / 2.0;
+        for (width, most) in [(1_u32, 16.0), (3, 16.0), (16, 32.0), (64, 96.0)] {
+            let mut fast = vec![0.0; width as usize];
+            fast[0] = 2.0;
+            assert!(kernel::clamp(&mut fast, 1.0));
+            assert!(fast[0] <= 1.0 - f64::from(width) * half_ulp, "{width} wide");
+            assert!(fast[0] >= 1.0 - most * half_ulp, "{width} wide");
+        }
+    }
+
     /// [NCP-SAFE-060] Whatever the limit, to the least and the largest.
     #[test]
     fn no_limit_is_too_small_or_too_large_to_hold() {

@@ -206,6 +206,19 @@ mod deadline {
         }
     }
 
+    /// [NCP-RES-020] [NCP-RES-023] A stamped HOLD advances the stream; one without a stamp comes from nowhere in it.
+    #[test]
+    fn a_hold_without_a_stamp_leaves_the_place_in_a_stream_of_negative_seqs() {
+        let mut watchdog = CommandWatchdog::new();
+        assert!(watchdog.on_command(0.0, 200.0, -5));
+        assert!(watchdog.on_hold(0));
+        assert!(watchdog.should_hold(0.0));
+        assert!(watchdog.on_command(0.1, 200.0, -3));
+        assert!(!watchdog.should_hold(0.1));
+        assert!(watchdog.on_hold(-2));
+        assert!(!watchdog.on_command(0.2, 200.0, -2));
+    }
+
     /// [NCP-RES-011] [NCP-RES-012]
     #[test]
     fn a_reset_watchdog_holds_until_a_command_of_any_seq() {

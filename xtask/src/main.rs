@@ -6,7 +6,8 @@
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `fuzz`: builds the fuzz targets, runs them, and measures what they reach.
-//! - `mutate`: changes one token of the kernel at a time, and asks whether the proofs notice.
+//! - `mutate_kernel`: changes one token of the kernel at a time, and asks whether the proofs notice.
+//! - `mutate_spec`: mutants of the specification, and what notices them.
 //! - `prove`: the proofs, and whether their report is fresh.
 //! - `count`: finds the number of tests in what a test program printed.
 
@@ -16,7 +17,8 @@ mod checks;
 mod count;
 mod fuzz;
 mod generate;
-mod mutate;
+mod mutate_kernel;
+mod mutate_spec;
 mod project;
 mod prove;
 mod setup;
@@ -46,6 +48,11 @@ Commands:
   prove --mutate <N> [--seed <S>]
                           Change one token of the kernel, N times, and hold each changed one against the
                           properties; writes reports/mutations.{json,md}
+  mutate-spec [--module <name>]…
+                          Mutate the specification by cargo-mutants, and write reports/cargo-mutants.{json,md}
+  mutate-spec --missed    Only what no run has seen noticed so far
+  mutate-spec --report    Only write the report of what the last runs left in .tools
+  mutate-spec --check     Only say whether that report is about the sources as they are
   setup                   Only set up what the checks need, into ignored folders; valgrind, Chromium
 ";
 
@@ -86,8 +93,11 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["generate"] => generate::write(&project),
         ["generate", "--check"] => generate::report_stale(&project),
         ["fuzz", options @ ..] => fuzz::run(&project, options),
-        ["prove", options @ ..] if options.contains(&"--mutate") => mutate::run(&project, options),
+        ["prove", options @ ..] if options.contains(&"--mutate") => {
+            mutate_kernel::run(&project, options)
+        }
         ["prove", engines @ ..] => prove::run(&project, engines),
+        ["mutate-spec", options @ ..] => mutate_spec::run(&project, options),
         ["setup"] => setup::all(&project),
         _ => Err(Error::Usage {
             what: format!("`{}` is no command", args.join(" ")),

@@ -7,6 +7,7 @@ use crate::case::{Case, File};
 
 pub(super) fn file() -> File {
     let mut cases = shared();
+    cases.extend(among_many());
     cases.extend(amplified());
     cases.extend(apart());
     let about = "Regions of a BulkBlock that share bytes, which no block may have, and regions that only touch.";
@@ -190,6 +191,47 @@ fn shared() -> Vec<Case> {
                 .because("Header with directory, names and data are regions, and no two may share a byte.")
         })
         .collect()
+}
+
+/// Only the last two of many columns share bytes.
+fn among_many() -> Vec<Case> {
+    let block = |count: usize| {
+        let columns: Vec<_> = (0..count)
+            .map(|nth| f64s(&short_name(nth), [1.5]))
+            .collect();
+        Block::new(columns)
+    };
+    let mut cases = Vec::new();
+    for count in [8, 9, 10, 17, 64] {
+        let block = block(count);
+        let (mut data, mut names) = (block.data.clone(), block.names.clone());
+        data[count - 1] = data[count - 2];
+        names[count - 1] = names[count - 2];
+        for (part, bytes) in [
+            (
+                "data",
+                block
+                    .clone()
+                    .laid_out(&block.names, &data, block.len)
+                    .bytes(),
+            ),
+            (
+                "name",
+                block
+                    .clone()
+                    .laid_out(&names, &block.data, block.len)
+                    .bytes(),
+            ),
+        ] {
+            cases.push(
+                rejected(format!("last-two-of/{count}-columns/{part}"), &["NCP-BULK-012"], &bytes)
+                    .title(format!("A block of {count} columns in which only the {part} of the last two share bytes is rejected."))
+                    .flags(&["L01", "overlapping-regions"])
+                    .because("No two regions may share a byte, however many columns come before them."),
+            );
+        }
+    }
+    cases
 }
 
 /// Many columns over the same bytes.

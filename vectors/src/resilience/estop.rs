@@ -362,6 +362,25 @@ fn stops() -> Vec<(&'static str, &'static str, Json)> {
             Json::string(" \t\r\n{ \"kind\" :\t\"command_frame\" ,\n\"mode\"\r:  \"estop\" }\n "),
         ),
         (
+            "white-space-malformed",
+            "A malformed ESTOP with white space",
+            Json::string(
+                " \t\r\n{ \"kind\" :\t\"command_frame\" ,\n\"mode\"\r:  \"estop\" , \"seq\" : \"x\" }\n ",
+            ),
+        ),
+        (
+            "spaced-malformed",
+            "A malformed ESTOP with a space behind every colon and comma",
+            Json::string(r#"{"seq": "x", "kind": "command_frame", "mode": "estop"}"#),
+        ),
+        (
+            "indented-malformed",
+            "A malformed ESTOP with a member a line",
+            Json::string(
+                "{\r\n\t\"seq\": [1, 2],\r\n\t\"kind\": \"command_frame\",\r\n\t\"mode\": \"estop\"\r\n}\r\n",
+            ),
+        ),
+        (
             "escaped-name",
             "An ESTOP whose member name is escaped",
             Json::string(r#"{"kind":"command_frame","m\u006fde":"estop"}"#),
@@ -402,6 +421,18 @@ fn stops() -> Vec<(&'static str, &'static str, Json)> {
             "text-with-a-mode",
             "An ESTOP behind a text that has a mode",
             Json::string(r#"{"x":"\"mode\":\"active\"","kind":"command_frame","mode":"estop"}"#),
+        ),
+        (
+            "text-with-quotes-malformed",
+            "A malformed ESTOP behind a text with quotes and braces",
+            Json::string(r#"{"x":"\"}{\\","seq":"x","kind":"command_frame","mode":"estop"}"#),
+        ),
+        (
+            "text-with-quotes-within-malformed",
+            "A malformed ESTOP behind a list with such a text",
+            Json::string(
+                r#"{"x":["\"}{],\\",{"y":"]\""}],"seq":"x","kind":"command_frame","mode":"estop"}"#,
+            ),
         ),
         (
             "deep-unknown",

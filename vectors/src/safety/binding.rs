@@ -394,5 +394,22 @@ fn widths() -> Vec<Case> {
             );
         }
     }
+    for (kind, name) in [("array", "array-3"), ("vec3", "vec3-of-3")] {
+        let capabilities = Capabilities {
+            sensors: vec![wide(POSITION, kind, M, Some(3))],
+            commands: vec![wide(VELOCITY, kind, MPS, Some(3))],
+        };
+        let trace = Trace::negotiated(
+            Limits::both(2.0, 5.0),
+            capabilities,
+            vec![govern(good(), near())],
+        );
+        cases.push(
+            case(format!("width/both/{name}"), &["NCP-SAFE-021"], &trace)
+                .title(format!("Limits on channels declared as {kind} of size 3 let a command pass that keeps them."))
+                .flags(&["over-strict"])
+                .because("Both channels are declared in the table's unit and 3 wide, so that the limits act, and no gate closes."),
+        );
+    }
     cases
 }

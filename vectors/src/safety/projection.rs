@@ -180,6 +180,15 @@ fn without_horizon() -> Vec<Case> {
                 .because("T is the enforced ttl, min(ttl_ms, 60 s)."),
         );
     }
+    // A length of ticks without ticks says nothing.
+    for dt in [-500.0, 0.0, 125.0, 10_000.0] {
+        let command = Command::moving(&[-4.0, 0.0, 0.0]).then(dt, &[]);
+        cases.push(
+            one(format!("no-ticks/dt-{}", name_of(dt)), &["NCP-SAFE-021", "NCP-SAFE-054"], Limits::fence(FENCE), command, &[4.0, 0.0, 0.0])
+                .title(format!("From 4 m out inward, a command without a horizon passes whose horizon_dt_ms is {dt}."))
+                .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
+        );
+    }
     // The velocity is clamped before it is projected.
     for (speed, rule, ends) in [
         (4.0, "NCP-SAFE-021", "passes"),

@@ -551,7 +551,7 @@ fn write_report(
         }
     }
     let mut text = format!(
-        "# Changes of one token\n\n`cargo xtask prove --mutate {} --seed {}`: of {all} changes of one token of the kernel that the grammar of `xtask/src/mutate/tokens.rs` knows, {} that compile, held against every property. A refuted one has a concrete counterexample, which stands in the `.json` beside this. An equivalent one changes no behaviour; [why](../proofs/equivalent.toml) is said of each.\n\n| file | changes | refuted | equivalent | open |\n|---|---|---|---|---|\n",
+        "# Changes of one token\n\n`cargo xtask prove --mutate {} --seed {}`: of {all} changes of one token of the kernel that the grammar of `xtask/src/mutate_kernel/tokens.rs` knows, {} that compile, held against every property. A refuted one has a concrete counterexample, which stands in the `.json` beside this. An equivalent one changes no behaviour; [why](../proofs/equivalent.toml) is said of each.\n\n| file | changes | refuted | equivalent | open |\n|---|---|---|---|---|\n",
         options.count,
         options.seed,
         entries.len()

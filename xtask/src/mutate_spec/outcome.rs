@@ -1,0 +1,235 @@
+//! What cargo-mutants tells: the mutants that there are, and how each of them fared.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+/// A mutant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Mutant {
+    /// As cargo-mutants prints it, with the line.
+    pub(super) name: String,
+    /// Without the line; the second of one such name in a file ends with ` #2`.
+    pub(super) key: String,
+}
+
+/// How a mutant fared.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Outcome {
+    /// The mutant's name, with the line.
+    pub(super) name: String,
+    pub(super) fate: Fate,
+    /// When the run began and ended in which this was seen.
+    pub(super) run: [String; 2],
+}
+
+/// What became of a mutant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fate {
+    Caught(By),
+    Missed,
+    TimedOut,
+    /// It does not compile.
+    Unviable,
+}
+
+/// What notices mutants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    /// The golden cases.
+    Cases,
+    /// The tests of the specification.
+    Tests,
+}
+
+impl By {
+    /// The name of the file in which the `nth` stage of a run is kept.
+    pub(super) fn file(self, nth: usize) -> String {
+        let by = match self {
+            Self::Cases => "cases",
+            Self::Tests => "tests",
+        };
+        format!("{nth:02}-{by}.json")
+    }
+
+    /// What was asked in the stage that is kept in a file of this name.
+    pub(super) fn of_file(name: &str) -> Option<Self> {
+        let (nth, by) = name.strip_suffix(".json")?.split_once('-')?;
+        nth.parse::<u32>().ok()?;
+        [Self::Cases, Self::Tests]
+            .into_iter()
+            .find(|of| of.file(0).strip_prefix("00-") == Some(&format!("{by}.json")))
+    }
+}
+
+impl Outcome {
+    /// Whether nothing noticed the mutant.
+    pub(super) fn is_missed(&self) -> bool {
+        self.fate == Fate::Missed
+    }
+}
+
+/// The mutants of a list, in the order of the files and of the places within them.
+pub(super) fn listed(list: &Value) -> Option<Vec<Mutant>> {
+    let place = |mutant: &Value| {
+        let (name, file) = (mutant["name"].as_str()?, mutant["file"].as_str()?);
+        let (line, rest) = name
+            .strip_prefix(file)?
+            .strip_prefix(':')?
+            .split_once(':')?;
+        let (column, what) = rest.split_once(": ")?;
+        let (line, column): (u32, u32) = (line.parse().ok()?, column.parse().ok()?);
+        Some((
+            file.to_owned(),
+            line,
+            column,
+            what.to_owned(),
+            name.to_owned(),
+        ))
+    };
+    let mut places: Vec<_> = list.as_array()?.iter().map(place).collect::<Option<_>>()?;
+    places.sort();
+    let mut times: BTreeMap<String, u32> = BTreeMap::new();
+    let mutant = |(file, _, _, what, name)| {
+        let without_line = format!("{file}: {what}");
+        let nth = times.entry(without_line.clone()).or_default();
+        *nth += 1;
+        let key = match *nth {
+            1 => without_line,
+            nth => format!("{without_line} #{nth}"),
+        };
+        Mutant { name, key }
+    };
+    Some(places.into_iter().map(mutant).collect())
+}
+
+/// The outcomes of a run. One that was broken off has no end, and is told with its beginning only.
+pub(super) fn told(outcomes: &Value, by: By) -> Option<Vec<Outcome>> {
+    let time = |member: &str| outcomes[member].as_str().map(to_the_second);
+    let start = time("start_time")?;
+    let run = [start.clone(), time("end_time").unwrap_or(start)];
+    let tried = outcomes["outcomes"].as_array()?.iter();
+    let mutants = tried.filter(|outcome| outcome["scenario"]["Mutant"].is_object());
+    let outcome = |outcome: &Value| {
+        Some(Outcome {
+            name: outcome["scenario"]["Mutant"]["name"].as_str()?.to_owned(),
+            fate: match outcome["summary"].as_str()? {
+                "CaughtMutant" => Fate::Caught(by),
+                "MissedMutant" => Fate::Missed,
+                "Timeout" => Fate::TimedOut,
+                "Unviable" => Fate::Unviable,
+                _ => return None,
+            },
+            run: run.clone(),
+        })
+    };
+    mutants.map(outcome).collect()
+}
+
+/// A time without the fraction of its second.
+fn to_the_second(time: &str) -> String {
+    match time.split_once('.') {
+        Some((time, _)) => format!("{time}Z"),
+        None => time.to_owned(),
+    }
+}
+
+/// Outcomes, with what a later stage made of those that were not noticed before.
+pub(super) fn updated(outcomes: Vec<Outcome>, later: Vec<Outcome>) -> Vec<Outcome> {
+    let by_name = |outcome: Outcome| (outcome.name.clone(), outcome);
+    let mut all: BTreeMap<String, Outcome> = outcomes.into_iter().map(by_name).collect();
+    for outcome in later {
+        let before = all.get(&outcome.name).map(|before| before.fate);
+        if !matches!(before, Some(Fate::Caught(_) | Fate::Unviable)) {
+            all.insert(outcome.name.clone(), outcome);
+        }
+    }
+    all.into_values().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_mutant_is_known_without_its_line_and_two_of_one_name_by_their_order() {
+        let list = json!([
+            {"file": "a.rs", "name": "a.rs:10:9: replace < with <= in f"},
+            {"file": "a.rs", "name": "a.rs:9:10: replace < with <= in f"},
+            {"file": "b.rs", "name": "b.rs:1:2: replace S::g -> Option<u8> with Some(0)"},
+        ]);
+        let mutants = listed(&list).unwrap();
+        assert_eq!(mutants[0].name, "a.rs:9:10: replace < with <= in f");
+        let keys: Vec<_> = mutants.into_iter().map(|mutant| mutant.key).collect();
+        assert_eq!(
+            keys,
+            [
+                "a.rs: replace < with <= in f",
+                "a.rs: replace < with <= in f #2",
+                "b.rs: replace S::g -> Option<u8> with Some(0)",
+            ]
+        );
+        assert_eq!(
+            listed(&json!([{"file": "a.rs", "name": "b.rs:1:1: x"}])),
+            None
+        );
+    }
+
+    fn run(summaries: &[(&str, &str)]) -> Value {
+        let mutants = summaries.iter().map(
+            |(name, summary)| json!({"scenario": {"Mutant": {"name": name}}, "summary": summary}),
+        );
+        let baseline = json!({"scenario": "Baseline", "summary": "Success"});
+        let outcomes: Vec<_> = std::iter::once(baseline).chain(mutants).collect();
+        json!({"start_time": "2026-01-02T03:04:05.678Z", "end_time": "2026-01-02T03:05:06Z", "outcomes": outcomes})
+    }
+
+    #[test]
+    fn the_tests_are_asked_of_what_the_cases_miss_only() {
+        let first = run(&[
+            ("a", "CaughtMutant"),
+            ("b", "MissedMutant"),
+            ("c", "MissedMutant"),
+            ("d", "Unviable"),
+        ]);
+        let second = run(&[
+            ("b", "CaughtMutant"),
+            ("c", "MissedMutant"),
+            ("d", "Timeout"),
+        ]);
+        let first = told(&first, By::Cases).unwrap();
+        assert_eq!(
+            first[0].run,
+            ["2026-01-02T03:04:05Z", "2026-01-02T03:05:06Z"]
+        );
+        let fates: Vec<_> = updated(first, told(&second, By::Tests).unwrap())
+            .into_iter()
+            .map(|outcome| outcome.fate)
+            .collect();
+        assert_eq!(
+            fates,
+            [
+                Fate::Caught(By::Cases),
+                Fate::Caught(By::Tests),
+                Fate::Missed,
+                Fate::Unviable
+            ]
+        );
+    }
+
+    #[test]
+    fn of_a_run_that_was_broken_off_what_it_tried_counts() {
+        let mut broken_off = run(&[("a", "CaughtMutant")]);
+        broken_off["end_time"] = Value::Null;
+        let outcomes = told(&broken_off, By::Cases).unwrap();
+        assert_eq!(outcomes.len(), 1);
+        assert_eq!(outcomes[0].run[1], "2026-01-02T03:04:05Z");
+    }
+
+    #[test]
+    fn an_unknown_outcome_is_not_guessed() {
+        assert_eq!(told(&run(&[("a", "Lost")]), By::Cases), None);
+    }
+}
