@@ -468,6 +468,8 @@ fn likenesses() -> Vec<(&'static str, &'static str, Json)> {
         ("nested-in-array", "A stale command with an ESTOP frame within an array", text(active(3).json().and("x", Json::Array(vec![estop()])))),
         ("unknown-kind", "An object of an unknown kind in mode `estop`", other("command")),
         ("observation-frame", "An observation frame with a mode", other("observation_frame")),
+        ("mode-in-capitals", "A command in mode `ESTOP` with a frame_id of `estop`", text(active(50).mode("ESTOP").json().with("frame_id", "estop".into()))),
+        ("mode-half-in-capitals", "A command in mode `Estop` with a channel named `estop`", text(active(50).mode("Estop").json().with("channels", object! { "estop" => object! { "data" => Json::Array(Vec::new()) } }))),
         ("array", "An array that holds `estop`", Json::string(r#"["command_frame","mode","estop"]"#)),
         ("text", "A text that says ESTOP", Json::string(r#""estop""#)),
         ("no-json", "Bytes that say ESTOP", Json::string("estop")),

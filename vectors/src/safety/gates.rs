@@ -6,6 +6,8 @@ use super::model::{
 };
 use super::{case, good, near};
 use crate::case::{Case, File};
+use crate::json::object;
+use crate::trace::{any, refused, steps};
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
@@ -263,6 +265,23 @@ fn in_every_mode(violation: &Violation) -> Vec<Case> {
 /// Modes that do not move, under each limit and at several speeds.
 fn modes() -> Vec<Case> {
     let mut cases = Vec::new();
+    // A wire string that nobody knows; an interface may refuse it.
+    for mode in ["dance", "ACTIVE", "active "] {
+        let trace = Trace::new(Limits::NONE, vec![govern(good().mode(mode), near())]);
+        let hold = object! { "frame" => object! { "mode" => "hold" } };
+        let name = mode.to_lowercase().replace(' ', "-space");
+        cases.push(
+            case(
+                format!("mode/unknown/{name}"),
+                &["NCP-SAFE-002"],
+                &trace,
+            )
+            .shows_or_refuses(steps(vec![any(vec![hold, refused()])]))
+            .title(format!("A command in the unknown mode `{mode}` becomes a HOLD frame."))
+            .flags(&["unknown-mode-moves"])
+            .because("An unknown mode reads as `hold`, and the governor answers it with a HOLD frame."),
+        );
+    }
     for mode in ["hold", "init"] {
         for (with, limits) in [
             ("no-limit", Limits::NONE),

@@ -327,7 +327,14 @@ fn steps_without_velocity() -> Vec<Case> {
     ];
     let mut cases = Vec::new();
     for (name, words, step) in table {
-        for place in 0..3 {
+        // A width is another rule's matter too: it is shown at one place only.
+        let places = match name {
+            "empty" => 0..1,
+            "two-wide" => 1..2,
+            "four-wide" => 2..3,
+            _ => 0..3,
+        };
+        for place in places {
             let mut command = Command::moving(&slow).then(50.0, &[slow, slow, slow]);
             if let Some(at) = command.horizon.get_mut(place) {
                 at.clone_from(&step);
@@ -371,7 +378,7 @@ fn clamped_horizons() -> Vec<Case> {
 /// Velocities without a unit that were negotiated in another than m/s, without a speed limit.
 fn other_units() -> Vec<Case> {
     let mut cases = Vec::new();
-    for unit in ["km/h", "kn", "mm/s"] {
+    for unit in ["km/h", "kn"] {
         let capabilities = || {
             let mut capabilities = Capabilities::canonical(&[]);
             capabilities.commands = vec![vec3(VELOCITY, Some(unit))];
@@ -380,7 +387,8 @@ fn other_units() -> Vec<Case> {
         let bare = || vec![channel(VELOCITY, &[0.25, 0.0, 0.0], None)];
         let still = || Command::of(vec![channel(VELOCITY, &[0.0; 3], None)]);
         let name = unit.replace('/', "-per-");
-        for (what, command) in [("slow", Command::of(bare())), ("still", still())] {
+        let commands = [("slow", Command::of(bare())), ("still", still())];
+        for (what, command) in commands.into_iter().take(if unit == "kn" { 1 } else { 2 }) {
             let steps = vec![govern(command, Sensor::at(&[1.0, 2.0, 2.0]))];
             cases.push(
                 case(

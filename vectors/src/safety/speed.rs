@@ -47,6 +47,10 @@ fn vectors() -> Vec<Case> {
         for (name, limit, rules) in [
             ("at", norm, &["NCP-SAFE-062"][..]),
             ("below", norm * 2.0, &["NCP-SAFE-062"][..]),
+            ("well-below", norm * 3.0, &["NCP-SAFE-062"][..]),
+            ("far-below", norm * 16.0, &["NCP-SAFE-062"][..]),
+            ("very-far-below", norm * 1024.0, &["NCP-SAFE-062"][..]),
+            ("next-to-nothing", norm * 1e9, &["NCP-SAFE-062"][..]),
             (
                 "just-below",
                 norm * (1.0 + 1.0 / 1024.0),
@@ -242,6 +246,26 @@ fn unusable() -> Vec<Case> {
             &["L10"],
         ),
         ("metres", "is in m", in_unit(Some("m")), &["L10"]),
+        (
+            "centimetres-a-second",
+            "is in cm/s",
+            in_unit(Some("cm/s")),
+            &["L10"],
+        ),
+        (
+            "feet-a-second",
+            "is in ft/s",
+            in_unit(Some("ft/s")),
+            &["L10"],
+        ),
+        ("miles-an-hour", "is in mph", in_unit(Some("mph")), &["L10"]),
+        (
+            "metres-a-second-squared",
+            "is in m/s2",
+            in_unit(Some("m/s2")),
+            &["L10"],
+        ),
+        ("capitals", "is in `M/S`", in_unit(Some("M/S")), &["L10"]),
         ("spelled-out", "is in `mps`", in_unit(Some("mps")), &["L10"]),
         (
             "empty-unit",
@@ -269,7 +293,7 @@ fn unusable() -> Vec<Case> {
     table
         .into_iter()
         .map(|(name, words, command, flags)| {
-            let steps = vec![govern(command, near()), govern(Command::moving(&[0.5, 0.0, 0.0]), near())];
+            let steps = vec![govern(command, near()), govern(Command::moving(&[1.0, 0.0, 0.0]), near())];
             case(format!("unusable/{name}"), &["NCP-SAFE-063"], &Trace::new(Limits::speed(1.0), steps))
                 .title(format!("Under a speed limit a command is held whose velocity {words}, and the next one passes."))
                 .flags(flags)
@@ -330,7 +354,7 @@ fn channels() -> Vec<Case> {
     for unit in ["rad/s", "m", "lm", "m/s2", "km/h", "rpm"] {
         let more = channel("other", &[300.0, 400.0, 500.0], Some(unit));
         cases.push(
-            one(format!("channel/unit-{}", unit.replace('/', "-per-")), &["NCP-SAFE-021"], Limits::speed(2.0), Command::moving(&[1.0, 0.0, 0.0]).and(more))
+            one(format!("channel/unit-{}", unit.replace('/', "-per-")), &["NCP-SAFE-021"], Limits::speed(2.0), Command::moving(&[2.0, 0.0, 0.0]).and(more))
                 .title(format!("A channel in {unit} is left as it is."))
                 .flags(&["over-strict"])
                 .because("The speed limit acts on channels in `m/s`, and a command passes unchanged that nothing else changes."),
@@ -379,7 +403,8 @@ fn channels() -> Vec<Case> {
 fn horizons() -> Vec<Case> {
     let mut cases = Vec::new();
     let fast = [30.0, 40.0, 0.0];
-    let slow = [0.5, 0.0, 0.0];
+    // At the limit, where also a governor that scales every velocity to it changes nothing.
+    let slow = [2.0, 0.0, 0.0];
     // Which of tick 0 and three steps are too fast.
     for mask in 0..16_u32 {
         let tick = |at: u32| if mask >> at & 1 == 1 { fast } else { slow };
@@ -476,7 +501,8 @@ fn horizons() -> Vec<Case> {
 /// Channels of a step beside its velocity.
 fn other_channels_of_steps() -> Vec<Case> {
     let mut cases = Vec::new();
-    let slow = [0.5, 0.0, 0.0];
+    // At the limit, and deep inside the fence.
+    let slow = [2.0, 0.0, 0.0];
     let with = |place: usize, more: Channel| {
         let mut command = Command::moving(&slow).then(50.0, &[slow, slow]);
         if let Some(step) = command.horizon.get_mut(place) {
