@@ -329,7 +329,7 @@ fn holds() -> Vec<Case> {
             ),
             (
                 "newer-refreshes-nothing",
-                &["NCP-RES-023", "NCP-RES-024"],
+                &["NCP-RES-024", "NCP-RES-025"],
                 "of a newer seq refreshes no deadline",
                 vec![
                     go(5, 1.0),

@@ -437,7 +437,7 @@ fn horizons() -> Vec<Case> {
     ];
     for (name, step) in bad {
         for at in 0..3 {
-            let mut command = Command::moving(&slow).then(50.0, &[slow, fast, slow]);
+            let mut command = Command::moving(&slow).then(50.0, &[slow; 3]);
             if let Some(place) = command.horizon.get_mut(at) {
                 place.clone_from(&step);
             }
