@@ -126,6 +126,7 @@ impl RateCodec {
             let Some(channel) = command.channels.get_mut(&mapping.channel) else {
                 continue;
             };
+            // [NCP-CODEC-011]
             if channel.unit.is_none() {
                 channel.unit.clone_from(&mapping.unit);
             }

@@ -41,7 +41,7 @@ class RateCodec:
             value.data[mapping.component] = _mapped(  # [NCP-CODEC-003] [NCP-CODEC-004]
                 rates.get(mapping.population), mapping.rate_range, mapping.value_range
             )
-            value.unit = mapping.unit if value.unit is None else value.unit
+            value.unit = mapping.unit if value.unit is None else value.unit  # [NCP-CODEC-011]
         return CommandFrame(t=t, seq=seq, frame_id=frame_id, mode=mode, channels=channels)
 
 

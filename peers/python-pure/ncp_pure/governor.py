@@ -177,7 +177,7 @@ class SafetyGovernor:
         for k, tick in enumerate([command.channels, *command.horizon]):
             velocity = self._velocity(tick)
             if velocity is None:
-                break
+                break  # [NCP-SAFE-055]
             reached = _moved(reached, velocity, max(0.0, min((k + 1) * dt, ttl) - k * dt))
             if not _within(reached, self._radius):
                 if k == 0:

@@ -79,7 +79,7 @@ export class RateCodec {
       const value = channels.get(channel) ?? { data: [], unit: null };
       while (value.data.length <= component) value.data.push(0); // [NCP-CODEC-010]
       value.data[component] = mapped(rateOf.get(population), range, values); // [NCP-CODEC-003]
-      value.unit ??= unit ?? null;
+      value.unit ??= unit ?? null; // [NCP-CODEC-011]
       channels.set(channel, value);
     }
     const { t, seq, frame_id, mode } = head;

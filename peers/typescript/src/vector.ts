@@ -36,7 +36,7 @@ export function limited(vector: Float64Array, limit: number): Float64Array {
   const factor = limit / norm(direction);
   for (let shrink = 0; ; shrink = Math.max(shrink * 2, Number.EPSILON)) {
     const scaled = direction.map((component) => component * (factor * (1 - Math.min(shrink, 1))));
-    // Rounding may leave the norm a little above the limit. At the latest, the zero vector is not. [NCP-SAFE-060]
+    // Rounding may leave the norm a little above the limit. At the latest, the zero vector is not. [NCP-SAFE-060] [NCP-SAFE-069]
     if (norm(scaled) <= limit) return scaled;
   }
 }

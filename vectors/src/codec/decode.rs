@@ -36,7 +36,14 @@ fn channels(of: Vec<(&str, Vec<f64>)>) -> Json {
 fn velocity(rates: [Option<f64>; 3]) -> Json {
     let of = |rate: Option<f64>| map(rate.unwrap_or(f64::NAN), [0.0, 200.0], [-1.5, 1.5]);
     let data = nums(&rates.map(of));
-    object! { "command" => object! { "mode" => "active", "channels" => object! { "velocity_setpoint" => object! { "data" => data, "unit" => "m/s" } } } }
+    object! { "command" => object! { "mode" => "active", "channels" => object! { "velocity_setpoint" => object! { "data" => data } } } }
+}
+
+/// And the unit of the table, which only the cases of that rule ask for.
+fn in_metres_a_second(expected: Json) -> Json {
+    expected.edit(&["command", "channels", "velocity_setpoint"], |channel| {
+        channel.with("unit", "m/s".into())
+    })
 }
 
 fn uav() -> Vec<Case> {
@@ -69,9 +76,15 @@ fn uav() -> Vec<Case> {
                 &["NCP-CODEC-003", "NCP-CODEC-020"]
             }
         };
+        let expected = velocity(data.map(Some));
+        let expected = if rules[0] == "NCP-CODEC-020" {
+            in_metres_a_second(expected)
+        } else {
+            expected
+        };
         cases.push(
             case(format!("uav/{name}"), rules, "uav".into(), &rates)
-                .shows(velocity(data.map(Some)))
+                .shows(expected)
                 .title(format!("The UAV codec decodes the rates {}, {} and {} Hz.", data[0], data[1], data[2]))
                 .because("Each rate is mapped from 0 \u{2026} 200 Hz to \u{2212}1.5 \u{2026} 1.5 m/s and clamped."),
         );
@@ -294,6 +307,31 @@ fn mappings() -> Vec<Case> {
                 .because("Each mapping sets one component; those below it that none names are 0, and a component of 4,096 or more is ignored."),
         );
     }
+    // What no mapping names is 0, and not the middle of another's range.
+    for (name, value) in [("positive", [2.0, 6.0]), ("negative", [-8.0, -4.0])] {
+        let far = Mapping {
+            component: 2,
+            value,
+            ..PLAIN
+        };
+        cases.push(
+            case(
+                format!("mapping/gap-{name}"),
+                &["NCP-CODEC-010"],
+                codec(&[], &[far]),
+                &[("p", 100.0)],
+            )
+            .shows(channels(vec![(
+                "x",
+                vec![0.0, 0.0, f64::midpoint(value[0], value[1])],
+            )]))
+            .title(format!(
+                "A component that no mapping names is 0, also below one whose value range is {name}."
+            ))
+            .because("A component of a decoded channel that no mapping names, below one that a mapping names, is 0."),
+        );
+    }
+    cases.extend(units());
     // The middle is the range's, not 0.
     let high = Mapping {
         value: [2.0, 6.0],
@@ -312,12 +350,62 @@ fn mappings() -> Vec<Case> {
     );
     let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => Json::Array(vec![high.json().with("unit", "rad/s".into())]) };
     cases.push(
-        case("mapping/unit".to_owned(), &["NCP-CODEC-003"], united, &[("p", 100.0)])
+        case("mapping/unit".to_owned(), &["NCP-CODEC-011"], united, &[("p", 100.0)])
             .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&[4.0]), "unit" => "rad/s" } } } })
             .title("A decoder's unit becomes the channel's.")
             .because("The decoder builds the command's channel; its unit is the mapping's."),
     );
     cases
+}
+
+/// The unit of a channel of several mappings.
+fn units() -> Vec<Case> {
+    let table: [(&str, &str, &[Option<&str>], &str); 5] = [
+        ("first", "the first names", &[Some("rad/s"), None], "rad/s"),
+        (
+            "second",
+            "the second alone names",
+            &[None, Some("rad/s")],
+            "rad/s",
+        ),
+        (
+            "same",
+            "both name",
+            &[Some("rad/s"), Some("rad/s")],
+            "rad/s",
+        ),
+        (
+            "two",
+            "the first of two names",
+            &[Some("rad/s"), Some("deg/s")],
+            "rad/s",
+        ),
+        (
+            "three",
+            "the first of two after one without names",
+            &[None, Some("deg/s"), Some("rad/s")],
+            "deg/s",
+        ),
+    ];
+    let one = |(name, words, units, expected): (&str, &str, &[Option<&str>], &str)| {
+        let decoders: Json = (0_u32..)
+            .zip(units)
+            .map(|(component, unit)| {
+                let mapping = Mapping { component, ..PLAIN }.json();
+                match unit {
+                    Some(unit) => mapping.with("unit", (*unit).into()),
+                    None => mapping,
+                }
+            })
+            .collect();
+        let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
+        let data = vec![0.5; units.len()];
+        case(format!("mapping/unit-of/{name}"), &["NCP-CODEC-011"], united, &[("p", 150.0)])
+            .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&data), "unit" => expected } } } })
+            .title(format!("The unit of a decoded channel is the one that {words}."))
+            .because("The unit of a decoded channel is that of the first of its mappings that names one.")
+    };
+    table.into_iter().map(one).collect()
 }
 
 /// What stands beside the channels.

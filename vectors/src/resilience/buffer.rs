@@ -9,6 +9,7 @@ use crate::trace::{any, name_of, no_result, nums, steps};
 pub(super) fn file() -> File {
     let mut cases = modes();
     cases.extend(holds());
+    cases.extend(holds_without_a_clock());
     cases.extend(seqs());
     cases.extend(resets());
     cases.extend(deadlines());
@@ -74,6 +75,41 @@ fn modes() -> Vec<Case> {
             .because("`active` is none while the last command is not in mode `active`."),
         );
     }
+    for mode in ["hold", "init"] {
+        for (name, words, before, seq) in [
+            ("seq-zero", "without a stamp", Vec::new(), 0),
+            ("negative", "of a negative seq", Vec::new(), -3),
+            ("large", "of a large seq", Vec::new(), 9_007_199_254_740_991),
+            (
+                "after-expiry",
+                "after a command that expired",
+                vec![go(1, 0.5)],
+                2,
+            ),
+            (
+                "after-reset",
+                "after a reset",
+                vec![go(1, 0.5), Event::Reset],
+                1,
+            ),
+            ("after-hold", "after a HOLD", vec![of("hold", 1, 0.9375)], 2),
+            (
+                "after-no-ttl",
+                "after a command without a ttl",
+                vec![Event::Command(active(1).ttl(0.0), 0.9375)],
+                2,
+            ),
+            ("twice", "that comes twice", vec![of(mode, 1, 0.9375)], 2),
+        ] {
+            let mut events = before;
+            events.extend([of(mode, seq, 1.0), ask(1.0), ask(1.125)]);
+            cases.push(
+                case(format!("mode/{mode}/{name}"), &["NCP-SAFE-001"], &events)
+                    .title(format!("A command in mode `{mode}` {words} moves nothing."))
+                    .because("A plant does not move on a command whose mode is not `active`."),
+            );
+        }
+    }
     let unknown: [(&str, &str); 12] = [
         ("capital", "Active"),
         ("capitals", "ACTIVE"),
@@ -127,7 +163,7 @@ fn modes() -> Vec<Case> {
             ask(1.125),
         ];
         cases.push(
-            case(format!("mode/not-estop/{name}"), &["NCP-RES-023", "NCP-RES-025"], &trace)
+            case(format!("mode/not-estop/{name}"), &["NCP-RES-023", "NCP-SAFE-001", "NCP-RES-025"], &trace)
                 .title(format!("A mode that only looks like ESTOP ({name}) is a HOLD and no latch."))
                 .flags(&["latch-by-likeness"])
                 .because("Wire strings are compared by their letters, and an unknown mode reads as `hold`, which the next active command ends."),
@@ -157,7 +193,7 @@ fn modes() -> Vec<Case> {
 fn holds() -> Vec<Case> {
     let mut cases = Vec::new();
     for mode in ["hold", "init"] {
-        let table: Vec<(&str, &[&'static str], &str, Vec<Event>)> = vec![
+        let mut table: Vec<(&str, &[&'static str], &str, Vec<Event>)> = vec![
             (
                 "equal-seq",
                 &["NCP-RES-023"],
@@ -226,13 +262,13 @@ fn holds() -> Vec<Case> {
             ),
             (
                 "zero-then-duplicate",
-                &["NCP-RES-020", "NCP-RES-023"],
+                &["NCP-RES-023", "NCP-RES-020"],
                 "without a stamp is not undone by a duplicate of the active command",
                 vec![go(5, 1.0), of(mode, 0, 1.0625), go(5, 1.0625), ask(1.0625)],
             ),
             (
                 "zero-then-older",
-                &["NCP-RES-020", "NCP-RES-023"],
+                &["NCP-RES-023", "NCP-RES-020"],
                 "without a stamp is not undone by an older active command",
                 vec![
                     go(5, 1.0),
@@ -269,9 +305,32 @@ fn holds() -> Vec<Case> {
                 ],
             ),
             (
-                "refreshes-nothing",
+                "older-refreshes-nothing",
+                &["NCP-RES-024", "NCP-RES-009"],
+                "of an older seq refreshes no deadline",
+                vec![go(5, 1.0), of(mode, 3, 1.1875), ask(1.3125), ask(1.375)],
+            ),
+            (
+                "older-of-a-minute-refreshes-nothing",
+                &["NCP-RES-024", "NCP-RES-009"],
+                "of an older seq and a ttl of a minute refreshes no deadline",
+                vec![
+                    go(5, 1.0),
+                    Event::Command(active(4).mode(mode).ttl(60_000.0), 1.0625),
+                    ask(1.3125),
+                    ask(10.0),
+                ],
+            ),
+            (
+                "negative-refreshes-nothing",
+                &["NCP-RES-024", "NCP-RES-009"],
+                "of a negative seq refreshes no deadline",
+                vec![go(5, 1.0), of(mode, -1, 1.25), ask(1.3125)],
+            ),
+            (
+                "newer-refreshes-nothing",
                 &["NCP-RES-024", "NCP-RES-025"],
-                "refreshes no deadline",
+                "of a newer seq refreshes no deadline",
                 vec![
                     go(5, 1.0),
                     of(mode, 6, 1.1875),
@@ -281,8 +340,81 @@ fn holds() -> Vec<Case> {
                 ],
             ),
             (
+                "zero-of-a-negative-stream",
+                &["NCP-RES-023"],
+                "without a stamp takes effect also after a command of a negative seq",
+                vec![go(-5, 1.0), ask(1.0), of(mode, 0, 1.0625), ask(1.0625)],
+            ),
+            (
+                "zero-in-a-replay",
+                &["NCP-RES-023"],
+                "without a stamp ends a replay",
+                vec![
+                    Event::Command(active(5).then(Some(62.5), &[51.0, 52.0, 53.0]), 1.0),
+                    ask(1.0625),
+                    of(mode, 0, 1.0625),
+                    ask(1.0625),
+                    ask(1.125),
+                ],
+            ),
+            (
+                "zero-of-a-long-ttl",
+                &["NCP-RES-023"],
+                "without a stamp ends a command of a minute",
+                vec![
+                    Event::Command(active(5).ttl(60_000.0), 1.0),
+                    ask(10.0),
+                    of(mode, 0, 10.0),
+                    ask(10.0),
+                    ask(20.0),
+                ],
+            ),
+            (
+                "older-moves-nothing-back",
+                &["NCP-RES-020", "NCP-RES-009"],
+                "of an older seq does not move the stream back",
+                vec![
+                    go(10, 1.0),
+                    of(mode, 3, 1.0625),
+                    go(5, 1.0625),
+                    ask(1.0625),
+                    ask(1.125),
+                    ask(1.3125),
+                ],
+            ),
+            (
+                "older-moves-no-expired-stream-back",
+                &["NCP-RES-020", "NCP-RES-009"],
+                "of an older seq does not move the stream of an expired command back",
+                vec![
+                    go(10, 1.0),
+                    ask(1.5),
+                    of(mode, 3, 1.5),
+                    go(5, 1.5),
+                    ask(1.5),
+                    go(10, 1.5),
+                    ask(1.5),
+                    go(11, 1.5),
+                    ask(1.5),
+                ],
+            ),
+            (
+                "older-after-hold-moves-nothing-back",
+                &["NCP-RES-020"],
+                "of an older seq does not move the stream of a HOLD back",
+                vec![
+                    go(5, 1.0),
+                    of("hold", 10, 1.0625),
+                    of(mode, 6, 1.0625),
+                    go(8, 1.125),
+                    ask(1.125),
+                    go(11, 1.125),
+                    ask(1.125),
+                ],
+            ),
+            (
                 "long-ttl",
-                &["NCP-RES-024", "NCP-SAFE-001"],
+                &["NCP-SAFE-001", "NCP-RES-024"],
                 "with a ttl of a minute moves nothing for a minute",
                 vec![
                     go(5, 1.0),
@@ -349,12 +481,48 @@ fn holds() -> Vec<Case> {
                 vec![of(mode, 1, 1.0), ask(1.0), go(2, 1.125), ask(1.125)],
             ),
         ];
+        // What `init` shows is mostly that it does not move: of what a HOLD does, the first things.
+        let is_shown = |name: &str, rules: &[&str]| {
+            mode == "hold"
+                || rules.first() != Some(&"NCP-RES-023")
+                || matches!(name, "equal-seq" | "newer-seq" | "seq-zero" | "twice")
+        };
+        table.retain(|(name, rules, ..)| is_shown(name, rules));
         for (name, rules, words, events) in table {
             cases.push(
                 case(format!("hold/{name}/{mode}"), rules, &events)
                     .title(format!("A command in mode `{mode}` {words}."))
                     .flags(&["lost-hold"])
                     .because("A HOLD takes effect at once when its seq is not less than that of the last accepted command, or is 0; it refreshes nothing, and what does not advance is dropped."),
+            );
+        }
+    }
+    cases
+}
+
+/// A HOLD needs no clock.
+fn holds_without_a_clock() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for (name, seq) in [("newer", 6), ("equal", 5), ("zero", 0)] {
+            cases.push(
+                case(
+                    format!("hold/clock-{}/{name}", name_of(value)),
+                    &["NCP-RES-023"],
+                    &[
+                        go(5, 1.0),
+                        ask(1.0),
+                        of("hold", seq, value),
+                        ask(1.0625),
+                        ask(1.125),
+                    ],
+                )
+                .title(format!(
+                    "A HOLD ({name} seq) takes effect, though the clock reads {} when it comes.",
+                    name_of(value)
+                ))
+                .flags(&["lost-hold", "non-finite-clock"])
+                .because("A HOLD takes effect at once; it refreshes nothing and needs no clock."),
             );
         }
     }
@@ -547,6 +715,35 @@ fn resets() -> Vec<Case> {
             vec![go(5, 1.0), reset(), go(5, 1.125), ask(1.125)],
         ),
         (
+            "much-lower",
+            &["NCP-RES-030"],
+            "After a reset, a much lower seq advances.",
+            vec![
+                go(9_007_199_254_740_991, 1.0),
+                reset(),
+                go(3, 1.125),
+                ask(1.125),
+            ],
+        ),
+        (
+            "unstamped",
+            &["NCP-RES-030"],
+            "After a reset, an unstamped command advances.",
+            vec![go(5, 1.0), reset(), go(0, 1.125), ask(1.125)],
+        ),
+        (
+            "negative",
+            &["NCP-RES-030"],
+            "After a reset, a negative seq advances.",
+            vec![go(5, 1.0), reset(), go(-3, 1.125), ask(1.125)],
+        ),
+        (
+            "expired-then-lower",
+            &["NCP-RES-030"],
+            "After a reset of a plant that expired, a lower seq advances.",
+            vec![go(5, 1.0), ask(1.5), reset(), go(2, 1.5), ask(1.5)],
+        ),
+        (
             "restart-held",
             &["NCP-RES-032"],
             "A sender that begins again is held until the reset.",
@@ -651,12 +848,61 @@ fn deadlines() -> Vec<Case> {
             );
         }
     }
+    // A newer command without a ttl takes the place of the one before it.
+    for ttl in [0.0, -0.0, -1.0, -250.0, -1e308] {
+        cases.push(
+            case(
+                format!("replace/ttl-{}", name_of(ttl)),
+                &["NCP-RES-005", "NCP-RES-025"],
+                &[
+                    go(1, 1.0),
+                    ask(1.0),
+                    Event::Command(active(2).ttl(ttl), 1.0625),
+                    ask(1.0625),
+                    ask(1.125),
+                    go(3, 1.1875),
+                    ask(1.1875),
+                ],
+            )
+            .title(format!(
+                "A newer command of {ttl} ms ends the one before it, until the next."
+            ))
+            .flags(&["ttl-without-time"])
+            .because("The plant keeps the newest command, and holds on one whose `ttl_ms` is not positive."),
+        );
+        cases.push(
+            case(
+                format!("replace/ttl-{}/in-a-replay", name_of(ttl)),
+                &["NCP-RES-005", "NCP-RES-025"],
+                &[
+                    Event::Command(active(1).ttl(1000.0).then(Some(125.0), &[11.0, 12.0]), 1.0),
+                    ask(1.125),
+                    Event::Command(active(2).ttl(ttl), 1.125),
+                    ask(1.125),
+                    ask(1.25),
+                ],
+            )
+            .title(format!("A newer command of {ttl} ms ends a replay."))
+            .flags(&["ttl-without-time"])
+            .because("The plant keeps the newest command, and holds on one whose `ttl_ms` is not positive."),
+        );
+    }
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let name = name_of(value);
         cases.push(
             case(
+                format!("clock/{name}/asked-once"),
+                &["NCP-RES-007"],
+                &[go(1, 1.0), ask(value)],
+            )
+            .title(format!("The buffer holds when the clock reads {name}."))
+            .flags(&["non-finite-clock"])
+            .because("A plant holds when now is not finite."),
+        );
+        cases.push(
+            case(
                 format!("clock/{name}/asked"),
-                &["NCP-RES-007", "NCP-RES-010"],
+                &["NCP-RES-010", "NCP-RES-007"],
                 &[go(1, 1.0), ask(value), ask(1.125), go(2, 1.125), ask(1.125)],
             )
             .title(format!(
@@ -887,7 +1133,7 @@ fn malformed() -> Vec<Case> {
             ask(1.375),
         ]);
         cases.push(
-            Case::new(format!("malformed/{name}/second"), &["NCP-RES-002"], &[Role::Body])
+            Case::new(format!("malformed/{name}/second"), &["NCP-RES-009", "NCP-RES-002"], &[Role::Body])
                 .call("buffer.run", args)
                 .shows(steps(vec![no_result(), no_result(), any(vec![moving(1.0), still()]), still(), no_result(), moving(3.0)]))
                 .title(format!("A frame that is rejected ({}) prolongs nothing and latches nothing.", name.replace('-', " ")))

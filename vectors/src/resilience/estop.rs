@@ -18,7 +18,7 @@ pub(super) fn file() -> File {
     File::new("resilience", "estop", about, cases)
 }
 
-/// The text between active commands: after it nothing moves until a reset, or everything goes on.
+/// The text between active commands: after it nothing moves, or everything goes on.
 fn trace(name: &str, words: &str, text: &Json, stops: bool) -> Vec<Case> {
     let frame = |now| Event::Text {
         text: text.clone(),
@@ -31,13 +31,10 @@ fn trace(name: &str, words: &str, text: &Json, stops: bool) -> Vec<Case> {
         frame(1.0625),
         go(51, 1.125),
         Event::Ask(1.125),
-        Event::Reset,
-        go(52, 1.1875),
-        Event::Ask(1.1875),
     ];
     let first = vec![frame(1.0), go(51, 1.0), Event::Ask(1.0)];
     let rule: &[&'static str] = if !stops {
-        &["NCP-RES-026"]
+        &["NCP-RES-022", "NCP-RES-026"]
     } else {
         &["NCP-RES-022", "NCP-RES-021"]
     };
@@ -445,6 +442,11 @@ fn stops() -> Vec<(&'static str, &'static str, Json)> {
             Json::string(deep(100)),
         ),
         (
+            "deeper-unknown",
+            "An ESTOP with an unknown member of 3,000 levels",
+            Json::string(deep(3000)),
+        ),
+        (
             "many-members",
             "An ESTOP behind 300 unknown members",
             Json::string(format!(
@@ -491,6 +493,14 @@ fn likenesses() -> Vec<(&'static str, &'static str, Json)> {
         ("sensor-frame", "A sensor frame with a mode", other("sensor_frame")),
         ("control-status", "A control status of mode ESTOP", other("control_status")),
         ("link-status", "A link status with a mode", other("link_status")),
+        ("channels-with-a-mode", "An active command with a channel named `mode`", text(active(50).json().with("channels", object! { "mode" => object! { "data" => Json::Array(vec![Json::literal("1")]), "unit" => "estop" } }))),
+        ("nested-mode", "A stale command with an unknown object in mode `estop`", text(active(3).json().and("x", object! { "mode" => "estop" }))),
+        ("nested-frame", "A stale command with an ESTOP frame within", text(active(3).json().and("x", estop()))),
+        ("nested-in-array", "A stale command with an ESTOP frame within an array", text(active(3).json().and("x", Json::Array(vec![estop()])))),
+        ("unknown-kind", "An object of an unknown kind in mode `estop`", other("command")),
+        ("observation-frame", "An observation frame with a mode", other("observation_frame")),
+        ("mode-in-capitals", "A command in mode `ESTOP` with a frame_id of `estop`", text(active(50).mode("ESTOP").json().with("frame_id", "estop".into()))),
+        ("mode-half-in-capitals", "A command in mode `Estop` with a channel named `estop`", text(active(50).mode("Estop").json().with("channels", object! { "estop" => object! { "data" => Json::Array(Vec::new()) } }))),
         ("array", "An array that holds `estop`", Json::string(r#"["command_frame","mode","estop"]"#)),
         ("text", "A text that says ESTOP", Json::string(r#""estop""#)),
         ("no-json", "Bytes that say ESTOP", Json::string("estop")),

@@ -147,11 +147,18 @@ fn case(
     seqs: &[i64],
 ) -> Case {
     let mut monitor = Monitor::new(meant.0, meant.1);
+    // Only the cases of the rate ask for it.
+    let asks_for_rate = matches!(rules.first(), Some(&"NCP-RES-044" | &"NCP-RES-045"));
     let entries = seqs
         .iter()
         .map(|seq| {
             monitor.frame(*seq);
-            monitor.report()
+            let report = monitor.report();
+            if asks_for_rate {
+                report
+            } else {
+                report.without("loss_rate")
+            }
         })
         .collect();
     Case::new(path, rules, &BOTH)
@@ -364,6 +371,12 @@ fn counts() -> Vec<Case> {
             .title(format!("Of the frames 1 to 7, {seqs:?} arrive."))
             .flags(&["wrong-loss"])
             .because("Each seq between expected and the seq of an arriving frame is lost."),
+        );
+        cases.push(
+            usual(&format!("rate/{mask:04b}"), &["NCP-RES-044"], &seqs)
+                .title(format!("The loss rate after each of the frames {seqs:?}."))
+                .flags(&["wrong-loss"])
+                .because("The loss rate is lost / (expected \u{2212} first), and expected is one more than the highest seq seen."),
         );
     }
     cases

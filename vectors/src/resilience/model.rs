@@ -174,10 +174,10 @@ impl Plant {
         if self.latched {
             return Answer::Hold;
         }
-        let value = match command
-            .dt
-            .filter(|dt| dt.is_finite() && *dt > 0.0 && !command.horizon.is_empty())
-        {
+        let usable = command.dt.filter(|dt| dt.is_finite() && *dt > 0.0);
+        // A horizon whose ticks have no length is held for, or tick 0 followed.
+        let may_hold = may_hold || usable.is_none() && !command.horizon.is_empty();
+        let value = match usable.filter(|_| !command.horizon.is_empty()) {
             None => Some(command.value),
             Some(dt) => {
                 let tick = ((now - received) * 1000.0 / dt).floor();
@@ -195,10 +195,8 @@ impl Plant {
         };
         match value {
             None => {
-                // Behind the end of the horizon, and whether the clock may bring it back is not said.
-                if let Some((_, _, may_hold)) = &mut self.held {
-                    *may_hold = true;
-                }
+                // The hold past the end of a horizon persists like every other.
+                self.held = None;
                 Answer::Hold
             }
             Some(value) if may_hold => Answer::Either(value),

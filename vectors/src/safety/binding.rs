@@ -16,17 +16,14 @@ pub(super) fn file() -> File {
     cases.extend(units());
     cases.extend(values());
     cases.extend(widths());
+    cases.extend(resets());
     let about = "How limits bind to the negotiated channels: by name, in their unit, and closed when they cannot.";
     File::new("safety", "binding", about, cases)
 }
 
-/// The command, and again after a reset.
+/// A command, and another.
 fn twice() -> Vec<Step> {
-    vec![
-        govern(good(), near()),
-        Step::Reset,
-        govern(good().seq(8), near()),
-    ]
+    vec![govern(good(), near()), govern(good().seq(8), near())]
 }
 
 const DECOYS: [(&str, Spec, Spec); 4] = [
@@ -153,8 +150,8 @@ fn undeclared() -> Vec<Case> {
     ];
     for (name, limits, capabilities) in table {
         cases.push(
-            case(format!("undeclared/{name}"), &["NCP-SAFE-014", "NCP-SAFE-009"], &Trace::negotiated(limits, capabilities, twice()))
-                .title(format!("A limit whose channel is not declared ({}) holds every command, also after a reset.", name.replace('/', ", ")))
+            case(format!("undeclared/{name}"), &["NCP-SAFE-014", "NCP-SAFE-018"], &Trace::negotiated(limits, capabilities, twice()))
+                .title(format!("A limit whose channel is not declared ({}) holds every command.", name.replace('/', ", ")))
                 .flags(&["first-channel"])
                 .because("An enabled limit whose channel the Capabilities do not declare puts the governor into config fail-closed."),
         );
@@ -212,7 +209,7 @@ fn units() -> Vec<Case> {
         };
         let name = unit_name(unit);
         cases.push(
-            case(format!("unit/position/{name}"), &["NCP-SAFE-015", "NCP-SAFE-009"], &Trace::negotiated(Limits::fence(5.0), capabilities, twice()))
+            case(format!("unit/position/{name}"), &["NCP-SAFE-015", "NCP-SAFE-018"], &Trace::negotiated(Limits::fence(5.0), capabilities, twice()))
                 .title(format!("A fence on a position declared with the unit {name} holds every command."))
                 .flags(&["L10"])
                 .because("An enabled limit whose channel is declared without a unit, or in another than the table's, puts the governor into config fail-closed."),
@@ -236,7 +233,7 @@ fn units() -> Vec<Case> {
         };
         let name = unit_name(unit);
         cases.push(
-            case(format!("unit/velocity/{name}"), &["NCP-SAFE-015", "NCP-SAFE-009"], &Trace::negotiated(Limits::speed(2.0), capabilities, twice()))
+            case(format!("unit/velocity/{name}"), &["NCP-SAFE-015", "NCP-SAFE-018"], &Trace::negotiated(Limits::speed(2.0), capabilities, twice()))
                 .title(format!("A speed limit on a velocity declared with the unit {name} holds every command."))
                 .flags(&["L10"])
                 .because("An enabled limit whose channel is declared without a unit, or in another than the table's, puts the governor into config fail-closed."),
@@ -278,8 +275,8 @@ fn values() -> Vec<Case> {
         ] {
             let flag = if value.is_finite() { "L15" } else { "L13" };
             cases.push(
-                case(format!("value/{which}/{name}"), &["NCP-SAFE-013", "NCP-SAFE-009"], &Trace::new(limits, twice()))
-                    .title(format!("A limit of {name} ({}) holds every command, also after a reset.", which.replace('-', " ")))
+                case(format!("value/{which}/{name}"), &["NCP-SAFE-013", "NCP-SAFE-018"], &Trace::new(limits, twice()))
+                    .title(format!("A limit of {name} ({}) holds every command.", which.replace('-', " ")))
                     .flags(&[flag])
                     .because("A limit that is negative or not finite puts the governor into config fail-closed."),
             );
@@ -351,6 +348,103 @@ fn values() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Every kind of fault, over resets.
+fn resets() -> Vec<Case> {
+    let negotiated = |position: Option<Spec>, velocity: Option<Spec>| Capabilities {
+        sensors: position.into_iter().collect(),
+        commands: velocity.into_iter().collect(),
+    };
+    let (position, velocity) = (vec3(POSITION, Some(M)), vec3(VELOCITY, Some(MPS)));
+    let (speed, fence) = (Limits::speed(2.0), Limits::fence(5.0));
+    let table: [(&str, &str, Limits, Option<Capabilities>); 10] = [
+        (
+            "negative-speed",
+            "a negative speed limit",
+            Limits::speed(-1.0),
+            None,
+        ),
+        (
+            "negative-fence",
+            "a negative radius",
+            Limits::fence(-1.0),
+            None,
+        ),
+        (
+            "nan-speed",
+            "a speed limit of NaN",
+            Limits::speed(f64::NAN),
+            None,
+        ),
+        (
+            "nan-fence",
+            "a radius of NaN",
+            Limits::fence(f64::NAN),
+            None,
+        ),
+        (
+            "infinite-speed",
+            "an infinite speed limit",
+            Limits::speed(f64::INFINITY),
+            None,
+        ),
+        (
+            "infinite-fence",
+            "an infinite radius",
+            Limits::fence(f64::INFINITY),
+            None,
+        ),
+        (
+            "no-velocity",
+            "an undeclared velocity",
+            speed,
+            Some(negotiated(Some(position), None)),
+        ),
+        (
+            "no-position",
+            "an undeclared position",
+            fence,
+            Some(negotiated(None, Some(velocity))),
+        ),
+        (
+            "knots",
+            "a velocity declared in knots",
+            speed,
+            Some(negotiated(Some(position), Some(vec3(VELOCITY, Some("kn"))))),
+        ),
+        (
+            "feet",
+            "a position declared in feet",
+            fence,
+            Some(negotiated(Some(vec3(POSITION, Some("ft"))), Some(velocity))),
+        ),
+    ];
+    let one = |(name, words, limits, capabilities): (&str, &str, Limits, Option<Capabilities>)| {
+        let steps = vec![
+            govern(good(), near()),
+            Step::Reset,
+            govern(good().seq(8), near()),
+            Step::Reset,
+            Step::Reset,
+            govern(good().seq(9), near()),
+        ];
+        let trace = Trace {
+            limits,
+            capabilities,
+            steps,
+        };
+        case(
+            format!("reset/{name}"),
+            &["NCP-SAFE-009", "NCP-SAFE-018"],
+            &trace,
+        )
+        .title(format!(
+            "A reset does not end the config fail-closed for {words}."
+        ))
+        .because("The governor's reset does not clear a config fail-closed.")
+    };
+    table.into_iter().map(one).collect()
 }
 
 /// Declared widths, which the text only advises about.

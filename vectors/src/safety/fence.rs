@@ -11,6 +11,7 @@ pub(super) fn file() -> File {
     let mut cases = places();
     cases.extend(channels());
     cases.extend(off());
+    cases.extend(moved());
     let about = "The geofence and the measured position: inside, on and outside the ball, and positions that are none.";
     File::new("safety", "fence", about, cases)
 }
@@ -333,6 +334,45 @@ fn channels() -> Vec<Case> {
             .flags(&["L10"])
             .because("The governor reads a channel without a unit in the negotiated one, here m."),
         );
+    }
+    cases
+}
+
+/// The centre is the origin, wherever the first position lay.
+fn moved() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (axis, at) in [("x", 0), ("y", 1), ("z", 2)] {
+        for (side, sign) in [("plus", 1.0), ("minus", -1.0)] {
+            let place = |distance: f64| {
+                let mut place = [0.0; 3];
+                if let Some(component) = place.get_mut(at) {
+                    *component = distance * sign;
+                }
+                place
+            };
+            for (name, first, second, rule) in [
+                ("outside", 4.0, 6.0, "NCP-SAFE-043"),
+                ("just-outside", 0.5, 5.25, "NCP-SAFE-043"),
+                ("across", 4.0, -4.0, "NCP-SAFE-045"),
+            ] {
+                let steps = vec![
+                    govern(still(), Sensor::at(&place(first))),
+                    govern(still(), Sensor::at(&place(second))),
+                ];
+                cases.push(
+                    case(
+                        format!("moved/{axis}-{side}/{name}"),
+                        &[rule],
+                        &Trace::new(Limits::fence(5.0), steps),
+                    )
+                    .title(format!(
+                        "From {first} m to {second} m along {axis} ({side}), the fence of 5 m stays about the origin."
+                    ))
+                    .flags(&["L28"])
+                    .because("The fence is the ball about the origin of the reference frame, not about where the plant was first."),
+                );
+            }
+        }
     }
     cases
 }

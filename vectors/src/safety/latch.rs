@@ -26,7 +26,7 @@ fn event(name: &str, seq: i64) -> Step {
         "burst" => Step::Link(true),
         "calm" => Step::Link(false),
         "reset" => Step::Reset,
-        _ => govern(good().seq(seq), Sensor::at(&[3.0, 4.0, 1.0])),
+        _ => govern(good().seq(seq), Sensor::at(&[30.0, 40.0, 10.0])),
     }
 }
 
@@ -60,22 +60,36 @@ fn sequences() -> Vec<Case> {
     cases
 }
 
-/// The rules that a sequence shows, the one of its first event that latches at the head.
+/// The rules that a sequence shows: at the head what a calm link or a reset does to a latch, else the one
+/// of its first event that latches.
 fn rules(names: &[&'static str; 3]) -> Vec<&'static str> {
-    let mut rules = Vec::new();
-    let mut latched = false;
+    let rule_of = |name: &str| match name {
+        "estop" => "NCP-SAFE-004",
+        "burst" => "NCP-SAFE-006",
+        "breach" => "NCP-SAFE-043",
+        "reset" => "NCP-SAFE-008",
+        _ => "NCP-SAFE-007",
+    };
+    let (mut calmed, mut cleared, mut latching) = (None, None, None);
+    let (mut latched, mut shown) = (false, Vec::new());
     for name in names {
-        let rule = match *name {
-            "estop" => "NCP-SAFE-004",
-            "burst" => "NCP-SAFE-006",
-            "breach" => "NCP-SAFE-043",
-            "reset" => "NCP-SAFE-008",
-            _ => "NCP-SAFE-007",
-        };
-        if *name == "reset" && !latched && rules.is_empty() {
-            continue;
+        let rule = rule_of(name);
+        match *name {
+            "calm" if latched => calmed = Some(rule),
+            "reset" if latched => cleared = Some(rule),
+            "calm" | "reset" => {}
+            _ => latching = latching.or(Some(rule)),
         }
-        latched |= matches!(*name, "estop" | "burst" | "breach");
+        latched = match *name {
+            "calm" => latched,
+            name => name != "reset",
+        };
+        if *name != "reset" || cleared.is_some() {
+            shown.push(rule);
+        }
+    }
+    let mut rules: Vec<&'static str> = [calmed, cleared, latching].into_iter().flatten().collect();
+    for rule in shown {
         if !rules.contains(&rule) {
             rules.push(rule);
         }
@@ -85,12 +99,6 @@ fn rules(names: &[&'static str; 3]) -> Vec<&'static str> {
     }
     if rules.is_empty() {
         rules.push("NCP-SAFE-021");
-    }
-    // What ends with a reset of a latch shows the reset.
-    if names.last() == Some(&"reset")
-        && let Some(at) = rules.iter().position(|rule| *rule == "NCP-SAFE-008")
-    {
-        rules.swap(0, at);
     }
     rules
 }
@@ -107,8 +115,6 @@ fn faults() -> Vec<Case> {
         let stay = |title: &str, path: &str, rules: &[&'static str], before: Vec<Step>| {
             let mut steps = before;
             steps.push(govern(good().seq(20), near()));
-            steps.push(Step::Reset);
-            steps.push(govern(good().seq(21), near()));
             case(format!("config/{name}/{path}"), rules, &Trace::new(limits, steps))
                 .title(title)
                 .flags(&["L13", "L15"])
@@ -117,14 +123,32 @@ fn faults() -> Vec<Case> {
         cases.push(stay(
             "A governor in config fail-closed holds, also after a reset.",
             "reset",
-            &["NCP-SAFE-009", "NCP-SAFE-013", "NCP-SAFE-017"],
-            Vec::new(),
+            &["NCP-SAFE-009", "NCP-SAFE-017"],
+            vec![govern(good().seq(1), near()), Step::Reset],
+        ));
+        cases.push(stay(
+            "A governor in config fail-closed holds after a reset that comes before any command.",
+            "reset-first",
+            &["NCP-SAFE-009", "NCP-SAFE-017"],
+            vec![Step::Reset],
         ));
         cases.push(stay(
             "A governor in config fail-closed goes from ESTOP back to HOLD on a reset.",
+            "burst-reset",
+            &["NCP-SAFE-009", "NCP-SAFE-017"],
+            vec![Step::Link(true), Step::Reset],
+        ));
+        cases.push(stay(
+            "A burst latches ESTOP in a governor in config fail-closed too.",
             "burst",
-            &["NCP-SAFE-009", "NCP-SAFE-006", "NCP-SAFE-017"],
+            &["NCP-SAFE-006", "NCP-SAFE-005"],
             vec![Step::Link(true)],
+        ));
+        cases.push(stay(
+            "A burst latches ESTOP in a governor in config fail-closed that has held before.",
+            "hold-burst",
+            &["NCP-SAFE-006", "NCP-SAFE-005"],
+            vec![govern(good().seq(1), near()), Step::Link(true)],
         ));
         cases.push(stay(
             "A governor in config fail-closed holds for every command, not only the first.",
@@ -135,7 +159,7 @@ fn faults() -> Vec<Case> {
         cases.push(stay(
             "A governor in config fail-closed still latches an ESTOP command.",
             "estop",
-            &["NCP-SAFE-004", "NCP-SAFE-005", "NCP-SAFE-009"],
+            &["NCP-SAFE-004", "NCP-SAFE-005"],
             vec![govern(good().mode("estop"), near())],
         ));
     }
@@ -188,23 +212,31 @@ fn holds() -> Vec<Case> {
             govern(good().seq(2).mode("hold"), near()),
         ),
     ];
-    let one = |(name, words, rule, step): (&str, &str, &'static str, Step)| {
-        let steps = vec![
-            govern(good().seq(1), near()),
-            step.clone(),
-            step,
-            govern(good().seq(3), near()),
-            govern(good().seq(4), near()),
-        ];
-        case(
-            format!("hold/{name}"),
-            &["NCP-SAFE-022", rule],
-            &Trace::new(Limits::fence(5.0), steps),
-        )
-        .title(format!(
-            "The HOLD for {words} ends with the next good command."
-        ))
-        .because("A HOLD ends by itself with the first command that passes all gates.")
-    };
-    table.into_iter().map(one).collect()
+    let mut cases = Vec::new();
+    for (name, words, rule, step) in table {
+        let first = || govern(good().seq(1), near());
+        for (when, what, before) in [
+            (
+                "twice",
+                "Two HOLDs in a row end",
+                vec![first(), step.clone(), step.clone()],
+            ),
+            ("once", "One HOLD ends", vec![first(), step.clone()]),
+            ("at-first", "A HOLD for the first command ends", vec![step]),
+        ] {
+            let mut steps = before;
+            steps.push(govern(good().seq(3), near()));
+            steps.push(govern(good().seq(4), near()));
+            cases.push(
+                case(
+                    format!("hold/{name}/{when}"),
+                    &["NCP-SAFE-022", rule],
+                    &Trace::new(Limits::fence(5.0), steps),
+                )
+                .title(format!("{what} with the next good command, after {words}."))
+                .because("A HOLD ends by itself with the first command that passes all gates."),
+            );
+        }
+    }
+    cases
 }

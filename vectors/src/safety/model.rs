@@ -173,7 +173,7 @@ impl Command {
     }
 
     /// Whether a JSON text can hold it.
-    fn is_writable(&self) -> bool {
+    pub(super) fn is_writable(&self) -> bool {
         let all = |channels: &[Channel]| channels.iter().all(|c| finite(&c.data));
         all(&self.channels)
             && self.horizon.iter().all(|step| all(step))
@@ -388,7 +388,7 @@ impl Trace {
             is_known = sensor.as_ref().is_none_or(Sensor::is_writable);
             let mut patterns: Vec<Json> = outcomes
                 .iter()
-                .map(|outcome| object! { "frame" => outcome.pattern(command, self.capabilities.as_ref()) })
+                .map(|outcome| object! { "frame" => outcome.pattern(command) })
                 .collect();
             if may_refuse {
                 patterns.push(refused());
@@ -411,24 +411,22 @@ pub(super) enum Outcome {
 }
 
 impl Outcome {
-    fn pattern(&self, command: &Command, capabilities: Option<&Capabilities>) -> Json {
-        let mode = match self {
-            Self::Estop => "estop",
-            Self::Hold => "hold",
-            Self::Pass { .. } => "active",
-        };
+    /// A frame that holds is told by its mode; what else it holds is asked in `zeroing` alone, so that a
+    /// fault there does not fail every case.
+    fn pattern(&self, command: &Command) -> Json {
         let (channels, horizon) = match self {
+            Self::Estop => return object! { "mode" => "estop" },
+            Self::Hold => return object! { "mode" => "hold" },
             Self::Pass { channels, horizon } => (
                 exactly(channels_json(channels)),
                 horizon
                     .iter()
                     .map(|step| exactly(channels_json(step)))
-                    .collect(),
+                    .collect::<Json>(),
             ),
-            _ => (zeroed(command, capabilities), Json::Array(Vec::new())),
         };
         object! {
-            "mode" => mode,
+            "mode" => "active",
             "seq" => int(command.seq),
             "t" => num(command.t),
             "frame_id" => command.frame_id,
@@ -437,34 +435,6 @@ impl Outcome {
             "horizon" => horizon,
         }
     }
-}
-
-/// The channels of a HOLD or an ESTOP frame: the command's, and the negotiated ones that it lacks.
-fn zeroed(command: &Command, capabilities: Option<&Capabilities>) -> Json {
-    let zeros = |channel: &Channel| Channel {
-        data: vec![0.0; channel.data.len()],
-        ..channel.clone()
-    };
-    let mut channels = channels_json(&command.channels.iter().map(zeros).collect::<Vec<_>>());
-    for spec in capabilities
-        .iter()
-        .flat_map(|capabilities| &capabilities.commands)
-    {
-        if command
-            .channels
-            .iter()
-            .any(|channel| channel.name == spec.name)
-        {
-            continue;
-        }
-        let zero = if spec.name == VELOCITY {
-            object! { "data" => nums(&[0.0; 3]), "unit" => MPS }
-        } else {
-            object! { "data" => nums(&[0.0]) }
-        };
-        channels = channels.with(spec.name, zero);
-    }
-    channels
 }
 
 struct Governor<'a> {
@@ -571,10 +541,22 @@ impl<'a> Governor<'a> {
                 horizon.push(step);
             }
         }
-        match place {
+        let wide = |channels: &[Channel], name: &str| {
+            channels
+                .iter()
+                .any(|channel| channel.name == name && channel.data.len() != 3)
+        };
+        // A velocity or a position that is not 3 wide may be held for, though no limit needs it.
+        let odd = wide(&channels, VELOCITY)
+            || sensor.is_some_and(|sensor| wide(&sensor.channels, POSITION));
+        let mut outcomes = match place {
             Some((place, radius)) => self.project(command, &channels, &horizon, &place, radius),
             None => vec![Outcome::Pass { channels, horizon }],
+        };
+        if odd && !outcomes.contains(&Outcome::Hold) {
+            outcomes.push(Outcome::Hold);
         }
+        outcomes
     }
 
     fn unit<'c>(&'c self, channel: &'c Channel) -> Option<&'c str> {
@@ -657,11 +639,13 @@ impl<'a> Governor<'a> {
         let mut at = place.to_vec();
         let mut start = 0.0;
         let mut kept = 0;
+        let mut unusable = false;
         for (tick, step) in std::iter::once(channels)
             .chain(horizon.iter().map(Vec::as_slice))
             .enumerate()
         {
             let Some(velocity) = self.velocity(step) else {
+                unusable = true;
                 break;
             };
             let share = (ttl - start).clamp(0.0, dt);
@@ -687,6 +671,10 @@ impl<'a> Governor<'a> {
         }
         let mut outcomes: Vec<_> = (1..=kept).rev().map(pass).collect();
         outcomes.push(without);
+        // A step without a usable velocity may be held for as well.
+        if unusable && !outcomes.contains(&Outcome::Hold) {
+            outcomes.push(Outcome::Hold);
+        }
         outcomes
     }
 }

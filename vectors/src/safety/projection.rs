@@ -2,7 +2,7 @@
 
 use super::case;
 use super::model::{
-    Capabilities, Command, Limits, MPS, Sensor, Trace, VELOCITY, channel, govern, velocity,
+    Capabilities, Command, Limits, MPS, Sensor, Trace, VELOCITY, channel, govern, vec3, velocity,
 };
 use crate::case::{Case, File};
 use crate::trace::name_of;
@@ -12,6 +12,9 @@ pub(super) fn file() -> File {
     cases.extend(velocities());
     cases.extend(with_horizon());
     cases.extend(horizons());
+    cases.extend(steps_without_velocity());
+    cases.extend(clamped_horizons());
+    cases.extend(other_units());
     let about = "The look ahead of the geofence: commands with and without a horizon, up to exactly the fence.";
     File::new("safety", "projection", about, cases)
 }
@@ -290,6 +293,142 @@ fn with_horizon() -> Vec<Case> {
                     .because("Even at the speed limit for all of its ticks the plant stays inside, so that no reading truncates it."),
             );
         }
+    }
+    cases
+}
+
+/// Steps of a horizon from which nothing can be projected, without a speed limit.
+fn steps_without_velocity() -> Vec<Case> {
+    let slow = [0.25, 0.0, 0.0];
+    let table = [
+        (
+            "absent",
+            "has no velocity",
+            vec![channel("gripper", &[1.0], None)],
+        ),
+        ("no-channels", "has no channels", Vec::new()),
+        ("empty", "has an empty velocity", vec![velocity(&[])]),
+        (
+            "two-wide",
+            "has a velocity 2 wide",
+            vec![velocity(&[0.25, 0.0])],
+        ),
+        (
+            "four-wide",
+            "has a velocity 4 wide",
+            vec![velocity(&[0.25, 0.0, 0.0, 0.0])],
+        ),
+        (
+            "knots",
+            "has a velocity in knots",
+            vec![channel(VELOCITY, &slow, Some("kn"))],
+        ),
+        (
+            "kilometres-an-hour",
+            "has a velocity in km/h",
+            vec![channel(VELOCITY, &slow, Some("km/h"))],
+        ),
+        (
+            "another-name",
+            "has a velocity under another name",
+            vec![channel("velocity", &slow, Some(MPS))],
+        ),
+    ];
+    let mut cases = Vec::new();
+    for (name, words, step) in table {
+        // One place each shows it.
+        let places = match name {
+            "empty" => 0..1,
+            "two-wide" => 1..2,
+            "four-wide" => 2..3,
+            "absent" => 0..2,
+            "no-channels" | "another-name" => 2..3,
+            _ => 1..2,
+        };
+        for place in places {
+            let mut command = Command::moving(&slow).then(50.0, &[slow, slow, slow]);
+            if let Some(at) = command.horizon.get_mut(place) {
+                at.clone_from(&step);
+            }
+            cases.push(
+                one(format!("step/{name}-at-{}", place + 1), &["NCP-SAFE-055", "NCP-SAFE-054"], Limits::fence(FENCE), command, &[1.0, 2.0, 2.0])
+                    .title(format!("Within a fence, a horizon whose step {} {words} goes no further than that.", place + 1))
+                    .flags(&["horizon-past-the-fence", "L11", "L10"])
+                    .because("With the geofence enabled, a step that has no usable velocity is not sent: the horizon is truncated before it, or the command held."),
+            );
+        }
+    }
+    cases
+}
+
+/// Horizons whose velocities are clamped before they are projected.
+fn clamped_horizons() -> Vec<Case> {
+    let fast = [80.0, 0.0, 0.0];
+    let still = [0.0; 3];
+    let back = [-80.0, 0.0, 0.0];
+    let table: [(&str, &str, [f64; 3], [f64; 3]); 3] = [
+        ("tick-0", "tick 0 is too fast", fast, still),
+        ("step", "step 1 is too fast", still, fast),
+        (
+            "both",
+            "tick 0 is too fast and step 1 goes back",
+            fast,
+            back,
+        ),
+    ];
+    let one = |(name, words, tick, step): (&str, &str, [f64; 3], [f64; 3])| {
+        let command = Command::moving(&tick).then(250.0, &[step]).ttl(500.0);
+        one(format!("clamped-horizon/{name}"), &["NCP-SAFE-021", "NCP-SAFE-060", "NCP-SAFE-066"], Limits::both(4.0, FENCE), command, &[2.5, 0.0, 0.0])
+            .title(format!("A horizon of which {words} is projected with the 4 m/s that are sent, and is not held."))
+            .flags(&["over-strict"])
+            .because("The look ahead takes the clamped velocities: at 4 m/s the plant does not leave the fence before the ttl ends.")
+    };
+    table.into_iter().map(one).collect()
+}
+
+/// Velocities without a unit that were negotiated in another than m/s, without a speed limit.
+fn other_units() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for unit in ["km/h", "kn"] {
+        let capabilities = || {
+            let mut capabilities = Capabilities::canonical(&[]);
+            capabilities.commands = vec![vec3(VELOCITY, Some(unit))];
+            capabilities
+        };
+        let bare = || vec![channel(VELOCITY, &[0.25, 0.0, 0.0], None)];
+        let still = || Command::of(vec![channel(VELOCITY, &[0.0; 3], None)]);
+        let name = unit.replace('/', "-per-");
+        let commands = [("slow", Command::of(bare())), ("still", still())];
+        for (what, command) in commands.into_iter().take(if unit == "kn" { 1 } else { 2 }) {
+            let steps = vec![govern(command, Sensor::at(&[1.0, 2.0, 2.0]))];
+            cases.push(
+                case(
+                    format!("negotiated-unit/{name}/{what}"),
+                    &["NCP-SAFE-042", "NCP-SAFE-052"],
+                    &Trace::negotiated(Limits::fence(FENCE), capabilities(), steps),
+                )
+                .title(format!(
+                    "A velocity without a unit that was negotiated in {unit} is not read as m/s ({what})."
+                ))
+                .flags(&["L10"])
+                .because("The governor reads a channel without a unit in the negotiated one, and one in another unit than m/s cannot be projected."),
+            );
+        }
+        let mut command = Command::moving(&[0.25, 0.0, 0.0]).then(50.0, &[[0.0; 3]]);
+        command.horizon = vec![bare(), bare()];
+        let steps = vec![govern(command, Sensor::at(&[1.0, 2.0, 2.0]))];
+        cases.push(
+            case(
+                format!("negotiated-unit/{name}/step"),
+                &["NCP-SAFE-042", "NCP-SAFE-055"],
+                &Trace::negotiated(Limits::fence(FENCE), capabilities(), steps),
+            )
+            .title(format!(
+                "A step whose velocity has no unit and was negotiated in {unit} is not read as m/s."
+            ))
+            .flags(&["L10"])
+            .because("The governor reads a channel without a unit in the negotiated one, and a step in another unit than m/s is not sent."),
+        );
     }
     cases
 }

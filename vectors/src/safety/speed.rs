@@ -47,6 +47,10 @@ fn vectors() -> Vec<Case> {
         for (name, limit, rules) in [
             ("at", norm, &["NCP-SAFE-062"][..]),
             ("below", norm * 2.0, &["NCP-SAFE-062"][..]),
+            ("well-below", norm * 3.0, &["NCP-SAFE-062"][..]),
+            ("far-below", norm * 16.0, &["NCP-SAFE-062"][..]),
+            ("very-far-below", norm * 1024.0, &["NCP-SAFE-062"][..]),
+            ("next-to-nothing", norm * 1e9, &["NCP-SAFE-062"][..]),
             (
                 "just-below",
                 norm * (1.0 + 1.0 / 1024.0),
@@ -104,28 +108,41 @@ fn vectors() -> Vec<Case> {
     cases
 }
 
-/// Along one axis the norm is the component itself, so that not one ulp above the limit is allowed.
+/// Along one axis the norm is the component itself: a rounding above the limit is allowed, and not one ulp advised.
 fn never_above() -> Vec<Case> {
     let mut cases = Vec::new();
     for limit in [0.1, 0.3, 1.0, 1.5, 2.9, 1000.0 / 3.0] {
         for speed in [3.0, 7.7, 1e3] {
             let command = Command::moving(&[speed * limit, 0.0, 0.0]);
             let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
-            let scaled = vec![within(limit * (1.0 - 1e-9), limit), num(0.0), num(0.0)];
-            let frame = object! { "mode" => "active", "channels" => object! { VELOCITY => object! { "data" => Json::Array(scaled) } } };
-            cases.push(
-                case(
-                    format!("never-above/{limit:.1}/{speed}"),
-                    &["NCP-SAFE-060"],
-                    &trace,
-                )
-                .shows(steps(vec![object! { "frame" => frame }]))
-                .title(format!(
-                    "{speed} times the limit of {limit:.1} m/s along x is scaled to the limit, and to no ulp above it."
-                ))
-                .flags(&["overflowing-norm"])
-                .because("The norm of what is sent is not above the limit, as it is computed."),
-            );
+            for (group, rule, most, words, why) in [
+                (
+                    "never-above",
+                    "NCP-SAFE-060",
+                    limit * (1.0 + 1e-12),
+                    "is scaled to the limit, but for a rounding",
+                    "The norm of what is sent is not above the limit by more than a rounding, one part in 10^12.",
+                ),
+                (
+                    "no-ulp-above",
+                    "NCP-SAFE-069",
+                    limit,
+                    "should be scaled to no ulp above the limit",
+                    "A scaled velocity should not be above the limit by a rounding either.",
+                ),
+            ] {
+                let scaled = vec![within(limit * (1.0 - 1e-9), most), num(0.0), num(0.0)];
+                let frame = object! { "mode" => "active", "channels" => object! { VELOCITY => object! { "data" => Json::Array(scaled) } } };
+                cases.push(
+                    case(format!("{group}/{limit:.1}/{speed}"), &[rule], &trace)
+                        .shows(steps(vec![object! { "frame" => frame }]))
+                        .title(format!(
+                            "{speed} times the limit of {limit:.1} m/s along x {words}."
+                        ))
+                        .flags(&["overflowing-norm"])
+                        .because(why),
+                );
+            }
         }
     }
     cases
@@ -229,6 +246,26 @@ fn unusable() -> Vec<Case> {
             &["L10"],
         ),
         ("metres", "is in m", in_unit(Some("m")), &["L10"]),
+        (
+            "centimetres-a-second",
+            "is in cm/s",
+            in_unit(Some("cm/s")),
+            &["L10"],
+        ),
+        (
+            "feet-a-second",
+            "is in ft/s",
+            in_unit(Some("ft/s")),
+            &["L10"],
+        ),
+        ("miles-an-hour", "is in mph", in_unit(Some("mph")), &["L10"]),
+        (
+            "metres-a-second-squared",
+            "is in m/s2",
+            in_unit(Some("m/s2")),
+            &["L10"],
+        ),
+        ("capitals", "is in `M/S`", in_unit(Some("M/S")), &["L10"]),
         ("spelled-out", "is in `mps`", in_unit(Some("mps")), &["L10"]),
         (
             "empty-unit",
@@ -256,7 +293,7 @@ fn unusable() -> Vec<Case> {
     table
         .into_iter()
         .map(|(name, words, command, flags)| {
-            let steps = vec![govern(command, near()), govern(Command::moving(&[0.5, 0.0, 0.0]), near())];
+            let steps = vec![govern(command, near()), govern(Command::moving(&[1.0, 0.0, 0.0]), near())];
             case(format!("unusable/{name}"), &["NCP-SAFE-063"], &Trace::new(Limits::speed(1.0), steps))
                 .title(format!("Under a speed limit a command is held whose velocity {words}, and the next one passes."))
                 .flags(flags)
@@ -317,7 +354,7 @@ fn channels() -> Vec<Case> {
     for unit in ["rad/s", "m", "lm", "m/s2", "km/h", "rpm"] {
         let more = channel("other", &[300.0, 400.0, 500.0], Some(unit));
         cases.push(
-            one(format!("channel/unit-{}", unit.replace('/', "-per-")), &["NCP-SAFE-021"], Limits::speed(2.0), Command::moving(&[1.0, 0.0, 0.0]).and(more))
+            one(format!("channel/unit-{}", unit.replace('/', "-per-")), &["NCP-SAFE-021"], Limits::speed(2.0), Command::moving(&[2.0, 0.0, 0.0]).and(more))
                 .title(format!("A channel in {unit} is left as it is."))
                 .flags(&["over-strict"])
                 .because("The speed limit acts on channels in `m/s`, and a command passes unchanged that nothing else changes."),
@@ -366,7 +403,8 @@ fn channels() -> Vec<Case> {
 fn horizons() -> Vec<Case> {
     let mut cases = Vec::new();
     let fast = [30.0, 40.0, 0.0];
-    let slow = [0.5, 0.0, 0.0];
+    // At the limit, where also a governor that scales every velocity to it changes nothing.
+    let slow = [2.0, 0.0, 0.0];
     // Which of tick 0 and three steps are too fast.
     for mask in 0..16_u32 {
         let tick = |at: u32| if mask >> at & 1 == 1 { fast } else { slow };
@@ -399,7 +437,7 @@ fn horizons() -> Vec<Case> {
     ];
     for (name, step) in bad {
         for at in 0..3 {
-            let mut command = Command::moving(&slow).then(50.0, &[slow, fast, slow]);
+            let mut command = Command::moving(&slow).then(50.0, &[slow; 3]);
             if let Some(place) = command.horizon.get_mut(at) {
                 place.clone_from(&step);
             }
@@ -411,6 +449,7 @@ fn horizons() -> Vec<Case> {
             );
         }
     }
+    cases.extend(other_channels_of_steps());
     // A tick without a length.
     for dt in [
         None,
@@ -454,6 +493,86 @@ fn horizons() -> Vec<Case> {
             ))
             .flags(&["over-strict"])
             .because("Only a command with a horizon is held for the length of its tick."),
+        );
+    }
+    cases
+}
+
+/// Channels of a step beside its velocity.
+fn other_channels_of_steps() -> Vec<Case> {
+    let mut cases = Vec::new();
+    // At the limit, and deep inside the fence.
+    let slow = [2.0, 0.0, 0.0];
+    let with = |place: usize, more: Channel| {
+        let mut command = Command::moving(&slow).then(50.0, &[slow, slow]);
+        if let Some(step) = command.horizon.get_mut(place) {
+            step.push(more);
+        }
+        command
+    };
+    let strange = [
+        ("gripper", None, f64::NAN),
+        ("body_rates", Some("rad/s"), f64::INFINITY),
+        ("tow_velocity", Some(MPS), f64::NAN),
+    ];
+    for (name, unit, value) in strange {
+        for place in 0..2 {
+            for (limit, limits) in [
+                ("no-limit", Limits::NONE),
+                ("speed-limit", Limits::speed(2.0)),
+                ("fence", Limits::fence(5.0)),
+            ] {
+                let command = with(place, channel(name, &[0.5, value], unit));
+                cases.push(
+                    one(
+                        format!("horizon/{}-{}-at-{}/{limit}", name.replace('_', "-"), name_of(value), place + 1),
+                        &["NCP-SAFE-067"],
+                        limits,
+                        command,
+                    )
+                    .title(format!(
+                        "A horizon is truncated before step {}, whose channel {name} holds {}, with {}.",
+                        place + 1,
+                        name_of(value),
+                        limit.replace('-', " ")
+                    ))
+                    .flags(&["non-finite-command"])
+                    .because("The governor truncates the horizon before a step that has a component that is not finite, in whichever channel."),
+                );
+            }
+        }
+    }
+    // As of tick 0, every channel in m/s is limited.
+    let tow = |unit| channel("tow_velocity", &[0.0, 30.0, 40.0], unit);
+    for place in 0..2 {
+        cases.push(
+            one(
+                format!("horizon/tow-at-{}", place + 1),
+                &["NCP-SAFE-066", "NCP-SAFE-065"],
+                Limits::speed(2.0),
+                with(place, tow(Some(MPS))),
+            )
+            .title(format!(
+                "A second channel in m/s obeys the speed limit in step {} of a horizon too.",
+                place + 1
+            ))
+            .flags(&["unclamped-horizon"])
+            .because("The governor applies the limit to every channel in `m/s`, and to every step of the horizon."),
+        );
+        let steps = vec![govern(with(place, tow(None)), near())];
+        let capabilities = Capabilities::canonical(&[vec3("tow_velocity", Some(MPS))]);
+        cases.push(
+            case(
+                format!("horizon/tow-at-{}/negotiated-unit", place + 1),
+                &["NCP-SAFE-065", "NCP-SAFE-066", "NCP-SAFE-042"],
+                &Trace::negotiated(Limits::speed(2.0), capabilities, steps),
+            )
+            .title(format!(
+                "A second channel whose negotiated unit is m/s obeys the speed limit in step {} too.",
+                place + 1
+            ))
+            .flags(&["unclamped-horizon", "L10"])
+            .because("A channel without a unit is in the negotiated one, here m/s, in every step of the horizon."),
         );
     }
     cases

@@ -94,13 +94,10 @@ fn clocks() -> Vec<Case> {
                 case(
                     format!("clock/{which}/{}", name_of(value)),
                     &["NCP-SAFE-031"],
-                    &Trace::new(
-                        limits(500.0),
-                        vec![ask(now, Some(last)), ask(10.25, Some(10.0))],
-                    ),
+                    &Trace::new(limits(500.0), vec![ask(now, Some(last))]),
                 )
                 .title(format!(
-                    "A command is held when {which} reads {}, and the next one passes.",
+                    "A command is held when {which} reads {}.",
                     name_of(value)
                 ))
                 .flags(&["non-finite-clock"])
@@ -118,13 +115,7 @@ fn clocks() -> Vec<Case> {
             case(
                 format!("backward/{}", name_of(by)),
                 &["NCP-SAFE-035"],
-                &Trace::new(
-                    limits(500.0),
-                    vec![
-                        ask(now, Some(last)),
-                        ask(last.min(1e6) + 0.25, Some(last.min(1e6))),
-                    ],
-                ),
+                &Trace::new(limits(500.0), vec![ask(now, Some(last))]),
             )
             .title(format!(
                 "A command is held when the clock reads {by} s less than the sensor's time."
@@ -229,7 +220,7 @@ fn traces() -> Vec<Case> {
     let table: [(&str, &[&'static str], &str, &[(f64, f64)]); 6] = [
         (
             "ages-and-renews",
-            &["NCP-SAFE-033", "NCP-SAFE-022"],
+            &["NCP-SAFE-022", "NCP-SAFE-033"],
             "A sensor ages until it is stale, and a new one lets commands pass again.",
             &[
                 (1.0, 1.0),
@@ -243,7 +234,7 @@ fn traces() -> Vec<Case> {
         ),
         (
             "steps-backward",
-            &["NCP-SAFE-035", "NCP-SAFE-022"],
+            &["NCP-SAFE-022", "NCP-SAFE-035"],
             "A clock that steps backward holds while it reads less than the sensor's time.",
             &[
                 (100.0, 100.0),
@@ -255,7 +246,7 @@ fn traces() -> Vec<Case> {
         ),
         (
             "steps-forward",
-            &["NCP-SAFE-033", "NCP-SAFE-022"],
+            &["NCP-SAFE-022", "NCP-SAFE-033"],
             "A clock that steps forward makes the sensor stale until the next one.",
             &[(1.0, 1.0), (1000.0, 1.0), (1000.25, 1000.0)],
         ),

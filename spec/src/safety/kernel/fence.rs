@@ -66,7 +66,7 @@ pub fn steps_inside<S: Scalar>(
         let mut kept = 0;
         while kept < plan.steps() {
             let tick = kept + 1;
-            let step = plan.velocity(tick);
+            let step = plan.velocity(tick); // [NCP-SAFE-055]
             let end = step.and_then(|velocity| after(&place, &velocity, share_ms(tick)));
             let Some(end) = end else { break };
             place = end;

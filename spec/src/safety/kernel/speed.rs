@@ -44,7 +44,8 @@ pub fn all_finite<S: Scalar>(vector: &[S]) -> bool {
 /// finite or `max` is not a finite bound above 0.
 ///
 /// The bound is on [`norm`] as it is computed, and holds for every double: where scaling rounds
-/// above it, the vector becomes zero. `[NCP-SAFE-060] [NCP-SAFE-061] [NCP-SAFE-062]`
+/// above it, the vector becomes zero.
+/// `[NCP-SAFE-060] [NCP-SAFE-061] [NCP-SAFE-062] [NCP-SAFE-069]`
 #[inline]
 pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
     bring_within(vector, max).is_some()
