@@ -99,7 +99,7 @@ fn modes() -> Vec<Case> {
                 vec![Event::Command(active(1).ttl(0.0), 0.9375)],
                 2,
             ),
-            ("twice", "that comes twice", vec![of(mode, 1, 0.9375)], 2),
+            ("twice", "that comes twice", vec![of(mode, 1, 0.9375)], 1),
         ] {
             let mut events = before;
             events.extend([of(mode, seq, 1.0), ask(1.0), ask(1.125)]);

@@ -53,7 +53,7 @@ impl Setup {
             sensor: Some(self.sensor),
             last: self.last,
         });
-        steps.push(govern(good().seq(8), near()));
+        steps.push(govern(good().seq(9), near()));
         Trace {
             limits: self.limits,
             capabilities: self.capabilities,

@@ -82,7 +82,11 @@ const WAYS: &[Way] = &[
         frame: "HOLD",
         limits: Limits::NONE,
         steps: |command| {
-            let mut command = command.then(0.0, &[[0.0; 3]]);
+            let mut command = if command.horizon.is_empty() {
+                command.then(0.0, &[[0.0; 3]])
+            } else {
+                command
+            };
             command.dt = None;
             vec![govern(command, near())]
         },
