@@ -11,7 +11,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use super::SuiteError;
-use super::case::{Case, Expect, Parts, Text};
+use super::case::{Case, Expect, Need, Parts, Text};
 use super::pattern::Shape;
 use super::template::Template;
 use crate::json::Json;
@@ -92,6 +92,7 @@ struct RawCase<'a> {
     requirements: Vec<String>,
     flags: Vec<String>,
     roles: Vec<String>,
+    needs: Option<Vec<String>>,
     call: String,
     #[serde(borrow)]
     args: &'a RawValue,
@@ -196,6 +197,18 @@ impl Context<'_> {
                 "it is for the role {role}, which none of its rules binds"
             ));
         }
+        let need = |name: &String| {
+            Need::parse(name).ok_or_else(|| format!("`{name}` is nothing that a case may need"))
+        };
+        let needs: Vec<_> = raw
+            .needs
+            .iter()
+            .flatten()
+            .map(need)
+            .collect::<Result<_, _>>()?;
+        if raw.needs.is_some() && needs.is_empty() {
+            return Err("its `needs` are empty".to_owned());
+        }
         let call = Call::parse(&raw.call).ok_or_else(|| format!("`{}` is not a call", raw.call))?;
         let args = Template::new(raw.args.get()).map_err(|error| format!("its args: {error}"))?;
         if !raw.args.get().starts_with('{') || args.is_text() {
@@ -208,6 +221,7 @@ impl Context<'_> {
             requirements,
             flags: raw.flags,
             roles,
+            needs,
             call,
             args,
             why: raw.why,
