@@ -425,6 +425,10 @@ mod tests {
             r#""call":"decode","args":{"kind":"command_frame","text":"{}"}}"#
         );
         assert_eq!(file.cases[0].call, Call::Decode);
+        assert!(file.cases[0].needs.is_empty());
+        let needing = CASE.replace(r#"["body"]"#, r#"["body"],"needs":["reference_networks"]"#);
+        let file = read_case(&needing).unwrap();
+        assert_eq!(file.cases[0].needs, [Need::ReferenceNetworks]);
     }
 
     #[test]
@@ -453,6 +457,14 @@ mod tests {
             format!("{of}`pilot` is not a role")
         );
         assert_eq!(fault("[\"body\"]", "[]"), format!("{of}it names no role"));
+        assert_eq!(
+            fault("[\"body\"]", r#"["body"],"needs":["a_moon"]"#),
+            format!("{of}`a_moon` is nothing that a case may need")
+        );
+        assert_eq!(
+            fault("[\"body\"]", r#"["body"],"needs":[]"#),
+            format!("{of}its `needs` are empty")
+        );
         assert_eq!(
             fault("\"body\"", "\"server\""),
             format!("{of}it is for the role server, which none of its rules binds")
