@@ -53,58 +53,71 @@ fn laws() -> Vec<Case> {
         ("huge", [1e308, -1e308, 0.0], [0.0; 3]),
         ("subnormal", [5e-324, -5e-324, -0.0], [5e-324, -0.0, 0.0]),
     ];
-    let gains: [(&str, Option<Gains>); 5] = [
-        ("defaults", None),
+    let gains: [(&str, Gains); 5] = [
+        ("defaults", DEFAULT),
         (
             "target",
-            Some(Gains {
+            Gains {
                 target: [1.0, 2.0, -1.0],
                 ..DEFAULT
-            }),
+            },
         ),
         (
             "stiff",
-            Some(Gains {
+            Gains {
                 kp: 4.0,
                 kd: 0.0,
                 max_speed: 10.0,
                 ..DEFAULT
-            }),
+            },
         ),
         (
             "damped",
-            Some(Gains {
+            Gains {
                 kp: 0.25,
                 kd: 2.0,
                 max_speed: 0.5,
                 target: [-0.5, 0.0, 0.5],
-            }),
+            },
         ),
         (
             "no-gain",
-            Some(Gains {
+            Gains {
                 kp: 0.0,
                 kd: 0.0,
                 ..DEFAULT
-            }),
+            },
         ),
     ];
     for (place, position, moving) in places {
         for (name, gains) in gains {
-            let given = gains.map_or_else(Json::object, config);
-            let gains = gains.unwrap_or(DEFAULT);
             let u = law(gains, position, moving);
-            let mut rules = vec!["NCP-CTRL-001"];
-            if name == "defaults" {
-                rules.insert(0, "NCP-CTRL-002");
-            }
             cases.push(
-                case(format!("law/{place}/{name}"), &rules, given, sensor(1, 0.0, &position, Some(&moving)))
+                case(format!("law/{place}/{name}"), &["NCP-CTRL-001"], config(gains), sensor(1, 0.0, &position, Some(&moving)))
                     .shows(commands(&u))
                     .title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
                     .because("The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each axis, each clamped to \u{b1}max_speed."),
             );
         }
+    }
+    // None given, where only one counts.
+    for (name, position, moving) in [
+        ("kp", [0.5, -0.75, 1.25], [0.0; 3]),
+        ("target", [0.0; 3], [0.0; 3]),
+        ("kd", [0.0; 3], [1.0, -2.0, 0.5]),
+        ("max-speed", [90.0, -90.0, 2.0], [0.0; 3]),
+    ] {
+        cases.push(
+            case(
+                format!("default/{name}"),
+                &["NCP-CTRL-002", "NCP-CTRL-001"],
+                Json::object(),
+                sensor(1, 0.0, &position, Some(&moving)),
+            )
+            .shows(commands(&law(DEFAULT, position, moving)))
+            .title(format!("When nothing is given, {name} has its default."))
+            .because("The defaults are kp 1, kd 0.3, max_speed 1.5 m/s."),
+        );
     }
     // One given, the others by default.
     for (name, given, gains) in [
@@ -140,9 +153,9 @@ fn laws() -> Vec<Case> {
                 format!("default/beside-{name}"),
                 &["NCP-CTRL-002", "NCP-CTRL-001"],
                 given,
-                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.5, -0.5, 0.25])),
+                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.0; 3])),
             )
-            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.5, -0.5, 0.25])))
+            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.0; 3])))
             .title(format!("With only {name} given, the rest has its default."))
             .because("The defaults are kp 1, kd 0.3, max_speed 1.5 m/s."),
         );

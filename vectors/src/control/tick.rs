@@ -703,20 +703,16 @@ fn happenings() -> Vec<(&'static str, &'static str, Json, Vec<Step>, f64)> {
     let lost = || arrives_at(30, 100.0, &[0.5, 0.0, 0.0], 1.25);
     let free = Json::object;
     let wrong = object! { "max_speed_mps" => num(-1.0) };
+    // A tick has seen the frame when it came.
+    let seen = || vec![arrives(7, 1.0), commands(1.0, Json::object())];
     vec![
         ("active", "passes", free(), vec![arrives(7, 1.0)], 1.0),
-        (
-            "held",
-            "holds, as the sensor is stale",
-            free(),
-            vec![arrives(7, 1.0)],
-            9.0,
-        ),
+        ("held", "holds, as the sensor is stale", free(), seen(), 9.0),
         (
             "held-clock",
             "holds, as the clock went back",
             free(),
-            vec![arrives(7, 1.0)],
+            seen(),
             0.5,
         ),
         (
