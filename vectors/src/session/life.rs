@@ -296,7 +296,7 @@ fn lives() -> Vec<Case> {
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(name, rules, title, trace)| {
-            case(format!("life/{name}"), rules, trace).title(title).because("The states of section 4.2; a server without the reference networks answers `open_session` with `ok` false and the rest as for a session that is not open.")
+            case(format!("life/{name}"), rules, trace).title(title).because("The states of section 4.2; a server that refuses the session answers the rest as for one that is not open.")
         })
         .collect();
     cases.extend(durations());

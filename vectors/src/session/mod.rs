@@ -169,7 +169,7 @@ fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {
     )
 }
 
-/// A case of requests and what they are answered; a server without the reference networks opens no
+/// A case of requests and what they are answered; a server that refuses the network opens no
 /// session, and then answers every step with an error frame and every close with a refusal.
 pub(crate) fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
     let mut without = Vec::new();
