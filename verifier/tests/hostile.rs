@@ -139,9 +139,10 @@ fn server(ok: bool, reference_networks: &str) -> Run {
         r#""roles":["body"]"#,
         &format!(r#""roles":["server"],"reference_networks":{reference_networks}"#),
     );
-    let reply = format!(r#"{{\\"kind\\":\\"session_opened\\",\\"session_id\\":\\"a\\",\\"ok\\":{ok}}}"#);
+    let reply = format!(r#"{{\"kind\":\"session_opened\",\"session_id\":\"a\",\"ok\":{ok}}}"#);
     let answer = format!(r#"printf '{{"id":%d,"result":{{"replies":["%s"]}}}}\n' $n '{reply}'"#);
-    let script = format!("read line\n{describe}\nn=0\nwhile read line; do n=$((n+1)); {answer}; done\n");
+    let script =
+        format!("read line\n{describe}\nn=0\nwhile read line; do n=$((n+1)); {answer}; done\n");
     std::fs::write(&file, script).unwrap();
     let command = format!("sh {}", file.display());
     verify_by(
@@ -154,9 +155,17 @@ fn server(ok: bool, reference_networks: &str) -> Run {
 fn a_server_without_the_reference_networks_is_not_asked_of_them_and_the_report_says_so() {
     let run = server(true, "null");
     assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
-    assert!(run.stdout.contains("1 case was not asked"), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("1 case was not asked"),
+        "{}",
+        run.stdout
+    );
     assert!(run.stdout.contains("reference networks"), "{}", run.stdout);
-    assert!(!run.stdout.contains("no session was opened"), "{}", run.stdout);
+    assert!(
+        !run.stdout.contains("no session was opened"),
+        "{}",
+        run.stdout
+    );
     let peer = &run.result.as_ref().unwrap()["peers"][0];
     let counted = json!([{"needs": "reference_networks", "cases": 1}]);
     assert_eq!(peer["not_asked"], counted);
@@ -179,7 +188,11 @@ fn a_server_that_claims_the_reference_networks_must_open_them() {
 fn of_a_server_that_opens_nothing_the_report_says_that_its_passes_show_nothing() {
     let run = server(false, "false");
     assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
-    assert!(run.stdout.contains("no session was opened"), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("no session was opened"),
+        "{}",
+        run.stdout
+    );
 }
 
 #[test]

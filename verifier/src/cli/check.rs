@@ -415,13 +415,17 @@ fn not_asked(kept: &[&Case]) -> Vec<(NotAsked, String)> {
     counted
         .filter(|(_, cases)| *cases > 0)
         .map(|(need, cases)| {
-            let were = if cases == 1 { "case was" } else { "cases were" };
+            let (were, need_it) = if cases == 1 {
+                ("case was", "it needs")
+            } else {
+                ("cases were", "they need")
+            };
             let count = NotAsked {
                 needs: need.as_str(),
                 cases,
             };
             let why = format!(
-                "{cases} {were} not asked: they need {}, which the peer's `describe` does not claim (`{}`)",
+                "{cases} {were} not asked: {need_it} {}, which the peer's `describe` does not claim (`{}`)",
                 need.in_words(),
                 need.as_str()
             );

@@ -437,7 +437,7 @@ mod tests {
         assert_eq!(
             fault("\"title\"", "\"titel\""),
             format!(
-                "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, `roles`, `call`, `args`, `expect`, `why`"
+                "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, `roles`, `needs`, `call`, `args`, `expect`, `why`"
             )
         );
         assert_eq!(
