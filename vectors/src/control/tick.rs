@@ -696,8 +696,11 @@ fn links() -> Vec<Case> {
     cases
 }
 
+/// A name, what the governor does, the limits, what comes before the tick, and when it is.
+type Happening = (&'static str, &'static str, Json, Vec<Step>, f64);
+
 /// What happens to a loop in the cases about its status: the limits, and what comes before the tick.
-fn happenings() -> Vec<(&'static str, &'static str, Json, Vec<Step>, f64)> {
+fn happenings() -> Vec<Happening> {
     let fence = || object! { "geofence_radius_m" => num(5.0) };
     let out = || arrives_at(2, 0.25, &[3.0, 4.0, 1.0], 1.25);
     let lost = || arrives_at(30, 100.0, &[0.5, 0.0, 0.0], 1.25);
