@@ -408,6 +408,7 @@ fn reach() -> Vec<Case> {
             .with("target", target.into())
             .with("port", port.into())
     };
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, &str, &[u32], [bool; 3], bool); 6] = [
         ("all", "all of its population", "pop", &[], [true; 3], false),
         (
