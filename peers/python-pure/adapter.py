@@ -126,6 +126,7 @@ def describe(_args):
         "wire_version": ncp.WIRE_VERSION,
         "contract_hash": ncp.CONTRACT_HASH,
         "roles": ROLES,
+        "reference_networks": True,
     }
 
 

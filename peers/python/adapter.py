@@ -103,9 +103,10 @@ def json_in(answer):
 class Peer:
     """The calls, by the functions of one module. `_` stands for the dot of a call's name."""
 
-    def __init__(self, module, roles=None):
+    def __init__(self, module, roles=None, reference_networks=False):
         self.module = module
         self.roles = roles
+        self.reference_networks = reference_networks
 
     def has(self, name):
         return callable(getattr(self.module, name, None))
@@ -128,6 +129,7 @@ class Peer:
             "wire_version": str(getattr(module, "NCP_VERSION", "unknown")),
             "contract_hash": str(getattr(module, "CONTRACT_HASH", "unknown")),
             "roles": list(self.roles or self.roles_by_functions()),
+            "reference_networks": self.reference_networks,
         }
 
     def roles_by_functions(self):
@@ -569,6 +571,9 @@ def main():
     parser.add_argument("--module", default="ncp", help="the module to import (default: ncp)")
     parser.add_argument("--path", help="a folder to find it in, before all others")
     parser.add_argument("--roles", help="the roles that it claims, with commas (default: by its functions)")
+    parser.add_argument(
+        "--reference-networks", action="store_true", help="it claims the networks of section 4.4 of the text"
+    )
     options = parser.parse_args()
     roles = options.roles.split(",") if options.roles else None
     if roles and not set(roles) <= set(ROLES):
@@ -586,7 +591,7 @@ def main():
     # The folder of this program is no place to find the module by accident.
     sys.path[0:1] = [options.path] if options.path else []
 
-    peer = Peer(importlib.import_module(options.module), roles)
+    peer = Peer(importlib.import_module(options.module), roles, options.reference_networks)
     Peer.own = options.module.partition(".")[0]
     for line in requests:
         answers.write(json.dumps(answer(peer, line), allow_nan=False).encode("ascii") + b"\n")

@@ -145,6 +145,33 @@ fn a_rate_neuron_relaxes_to_its_input() {
     }
 }
 
+/// [NCP-SESS-037] [NCP-SESS-057]
+#[test]
+fn a_run_that_leaves_the_doubles_fails_and_the_next_goes_on_from_before_it() {
+    let (_bus, _serving, mut client) = bus();
+    let mut request = lif_session("o");
+    request.network.params.insert("C_m", 1.0);
+    client.open(request).unwrap();
+    let run = |pa: f64| RunRequest {
+        session_id: "o".into(),
+        duration_ms: 5.0,
+        stimulus: Some(current("o", pa)),
+        ..RunRequest::default()
+    };
+    client.run(run(0.5)).unwrap();
+    client.run(run(-1.7e308)).unwrap_err();
+    let frame = client.run(run(0.5)).unwrap();
+    assert_eq!(frame.sim_time_ms, 10.0);
+    // The driven neuron approaches E_L + I·tau/C = -65 mV as if nothing had come between.
+    let v = frame.records.get("v").unwrap();
+    let driven = v.senders.iter().zip(&v.times).zip(&v.values);
+    for ((_, t), v) in driven.filter(|((id, _), _)| **id == 2) {
+        let exact = -70.0 + 5.0 * (1.0 - (-t / 10.0).exp());
+        assert!((v / exact - 1.0).abs() < 1e-9, "{t} ms: {v} mV");
+    }
+    assert_eq!(v.times.first(), Some(&6.0));
+}
+
 /// [NCP-SESS-031] [NCP-SESS-033] [NCP-SESS-035]
 #[test]
 fn steps_of_any_size_make_the_same_trace_as_one_run_and_sessions_stay_apart() {

@@ -32,6 +32,9 @@ impl Role {
     }
 }
 
+/// What a case may need that not every peer of a role has.
+pub(crate) const REFERENCE_NETWORKS: &str = "reference_networks";
+
 /// One question to a peer, with the answer that the text demands.
 #[derive(Debug, Clone)]
 pub(crate) struct Case {
@@ -41,6 +44,7 @@ pub(crate) struct Case {
     pub(crate) requirements: Vec<&'static str>,
     pub(crate) flags: Vec<&'static str>,
     pub(crate) roles: Vec<Role>,
+    pub(crate) needs: Option<&'static str>,
     pub(crate) call: &'static str,
     pub(crate) args: Json,
     pub(crate) expect: Json,
@@ -59,6 +63,7 @@ impl Case {
             requirements: rules.to_vec(),
             flags: Vec::new(),
             roles,
+            needs: None,
             call: "",
             args: Json::object(),
             expect: Json::object(),
@@ -85,6 +90,12 @@ impl Case {
                 self.flags.push(flag);
             }
         }
+        self
+    }
+
+    /// What a peer has to claim, beside a role, to be asked.
+    pub(crate) fn needs(mut self, need: &'static str) -> Self {
+        self.needs = Some(need);
         self
     }
 
@@ -160,17 +171,20 @@ impl Case {
     }
 
     fn json(self, prefix: &str) -> Json {
-        object! {
+        let mut json = object! {
             "id" => format!("{prefix}/{}", self.path),
             "title" => self.title,
             "requirements" => self.requirements.into_iter().collect::<Json>(),
             "flags" => self.flags.into_iter().collect::<Json>(),
             "roles" => self.roles.into_iter().map(Role::as_str).collect::<Json>(),
-            "call" => self.call,
-            "args" => self.args,
-            "expect" => self.expect,
-            "why" => self.why,
+        };
+        if let Some(need) = self.needs {
+            json = json.and("needs", [need].into_iter().collect::<Json>());
         }
+        json.and("call", self.call.into())
+            .and("args", self.args)
+            .and("expect", self.expect)
+            .and("why", self.why.into())
     }
 }
 

@@ -56,6 +56,11 @@ fn example(name: &str) -> PathBuf {
 }
 
 fn verify(args: &[&str]) -> Run {
+    verify_by("tests/data/vectors", args)
+}
+
+/// Runs the program by the vectors of a folder.
+fn verify_by(vectors: &str, args: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("result.json");
     let start = Instant::now();
@@ -63,7 +68,7 @@ fn verify(args: &[&str]) -> Run {
         .args([
             "run",
             "--vectors",
-            "tests/data/vectors",
+            vectors,
             "--start-timeout",
             "2",
             "--json",
@@ -124,6 +129,70 @@ fn whole_script(script: &str) -> Run {
     let file = folder.path().join("peer.sh");
     std::fs::write(&file, format!("{script}\n")).unwrap();
     verify(&["--peer-cmd", &format!("sh {}", file.display())])
+}
+
+/// Runs a server that answers every request by `ok`, and says of the reference networks what it is told to.
+fn server(ok: bool, reference_networks: &str) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("peer.sh");
+    let describe = DESCRIBE.replace(
+        r#""roles":["body"]"#,
+        &format!(r#""roles":["server"],"reference_networks":{reference_networks}"#),
+    );
+    let reply = format!(r#"{{\"kind\":\"session_opened\",\"session_id\":\"a\",\"ok\":{ok}}}"#);
+    let answer = format!(r#"printf '{{"id":%d,"result":{{"replies":["%s"]}}}}\n' $n '{reply}'"#);
+    let script =
+        format!("read line\n{describe}\nn=0\nwhile read line; do n=$((n+1)); {answer}; done\n");
+    std::fs::write(&file, script).unwrap();
+    let command = format!("sh {}", file.display());
+    verify_by(
+        "tests/data/needs",
+        &["--level", "safety", "--peer-cmd", &command],
+    )
+}
+
+#[test]
+fn a_server_without_the_reference_networks_is_not_asked_of_them_and_the_report_says_so() {
+    let run = server(true, "null");
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    assert!(
+        run.stdout.contains("1 case was not asked"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.contains("reference networks"), "{}", run.stdout);
+    assert!(
+        !run.stdout.contains("no session was opened"),
+        "{}",
+        run.stdout
+    );
+    let peer = &run.result.as_ref().unwrap()["peers"][0];
+    let counted = json!([{"needs": "reference_networks", "cases": 1}]);
+    assert_eq!(peer["not_asked"], counted);
+    // `describe`, and the case for every server.
+    assert_eq!(peer["totals"]["total"], 2);
+}
+
+#[test]
+fn a_server_that_claims_the_reference_networks_must_open_them() {
+    let run = server(false, "true");
+    assert_eq!(run.exit, 1, "{}", run.stdout);
+    let fails = run.faults();
+    assert_eq!(fails.keys().collect::<Vec<_>>(), ["session/tiny/opened"]);
+    let run = server(true, "true");
+    assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
+    assert_eq!(run.result.unwrap()["peers"][0]["not_asked"], json!([]));
+}
+
+#[test]
+fn of_a_server_that_opens_nothing_the_report_says_that_its_passes_show_nothing() {
+    let run = server(false, "false");
+    assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
+    assert!(
+        run.stdout.contains("no session was opened"),
+        "{}",
+        run.stdout
+    );
 }
 
 #[test]

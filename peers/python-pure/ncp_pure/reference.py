@@ -119,7 +119,7 @@ class Simulation:
     def advance(self, duration_ms, values):
         """Applies the values of the ports and runs for a time; the observation of each recorded port.
 
-        A request that is refused changes nothing [NCP-SESS-037].
+        A request that is refused changes neither the network nor the time [NCP-SESS-037].
         """
         if not isfinite(duration_ms) or duration_ms < 0:
             raise SimulationError("a time must be finite and not negative")  # [NCP-SESS-032]
@@ -134,9 +134,17 @@ class Simulation:
         if applied:
             self._sum_inputs()
         observations = {port: recorder.begin() for port, recorder in self._recorders.items()}
+        before = {name: list(states) for name, states in self._states.items()}, self._steps
         for _ in range(steps):
             self._step(observations)
+            if not self._is_within_doubles():
+                self._states, self._steps = before  # [NCP-SESS-057]
+                raise SimulationError("a number of the network leaves the doubles")
         return observations
+
+    def _is_within_doubles(self):
+        value = self._model.value
+        return all(isfinite(value(state)) for states in self._states.values() for state in states)
 
     def _step_count(self, duration_ms):
         neurons = sum(self.resolved.values())
@@ -218,7 +226,7 @@ class _Recorder:
         self._model = model
 
     def begin(self):
-        """An empty observation of the port."""
+        """An empty observation of the port, with its unit [NCP-SESS-056]."""
         observable = self._target.observable
         return Observation(
             port=self._target.port,
@@ -242,7 +250,7 @@ class _Recorder:
 
 
 class _Input:
-    """Drives the neurons of one port."""
+    """Drives the neurons of one port [NCP-SESS-055]."""
 
     def __init__(self, population, ids):
         self.population = population

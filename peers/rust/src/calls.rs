@@ -131,6 +131,7 @@ pub(crate) enum Reply {
         wire_version: &'static str,
         contract_hash: &'static str,
         roles: [&'static str; 4],
+        reference_networks: bool,
     },
     Frame {
         text: String,
@@ -193,6 +194,7 @@ fn describe() -> Reply {
         wire_version: WIRE_VERSION,
         contract_hash: CONTRACT_HASH,
         roles: ["commander", "body", "server", "observer"],
+        reference_networks: true,
     }
 }
 

@@ -53,6 +53,7 @@ const CALLS: ReadonlyMap<string, Call> = new Map<string, Call>([
       wire_version: NCP_VERSION,
       contract_hash: NCP_CONTRACT_HASH,
       roles: ["commander", "body", "server", "observer"],
+      reference_networks: true,
     }),
   ],
   [

@@ -128,16 +128,29 @@ class ReferenceSimulation implements Simulation {
     if (!(samples <= SAMPLES)) throw new SessionError(`${forMs} ms gives too many samples for one reply`);
     const values = Array.from(stimulus, ([port, value]) => this.#valueFor(port, value));
 
-    // Nothing is refused from here on. [NCP-SESS-054]
+    // From here on only a number that leaves the doubles is refused. [NCP-SESS-054]
     for (const [port, value] of values) port.set(value);
+    const stepBefore = this.#step;
+    const before = Array.from(this.#populations.values(), (neurons) => neurons.save());
+    const portsBefore = this.#records.map((record) => record.save());
     for (let n = 0; n < steps; n++) {
       this.#step++;
       for (const neurons of this.#populations.values()) neurons.step();
+      if (!this.#isWithinDoubles()) {
+        for (const restore of [...before, ...portsBefore]) restore(); // [NCP-SESS-057]
+        this.#step = stepBefore;
+        throw new SessionError("a number of the network leaves the doubles");
+      }
       for (const record of this.#records) record.sample(this.#step);
     }
     this.#restMs = restMs - (timeMs - this.#timeMs);
     this.#timeMs = timeMs;
     return new Map(this.#records.map((record) => [record.port, record.take()])); // [NCP-SESS-038]
+  }
+
+  #isWithinDoubles(): boolean {
+    for (const { state } of this.#populations.values()) if (!state.every(Number.isFinite)) return false;
+    return true;
   }
 
   #valueFor(name: string, { data, unit }: ChannelValue): [InputPort, number] {
@@ -151,7 +164,7 @@ class ReferenceSimulation implements Simulation {
   }
 }
 
-/** A stimulus port: one value into each of its neurons. */
+/** A stimulus port: one value into each of its neurons. [NCP-SESS-055] */
 class InputPort {
   readonly unit: string | null;
   readonly #neurons: Neurons;
@@ -201,6 +214,17 @@ class RecordPort {
     this.#dueStep = this.#stepOf(1);
   }
 
+  /** What brings the port back to where it is now, with no samples. */
+  save(): () => void {
+    const multiple = this.#multiple;
+    const dueStep = this.#dueStep;
+    return () => {
+      this.#multiple = multiple;
+      this.#dueStep = dueStep;
+      this.take();
+    };
+  }
+
   /** The samples that so many steps give at most. */
   mostSamples(steps: number): number {
     const { recordable } = this.#quantity;
@@ -224,7 +248,7 @@ class RecordPort {
     this.#dueStep = this.#stepOf(++this.#multiple);
   }
 
-  /** The observation of all samples since the last call. */
+  /** The observation of all samples since the last call, with its unit. [NCP-SESS-056] */
   take(): Observation {
     const { port, target, observable } = this.#target;
     const observation = {

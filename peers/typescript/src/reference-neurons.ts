@@ -31,6 +31,16 @@ export abstract class Neurons {
   /** Integrates one step. */
   abstract step(): void;
 
+  /** What brings the neurons back to where they are now. */
+  save(): () => void {
+    const state = this.state.slice();
+    const spiked = this.spiked.slice();
+    return () => {
+      this.state.set(state);
+      this.spiked.set(spiked);
+    };
+  }
+
   /** A new source of input, which drives nothing yet. */
   newSource(): number {
     return this.#drives.push({ indices: [], value: 0 }) - 1;
@@ -76,6 +86,15 @@ export class LifNeurons extends Neurons {
     this.#refractorySteps = Math.round(params.t_ref / dtMs);
     this.#refractory = new Float64Array(size);
     this.stepsBetweenSpikes = this.#refractorySteps + 1;
+  }
+
+  override save(): () => void {
+    const restore = super.save();
+    const refractory = this.#refractory.slice();
+    return () => {
+      restore();
+      this.#refractory.set(refractory);
+    };
   }
 
   step(): void {

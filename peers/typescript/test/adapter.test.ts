@@ -55,6 +55,7 @@ test("the program describes itself and claims all four roles", async () => {
     wire_version: "0.5",
     contract_hash: "24e8e6e31e1dec8a",
     roles: ["commander", "body", "server", "observer"],
+    reference_networks: true,
   });
 });
 

@@ -47,7 +47,7 @@ pub trait Simulation {
     /// Runs for `advance_ms` of simulation time, and gives what was recorded meanwhile, by port.
     ///
     /// # Errors
-    /// The time cannot be run.
+    /// The time cannot be run, or a number leaves the doubles meanwhile.
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError>;
 
     /// The simulation time since the network was built, in ms. `[NCP-SESS-033]`
@@ -105,6 +105,9 @@ pub enum BackendError {
         /// The observable or the stimulus kind.
         what: String,
     },
+    /// A number of the network is no double any more.
+    #[error("a number of the network leaves the doubles")]
+    Overflow,
     /// A port of a stimulus is not one of the session's.
     #[error("the session has no stimulus port {port:?}")]
     UnknownPort {

@@ -51,6 +51,7 @@ struct Network {
     records: Vec<Record>,
 }
 
+#[derive(Clone)]
 struct Population {
     name: Text,
     neurons: Vec<Neuron>,
@@ -67,7 +68,7 @@ struct Neuron {
     spiked: bool,
 }
 
-/// The neurons of a port: a population and the indices within it.
+/// The neurons of a port: a population and the indices within it. `[NCP-SESS-055]`
 struct Port {
     name: Text,
     population: usize,
@@ -405,6 +406,11 @@ impl Network {
         ((self.rest_ms + advance_ms) / self.dt_ms + 1e-9).floor()
     }
 
+    fn is_within_doubles(&self) -> bool {
+        let mut neurons = self.populations.iter().flat_map(|p| &p.neurons);
+        neurons.all(|neuron| neuron.state.is_finite())
+    }
+
     #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
     fn time_of(&self, step: u64) -> f64 {
         step as f64 * self.dt_ms
@@ -479,6 +485,7 @@ impl Simulation for Network {
 
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
         self.check_advance(advance_ms)?;
+        let before = (self.populations.clone(), self.steps, self.rest_ms);
         let steps = self.steps_of(advance_ms);
         self.rest_ms = (self.rest_ms + advance_ms - steps * self.dt_ms).max(0.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
@@ -493,6 +500,10 @@ impl Simulation for Network {
                 for neuron in &mut population.neurons {
                     self.model.step(neuron);
                 }
+            }
+            if !self.is_within_doubles() {
+                (self.populations, self.steps, self.rest_ms) = before; // [NCP-SESS-057]
+                return Err(BackendError::Overflow);
             }
             self.steps += 1;
             let time_ms = self.time_of(self.steps);
@@ -533,6 +544,7 @@ impl Simulation for Network {
     }
 }
 
+/// `[NCP-SESS-056]`
 fn empty_observation(target: &RecordTarget) -> Observation {
     let (unit, recordable) = match target.observable {
         Observable::Vm => (Some(Text::Borrowed("mV")), Some(Text::Borrowed("V_m"))),

@@ -3,7 +3,7 @@
 use super::{DEFAULT, Gains, law, sensor, velocity};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::trace::{name_of, num, nums};
+use crate::trace::{any, name_of, num, nums};
 
 pub(super) fn file() -> File {
     let mut cases = laws();
@@ -32,82 +32,92 @@ fn holds() -> Json {
     object! { "command" => object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) } }
 }
 
+/// A command without damping, or a HOLD.
+fn damps_nothing(data: &[f64]) -> Json {
+    any(vec![commands(data), holds()])
+}
+
 fn laws() -> Vec<Case> {
     let mut cases = Vec::new();
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
-    let places: [(&str, [f64; 3], Option<[f64; 3]>); 12] = [
-        ("at-target", [0.0; 3], None),
-        ("x", [0.5, 0.0, 0.0], None),
-        ("y", [0.0, -0.5, 0.0], None),
-        ("z", [0.0, 0.0, 0.25], None),
-        ("all", [0.5, -1.0, 1.25], None),
-        ("moving", [0.0; 3], Some([1.0, -1.0, 0.5])),
-        ("both", [0.5, 0.5, -0.5], Some([0.5, -0.5, 1.0])),
-        ("far", [100.0, -100.0, 0.5], None),
-        ("at-the-clamp", [1.5, -1.5, 0.0], None),
-        ("fast", [0.0; 3], Some([100.0, 0.0, -100.0])),
-        ("huge", [1e308, -1e308, 0.0], None),
-        (
-            "subnormal",
-            [5e-324, -5e-324, -0.0],
-            Some([5e-324, -0.0, 0.0]),
-        ),
+    let places: [(&str, [f64; 3], [f64; 3]); 12] = [
+        ("at-target", [0.0; 3], [0.0; 3]),
+        ("x", [0.5, 0.0, 0.0], [0.0; 3]),
+        ("y", [0.0, -0.5, 0.0], [0.0; 3]),
+        ("z", [0.0, 0.0, 0.25], [0.0; 3]),
+        ("all", [0.5, -1.0, 1.25], [0.0; 3]),
+        ("moving", [0.0; 3], [1.0, -1.0, 0.5]),
+        ("both", [0.5, 0.5, -0.5], [0.5, -0.5, 1.0]),
+        ("far", [100.0, -100.0, 0.5], [0.0; 3]),
+        ("at-the-clamp", [1.5, -1.5, 0.0], [0.0; 3]),
+        ("fast", [0.0; 3], [100.0, 0.0, -100.0]),
+        ("huge", [1e308, -1e308, 0.0], [0.0; 3]),
+        ("subnormal", [5e-324, -5e-324, -0.0], [5e-324, -0.0, 0.0]),
     ];
-    let gains: [(&str, Option<Gains>); 5] = [
-        ("defaults", None),
+    let gains: [(&str, Gains); 5] = [
+        ("defaults", DEFAULT),
         (
             "target",
-            Some(Gains {
+            Gains {
                 target: [1.0, 2.0, -1.0],
                 ..DEFAULT
-            }),
+            },
         ),
         (
             "stiff",
-            Some(Gains {
+            Gains {
                 kp: 4.0,
                 kd: 0.0,
                 max_speed: 10.0,
                 ..DEFAULT
-            }),
+            },
         ),
         (
             "damped",
-            Some(Gains {
+            Gains {
                 kp: 0.25,
                 kd: 2.0,
                 max_speed: 0.5,
                 target: [-0.5, 0.0, 0.5],
-            }),
+            },
         ),
         (
             "no-gain",
-            Some(Gains {
+            Gains {
                 kp: 0.0,
                 kd: 0.0,
                 ..DEFAULT
-            }),
+            },
         ),
     ];
     for (place, position, moving) in places {
         for (name, gains) in gains {
-            let given = gains.map_or_else(Json::object, config);
-            let gains = gains.unwrap_or(DEFAULT);
-            let u = law(gains, position, moving.unwrap_or_default());
-            let mut rules = vec!["NCP-CTRL-001"];
-            if name == "defaults" {
-                rules.insert(0, "NCP-CTRL-002");
-            }
-            if moving.is_none() {
-                rules.push("NCP-CTRL-004");
-            }
+            let u = law(gains, position, moving);
             cases.push(
-                case(format!("law/{place}/{name}"), &rules, given, sensor(1, 0.0, &position, moving.as_ref().map(<[f64; 3]>::as_slice)))
+                case(format!("law/{place}/{name}"), &["NCP-CTRL-001"], config(gains), sensor(1, 0.0, &position, Some(&moving)))
                     .shows(commands(&u))
                     .title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
                     .because("The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each axis, each clamped to \u{b1}max_speed."),
             );
         }
+    }
+    // None given, where only one counts.
+    for (name, position, moving) in [
+        ("kp", [0.5, -0.75, 1.25], [0.0; 3]),
+        ("target", [0.0; 3], [0.0; 3]),
+        ("kd", [0.0; 3], [1.0, -2.0, 0.5]),
+        ("max-speed", [90.0, -90.0, 2.0], [0.0; 3]),
+    ] {
+        cases.push(
+            case(
+                format!("default/{name}"),
+                &["NCP-CTRL-002", "NCP-CTRL-001"],
+                Json::object(),
+                sensor(1, 0.0, &position, Some(&moving)),
+            )
+            .shows(commands(&law(DEFAULT, position, moving)))
+            .title(format!("When nothing is given, {name} has its default."))
+            .because("The defaults are kp 1, kd 0.3, max_speed 1.5 m/s."),
+        );
     }
     // One given, the others by default.
     for (name, given, gains) in [
@@ -143,9 +153,9 @@ fn laws() -> Vec<Case> {
                 format!("default/beside-{name}"),
                 &["NCP-CTRL-002", "NCP-CTRL-001"],
                 given,
-                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.5, -0.5, 0.25])),
+                sensor(1, 0.0, &[0.75, 0.5, -0.5], Some(&[0.0; 3])),
             )
-            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.5, -0.5, 0.25])))
+            .shows(commands(&law(gains, [0.75, 0.5, -0.5], [0.0; 3])))
             .title(format!("With only {name} given, the rest has its default."))
             .because("The defaults are kp 1, kd 0.3, max_speed 1.5 m/s."),
         );
@@ -211,18 +221,39 @@ fn unusable() -> Vec<Case> {
                 *x = value;
             }
             cases.push(
-                case(format!("position/{at}/{}", name_of(value)), &["NCP-CTRL-003"], Json::object(), sensor(1, 0.0, &data, None))
+                case(format!("position/{at}/{}", name_of(value)), &["NCP-CTRL-003"], Json::object(), sensor(1, 0.0, &data, Some(&[0.0; 3])))
                     .shows_or_refuses(holds())
                     .title(format!("With a position whose component {at} is {}, the reflex controller commands a HOLD.", name_of(value)))
                     .because("A position that is not finite is not usable."),
             );
             cases.push(
                 case(format!("velocity/{at}/{}", name_of(value)), &["NCP-CTRL-004"], Json::object(), sensor(1, 0.0, &[0.5, 0.25, -0.5], Some(&data)))
-                    .shows_or_refuses(commands(&[-0.5, -0.25, 0.5]))
-                    .title(format!("With a velocity whose component {at} is {}, the reflex controller damps nothing.", name_of(value)))
-                    .because("Without a usable `pose_velocity` it damps nothing."),
+                    .shows_or_refuses(damps_nothing(&[-0.5, -0.25, 0.5]))
+                    .title(format!("With a velocity whose component {at} is {}, the reflex controller damps nothing, or holds.", name_of(value)))
+                    .because("With a `pose_velocity` that is not usable it damps nothing or commands a HOLD."),
             );
         }
+    }
+    for (name, position) in [
+        ("at-target", [0.0; 3]),
+        ("x", [0.5, 0.0, 0.0]),
+        ("y", [0.0, -0.5, 0.0]),
+        ("all", [0.5, -1.0, 1.25]),
+        ("far", [100.0, -100.0, 0.5]),
+    ] {
+        cases.push(
+            case(
+                format!("velocity/absent/{name}"),
+                &["NCP-CTRL-004"],
+                Json::object(),
+                sensor(1, 0.0, &position, None),
+            )
+            .shows(commands(&law(DEFAULT, position, [0.0; 3])))
+            .title(format!(
+                "Without a velocity, the reflex controller damps nothing ({name})."
+            ))
+            .because("Without a `pose_velocity` it damps nothing."),
+        );
     }
     for (name, data) in [
         ("empty", &[][..]),
@@ -236,13 +267,15 @@ fn unusable() -> Vec<Case> {
                 Json::object(),
                 sensor(1, 0.0, &[0.5, 0.25, -0.5], Some(data)),
             )
-            .shows(commands(&[-0.5, -0.25, 0.5]))
+            .shows(damps_nothing(&[-0.5, -0.25, 0.5]))
             .title(format!(
-                "With a velocity that is {}, the reflex controller damps nothing.",
+                "With a velocity that is {}, the reflex controller damps nothing, or holds.",
                 name.replace('-', " ")
             ))
             .flags(&["L11"])
-            .because("Without a usable `pose_velocity` it damps nothing."),
+            .because(
+                "With a `pose_velocity` that is not usable it damps nothing or commands a HOLD.",
+            ),
         );
     }
     cases
@@ -250,7 +283,7 @@ fn unusable() -> Vec<Case> {
 
 fn configs() -> Vec<Case> {
     let mut cases = Vec::new();
-    let ask = || sensor(1, 0.0, &[0.5, 0.0, 0.0], None);
+    let ask = || sensor(1, 0.0, &[0.5, 0.0, 0.0], Some(&[0.0; 3]));
     let strange = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     for name in ["kp", "kd", "max_speed"] {
         for value in strange.into_iter().chain([-1.0, -0.25, -1e308]) {

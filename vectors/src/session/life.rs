@@ -1,12 +1,12 @@
 //! What a server answers from `open_session` to `close_session`.
 
 use super::{
-    Open, case, close, closed, error, not_closed, not_opened, observed, opened, record, run, step,
-    stimulus,
+    Open, case, close, closed, error, not_closed, not_opened, observation, observed, opened,
+    record, recorded, run, step, stimulus,
 };
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::trace::{any, int, name_of, text_of};
+use crate::trace::{any, anything, int, name_of, nums, text_of};
 
 pub(super) fn file() -> File {
     let mut cases = lives();
@@ -43,32 +43,49 @@ fn lives() -> Vec<Case> {
             vec![(Open::lif("a").text(), provenance)],
         ),
         (
-            "open-step-close",
-            &["NCP-SESS-027", "NCP-SESS-028", "NCP-SESS-033"],
-            "A session is opened, stepped and closed.",
-            vec![open("a"), steps("a", 10.0), (close("a"), closed("a"))],
+            "open-step",
+            &["NCP-SESS-027"],
+            "A step of an open session is answered with an observation.",
+            vec![open("a"), (step("a", None, None), observation("a"))],
         ),
         (
-            "open-run-close",
-            &["NCP-SESS-027", "NCP-SESS-033"],
-            "A session is opened, run and closed.",
+            "open-run",
+            &["NCP-SESS-027"],
+            "A run of an open session is answered with an observation.",
+            vec![open("a"), (run("a", 25.0), observation("a"))],
+        ),
+        (
+            "step-again",
+            &["NCP-SESS-027"],
+            "Each step of an open session is answered with an observation.",
             vec![
                 open("a"),
-                (run("a", 25.0), observed("a", 25.0)),
-                (close("a"), closed("a")),
+                (step("a", None, None), observation("a")),
+                (run("a", 5.0), observation("a")),
+                (step("a", Some(5.0), None), observation("a")),
             ],
         ),
         (
             "many-steps",
-            &["NCP-SESS-031", "NCP-SESS-033"],
-            "Simulation time adds up over steps and runs.",
+            &["NCP-SESS-033", "NCP-SESS-031"],
+            "Simulation time adds up over steps.",
             vec![
                 open("a"),
                 steps("a", 10.0),
                 (step("a", Some(5.0), None), observed("a", 15.0)),
-                (run("a", 100.0), observed("a", 115.0)),
-                steps("a", 125.0),
-                (step("a", Some(1.0), None), observed("a", 126.0)),
+                steps("a", 25.0),
+                (step("a", Some(1.0), None), observed("a", 26.0)),
+            ],
+        ),
+        (
+            "many-runs",
+            &["NCP-SESS-033", "NCP-SESS-031"],
+            "Simulation time adds up over runs.",
+            vec![
+                open("a"),
+                (run("a", 10.0), observed("a", 10.0)),
+                (run("a", 10.0), observed("a", 20.0)),
+                steps("a", 30.0),
             ],
         ),
         (
@@ -82,12 +99,14 @@ fn lives() -> Vec<Case> {
             ],
         ),
         (
-            "step-of-zero",
-            &["NCP-SESS-031", "NCP-SESS-033"],
-            "A step of 0 ms runs nothing.",
+            "reopen",
+            &["NCP-SESS-033", "NCP-SESS-028"],
+            "A session that is opened again begins at 0.",
             vec![
                 open("a"),
-                (step("a", Some(0.0), None), observed("a", 0.0)),
+                (step("a", Some(20.0), None), observation("a")),
+                (close("a"), anything()),
+                open("a"),
                 steps("a", 10.0),
             ],
         ),
@@ -108,25 +127,57 @@ fn lives() -> Vec<Case> {
             vec![(run("a", 10.0), error()), open("a"), steps("a", 10.0)],
         ),
         (
+            "close",
+            &["NCP-SESS-028"],
+            "A session that was only opened is closed.",
+            vec![open("a"), (close("a"), closed("a"))],
+        ),
+        (
+            "close-after-step",
+            &["NCP-SESS-028"],
+            "A session is closed after a step.",
+            vec![
+                open("a"),
+                (step("a", None, None), observation("a")),
+                (close("a"), closed("a")),
+            ],
+        ),
+        (
+            "close-after-run",
+            &["NCP-SESS-028"],
+            "A session is closed after a run.",
+            vec![
+                open("a"),
+                (run("a", 25.0), observation("a")),
+                (close("a"), closed("a")),
+            ],
+        ),
+        (
             "step-after-close",
-            &["NCP-SESS-026", "NCP-SESS-028"],
+            &["NCP-SESS-028", "NCP-SESS-026"],
             "A step after the session is closed is an error.",
             vec![
                 open("a"),
-                (close("a"), closed("a")),
+                (close("a"), anything()),
                 (step("a", None, None), error()),
             ],
         ),
         (
             "run-after-close",
-            &["NCP-SESS-026", "NCP-SESS-028"],
+            &["NCP-SESS-028", "NCP-SESS-026"],
             "A run after the session is closed is an error.",
             vec![
                 open("a"),
-                steps("a", 10.0),
-                (close("a"), closed("a")),
+                (step("a", None, None), observation("a")),
+                (close("a"), anything()),
                 (run("a", 1.0), error()),
             ],
+        ),
+        (
+            "open-after-close",
+            &["NCP-SESS-028"],
+            "A session that was closed can be opened again.",
+            vec![open("a"), (close("a"), anything()), open("a")],
         ),
         (
             "close-unknown",
@@ -140,21 +191,8 @@ fn lives() -> Vec<Case> {
             "To close a session a second time is refused.",
             vec![
                 open("a"),
-                (close("a"), closed("a")),
+                (close("a"), anything()),
                 (close("a"), not_closed("a")),
-            ],
-        ),
-        (
-            "reopen",
-            &["NCP-SESS-028", "NCP-SESS-033"],
-            "A session that is opened again begins at 0.",
-            vec![
-                open("a"),
-                steps("a", 10.0),
-                steps("a", 20.0),
-                (close("a"), closed("a")),
-                open("a"),
-                steps("a", 10.0),
             ],
         ),
         (
@@ -164,23 +202,54 @@ fn lives() -> Vec<Case> {
             vec![
                 open("a"),
                 open("b"),
-                steps("a", 10.0),
-                steps("a", 20.0),
-                steps("b", 10.0),
-                steps("a", 30.0),
-                steps("b", 20.0),
+                (step("a", None, None), observation("a")),
+                (step("b", Some(5.0), None), observed("b", 5.0)),
+            ],
+        ),
+        (
+            "two-apart-by-runs",
+            &["NCP-SESS-035"],
+            "A run of one session takes no time of another.",
+            vec![
+                open("a"),
+                open("b"),
+                (run("b", 100.0), observation("b")),
+                (run("a", 5.0), observed("a", 5.0)),
+            ],
+        ),
+        (
+            "two-apart-from-the-start",
+            &["NCP-SESS-035"],
+            "The time of a session begins when it is opened, whatever others have run.",
+            vec![
+                open("a"),
+                (step("a", None, None), observation("a")),
+                open("b"),
+                (step("b", Some(5.0), None), observed("b", 5.0)),
             ],
         ),
         (
             "close-one-of-two",
-            &["NCP-SESS-035", "NCP-SESS-028"],
+            &["NCP-SESS-035"],
             "To close one session leaves the other open.",
             vec![
                 open("a"),
                 open("b"),
-                (close("a"), closed("a")),
-                (step("a", None, None), error()),
+                (close("a"), anything()),
                 steps("b", 10.0),
+            ],
+        ),
+        (
+            "close-one-of-three",
+            &["NCP-SESS-035"],
+            "To close one session leaves the others open.",
+            vec![
+                open("a"),
+                open("b"),
+                open("c"),
+                (close("b"), anything()),
+                steps("a", 10.0),
+                steps("c", 10.0),
             ],
         ),
         (
@@ -190,9 +259,8 @@ fn lives() -> Vec<Case> {
             vec![
                 open("a"),
                 (step("b", None, None), error()),
-                steps("a", 10.0),
                 (close("b"), not_closed("b")),
-                steps("a", 20.0),
+                steps("a", 10.0),
             ],
         ),
         (
@@ -228,9 +296,25 @@ fn lives() -> Vec<Case> {
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(name, rules, title, trace)| {
-            case(format!("life/{name}"), rules, trace).title(title).because("The states of section 4.2; a server without the reference networks answers `open_session` with `ok` false and the rest as for a session that is not open.")
+            case(format!("life/{name}"), rules, trace).title(title).because("The states of section 4.2; a server that refuses the session answers the rest as for one that is not open.")
         })
         .collect();
+    cases.extend(durations());
+    // Whether a server runs nothing for no time, or refuses to, is its affair.
+    let for_nothing = any(vec![observed("a", 0.0), error()]);
+    cases.push(
+        case(
+            "life/step-of-zero".to_owned(),
+            &["NCP-SESS-033"],
+            vec![
+                open("a"),
+                (step("a", Some(0.0), None), for_nothing),
+                steps("a", 10.0),
+            ],
+        )
+        .title("A step of 0 ms takes no time.")
+        .because("`sim_time_ms` is the time that the session has run; a step of 0 ms runs nothing or is refused."),
+    );
     for (name, hash) in [
         ("null", Json::Null),
         ("empty", Json::string("")),
@@ -277,6 +361,39 @@ fn lives() -> Vec<Case> {
                 "The `seq` of the observation frames of a session should rise by one with each.",
             ),
     );
+    let mixed = |first: i64| {
+        let counted = |id: &str, seq: i64| {
+            (
+                step(id, None, None),
+                text_of(object! { "kind" => "observation_frame", "seq" => int(seq) }),
+            )
+        };
+        vec![
+            open("a"),
+            open("b"),
+            counted("a", first),
+            counted("b", first),
+            counted("b", first + 1),
+            counted("a", first + 1),
+        ]
+    };
+    let answers =
+        |first| super::replies(mixed(first).into_iter().map(|(_, reply)| reply).collect());
+    let without = super::replies(
+        ["a", "b"]
+            .into_iter()
+            .map(not_opened)
+            .chain((0..4).map(|_| error()))
+            .collect(),
+    );
+    cases.push(
+        case("seq/apart".to_owned(), &["NCP-SESS-034"], mixed(1))
+            .shows(any(vec![answers(0), answers(1), without]))
+            .title("The seq of one session should not rise with the frames of another.")
+            .because(
+                "The `seq` of the observation frames of a session should rise by one with each.",
+            ),
+    );
     // Whether a stimulus for a port that the session lacks fails is the server's affair.
     let stray = |reply: Json, time: f64| {
         vec![
@@ -317,7 +434,48 @@ fn lives() -> Vec<Case> {
     cases
 }
 
-/// Networks that nobody has.
+/// How far simulation time goes by one request.
+fn durations() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let mut push = |path: String, title: String, trace| {
+        cases.push(
+            case(path, &["NCP-SESS-031", "NCP-SESS-033"], trace)
+                .title(title)
+                .because("A server advances the simulation by a run's `duration_ms` or a step's `advance_ms`, or by the session's `chunk_ms` when that is absent."),
+        );
+    };
+    for chunk in [1.0, 5.0, 20.0, 25.0] {
+        let open = Open {
+            chunk,
+            ..Open::lif("a")
+        };
+        push(
+            format!("chunk/{chunk}"),
+            format!("A step without a time takes the session's chunk of {chunk} ms."),
+            vec![(open.text(), opened("a")), steps("a", chunk)],
+        );
+    }
+    for time in [1.0, 5.0, 25.0] {
+        push(
+            format!("advance/{time}"),
+            format!("A step of {time} ms takes {time} ms."),
+            vec![
+                open("a"),
+                (step("a", Some(time), None), observed("a", time)),
+            ],
+        );
+    }
+    for time in [1.0, 2.0, 5.0, 15.0, 25.0, 50.0, 100.0] {
+        push(
+            format!("run/{time}"),
+            format!("A run of {time} ms takes {time} ms."),
+            vec![open("a"), (run("a", time), observed("a", time))],
+        );
+    }
+    cases
+}
+
+/// Networks that hardly anybody has; that they are refused, the text does not say.
 fn refused() -> Vec<Case> {
     let network = |kind: &str, reference: &str| {
         object! { "ncp_version" => "0.5", "kind" => "open_session", "session_id" => "a", "network" => object! { "kind" => kind, "ref" => reference } }.text()
@@ -327,8 +485,12 @@ fn refused() -> Vec<Case> {
         .enumerate()
         .map(|(nth, (kind, reference))| {
             let refusal = any(vec![not_opened("a"), error()]);
-            case(format!("refused/{nth}"), &["NCP-SESS-024", "NCP-SESS-026"], vec![(network(kind, reference), refusal), (step("a", None, None), error()), (close("a"), not_closed("a"))])
-                .title(format!("A session of a network that nobody has ({kind} `{reference}`) is not opened."))
+            let trace = vec![(network(kind, reference), refusal), (step("a", None, None), error()), (close("a"), not_closed("a"))];
+            let refuses = super::replies(trace.iter().map(|(_, reply)| reply.clone()).collect());
+            let opens = super::replies(vec![opened("a"), observation("a"), closed("a")]);
+            case(format!("refused/{nth}"), &["NCP-SESS-024", "NCP-SESS-026"], trace)
+                .shows(any(vec![refuses, opens]))
+                .title(format!("A session of an unusual network ({kind} `{reference}`) is open only if the server said so."))
                 .because("A server does not open a session that it answered with `ok` false, and answers a step for it with an error frame.")
         })
         .collect()
@@ -454,7 +616,7 @@ fn malformed() -> Vec<Case> {
     table
         .into_iter()
         .map(|(name, rule, words, request)| {
-            let trace = vec![(request.clone(), error()), open("a"), steps("a", 10.0), (request, error()), steps("a", 20.0), (close("a"), closed("a"))];
+            let trace = vec![(request.clone(), error()), open("a"), (request, error()), steps("a", 10.0)];
             // What is no JSON is where a server falls silent; what is JSON shows the error frame.
             let rules = match name {
                 "empty" | "space" | "word" | "truncated" | "trailing" | "two" | "deep" => ["NCP-SESS-020", rule],
@@ -481,10 +643,28 @@ fn versions() -> Vec<Case> {
             .with("ncp_version", version.into())
             .text();
         cases.push(
-            case(format!("version/{nth:02}"), &["NCP-SESS-023", "NCP-SESS-024"], vec![(request, not_opened("a")), (step("a", None, None), error())])
-                .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} opens nothing."))
+            case(format!("version/{nth:02}"), &["NCP-SESS-023"], vec![(request.clone(), not_opened("a"))])
+                .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} is refused."))
                 .flags(&["lenient-versions"])
-                .because("A server answers an `open_session` of an incompatible or malformed `ncp_version` with a `session_opened` in which `ok` is false, and opens nothing."),
+                .because("A server answers an `open_session` of an incompatible or malformed `ncp_version` with a `session_opened` in which `ok` is false."),
+        );
+        if !["0.4", "1.0", "latest"].contains(&version) {
+            continue;
+        }
+        // A server that opens the session after all breaks another rule.
+        let trace = vec![
+            (request, not_opened("a")),
+            (step("a", None, None), error()),
+            (close("a"), not_closed("a")),
+        ];
+        let refuses = super::replies(trace.iter().map(|(_, reply)| reply.clone()).collect());
+        let opens = super::replies(vec![opened("a"), anything(), anything()]);
+        cases.push(
+            case(format!("version/{nth:02}/leaves-nothing"), &["NCP-SESS-024"], trace)
+                .shows(any(vec![refuses, opens]))
+                .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} that is refused leaves no session."))
+                .flags(&["lenient-versions"])
+                .because("A server does not open a session that it answered with `ok` false."),
         );
     }
     cases
@@ -502,12 +682,7 @@ fn times() -> Vec<Case> {
                 case(
                     format!("time/{name}/{}", name_of(time)),
                     &["NCP-SESS-032", "NCP-SESS-033"],
-                    vec![
-                        open("a"),
-                        steps("a", 10.0),
-                        (request, error()),
-                        steps("a", 20.0),
-                    ],
+                    vec![open("a"), (request, error()), steps("a", 10.0)],
                 )
                 .title(format!(
                     "A {name} of {time} ms is an error, and time stands still."
@@ -561,26 +736,77 @@ fn failures() -> Vec<Case> {
         "V_m",
         "current_pA",
     );
-    [
-        ("rate", rate, 1.7e308),
-        ("membrane", membrane, -1.7e308),
-    ]
-    .map(|(what, a, input)| {
-        let trace = vec![
-            (a.text(), opened("a")),
-            (Open::lif("b").text(), opened("b")),
-            steps("b", 10.0),
-            (step("a", None, Some(("in", input))), error()),
-            steps("b", 20.0),
-            (close("a"), closed("a")),
-            (a.text(), opened("a")),
-            steps("a", 10.0),
-            steps("b", 30.0),
-        ];
-        case(format!("fails/{what}"), &["NCP-SESS-037"], trace)
-            .title(format!("A step whose {what} leaves the doubles is an error, and costs nothing but that step."))
-            .flags(&["session-lifecycle", "non-finite-numbers"])
-            .because("A request that fails within the simulator costs that request only, and is answered with an error frame; no frame can hold an infinity.")
-    })
-    .into()
+    // With the second input, either network stays where it began.
+    let table = [
+        ("rate", rate, 1.7e308, -1.7e308, 0.0),
+        ("membrane", membrane, -1.7e308, 0.0, -70.0),
+    ];
+    let mut cases = Vec::new();
+    for (what, a, too_much, rest, state) in table {
+        let open = || (a.text(), opened("a"));
+        let by = |time: f64, value: f64| step("a", Some(time), Some(("in", value)));
+        let fails = || (by(10.0, too_much), error());
+        let after = |from: u32, to: u32| {
+            let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
+            let values = vec![state; times.len()];
+            recorded(
+                "a",
+                object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } },
+            )
+        };
+        let mut push = |name: &str, rules: &[&'static str], title: String, trace, why: &str| {
+            cases.push(
+                super::reference(format!("fails/{what}{name}"), rules, trace)
+                    .title(title)
+                    .flags(&["session-lifecycle", "non-finite-numbers"])
+                    .because(why),
+            );
+        };
+        push(
+            "",
+            &["NCP-SESS-037"],
+            format!(
+                "A step whose {what} leaves the doubles is an error, and costs no other session."
+            ),
+            vec![
+                open(),
+                (Open::lif("b").text(), opened("b")),
+                fails(),
+                steps("b", 10.0),
+            ],
+            "A request that fails within the simulator costs that request only, and is answered with an error frame; no frame can hold an infinity.",
+        );
+        push(
+            "/goes-on",
+            &["NCP-SESS-037", "NCP-SESS-057"],
+            format!(
+                "After a step whose {what} leaves the doubles, the session goes on from where it was."
+            ),
+            vec![open(), fails(), (by(5.0, rest), after(0, 5))],
+            "A request that fails costs that request only: network and time are as they were before it.",
+        );
+        push(
+            "/goes-on-later",
+            &["NCP-SESS-037", "NCP-SESS-057"],
+            format!(
+                "A step whose {what} leaves the doubles undoes nothing of the steps before it."
+            ),
+            vec![
+                open(),
+                (by(3.0, rest), after(0, 3)),
+                fails(),
+                fails(),
+                (by(5.0, rest), after(3, 8)),
+            ],
+            "A request that fails costs that request only: network and time are as they were before it.",
+        );
+        push(
+            "/takes-no-time",
+            &["NCP-SESS-057", "NCP-SESS-033"],
+            format!("A step whose {what} leaves the doubles takes no simulation time."),
+            vec![open(), fails(), (by(5.0, rest), observed("a", 5.0))],
+            "A request that fails leaves the time of the session as it was.",
+        );
+    }
+    cases
 }

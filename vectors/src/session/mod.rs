@@ -3,7 +3,7 @@
 mod life;
 mod numbers;
 
-use crate::case::{Case, File, Role};
+use crate::case::{Case, File, REFERENCE_NETWORKS, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, num, text_of};
 
@@ -12,11 +12,14 @@ pub(crate) fn files() -> Vec<File> {
 }
 
 /// A session of the reference networks.
+#[derive(Clone)]
 pub(crate) struct Open {
     id: &'static str,
     network: &'static str,
     params: Vec<(&'static str, f64)>,
     size: u32,
+    /// The size of a second population, `other`, if there is one.
+    other: Option<u32>,
     records: Vec<Json>,
     pub(crate) stimuli: Vec<Json>,
     dt: f64,
@@ -30,6 +33,7 @@ impl Open {
             network: "ncp.reference.lif",
             params: Vec::new(),
             size: 1,
+            other: None,
             records: Vec::new(),
             stimuli: Vec::new(),
             dt: 1.0,
@@ -50,6 +54,10 @@ impl Open {
             .iter()
             .map(|(name, value)| ((*name).to_owned(), num(*value)))
             .collect();
+        let mut sizes = object! { "pop" => self.size };
+        if let Some(other) = self.other {
+            sizes = sizes.with("other", other.into());
+        }
         object! {
             "ncp_version" => "0.5",
             "kind" => "open_session",
@@ -57,7 +65,7 @@ impl Open {
             "network" => object! {
                 "kind" => "builtin",
                 "ref" => self.network,
-                "population_sizes" => object! { "pop" => self.size },
+                "population_sizes" => sizes,
                 "params" => Json::Object(params),
             },
             "record" => object! { "targets" => Json::Array(self.records.clone()) },
@@ -112,18 +120,23 @@ pub(crate) fn error() -> Json {
 }
 
 pub(crate) fn observed(id: &str, time: f64) -> Json {
-    observed_with(id, time, Json::object())
-}
-
-fn observed_with(id: &str, time: f64, records: Json) -> Json {
     text_of(object! {
         "kind" => "observation_frame",
         "session_id" => id,
         "sim_time_ms" => num(time),
-        "records" => records,
         "calibrated_posterior" => false,
         "is_simulation_output" => true,
     })
+}
+
+/// An observation of the session, whatever it holds.
+fn observation(id: &str) -> Json {
+    text_of(object! { "kind" => "observation_frame", "session_id" => id })
+}
+
+/// An observation of the session with these records; its time is the affair of other cases.
+fn recorded(id: &str, records: Json) -> Json {
+    text_of(object! { "kind" => "observation_frame", "session_id" => id, "records" => records })
 }
 
 pub(crate) fn closed(id: &str) -> Json {
@@ -141,7 +154,22 @@ fn replies(of: Vec<Json>) -> Json {
     object! { "replies" => Json::Array(of) }
 }
 
-/// A case of requests and what they are answered; a server without the reference networks opens no
+/// A case for the servers that claim the reference networks.
+fn reference(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
+    let (requests, answers): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
+    asking(path, rules, requests)
+        .shows(replies(answers))
+        .needs(REFERENCE_NETWORKS)
+}
+
+fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {
+    Case::new(path, rules, &[Role::Server]).call(
+        "session.run",
+        object! { "requests" => requests.into_iter().collect::<Json>() },
+    )
+}
+
+/// A case of requests and what they are answered; a server that refuses the network opens no
 /// session, and then answers every step with an error frame and every close with a refusal.
 pub(crate) fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
     let mut without = Vec::new();
@@ -174,10 +202,5 @@ pub(crate) fn case(path: String, rules: &[&'static str], trace: Vec<(String, Jso
     if offers {
         expected.push(replies(without));
     }
-    Case::new(path, rules, &[Role::Server])
-        .call(
-            "session.run",
-            object! { "requests" => requests.into_iter().collect::<Json>() },
-        )
-        .shows(any(expected))
+    asking(path, rules, requests).shows(any(expected))
 }

@@ -1,21 +1,25 @@
 //! The reference networks against their own closed solutions.
 
-use super::{Open, case, observed_with, opened, record, run, step, stimulus};
+use super::{Open, opened, record, recorded, reference, step, stimulus};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::trace::nums;
 
 pub(super) fn file() -> File {
     let mut cases = potentials();
+    cases.extend(thresholds());
     cases.extend(spikes());
     cases.extend(rates());
     cases.extend(stimuli());
+    cases.extend(reach());
+    cases.extend(units());
     cases.extend(ports());
+    cases.extend(cadences());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
 }
 
-const WHY: &str = "Section 4.4: exact propagation on the grid of `dt_ms`; a server without this network answers `open_session` with `ok` false.";
+const WHY: &str = "Section 4.4: exact propagation on the grid of `dt_ms`; asked of servers that claim the reference networks.";
 
 /// A leaky integrate-and-fire neuron, as section 4.4 writes it.
 struct Lif {
@@ -75,10 +79,14 @@ impl Lif {
     }
 }
 
-/// The observation of one neuron.
+/// The observation of one neuron, but for its id.
 fn samples(times: &[f64], values: Option<&[f64]>) -> Json {
-    let senders: Json = times.iter().map(|_| 1_u32).collect();
-    object! { "times" => nums(times), "values" => nums(values.unwrap_or_default()), "senders" => senders }
+    object! { "times" => nums(times), "values" => nums(values.unwrap_or_default()) }
+}
+
+/// How often, and from whom.
+fn sent(times: &[f64], senders: &[u32]) -> Json {
+    object! { "times" => nums(times), "senders" => senders.iter().copied().collect::<Json>() }
 }
 
 /// A neuron run by the model: times and potentials at each step, and the times of its spikes.
@@ -139,37 +147,76 @@ fn current(params: &[(&str, f64)]) -> f64 {
 fn potentials() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, params) in networks() {
-        for (dt, cadence, steps) in [(1.0, 1.0, 20_u32), (0.5, 1.0, 40), (0.25, 5.0, 80)] {
+        for (dt, steps) in [(1.0, 20_u32), (0.5, 40), (0.25, 80)] {
             let (times, values, _) = simulate(&params, dt, steps, current(&params));
-            let sampled: Vec<(f64, f64)> = times
-                .into_iter()
-                .zip(values)
-                .filter(|(time, _)| time % cadence == 0.0)
-                .collect();
-            let (times, values): (Vec<f64>, Vec<f64>) = sampled.into_iter().unzip();
             let open = Open {
                 params: params.clone(),
-                records: vec![record("v", "V_m", cadence)],
+                records: vec![record("v", "V_m", dt)],
                 dt,
-                chunk: 20.0,
                 ..Open::lif("a")
             };
-            let rule = if cadence > dt {
-                "NCP-SESS-053"
-            } else {
-                "NCP-SESS-050"
-            };
-            let rules: &[&'static str] = if rule == "NCP-SESS-053" {
-                &["NCP-SESS-053", "NCP-SESS-050"]
-            } else {
-                &["NCP-SESS-050", "NCP-SESS-053"]
-            };
-            let observed =
-                observed_with("a", 20.0, object! { "v" => samples(&times, Some(&values)) });
+            let observed = recorded("a", object! { "v" => samples(&times, Some(&values)) });
             cases.push(
-                case(format!("potential/{name}/dt-{dt}"), rules, vec![(open.text(), opened("a")), (step("a", None, None), observed)])
-                    .title(format!("The potential of a neuron ({name}) over 20 ms in steps of {dt} ms, sampled each {cadence} ms."))
-                    .because(WHY),
+                reference(
+                    format!("potential/{name}/dt-{dt}"),
+                    &["NCP-SESS-050"],
+                    vec![
+                        (open.text(), opened("a")),
+                        (step("a", Some(20.0), None), observed),
+                    ],
+                )
+                .title(format!(
+                    "The potential of a neuron ({name}) over 20 ms in steps of {dt} ms."
+                ))
+                .because(WHY),
+            );
+        }
+    }
+    cases
+}
+
+/// A potential that reaches the threshold exactly: with numbers for which no order of the operations rounds.
+fn thresholds() -> Vec<Case> {
+    // At rest on the threshold; and driven to it in a single step that forgets the one before.
+    let at_rest = vec![("E_L", 0.0), ("V_th", 0.0), ("V_reset", -10.0)];
+    let tau = 1.0 / 1024.0;
+    let driven = vec![
+        ("tau_m", tau),
+        ("C_m", 1.0),
+        ("I_e", 15.0 * 1024.0),
+        ("E_L", 0.0),
+        ("V_th", 15.0),
+        ("V_reset", -10.0),
+    ];
+    let mut cases = Vec::new();
+    for (name, params) in [("at-rest", at_rest), ("driven", driven)] {
+        let (times, values, spikes) = simulate(&params, 1.0, 10, current(&params));
+        for (what, observable, expected) in [
+            ("spikes", "spikes", samples(&spikes, None)),
+            ("potential", "V_m", samples(&times, Some(&values))),
+        ] {
+            let open = Open {
+                params: params.clone(),
+                records: vec![record("out", observable, 1.0)],
+                ..Open::lif("a")
+            };
+            cases.push(
+                reference(
+                    format!("threshold/{name}/{what}"),
+                    &["NCP-SESS-050"],
+                    vec![
+                        (open.text(), opened("a")),
+                        (
+                            step("a", Some(10.0), None),
+                            recorded("a", object! { "out" => expected }),
+                        ),
+                    ],
+                )
+                .title(format!(
+                    "A neuron whose potential is exactly the threshold ({}) spikes ({what}).",
+                    name.replace('-', " ")
+                ))
+                .because("A neuron spikes when V \u{2265} V_th."),
             );
         }
     }
@@ -187,12 +234,15 @@ fn spikes() -> Vec<Case> {
                 dt,
                 ..Open::lif("a")
             };
-            let observed = observed_with("a", 60.0, object! { "s" => samples(&spikes, None) });
+            let observed = recorded("a", object! { "s" => samples(&spikes, None) });
             cases.push(
-                case(
+                reference(
                     format!("spikes/{name}/dt-{dt}"),
-                    &["NCP-SESS-050", "NCP-SESS-052"],
-                    vec![(open.text(), opened("a")), (run("a", 60.0), observed)],
+                    &["NCP-SESS-050"],
+                    vec![
+                        (open.text(), opened("a")),
+                        (step("a", Some(60.0), None), observed),
+                    ],
                 )
                 .title(format!(
                     "A neuron ({name}) spikes {} times in 60 ms in steps of {dt} ms.",
@@ -207,39 +257,55 @@ fn spikes() -> Vec<Case> {
 
 fn rates() -> Vec<Case> {
     let mut cases = Vec::new();
-    for input in [0.0, 40.0, -15.0, 200.0, 1e6] {
+    let free = Vec::new;
+    let table: [(&str, Params, f64); 10] = [
+        ("0", free(), 0.0),
+        ("40", free(), 40.0),
+        ("minus-15", free(), -15.0),
+        ("200", free(), 200.0),
+        ("1000000", free(), 1e6),
+        ("mu", vec![("mu", 25.0)], 0.0),
+        ("mu-negative", vec![("mu", -10.0)], 0.0),
+        ("mu-and-input", vec![("mu", 25.0)], 40.0),
+        ("mu-against-input", vec![("mu", 30.0)], -30.0),
+        ("tau", vec![("tau", 20.0), ("mu", 5.0)], 40.0),
+    ];
+    for (name, params, input) in table {
         for dt in [1.0, 0.5] {
+            let param = |wanted: &str, default: f64| {
+                let given = params.iter().find(|(name, _)| *name == wanted);
+                given.map_or(default, |(_, value)| *value)
+            };
             let (mut r, mut time) = (0.0, 0.0);
-            let propagator = (-dt / 10.0_f64).exp();
+            let propagator = (-dt / param("tau", 10.0)).exp();
             let (mut times, mut values) = (Vec::new(), Vec::new());
             while time < 20.0 {
-                r = r * propagator + input * (1.0 - propagator);
+                r = r * propagator + (param("mu", 0.0) + input) * (1.0 - propagator);
                 time += dt;
-                if time % 1.0 == 0.0 {
-                    times.push(time);
-                    values.push(r);
-                }
+                times.push(time);
+                values.push(r);
             }
             let open = Open {
-                records: vec![record("r", "rate", 1.0)],
+                params: params.clone(),
+                records: vec![record("r", "rate", dt)],
                 stimuli: vec![stimulus("in", "rate_inject")],
                 dt,
-                chunk: 20.0,
                 ..Open::rate("a")
             };
-            let observed =
-                observed_with("a", 20.0, object! { "r" => samples(&times, Some(&values)) });
+            let observed = recorded("a", object! { "r" => samples(&times, Some(&values)) });
+            // Without an input, none is sent: then the case is about the law alone.
+            let drive = (input != 0.0).then_some(("in", input));
             cases.push(
-                case(
-                    format!("rate/{input}/dt-{dt}").replace("/-", "/minus-"),
-                    &["NCP-SESS-051", "NCP-SESS-054"],
+                reference(
+                    format!("rate/{name}/dt-{dt}"),
+                    &["NCP-SESS-051"],
                     vec![
                         (open.text(), opened("a")),
-                        (step("a", None, Some(("in", input))), observed),
+                        (step("a", Some(20.0), drive), observed),
                     ],
                 )
                 .title(format!(
-                    "A rate neuron under the input {input} in steps of {dt} ms."
+                    "A rate neuron ({name}) under the input {input} in steps of {dt} ms."
                 ))
                 .because(WHY),
             );
@@ -267,7 +333,6 @@ fn stimuli() -> Vec<Case> {
             let open = Open {
                 records: vec![record("v", "V_m", 1.0)],
                 stimuli: vec![stimulus("in", "current_pA")],
-                chunk,
                 ..Open::lif("a")
             };
             let mut trace = vec![(open.text(), opened("a"))];
@@ -281,16 +346,15 @@ fn stimuli() -> Vec<Case> {
                     times.push(time);
                     potentials.push(neuron.v);
                 }
-                let observed = observed_with(
-                    "a",
-                    time,
-                    object! { "v" => samples(&times, Some(&potentials)) },
-                );
-                trace.push((step("a", None, value.map(|value| ("in", value))), observed));
+                let observed = recorded("a", object! { "v" => samples(&times, Some(&potentials)) });
+                trace.push((
+                    step("a", Some(chunk), value.map(|value| ("in", value))),
+                    observed,
+                ));
             }
             cases.push(
-                case(format!("stimulus/{name}/chunk-{chunk}"), &["NCP-SESS-054", "NCP-SESS-031", "NCP-SESS-050"], trace)
-                    .title(format!("A current that {} acts from the first step of its request in chunks of {chunk} ms.", if name == "none" { "never comes".to_owned() } else { name.replace('-', " ") }))
+                reference(format!("stimulus/{name}/chunk-{chunk}"), &["NCP-SESS-054", "NCP-SESS-050"], trace)
+                    .title(format!("A current that {} acts from the first step of its request in steps of {chunk} ms.", if name == "none" { "never comes".to_owned() } else { name.replace('-', " ") }))
                     .because(WHY),
             );
         }
@@ -311,12 +375,12 @@ fn stimuli() -> Vec<Case> {
         (open("b").text(), opened("b")),
         (
             step("a", None, Some(("in", 200.0))),
-            observed_with("a", 10.0, after(200.0)),
+            recorded("a", after(200.0)),
         ),
-        (step("b", None, None), observed_with("b", 10.0, after(0.0))),
+        (step("b", None, None), recorded("b", after(0.0))),
     ];
     cases.push(
-        case(
+        reference(
             "stimulus/apart".to_owned(),
             &["NCP-SESS-035", "NCP-SESS-054"],
             trace,
@@ -327,92 +391,304 @@ fn stimuli() -> Vec<Case> {
     cases
 }
 
+/// Which neurons a stimulus reaches: two of a population of three, or one population of two.
+fn reach() -> Vec<Case> {
+    let after = |current: f64| {
+        simulate(&[], 1.0, 5, current)
+            .1
+            .last()
+            .copied()
+            .unwrap_or_default()
+    };
+    let drive = |target: &str, ids: &[u32]| {
+        object! { "port" => "in", "target" => target, "kind" => "current_pA", "ids" => ids.iter().copied().collect::<Json>() }
+    };
+    let of = |target: &str, port: &str| {
+        record(port, "V_m", 5.0)
+            .with("target", target.into())
+            .with("port", port.into())
+    };
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: [(&str, &str, &str, &[u32], [bool; 3], bool); 6] = [
+        ("all", "all of its population", "pop", &[], [true; 3], false),
+        (
+            "other",
+            "no neuron of another population",
+            "other",
+            &[],
+            [false; 3],
+            true,
+        ),
+        (
+            "first",
+            "the neuron that it names",
+            "pop",
+            &[1],
+            [true, false, false],
+            false,
+        ),
+        (
+            "last",
+            "the neuron that it names",
+            "pop",
+            &[3],
+            [false, false, true],
+            false,
+        ),
+        (
+            "two",
+            "the neurons that it names",
+            "pop",
+            &[1, 3],
+            [true, false, true],
+            false,
+        ),
+        (
+            "other-id",
+            "the neuron that it names, in its population",
+            "other",
+            &[1],
+            [false; 3],
+            true,
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, target, ids, pop, other)| {
+            let open = Open {
+                size: 3,
+                other: Some(1),
+                records: vec![of("pop", "v"), of("other", "w")],
+                stimuli: vec![drive(target, ids)],
+                ..Open::lif("a")
+            };
+            let driven = |is: bool| after(if is { 300.0 } else { 0.0 });
+            let v = nums(&pop.map(driven));
+            let w = nums(&[driven(other)]);
+            let records = object! { "v" => object! { "values" => v }, "w" => object! { "values" => w } };
+            reference(
+                format!("reach/{name}"),
+                &["NCP-SESS-055"],
+                vec![
+                    (open.text(), opened("a")),
+                    (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", records)),
+                ],
+            )
+            .title(format!("A stimulus reaches {words} ({name})."))
+            .because("A stimulus reaches the neurons of its target that its `ids` name, all of them when it names none, and no others.")
+        })
+        .collect()
+}
+
+/// In which unit observations are.
+fn units() -> Vec<Case> {
+    let lif = Open {
+        records: vec![record("v", "V_m", 1.0)],
+        ..Open::lif("a")
+    };
+    let rate = Open {
+        records: vec![record("r", "rate", 1.0)],
+        ..Open::rate("a")
+    };
+    [
+        (
+            "potential",
+            "in mV",
+            lif,
+            object! { "v" => object! { "unit" => "mV" } },
+        ),
+        (
+            "rate",
+            "in Hz",
+            rate,
+            object! { "r" => object! { "unit" => "Hz" } },
+        ),
+    ]
+    .into_iter()
+    .map(|(name, words, open, records)| {
+        reference(
+            format!("unit/{name}"),
+            &["NCP-SESS-056"],
+            vec![
+                (open.text(), opened("a")),
+                (step("a", Some(5.0), None), recorded("a", records)),
+            ],
+        )
+        .title(format!("An observation ({name}) is {words}."))
+        .because(
+            "An observation carries the unit of its observable, `V_m` in `mV` and `rate` in `Hz`.",
+        )
+    })
+    .collect()
+}
+
 /// Which ports come back.
 fn ports() -> Vec<Case> {
     use crate::trace::exactly;
-    let (times, values, _) = simulate(&[("I_e", 500.0)], 1.0, 10, 500.0);
-    let (_, _, spikes) = simulate(&[("I_e", 500.0)], 1.0, 40, 500.0);
     let driven = |records: Vec<Json>| Open {
         params: vec![("I_e", 500.0)],
         records,
         ..Open::lif("a")
     };
-    let v = || samples(&times, Some(&values));
-    let first_spikes: Vec<f64> = spikes
-        .iter()
-        .copied()
-        .filter(|time| *time <= 10.0)
-        .collect();
-    let s = || samples(&first_spikes, None);
+    // What is in the observations is the affair of other cases.
+    let some = Json::object;
     let mut cases = Vec::new();
     for (name, records, expected) in [
         ("none", Vec::new(), Json::object()),
-        ("one", vec![record("v", "V_m", 1.0)], object! { "v" => v() }),
+        (
+            "one",
+            vec![record("v", "V_m", 1.0)],
+            object! { "v" => some() },
+        ),
         (
             "two",
             vec![record("v", "V_m", 1.0), record("s", "spikes", 1.0)],
-            object! { "v" => v(), "s" => s() },
+            object! { "v" => some(), "s" => some() },
         ),
         (
             "two-of-one-kind",
             vec![record("v", "V_m", 1.0), record("w", "V_m", 1.0)],
-            object! { "v" => v(), "w" => v() },
+            object! { "v" => some(), "w" => some() },
         ),
         (
             "odd-name",
             vec![record("the port/1", "V_m", 1.0)],
-            object! { "the port/1" => v() },
+            object! { "the port/1" => some() },
         ),
     ] {
         cases.push(
-            case(format!("port/{name}"), &["NCP-SESS-038"], vec![(driven(records).text(), opened("a")), (step("a", None, None), observed_with("a", 10.0, exactly(expected)))])
+            reference(format!("port/{name}"), &["NCP-SESS-038"], vec![(driven(records).text(), opened("a")), (step("a", None, None), recorded("a", exactly(expected)))])
                 .title(format!("A session returns the ports that it records and no other ({name})."))
                 .because("A server returns, in `records`, an observation for each port that the session records, and for no other."),
         );
     }
-    // One neuron of three, by its id.
-    for id in 1..=3_u32 {
-        let target = record("v", "V_m", 1.0).with("ids", Json::Array(vec![id.into()]));
+    // One neuron of three, by its id; and all three.
+    let times = [1.0, 2.0, 3.0];
+    for ids in [&[1_u32][..], &[2], &[3], &[1, 3], &[]] {
+        let target = record("v", "V_m", 1.0).with("ids", ids.iter().copied().collect());
         let open = Open {
             size: 3,
             ..driven(vec![target])
         };
-        let senders: Json = times.iter().map(|_| id).collect();
-        let observed = observed_with("a", 10.0, object! { "v" => v().with("senders", senders) });
+        let named = if ids.is_empty() { &[1, 2, 3] } else { ids };
+        let senders: Vec<u32> = times.iter().flat_map(|_| named.iter().copied()).collect();
+        let at: Vec<f64> = times
+            .iter()
+            .flat_map(|time| named.iter().map(|_| *time))
+            .collect();
+        let name = if ids.is_empty() {
+            "all".to_owned()
+        } else {
+            named
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .join("-and-")
+        };
         cases.push(
-            case(
-                format!("id/{id}-of-3"),
+            reference(
+                format!("id/{name}-of-3"),
                 &["NCP-SESS-052"],
                 vec![
                     (open.text(), opened("a")),
-                    (step("a", None, None), observed),
+                    (
+                        step("a", Some(3.0), None),
+                        recorded("a", object! { "v" => sent(&at, &senders) }),
+                    ),
                 ],
             )
-            .title(format!("Neuron {id} of three is recorded by its id."))
+            .title(format!(
+                "Of three neurons, {} by id.",
+                if ids.len() == 1 {
+                    format!("number {name} is recorded")
+                } else {
+                    format!("{} are recorded", name.replace('-', " "))
+                }
+            ))
             .because("A neuron's id is its position within its population, from 1."),
         );
     }
-    // Samples go on over requests.
-    let halves = driven(vec![record("v", "V_m", 2.0)]);
-    let (all_times, all_values, _) = simulate(&[("I_e", 500.0)], 1.0, 9, 500.0);
-    let part = |from: f64, to: f64| {
-        let chosen: Vec<(f64, f64)> = all_times
-            .iter()
-            .copied()
-            .zip(all_values.iter().copied())
-            .filter(|(time, _)| *time > from && *time <= to && time % 2.0 == 0.0)
-            .collect();
-        let (times, values): (Vec<f64>, Vec<f64>) = chosen.into_iter().unzip();
-        observed_with("a", to, object! { "v" => samples(&times, Some(&values)) })
+    let of_spikes = Open {
+        size: 2,
+        ..driven(vec![record("s", "spikes", 1.0)])
     };
+    let (_, _, spikes) = simulate(&[("I_e", 500.0)], 1.0, 40, 500.0);
+    let twice: Vec<f64> = spikes.iter().flat_map(|time| [*time, *time]).collect();
+    let senders: Vec<u32> = spikes.iter().flat_map(|_| [1, 2]).collect();
     cases.push(
-        case(
-            "cadence/over-requests".to_owned(),
-            &["NCP-SESS-053"],
-            vec![(halves.text(), opened("a")), (step("a", Some(3.0), None), part(0.0, 3.0)), (step("a", Some(3.0), None), part(3.0, 6.0)), (step("a", Some(3.0), None), part(6.0, 9.0))],
+        reference(
+            "id/spikes-of-2".to_owned(),
+            &["NCP-SESS-052"],
+            vec![
+                (of_spikes.text(), opened("a")),
+                (
+                    step("a", Some(40.0), None),
+                    recorded("a", object! { "s" => sent(&twice, &senders) }),
+                ),
+            ],
         )
-        .title("A port is sampled at multiples of its cadence since the session opened, not since the request.")
-        .because("The backend samples a port at every multiple of its `cadence_ms`, from the first after the session opened."),
+        .title("The spikes of two neurons come by their ids.")
+        .because("A neuron's id is its position within its population, from 1."),
     );
+    cases
+}
+
+/// When a port is sampled, whatever the samples are.
+fn cadences() -> Vec<Case> {
+    let at = |times: &[f64]| recorded("a", object! { "v" => object! { "times" => nums(times) } });
+    let multiples = |cadence: f64, from: f64, to: f64| -> Vec<f64> {
+        (1_u32..)
+            .map(|nth| f64::from(nth) * cadence)
+            .skip_while(|time| *time <= from)
+            .take_while(|time| *time <= to)
+            .collect()
+    };
+    let open = |dt: f64, cadence: f64| {
+        let open = Open {
+            records: vec![record("v", "V_m", cadence)],
+            dt,
+            ..Open::lif("a")
+        };
+        (open.text(), opened("a"))
+    };
+    let mut cases = Vec::new();
+    for (dt, cadence) in [
+        (1.0, 1.0),
+        (1.0, 2.0),
+        (0.5, 1.0),
+        (0.25, 5.0),
+        (1.0, 5.0),
+        (1.0, 7.0),
+    ] {
+        cases.push(
+            reference(
+                format!("cadence/{cadence}-by-{dt}"),
+                &["NCP-SESS-053"],
+                vec![open(dt, cadence), (step("a", Some(20.0), None), at(&multiples(cadence, 0.0, 20.0)))],
+            )
+            .title(format!("A port of a cadence of {cadence} ms is sampled at its multiples, in steps of {dt} ms."))
+            .because("The backend samples a port at every multiple of its `cadence_ms`, from the first after the session opened."),
+        );
+    }
+    for (cadence, advance) in [(2.0, 3.0), (5.0, 4.0)] {
+        let mut trace = vec![open(1.0, cadence)];
+        trace.extend((0..4_u32).map(|nth| {
+            let from = f64::from(nth) * advance;
+            (
+                step("a", Some(advance), None),
+                at(&multiples(cadence, from, from + advance)),
+            )
+        }));
+        let name = if cadence == 2.0 {
+            "over-requests".to_owned()
+        } else {
+            format!("over-requests-of-{advance}")
+        };
+        cases.push(
+            reference(format!("cadence/{name}"), &["NCP-SESS-053"], trace)
+                .title("A port is sampled at multiples of its cadence since the session opened, not since the request.")
+                .because("The backend samples a port at every multiple of its `cadence_ms`, from the first after the session opened."),
+        );
+    }
     cases
 }

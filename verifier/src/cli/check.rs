@@ -11,10 +11,10 @@ use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
 use crate::peer::{Connection, Description, Launch, Manifest, StartError, handshake};
 use crate::report::{
-    Asked, Detail, Exit, PeerReport, Progress, Report, State, Style, junit, terminal,
+    Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, junit, terminal,
 };
 use crate::run::{self, CaseRun, Settings, Stop};
-use crate::suite::{Case, Pattern, Suite};
+use crate::suite::{Case, Need, Pattern, Suite};
 use crate::verdict::{Baseline, judge, judge_description};
 
 /// Where the result goes, from the workspace's root.
@@ -293,14 +293,19 @@ impl Check<'_> {
             .unwrap_or_else(|| description.name.clone());
         let mut roles = self.roles(&description);
         let level = self.level.unwrap_or_else(|| source.claimed());
-        let cases = self.cases(&roles, level);
+        let (cases, kept) = self.cases(&roles, level, &description);
+        let not_asked = not_asked(&kept);
         // That a peer describes itself rightly is no evidence for a role of which nothing is known.
         let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
         if cases.is_empty() && !roles.is_empty() {
-            let claimed = claimed.join(", ");
-            return Err(CliError::Usage(format!(
-                "no case is selected for the roles of {name}: {claimed}"
-            )));
+            let mut message = format!(
+                "no case is selected for the roles of {name}: {}",
+                claimed.join(", ")
+            );
+            for (_, why) in &not_asked {
+                message.push_str(&format!("; {why}"));
+            }
+            return Err(CliError::Usage(message));
         }
         roles.retain(|(role, _)| cases.iter().any(|case| case.roles.contains(role)));
         let repeat = u64::from(self.settings.repeat);
@@ -309,7 +314,7 @@ impl Check<'_> {
             .map(|case| if case.is_large() { 1 } else { repeat })
             .sum();
         let progress = Progress::new(&name, total, self.visible);
-        let record = run::run(
+        let mut record = run::run(
             &source.launch,
             connection,
             &cases,
@@ -318,6 +323,12 @@ impl Check<'_> {
             self.stop,
         );
         progress.done();
+        record
+            .notes
+            .extend(not_asked.iter().map(|(_, why)| why.clone()));
+        if record.opened == Some(false) && self.patterns.is_empty() && record.given_up.is_none() {
+            record.notes.push(NO_SESSION.to_owned());
+        }
         let describe = (
             self.suite.describe(&description),
             judge_description(&description),
@@ -337,6 +348,7 @@ impl Check<'_> {
             &description,
             &verdict,
             &record,
+            not_asked.into_iter().map(|(count, _)| count).collect(),
         ))
     }
 
@@ -369,7 +381,13 @@ impl Check<'_> {
             .collect()
     }
 
-    fn cases(&self, roles: &[(Role, bool)], level: Level) -> Vec<&Case> {
+    /// The cases to ask, and those that need what the peer does not claim.
+    fn cases(
+        &self,
+        roles: &[(Role, bool)],
+        level: Level,
+        description: &Description,
+    ) -> (Vec<&Case>, Vec<&Case>) {
         let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
         let meant = |case: &&Case| {
             case.concerns(&roles)
@@ -377,8 +395,43 @@ impl Check<'_> {
                 && (self.patterns.is_empty()
                     || self.patterns.iter().any(|pattern| pattern.fits(case)))
         };
-        self.suite.cases().iter().filter(meant).collect()
+        let has = |need: &Need| match need {
+            Need::ReferenceNetworks => description.reference_networks,
+        };
+        let cases = self.suite.cases().iter().filter(meant);
+        cases.partition(|case| case.needs.iter().all(has))
     }
+}
+
+/// What is said of a peer that was asked of sessions, and never opened one.
+const NO_SESSION: &str = "no session was opened in the whole run: the cases about open sessions show nothing about this server";
+
+/// How many cases were kept from a peer for want of what they need, and that in words.
+fn not_asked(kept: &[&Case]) -> Vec<(NotAsked, String)> {
+    let counted = Need::ALL.into_iter().map(|need| {
+        let cases = kept.iter().filter(|case| case.needs.contains(&need));
+        (need, cases.count())
+    });
+    counted
+        .filter(|(_, cases)| *cases > 0)
+        .map(|(need, cases)| {
+            let (were, need_it) = if cases == 1 {
+                ("case was", "it needs")
+            } else {
+                ("cases were", "they need")
+            };
+            let count = NotAsked {
+                needs: need.as_str(),
+                cases,
+            };
+            let why = format!(
+                "{cases} {were} not asked: {need_it} {}, which the peer's `describe` does not claim (`{}`)",
+                need.in_words(),
+                need.as_str()
+            );
+            (count, why)
+        })
+        .collect()
 }
 
 fn nothing_selected(args: &CheckArgs) -> String {

@@ -123,6 +123,10 @@ impl Page {
                 case.file
             ),
         );
+        for need in &case.needs {
+            let words = format!("asked only of a peer that claims {}", need.in_words());
+            self.paragraph(0, &words);
+        }
         self.heading(if case.requirements.len() == 1 {
             "Rule"
         } else {

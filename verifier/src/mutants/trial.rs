@@ -194,7 +194,14 @@ fn not_passed(
         runs.sort_by_cached_key(|(case, _)| place(case));
     }
     let verdict = judge(runs, &roles, Level::Strict, &Baseline::default(), false);
-    let report = PeerReport::checked(String::new(), String::new(), description, &verdict, record);
+    let report = PeerReport::checked(
+        String::new(),
+        String::new(),
+        description,
+        &verdict,
+        record,
+        Vec::new(),
+    );
     let of = |status| -> Vec<CaseReport> {
         report
             .cases

@@ -26,6 +26,8 @@ pub struct Description {
     pub contract_hash: String,
     /// The roles that it claims, as it spells them.
     pub roles: Vec<String>,
+    /// Whether it claims the reference networks of section 4.4 of the text.
+    pub reference_networks: bool,
 }
 
 /// Asks a process that was just started to describe itself.
@@ -142,6 +144,16 @@ fn read(result: &Json<'_>) -> Result<Description, String> {
         Some(other) => return Err(format!("its `roles` is {}, not an array", other.kind())),
         None => return Err("it lacks `roles`".to_owned()),
     };
+    let reference_networks = match result.get("reference_networks") {
+        Some(Json::Bool(claimed)) => *claimed,
+        Some(Json::Null) | None => false,
+        Some(other) => {
+            return Err(format!(
+                "its `reference_networks` is {}, not a boolean",
+                other.kind()
+            ));
+        }
+    };
     Ok(Description {
         name: text("name")?,
         version: text("version")?,
@@ -149,6 +161,7 @@ fn read(result: &Json<'_>) -> Result<Description, String> {
         wire_version: text("wire_version")?,
         contract_hash: text("contract_hash")?,
         roles,
+        reference_networks,
     })
 }
 
@@ -161,8 +174,8 @@ mod tests {
         let whole = r#"{"name":"n","version":"1","language":"C","wire_version":"0.5","contract_hash":"h","roles":["body"]}"#;
         let description = read(&Json::parse(whole).unwrap()).unwrap();
         assert_eq!(
-            (description.name.as_str(), description.roles),
-            ("n", vec!["body".to_owned()])
+            (description.name.as_str(), &description.roles),
+            ("n", &vec!["body".to_owned()])
         );
         for member in [
             "name",
@@ -178,6 +191,17 @@ mod tests {
                 format!("it lacks `{member}`")
             );
         }
+        let claims = |value: &str| {
+            let described = whole.replace('}', &format!(r#","reference_networks":{value}}}"#));
+            read(&Json::parse(&described).unwrap()).map(|about| about.reference_networks)
+        };
+        assert_eq!(claims("true"), Ok(true));
+        assert_eq!([claims("false"), claims("null")], [Ok(false), Ok(false)]);
+        assert_eq!(
+            claims("1").unwrap_err(),
+            "its `reference_networks` is a number, not a boolean"
+        );
+        assert!(!description.reference_networks);
         let number = whole.replace("\"1\"", "1");
         assert_eq!(
             read(&Json::parse(&number).unwrap()).unwrap_err(),

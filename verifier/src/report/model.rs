@@ -168,12 +168,23 @@ pub struct PeerReport {
     pub roles: Vec<RoleReport>,
     /// All cases, whatever their role.
     pub totals: TallyReport,
+    /// Cases of its roles and level that it was not asked, since it does not claim what they need.
+    pub not_asked: Vec<NotAsked>,
     /// Expected failures that no longer fail.
     pub stale_expected_failures: Vec<String>,
     /// How the run went.
     pub run: Option<RunReport>,
     /// Every case.
     pub cases: Vec<CaseReport>,
+}
+
+/// Cases that a peer was not asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct NotAsked {
+    /// What they need.
+    pub needs: &'static str,
+    /// How many there are.
+    pub cases: usize,
 }
 
 /// What a peer says about itself.
@@ -191,6 +202,8 @@ pub struct DescriptionReport {
     pub contract_hash: String,
     /// The roles that it claims.
     pub roles: Vec<String>,
+    /// Whether it claims the reference networks.
+    pub reference_networks: bool,
 }
 
 /// One role of a peer.
@@ -403,6 +416,7 @@ impl PeerReport {
             conclusion: None,
             roles: Vec::new(),
             totals: TallyReport::default(),
+            not_asked: Vec::new(),
             stale_expected_failures: Vec::new(),
             run: None,
             cases: Vec::new(),
@@ -417,6 +431,7 @@ impl PeerReport {
         description: &Description,
         verdict: &Verdict<'_>,
         run: &RunRecord,
+        not_asked: Vec<NotAsked>,
     ) -> Self {
         let mut totals = TallyReport::default();
         for judged in &verdict.cases {
@@ -434,10 +449,12 @@ impl PeerReport {
                 wire_version: description.wire_version.clone(),
                 contract_hash: description.contract_hash.clone(),
                 roles: description.roles.clone(),
+                reference_networks: description.reference_networks,
             }),
             conclusion: Some(verdict.conclusion.as_str()),
             roles: verdict.roles.iter().map(RoleReport::new).collect(),
             totals,
+            not_asked,
             stale_expected_failures: verdict.stale.clone(),
             run: Some(RunReport {
                 answers: run.answers,

@@ -17,7 +17,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::check::Differences;
-use crate::peer::{Connection, Launch};
+use crate::json::Json;
+use crate::peer::{Answer, Call, Connection, Launch};
 use crate::suite::Case;
 
 use worker::Worker;
@@ -191,6 +192,8 @@ pub struct RunRecord {
     pub faults: u32,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
+    /// Whether any answer to `session.run` opened a session; none: nothing was asked of sessions.
+    pub opened: Option<bool>,
     /// What else was noticed about the peer.
     pub notes: Vec<String>,
 }
@@ -261,6 +264,10 @@ pub fn run(
         rate: shared.rate.get().copied(),
         faults: shared.faults.load(Ordering::Relaxed),
         given_up,
+        opened: cases
+            .iter()
+            .any(|case| case.call == Call::SessionRun)
+            .then(|| shared.opened.load(Ordering::Relaxed)),
         notes,
     }
 }
@@ -273,6 +280,22 @@ fn keep_worst(known: &mut Option<CaseRun>, new: CaseRun) {
     {
         *known = Some(new);
     }
+}
+
+/// Whether one of the replies in an answer to `session.run` opened a session.
+fn opens_a_session(answer: &Answer<'_>) -> bool {
+    let Answer::Result(result) = answer else {
+        return false;
+    };
+    let Some(Json::Array(replies)) = result.get("replies") else {
+        return false;
+    };
+    replies.iter().filter_map(Json::as_str).any(|reply| {
+        Json::parse(reply).is_ok_and(|reply| {
+            reply.get("kind").and_then(Json::as_str) == Some("session_opened")
+                && !matches!(reply.get("ok"), Some(Json::Bool(false)))
+        })
+    })
 }
 
 /// What the workers of one run share.
@@ -291,6 +314,7 @@ struct Shared<'r> {
     small_answers: AtomicU64,
     rate: OnceLock<Rate>,
     faults: AtomicU32,
+    opened: AtomicBool,
     given_up: Mutex<Option<String>>,
     ended: AtomicBool,
 }
@@ -318,6 +342,7 @@ impl<'r> Shared<'r> {
             next: AtomicUsize::new(0),
             answers: AtomicU64::new(0),
             faults: AtomicU32::new(0),
+            opened: AtomicBool::new(false),
             given_up: Mutex::new(None),
             ended: AtomicBool::new(false),
         }
@@ -355,6 +380,16 @@ impl<'r> Shared<'r> {
         }
     }
 
+    /// Takes note if an answer opens a session.
+    fn look_for_a_session(&self, case: &Case, answer: &Answer<'_>) {
+        if case.call == Call::SessionRun
+            && !self.opened.load(Ordering::Relaxed)
+            && opens_a_session(answer)
+        {
+            self.opened.store(true, Ordering::Relaxed);
+        }
+    }
+
     /// Whether to come to an end.
     fn is_over(&self) -> bool {
         self.stop.is_set() || self.ended.load(Ordering::Relaxed)
@@ -389,5 +424,26 @@ impl<'r> Shared<'r> {
                 "it has not answered one case in {faults} attempts; at last it {fault}"
             ));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_is_open_when_a_reply_says_so_and_not_when_it_refuses() {
+        let opens = |replies: &str| {
+            let result = format!("{{\"replies\":{replies}}}");
+            opens_a_session(&Answer::Result(Json::parse(&result).unwrap()))
+        };
+        let refused = r#""{\"kind\":\"session_opened\",\"session_id\":\"a\",\"ok\":false}""#;
+        let opened = r#""{\"kind\":\"session_opened\",\"session_id\":\"a\",\"ok\":true}""#;
+        let by_default = r#""{\"kind\":\"session_opened\",\"session_id\":\"a\"}""#;
+        let error = r#""{\"kind\":\"error\",\"error\":\"no\"}""#;
+        assert!(opens(&format!("[{error},{opened}]")));
+        assert!(opens(&format!("[{by_default}]")));
+        assert!(!opens(&format!("[{refused},{error},\"\"]")));
+        assert!(!opens("null") && !opens_a_session(&Answer::Unsupported));
     }
 }

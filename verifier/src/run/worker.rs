@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use super::{CaseRun, Event, Outcome, Shared, keep_worst};
 use crate::check::{Judgement, judge};
 use crate::peer::{
-    Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
+    Answer, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake,
+    write_request,
 };
 use crate::suite::Case;
 
@@ -284,7 +285,7 @@ impl<'r> Worker<'r> {
         }
         process.answered(slot, case);
         let run = match parsed {
-            Ok(reply) => match judge(case, &reply.answer) {
+            Ok(reply) => match self.judged(case, &reply.answer) {
                 Judgement::Pass { note } => CaseRun {
                     outcome: Outcome::Pass,
                     answer: None,
@@ -316,6 +317,11 @@ impl<'r> Worker<'r> {
         let right = run.outcome == Outcome::Pass;
         self.record(index, run);
         Ok(Some((case, right)))
+    }
+
+    fn judged(&self, case: &Case, answer: &Answer<'_>) -> Judgement {
+        self.shared.look_for_a_session(case, answer);
+        judge(case, answer)
     }
 
     fn record(&mut self, index: usize, run: CaseRun) {

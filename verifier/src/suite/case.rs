@@ -10,6 +10,40 @@ use super::pattern::Shape;
 use super::template::{KEPT_BYTES, Template};
 use crate::peer::Call;
 
+/// What not every peer of a role has, and a case may need: the peer says in `describe` whether it has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Need {
+    /// The reference networks of section 4.4 of the text.
+    ReferenceNetworks,
+}
+
+impl Need {
+    /// All of them.
+    pub const ALL: [Self; 1] = [Self::ReferenceNetworks];
+
+    /// As vector files and `describe` write it.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::ReferenceNetworks => "reference_networks",
+        }
+    }
+
+    /// Reads [`as_str`](Self::as_str).
+    #[must_use]
+    pub fn parse(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|need| need.as_str() == name)
+    }
+
+    /// For people.
+    #[must_use]
+    pub const fn in_words(self) -> &'static str {
+        match self {
+            Self::ReferenceNetworks => "the reference networks of section 4.4 of the text",
+        }
+    }
+}
+
 /// One case: a call, and what a peer has to answer.
 #[derive(Debug)]
 pub struct Case {
@@ -23,6 +57,8 @@ pub struct Case {
     pub flags: Vec<String>,
     /// The roles that need it, never empty.
     pub roles: Vec<Role>,
+    /// What a peer has to have beside a role; mostly nothing.
+    pub needs: Vec<Need>,
     /// The highest level among its rules.
     pub level: Level,
     /// Whether a failure decides the verdict: one of its rules is a MUST or MUST NOT.
@@ -88,6 +124,7 @@ impl Case {
             requirements,
             flags,
             roles,
+            needs,
             call,
             args,
             expect,
@@ -106,6 +143,7 @@ impl Case {
             requirements,
             flags,
             roles,
+            needs,
             level,
             binding,
             call,
@@ -187,6 +225,7 @@ pub(super) struct Parts {
     pub(super) requirements: Vec<Arc<Requirement>>,
     pub(super) flags: Vec<String>,
     pub(super) roles: Vec<Role>,
+    pub(super) needs: Vec<Need>,
     pub(super) call: Call,
     pub(super) args: Template,
     pub(super) expect: Expect,

@@ -11,7 +11,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use super::SuiteError;
-use super::case::{Case, Expect, Parts, Text};
+use super::case::{Case, Expect, Need, Parts, Text};
 use super::pattern::Shape;
 use super::template::Template;
 use crate::json::Json;
@@ -92,6 +92,7 @@ struct RawCase<'a> {
     requirements: Vec<String>,
     flags: Vec<String>,
     roles: Vec<String>,
+    needs: Option<Vec<String>>,
     call: String,
     #[serde(borrow)]
     args: &'a RawValue,
@@ -196,6 +197,18 @@ impl Context<'_> {
                 "it is for the role {role}, which none of its rules binds"
             ));
         }
+        let need = |name: &String| {
+            Need::parse(name).ok_or_else(|| format!("`{name}` is nothing that a case may need"))
+        };
+        let needs: Vec<_> = raw
+            .needs
+            .iter()
+            .flatten()
+            .map(need)
+            .collect::<Result<_, _>>()?;
+        if raw.needs.is_some() && needs.is_empty() {
+            return Err("its `needs` are empty".to_owned());
+        }
         let call = Call::parse(&raw.call).ok_or_else(|| format!("`{}` is not a call", raw.call))?;
         let args = Template::new(raw.args.get()).map_err(|error| format!("its args: {error}"))?;
         if !raw.args.get().starts_with('{') || args.is_text() {
@@ -208,6 +221,7 @@ impl Context<'_> {
             requirements,
             flags: raw.flags,
             roles,
+            needs,
             call,
             args,
             why: raw.why,
@@ -411,6 +425,10 @@ mod tests {
             r#""call":"decode","args":{"kind":"command_frame","text":"{}"}}"#
         );
         assert_eq!(file.cases[0].call, Call::Decode);
+        assert!(file.cases[0].needs.is_empty());
+        let needing = CASE.replace(r#"["body"]"#, r#"["body"],"needs":["reference_networks"]"#);
+        let file = read_case(&needing).unwrap();
+        assert_eq!(file.cases[0].needs, [Need::ReferenceNetworks]);
     }
 
     #[test]
@@ -419,7 +437,7 @@ mod tests {
         assert_eq!(
             fault("\"title\"", "\"titel\""),
             format!(
-                "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, `roles`, `call`, `args`, `expect`, `why`"
+                "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, `roles`, `needs`, `call`, `args`, `expect`, `why`"
             )
         );
         assert_eq!(
@@ -439,6 +457,14 @@ mod tests {
             format!("{of}`pilot` is not a role")
         );
         assert_eq!(fault("[\"body\"]", "[]"), format!("{of}it names no role"));
+        assert_eq!(
+            fault("[\"body\"]", r#"["body"],"needs":["a_moon"]"#),
+            format!("{of}`a_moon` is nothing that a case may need")
+        );
+        assert_eq!(
+            fault("[\"body\"]", r#"["body"],"needs":[]"#),
+            format!("{of}its `needs` are empty")
+        );
         assert_eq!(
             fault("\"body\"", "\"server\""),
             format!("{of}it is for the role server, which none of its rules binds")

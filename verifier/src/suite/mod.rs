@@ -10,7 +10,7 @@ mod filter;
 mod pattern;
 mod template;
 
-pub use case::{Case, Expect};
+pub use case::{Case, Expect, Need};
 pub use filter::{Pattern, Selection};
 pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
@@ -278,6 +278,7 @@ fn describe(
         requirements: cited.into_iter().collect::<Result<_, _>>()?,
         flags: Vec::new(),
         roles: Role::ALL.to_vec(),
+        needs: Vec::new(),
         call: Call::Describe,
         args: template("{}")?,
         expect: Expect::Json(template(&expected)?),
@@ -325,6 +326,7 @@ pub(crate) mod testing {
                 .collect(),
             flags: Vec::new(),
             roles: roles.to_vec(),
+            needs: Vec::new(),
             call: Call::Decode,
             args: Template::new(r#"{"kind":"command_frame","text":"{}"}"#).unwrap(),
             expect: Expect::Accept,

@@ -70,6 +70,7 @@ mod tests {
             wire_version: "0.5".into(),
             contract_hash: "24e8e6e31e1dec8a".into(),
             roles: vec!["body".into()],
+            reference_networks: false,
         }
     }
 

@@ -22,6 +22,8 @@ pub(crate) struct Peer<'a> {
     pub(crate) language: &'a str,
     /// The roles that it claims, with commas between them; else those whose functions it exports.
     pub(crate) roles: Option<&'a str>,
+    /// Whether it claims the reference networks.
+    pub(crate) reference_networks: bool,
 }
 
 /// Why a call has no result.
@@ -99,6 +101,7 @@ impl Peer<'_> {
             "wire_version": library.constant("version")?,
             "contract_hash": library.constant("contract_hash")?,
             "roles": roles,
+            "reference_networks": self.reference_networks,
         }))
     }
 }

@@ -33,6 +33,8 @@ Answers the peer protocol with a shared library that has NCP's C ABI.
   --name TEXT      what the peer calls itself, instead of the library's name
   --language TEXT  the language that it says it is written in, instead of C
   --roles LIST     the roles that it claims, instead of those whose functions it exports
+  --reference-networks
+                   it claims the reference networks of section 4.4 of the text
 ";
 
 fn main() -> ExitCode {
@@ -60,6 +62,7 @@ struct Options {
     name: Option<String>,
     language: Option<String>,
     roles: Option<String>,
+    reference_networks: bool,
 }
 
 /// Why the program ends without an answer.
@@ -90,6 +93,7 @@ fn options(mut args: impl Iterator<Item = String>) -> Result<Option<Options>, Er
             "--name" => options.name = Some(value()?),
             "--language" => options.language = Some(value()?),
             "--roles" => options.roles = Some(value()?),
+            "--reference-networks" => options.reference_networks = true,
             _ => return Err(Error::Usage(format!("`{option}` is no option"))),
         }
     }
@@ -112,6 +116,7 @@ fn serve(options: &Options) -> Result<(), Error> {
         name: options.name.as_deref().unwrap_or(&file),
         language: options.language.as_deref().unwrap_or("C"),
         roles: options.roles.as_deref(),
+        reference_networks: options.reference_networks,
     };
     conversation::hold(
         &peer,
@@ -131,10 +136,18 @@ mod tests {
 
     #[test]
     fn options_are_read_and_others_are_refused() {
-        let read = parsed(&["--library", "a.so", "--prefix", "x_"]).unwrap();
+        let read = parsed(&[
+            "--library",
+            "a.so",
+            "--reference-networks",
+            "--prefix",
+            "x_",
+        ])
+        .unwrap();
         let expected = Options {
             library: Some("a.so".into()),
             prefix: Some("x_".to_owned()),
+            reference_networks: true,
             ..Options::default()
         };
         assert_eq!(read, Some(expected));
