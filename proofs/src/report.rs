@@ -147,7 +147,9 @@ pub fn take_run(engines: &mut [Value], before: &Value) -> Value {
     for engine in engines {
         let name = word(&engine["name"]);
         let mut mine = serde_json::Map::new();
-        for result in engine["results"].as_array_mut().into_iter().flatten() {
+        // Not by index, which would give results to an engine that was not run.
+        let results = engine.get_mut("results").and_then(Value::as_array_mut);
+        for result in results.into_iter().flatten() {
             let property = word(&result["property"]);
             let Some(result) = result.as_object_mut() else {
                 continue;
@@ -418,6 +420,9 @@ mod tests {
         let left = json!([{"property": "clamp/bound", "verdict": "proved"}]);
         assert_eq!(engines[0]["results"], left);
         assert_eq!(take_run(&mut engines, &run), taken);
+        let mut absent = [json!({"name": "kani", "not_run": true})];
+        take_run(&mut absent, &Value::Null);
+        assert!(absent[0].get("results").is_none());
     }
 
     #[test]
