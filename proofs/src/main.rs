@@ -14,7 +14,7 @@ use std::time::Duration;
 use ncp_proofs::broken::{self, Broken};
 use ncp_proofs::engines::symbolic::{self, Solvers};
 use ncp_proofs::engines::{
-    Counterexample, Outcome, Patience, Verdict, compared, enumeration, standin,
+    Counterexample, ENDS, Outcome, Patience, Verdict, compared, enumeration, standin,
 };
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Harness, PROPERTIES, Property, harness};
@@ -408,15 +408,15 @@ fn hold(
     };
     let harness = harness::<Production>(property.id)
         .ok_or_else(|| format!("{} has no harness", property.id))?;
+    if place.solvers.patience.is_over() {
+        return Ok(None);
+    }
     if is_refuted {
         let word = match refute(property, &harness, place, "kernel") {
             Some(Ok(_)) => "refutes it, too",
             Some(Err(_)) | None => "finds no counterexample of its own",
         };
         println!("{:14} {:32} {word}", engine.name, property.id);
-        return Ok(None);
-    }
-    if place.solvers.patience.is_over() {
         return Ok(None);
     }
     let Some(outcome) = prove(property, &harness, place) else {
@@ -439,7 +439,10 @@ fn hold(
         }
         answer["counterexample"] = found;
     }
-    if outcome.verdict == Verdict::Refuted && !is_quick {
+    // Whatever else is asked of a kernel that does not come to an end may have none, either.
+    let is_endless = |found: &Counterexample| found.check == ENDS;
+    let is_endless = outcome.counterexample.as_ref().is_some_and(is_endless);
+    if outcome.verdict == Verdict::Refuted && (!is_quick || is_endless) {
         place.solvers.patience.end();
     }
     Ok(Some(answer))

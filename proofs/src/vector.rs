@@ -7,7 +7,7 @@ pub mod plant;
 use ncp_spec::wire::Mode;
 use serde_json::{Value, json};
 
-use crate::engines::{Counterexample, native::Drawn};
+use crate::engines::{Counterexample, ENDS, native::Drawn};
 use crate::kernel::Kernel;
 use crate::properties::Harness;
 use crate::reference;
@@ -53,6 +53,9 @@ pub fn try_case(
     harness: &Harness,
     found: &Counterexample,
 ) -> Result<Value, WhyNone> {
+    if found.check == ENDS {
+        return Err(WhyNone::Endless);
+    }
     let inputs = Inputs(found);
     if let Some(case) = watched(property, harness, found) {
         return Ok(case);
@@ -75,6 +78,8 @@ pub enum WhyNone {
     Alike,
     /// They are not quite the same.
     Rounding,
+    /// There is none.
+    Endless,
 }
 
 impl WhyNone {
@@ -82,6 +87,7 @@ impl WhyNone {
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
+            Self::Endless => "the kernel never answers to its counterexample",
             Self::NoCall => "no call of the protocol takes inputs like those of its counterexample",
             Self::NoFrame => "its counterexample has numbers that JSON lacks",
             Self::Alike => {

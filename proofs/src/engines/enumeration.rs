@@ -2,15 +2,23 @@
 
 use std::time::Instant;
 
+use super::ends::{self, Progress};
 use super::native::{Enumerate, Native, Source};
 use super::{Counterexample, Outcome, Verdict, run_once};
-use crate::properties::{Harness, Property};
+use crate::properties::{Harness, Property, Values};
 
 /// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
 /// no values.
 #[must_use]
 pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
     let values = property.enumeration?;
+    let copy = *harness;
+    Some(ends::watched(harness, move |progress| {
+        try_all(&copy, values, length, progress)
+    }))
+}
+
+fn try_all(harness: &Harness, values: Values, length: usize, progress: &Progress) -> Outcome {
     let began = Instant::now();
     let mut native = Native::new(Source::Enumerate(Enumerate::new(
         values.scalars,
@@ -20,6 +28,7 @@ pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outc
     let mut outcome = Outcome::new(began);
     loop {
         native.again();
+        progress.begins(&native.draw);
         run_once(harness.native, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {
@@ -42,5 +51,5 @@ pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outc
     }
     outcome.reached = native.reached.into_keys().collect();
     outcome.seconds = began.elapsed().as_secs_f64();
-    Some(outcome)
+    outcome
 }

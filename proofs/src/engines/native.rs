@@ -1,6 +1,7 @@
 //! The prover on doubles: for replays, for the stand-in of Kani's API, for enumeration, and for Kani itself.
 
 use std::collections::BTreeMap;
+use std::sync::mpsc::Sender;
 
 use crate::prover::Prover;
 
@@ -37,6 +38,8 @@ pub struct Native<D> {
     pub drawn: Vec<(String, Drawn)>,
     /// Whether `drawn` is kept.
     pub keep: bool,
+    /// Who is told of each input at once.
+    pub told: Option<Sender<(String, Drawn)>>,
     is_void: bool,
 }
 
@@ -61,6 +64,7 @@ impl<D: Draw> Native<D> {
             compared: None,
             drawn: Vec::new(),
             keep: false,
+            told: None,
             is_void: false,
         }
     }
@@ -74,6 +78,9 @@ impl<D: Draw> Native<D> {
     fn note(&mut self, name: &str, drawn: Drawn) {
         if self.keep {
             self.drawn.push((name.to_owned(), drawn));
+        }
+        if let Some(told) = &self.told {
+            told.send((name.to_owned(), drawn)).ok();
         }
     }
 }

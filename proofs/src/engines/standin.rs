@@ -3,6 +3,7 @@
 
 use std::time::Instant;
 
+use super::ends::{self, Progress};
 use super::native::{Native, Sample, Source};
 use super::{Counterexample, Outcome, Verdict, run_once};
 use crate::properties::Harness;
@@ -10,6 +11,13 @@ use crate::properties::Harness;
 /// Runs the harness on so many samples, in sequences of at most this length.
 #[must_use]
 pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
+    let copy = *harness;
+    ends::watched(harness, move |progress| {
+        try_samples(&copy, samples, length, progress)
+    })
+}
+
+fn try_samples(harness: &Harness, samples: u64, length: usize, progress: &Progress) -> Outcome {
     let began = Instant::now();
     let sample = |seed| Source::Sample(Sample::new(seed, length));
     let mut native = Native::new(sample(0));
@@ -17,6 +25,7 @@ pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
     for nth in 0..samples {
         native.draw = sample(nth);
         native.again();
+        progress.begins(&native.draw);
         run_once(harness.native, &mut native);
         outcome.runs += 1;
         if let Some(check) = native.failed {

@@ -354,9 +354,8 @@ pub const NESTED: [Table; 13] = [
 
 /// The kind that a frame says it is; the rest is not judged, but where it stands in the way.
 fn kind_of(frame: &[u8]) -> Result<Kind, DecodeError> {
-    if frame.len() > MAX_OBSERVATION_BYTES {
-        Kind::ObservationFrame.check_len(frame.len())?;
-    }
+    // No kind may be longer.
+    Kind::ObservationFrame.check_len(frame.len())?;
     let mut r = Reader::new(frame, Purpose::Receive)?;
     r.begin()?;
     let mut more = r.open_object(JsonType::Object("frame"))?;
