@@ -419,3 +419,37 @@ impl Path {
 fn shown(text: &str) -> String {
     text.chars().take(SHOWN).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{CommandFrame, Frame, SensorFrame};
+    use super::*;
+
+    #[test]
+    fn an_error_of_a_frame_says_the_field_and_the_byte() {
+        let frame = r#"{"kind":"sensor_frame","channels":{"a":{"data":[1,2,true]}}}"#;
+        let at = frame.find("true").unwrap();
+        let error = SensorFrame::decode(frame.as_bytes()).unwrap_err();
+        assert_eq!(error.path(), "channels.a.data[2]");
+        assert_eq!(error.offset(), Some(at));
+        let shown = error.to_string();
+        assert!(shown.starts_with("channels.a.data[2]: "), "{shown}");
+        assert!(shown.ends_with(&format!(" (byte {at})")), "{shown}");
+    }
+
+    #[test]
+    fn an_error_of_a_whole_frame_names_no_field() {
+        let error = SensorFrame::decode(b"[]").unwrap_err();
+        assert_eq!((error.path(), error.offset()), ("", Some(0)));
+        assert_eq!(error.to_string(), "a frame is an object (byte 0)");
+    }
+
+    #[test]
+    fn an_error_of_a_message_says_the_field() {
+        let mut command = CommandFrame::default();
+        command.t = f64::NAN;
+        let error = command.encode().unwrap_err();
+        assert_eq!(error.path(), "t");
+        assert_eq!(error.to_string(), "t: JSON has no NaN");
+    }
+}

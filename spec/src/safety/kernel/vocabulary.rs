@@ -77,7 +77,7 @@ pub trait Plan<S> {
     /// Applies the speed limit to a tick, by [`limit_tick`](super::limit_tick). Whether it changed.
     ///
     /// # Errors
-    /// The tick is not to be used.
+    /// The tick is not to be used, or there is none such.
     fn limit(&mut self, tick: usize, max_mps: Limit<S>) -> Result<bool, Reason>;
     /// The velocity of a tick in m/s, if it has one that is 3 wide. `[NCP-SAFE-052]`
     fn velocity(&self, tick: usize) -> Option<[S; 3]>;
