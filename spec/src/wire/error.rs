@@ -423,7 +423,6 @@ fn shown(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::{CommandFrame, Frame, SensorFrame};
-    use super::*;
 
     #[test]
     fn an_error_of_a_frame_says_the_field_and_the_byte() {

@@ -253,7 +253,12 @@ mod tests {
             }
             prop_assert_eq!(map.len(), tree.len());
             prop_assert!(map.iter().eq(tree.iter().map(|(name, value)| (name.as_str(), value))));
+            prop_assert_eq!(map.is_empty(), tree.is_empty());
             prop_assert_eq!(format!("{map:?}"), format!("{tree:?}"));
+            let entries = map.clone().into_iter().map(|(name, value)| (name.into_owned(), value));
+            prop_assert!(entries.eq(tree));
+            map.clear();
+            prop_assert_eq!(map.len(), 0);
         }
     }
 }
