@@ -14,7 +14,8 @@ import sys
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
-TOOLS = FOLDER.parents[1] / ".tools"
+ROOT = FOLDER.parents[1]
+TOOLS = ROOT / ".tools"
 VENV = TOOLS / "python-venv"
 WHEELS = TOOLS / "python-wheels"
 BIN = VENV / ("Scripts" if os.name == "nt" else "bin")
@@ -35,6 +36,9 @@ def main(args):
     if args:
         set_up("test-packages", TEST_PACKAGES)
     shutil.rmtree(WHEELS, ignore_errors=True)
+    # maturin takes the licences from beside pyproject.toml.
+    for licence in ROOT.glob("LICENSE-*"):
+        shutil.copy(licence, FOLDER)
     # maturin looks for a Python on the path.
     environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ.get('PATH', '')}"}
     maturin = [BIN / "maturin", "build", "--release", "--quiet", "--interpreter", PYTHON, "--out", WHEELS]

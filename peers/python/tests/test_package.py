@@ -5,6 +5,7 @@ import sys
 import tempfile
 import unittest
 import venv
+import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -45,6 +46,13 @@ ncp.check_version(5)
             program = "import ncp; print(ncp.NCP_VERSION, ncp.Keys().rpc())"
             done = subprocess.run([python, "-c", program], capture_output=True, text=True, check=True, cwd=folder)
         self.assertEqual(done.stdout.strip(), "0.5 ncp/rpc")
+
+    def test_the_wheel_carries_both_licences(self):
+        (wheel,) = (ROOT / ".tools/python-wheels").glob("*.whl")
+        with zipfile.ZipFile(wheel) as files:
+            for licence in ("LICENSE-APACHE", "LICENSE-MIT"):
+                (name,) = (name for name in files.namelist() if name.endswith("/" + licence))
+                self.assertEqual(files.read(name), (ROOT / licence).read_bytes())
 
 
 if __name__ == "__main__":
