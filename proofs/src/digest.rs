@@ -63,8 +63,16 @@ pub const SOURCES: [&str; 41] = [
 /// # Errors
 /// A file cannot be read.
 pub fn of(root: &Path) -> io::Result<String> {
+    of_sources(root, &SOURCES)
+}
+
+/// The same over other files and folders.
+///
+/// # Errors
+/// A file cannot be read.
+pub fn of_sources(root: &Path, sources: &[&str]) -> io::Result<String> {
     let mut files = Vec::new();
-    for source in SOURCES {
+    for source in sources {
         collect(&root.join(source), &mut files)?;
     }
     files.sort();

@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::count::{self, Count};
 use crate::generate;
+use crate::mutate_kernel;
 use crate::prove;
 use crate::setup;
 use crate::test::{Failure, Work};
@@ -49,8 +50,12 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "proofs-fresh",
-        about: "reports/proofs.json is about the kernel and the harnesses as they are",
-        run: |work| nothing_wrong(&prove::stale(work.project), ""),
+        about: "reports/proofs.json and mutations.json are about the kernel and its properties as they are",
+        run: |work| {
+            let mut wrong = prove::stale(work.project);
+            wrong.extend(mutate_kernel::problems(work.project));
+            nothing_wrong(&wrong, "")
+        },
     },
     Check {
         name: "buf-lint",

@@ -12,7 +12,7 @@ use crate::setup;
 
 #[allow(unreachable_pub, reason = "the file belongs to the proofs, too")]
 #[path = "../../proofs/src/digest.rs"]
-mod digest;
+pub(crate) mod digest;
 
 /// What the first stage finds out about the kernel, for the second.
 const KERNEL: &str = ".tools/proofs-kernel.json";

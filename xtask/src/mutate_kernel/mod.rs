@@ -19,12 +19,22 @@ use serde_json::{Value, json};
 
 use crate::Error;
 use crate::project::Project;
+use crate::prove::digest;
 use tokens::{Change, changes, variants};
 
 const KERNEL: &str = "spec/src/safety/kernel";
 const PLACE: &str = ".tools/mutants";
 const EXPLAINED: &str = "proofs/equivalent.toml";
 const REPORT: &str = "reports/mutations";
+/// What the report is about, and what it depends on.
+const SOURCES: [&str; 6] = [
+    KERNEL,
+    "proofs/src/properties",
+    "proofs/src/engines",
+    "proofs/src/bin/mutants.rs",
+    EXPLAINED,
+    "xtask/src/mutate_kernel",
+];
 /// Imports, and types without decisions.
 const LEFT_ALONE: [&str; 2] = ["mod.rs", "vocabulary.rs"];
 /// The words and numbers of the kernel are shared: a copy speaks the same ones.
@@ -154,6 +164,32 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
         .count();
     let is_good = write_report(project, &options, all.len(), &entries)?;
     Ok(is_good && stale.is_empty() && wrong == 0)
+}
+
+/// What is wrong with the report: missing, about other sources, or with a change that nothing refutes.
+pub(crate) fn problems(project: &Project) -> Vec<String> {
+    let problem = |why: &str| {
+        vec![format!(
+            "{REPORT}.json: {why}; cargo xtask prove --mutate 220"
+        )]
+    };
+    let path = project.path(&format!("{REPORT}.json"));
+    let text = fs::read_to_string(&path).ok();
+    let report: Option<Value> = text.and_then(|text| serde_json::from_str(&text).ok());
+    match (report, digest_of(project)) {
+        (None, _) => problem("it is missing, or no report"),
+        (_, Err(error)) => problem(&error.to_string()),
+        (Some(report), Ok(now)) if report["digest"] != now.as_str() => {
+            problem("the kernel, its properties or the changes are others now")
+        }
+        (Some(report), Ok(_)) if report["open"] != 0 => problem("a change is not refuted"),
+        _ => Vec::new(),
+    }
+}
+
+fn digest_of(project: &Project) -> Result<String, Error> {
+    let root = project.path("");
+    digest::of_sources(&root, &SOURCES).map_err(|source| file_error(&root, source))
 }
 
 fn options(args: &[&str]) -> Result<Options, Error> {
@@ -603,7 +639,7 @@ fn write_report(
         })
         .collect();
     let report = json!({
-        "format": 1, "count": options.count, "seed": options.seed, "changes": all,
+        "format": 1, "digest": digest_of(project)?, "count": options.count, "seed": options.seed, "changes": all,
         "refuted": total[0], "equivalent": total[1], "open": total[2], "mutants": list,
     });
     let write = |end: &str, text: &str| {
@@ -653,6 +689,34 @@ mod tests {
         };
         assert_eq!(first(1), first(1));
         assert_ne!(first(1), first(2));
+    }
+
+    #[test]
+    fn a_change_of_the_kernel_or_of_a_property_makes_the_report_stale() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        for source in SOURCES.map(|source| root.join(source)) {
+            if source.extension().is_none() {
+                fs::create_dir_all(source).unwrap();
+            } else {
+                fs::create_dir_all(source.parent().unwrap()).unwrap();
+                fs::write(source, "").unwrap();
+            }
+        }
+        let project = Project::at(root);
+        assert!(problems(&project)[0].contains("missing"));
+        fs::create_dir_all(root.join("reports")).unwrap();
+        let digest = digest_of(&project).unwrap();
+        let report = |open: usize| {
+            let text = json!({ "digest": digest, "open": open }).to_string();
+            fs::write(root.join(REPORT).with_extension("json"), text).unwrap();
+        };
+        report(1);
+        assert!(problems(&project)[0].contains("not refuted"));
+        report(0);
+        assert_eq!(problems(&project), Vec::<String>::new());
+        fs::write(root.join("proofs/src/properties/clamp.rs"), "less").unwrap();
+        assert!(problems(&project)[0].contains("others now"));
     }
 
     #[test]
