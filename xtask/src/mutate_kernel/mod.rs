@@ -467,16 +467,29 @@ fn that_compile(
     ))
 }
 
-/// The mutants that a message of the compiler names by their folders.
+/// The mutants in which an error of the compiler is, by their folders. Its notes may name all others, too: traits that
+/// have a method of that name, say.
 fn named(message: &str) -> Vec<String> {
-    let ids = message.match_indices("m_").filter_map(|(at, _)| {
-        let id = message.get(at..at + 7)?;
-        let is_end = |at: Option<&str>| at.is_some_and(|sign| "/\\".contains(sign));
-        let is_folder =
-            is_end(message.get(at.checked_sub(1)?..at)) && is_end(message.get(at + 7..at + 8));
-        (is_folder && id.chars().skip(2).all(|c| c.is_ascii_digit())).then(|| id.to_owned())
-    });
-    ids.collect()
+    let message: Value = serde_json::from_str(message).unwrap_or_default();
+    let spans = message["message"]["spans"].as_array();
+    let mut ids = Vec::new();
+    for span in spans.into_iter().flatten() {
+        let mut place = span;
+        while place.is_object() && span["is_primary"] == true {
+            ids.extend(folder(&place["file_name"]));
+            place = &place["expansion"]["span"];
+        }
+    }
+    ids
+}
+
+fn folder(file: &Value) -> Option<String> {
+    let parts = file.as_str()?.split(['/', '\\']);
+    let is_id = |part: &&str| {
+        let digits = part.strip_prefix("m_");
+        digits.is_some_and(|digits| digits.len() == 5 && digits.bytes().all(|b| b.is_ascii_digit()))
+    };
+    parts.rev().find(is_id).map(str::to_owned)
 }
 
 /// Builds the mutants of the table, and holds each against all properties; the answers, one each.
@@ -720,9 +733,17 @@ mod tests {
     }
 
     #[test]
-    fn the_compilers_messages_name_mutants_by_their_folders() {
-        let message =
-            r#"{"file_name":"/x/.tools/mutants/m_00017/speed.rs","text":"m_00018 item_00019/"}"#;
-        assert_eq!(named(message), ["m_00017"]);
+    fn an_error_of_the_compiler_is_in_the_mutants_of_its_primary_place() {
+        let span = |file: &str, is_primary: bool| {
+            let file = format!("/x/.tools/mutants/{file}");
+            json!({ "file_name": file, "is_primary": is_primary })
+        };
+        let mut expanded = span("kernel.rs", true);
+        expanded["expansion"] = json!({ "span": span("m_00018/glue.rs", false) });
+        let message = json!({ "message": {
+            "spans": [span("m_00017/speed.rs", true), span("m_00016/speed.rs", false), expanded],
+            "children": [{ "spans": [span("m_00015/speed.rs", true)] }],
+        }});
+        assert_eq!(named(&message.to_string()), ["m_00017", "m_00018"]);
     }
 }
