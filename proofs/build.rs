@@ -19,6 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed={}", source.display());
     println!("cargo:rerun-if-changed=broken.rs");
+    println!("cargo:rerun-if-changed=edit.rs");
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rustc-check-cfg=cfg(kani)");
 

@@ -17,6 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let source = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../../spec/src");
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed=broken.rs");
+    println!("cargo:rerun-if-changed=../edit.rs");
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rustc-check-cfg=cfg(kani)");
     for reader in ["version.rs", "keys.rs", "bulk"] {

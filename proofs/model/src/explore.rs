@@ -29,12 +29,13 @@ pub(crate) type Variant<D> = (D, &'static str, &'static str, &'static str);
 pub(crate) trait Protocol: Sized {
     /// What is broken in a variant.
     type Defect: Copy + Debug + 'static;
-    /// Its states.
-    type State: Clone + Debug + Hash + PartialEq + Send + Sync + 'static;
-    /// What happens in it.
-    type Event: Clone + Debug + PartialEq + Send + Sync + 'static;
-    /// Its model.
-    type Model: Model<State = Self::State, Action = Self::Event> + Send + Sync + 'static;
+    /// Its model: the states, and the events that happen in them.
+    type Model: Model<
+            State: Clone + Debug + Hash + PartialEq + Send + Sync + 'static,
+            Action: Clone + Debug + PartialEq + Send + Sync + 'static,
+        > + Send
+        + Sync
+        + 'static;
 
     /// The name that begins the ids of its properties.
     const FAMILY: &'static str;
@@ -50,7 +51,7 @@ pub(crate) trait Protocol: Sized {
     /// The bounds of the model, in words.
     fn bounds(small: bool) -> String;
     /// A path run natively by the real code and by a broken variant, and as a vector.
-    fn replay(defect: Self::Defect, path: &[Self::Event]) -> Replay;
+    fn replay(defect: Self::Defect, path: &[<Self::Model as Model>::Action]) -> Replay;
 }
 
 /// A counterexample, run natively.
@@ -65,6 +66,29 @@ pub(crate) struct Replay {
     /// The steps as a case of the vectors, with what the real code answers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) vector: Option<Value>,
+}
+
+impl Replay {
+    /// Runs a path by a broken variant and by the real code, whose answers the vector may need.
+    pub(crate) fn new<D, E: Debug>(
+        path: &[E],
+        defect: D,
+        run: impl Fn(Option<D>) -> Value,
+        vector: impl FnOnce(&Value) -> Option<Value>,
+    ) -> Self {
+        let real = run(None);
+        Self {
+            steps: steps(path),
+            broken: run(Some(defect)),
+            vector: vector(&real),
+            real,
+        }
+    }
+}
+
+/// The events of a path, one by one.
+fn steps<E: Debug>(path: &[E]) -> Vec<String> {
+    path.iter().map(|event| format!("{event:?}")).collect()
 }
 
 /// One claim, checked.
@@ -96,7 +120,7 @@ pub(crate) struct Broken {
 
 /// Checks all claims of a protocol.
 pub(crate) fn check<P: Protocol>(small: bool) -> Vec<Checked> {
-    let runs: Vec<Run> = P::models(small).into_iter().map(run).collect();
+    let runs: Vec<Run> = P::models(small).into_iter().map(run::<P>).collect();
     let complete = runs.iter().all(|run| run.complete);
     let seconds: f64 = runs.iter().map(|run| run.seconds).sum();
     let checked = |claim: &Claim| {
@@ -160,12 +184,7 @@ struct Run {
     evidence: Value,
 }
 
-fn run<M>(model: M) -> Run
-where
-    M: Model + Send + Sync + 'static,
-    M::State: Clone + Debug + Hash + PartialEq + Send + Sync + 'static,
-    M::Action: Clone + Debug + PartialEq + Send + Sync + 'static,
-{
+fn run<P: Protocol>(model: P::Model) -> Run {
     let start = Instant::now();
     let threads = std::thread::available_parallelism().map_or(1, Into::into);
     let checker = model.checker().threads(threads).spawn_bfs().join();
@@ -177,9 +196,7 @@ where
         if property.expectation == Expectation::Sometimes {
             witnesses.push(json!({"name": property.name, "seen": path.is_some()}));
         } else if let Some(path) = path {
-            let steps = path.into_actions();
-            let steps = steps.iter().map(|action| format!("{action:?}")).collect();
-            violated.insert(property.name, steps);
+            violated.insert(property.name, steps(&path.into_actions()));
         }
     }
     // A claim that nothing could break says nothing: every witness has to be there.

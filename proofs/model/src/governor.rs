@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 use stateright::{Model, Property};
 
 use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::signs::{Signs, always, sometimes};
 
 /// Where the sensor sees the plant, in m from the origin of a fence of 10 m; NaN is no place.
 const PLACES_M: [f64; 3] = [0.0, 20.0, f64::NAN];
@@ -46,7 +47,7 @@ pub(crate) struct State {
     latched: [bool; 2],
     /// The highest seq that the plant obeyed since its reset, and whether by it it moves.
     obeyed: Option<(usize, bool)>,
-    last: u16,
+    last: Signs,
 }
 
 impl State {
@@ -188,7 +189,7 @@ impl Model for Ends {
             sent: vec![],
             latched: [false, false],
             obeyed: None,
-            last: 0,
+            last: Signs::default(),
         };
         vec![state(false), state(true)]
     }
@@ -207,40 +208,35 @@ impl Model for Ends {
 
     fn next_state(&self, before: &State, event: Event) -> Option<State> {
         let mut state = before.clone();
-        state.last = 0;
-        let mut said = 0;
-        let mut tell = |when, sign| {
-            if when {
-                said |= sign;
-            }
-        };
+        let last = &mut state.last;
+        *last = Signs::default();
         match event {
             Event::Govern(mode, place) => {
                 let seq = state.sent.len() + 1;
                 let frame = govern(self.defect, &mut state.governor, seq, mode, place);
                 let outside = place.is_some_and(|place| place > 0) && !state.faulty;
                 state.latched[0] |= MODES[mode] == Mode::Estop || outside;
-                tell(state.latched[0] && frame.mode != Mode::Estop, LATCH_LET_OUT);
-                tell(state.latched[0] != state.governor.is_stopped(), NOT_LATCHED);
-                tell(state.faulty && frame.mode == Mode::Active, FAULT_LET_OUT);
-                tell(
+                last.tell(state.latched[0] && frame.mode != Mode::Estop, LATCH_LET_OUT);
+                last.tell(state.latched[0] != state.governor.is_stopped(), NOT_LATCHED);
+                last.tell(state.faulty && frame.mode == Mode::Active, FAULT_LET_OUT);
+                last.tell(
                     MODES[mode] != Mode::Active && frame.mode == Mode::Active,
                     NOT_ACTIVE_MOVED,
                 );
-                tell(frame.mode == Mode::Active, PASSED);
-                tell(frame.mode == Mode::Estop, STOPPED);
-                tell(state.faulty && frame.mode == Mode::Hold, FAULT_HELD);
+                last.tell(frame.mode == Mode::Active, PASSED);
+                last.tell(frame.mode == Mode::Estop, STOPPED);
+                last.tell(state.faulty && frame.mode == Mode::Hold, FAULT_HELD);
                 state.sent.push(frame.mode);
             }
             Event::Link(burst) => {
                 note_link(self.defect, &mut state.governor, burst);
                 state.latched[0] |= burst;
-                tell(state.latched[0] != state.governor.is_stopped(), NOT_LATCHED);
+                last.tell(state.latched[0] != state.governor.is_stopped(), NOT_LATCHED);
             }
             Event::ResetGovernor => {
                 reset(self.defect, &mut state.governor);
                 state.latched[0] = false;
-                tell(
+                last.tell(
                     state.latched[1] != state.plant.is_stopped(),
                     UNLATCHED_BY_OTHER,
                 );
@@ -249,7 +245,7 @@ impl Model for Ends {
                 state.plant.reset();
                 state.latched[1] = false;
                 state.obeyed = None;
-                tell(
+                last.tell(
                     state.latched[0] != state.governor.is_stopped(),
                     UNLATCHED_BY_OTHER,
                 );
@@ -274,29 +270,18 @@ impl Model for Ends {
                 }
                 let moves = state.plant.active(0.0).is_some();
                 let may = !state.latched[1] && state.obeyed.is_some_and(|(_, moves)| moves);
-                tell(
+                last.tell(
                     moves != may || state.plant.is_stopped() != state.latched[1],
                     PLANT_MOVED,
                 );
-                tell(state.latched == [true, true], BOTH_LATCHED);
-                tell(moves && had_reset, MOVED_AGAIN);
+                last.tell(state.latched == [true, true], BOTH_LATCHED);
+                last.tell(moves && had_reset, MOVED_AGAIN);
             }
         }
-        state.last = said;
         Some(state)
     }
 
     fn properties(&self) -> Vec<Property<Self>> {
-        macro_rules! always {
-            ($name:literal, $sign:expr) => {
-                Property::always($name, |_: &Self, state: &State| state.last & $sign == 0)
-            };
-        }
-        macro_rules! sometimes {
-            ($name:literal, $sign:expr) => {
-                Property::sometimes($name, |_: &Self, state: &State| state.last & $sign != 0)
-            };
-        }
         vec![
             always!("latched governor sends ESTOP", LATCH_LET_OUT),
             always!("governor latches", NOT_LATCHED),
@@ -318,8 +303,6 @@ pub(crate) enum Latches {}
 
 impl Protocol for Latches {
     type Defect = Defect;
-    type State = State;
-    type Event = Event;
     type Model = Ends;
 
     const FAMILY: &'static str = "latch";
@@ -478,13 +461,7 @@ impl Protocol for Latches {
             }
             Value::Array(answers)
         };
-        let real = run(None);
-        Replay {
-            steps: path.iter().map(|event| format!("{event:?}")).collect(),
-            broken: run(Some(defect)),
-            vector: Some(vector(&path, faulty, &real)),
-            real,
-        }
+        Replay::new(&path, defect, run, |real| Some(vector(&path, faulty, real)))
     }
 }
 

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use stateright::{Model, Property};
 
 use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::signs::{Signs, always, sometimes};
 
 /// Versions, and whether the text calls them compatible with 0.5.
 const VERSIONS: [(&str, bool); 7] = [
@@ -68,7 +69,7 @@ pub(crate) struct State {
     serves: Option<Hello>,
     requests: BTreeSet<Hello>,
     replies: BTreeSet<Answer>,
-    last: u16,
+    last: Signs,
 }
 
 mod sign {
@@ -154,7 +155,7 @@ impl Model for Handshake {
             serves: None,
             requests: BTreeSet::new(),
             replies: BTreeSet::new(),
-            last: 0,
+            last: Signs::default(),
         }]
     }
 
@@ -173,7 +174,7 @@ impl Model for Handshake {
 
     fn next_state(&self, before: &State, event: Event) -> Option<State> {
         let mut state = before.clone();
-        state.last = 0;
+        state.last = Signs::default();
         match event {
             Event::Ask(hello) => {
                 state.client = Some(hello);
@@ -193,16 +194,6 @@ impl Model for Handshake {
     }
 
     fn properties(&self) -> Vec<Property<Self>> {
-        macro_rules! always {
-            ($name:literal, $sign:expr) => {
-                Property::always($name, |_: &Self, state: &State| state.last & $sign == 0)
-            };
-        }
-        macro_rules! sometimes {
-            ($name:literal, $sign:expr) => {
-                Property::sometimes($name, |_: &Self, state: &State| state.last & $sign != 0)
-            };
-        }
         vec![
             always!("server guards", INCOMPATIBLE_SERVED),
             always!("client guards", INCOMPATIBLE_TAKEN),
@@ -231,11 +222,7 @@ impl Model for Handshake {
 
 impl Handshake {
     fn arrive(&self, state: &mut State, hello: Hello) {
-        let mut tell = |when, sign| {
-            if when {
-                state.last |= sign;
-            }
-        };
+        let last = &mut state.last;
         let (version, compatible) = VERSIONS[hello.version];
         if !VERSIONS[state.server].1 {
             // A foreign server may say yes to anything.
@@ -250,26 +237,26 @@ impl Handshake {
         }
         if state.serves.is_some() {
             // A session that is open already is the matter of the model of sessions.
-            tell(state.serves == Some(hello), AGAIN);
+            last.tell(state.serves == Some(hello), AGAIN);
             return;
         }
         let reply = self.serve(hello);
         let Ok(Message::SessionOpened(opened)) = decode_any(reply.as_bytes()) else {
-            tell(true, NO_REASON);
+            last.tell(true, NO_REASON);
             return;
         };
-        tell(opened.ok && !compatible, INCOMPATIBLE_SERVED);
-        tell(!opened.ok && compatible, HASH_REFUSED);
-        tell(!opened.ok && opened.error.is_none(), NO_REASON);
-        tell(!opened.ok, REFUSED);
-        tell(opened.ok && hello.hash == 1, OTHER_HASH);
+        last.tell(opened.ok && !compatible, INCOMPATIBLE_SERVED);
+        last.tell(!opened.ok && compatible, HASH_REFUSED);
+        last.tell(!opened.ok && opened.error.is_none(), NO_REASON);
+        last.tell(!opened.ok, REFUSED);
+        last.tell(opened.ok && hello.hash == 1, OTHER_HASH);
         let wanted = [
             ContractStatus::Match,
             ContractStatus::Mismatch,
             ContractStatus::NotAdvertised,
         ];
         let status = negotiate(version, HASHES[hello.hash]).ok();
-        tell(status != compatible.then_some(wanted[hello.hash]), STATUS);
+        last.tell(status != compatible.then_some(wanted[hello.hash]), STATUS);
         if opened.ok {
             state.serves = Some(hello);
         }
@@ -282,23 +269,19 @@ impl Handshake {
     }
 
     fn reply(&self, state: &mut State, answer: Answer) {
-        let mut tell = |when, sign| {
-            if when {
-                state.last |= sign;
-            }
-        };
+        let last = &mut state.last;
         // A reply belongs to its query: to one that the client gave up it does not come.
         if state.client != Some(answer.to) {
-            tell(true, LATE_REPLY);
+            last.tell(true, LATE_REPLY);
             return;
         }
         let taken = self.takes(answer.to, &text(answer));
         let is_ours = VERSIONS[answer.to.version].1;
         let is_compatible = VERSIONS[answer.version].1;
-        tell(taken && is_ours && !is_compatible, INCOMPATIBLE_TAKEN);
-        tell(taken && !answer.ok, INCOMPATIBLE_TAKEN);
-        tell(!taken && is_ours && !is_compatible, FOREIGN_REPLY);
-        tell(taken && is_ours && is_compatible, OPENED);
+        last.tell(taken && is_ours && !is_compatible, INCOMPATIBLE_TAKEN);
+        last.tell(taken && !answer.ok, INCOMPATIBLE_TAKEN);
+        last.tell(!taken && is_ours && !is_compatible, FOREIGN_REPLY);
+        last.tell(taken && is_ours && is_compatible, OPENED);
         state.opened |= taken;
     }
 }
@@ -308,8 +291,6 @@ pub(crate) enum Versions {}
 
 impl Protocol for Versions {
     type Defect = Defect;
-    type State = State;
-    type Event = Event;
     type Model = Handshake;
 
     const FAMILY: &'static str = "handshake";
@@ -457,12 +438,7 @@ impl Protocol for Versions {
             };
             path.iter().map(answer).collect::<Value>()
         };
-        Replay {
-            steps: path.iter().map(|event| format!("{event:?}")).collect(),
-            broken: run(Some(defect)),
-            real: run(None),
-            vector: path.iter().rev().find_map(vector),
-        }
+        Replay::new(path, defect, run, |_| path.iter().rev().find_map(vector))
     }
 }
 

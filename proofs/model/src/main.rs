@@ -5,6 +5,7 @@ mod governor;
 mod handshake;
 mod plant;
 mod sessions;
+mod signs;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use stateright::{Model, Property};
 
 use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::signs::{Signs, always, sometimes};
 
 /// What the clock may read, in seconds: within a ttl of 250 ms, exactly at it, past it; the same for
 /// 60 s; and no time at all.
@@ -64,7 +65,7 @@ pub(crate) struct State {
     sent: Vec<Sent>,
     plant: Subject,
     text: Permit,
-    last: u16,
+    last: Signs,
 }
 
 /// What the text permits, kept from its sentences and not from the plant.
@@ -323,7 +324,7 @@ impl Model for Link {
             sent: vec![],
             plant: subject(self.defect),
             text: Permit::default(),
-            last: 0,
+            last: Signs::default(),
         }]
     }
 
@@ -343,7 +344,7 @@ impl Model for Link {
 
     fn next_state(&self, before: &State, event: Event) -> Option<State> {
         let mut state = before.clone();
-        state.last = 0;
+        state.last = Signs::default();
         match event {
             Event::Send(body) => {
                 let seq = if body == Body::Unstamped {
@@ -373,19 +374,6 @@ impl Model for Link {
     }
 
     fn properties(&self) -> Vec<Property<Self>> {
-        fn never(sign: u16) -> impl Fn(&State) -> bool {
-            move |state| state.last & sign == 0
-        }
-        macro_rules! always {
-            ($name:literal, $sign:expr) => {
-                Property::always($name, |_: &Self, state: &State| never($sign)(state))
-            };
-        }
-        macro_rules! sometimes {
-            ($name:literal, $sign:expr) => {
-                Property::sometimes($name, |_: &Self, state: &State| state.last & $sign != 0)
-            };
-        }
         vec![
             always!("liveness", MOVED_WRONGLY),
             always!("no needless hold", HELD_WRONGLY),
@@ -416,8 +404,6 @@ pub(crate) enum PlantSide {}
 
 impl Protocol for PlantSide {
     type Defect = Defect;
-    type State = State;
-    type Event = Event;
     type Model = Link;
 
     const FAMILY: &'static str = "plant";
@@ -633,12 +619,7 @@ impl Protocol for PlantSide {
             }
             Value::Array(answers)
         };
-        Replay {
-            steps: path.iter().map(|event| format!("{event:?}")).collect(),
-            broken: run(Some(defect)),
-            real: run(None),
-            vector: Some(vector(&path)),
-        }
+        Replay::new(&path, defect, run, |_| Some(vector(&path)))
     }
 }
 
@@ -674,6 +655,7 @@ fn arrive(state: &mut State, sent: Sent, time: usize) {
     state.plant.arrive(&text(sent), TIMES_S[time]);
     let after = state.plant.key();
     let permit = &mut state.text;
+    let last = &mut state.last;
     let newer = permit.newest.is_none_or(|newest| newest < sent.seq);
     match sent.body {
         Body::Active(ttl) if newer => {
@@ -681,15 +663,10 @@ fn arrive(state: &mut State, sent: Sent, time: usize) {
             permit.command = Some((time, ttl));
         }
         Body::Active(_) => {
-            if after != before {
-                state.last |= STALE_COUNTED;
-            }
-            if permit.moves(time) {
-                state.last |= STALE;
-            }
-            if state.restarted && permit.newest > Some(1) && sent.seq == 1 {
-                state.last |= RESTART_HELD;
-            }
+            last.tell(after != before, STALE_COUNTED);
+            last.tell(permit.moves(time), STALE);
+            let is_held = permit.newest > Some(1) && sent.seq == 1;
+            last.tell(state.restarted && is_held, RESTART_HELD);
         }
         Body::Hold | Body::Unstamped => {
             if sent.seq == 0 || permit.newest.is_none_or(|newest| sent.seq >= newest) {
@@ -701,12 +678,8 @@ fn arrive(state: &mut State, sent: Sent, time: usize) {
         }
         Body::Estop | Body::Torn => {
             permit.latched = true;
-            if !after.2 {
-                state.last |= ESTOP_LOST;
-            }
-            if !newer {
-                state.last |= OLD_ESTOP;
-            }
+            last.tell(!after.2, ESTOP_LOST);
+            last.tell(!newer, OLD_ESTOP);
         }
     }
 }
@@ -714,22 +687,18 @@ fn arrive(state: &mut State, sent: Sent, time: usize) {
 fn ask(state: &mut State, time: usize) {
     let permitted = state.text.moves(time);
     let (moves, one) = state.plant.ask(TIMES_S[time]);
-    let mut tell = |when, sign| {
-        if when {
-            state.last |= sign;
-        }
-    };
-    tell(moves && !permitted && !state.text.latched, MOVED_WRONGLY);
-    tell(!moves && permitted, HELD_WRONGLY);
-    tell(moves && state.text.latched, LATCH_MOVED);
-    tell(moves && state.text.newest.is_none(), REVIVED);
-    tell(!one, NOT_ONE);
-    tell(moves, MOVED);
+    let last = &mut state.last;
+    last.tell(moves && !permitted && !state.text.latched, MOVED_WRONGLY);
+    last.tell(!moves && permitted, HELD_WRONGLY);
+    last.tell(moves && state.text.latched, LATCH_MOVED);
+    last.tell(moves && state.text.newest.is_none(), REVIVED);
+    last.tell(!one, NOT_ONE);
+    last.tell(moves, MOVED);
     let (had, latched) = (state.text.command, state.text.latched);
-    tell(!moves && had.is_some() && !latched, EXPIRED);
+    last.tell(!moves && had.is_some() && !latched, EXPIRED);
     let at_end = had.is_some_and(|(received, ttl)| TTLS_MS[ttl] == 250.0 && received + 1 == time);
-    tell(moves && at_end, MOVED_AT_END);
-    tell(
+    last.tell(moves && at_end, MOVED_AT_END);
+    last.tell(
         moves && state.restarted && state.text.newest == Some(1),
         RESTART_MOVED,
     );

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use stateright::{Model, Property};
 
 use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::signs::{Signs, always, sometimes};
 
 const SESSIONS: [&str; 2] = ["a", "b"];
 
@@ -42,7 +43,7 @@ pub(crate) struct State {
     events: Vec<Event>,
     /// By the text: the steps since it was opened of each session that is open.
     open: BTreeMap<usize, i64>,
-    last: u16,
+    last: Signs,
 }
 
 mod sign {
@@ -187,7 +188,7 @@ impl Model for Service {
         vec![State {
             events: vec![],
             open: BTreeMap::new(),
-            last: 0,
+            last: Signs::default(),
         }]
     }
 
@@ -214,16 +215,6 @@ impl Model for Service {
     }
 
     fn properties(&self) -> Vec<Property<Self>> {
-        macro_rules! always {
-            ($name:literal, $sign:expr) => {
-                Property::always($name, |_: &Self, state: &State| state.last & $sign == 0)
-            };
-        }
-        macro_rules! sometimes {
-            ($name:literal, $sign:expr) => {
-                Property::sometimes($name, |_: &Self, state: &State| state.last & $sign != 0)
-            };
-        }
         vec![
             always!("one reply", NO_REPLY),
             always!("steps only while open", WRONG_STEP),
@@ -247,75 +238,74 @@ fn judge(
     server: &Server,
     event: Event,
     replies: &[String],
-) -> u16 {
-    let mut said = 0;
-    let mut tell = |when, sign| {
-        if when {
-            said |= sign;
-        }
-    };
+) -> Signs {
+    let mut said = Signs::default();
     if event == Event::Restart {
         open.clear();
-        return 0;
+        return said;
     }
     let decoded = replies.first().map(|reply| decode_any(reply.as_bytes()));
     let (1, Some(Ok(reply))) = (replies.len(), decoded) else {
-        return NO_REPLY;
+        said.tell(true, NO_REPLY);
+        return said;
     };
     let is_error = matches!(reply, Message::Error(_));
     let Event::Request(ask, session) = event else {
-        tell(!is_error, NO_REPLY);
-        tell(true, TORN);
+        said.tell(!is_error, NO_REPLY);
+        said.tell(true, TORN);
         return said;
     };
     let was_open = open.get(&session).copied();
     let succeeds = match (ask, &reply) {
         (Ask::Open, Message::SessionOpened(reply)) => {
-            tell(reply.session_id != SESSIONS[session], NO_REPLY);
-            tell(reply.ok == was_open.is_some(), WRONG_OPEN);
-            tell(was_open.is_some(), REOPENED);
+            said.tell(reply.session_id != SESSIONS[session], NO_REPLY);
+            said.tell(reply.ok == was_open.is_some(), WRONG_OPEN);
+            said.tell(was_open.is_some(), REOPENED);
             if was_open.is_none() {
                 open.insert(session, 0);
             }
             reply.ok
         }
         (Ask::Step, Message::ObservationFrame(reply)) => {
-            tell(reply.session_id != SESSIONS[session], NO_REPLY);
-            tell(was_open.is_none(), WRONG_STEP);
+            said.tell(reply.session_id != SESSIONS[session], NO_REPLY);
+            said.tell(was_open.is_none(), WRONG_STEP);
             if let Some(steps) = open.get_mut(&session) {
                 *steps += 1;
                 // One step is 10 ms.
                 let time_ms = f64::from(i32::try_from(*steps).unwrap_or(0)) * 10.0;
-                tell(
+                said.tell(
                     reply.seq != *steps || reply.sim_time_ms != time_ms,
                     WRONG_SEQ,
                 );
-                tell(true, STEPPED);
+                said.tell(true, STEPPED);
             }
             true
         }
         (Ask::Step, Message::Error(_)) => {
-            tell(was_open.is_some(), WRONG_STEP);
-            tell(true, REFUSED);
+            said.tell(was_open.is_some(), WRONG_STEP);
+            said.tell(true, REFUSED);
             false
         }
         (Ask::Close, Message::SessionClosed(reply)) => {
-            tell(reply.session_id != SESSIONS[session], NO_REPLY);
-            tell(reply.ok != was_open.is_some(), WRONG_CLOSE);
-            tell(reply.ok, CLOSED);
+            said.tell(reply.session_id != SESSIONS[session], NO_REPLY);
+            said.tell(reply.ok != was_open.is_some(), WRONG_CLOSE);
+            said.tell(reply.ok, CLOSED);
             open.remove(&session);
             reply.ok
         }
         (Ask::Close, Message::Error(_)) => {
-            tell(was_open.is_some(), WRONG_CLOSE);
+            said.tell(was_open.is_some(), WRONG_CLOSE);
             false
         }
-        _ => return said | NO_REPLY,
+        _ => {
+            said.tell(true, NO_REPLY);
+            return said;
+        }
     };
-    tell(open.len() == SESSIONS.len(), BOTH);
+    said.tell(open.len() == SESSIONS.len(), BOTH);
     let request = text(event).map(|text| decode_any(text.as_bytes()));
     if let (Some(Ok(request)), Some(reply)) = (request, replies.first()) {
-        tell(server.accepts(&request, reply) != succeeds, WRONG_CLIENT);
+        said.tell(server.accepts(&request, reply) != succeeds, WRONG_CLIENT);
     }
     said
 }
@@ -325,8 +315,6 @@ pub(crate) enum Sessions {}
 
 impl Protocol for Sessions {
     type Defect = Defect;
-    type State = State;
-    type Event = Event;
     type Model = Service;
 
     const FAMILY: &'static str = "session";
@@ -474,12 +462,7 @@ impl Protocol for Sessions {
         };
         // The call knows no restart, and judges no client.
         let is_shown = !path.contains(&Event::Restart) && defect != Defect::ClientTakesErrors;
-        Replay {
-            steps: path.iter().map(|event| format!("{event:?}")).collect(),
-            broken: run(Some(defect)),
-            real: run(None),
-            vector: is_shown.then(|| vector(path)),
-        }
+        Replay::new(path, defect, run, |_| is_shown.then(|| vector(path)))
     }
 }
 

@@ -3,74 +3,38 @@
 use ncp_proofs::prover::Prover;
 use serde_json::{Value, json};
 
-use super::strings::{self, Alphabet, Class};
+use super::strings::{self, Alphabet, WHITE_SPACE, class};
 use crate::readers::{Key, Readers};
 
 /// What the text tells apart, and beyond that DEL from other control characters, and characters by their
 /// length in UTF-8.
 pub const CLASSES: Alphabet = &[
-    Class {
-        width: 1,
-        members: &['a', 'A', '0', '-', '_', '~', '"', '\\', '%'],
-        holds: |c| matches!(c, '!'..='~') && !"/*$#?@.".contains(c),
-    },
-    Class {
-        width: 1,
-        members: &['.'],
-        holds: |c| c == '.',
-    },
-    Class {
-        width: 1,
-        members: &['@'],
-        holds: |c| c == '@',
-    },
-    Class {
-        width: 1,
-        members: &['/'],
-        holds: |c| c == '/',
-    },
-    Class {
-        width: 1,
-        members: &['*', '$', '#', '?'],
-        holds: |c| "*$#?".contains(c),
-    },
-    Class {
-        width: 1,
-        members: &[' ', '\t', '\n', '\u{b}', '\u{c}', '\r'],
-        holds: |c| matches!(c, '\t'..='\r' | ' '),
-    },
-    Class {
-        width: 1,
-        members: &['\0', '\u{1f}', '\u{8}', '\u{e}', '\u{1b}'],
-        holds: |c| c < ' ',
-    },
-    Class {
-        width: 1,
-        members: &['\u{7f}'],
-        holds: |c| c == '\u{7f}',
-    },
-    Class {
-        width: 2,
-        members: &['\u{80}', '\u{9f}', '\u{85}'],
-        holds: |c| matches!(c, '\u{80}'..='\u{9f}'),
-    },
-    Class {
-        width: 2,
-        members: &['\u{e9}', '\u{a0}', '\u{ad}', '\u{7ff}'],
-        holds: |c| c.len_utf8() == 2,
-    },
-    Class {
-        width: 3,
-        members: &[
+    class(1, &['a', 'A', '0', '-', '_', '~', '"', '\\', '%'], |c| {
+        matches!(c, '!'..='~') && !"/*$#?@.".contains(c)
+    }),
+    class(1, &['.'], |c| c == '.'),
+    class(1, &['@'], |c| c == '@'),
+    class(1, &['/'], |c| c == '/'),
+    class(1, &['*', '$', '#', '?'], |c| "*$#?".contains(c)),
+    WHITE_SPACE,
+    class(1, &['\0', '\u{1f}', '\u{8}', '\u{e}', '\u{1b}'], |c| {
+        c < ' '
+    }),
+    class(1, &['\u{7f}'], |c| c == '\u{7f}'),
+    class(2, &['\u{80}', '\u{9f}', '\u{85}'], |c| {
+        matches!(c, '\u{80}'..='\u{9f}')
+    }),
+    class(2, &['\u{e9}', '\u{a0}', '\u{ad}', '\u{7ff}'], |c| {
+        c.len_utf8() == 2
+    }),
+    class(
+        3,
+        &[
             '\u{4e2d}', '\u{2028}', '\u{feff}', '\u{202e}', '\u{ffff}', '\u{ff20}',
         ],
-        holds: |c| c.len_utf8() == 3,
-    },
-    Class {
-        width: 4,
-        members: &['\u{1f600}', '\u{10ffff}'],
-        holds: |c| c.len_utf8() == 4,
-    },
+        |c| c.len_utf8() == 3,
+    ),
+    class(4, &['\u{1f600}', '\u{10ffff}'], |c| c.len_utf8() == 4),
 ];
 
 /// What stands beside a character of any kind.
@@ -92,49 +56,29 @@ const SHORT: usize = 3;
 /// characters of the same classes.
 pub fn bytes<R: Readers, P: Prover>(p: &mut P) {
     if let Some(text) = strings::any_bytes(p) {
-        accepts_the_grammar::<R, P>(p, &text);
-        answers_alike::<R, P>(p, &text);
+        holds::<R, P>(p, &text);
     }
 }
 
 /// Every character of Unicode, in contexts.
 pub fn scalars<R: Readers, P: Prover>(p: &mut P) {
     if let Some(text) = strings::any_scalar(p, CONTEXTS) {
-        accepts_the_grammar::<R, P>(p, &text);
-        answers_alike::<R, P>(p, &text);
+        holds::<R, P>(p, &text);
     }
 }
 
 /// All strings of classes as a session id: accepted exactly by the grammar, and in the key unchanged.
 pub fn segment<R: Readers, P: Prover>(p: &mut P) {
     let text = strings::of_classes(p, CLASSES);
-    let says = p.truth(is_segment(&text));
-    p.exactly("a segment by the grammar", R::segment(&text), says);
-    builds::<R, P>(
-        p,
-        &Parts {
-            key: 1,
-            realm: None,
-            session: text,
-            name: None,
-        },
-    );
+    segment_by_the_grammar::<R, P>(p, &text);
+    builds::<R, P>(p, &Parts::of_session(text));
 }
 
 /// All strings of classes as a realm.
 pub fn realm<R: Readers, P: Prover>(p: &mut P) {
     let text = strings::of_classes(p, CLASSES);
-    let says = p.truth(is_realm(&text));
-    p.exactly("a realm by the grammar", R::realm(&text), says);
-    builds::<R, P>(
-        p,
-        &Parts {
-            key: 0,
-            realm: Some(text),
-            session: "s".to_owned(),
-            name: None,
-        },
-    );
+    realm_by_the_grammar::<R, P>(p, &text);
+    builds::<R, P>(p, &Parts::of_realm(text));
 }
 
 /// Short strings in every place of every key.
@@ -145,23 +89,11 @@ pub fn builders<R: Readers, P: Prover>(p: &mut P) {
 
 /// The case that a harness's inputs are, as a vector.
 pub(super) fn vector<P: Prover>(property: &str, p: &mut P) -> Option<Value> {
-    let as_session = |session| Parts {
-        key: 1,
-        realm: None,
-        session,
-        name: None,
-    };
-    let as_realm = |realm| Parts {
-        key: 0,
-        realm: Some(realm),
-        session: "s".to_owned(),
-        name: None,
-    };
     let parts = match property {
-        "keys/bytes" => as_session(strings::any_bytes(p)?),
-        "keys/scalars" => as_session(strings::any_scalar(p, CONTEXTS)?),
-        "keys/segment" => as_session(strings::of_classes(p, CLASSES)),
-        "keys/realm" => as_realm(strings::of_classes(p, CLASSES)),
+        "keys/bytes" => Parts::of_session(strings::any_bytes(p)?),
+        "keys/scalars" => Parts::of_session(strings::any_scalar(p, CONTEXTS)?),
+        "keys/segment" => Parts::of_session(strings::of_classes(p, CLASSES)),
+        "keys/realm" => Parts::of_realm(strings::of_classes(p, CLASSES)),
         _ => parts(p),
     };
     let (key, name) = KEYS.get(parts.key).copied()?;
@@ -196,30 +128,53 @@ struct Parts {
     name: Option<String>,
 }
 
+impl Parts {
+    /// A key of a session, with its id alone.
+    const fn of_session(session: String) -> Self {
+        Self {
+            key: 1,
+            realm: None,
+            session,
+            name: None,
+        }
+    }
+
+    /// A key of a realm alone.
+    fn of_realm(realm: String) -> Self {
+        Self {
+            key: 0,
+            realm: Some(realm),
+            session: "s".to_owned(),
+            name: None,
+        }
+    }
+}
+
 fn parts<P: Prover>(p: &mut P) -> Parts {
     let key = p.choice("key", KEYS.len());
     let place = p.choice("place", 3);
     let most = p.length(SHORT);
     let text = strings::of_classes_within(p, CLASSES, most);
-    let session = "s".to_owned();
+    let plain = Parts {
+        key,
+        realm: None,
+        session: "s".to_owned(),
+        name: None,
+    };
     match place {
         0 => Parts {
-            key,
             realm: Some(text),
-            session,
-            name: None,
+            ..plain
         },
         1 => Parts {
-            key,
-            realm: None,
             session: text,
             name: Some("n".to_owned()),
+            ..plain
         },
         _ => Parts {
-            key,
             realm: Some("r/q".to_owned()),
-            session,
             name: Some(text),
+            ..plain
         },
     }
 }
@@ -236,18 +191,21 @@ fn builds<R: Readers, P: Prover>(p: &mut P, parts: &Parts) {
     p.check("the key of the table, or an error", same);
 }
 
-fn accepts_the_grammar<R: Readers, P: Prover>(p: &mut P, text: &str) {
-    let says = p.truth(is_segment(text));
-    p.exactly("a segment by the grammar", R::segment(text), says);
-    let says = p.truth(is_realm(text));
-    p.exactly("a realm by the grammar", R::realm(text), says);
+/// The grammar, and that the classes lose nothing.
+fn holds<R: Readers, P: Prover>(p: &mut P, text: &str) {
+    segment_by_the_grammar::<R, P>(p, text);
+    realm_by_the_grammar::<R, P>(p, text);
+    strings::answers_alike(p, text, CLASSES, |text| (R::segment(text), R::realm(text)));
 }
 
-fn answers_alike<R: Readers, P: Prover>(p: &mut P, text: &str) {
-    let canonical = strings::canonical(text, CLASSES);
-    let same = R::segment(text) == R::segment(&canonical) && R::realm(text) == R::realm(&canonical);
-    let same = p.truth(same);
-    p.check("answers alike within a class", same);
+fn segment_by_the_grammar<R: Readers, P: Prover>(p: &mut P, text: &str) {
+    let says = p.truth(is_segment(text));
+    p.exactly("a segment by the grammar", R::segment(text), says);
+}
+
+fn realm_by_the_grammar<R: Readers, P: Prover>(p: &mut P, text: &str) {
+    let says = p.truth(is_realm(text));
+    p.exactly("a realm by the grammar", R::realm(text), says);
 }
 
 /// The table of 3.2. `[NCP-KEY-001]` to `[NCP-KEY-007]`

@@ -16,6 +16,21 @@ pub struct Class {
     pub holds: fn(char) -> bool,
 }
 
+/// A class, by its fields in order.
+#[must_use]
+pub const fn class(width: usize, members: &'static [char], holds: fn(char) -> bool) -> Class {
+    Class {
+        width,
+        members,
+        holds,
+    }
+}
+
+/// White space of ASCII.
+pub const WHITE_SPACE: Class = class(1, &[' ', '\t', '\n', '\u{b}', '\u{c}', '\r'], |c| {
+    matches!(c, '\t'..='\r' | ' ')
+});
+
 /// Classes that hold every character, the narrow ones first; a character is of the first that holds it.
 pub type Alphabet = &'static [Class];
 
@@ -86,4 +101,15 @@ pub fn canonical(text: &str, alphabet: Alphabet) -> String {
                 .unwrap_or(c)
         })
         .collect()
+}
+
+/// Says that a reader answers a string as that of its classes' first members.
+pub fn answers_alike<P: Prover, A: PartialEq>(
+    p: &mut P,
+    text: &str,
+    alphabet: Alphabet,
+    answer: impl Fn(&str) -> A,
+) {
+    let same = p.truth(answer(text) == answer(&canonical(text, alphabet)));
+    p.check("answers alike within a class", same);
 }
