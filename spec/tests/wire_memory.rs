@@ -107,6 +107,12 @@ fn long_arrays_of_numbers_are_held_once() {
             4.1,
         );
     }
+    // Of long numbers, eight bytes are still eight.
+    let long = list(500_000, |_| "0.12345678901234567".to_owned());
+    accepted(
+        &observation(&format!(r#""records":{{"p":{{"times":[{long}]}}}}"#)),
+        0.5,
+    );
     // Many short ones, each the shortest that takes two allocations.
     let short = list(4_096, |nth| format!(r#""{nth}":{{"times":[0,0,0,0,0]}}"#));
     accepted(&observation(&format!(r#""records":{{{short}}}"#)), 16.0);

@@ -292,6 +292,53 @@ fn a_field_of_another_type_is_rejected_and_named() {
 }
 
 #[test]
+fn an_error_in_a_string_or_of_a_repeated_name_says_where_and_what() {
+    let said = |members: &str| command(members).unwrap_err().to_string();
+    let command = r#"{"kind":"command_frame""#.len();
+    let at = |place: usize| format!("(byte {})", command + place);
+    assert_eq!(
+        said(r#","x":"\n"#).replace(&at(9), "there"),
+        "x: not JSON: expected '\"' there"
+    );
+    assert_eq!(
+        said(",\"x\":\"\\n\u{1}\"").replace(&at(8), "there"),
+        "x: not JSON: expected no control character in a string there"
+    );
+    assert_eq!(
+        said(r#","x":1,"y":2,"x":3"#).replace(&at(13), "there"),
+        "x: the member occurs twice there"
+    );
+}
+
+// [NCP-WIRE-008]
+#[test]
+fn a_first_half_of_a_pair_does_not_pair_with_bare_digits() {
+    rejected(
+        ErrorCode::Malformed,
+        &[
+            r#","x":"\ud83d\ude00" ,"y":"\ud83d..de00""#,
+            r#","x":"\ud83d\nde00""#,
+            r#","x":"\ud83d\\de00""#,
+            r#","x":"\ude00\ude00""#,
+        ],
+    );
+    accepted(&[r#","x":"\ud83d\ude00..de00""#]);
+}
+
+// [NCP-WIRE-015]
+#[test]
+fn digits_that_wrap_around_64_bits_are_read_as_they_stand() {
+    // 2^64 + 1, with the point in each place.
+    let digits = "18446744073709551617";
+    for point in 1..digits.len() {
+        let (whole, fraction) = digits.split_at(point);
+        let number = format!("{whole}.{fraction}");
+        let read = command(&format!(r#","ttl_ms":{number}"#)).unwrap();
+        assert_eq!(read.ttl_ms, number.parse::<f64>().unwrap(), "{number}");
+    }
+}
+
+#[test]
 fn an_absent_field_is_its_default_and_null_stands_for_an_absent_optional() {
     let absent = command("").unwrap();
     let expected = CommandFrame {
