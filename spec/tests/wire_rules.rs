@@ -909,6 +909,30 @@ fn strings_are_written_with_the_escapes_that_must_be() {
         "{\"kind\":\"error\",\"error\":\"\\\"\\\\/\\u0000\\b\\t\\n\\u000b\\f\\r\\u001f\u{7f}é🚁\"}"
     );
     assert_eq!(ErrorFrame::decode(frame.as_bytes()).unwrap().error, note);
+    for control in '\u{0}'..' ' {
+        let error = format!("a{control}z");
+        let frame = ErrorFrame {
+            error: error.clone().into(),
+            session_id: None,
+        };
+        let text = frame.encode().unwrap();
+        let read: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(read["error"], *error, "{text}");
+    }
+}
+
+#[test]
+fn a_frame_is_written_up_to_its_limit_and_no_further() {
+    let frame = |len: usize| SensorFrame {
+        frame_id: "a".repeat(len).into(),
+        ..SensorFrame::default()
+    };
+    let rest = frame(0).encode().unwrap().len();
+    let longest = frame(MAX_FRAME_BYTES - rest).encode().unwrap();
+    assert_eq!(longest.len(), MAX_FRAME_BYTES);
+    assert!(SensorFrame::decode(longest.as_bytes()).is_ok());
+    let error = frame(MAX_FRAME_BYTES - rest + 1).encode().unwrap_err();
+    assert_eq!(error.code(), ErrorCode::Limit);
 }
 
 // ---- the error frame, bulk observations, provenance --------------------------------------------
