@@ -253,7 +253,7 @@ fn in_every_mode(violation: &Violation) -> Vec<Case> {
             (_, 2) => vec![violation.rule, "NCP-SAFE-018"],
             (_, 0) => vec![violation.rule],
             ("hold" | "init", _) if violation.name == "outside" => {
-                vec!["NCP-SAFE-020", "NCP-SAFE-002"]
+                vec!["NCP-SAFE-002", "NCP-SAFE-020"]
             }
             _ => vec![violation.rule, "NCP-SAFE-020"],
         };
