@@ -26,7 +26,7 @@ fn by_rule(rule: &str) -> Option<&'static str> {
         "NCP-CTRL-003" => "L03",
         "NCP-CTRL-005" | "NCP-RES-051" | "NCP-RES-052" => "misread-settings",
         "NCP-CTRL-010" => "missing-period",
-        "NCP-CTRL-015" | "NCP-CTRL-018" => "ungoverned-command",
+        "NCP-CTRL-015" | "NCP-CTRL-018" | "NCP-CTRL-021" => "ungoverned-command",
         "NCP-RES-002" | "NCP-RES-006" => "stale-setpoint",
         "NCP-RES-003" | "NCP-SAFE-034" | "NCP-SAFE-045" => "off-by-a-boundary",
         "NCP-RES-008" | "NCP-SAFE-035" => "L14",

@@ -48,7 +48,7 @@ class ControlLoop:
             t=now_s,
             mode=command.mode,
             loop_latency_ms=latency_ms,
-            safety_ok=command.mode == "active" or wish.mode != "active",  # [NCP-CTRL-018]
+            safety_ok=command.mode == "active" or wish.mode != "active",  # [NCP-CTRL-018] [NCP-CTRL-021]
             note="the tick overran its period" if latency_ms > self._period_ms else None,  # [NCP-CTRL-019]
         )
         return command, status

@@ -83,7 +83,7 @@ export class ControlLoop {
       t: nowS,
       mode: sent.mode,
       loop_latency_ms: latencyMs,
-      safety_ok: passed, // [NCP-CTRL-018]
+      safety_ok: passed, // [NCP-CTRL-018] [NCP-CTRL-021]
       // [NCP-CTRL-019]
       note: latencyMs > periodMs ? `the tick took ${latencyMs.toFixed(1)} ms of ${periodMs} ms` : null,
     });

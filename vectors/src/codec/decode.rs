@@ -1,6 +1,6 @@
 //! From rates to a command.
 
-use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map};
+use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map, maps};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, int, name_of, num, nums};
@@ -177,12 +177,34 @@ fn ranges() -> Vec<Case> {
                 let rule = share.decides("NCP-CODEC-003", "NCP-CODEC-004");
                 cases.push(
                     case(format!("range/{name}/{}/to-{}-{}", share.name, value[0], value[1]).replace("--", "-minus-"), &[rule], codec(&[], &[mapping]), &[("p", r)])
-                        .shows(channels(vec![("x", vec![map(r, rate, value)])]))
+                        .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => Json::Array(vec![maps(r, rate, value)]) } } } })
                         .title(format!("{r} Hz in {} \u{2026} {} is decoded within {} \u{2026} {} ({}).", rate[0], rate[1], value[0], value[1], share.name))
                         .because("The value is v0 + (r \u{2212} r0) / (r1 \u{2212} r0) \u{b7} (v1 \u{2212} v0), clamped to the value range."),
                 );
             }
         }
+    }
+    for (name, r) in [("quarter", 0.5), ("above", -2.0)] {
+        let (value, rate) = ([2.0, 6.0], [1.0, -1.0]);
+        let mapping = Mapping {
+            value,
+            rate,
+            ..PLAIN
+        };
+        cases.push(
+            case(
+                format!("downwards/{name}"),
+                &["NCP-CODEC-012"],
+                codec(&[], &[mapping]),
+                &[("p", r)],
+            )
+            .shows(channels(vec![("x", vec![map(r, rate, value)])]))
+            .title(format!(
+                "{r} Hz in 1 \u{2026} -1 should be decoded as by any other range ({name})."
+            ))
+            .flags(&["degenerate-range"])
+            .because("A source range that runs downwards should be mapped like every other."),
+        );
     }
     for (name, rate) in [
         ("zero-length", [50.0, 50.0]),

@@ -1,6 +1,6 @@
 //! From sensor channels to rates.
 
-use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map};
+use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map, maps};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, exactly, name_of, num, nums};
@@ -112,12 +112,34 @@ fn ranges() -> Vec<Case> {
                 let rule = share.decides("NCP-CODEC-001", "NCP-CODEC-002");
                 cases.push(
                     case(format!("range/{name}/{}/to-{}-{}", share.name, rate[0], rate[1]).replace("--", "-minus-"), &[rule], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
-                        .shows(rates(&[("p", map(x, value, rate))]))
+                        .shows(object! { "rates" => exactly(object! { "p" => maps(x, value, rate) }) })
                         .title(format!("{x} in {} \u{2026} {} is encoded within {} \u{2026} {} Hz ({}).", value[0], value[1], rate[0], rate[1], share.name))
                         .because("The rate is r0 + (x \u{2212} v0) / (v1 \u{2212} v0) \u{b7} (r1 \u{2212} r0), clamped to the rate range."),
                 );
             }
         }
+    }
+    for (name, x) in [("quarter", 0.5), ("above", -2.0)] {
+        let (value, rate) = ([1.0, -1.0], [10.0, 30.0]);
+        let mapping = Mapping {
+            value,
+            rate,
+            ..PLAIN
+        };
+        cases.push(
+            case(
+                format!("downwards/{name}"),
+                &["NCP-CODEC-012"],
+                codec(&[mapping], &[]),
+                sensor(&[("x", &[x])]),
+            )
+            .shows(rates(&[("p", map(x, value, rate))]))
+            .title(format!(
+                "{x} in 1 \u{2026} -1 should be encoded as by any other range ({name})."
+            ))
+            .flags(&["degenerate-range"])
+            .because("A source range that runs downwards should be mapped like every other."),
+        );
     }
     // A mapping without ranges has the defaults.
     let bare = object! { "encoders" => Json::Array(vec![object! { "channel" => "x", "component" => 0_u32, "population" => "p" }]), "decoders" => Json::Array(Vec::new()) };

@@ -5,7 +5,7 @@ mod encode;
 
 use crate::case::File;
 use crate::json::{Json, object};
-use crate::trace::nums;
+use crate::trace::{any, num, nums};
 
 pub(crate) fn files() -> Vec<File> {
     vec![encode::file(), decode::file()]
@@ -56,6 +56,16 @@ fn map(x: f64, from: [f64; 2], to: [f64; 2]) -> f64 {
         return middle;
     }
     (to[0] + (x - from[0]) / span * (to[1] - to[0])).clamp(to[0].min(to[1]), to[0].max(to[1]))
+}
+
+/// What may come of the map: the middle too, if the source runs downwards and is taken for degenerate.
+fn maps(x: f64, from: [f64; 2], to: [f64; 2]) -> Json {
+    let mut all = vec![map(x, from, to)];
+    let middle = f64::midpoint(to[0], to[1]);
+    if from[0] > from[1] && !all.contains(&middle) {
+        all.push(middle);
+    }
+    any(all.into_iter().map(num).collect())
 }
 
 /// Numbers that JSON lacks: an interface of JSON texts refuses them.

@@ -66,7 +66,7 @@ fn laws() -> Vec<Case> {
             "stiff",
             Gains {
                 kp: 4.0,
-                kd: 0.0,
+                kd: 0.125,
                 max_speed: 10.0,
                 ..DEFAULT
             },
@@ -92,10 +92,20 @@ fn laws() -> Vec<Case> {
     for (place, position, moving) in places {
         for (name, gains) in gains {
             let u = law(gains, position, moving);
+            let case = case(
+                format!("law/{place}/{name}"),
+                &["NCP-CTRL-001"],
+                config(gains),
+                sensor(1, 0.0, &position, Some(&moving)),
+            );
+            // A gain of 0 may be refused.
+            let case = if name == "no-gain" {
+                case.shows_or_refuses(commands(&u))
+            } else {
+                case.shows(commands(&u))
+            };
             cases.push(
-                case(format!("law/{place}/{name}"), &["NCP-CTRL-001"], config(gains), sensor(1, 0.0, &position, Some(&moving)))
-                    .shows(commands(&u))
-                    .title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
+                case.title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
                     .because("The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each axis, each clamped to \u{b1}max_speed."),
             );
         }
@@ -248,11 +258,11 @@ fn unusable() -> Vec<Case> {
                 Json::object(),
                 sensor(1, 0.0, &position, None),
             )
-            .shows(commands(&law(DEFAULT, position, [0.0; 3])))
+            .shows(damps_nothing(&law(DEFAULT, position, [0.0; 3])))
             .title(format!(
-                "Without a velocity, the reflex controller damps nothing ({name})."
+                "Without a velocity, the reflex controller damps nothing, or holds ({name})."
             ))
-            .because("Without a `pose_velocity` it damps nothing."),
+            .because("Without a `pose_velocity` it damps nothing or commands a HOLD."),
         );
     }
     for (name, data) in [

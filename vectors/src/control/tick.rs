@@ -792,12 +792,16 @@ fn modes() -> Vec<Case> {
 fn safety() -> Vec<Case> {
     happenings()
         .into_iter()
-        .filter(|(name, ..)| *name != "active")
         .map(|(name, words, limits, mut trace, now)| {
-            trace.push(says(now, object! { "safety_ok" => false }));
-            run(format!("status/safety/{name}"), &["NCP-CTRL-018"], 50.0, limits, trace)
-                .title(format!("The status of a tick whose active command the governor {words} is not safe."))
-                .because("`safety_ok` is false when the governor turned an active command into a HOLD or an ESTOP.")
+            let (rule, ok, is, why) = match mode_of(name) {
+                "active" => ("NCP-CTRL-018", true, " is", "`safety_ok` is true when the governor passed an active command unchanged."),
+                "hold" => ("NCP-CTRL-021", false, ", should not be", "`safety_ok` should be false when the governor turned an active command into a HOLD."),
+                _ => ("NCP-CTRL-018", false, ", is not", "`safety_ok` is false when the governor turned an active command into an ESTOP."),
+            };
+            trace.push(says(now, object! { "safety_ok" => ok }));
+            run(format!("status/safety/{name}"), &[rule], 50.0, limits, trace)
+                .title(format!("The status of a tick whose active command the governor {words}{is} safe."))
+                .because(why)
         })
         .collect()
 }

@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::trace::{int, name_of, no_result, num, steps, within};
+use crate::trace::{any, int, name_of, no_result, num, steps, within};
 
 pub(super) fn file() -> File {
     let mut cases = counts();
+    cases.extend(last_seqs());
     cases.extend(bursts());
     cases.extend(parameters());
     cases.extend(extremes());
@@ -24,6 +25,10 @@ struct Monitor {
     first: Option<i64>,
     expected: i64,
     received: i64,
+    /// Whether a frame from before the first counts as received; the text allows either.
+    counts_older: bool,
+    /// Whether the frame of the highest seq is also the last that arrived.
+    in_order: bool,
     missing: BTreeSet<i64>,
     /// The detector, by each reading.
     sums: Vec<(Reading, f64)>,
@@ -36,7 +41,7 @@ struct Reading {
 }
 
 impl Monitor {
-    fn new(ref_loss: f64, threshold: f64) -> Self {
+    fn new(ref_loss: f64, threshold: f64, counts_older: bool) -> Self {
         let mut sums = Vec::new();
         for delivery_first in [false, true] {
             for late in [-ref_loss, -1.0, 0.0] {
@@ -55,12 +60,15 @@ impl Monitor {
             first: None,
             expected: 0,
             received: 0,
+            counts_older,
+            in_order: true,
             missing: BTreeSet::new(),
             sums,
         }
     }
 
     fn frame(&mut self, seq: i64) {
+        self.in_order = seq >= self.expected || self.in_order && seq + 1 == self.expected;
         let (gap, is_late) = match self.first {
             None => {
                 self.first = Some(seq);
@@ -69,6 +77,8 @@ impl Monitor {
             }
             Some(_) if seq < self.expected => {
                 if !self.missing.remove(&seq) {
+                    let is_older = self.first.is_some_and(|first| seq < first);
+                    self.received += i64::from(is_older && self.counts_older);
                     return;
                 }
                 (0, true)
@@ -110,6 +120,12 @@ impl Monitor {
             "lost" => Json::literal(lost.to_string()),
             "loss_rate" => num(rate),
         };
+        // Then it may be that of the frame that arrived last.
+        let report = if self.in_order {
+            report
+        } else {
+            report.without("last_seq")
+        };
         let above = |margin: f64| {
             self.sums
                 .iter()
@@ -146,12 +162,11 @@ fn case(
     meant: (f64, f64),
     seqs: &[i64],
 ) -> Case {
-    let mut monitor = Monitor::new(meant.0, meant.1);
     // Only the cases of the rate ask for it.
     let asks_for_rate = matches!(rules.first(), Some(&"NCP-RES-044" | &"NCP-RES-045"));
-    let entries = seqs
-        .iter()
-        .map(|seq| {
+    let reports = |counts_older| {
+        let mut monitor = Monitor::new(meant.0, meant.1, counts_older);
+        let report = |seq: &i64| {
             monitor.frame(*seq);
             let report = monitor.report();
             if asks_for_rate {
@@ -159,11 +174,14 @@ fn case(
             } else {
                 report.without("loss_rate")
             }
-        })
-        .collect();
+        };
+        steps(seqs.iter().map(report).collect())
+    };
+    let mut patterns = vec![reports(false), reports(true)];
+    patterns.dedup();
     Case::new(path, rules, &BOTH)
         .call("link.run", args(given.0, given.1, seqs))
-        .shows(steps(entries))
+        .shows(any(patterns))
 }
 
 fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {
@@ -380,6 +398,57 @@ fn counts() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// The `last_seq`, which is advice once an older frame has arrived behind the newest.
+fn last_seqs() -> Vec<Case> {
+    let table: [(&str, &'static str, &[i64], &str); 5] = [
+        (
+            "in-order",
+            "NCP-RES-054",
+            &[3, 4, 7, 7, 9],
+            "`last_seq` is the highest seq, which arrived last.",
+        ),
+        (
+            "late",
+            "NCP-RES-055",
+            &[1, 5, 3, 2, 6, 4],
+            "`last_seq` should stay the highest seq when late frames arrive.",
+        ),
+        (
+            "duplicate",
+            "NCP-RES-055",
+            &[1, 2, 3, 1, 2],
+            "`last_seq` should stay the highest seq when duplicates arrive.",
+        ),
+        (
+            "before-first",
+            "NCP-RES-055",
+            &[10, 3, 9],
+            "`last_seq` should stay the highest seq when frames from before the first arrive.",
+        ),
+        (
+            "below-zero",
+            "NCP-RES-055",
+            &[-9, -2, -3, -9],
+            "`last_seq` should stay the highest seq below 0 too.",
+        ),
+    ];
+    let case = |(name, rule, seqs, title): (&str, &'static str, &[i64], &str)| {
+        let highest = seqs.iter().scan(i64::MIN, |highest, seq| {
+            *highest = (*highest).max(*seq);
+            Some(object! { "last_seq" => int(*highest) })
+        });
+        Case::new(format!("last-seq/{name}"), &[rule], &BOTH)
+            .call("link.run", args(None, None, seqs))
+            .shows(steps(highest.collect()))
+            .title(title)
+            .flags(&["wrong-loss"])
+            .because(
+                "`last_seq` is the highest seq seen, and should be so whatever arrived after it.",
+            )
+    };
+    table.into_iter().map(case).collect()
 }
 
 /// Every order of 2, 3, 4, 5.
@@ -644,7 +713,7 @@ fn extremes() -> Vec<Case> {
         // And back again: duplicates or late ones, but never a step back.
         let back = [seqs.clone(), vec![first, first + 1, first]].concat();
         let last = seqs.last().copied().unwrap_or_default();
-        let after = || object! { "last_seq" => int(last), "loss_rate" => within(0.999, 1.0), "burst" => true };
+        let after = || object! { "loss_rate" => within(0.999, 1.0), "burst" => true };
         cases.push(
             Case::new(
                 format!("extreme/{name}/and-back"),
@@ -654,7 +723,7 @@ fn extremes() -> Vec<Case> {
             .call("link.run", args(None, None, &back))
             .shows(steps(vec![
                 entry(first),
-                after(),
+                after().with("last_seq", int(last)),
                 after(),
                 after(),
                 after(),
@@ -688,7 +757,7 @@ fn extremes() -> Vec<Case> {
     let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(1..=gap).collect();
     let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
     if let Some(last) = entries.last_mut() {
-        *last = object! { "last_seq" => int(gap + 1), "lost" => within(104.0, 4200.0) };
+        *last = object! { "lost" => within(104.0, 4200.0) };
     }
     cases.push(
         Case::new("extreme/memory", &["NCP-RES-048"], &BOTH)

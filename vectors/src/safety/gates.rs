@@ -252,6 +252,9 @@ fn in_every_mode(violation: &Violation) -> Vec<Case> {
             }
             (_, 2) => vec![violation.rule, "NCP-SAFE-018"],
             (_, 0) => vec![violation.rule],
+            ("hold" | "init", _) if violation.name == "outside" => {
+                vec!["NCP-SAFE-002", "NCP-SAFE-020"]
+            }
             _ => vec![violation.rule, "NCP-SAFE-020"],
         };
         case(format!("{}/{mode}", violation.name), &rules, &trace)
@@ -332,8 +335,10 @@ fn together() -> Vec<Case> {
         let names: Vec<_> = set.iter().map(|violation| violation.name).collect();
         let words: Vec<_> = set.iter().map(|violation| violation.words).collect();
         let mut rules = vec!["NCP-SAFE-020"];
+        let moves = !set.iter().any(|v| matches!(v.name, "hold" | "init"));
         for violation in &set {
-            if !rules.contains(&violation.rule) {
+            // What is outside is bound to latch on an active command only.
+            if !rules.contains(&violation.rule) && (moves || violation.name != "outside") {
                 rules.push(violation.rule);
             }
         }
@@ -361,6 +366,9 @@ fn is_telling(set: &[&Violation]) -> bool {
 
 /// What the last command but one becomes, in words.
 fn outcome(trace: &Trace) -> &'static str {
+    if trace.is_open() {
+        return "an ESTOP frame or a HOLD frame";
+    }
     let outcomes = trace.outcomes();
     let at = outcomes.len().saturating_sub(2);
     match outcomes

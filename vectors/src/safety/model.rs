@@ -357,16 +357,41 @@ impl Trace {
 
     /// What the governor does at each `govern`, by the model.
     pub(super) fn outcomes(&self) -> Vec<Option<Vec<Outcome>>> {
-        let mut governor = Governor::new(self.limits, self.capabilities.as_ref());
+        self.outcomes_by(Reading::PositionFirst)
+    }
+
+    /// Whether the text leaves a choice between the position and the mode.
+    pub(super) fn is_open(&self) -> bool {
+        self.outcomes() != self.outcomes_by(Reading::ModeOnly)
+    }
+
+    fn outcomes_by(&self, reading: Reading) -> Vec<Option<Vec<Outcome>>> {
+        let mut governor = self.governor(reading);
         self.steps.iter().map(|step| governor.step(step)).collect()
+    }
+
+    fn governor(&self, reading: Reading) -> Governor<'_> {
+        Governor::new(self.limits, self.capabilities.as_ref(), reading)
     }
 
     /// The pattern of the result.
     pub(super) fn pattern(&self) -> Json {
+        let mut patterns = Vec::new();
+        for reading in Reading::ALL {
+            let pattern = self.pattern_by(reading);
+            if !patterns.contains(&pattern) {
+                patterns.push(pattern);
+            }
+        }
+        any(patterns)
+    }
+
+    fn pattern_by(&self, reading: Reading) -> Json {
+        let governor = self.governor(reading);
         let mut entries = Vec::new();
         // After a sensor that a JSON text cannot hold, nobody knows whether ESTOP was latched.
         let mut is_known = true;
-        for (step, outcomes) in self.steps.iter().zip(self.outcomes()) {
+        for (step, outcomes) in self.steps.iter().zip(self.outcomes_by(reading)) {
             let (
                 Step::Govern {
                     command, sensor, ..
@@ -388,7 +413,7 @@ impl Trace {
             is_known = sensor.as_ref().is_none_or(Sensor::is_writable);
             let mut patterns: Vec<Json> = outcomes
                 .iter()
-                .map(|outcome| object! { "frame" => outcome.pattern(command) })
+                .map(|outcome| object! { "frame" => outcome.pattern(command, &governor) })
                 .collect();
             if may_refuse {
                 patterns.push(refused());
@@ -413,16 +438,27 @@ pub(super) enum Outcome {
 impl Outcome {
     /// A frame that holds is told by its mode; what else it holds is asked in `zeroing` alone, so that a
     /// fault there does not fail every case.
-    fn pattern(&self, command: &Command) -> Json {
+    fn pattern(&self, command: &Command, governor: &Governor<'_>) -> Json {
+        let passed = |channels: &[Channel]| {
+            let value = |channel: &Channel| {
+                let unit = match channel.unit {
+                    Some(unit) => unit.into(),
+                    // Left out as it was, or written down as it is read.
+                    None => any(std::iter::once(Json::Null)
+                        .chain(governor.unit(channel).map(Json::from))
+                        .collect()),
+                };
+                let value = object! { "data" => nums(&channel.data), "unit" => unit };
+                (channel.name.to_owned(), value)
+            };
+            exactly(Json::Object(channels.iter().map(value).collect()))
+        };
         let (channels, horizon) = match self {
             Self::Estop => return object! { "mode" => "estop" },
             Self::Hold => return object! { "mode" => "hold" },
             Self::Pass { channels, horizon } => (
-                exactly(channels_json(channels)),
-                horizon
-                    .iter()
-                    .map(|step| exactly(channels_json(step)))
-                    .collect::<Json>(),
+                passed(channels),
+                horizon.iter().map(|step| passed(step)).collect::<Json>(),
             ),
         };
         object! {
@@ -437,7 +473,23 @@ impl Outcome {
     }
 }
 
+/// In what order a governor looks at the position and at the mode, of a command that is not active.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Reading {
+    /// The position, which latches ESTOP.
+    PositionFirst,
+    /// The mode, while the position latches all the same.
+    ModeFirst,
+    /// The mode, and then nothing else.
+    ModeOnly,
+}
+
+impl Reading {
+    const ALL: [Self; 3] = [Self::PositionFirst, Self::ModeFirst, Self::ModeOnly];
+}
+
 struct Governor<'a> {
+    reading: Reading,
     limits: Limits,
     capabilities: Option<&'a Capabilities>,
     fault: bool,
@@ -445,7 +497,7 @@ struct Governor<'a> {
 }
 
 impl<'a> Governor<'a> {
-    fn new(limits: Limits, capabilities: Option<&'a Capabilities>) -> Self {
+    fn new(limits: Limits, capabilities: Option<&'a Capabilities>, reading: Reading) -> Self {
         let broken =
             |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
         let declared = |specs: &[Spec], name: &str, unit: &str| {
@@ -460,6 +512,7 @@ impl<'a> Governor<'a> {
         });
         let fault = broken(limits.speed) || broken(limits.fence) || unbound;
         Self {
+            reading,
             limits,
             capabilities,
             fault,
@@ -518,8 +571,13 @@ impl<'a> Governor<'a> {
                 return vec![Outcome::Hold];
             };
             if !inside(&position.data, radius) {
-                self.latched = true;
-                return vec![Outcome::Estop];
+                let waits = command.mode != "active";
+                self.latched = !(waits && self.reading == Reading::ModeOnly);
+                return vec![if waits && self.reading != Reading::PositionFirst {
+                    Outcome::Hold
+                } else {
+                    Outcome::Estop
+                }];
             }
             place = Some((position.data.clone(), radius));
         }
@@ -553,12 +611,15 @@ impl<'a> Governor<'a> {
             Some((place, radius)) => self.project(command, &channels, &horizon, &place, radius),
             None => vec![Outcome::Pass { channels, horizon }],
         };
-        if odd && !outcomes.contains(&Outcome::Hold) {
+        // So may a component of a step that is not finite, though it is enough to truncate before that step.
+        let strange = !command.horizon.iter().flatten().all(|c| finite(&c.data));
+        if (odd || strange) && !outcomes.contains(&Outcome::Hold) {
             outcomes.push(Outcome::Hold);
         }
         outcomes
     }
 
+    /// The unit in which a channel is read: its own, or else the negotiated one.
     fn unit<'c>(&'c self, channel: &'c Channel) -> Option<&'c str> {
         channel.unit.or_else(|| match self.capabilities {
             Some(capabilities) => {

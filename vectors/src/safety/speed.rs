@@ -399,6 +399,8 @@ fn channels() -> Vec<Case> {
     cases
 }
 
+const TRUNCATES_OR_HOLDS: &str = "The governor truncates the horizon before a step that has a component that is not finite, or holds.";
+
 /// The limit on every step.
 fn horizons() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -441,11 +443,19 @@ fn horizons() -> Vec<Case> {
             if let Some(place) = command.horizon.get_mut(at) {
                 place.clone_from(&step);
             }
+            let (or_held, why) = if command.is_writable() {
+                (
+                    "",
+                    "The governor truncates the horizon before a step that cannot be clamped.",
+                )
+            } else {
+                (", or the command is held", TRUNCATES_OR_HOLDS)
+            };
             cases.push(
                 one(format!("horizon/{name}-at-{}", at + 1), &["NCP-SAFE-067"], Limits::speed(2.0), command)
-                    .title(format!("A horizon is truncated before step {}, whose velocity cannot be clamped ({name}).", at + 1))
+                    .title(format!("A horizon is truncated before step {}, whose velocity cannot be clamped ({name}){or_held}.", at + 1))
                     .flags(&["unclamped-horizon"])
-                    .because("The governor truncates the horizon before a step that cannot be clamped or that has a component that is not finite."),
+                    .because(why),
             );
         }
     }
@@ -531,13 +541,13 @@ fn other_channels_of_steps() -> Vec<Case> {
                         command,
                     )
                     .title(format!(
-                        "A horizon is truncated before step {}, whose channel {name} holds {}, with {}.",
+                        "A horizon is truncated before step {}, whose channel {name} holds {}, or the command is held, with {}.",
                         place + 1,
                         name_of(value),
                         limit.replace('-', " ")
                     ))
                     .flags(&["non-finite-command"])
-                    .because("The governor truncates the horizon before a step that has a component that is not finite, in whichever channel."),
+                    .because(TRUNCATES_OR_HOLDS),
                 );
             }
         }
