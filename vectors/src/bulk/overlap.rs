@@ -2,7 +2,7 @@
 
 use super::build::{Block, f32s, f64s, i32s, i64s};
 use super::header::short_name;
-use super::{read, rejected};
+use super::{advised, read, rejected};
 use crate::case::{Case, File};
 
 pub(super) fn file() -> File {
@@ -288,48 +288,45 @@ fn apart() -> Vec<Case> {
     ];
     let empty = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [])]);
     let empty = empty.laid_out(&[48, 56], &[64, 88], 112);
-    for (what, at, says) in [
-        ("header", 0, "the header"),
-        ("directory", 20, "the directory"),
-        ("name", 49, "another column's name"),
-        ("data", 70, "another column's data"),
-        ("own-name", 57, "its own name"),
-    ] {
-        let place = empty.clone().laid_out(&[48, 56], &[64, at], 112);
-        cases.push(
-            read(
-                format!("apart/empty-within-{what}"),
-                &["NCP-BULK-019", "NCP-BULK-012"],
-                &place,
-            )
-            .title(format!(
-                "A block with a column without rows whose data begins within {says} is read."
-            ))
+    let place = |at: usize| empty.clone().laid_out(&[48, 56], &[64, at], 112);
+    cases.push(
+        read("apart/empty-within-data", &["NCP-BULK-019", "NCP-BULK-012"], &place(70))
+            .title("A block with a column without rows whose data begins within another column's data is read.")
             .flags(&["empty-blocks"])
             .because("An empty region shares no byte with anything."),
+    );
+    let mut push = |what: String, advice: &[&'static str], block: &Block, says: String| {
+        cases.extend(
+            advised(&format!("apart/{what}"), advice, block, &says)
+                .map(|case| case.flags(&["empty-blocks"])),
+        );
+    };
+    for (what, advice, at, says) in [
+        ("header", "NCP-BULK-028", 0, "the header"),
+        ("directory", "NCP-BULK-028", 20, "the directory"),
+        ("name", "NCP-BULK-026", 49, "another column's name"),
+        ("own-name", "NCP-BULK-026", 57, "its own name"),
+    ] {
+        push(
+            format!("empty-within-{what}"),
+            &[advice],
+            &place(at),
+            format!("with a column without rows whose data begins within {says}"),
         );
     }
     let unnamed = Block::new([f64s("", [1.5, 2.5]), f64s("cd", [3.5])]);
-    for (what, at, says) in [
-        ("behind-the-directory", 44, "behind the directory"),
-        ("header", 0, "within the header"),
-        ("data", 70, "within its own data"),
-        ("end", 96, "at the block's end"),
+    for (what, place, at, says) in [
+        ("behind-the-directory", None, 44, "behind the directory"),
+        ("header", Some("NCP-BULK-028"), 0, "within the header"),
+        ("data", Some("NCP-BULK-026"), 70, "within its own data"),
+        ("end", Some("NCP-BULK-026"), 96, "at the block's end"),
     ] {
-        let place = unnamed.clone().laid_out(&[at, 56], &[64, 88], 96);
-        cases.push(
-            read(
-                format!("apart/empty-name-{what}"),
-                &["NCP-BULK-012", "NCP-BULK-018"],
-                &place,
-            )
-            .title(format!(
-                "A block with a column of an empty name that begins {says} is read."
-            ))
-            .flags(&["empty-blocks"])
-            .because(
-                "An empty region shares no byte with anything, wherever in the buffer it begins.",
-            ),
+        let advice: Vec<_> = ["NCP-BULK-027"].into_iter().chain(place).collect();
+        push(
+            format!("empty-name-{what}"),
+            &advice,
+            &unnamed.clone().laid_out(&[at, 56], &[64, 88], 96),
+            format!("with a column of an empty name that begins {says}"),
         );
     }
     cases
