@@ -86,6 +86,9 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
             Answer::Error { code, .. },
             Expect::Pattern {
                 or_reject: true, ..
+            }
+            | Expect::Message {
+                or_reject: true, ..
             },
         ) if code != ErrorCode::Internal.as_str() => {}
         (Answer::Error { code, message }, expect) => {
@@ -113,7 +116,7 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
                     .for_each(|found| found.note(&mut differences));
             }
         }
-        (Answer::Result(result), Expect::Message { text, ignore }) => {
+        (Answer::Result(result), Expect::Message { text, ignore, .. }) => {
             if let Some(got) = member(result, "text", &mut differences) {
                 frame::same_message(&text.get(), got, ignore, &mut differences);
             }
@@ -154,8 +157,12 @@ pub fn in_words(expect: &Expect) -> String {
         Expect::Reject(code) => format!("an error, such as `{code}`"),
         Expect::Accept => "any result".to_owned(),
         Expect::Json(value) => format!("the result {}", excerpt(value.expand().as_bytes(), SHOWN)),
-        Expect::Message { text, .. } => {
-            format!("the message {}", excerpt(text.get().as_bytes(), SHOWN))
+        Expect::Message {
+            text, or_reject, ..
+        } => {
+            let message = excerpt(text.get().as_bytes(), SHOWN);
+            let or_reject = if *or_reject { ", or an error" } else { "" };
+            format!("the message {message}{or_reject}")
         }
         Expect::Encoding(text) => format!("the frame {}", excerpt(text.get().as_bytes(), SHOWN)),
         Expect::Bytes(bytes) => format!("a block of exactly {} bytes", bytes.len()),
