@@ -258,7 +258,7 @@ fn marks(kind: &str) -> Vec<Case> {
                 .rejects("malformed")
                 .because(because),
         );
-        if advises {
+        if what == "mark" {
             let read = meaning(kind, &minimal(kind)).text();
             cases.push(
                 case("-if-at-all", &[READ])

@@ -309,7 +309,9 @@ fn lives() -> Vec<Case> {
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(name, rules, title, trace)| {
-            case(format!("life/{name}"), rules, trace).title(title).because("The states of section 4.2; what a server refuses to open, it answers for as for what is not open.")
+            case(format!("life/{name}"), rules, trace)
+                .title(title)
+                .because("The states of section 4.2; a session that is refused is not open.")
         })
         .collect();
     cases.extend(durations());

@@ -116,7 +116,7 @@ fn openings() -> Vec<Case> {
             "A strict server does not open a session for a request whose version is {what}."
         ))
         .flags(&["L07"])
-        .because("It answers `session_opened` with `ok` false, or an error frame where the version is malformed, and opens nothing.")
+        .because("It answers `session_opened` with `ok` false, or an error frame if it is malformed, and opens nothing.")
     };
     unfit_versions().into_iter().map(open_with).collect()
 }

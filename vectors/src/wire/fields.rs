@@ -283,11 +283,11 @@ impl Probe<'_> {
                 .accept("value", READ, value, "lost-fields", "is set")
                 .or_rejects()
                 .title(format!(
-                    "{} whose `{}` is another than the receiver's is rejected, or read as it says.",
+                    "{} whose `{}` is set is rejected, or read as it says.",
                     a(self.place.kind),
                     self.member()
                 ))
-                .because("A decoder may leave the version to the version guard or judge it itself, but not change it.");
+                .because("A decoder may judge the version, but not change it.");
         }
         let rule = match (&self.field.shape, self.field.name.as_str()) {
             (Shape::Number, _) => "NCP-WIRE-012",

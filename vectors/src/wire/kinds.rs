@@ -162,13 +162,13 @@ fn versions() -> Vec<Case> {
             cases.push(
                 Case::new(format!("{kind}/version/{what}"), &[READ], readers(kind))
                     .title(format!(
-                        "{} of version `{version}` is rejected, or decoded and keeps it.",
+                        "{} of version `{version}` is rejected, or keeps it.",
                         a(kind)
                     ))
                     .flags(&["version-in-decoder"])
                     .decode(kind, frame.text())
                     .means_or_rejects(meaning(kind, &frame).text())
-                    .because("A decoder may leave the version to the version guard or judge it itself, but not change it."),
+                    .because("A decoder may judge the version, but not change it."),
             );
         }
         let frame = explicit(kind);

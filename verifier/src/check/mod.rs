@@ -292,7 +292,7 @@ fn block(result: &Json<'_>, differences: &mut Differences) -> Option<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::{Shape, Template};
+    use crate::suite::{Shape, Template, Text};
 
     fn pattern(or_reject: bool) -> Expect {
         Expect::Pattern {
@@ -324,6 +324,32 @@ mod tests {
             judge_by(&pattern(true), &Answer::Unsupported),
             Judgement::Unsupported
         );
+    }
+
+    #[test]
+    fn a_message_may_allow_a_refusal_but_never_a_crash_nor_another_message() {
+        let frame = r#""{\"kind\":\"error\",\"error\":\"no\"}""#;
+        let message = |or_reject| Expect::Message {
+            text: Text::new(Template::new(frame).unwrap()),
+            ignore: Vec::new(),
+            or_reject,
+        };
+        let (strict, lenient) = (message(false), message(true));
+        let error = |code: &str| Answer::Error {
+            code: code.to_owned(),
+            message: String::new(),
+        };
+        assert!(passes(&lenient, &error("version")));
+        assert!(!passes(&lenient, &error("internal")));
+        assert!(!passes(&strict, &error("version")));
+        for (text, right) in [("no", true), ("yes", false)] {
+            let result = format!(r#"{{"text":"{{\"kind\":\"error\",\"error\":\"{text}\"}}"}}"#);
+            let result = Answer::Result(Json::parse(&result).unwrap());
+            assert_eq!(passes(&lenient, &result), right);
+            assert_eq!(passes(&strict, &result), right);
+        }
+        assert!(in_words(&lenient).ends_with(", or an error"));
+        assert!(!in_words(&strict).ends_with(", or an error"));
     }
 
     #[test]

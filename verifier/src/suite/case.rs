@@ -205,7 +205,7 @@ impl Case {
 
 impl Text {
     /// Takes a template of a string.
-    pub(super) fn new(template: Template) -> Self {
+    pub(crate) fn new(template: Template) -> Self {
         let kept = (template.bytes() <= KEPT_BYTES).then(|| template.text());
         Self { template, kept }
     }
