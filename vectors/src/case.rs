@@ -150,6 +150,17 @@ impl Case {
         self.expect(object! { "relation" => "message", "text" => text.into(), "ignore" => ignore })
     }
 
+    /// The same message, however it is spelled, or a refusal.
+    pub(crate) fn means_or_rejects(self, text: impl Into<Text>) -> Self {
+        self.means(text).or_rejects()
+    }
+
+    /// What is expected already, or a refusal.
+    pub(crate) fn or_rejects(mut self) -> Self {
+        self.expect = self.expect.and("or_reject", Json::Bool(true));
+        self
+    }
+
     /// The same message, spelled by the rules for encoders.
     pub(crate) fn writes(self, text: impl Into<Text>) -> Self {
         self.expect(object! { "relation" => "encoding", "text" => text.into() })

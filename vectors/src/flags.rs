@@ -727,7 +727,7 @@ const NOTES: &[(&str, &str)] = &[
     ),
     (
         "version-in-decoder",
-        "Decoding judges the version, and so hides it from the version guard.",
+        "Decoding changes the version, or refuses one that is compatible.",
     ),
     (
         "version-overflow",

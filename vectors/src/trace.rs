@@ -103,9 +103,7 @@ impl Case {
 
     /// A result of this pattern, or a refusal of the whole call.
     pub(crate) fn shows_or_refuses(self, pattern: Json) -> Self {
-        let mut case = self.shows(pattern);
-        case.expect = case.expect.and("or_reject", Json::Bool(true));
-        case
+        self.shows(pattern).or_rejects()
     }
 }
 

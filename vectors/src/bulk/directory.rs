@@ -1,7 +1,7 @@
 //! The entries of the directory, field by field.
 
 use super::build::{Block, Part, f32s, f64s, golden, i64s};
-use super::{decode, read, rejected};
+use super::{advised, decode, read, read_if_at_all, rejected};
 use crate::case::{Case, File};
 use crate::json::object;
 
@@ -140,11 +140,13 @@ fn names() -> Vec<Case> {
                 .because("The name does not lie wholly within the buffer.")
         })
         .collect();
-    cases.push(
-        read("name/ends-with-the-block", &["NCP-BULK-018"], &block)
-            .title("A block whose last name ends with it, behind the data, is read.")
-            .flags(&["fixed-layout"])
-            .because("A decoder goes by the directory; where encoders put names binds only them."),
+    let says = "whose last name ends with it, behind the data,";
+    cases.extend(
+        [
+            read_if_at_all("name/ends-with-the-block", &block, says),
+            advised("name/behind-the-data", "NCP-BULK-026", &block, says),
+        ]
+        .map(|case| case.flags(&["fixed-layout"])),
     );
     let golden = golden();
     cases.push(

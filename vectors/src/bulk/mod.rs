@@ -45,6 +45,21 @@ fn read(what: impl Into<String>, rules: &[&'static str], block: &Block) -> Case 
     decode(what, rules, &block.bytes()).gives(object! { "columns" => block.columns() })
 }
 
+/// A block that is read as its columns, or refused.
+fn read_if_at_all(what: impl Into<String>, block: &Block, says: &str) -> Case {
+    decode(what, &["NCP-BULK-021", "NCP-BULK-023"], &block.bytes())
+        .shows_or_refuses(object! { "columns" => block.columns() })
+        .title(format!("A block {says} is rejected, or read as it is."))
+        .because("A decoder that takes the block gives the columns of the directory.")
+}
+
+/// A block that should be read.
+fn advised(what: impl Into<String>, rule: &'static str, block: &Block, says: &str) -> Case {
+    read(what, &[rule], block)
+        .title(format!("A block {says} should be read."))
+        .because("A decoder should go by the directory alone.")
+}
+
 /// Columns as the calls take and give them.
 fn columns_json(columns: &[build::Column]) -> Json {
     columns

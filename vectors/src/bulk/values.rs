@@ -1,7 +1,7 @@
 //! Values of every dtype, wherever they lie.
 
 use super::build::{Block, Column, f32s, f64s, i32s, i64s};
-use super::{decode, read};
+use super::{decode, read, read_if_at_all};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 
@@ -244,18 +244,6 @@ fn layouts() -> Vec<Case> {
             Block::new(columns()).laid_out(&[62, 61, 60], &[64, 72, 76], 80),
             "whose names lie in reverse",
         ),
-        (
-            "data-before-names",
-            "NCP-BULK-018",
-            Block::new(columns()).laid_out(&[76, 77, 78], &[60, 68, 72], 79),
-            "whose names lie behind the data",
-        ),
-        (
-            "names-between-data",
-            "NCP-BULK-018",
-            Block::new(columns()).laid_out(&[68, 73, 78], &[60, 69, 74], 79),
-            "whose names lie between the columns",
-        ),
     ];
     let mut cases: Vec<Case> = table
         .into_iter()
@@ -266,6 +254,21 @@ fn layouts() -> Vec<Case> {
                 .because("A decoder goes by the directory: any offset, any order, and bytes between that belong to nothing.")
         })
         .collect();
+    let behind = [
+        (
+            "data-before-names",
+            Block::new(columns()).laid_out(&[76, 77, 78], &[60, 68, 72], 79),
+            "whose names lie behind the data",
+        ),
+        (
+            "names-between-data",
+            Block::new(columns()).laid_out(&[68, 73, 78], &[60, 69, 74], 79),
+            "whose names lie between the columns",
+        ),
+    ];
+    cases.extend(behind.into_iter().map(|(what, block, says)| {
+        read_if_at_all(format!("layout/{what}"), &block, says).flags(&["fixed-layout"])
+    }));
     let unsorted = Block::new([
         f64s("z", [1.5]),
         f64s("a", [2.5]),

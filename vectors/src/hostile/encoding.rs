@@ -228,26 +228,49 @@ fn marks(kind: &str) -> Vec<Case> {
     ];
     let mut cases = Vec::new();
     for (what, text, rule, says) in table {
-        let case = |how: &str| {
-            Case::new(format!("{kind}/{what}{how}"), &[rule], readers(kind))
+        let advises = rule == "NCP-WIRE-006";
+        let is = if advises {
+            "should be rejected"
+        } else {
+            "is rejected"
+        };
+        let case = |how: &str, rules: &[&'static str]| {
+            Case::new(format!("{kind}/{what}{how}"), rules, readers(kind))
                 .flags(&["byte-order-mark"])
-                .rejects("malformed")
-                .because("U+FEFF is no white space of JSON, at the beginning or elsewhere.")
+        };
+        let because = if advises {
+            "A mark is no part of the grammar, though RFC 8259 lets a reader ignore one."
+        } else {
+            "U+FEFF is no white space of JSON, behind the frame or within it."
         };
         // Many conversions from bytes to text drop a mark in silence, so it travels both ways.
         cases.push(
-            case("")
-                .title(format!("{} {says} is rejected.", a(kind)))
-                .decode(kind, text.clone()),
+            case("", &[rule])
+                .title(format!("{} {says} {is}.", a(kind)))
+                .decode(kind, text.clone())
+                .rejects("malformed")
+                .because(because),
         );
         cases.push(
-            case("-as-bytes")
-                .title(format!(
-                    "{} {says} is rejected when it comes as bytes.",
-                    a(kind)
-                ))
-                .decode_bytes(kind, text.as_bytes()),
+            case("-as-bytes", &[rule])
+                .title(format!("{} {says} {is} when it comes as bytes.", a(kind)))
+                .decode_bytes(kind, text.as_bytes())
+                .rejects("malformed")
+                .because(because),
         );
+        if what == "mark" {
+            let read = meaning(kind, &minimal(kind)).text();
+            cases.push(
+                case("-if-at-all", &[READ])
+                    .title(format!(
+                        "{} {says} is rejected, or read as the frame behind the mark.",
+                        a(kind)
+                    ))
+                    .decode_bytes(kind, text.as_bytes())
+                    .means_or_rejects(read)
+                    .because("Who skips a mark reads the frame behind it, and nothing else."),
+            );
+        }
     }
     cases
 }

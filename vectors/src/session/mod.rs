@@ -156,9 +156,11 @@ fn replies(of: Vec<Json>) -> Json {
 
 /// A case for the servers that claim the reference networks.
 fn reference(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
+    let mut expected = within_capacities(&trace);
     let (requests, answers): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
+    expected.insert(0, replies(answers));
     asking(path, rules, requests)
-        .shows(replies(answers))
+        .shows(any(expected))
         .needs(REFERENCE_NETWORKS)
 }
 
@@ -169,38 +171,83 @@ fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {
     )
 }
 
+/// The session that a request is about.
+fn id_of(request: &str) -> &str {
+    request
+        .split("\"session_id\":\"")
+        .nth(1)
+        .and_then(|rest| rest.split('"').next())
+        .unwrap_or_default()
+}
+
+/// Whether a request is well-formed and of a kind.
+fn is_of(request: &str, kind: &str) -> bool {
+    request.starts_with(&format!("{{\"ncp_version\":\"0.5\",\"kind\":\"{kind}\""))
+}
+
+/// What a request is answered for a session that was refused; `None` if it is no request for one.
+fn without_session(request: &str) -> Option<Json> {
+    if is_of(request, "open_session") {
+        Some(any(vec![not_opened(id_of(request)), error()]))
+    } else if is_of(request, "step_request") || is_of(request, "run_request") {
+        Some(error())
+    } else if is_of(request, "close_session") {
+        Some(not_closed(id_of(request)))
+    } else {
+        None
+    }
+}
+
+/// Whether a reply says that a session was opened.
+fn opens(reply: &Json) -> bool {
+    reply.text().contains("\"ok\":true") && reply.text().contains("session_opened")
+}
+
+/// The answers to a trace of servers that hold fewer sessions open than it asks for, one at least.
+pub(crate) fn within_capacities(trace: &[(String, Json)]) -> Vec<Json> {
+    let (_, most) = within(usize::MAX, trace);
+    (1..most)
+        .map(|capacity| replies(within(capacity, trace).0))
+        .collect()
+}
+
+/// The answers of a server that holds so many sessions open and no more, and how many it held.
+fn within(capacity: usize, trace: &[(String, Json)]) -> (Vec<Json>, usize) {
+    let (mut open, mut refused, mut most) = (Vec::new(), Vec::new(), 0);
+    let answers = trace.iter().map(|(request, reply)| {
+        let id = id_of(request);
+        if opens(reply) {
+            let (to, from) = if open.len() < capacity {
+                (&mut open, &mut refused)
+            } else {
+                (&mut refused, &mut open)
+            };
+            from.retain(|other| *other != id);
+            to.push(id);
+            most = most.max(open.len());
+        }
+        let answer = Some(id).filter(|id| refused.contains(id));
+        let answer = answer.and_then(|_| without_session(request));
+        if is_of(request, "close_session") {
+            open.retain(|other| *other != id);
+        }
+        answer.unwrap_or_else(|| reply.clone())
+    });
+    (answers.collect(), most)
+}
+
 /// A case of requests and what they are answered; a server that refuses the network opens no
-/// session, and then answers every step with an error frame and every close with a refusal.
+/// session, and then answers every step with an error frame and every close with a refusal. One
+/// that is full answers so for the sessions beyond its capacity.
 pub(crate) fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
-    let mut without = Vec::new();
-    let mut offers = false;
-    for (request, reply) in &trace {
-        let id = |request: &str| {
-            request
-                .split("\"session_id\":\"")
-                .nth(1)
-                .and_then(|rest| rest.split('"').next())
-                .unwrap_or_default()
-                .to_owned()
-        };
-        let is = |kind: &str| {
-            request.starts_with(&format!("{{\"ncp_version\":\"0.5\",\"kind\":\"{kind}\""))
-        };
-        without.push(if is("open_session") {
-            offers |= reply.text().contains("\"ok\":true");
-            any(vec![not_opened(&id(request)), error()])
-        } else if is("step_request") || is("run_request") {
-            error()
-        } else if is("close_session") {
-            not_closed(&id(request))
-        } else {
-            reply.clone()
-        });
+    let mut expected = within_capacities(&trace);
+    if trace.iter().any(|(_, reply)| opens(reply)) {
+        let without = trace
+            .iter()
+            .map(|(request, reply)| without_session(request).unwrap_or_else(|| reply.clone()));
+        expected.push(replies(without.collect()));
     }
     let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
-    let mut expected = vec![replies(with)];
-    if offers {
-        expected.push(replies(without));
-    }
+    expected.insert(0, replies(with));
     asking(path, rules, requests).shows(any(expected))
 }

@@ -5,6 +5,7 @@ use super::{against_version, unfit_versions};
 use crate::case::{Case, File};
 use crate::json::Json;
 use crate::session::{Open, case, close, closed, error, not_opened, observed, opened, run, step};
+use crate::trace::any;
 
 pub(super) fn file() -> File {
     let mut cases = lives();
@@ -95,8 +96,12 @@ fn lives() -> Vec<Case> {
 
 fn openings() -> Vec<Case> {
     let open_with = |(what, version): (&str, Option<&str>)| {
+        let refusal = match what {
+            "three-parts" | "malformed" => any(vec![not_opened(ID), error()]),
+            _ => not_opened(ID),
+        };
         let trace = vec![
-            (with_version(&Open::lif(ID).text(), version), not_opened(ID)),
+            (with_version(&Open::lif(ID).text(), version), refusal),
             (step(ID, Some(10.0), None), error()),
             open(),
             step_after(0.0),
@@ -111,7 +116,7 @@ fn openings() -> Vec<Case> {
             "A strict server does not open a session for a request whose version is {what}."
         ))
         .flags(&["L07"])
-        .because("It answers `session_opened` with `ok` false, and opens nothing.")
+        .because("It answers `session_opened` with `ok` false, or an error frame if it is malformed, and opens nothing.")
     };
     unfit_versions().into_iter().map(open_with).collect()
 }

@@ -103,7 +103,7 @@ impl Encoder {
                 .flags(&["byte-order-mark"])
                 .because("An encoder writes UTF-8 without a byte order mark; with one, no receiver reads the frame."),
         );
-        let control = "\"\\/\u{8}\u{c}\n\r\t\u{0}\u{1}\u{1f}\u{7f}\u{80}\u{e9}\u{2028}\u{2029}\u{feff}\u{ffff}\u{1f681}";
+        let control = "\"\\/\u{8}\u{c}\n\r\t\u{0}\u{1}\u{b}\u{f}\u{10}\u{1f}\u{7f}\u{80}\u{e9}\u{2028}\u{2029}\u{feff}\u{ffff}\u{1f681}";
         if let Some(field) = self.free_string() {
             cases.push(
                 self.says("string", &[WRITE, "NCP-WIRE-092"], &self.fields(explicit(self.kind)).with(field, Json::string(control)))

@@ -218,7 +218,11 @@ impl Probe<'_> {
                     _ => ("NCP-WIRE-023", "wrong-defaults"),
                 };
                 let frame = self.frame(Ground::Explicit, None);
-                self.case("absent", &[rule])
+                let rules: &[_] = match rule {
+                    "NCP-WIRE-032" => &[rule, "NCP-WIRE-033"],
+                    rule => &[rule],
+                };
+                self.case("absent", rules)
                     .title(format!("{} without `{}` is read with its default.", a(self.place.kind), self.member()))
                     .flags(&[flag])
                     .decode(self.place.kind, frame.text())
@@ -274,8 +278,18 @@ impl Probe<'_> {
 
     fn value(&self) -> Case {
         let value = model::sample(self.place.message, self.field);
+        if self.field.name == "ncp_version" {
+            return self
+                .accept("value", READ, value, "lost-fields", "is set")
+                .or_rejects()
+                .title(format!(
+                    "{} whose `{}` is set is rejected, or read as it says.",
+                    a(self.place.kind),
+                    self.member()
+                ))
+                .because("A decoder may judge the version, but not change it.");
+        }
         let rule = match (&self.field.shape, self.field.name.as_str()) {
-            (_, "ncp_version") => "NCP-WIRE-033",
             (Shape::Number, _) => "NCP-WIRE-012",
             (Shape::Enum(_), _) => "NCP-WIRE-040",
             (Shape::Message(_), _) => "NCP-WIRE-050",

@@ -1,5 +1,6 @@
 //! What a frame says that it is, and of which version.
 
+use super::READ;
 use crate::case::{Case, File};
 use crate::json::Json;
 use crate::model::{explicit, full, meaning, minimal};
@@ -10,7 +11,7 @@ pub(super) fn file() -> File {
     let mut cases = unknown_kinds();
     cases.extend(other_kinds());
     cases.extend(versions());
-    let about = "Frames of an unknown kind, frames of another kind than the expected one, and versions, which decoding does not judge.";
+    let about = "Frames of an unknown kind, frames of another kind than the expected one, and versions, which decoding keeps as they are.";
     File::new("wire", "kinds", about, cases)
 }
 
@@ -159,21 +160,30 @@ fn versions() -> Vec<Case> {
         for (what, version) in versions {
             let frame = explicit(kind).with("ncp_version", Json::string(version));
             cases.push(
-                Case::new(
-                    format!("{kind}/version/{what}"),
-                    &["NCP-WIRE-033"],
-                    readers(kind),
-                )
-                .title(format!(
-                    "{} of version `{version}` is decoded, and keeps it.",
-                    a(kind)
-                ))
-                .flags(&["version-in-decoder"])
-                .decode(kind, frame.text())
-                .means(meaning(kind, &frame).text())
-                .because("The version guard judges the version, not the decoder."),
+                Case::new(format!("{kind}/version/{what}"), &[READ], readers(kind))
+                    .title(format!(
+                        "{} of version `{version}` is rejected, or keeps it.",
+                        a(kind)
+                    ))
+                    .flags(&["version-in-decoder"])
+                    .decode(kind, frame.text())
+                    .means_or_rejects(meaning(kind, &frame).text())
+                    .because("A decoder may judge the version, but not change it."),
             );
         }
+        let frame = explicit(kind);
+        cases.push(
+            Case::new(
+                format!("{kind}/version/own"),
+                &["NCP-WIRE-033"],
+                readers(kind),
+            )
+            .title(format!("{} of version `0.5` is decoded.", a(kind)))
+            .flags(&["version-in-decoder"])
+            .decode(kind, frame.text())
+            .means(meaning(kind, &frame).text())
+            .because("The version is the receiver's own."),
+        );
     }
     cases
 }

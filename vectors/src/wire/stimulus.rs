@@ -146,6 +146,16 @@ fn fits(kind: &'static str) -> Vec<Case> {
                 "What stands there agrees with the request; a request without a version has 0.5.",
             )
         })
+        .map(|case| {
+            if case.path.ends_with("/other-version-in-both") {
+                // The request's version alone may be a reason to reject it.
+                return case.or_rejects().title(format!(
+                    "{} whose stimulus frame has the request's version, an older one, is rejected for that, or read.",
+                    a(kind)
+                ));
+            }
+            case
+        })
         .collect()
 }
 

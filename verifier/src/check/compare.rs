@@ -36,6 +36,7 @@ enum What<'v> {
     },
     Added {
         got: &'v Json<'v>,
+        hint: Option<&'static str>,
     },
     Items {
         expected: usize,
@@ -85,7 +86,7 @@ impl Found<'_> {
             What::Missing { expected, hint } => {
                 (Some(short(expected)), None, hint.map(str::to_owned))
             }
-            What::Added { got } => (None, Some(short(got)), None),
+            What::Added { got, hint } => (None, Some(short(got)), hint.map(str::to_owned)),
             What::Items { expected, got } => (items(*expected), items(*got), None),
             What::Order {
                 place,
@@ -175,7 +176,9 @@ impl<'v> Walk<'v> {
             if in_expected.get(name, i).is_none() && !(lenient && value.is_null()) {
                 complete = false;
                 self.path.push(Step::Member(name));
-                self.note(What::Added { got: value });
+                let hint = (self.relation == Relation::Encoding)
+                    .then_some("no member is written that the tables do not list"); // [NCP-WIRE-081]
+                self.note(What::Added { got: value, hint });
                 self.path.pop();
             }
         }

@@ -86,6 +86,9 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
             Answer::Error { code, .. },
             Expect::Pattern {
                 or_reject: true, ..
+            }
+            | Expect::Message {
+                or_reject: true, ..
             },
         ) if code != ErrorCode::Internal.as_str() => {}
         (Answer::Error { code, message }, expect) => {
@@ -113,7 +116,7 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
                     .for_each(|found| found.note(&mut differences));
             }
         }
-        (Answer::Result(result), Expect::Message { text, ignore }) => {
+        (Answer::Result(result), Expect::Message { text, ignore, .. }) => {
             if let Some(got) = member(result, "text", &mut differences) {
                 frame::same_message(&text.get(), got, ignore, &mut differences);
             }
@@ -154,8 +157,12 @@ pub fn in_words(expect: &Expect) -> String {
         Expect::Reject(code) => format!("an error, such as `{code}`"),
         Expect::Accept => "any result".to_owned(),
         Expect::Json(value) => format!("the result {}", excerpt(value.expand().as_bytes(), SHOWN)),
-        Expect::Message { text, .. } => {
-            format!("the message {}", excerpt(text.get().as_bytes(), SHOWN))
+        Expect::Message {
+            text, or_reject, ..
+        } => {
+            let message = excerpt(text.get().as_bytes(), SHOWN);
+            let or_reject = if *or_reject { ", or an error" } else { "" };
+            format!("the message {message}{or_reject}")
         }
         Expect::Encoding(text) => format!("the frame {}", excerpt(text.get().as_bytes(), SHOWN)),
         Expect::Bytes(bytes) => format!("a block of exactly {} bytes", bytes.len()),
@@ -285,7 +292,7 @@ fn block(result: &Json<'_>, differences: &mut Differences) -> Option<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::{Shape, Template};
+    use crate::suite::{Shape, Template, Text};
 
     fn pattern(or_reject: bool) -> Expect {
         Expect::Pattern {
@@ -317,6 +324,32 @@ mod tests {
             judge_by(&pattern(true), &Answer::Unsupported),
             Judgement::Unsupported
         );
+    }
+
+    #[test]
+    fn a_message_may_allow_a_refusal_but_never_a_crash_nor_another_message() {
+        let frame = r#""{\"kind\":\"error\",\"error\":\"no\"}""#;
+        let message = |or_reject| Expect::Message {
+            text: Text::new(Template::new(frame).unwrap()),
+            ignore: Vec::new(),
+            or_reject,
+        };
+        let (strict, lenient) = (message(false), message(true));
+        let error = |code: &str| Answer::Error {
+            code: code.to_owned(),
+            message: String::new(),
+        };
+        assert!(passes(&lenient, &error("version")));
+        assert!(!passes(&lenient, &error("internal")));
+        assert!(!passes(&strict, &error("version")));
+        for (text, right) in [("no", true), ("yes", false)] {
+            let result = format!(r#"{{"text":"{{\"kind\":\"error\",\"error\":\"{text}\"}}"}}"#);
+            let result = Answer::Result(Json::parse(&result).unwrap());
+            assert_eq!(passes(&lenient, &result), right);
+            assert_eq!(passes(&strict, &result), right);
+        }
+        assert!(in_words(&lenient).ends_with(", or an error"));
+        assert!(!in_words(&strict).ends_with(", or an error"));
     }
 
     #[test]

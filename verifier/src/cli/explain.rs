@@ -20,6 +20,8 @@ const SHOWN_OF_LARGE: usize = 200;
 const SUGGESTED: usize = 3;
 /// How alike an id has to be to be suggested, from 0 to 1.
 const ALIKE: f64 = 0.75;
+/// What is said where an expectation leaves a refusal open.
+const OR_REJECT: &str = "an error will do as well, unless its code is `internal`";
 
 /// Explains a case, a rule or a flag: its text, its cases and, in a source tree, its code.
 pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, CliError> {
@@ -267,7 +269,7 @@ fn expectation(expect: &Expect) -> Vec<String> {
         }
         Expect::Accept => vec!["a result, whatever it holds".to_owned()],
         Expect::Json(value) => vec!["a result that is equal as a JSON value:".to_owned(), text(&value.expand())],
-        Expect::Message { text: frame, ignore } => {
+        Expect::Message { text: frame, ignore, or_reject } => {
             let mut lines = vec![
                 "a result whose `text` is this message; the order of members, the spelling of numbers, null for absent and \
                  members left out that have their default do not count:"
@@ -276,6 +278,9 @@ fn expectation(expect: &Expect) -> Vec<String> {
             ];
             if !ignore.is_empty() {
                 lines.push(format!("what stands at {} does not count", ignore.join(", ")));
+            }
+            if *or_reject {
+                lines.push(OR_REJECT.to_owned());
             }
             lines
         }
@@ -304,7 +309,7 @@ fn expectation(expect: &Expect) -> Vec<String> {
                 lines.push(format!("numbers may be off by {tolerance:e}, relatively, or by that much below 1"));
             }
             if *or_reject {
-                lines.push("an error will do as well, unless its code is `internal`".to_owned());
+                lines.push(OR_REJECT.to_owned());
             }
             lines
         }

@@ -90,6 +90,8 @@ pub enum Expect {
         text: Text,
         /// JSON pointers to what does not count.
         ignore: Vec<String>,
+        /// Whether an error will do as well, unless its code is `internal`.
+        or_reject: bool,
     },
     /// A result whose `text` has the same members in the same order, spelled by the rules of encoders.
     Encoding(Text),
@@ -203,7 +205,7 @@ impl Case {
 
 impl Text {
     /// Takes a template of a string.
-    pub(super) fn new(template: Template) -> Self {
+    pub(crate) fn new(template: Template) -> Self {
         let kept = (template.bytes() <= KEPT_BYTES).then(|| template.text());
         Self { template, kept }
     }

@@ -315,29 +315,32 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             base64,
             columns,
             tolerance: None,
-            or_reject: None,
-        } => match (relation.as_str(), value, expected, ignore, base64, columns) {
-            ("json", Some(value), None, None, None, None) => {
-                Ok(Expect::Json(template(value)?.keep()))
+            or_reject,
+        } if or_reject.is_none() || relation == "message" => {
+            match (relation.as_str(), value, expected, ignore, base64, columns) {
+                ("json", Some(value), None, None, None, None) => {
+                    Ok(Expect::Json(template(value)?.keep()))
+                }
+                ("message", None, Some(expected), ignore, None, None) => Ok(Expect::Message {
+                    text: text(expected)?,
+                    ignore: ignore.unwrap_or_default(),
+                    or_reject: is_set(or_reject)?,
+                }),
+                ("encoding", None, Some(expected), None, None, None) => {
+                    Ok(Expect::Encoding(text(expected)?))
+                }
+                ("bytes", None, None, None, Some(bytes), None) => STANDARD
+                    .decode(&bytes)
+                    .map(Expect::Bytes)
+                    .map_err(|error| format!("its expected bytes are not base64: {error}")),
+                ("columns", None, None, None, None, Some(columns))
+                    if columns.get().starts_with('[') =>
+                {
+                    Ok(Expect::Columns(template(columns)?.keep()))
+                }
+                _ => Err(misfit(&relation)),
             }
-            ("message", None, Some(expected), ignore, None, None) => Ok(Expect::Message {
-                text: text(expected)?,
-                ignore: ignore.unwrap_or_default(),
-            }),
-            ("encoding", None, Some(expected), None, None, None) => {
-                Ok(Expect::Encoding(text(expected)?))
-            }
-            ("bytes", None, None, None, Some(bytes), None) => STANDARD
-                .decode(&bytes)
-                .map(Expect::Bytes)
-                .map_err(|error| format!("its expected bytes are not base64: {error}")),
-            ("columns", None, None, None, None, Some(columns))
-                if columns.get().starts_with('[') =>
-            {
-                Ok(Expect::Columns(template(columns)?.keep()))
-            }
-            _ => Err(misfit(&relation)),
-        },
+        }
         RawExpect {
             relation: Some(relation),
             accept: None,
@@ -359,15 +362,21 @@ fn pattern(
     if !(tolerance.is_finite() && tolerance >= 0.0) {
         return Err("its `tolerance` is negative".to_owned());
     }
-    if or_reject == Some(false) {
-        return Err("its `or_reject` is not true".to_owned());
-    }
+    let or_reject = is_set(or_reject)?;
     let shape = Shape::parse(value.get()).map_err(|error| format!("its expectation: {error}"))?;
     Ok(Expect::Pattern {
         shape,
         tolerance,
-        or_reject: or_reject.is_some(),
+        or_reject,
     })
+}
+
+/// Whether `or_reject` is there; `false` is what leaving it out says.
+fn is_set(or_reject: Option<bool>) -> Result<bool, String> {
+    match or_reject {
+        Some(false) => Err("its `or_reject` is not true".to_owned()),
+        or_reject => Ok(or_reject.is_some()),
+    }
 }
 
 /// What is wrong with an expectation whose members do not fit its relation.
@@ -518,7 +527,14 @@ mod tests {
         ));
         assert!(matches!(
             expectation(r#"{"relation":"message","text":"{}","ignore":["/a"]}"#),
-            Ok(Expect::Message { ignore, .. }) if ignore == ["/a"]
+            Ok(Expect::Message { ignore, or_reject: false, .. }) if ignore == ["/a"]
+        ));
+        assert!(matches!(
+            expectation(r#"{"relation":"message","text":"{}","or_reject":true}"#),
+            Ok(Expect::Message {
+                or_reject: true,
+                ..
+            })
         ));
         assert!(matches!(
             expectation(r#"{"relation":"encoding","text":{"$concat":["{","}"]}}"#),
@@ -616,6 +632,14 @@ mod tests {
                 "`$repeat` of a pattern stands alone",
             ),
             (r#"{"reject":"type","or_reject":true}"#, "not one of"),
+            (
+                r#"{"relation":"message","text":"{}","or_reject":false}"#,
+                "`or_reject` is not true",
+            ),
+            (
+                r#"{"relation":"encoding","text":"{}","or_reject":true}"#,
+                "has not what the relation `encoding` needs, or has more",
+            ),
         ] {
             let fault = expectation(expect).unwrap_err();
             assert!(fault.contains(what), "{expect}: {fault}");

@@ -10,6 +10,8 @@ mod filter;
 mod pattern;
 mod template;
 
+#[cfg(test)]
+pub(crate) use case::Text;
 pub use case::{Case, Expect, Need};
 pub use filter::{Pattern, Selection};
 pub use pattern::{PatternError, Shape};
