@@ -77,6 +77,10 @@ fn the_schema_of_its_kind_judges_every_frame_of_the_corpus_as_the_case_expects()
             if rejected && (beyond || strict) {
                 continue;
             }
+            // A case that leaves a refusal open says nothing against one.
+            if !valid && case["expect"]["or_reject"] == true {
+                continue;
+            }
             judged[usize::from(valid)] += 1;
             if valid == rejected {
                 wrong += &format!(
