@@ -76,6 +76,14 @@ pub fn of_sources(root: &Path, sources: &[&str]) -> io::Result<String> {
     for source in sources {
         collect(&root.join(source), &mut files)?;
     }
+    of_files(root, files)
+}
+
+/// The same over these files, in the order of their names.
+///
+/// # Errors
+/// A file cannot be read.
+pub fn of_files(root: &Path, mut files: Vec<PathBuf>) -> io::Result<String> {
     files.sort();
     let mut hash = Sha256::new();
     for file in files {

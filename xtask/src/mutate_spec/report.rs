@@ -7,12 +7,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 
 use super::outcome::{By, Fate, Mutant, Outcome};
 use super::{CARGO_MUTANTS, MODULES, Module};
 use crate::Error;
 use crate::project::Project;
+use crate::prove::digest::of_files;
 
 const JSON: &str = "reports/cargo-mutants.json";
 const MARKDOWN: &str = "reports/cargo-mutants.md";
@@ -264,21 +264,7 @@ fn digest(root: &Path, pattern: &str) -> io::Result<String> {
     } else {
         files.push(root.join(pattern));
     }
-    files.sort();
-    let mut hash = Sha256::new();
-    for file in files {
-        let name = file.strip_prefix(root).unwrap_or(&file);
-        hash.update(name.to_string_lossy().replace('\\', "/").as_bytes());
-        hash.update([0]);
-        let text = fs::read_to_string(&file)?.replace("\r\n", "\n");
-        hash.update(text.as_bytes());
-        hash.update([0]);
-    }
-    let bytes: [u8; 32] = hash.finalize().into();
-    Ok(bytes.iter().fold(String::new(), |mut hex, byte| {
-        let _ = write!(hex, "{byte:02x}");
-        hex
-    }))
+    of_files(root, files)
 }
 
 fn collect(folder: &Path, is_deep: bool, files: &mut Vec<PathBuf>) -> io::Result<()> {
