@@ -10,6 +10,9 @@ for noisy in ("angr", "angr.state_plugins.unicorn_engine", "cle", "pyvex", "clar
 import angr  # noqa: E402
 import claripy  # noqa: E402
 from angr import sim_options  # noqa: E402
+from angr.state_plugins.solver import SimSolver  # noqa: E402
+
+import solver  # noqa: E402
 
 # Where the functions write, and how much.
 OUT = 0x10_000_000
@@ -18,6 +21,9 @@ STACK = 0x20_000_000
 MAX_STEPS = 4_096
 # How long the question may take whether a path can be taken at all; longer is a failure.
 FORK_MS = 60_000
+# The same where doubles are computed. A path of which it stays open is followed: if no input takes it, nothing
+# that it leaves is wrong.
+OPEN_MS = 300
 
 # Whatever would let angr go on where it does not know.
 BYPASSES = {
@@ -52,6 +58,19 @@ BYPASSES = {
 }
 # Notes that nothing here reads.
 NOTES = sim_options.refs | {sim_options.TRACK_CONSTRAINT_ACTIONS}
+
+
+class Forks(SimSolver):
+    """Says by bitwuzla whether a path can be taken, for paths that depend on roots and quotients; what it
+    leaves open can be.
+
+    A path that were dropped wrongly would be missed by the obligation that no input takes another.
+    """
+
+    def satisfiable(self, extra_constraints=(), exact=None):
+        conditions = [*self.constraints, *extra_constraints]
+        word = solver.ask_bitwuzla(solver.smt(conditions), OPEN_MS)
+        return solver.read(word) is not solver.Verdict.UNSAT
 
 
 class Incomplete(Exception):
@@ -98,6 +117,8 @@ class Library:
         left = {option for option in BYPASSES if option in state.options}
         if left:
             raise Incomplete(f"bypass options are on: {left}")
+        if signature.computes:
+            state.register_plugin("solver", Forks())
         state.solver._solver.timeout = FORK_MS
         self._call(state, signature, inputs)
         for condition in assume(inputs):

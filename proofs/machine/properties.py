@@ -19,12 +19,14 @@ DISABLED, ENABLED, FAULTY = 0, 1, 2
 
 @dataclass(frozen=True)
 class Signature:
-    """The arguments of a function: words and doubles by name, and whether the first is a pointer."""
+    """The arguments of a function: words and doubles by name, and whether the first is a pointer; and whether
+    its paths depend on doubles that are computed by more than a sum."""
 
     words: tuple
     doubles: tuple
     writes: bool = False
     returns: bool = True
+    computes: bool = False
 
 
 SIGNATURES = {
@@ -35,7 +37,10 @@ SIGNATURES = {
     "hold_takes_effect": Signature(("flags", "last", "seq"), ()),
     "inside": Signature((), ("x", "y", "z", "radius")),
     "limit": Signature(("flags",), ("value",), writes=True),
-    "clamp": Signature((), ("x", "y", "z", "max"), writes=True),
+    "clamp": Signature((), ("x", "y", "z", "max"), writes=True, computes=True),
+    "projection": Signature(
+        (), ("x", "y", "z", "radius", "u", "v", "w", "ttl_ms"), computes=True
+    ),
     "watchdog_command": Signature(
         ("flags", "last", "seq"), ("received_s", "ttl_ms", "now_s", "new_ttl_ms"), True, False
     ),
@@ -139,7 +144,12 @@ def fresh(now_s, last_s, timeout_ms):
 
 
 def norm(x, y, z):
-    squares = [claripy.fpMul(RNE, fp(c), fp(c)) for c in (x, y, z)]
+    return length([fp(x), fp(y), fp(z)])
+
+
+def length(vector):
+    """√(Σ xᵢ²) of doubles."""
+    squares = [claripy.fpMul(RNE, x, x) for x in vector]
     total = claripy.fpAdd(RNE, claripy.fpAdd(RNE, squares[0], squares[1]), squares[2])
     return claripy.fpSqrt(RNE, total)
 
@@ -152,6 +162,33 @@ def in_ball(x, y, z, radius):
         finite(z),
         positive(radius),
         claripy.fpLEQ(norm(x, y, z), fp(radius)),
+    )
+
+
+def enforced(ttl_ms):
+    """The ttl that is enforced, as a double, in each case: 0 for one that is no time, and min(ttl, 60 s)."""
+    is_time, is_short = positive(ttl_ms), claripy.fpLT(fp(ttl_ms), number(60_000.0))
+    return [
+        ("no-ttl", claripy.Not(is_time), number(0.0)),
+        ("short-ttl", claripy.And(is_time, is_short), fp(ttl_ms)),
+        ("long-ttl", claripy.And(is_time, claripy.Not(is_short)), number(60_000.0)),
+    ]
+
+
+def moved(place, velocity, time_ms):
+    """Where a plant is after some time; all of them doubles."""
+    time_s = claripy.fpDiv(RNE, time_ms, number(1000.0))
+    return [
+        claripy.fpAdd(RNE, x, claripy.fpMul(RNE, v, time_s))
+        for x, v in zip(place, velocity, strict=True)
+    ]
+
+
+def ends_in_ball(place, radius):
+    """Section 7.5, of a place that was computed."""
+    is_number = [claripy.Not(claripy.Or(claripy.fpIsNaN(x), claripy.fpIsInf(x))) for x in place]
+    return claripy.And(
+        *is_number, positive(radius), claripy.fpLEQ(length(place), fp(radius))
     )
 
 
@@ -196,6 +233,8 @@ class Property:
     formal: str
     conclusion: object
     assume: object = lambda i: []
+    # What is asked of each by itself, as a solver sees more in it: a name, when it is so, and what is so then.
+    cases: object = lambda i: [("", claripy.true(), {})]
     bounds: str = "none: every double, every 64-bit integer, every flag"
     assumptions: tuple = ()
 
@@ -685,6 +724,73 @@ def _(i, o):
 def _(i, o):
     unchanged = claripy.And(o["out"] == i["x"], o["out_y"] == i["y"], o["out_z"] == i["z"])
     return o["answer"] == 0, unchanged
+
+
+def _can_be_clamped(i):
+    return [*[finite(i[c]) for c in "xyz"], positive(i["max"])]
+
+
+@prove(
+    "clamp-bound",
+    "clamp",
+    "clamp",
+    "SAFE-060 SAFE-069",
+    "A finite vector is clamped to any finite positive bound: what comes out is finite, and its norm as computed is not above the bound, for every double.",
+    "finite(x, y, z) ∧ finite(max) ∧ max > 0 ⟹ answer = 1 ∧ finite(out) ∧ √(out_x² + out_y² + out_z²) ≤ max",
+    bounds="vectors of three components; else none",
+    assume=_can_be_clamped,
+)
+def _(i, o):
+    out = (o["out"], o["out_y"], o["out_z"])
+    return (
+        o["answer"] == 1,
+        claripy.And(*[finite(c) for c in out]),
+        claripy.fpLEQ(norm(*out), fp(i["max"])),
+    )
+
+
+@prove(
+    "clamp-unchanged",
+    "clamp",
+    "clamp",
+    "SAFE-062",
+    "A vector whose norm is not above the bound stays as it is, bit for bit.",
+    "finite(x, y, z) ∧ finite(max) ∧ max > 0 ∧ √(x² + y² + z²) ≤ max ⟹ answer = 1 ∧ out = (x, y, z)",
+    bounds="vectors of three components; else none",
+    assume=lambda i: [
+        *_can_be_clamped(i),
+        claripy.fpLEQ(norm(i["x"], i["y"], i["z"]), fp(i["max"])),
+    ],
+)
+def _(i, o):
+    unchanged = claripy.And(o["out"] == i["x"], o["out_y"] == i["y"], o["out_z"] == i["z"])
+    return o["answer"] == 1, unchanged
+
+
+def _place(i):
+    return [fp(i[c]) for c in "xyz"]
+
+
+def _velocity(i):
+    return [fp(i[c]) for c in "uvw"]
+
+
+def _by_ttl(i):
+    return [(name, when, {"time": time}) for name, when, time in enforced(i["ttl_ms"])]
+
+
+@prove(
+    "projection",
+    "geofence",
+    "projection",
+    "SAFE-053",
+    "Without a horizon: a velocity is let through exactly when the place to which it leads by the end of the enforced ttl, as computed, lies within the fence.",
+    "T = min(ttl, 60000), 0 for no time; answer = 1 ⟺ finite(p + v·T/1000) ∧ finite(r) ∧ r > 0 ∧ |p + v·T/1000| ≤ r",
+    cases=_by_ttl,
+)
+def _(i, o):
+    end = moved(_place(i), _velocity(i), i["time"])
+    return _bit(o["answer"]), iff(o["answer"] == 1, ends_in_ball(end, i["radius"]))
 
 
 # --- Parts of conclusions ---------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """A counterexample as a case of the vectors, where a call of peers/PROTOCOL.md shows it."""
 
+import math
 import struct
 
 from native import double, signed
@@ -18,6 +19,8 @@ def case(defect, wanted, found, right):
     if made is None:
         return None
     call, roles, args, expected = made
+    # A peer may round a clamped velocity in its own way.
+    tolerance = {"tolerance": 1e-9} if wanted.function == "clamp" else {}
     return {
         "id": f"proofs/machine/{defect['id'].replace('_', '-')}",
         "title": wanted.sentence,
@@ -25,7 +28,7 @@ def case(defect, wanted, found, right):
         "roles": roles,
         "call": call,
         "args": args,
-        "expect": {"relation": "pattern", "value": expected},
+        "expect": {"relation": "pattern", "value": expected} | tolerance,
         "why": wanted.formal,
     }
 
@@ -130,7 +133,23 @@ def _clamp(found, right):
     if not double(found["max"]) > 0.0 or double(found["max"]) == float("inf"):
         return None
     step = _govern(velocity=velocity)
-    return _governor(limits, {"channels": {}}, [step], [{"frame": {"mode": "hold"}}])
+    frame = {"mode": "hold"}
+    if right["answer"]:
+        data = [number(right[name]) for name in ("out", "out_y", "out_z")]
+        frame = {"mode": "active", "channels": {"velocity_setpoint": {"data": data}}}
+    return _governor(limits, {"channels": {}}, [step], [{"frame": frame}])
+
+
+def _projection(found, right):
+    radius = double(found["radius"])
+    place = [double(found[name]) for name in "xyz"]
+    if not 0.0 < radius < float("inf") or not math.hypot(*place) <= radius:
+        return None
+    limits = {"geofence_radius_m": radius, "command_timeout_ms": 1000.0}
+    velocity = [number(found[name]) for name in "uvw"]
+    step = _govern(velocity=velocity, ttl_ms=number(found["ttl_ms"]))
+    mode = "active" if right["answer"] else "hold"
+    return _governor(limits, _position(*place), [step], [{"frame": {"mode": mode}}])
 
 
 def _gates(found, right):
@@ -170,5 +189,6 @@ MAKERS = {
     "inside": _inside,
     "limit": _limit,
     "clamp": _clamp,
+    "projection": _projection,
     "gates_govern": _gates,
 }

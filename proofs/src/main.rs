@@ -303,6 +303,9 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     fs::create_dir_all(place.root.join("reports"))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
     render(place, &report)?;
+    if problems.is_empty() {
+        println!("{}", terminal::proved(&report));
+    }
     if !refuted.is_empty() {
         let mut ids: Vec<String> = refuted.into_iter().map(|(id, _)| id).collect();
         ids.sort();
@@ -487,7 +490,14 @@ fn refute_one(place: &Place, engine: &Engine, broken: &Broken) -> Result<Option<
     });
     match answer {
         Ok(found) => {
-            println!("{:14} {:32} refuted by {found}", engine.name, broken.id);
+            let (check, inputs) = (&found["check"], terminal::inputs(&found));
+            let line = format!("refuted: {}: {inputs}", check.as_str().unwrap_or_default());
+            println!(
+                "{:14} {:32} {}",
+                engine.name,
+                broken.id,
+                terminal::short(&line)
+            );
             entry["counterexample"] = found;
         }
         Err(why) => {

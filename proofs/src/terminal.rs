@@ -63,6 +63,57 @@ pub fn summary(refuted: &[String]) -> String {
     )
 }
 
+/// The end of a run without a problem: what each engine did, and where to read of it.
+#[must_use]
+pub fn proved(report: &Value) -> String {
+    let mut text = format!(
+        "\n{RULE}\nPROVED: the kernel does what the text says, as far as the report says.\n"
+    );
+    for engine in report["engines"].as_array().into_iter().flatten() {
+        let (name, done) = (engine["name"].as_str().unwrap_or_default(), count(engine));
+        let _ = writeln!(text, "  {name:14} {done}");
+    }
+    let _ = writeln!(text, "  {:14} reports/proofs.html, .md, .json", "to read");
+    text + RULE
+}
+
+/// How many properties of how many an engine has proved or tried, and how many broken kernels refuted.
+fn count(engine: &Value) -> String {
+    let results = engine["results"].as_array().map_or(&[][..], Vec::as_slice);
+    if results.is_empty() {
+        return "not run here".to_owned();
+    }
+    let of = |word: &str| {
+        results
+            .iter()
+            .filter(|result| result["verdict"] == word)
+            .count()
+    };
+    let (proved, tried) = (of("proved"), of("tried"));
+    let (word, good) = if tried > 0 {
+        ("tried", tried)
+    } else {
+        ("proved", proved)
+    };
+    let broken = engine["broken"].as_array().map_or(&[][..], Vec::as_slice);
+    let refuted = broken
+        .iter()
+        .filter(|broken| broken["missed"].is_null())
+        .count();
+    let (all, every) = (results.len(), broken.len());
+    format!("{word} {good} of {all}; broken ones refuted: {refuted} of {every}")
+}
+
+/// A line that is not longer than a reader of a log wants.
+#[must_use]
+pub fn short(line: &str) -> String {
+    const LONGEST: usize = 120;
+    match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", line.get(..end).unwrap_or_default()),
+        None => line.to_owned(),
+    }
+}
+
 /// What a refuted kernel was not asked any more.
 pub const SKIPPED: &str = "skipped   what would mean nothing now: the other properties by the slow engines, the broken\n            kernels, and, where they come later, the model and the machine code";
 
@@ -89,6 +140,27 @@ pub fn with_compared(mut found: Value, compared: Option<String>) -> Value {
 mod tests {
     use super::*;
     use crate::properties::PROPERTIES;
+
+    #[test]
+    fn the_end_of_a_good_run_counts_for_each_engine_and_names_those_that_did_not_run() {
+        let report = json!({"engines": [
+            {"name": "symbolic", "results": [{"verdict": "proved"}, {"verdict": "failed"}],
+             "broken": [{"counterexample": {}}, {"missed": "no counterexample"}]},
+            {"name": "kani-stand-in", "results": [{"verdict": "tried"}], "broken": []},
+            {"name": "kani", "results": []},
+        ]});
+        let text = proved(&report);
+        for part in [
+            "symbolic       proved 1 of 2; broken ones refuted: 1 of 2",
+            "kani-stand-in  tried 1 of 1",
+            "kani           not run here",
+            "reports/proofs.html",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        assert_eq!(short("ü"), "ü");
+        assert_eq!(short(&"ü".repeat(200)), "ü".repeat(120) + "…");
+    }
 
     #[test]
     fn a_refutation_shows_claim_rules_inputs_and_the_case() {

@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
+use std::time::Instant;
 
 use serde_json::Value;
 
@@ -28,6 +29,12 @@ const READERS: &str = ".tools/readers.json";
 /// The solvers cannot be set up, or a program cannot be started.
 pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     let is_wanted = |engine: &str| args.is_empty() || args.contains(&engine);
+    let began = Instant::now();
+    let part = |what: &str| {
+        let seconds = began.elapsed().as_secs();
+        println!("\n[{}:{:02}] {what}", seconds / 60, seconds % 60);
+    };
+    part("the solvers");
     setup::solvers(project, &mut |line| println!("{line}"))?;
     // First the kernel itself, without the broken ones: whoever has changed it wants to hear that at once.
     forget(project, KERNEL);
@@ -40,24 +47,30 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
         let start = ["run", "--quiet", "--release", "-p", "ncp-proofs"];
         project.cargo(&[&start[..], options, &["--", "--stage", stage], args].concat())
     };
+    part("the kernel: on values, on samples, and for all doubles by the solvers");
     if !start(program(&[], "kernel"))? {
         return Ok(false);
     }
     let mut good = true;
     if is_wanted("model") {
+        part("the protocol over a bad network, by model checking");
         let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--"];
         good &= start(project.cargo(&[&words[..], &["--json", MODEL]].concat()))?;
     }
     if is_wanted("readers") {
+        part("what reads blocks, versions and keys, on every input within the bounds");
         forget(project, READERS);
         let program = ["-p", "ncp-readers", "--features", "broken", "--"];
         let words = [&["run", "--quiet", "--release"], &program[..]].concat();
         good &= start(project.cargo(&[&words[..], &["--json", READERS]].concat()))?;
     }
     if is_wanted("machine") {
+        part("the machine code of the kernel, by symbolic execution");
         good &= machine(project)?;
     }
+    part("broken kernels, which each engine has to refute, and the report");
     good &= start(program(&["--features", "broken"], "rest"))?;
+    part(if good { "done" } else { "FAILED" });
     Ok(good)
 }
 

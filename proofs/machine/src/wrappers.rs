@@ -153,6 +153,15 @@ macro_rules! wrap {
                 kernel::clamp(out, max).into()
             }
 
+            /// `steps_inside` on a command without a horizon: 0 when it leads out, else 1.
+            #[unsafe(export_name = concat!($prefix, "_projection"))]
+            extern "C" fn projection(
+                x: f64, y: f64, z: f64, radius: f64, u: f64, v: f64, w: f64, ttl_ms: f64,
+            ) -> u8 {
+                let plan = Tick { mode: Mode::Active, ttl_ms, velocity: [u, v, w] };
+                kernel::steps_inside(&plan, &[x, y, z], radius).is_ok().into()
+            }
+
             /// `Watchdog::on_command`: 1 when it refreshed the deadline.
             #[unsafe(export_name = concat!($prefix, "_watchdog_command"))]
             extern "C" fn watchdog_command(
@@ -241,10 +250,11 @@ macro_rules! wrap {
                 x: f64, y: f64, z: f64, u: f64, v: f64, w: f64, ttl_ms: f64,
             ) {
                 gate(step, flags, speed_mps, radius_m, timeout_ms, |gates| {
-                    let mut tick = Tick { mode: mode(mode_number), ttl_ms, velocity: [u, v, w] };
+                    let mode = mode(mode_number);
+                    let mut plan = Tick { mode, ttl_ms, velocity: [u, v, w] };
                     let last_s = has(flags, TIMED).then_some(last_s);
                     let position = || has(flags, PLACED).then_some([x, y, z]);
-                    match gates.govern(&mut tick, now_s, last_s, position) {
+                    match gates.govern(&mut plan, now_s, last_s, position) {
                         kernel::Decision::Passed => 0,
                         kernel::Decision::Limited => 1,
                         kernel::Decision::Held(_) => 2,

@@ -141,8 +141,8 @@ fn refute(broken: &'static Broken) -> Result<Value, Failure> {
     match found {
         Some((found, vector)) => {
             println!(
-                "refuted  {} after {} inputs: {}: {} expects {}",
-                broken.id, outcome.inputs, found.check, vector["args"], vector["expect"]
+                "refuted  {} after {} inputs: {}",
+                broken.id, outcome.inputs, found.check
             );
             entry["counterexample"] = json!({ "check": found.check, "inputs": found.choices });
             entry["vector"] = vector;

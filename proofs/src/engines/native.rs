@@ -209,6 +209,8 @@ impl Draw for Replay {
 pub struct Sample {
     state: u64,
     length: usize,
+    /// The double before, whose relatives show what a comparison does at its edge.
+    last: f64,
 }
 
 const EDGES: [f64; 26] = [
@@ -248,6 +250,7 @@ impl Sample {
         Self {
             state: seed,
             length,
+            last: 1.0,
         }
     }
 
@@ -264,12 +267,32 @@ impl Sample {
     fn below(&mut self, count: usize) -> usize {
         (self.next() % count.max(1) as u64) as usize
     }
+
+    /// A number from 0 to 1.
+    #[expect(clippy::cast_precision_loss)]
+    fn fraction(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A number that has to do with the one before.
+    fn relative(&mut self) -> f64 {
+        let last = self.last;
+        match self.below(7) {
+            0 => last,
+            1 => -last,
+            2 => last.next_up(),
+            3 => last.next_down(),
+            4 => last * 2.0,
+            5 => last / 1000.0,
+            _ => last * 1000.0,
+        }
+    }
 }
 
 impl Draw for Sample {
     #[expect(clippy::cast_precision_loss)]
     fn scalar(&mut self) -> f64 {
-        match self.below(10) {
+        self.last = match self.below(12) {
             0..4 => {
                 let nth = self.below(EDGES.len());
                 EDGES.get(nth).copied().unwrap_or_default()
@@ -279,8 +302,13 @@ impl Draw for Sample {
             // Times that meet: quarters of a second, and as many milliseconds.
             6 => self.below(5) as f64 / 4.0,
             7 => self.below(5) as f64 * 250.0,
-            _ => (self.next() >> 11) as f64 / (1u64 << 53) as f64 * 8.0 - 2.0,
-        }
+            8 => self.relative(),
+            // Whose squares are about to overflow, or to vanish.
+            9 if self.below(4) == 0 => self.fraction() * 2e-154,
+            9 => self.fraction() * 1.5e154,
+            _ => self.fraction() * 8.0 - 2.0,
+        };
+        self.last
     }
     fn seq(&mut self) -> i64 {
         match self.below(3) {

@@ -142,7 +142,7 @@ pub const PROPERTIES: &[Property] = &[
         assumptions: &["IEEE 754: a product or quotient is the exact one rounded to nearest; that gives the bound in the sentence."],
         unwind: 4,
         symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 1e200,
+        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 0.9e154, 1.2e154, 1e200,
             -1e300, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
     },
     Property {

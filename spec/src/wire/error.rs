@@ -445,8 +445,10 @@ mod tests {
 
     #[test]
     fn an_error_of_a_message_says_the_field() {
-        let mut command = CommandFrame::default();
-        command.t = f64::NAN;
+        let command = CommandFrame {
+            t: f64::NAN,
+            ..CommandFrame::default()
+        };
         let error = command.encode().unwrap_err();
         assert_eq!(error.path(), "t");
         assert_eq!(error.to_string(), "t: JSON has no NaN");
