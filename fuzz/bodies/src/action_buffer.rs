@@ -53,6 +53,9 @@ plain! {
     }
 }
 
+/// The most steps of a trace that are judged: each may bring a horizon.
+const MOST: usize = 64;
+
 /// The plant does at any time what a small model of the text says, command by command and tick by tick.
 ///
 /// It would find a deadline that a stale command refreshes, a clock that runs back and revives one, an
@@ -65,7 +68,7 @@ pub fn action_buffer_trace(input: &[u8]) {
     let trace = read::<Trace>(input);
     let mut buffer = ActionBuffer::new();
     let mut model = Model::default();
-    for (number, step) in trace.steps.iter().enumerate() {
+    for (number, step) in trace.steps.iter().take(MOST).enumerate() {
         match step {
             Step::Reset(()) => {
                 buffer.reset();

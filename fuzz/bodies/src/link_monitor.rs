@@ -35,8 +35,11 @@ plain! {
     }
 }
 
-/// The most frames of a trace that are judged: a gap may cost 4,096 entries.
+/// The most arrivals of a trace that are judged.
 const MOST: usize = 48;
+/// The most missing seqs that a trace may have the monitor remember. What leaves out more, again and again, shows
+/// nothing new and takes long.
+const MOST_MISSING: i128 = 3 * 4_096;
 
 /// Counts, rate and burst are those of an exact model, in integers that cannot overflow, after every
 /// arrival.
@@ -51,6 +54,7 @@ pub fn link_monitor_trace(input: &[u8]) {
     let mut model = Model::new(trace.ref_loss, trace.threshold);
     model.judge(&monitor);
     let mut last = 0_i64;
+    let mut missing = 0;
     for arrival in trace.arrivals.iter().take(MOST) {
         let (from, count) = match arrival {
             Arrival::After(lost) => (last.saturating_add(1 + i64::from(*lost)), 1),
@@ -58,6 +62,10 @@ pub fn link_monitor_trace(input: &[u8]) {
             Arrival::Seq(seq) => (*seq, 1),
             Arrival::Run(count) => (last.saturating_add(1), i64::from(*count)),
         };
+        missing += model.gap(from).min(4_096);
+        if missing > MOST_MISSING {
+            break;
+        }
         for seq in (0..count).map(|more| from.saturating_add(more)) {
             monitor.on_frame(seq);
             model.on_frame(seq.into());
@@ -100,6 +108,12 @@ impl Model {
             missing: BTreeSet::new(),
             s: 0.0,
         }
+    }
+
+    /// How many seqs would be missing before this one.
+    fn gap(&self, seq: i64) -> i128 {
+        self.expected
+            .map_or(0, |expected| (i128::from(seq) - expected).max(0))
     }
 
     fn on_frame(&mut self, seq: i128) {
