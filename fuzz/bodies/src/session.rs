@@ -13,9 +13,9 @@ use ncp_spec::session::SessionService;
 use crate::planted::SessionService;
 
 /// How many requests of an input are served.
-const MOST_REQUESTS: usize = 24;
+const MOST_REQUESTS: usize = 12;
 /// How much a request may cost, in steps times neurons. What would take longer is left out.
-const MOST_WORK: f64 = 20_000.0;
+const MOST_WORK: f64 = 4_000.0;
 
 /// Every request gets one reply, which is of the kind that answers it, which a client reads, and which
 /// is true: sessions open once, step by what was asked, count, and close.

@@ -132,10 +132,13 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
         1 => Limit::Enabled(max),
         _ => Limit::Faulty,
     };
-    let width = if p.boolean("is_wide") { 3 } else { 2 };
+    let width = p.choice("width", 3) + 2;
     let flags = [p.boolean("is_named"), p.boolean("velocity_in_mps")];
     let other_in_mps = p.boolean("other_in_mps");
-    let mut velocity = p.vector("v");
+    let mut velocity = [p.number(0.0); 4];
+    for (axis, x) in velocity.iter_mut().enumerate().take(width) {
+        *x = p.scalar(&format!("v_{axis}"));
+    }
     let mut other = [p.scalar("w")];
     let (velocity_before, other_before) = (velocity, other);
     let answer = {

@@ -180,6 +180,8 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                         answer == Received::Accepted,
                         follows,
                     );
+                    let right = p.truth(answer != Received::Held);
+                    p.check("no active command is answered as a HOLD", right);
                     if answer != Received::Dropped {
                         (last, deadline) = (Some(seq), Some((now, ttl)));
                     }
@@ -187,8 +189,8 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                 Mode::Init | Mode::Hold => {
                     let says = hold_takes_effect(p, last, seq);
                     p.exactly("a HOLD is never ignored", answer == Received::Held, says);
-                    let never = p.truth(answer != Received::Accepted);
-                    p.check("only active moves", never);
+                    let right = p.truth(matches!(answer, Received::Held | Received::Dropped));
+                    p.check("a HOLD holds or is dropped", right);
                     if answer == Received::Held {
                         let now = K::plant_state(&plant).0;
                         last = super::watchdog::after_hold(p, now, last, seq);

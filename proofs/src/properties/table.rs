@@ -151,7 +151,7 @@ pub const PROPERTIES: &[Property] = &[
         rules: &["NCP-SAFE-011", "NCP-SAFE-063", "NCP-SAFE-064", "NCP-SAFE-065"],
         sentence: "A tick passes exactly when every component of every channel is finite and, with the limit enabled, its velocity is 3 wide and in m/s; never with a faulty limit; then every channel in m/s is within the limit, and every other one as it was. What is not finite is said to be so.",
         statement: "limit_tick(channels, limit) is ok ⇔ ¬faulty ∧ fin(channels) ∧ (enabled ⇒ velocity is named, 3 wide, in m/s); and then ∀ c in m/s: ‖c‖ ≤ max",
-        bounds: "two channels, of 2 or 3 and of 1 component",
+        bounds: "two channels, of 2 to 4 and of 1 component",
         assumptions: NONE,
         unwind: 4,
         symbolic_length: ALL,

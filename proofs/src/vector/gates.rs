@@ -538,18 +538,25 @@ fn traces(property: &str, check: &str, inputs: &Inputs<'_>) -> Option<Vec<Trace>
                     OTHER_UNIT
                 }
             };
-            let width = if inputs.choice("is_wide")? == 1 { 3 } else { 2 };
-            let data = inputs.vector("v")?.into_iter().take(width).collect();
+            let width = inputs.choice("width")? + 2;
+            let data: Option<_> = (0..width)
+                .map(|axis| inputs.double(&format!("v_{axis}")))
+                .collect();
             let name = if named {
                 VELOCITY_CHANNEL
             } else {
                 "a_setpoint"
             };
             let tick = vec![
-                (name, data, unit(first)),
+                (name, data?, unit(first)),
                 (OTHER, vec![inputs.double("w")?], unit(second)),
             ];
-            let max = (inputs.choice("enabled")? == 1).then_some(inputs.double("max")?);
+            let max = match inputs.choice("limit")? {
+                0 => None,
+                1 => inputs.double("max"),
+                // A governor whose limit is faulty asks no tick.
+                _ => return None,
+            };
             vec![Trace::of(max, None, vec![Command::of(tick).step()])]
         }
         "latch/gates" => gates(inputs)?,
