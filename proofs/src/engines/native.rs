@@ -338,6 +338,10 @@ impl Draw for Sample {
         }
     }
     fn choice(&mut self, count: usize) -> usize {
+        if self.is_tame && count == 2 {
+            // Where all is well, what may be there mostly is.
+            return usize::from(self.below(8) > 0);
+        }
         self.below(count)
     }
     fn length(&self, most: usize) -> usize {
