@@ -26,7 +26,7 @@ plain! {
         seq: i64,
         /// Its ttl in ms.
         ttl_ms: f64,
-        /// How many steps its horizon has.
+        /// How many steps its horizon has, of 17 lengths.
         steps: u8,
         /// The length of a tick in ms.
         dt_ms: Option<f64>,
@@ -55,6 +55,8 @@ plain! {
 
 /// The most steps of a trace that are judged: each may bring a horizon.
 const MOST: usize = 64;
+/// The most steps of a horizon.
+const LONGEST: u8 = 16;
 
 /// The plant does at any time what a small model of the text says, command by command and tick by tick.
 ///
@@ -145,7 +147,7 @@ impl Model {
             && now_s.is_finite()
             && command.now_s <= now_s
             && age_ms <= command.ttl_ms.min(60_000.0);
-        let steps = f64::from(command.steps);
+        let steps = f64::from(command.length());
         let tick = match command.dt_ms {
             Some(dt) if steps > 0.0 && dt.is_finite() && dt > 0.0 => (age_ms / dt).floor(),
             _ => 0.0,
@@ -167,6 +169,11 @@ impl Model {
 type Marks = (f64, f64);
 
 impl Arrival {
+    /// How many steps its horizon has.
+    fn length(&self) -> u8 {
+        self.steps % (LONGEST + 1)
+    }
+
     fn build(&self, number: usize) -> CommandFrame {
         let tick = |tick: u8| {
             let marks = ChannelValue::without_unit([number as f64, f64::from(tick)]);
@@ -177,7 +184,7 @@ impl Arrival {
             mode: mode(self.mode),
             ttl_ms: self.ttl_ms,
             channels: tick(0),
-            horizon: (0..self.steps)
+            horizon: (0..self.length())
                 .map(|step| tick(step.saturating_add(1)))
                 .collect(),
             horizon_dt_ms: self.dt_ms,

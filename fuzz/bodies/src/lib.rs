@@ -169,7 +169,7 @@ pub const TARGETS: &[Target] = &[
         finds: "requests that a server answers not at all, wrongly, or with a panic",
         planted: "what is not open is closed with success once something was opened",
         run: session::session,
-        show: plain::show_text,
+        show: session::show,
     },
     Target {
         name: "peer_protocol",

@@ -14,6 +14,7 @@ use serde_json::Value;
 use crate::action_buffer::{self, Arrival, Damage};
 use crate::governor::{self, Channel, Command, Govern, KindName, ModeName, Name, Spec, Unit};
 use crate::plain::write;
+use crate::session;
 use crate::{bulk, codec, edges, frame, link_monitor, proto};
 
 /// The longest seed of a vector in bytes: a corpus is to be quick.
@@ -81,6 +82,7 @@ pub fn seeds(root: &Path) -> io::Result<Seeds> {
     ] {
         add("canonical_proto", text.as_bytes().to_vec());
     }
+    add("session", session::seed());
     at_edges(&mut seeds);
     Ok(seeds)
 }

@@ -1,16 +1,79 @@
-//! A server with the reference backend: each line of the input is a request.
+//! A server with the reference backend: each line of the input is a request, or each request is built from bytes.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use ncp_spec::reply::check_reply;
 use ncp_spec::session::ReferenceBackend;
 use ncp_spec::wire::{Kind, Message, OpenSession, decode_any};
 
+use serde_json::{Value, json};
+
 #[cfg(not(feature = "planted"))]
 use ncp_spec::session::SessionService;
 
 #[cfg(feature = "planted")]
 use crate::planted::SessionService;
+
+use crate::plain::{plain, read, write};
+
+plain! {
+    /// A session, by one of a few names.
+    words Name = ["a", "b", "café", ""];
+}
+plain! {
+    /// What a client says of the protocol.
+    words Version = ["0.5", "0.5.9", "0.4", "1.5", "five", ""];
+}
+plain! {
+    /// A request to open.
+    struct Opening {
+        /// Which.
+        id: Name,
+        /// `ncp_version`
+        version: Version,
+        /// How many neurons its population has.
+        neurons: u8,
+        /// Whether its potential is recorded, at one port.
+        records: bool,
+        /// `dt_ms`
+        dt_ms: f64,
+        /// `chunk_ms`
+        chunk_ms: f64,
+    }
+}
+plain! {
+    /// A request to go on.
+    struct Going {
+        /// Which.
+        id: Name,
+        /// For how long, in ms.
+        time_ms: Option<f64>,
+    }
+}
+plain! {
+    /// A request.
+    enum Request {
+        /// `open_session`
+        0 Open(Opening),
+        /// `step_request`
+        1 Step(Going),
+        /// `run_request`
+        2 Run(Going),
+        /// `close_session`
+        3 Close(Name),
+    }
+}
+plain! {
+    /// Requests, one after the other.
+    struct Trace {
+        /// In this order.
+        requests: Vec<Request>,
+    }
+}
+
+/// The first byte of an input that is a [`Trace`]: no line begins with it.
+const BUILT: u8 = 0;
 
 /// How many requests of an input are served.
 const MOST_REQUESTS: usize = 12;
@@ -29,7 +92,10 @@ const MOST_WORK: f64 = 4_000.0;
 pub fn session(input: &[u8]) {
     let mut service = SessionService::new(ReferenceBackend);
     let mut open: BTreeMap<String, Model> = BTreeMap::new();
-    for line in input.split(|byte| *byte == b'\n').take(MOST_REQUESTS) {
+    for line in lines(input)
+        .split(|byte| *byte == b'\n')
+        .take(MOST_REQUESTS)
+    {
         let request = decode_any(line);
         if request
             .as_ref()
@@ -45,6 +111,84 @@ pub fn session(input: &[u8]) {
         }
         let sessions: Vec<_> = service.open_sessions().map(str::to_owned).collect();
         assert!(sessions.iter().eq(open.keys()), "{sessions:?} are open");
+    }
+}
+
+/// The requests of an input, as lines.
+fn lines(input: &[u8]) -> Cow<'_, [u8]> {
+    let [BUILT, trace @ ..] = input else {
+        return input.into();
+    };
+    let requests = read::<Trace>(trace).requests;
+    let lines: Vec<String> = requests.iter().map(|r| r.json().to_string()).collect();
+    lines.join("\n").into_bytes().into()
+}
+
+/// The bytes of requests that open, use and close two sessions, and one that is not there.
+#[must_use]
+pub fn seed() -> Vec<u8> {
+    let open = |id| {
+        Request::Open(Opening {
+            id: Name(id),
+            version: Version("0.5"),
+            neurons: 1,
+            records: true,
+            dt_ms: 1.0,
+            chunk_ms: 10.0,
+        })
+    };
+    let going = |id, time_ms| Going {
+        id: Name(id),
+        time_ms,
+    };
+    let requests = vec![
+        open("a"),
+        Request::Step(going("a", None)),
+        open("b"),
+        Request::Run(going("b", Some(5.0))),
+        Request::Close(Name("a")),
+        Request::Step(going("café", Some(1.0))),
+    ];
+    [vec![BUILT], write(&Trace { requests })].concat()
+}
+
+/// An input as a person reads it.
+#[must_use]
+pub fn show(input: &[u8]) -> String {
+    String::from_utf8_lossy(&lines(input)).into_owned()
+}
+
+impl Request {
+    fn json(&self) -> Value {
+        match self {
+            Self::Open(opening) => {
+                let targets = if opening.records {
+                    json!([{"port": "v", "target": "pop", "observable": "V_m", "cadence_ms": 1.0}])
+                } else {
+                    json!([])
+                };
+                json!({
+                    "ncp_version": opening.version.0, "kind": "open_session", "session_id": opening.id.0,
+                    "network": {
+                        "kind": "builtin", "ref": "ncp.reference.lif", "params": {},
+                        "population_sizes": {"pop": opening.neurons},
+                    },
+                    "record": {"targets": targets}, "stimulus": {"targets": []},
+                    "sim": {"dt_ms": opening.dt_ms, "chunk_ms": opening.chunk_ms},
+                })
+            }
+            Self::Step(going) => json!({
+                "ncp_version": "0.5", "kind": "step_request", "session_id": going.id.0,
+                "advance_ms": going.time_ms,
+            }),
+            Self::Run(going) => json!({
+                "ncp_version": "0.5", "kind": "run_request", "session_id": going.id.0,
+                "duration_ms": going.time_ms,
+            }),
+            Self::Close(id) => {
+                json!({"ncp_version": "0.5", "kind": "close_session", "session_id": id.0})
+            }
+        }
     }
 }
 
@@ -187,5 +331,36 @@ fn is_too_much(request: &Message, open: &BTreeMap<String, Model>) -> bool {
             })
         }
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_built_requests_open_use_and_close_sessions() {
+        let input = seed();
+        assert_eq!(input.first(), Some(&BUILT));
+        let mut service = SessionService::new(ReferenceBackend);
+        let lines = lines(&input);
+        let replies = lines
+            .split(|byte| *byte == b'\n')
+            .map(|line| service.serve(line));
+        let kinds: Vec<Kind> = replies
+            .map(|reply| decode_any(reply.as_bytes()).unwrap().kind())
+            .collect();
+        let (opened, observed) = (Kind::SessionOpened, Kind::ObservationFrame);
+        let said = [
+            opened,
+            observed,
+            opened,
+            observed,
+            Kind::SessionClosed,
+            Kind::Error,
+        ];
+        assert_eq!(kinds, said);
+        assert!(service.open_sessions().eq(["b"]));
+        session(&input);
     }
 }
