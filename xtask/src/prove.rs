@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
+use std::thread;
 use std::time::Instant;
 
 use serde_json::Value;
@@ -15,6 +16,8 @@ use crate::setup;
 #[path = "../../proofs/src/digest.rs"]
 pub(crate) mod digest;
 
+/// Whether the machine code of this machine can be explored.
+const RUNS_MACHINE: bool = cfg!(all(target_os = "linux", target_arch = "x86_64"));
 /// What the first stage finds out about the kernel, for the second.
 const KERNEL: &str = ".tools/proofs-kernel.json";
 const REPORT: &str = "reports/proofs.json";
@@ -28,6 +31,19 @@ const READERS: &str = ".tools/readers.json";
 /// # Errors
 /// The solvers cannot be set up, or a program cannot be started.
 pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
+    let is_wanted_machine = RUNS_MACHINE && (args.is_empty() || args.contains(&"machine"));
+    thread::scope(|scope| {
+        // What explores machine code takes half a minute to install, and comes late.
+        let ahead = is_wanted_machine.then(|| scope.spawn(|| install_angr(project)));
+        engines(project, args, || match ahead {
+            Some(ahead) => ahead.join().unwrap_or(false),
+            None => false,
+        })
+    })
+}
+
+/// Runs the engines; `angr` waits for what explores machine code, and says whether it is there.
+fn engines(project: &Project, args: &[&str], angr: impl FnOnce() -> bool) -> Result<bool, Error> {
     let is_wanted = |engine: &str| args.is_empty() || args.contains(&engine);
     let began = Instant::now();
     let part = |what: &str| {
@@ -66,7 +82,7 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     }
     if is_wanted("machine") {
         part("the machine code of the kernel, by symbolic execution");
-        good &= machine(project)?;
+        good &= machine(project, angr)?;
     }
     part("broken kernels, which each engine has to refute, and the report");
     good &= start(program(&["--features", "broken"], "rest"))?;
@@ -76,13 +92,12 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
 
 /// Explores the machine code, where that can be done: on other machines it is not run, which is no failure,
 /// and the report says so.
-fn machine(project: &Project) -> Result<bool, Error> {
-    if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+fn machine(project: &Project, angr: impl FnOnce() -> bool) -> Result<bool, Error> {
+    if !RUNS_MACHINE {
         println!("machine code: not run here, as it is for x86-64 Linux");
         return Ok(true);
     }
-    if let Err(error) = setup::angr(project, &mut |line| println!("{line}")) {
-        println!("machine code: not run here: {error}");
+    if !angr() {
         return Ok(true);
     }
     start(project.program(
@@ -90,6 +105,15 @@ fn machine(project: &Project) -> Result<bool, Error> {
         &["--json", MACHINE],
         "",
     ))
+}
+
+/// Installs what explores machine code; `false`, and why, where that cannot be had.
+fn install_angr(project: &Project) -> bool {
+    let installed = setup::angr(project, &mut |line| println!("{line}"));
+    if let Err(error) = &installed {
+        println!("machine code: not run here: {error}");
+    }
+    installed.is_ok()
 }
 
 /// Removes the results of an earlier run.
