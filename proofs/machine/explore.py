@@ -220,7 +220,7 @@ def refute(code, broken, whole, defect):
             "kernel": native.shown_outputs(function, right),
         }
         report["refuted"] = not holds(wanted, found, wrong) and holds(wanted, found, right)
-        case = vector.case(defect, wanted, found, right)
+        case = vector.case(defect, wanted, found, right, wrong)
         if case:
             report["vector"] = case
     print(f"{'refuted' if report['refuted'] else 'NOT REFUTED':8} {defect['id']}", flush=True)
