@@ -223,7 +223,50 @@ fn overview(report: &Value, engines: &[Value]) -> Vec<Block> {
     if !own.is_empty() {
         blocks.push(Block::List(own));
     }
+    blocks.push(text(
+        "How many claims of each family an engine has proved; those of the enumeration for the listed values only:",
+    ));
+    blocks.push(families(report, engines));
     blocks
+}
+
+/// The families of claims, and how many of each an engine has proved.
+fn families(report: &Value, engines: &[Value]) -> Block {
+    let properties = list(&report["properties"]);
+    // A shared property has its family, and a claim of an engine's own says it.
+    let family = |result: &Value| {
+        let shared = properties.iter().find(|p| p["id"] == result["property"]);
+        word(&shared.unwrap_or(result)["family"])
+    };
+    let proves = |result: &&Value| result["verdict"] == "proved";
+    let mut proved: Vec<(String, Vec<String>)> = Vec::new();
+    let mut names: Vec<String> = Vec::new();
+    for engine in engines {
+        let results = list(&engine["results"]);
+        let mine: Vec<String> = results.iter().filter(proves).map(family).collect();
+        if mine.is_empty() {
+            continue;
+        }
+        for name in &mine {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+        proved.push((word(&engine["name"]), mine));
+    }
+    let mut head = vec!["family".to_owned()];
+    head.extend(proved.iter().map(|(engine, _)| engine.clone()));
+    let rows = names.into_iter().map(|name| {
+        let counts = proved.iter().map(|(_, mine)| {
+            match mine.iter().filter(|family| **family == name).count() {
+                0 => "–".to_owned(),
+                count => format!("proved {count}"),
+            }
+        });
+        let counts: Vec<String> = counts.collect();
+        [vec![name], counts].concat()
+    });
+    Block::Table(head, rows.collect())
 }
 
 /// What an engine found, with how far it goes.

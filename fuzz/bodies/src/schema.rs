@@ -56,8 +56,10 @@ pub fn validate_vs_schema(input: &[u8]) {
         (true, Ok(_)) | (false, Err(_)) => {}
         (false, Ok(_)) => panic!("the decoder reads what its schema refuses"),
         (true, Err(error)) => {
+            // Of a repeated name the schema has seen the last one only, and the decoder the first.
+            let seen = decode(kind, value.to_string().as_bytes());
             assert!(
-                beyond_schemas(error.problem()),
+                beyond_schemas(error.problem()) || seen.is_ok(),
                 "the schema lets through: {error}"
             );
         }
