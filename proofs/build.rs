@@ -44,10 +44,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             text = text.replace("crate::wire::", "ncp_spec::wire::");
             if name == "mod.rs" {
                 for shared in SHARED {
-                    text = text.replace(&format!("mod {shared};\n"), "").replace(
-                        &format!("pub use {shared}::"),
-                        "pub use ncp_spec::safety::kernel::",
-                    );
+                    text = text
+                        .replace(&format!("mod {shared};\n"), "")
+                        .replace(&format!("pub use {shared}::"), "pub use ncp_spec::safety::kernel::");
                 }
             }
             fs::write(folder.join(name), text)?;
@@ -70,10 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "pub mod k_{id} {{ use super::*; crate::kernel::kernel! {{ /// A broken kernel.\nKernel = [super::{id}] [{numbers}] }} }}"
         )?;
         let harness = broken.property.replace('/', "::").replace('-', "_");
-        writeln!(
-            arms,
-            "{id:?} => Some(crate::properties::of!(k_{id}::Kernel, crate::properties::{harness})),"
-        )?;
+        writeln!(arms, "{id:?} => Some(crate::properties::of!(k_{id}::Kernel, crate::properties::{harness})),")?;
     }
     let table = format!(
         "{modules}\n/// The harness of its property on a broken kernel.\n#[must_use]\npub fn harness(id: &str) -> Option<crate::properties::Harness> {{\n match id {{\n{arms} _ => None }}\n}}\n"

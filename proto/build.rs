@@ -11,11 +11,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut set = compiler.file_descriptor_set();
 
     // The comments become documentation: leave the linter's remarks out of it.
-    for location in set
-        .file
-        .iter_mut()
-        .flat_map(|file| &mut file.source_code_info)
-        .flat_map(|info| &mut info.location)
+    for location in set.file.iter_mut().flat_map(|file| &mut file.source_code_info).flat_map(|info| &mut info.location)
     {
         if let Some(comment) = &mut location.leading_comments {
             *comment = comment
@@ -28,8 +24,6 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let out = PathBuf::from(env::var("OUT_DIR")?);
     fs::write(out.join("ncp.binpb"), set.encode_to_vec())?;
-    prost_build::Config::new()
-        .btree_map(["."])
-        .compile_fds(set)?;
+    prost_build::Config::new().btree_map(["."]).compile_fds(set)?;
     Ok(())
 }

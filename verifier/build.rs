@@ -13,37 +13,19 @@ fn main() -> io::Result<()> {
     if vectors.is_dir() {
         for area in entries(&vectors)? {
             // The crate that makes the corpus lives beside it.
-            if area.is_dir()
-                && !["src", "tests", "target"]
-                    .iter()
-                    .any(|own| area.ends_with(own))
-            {
+            if area.is_dir() && !["src", "tests", "target"].iter().any(|own| area.ends_with(own)) {
                 println!("cargo::rerun-if-changed={}", area.display());
-                files.extend(
-                    entries(&area)?
-                        .into_iter()
-                        .filter(|file| file.extension().is_some_and(|e| e == "json")),
-                );
+                files.extend(entries(&area)?.into_iter().filter(|file| file.extension().is_some_and(|e| e == "json")));
             }
         }
     }
-    let mut code =
-        String::from("/// Every vector file: its path within `vectors/`, and its text.\n");
+    let mut code = String::from("/// Every vector file: its path within `vectors/`, and its text.\n");
     code.push_str("static EMBEDDED: &[(&str, &str)] = &[\n");
     for file in &files {
         println!("cargo::rerun-if-changed={}", file.display());
-        let name = file
-            .strip_prefix(&vectors)
-            .unwrap_or(file)
-            .to_string_lossy()
-            .replace('\\', "/");
+        let name = file.strip_prefix(&vectors).unwrap_or(file).to_string_lossy().replace('\\', "/");
         let path = file.canonicalize()?;
-        writeln!(
-            code,
-            "    ({name:?}, include_str!({:?})),",
-            path.to_string_lossy()
-        )
-        .map_err(io::Error::other)?;
+        writeln!(code, "    ({name:?}, include_str!({:?})),", path.to_string_lossy()).map_err(io::Error::other)?;
     }
     code.push_str("];\n");
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
@@ -51,9 +33,7 @@ fn main() -> io::Result<()> {
 }
 
 fn entries(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let mut paths = fs::read_dir(folder)?
-        .map(|entry| Ok(entry?.path()))
-        .collect::<io::Result<Vec<_>>>()?;
+    let mut paths = fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
     paths.sort();
     Ok(paths)
 }

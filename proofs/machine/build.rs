@@ -14,19 +14,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = env::var("OUT_DIR")?;
     let out = Path::new(&out);
 
-    let broken: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(here.join("broken.json"))?)?;
+    let broken: serde_json::Value = serde_json::from_str(&fs::read_to_string(here.join("broken.json"))?)?;
     let mut modules = String::new();
     for defect in broken.as_array().ok_or("broken.json is no array")? {
         let text = |name: &str| defect[name].as_str().ok_or(format!("{defect}: no {name}"));
         let id = text("id")?;
         let (changed, find) = (text("file")?, text("find")?);
         // Without its text there is no such kernel, and the proofs say that it was not refuted.
-        if fs::read_to_string(kernel.join(changed))?
-            .matches(find)
-            .count()
-            != 1
-        {
+        if fs::read_to_string(kernel.join(changed))?.matches(find).count() != 1 {
             println!("cargo::warning={id}: {find:?} is not in {changed} exactly once");
             continue;
         }

@@ -40,10 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "mod {id} {{ #[path = {path:?}] pub mod {reader}; pub use ncp_spec::{{{}}}; crate::readers::readers! {{ /// A broken reader.\nSubject }} }}",
             sound.join(", ")
         )?;
-        writeln!(
-            arms,
-            "{id:?} => crate::properties::enumerated::{reader}::<{id}::Subject>(property),"
-        )?;
+        writeln!(arms, "{id:?} => crate::properties::enumerated::{reader}::<{id}::Subject>(property),")?;
     }
     let table = format!(
         "{modules}\n/// The harness of a property on a broken reader.\n#[must_use]\npub fn harness(id: &str, property: &str) -> Option<crate::properties::Enumerated> {{\n match id {{\n{arms} _ => None }}\n}}\n"
@@ -53,12 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Copies a reader with its one edit, and returns the file of its module.
-fn copy(
-    broken: &Broken,
-    reader: &str,
-    source: &Path,
-    folder: &Path,
-) -> Result<PathBuf, Box<dyn Error>> {
+fn copy(broken: &Broken, reader: &str, source: &Path, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
     fs::create_dir_all(folder.join(reader))?;
     let mut files = Vec::new();
     if source.join(reader).is_dir() {
@@ -75,24 +67,14 @@ fn copy(
             edited += text.matches(broken.from).count();
             text = text.replacen(broken.from, broken.to, 1);
         }
-        text = text
-            .replace("crate::wire::", "ncp_spec::wire::")
-            .replace("crate::ErrorCode", "ncp_spec::ErrorCode");
+        text = text.replace("crate::wire::", "ncp_spec::wire::").replace("crate::ErrorCode", "ncp_spec::ErrorCode");
         fs::write(folder.join(file), text)?;
     }
     if edited != 1 {
-        return Err(format!(
-            "{}: {:?} does not occur once in {}",
-            broken.id, broken.from, broken.file
-        )
-        .into());
+        return Err(format!("{}: {:?} does not occur once in {}", broken.id, broken.from, broken.file).into());
     }
     let is_folder = source.join(reader).is_dir();
-    Ok(folder.join(if is_folder {
-        format!("{reader}/mod.rs")
-    } else {
-        format!("{reader}.rs")
-    }))
+    Ok(folder.join(if is_folder { format!("{reader}/mod.rs") } else { format!("{reader}.rs") }))
 }
 
 /// A source without its comments on whole lines and without its tests.

@@ -10,15 +10,10 @@ pub const IS_BUILT: bool = cfg!(feature = "broken");
 #[must_use]
 pub fn missing() -> Vec<String> {
     let broken = |id: &str| BROKEN.iter().find(|broken| broken.id == id);
-    let missing = MISSING
-        .iter()
-        .filter_map(|(id, times)| Some((broken(id)?, times)));
+    let missing = MISSING.iter().filter_map(|(id, times)| Some((broken(id)?, times)));
     missing
         .map(|(broken, times)| {
-            format!(
-                "the broken kernel {} does not apply: its text occurs {times} times in {}",
-                broken.id, broken.file
-            )
+            format!("the broken kernel {} does not apply: its text occurs {times} times in {}", broken.id, broken.file)
         })
         .collect()
 }

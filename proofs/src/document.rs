@@ -97,38 +97,26 @@ fn body(blocks: &[Block]) -> String {
     let mut text = String::new();
     for block in blocks {
         let _ = match block {
-            Block::Heading(level, name, title) => writeln!(
-                text,
-                "<h{level} id=\"{}\">{}</h{level}>",
-                escaped(name),
-                inline(title)
-            ),
+            Block::Heading(level, name, title) => {
+                writeln!(text, "<h{level} id=\"{}\">{}</h{level}>", escaped(name), inline(title))
+            }
             Block::Text(words) => writeln!(text, "<p>{}</p>", inline(words)),
             Block::Code(code) => writeln!(text, "<pre>{}</pre>", escaped(code)),
             Block::List(items) => {
-                let items: String = items
-                    .iter()
-                    .map(|item| format!("<li>{}</li>\n", inline(item)))
-                    .collect();
+                let items: String = items.iter().map(|item| format!("<li>{}</li>\n", inline(item))).collect();
                 writeln!(text, "<ul>\n{items}</ul>")
             }
             Block::Table(head, rows) => {
-                let head: String = head
-                    .iter()
-                    .map(|cell| format!("<th scope=\"col\">{}</th>", inline(cell)))
-                    .collect();
+                let head: String = head.iter().map(|cell| format!("<th scope=\"col\">{}</th>", inline(cell))).collect();
                 let rows: String = rows.iter().map(|cells| row(cells)).collect();
                 writeln!(
                     text,
                     "<div class=\"wide\"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>"
                 )
             }
-            Block::Details(title, inner) => writeln!(
-                text,
-                "<details>\n<summary>{}</summary>\n{}</details>",
-                inline(title),
-                body(inner)
-            ),
+            Block::Details(title, inner) => {
+                writeln!(text, "<details>\n<summary>{}</summary>\n{}</details>", inline(title), body(inner))
+            }
         };
     }
     text
@@ -164,13 +152,7 @@ fn inline(words: &str) -> String {
         }
         let mut rest = part;
         while let Some((before, label, link, after)) = link(rest) {
-            let _ = write!(
-                text,
-                "{}<a href=\"{}\">{}</a>",
-                escaped(before),
-                escaped(link),
-                escaped(label)
-            );
+            let _ = write!(text, "{}<a href=\"{}\">{}</a>", escaped(before), escaped(link), escaped(label));
             rest = after;
         }
         text.push_str(&escaped(rest));
@@ -187,10 +169,7 @@ fn link(text: &str) -> Option<(&str, &str, &str, &str)> {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -204,10 +183,7 @@ mod tests {
             Block::Text("See `a | b` and [there](x.smt2).".into()),
             Block::Table(vec!["p".into()], vec![vec!["proved".into()]]),
         ];
-        assert_eq!(
-            markdown(&blocks),
-            "# A < B\n\nSee `a | b` and [there](x.smt2).\n\n| p |\n|---|\n| proved |\n"
-        );
+        assert_eq!(markdown(&blocks), "# A < B\n\nSee `a | b` and [there](x.smt2).\n\n| p |\n|---|\n| proved |\n");
         let page = html(&blocks);
         for part in [
             "<h1 id=\"top\">A &lt; B</h1>",

@@ -47,22 +47,12 @@ pub trait Kernel {
 
     fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
     fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
-    fn watchdog_command<S: Scalar, Q: Seq>(
-        watchdog: &mut Self::Watchdog<S, Q>,
-        now_s: S,
-        ttl_ms: S,
-        seq: Q,
-    ) -> bool;
+    fn watchdog_command<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>, now_s: S, ttl_ms: S, seq: Q) -> bool;
     fn watchdog_on_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>, seq: Q) -> bool;
-    fn watchdog_should_hold<S: Scalar, Q: Seq>(
-        watchdog: &mut Self::Watchdog<S, Q>,
-        now_s: S,
-    ) -> bool;
+    fn watchdog_should_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>, now_s: S) -> bool;
     fn watchdog_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>);
     fn watchdog_reset<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>);
-    fn watchdog_state<S: Scalar, Q: Seq>(
-        watchdog: &Self::Watchdog<S, Q>,
-    ) -> (Option<Q>, Option<(S, S)>);
+    fn watchdog_state<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> (Option<Q>, Option<(S, S)>);
 
     fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
     fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
@@ -84,11 +74,7 @@ pub trait Kernel {
     fn plant_is_stopped<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> bool;
     fn plant_state<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> (Option<Q>, Option<(S, S)>);
 
-    fn gates<S: Scalar>(
-        max_speed_mps: Option<S>,
-        radius_m: Option<S>,
-        timeout_ms: S,
-    ) -> Self::Gates<S>;
+    fn gates<S: Scalar>(max_speed_mps: Option<S>, radius_m: Option<S>, timeout_ms: S) -> Self::Gates<S>;
     fn gates_bind<S: Scalar>(gates: &mut Self::Gates<S>, has_velocity: bool, has_position: bool);
     fn gates_govern<S: Scalar>(
         gates: &mut Self::Gates<S>,

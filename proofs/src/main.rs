@@ -13,9 +13,7 @@ use std::time::Duration;
 
 use ncp_proofs::broken::{self, Broken};
 use ncp_proofs::engines::symbolic::{self, Solvers};
-use ncp_proofs::engines::{
-    Counterexample, ENDS, Outcome, Patience, Verdict, compared, enumeration, standin,
-};
+use ncp_proofs::engines::{Counterexample, ENDS, Outcome, Patience, Verdict, compared, enumeration, standin};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Harness, PROPERTIES, Property, harness};
 use ncp_proofs::{digest, document, page, report, terminal};
@@ -59,8 +57,7 @@ const ENGINES: &[Engine] = &[
         how: How::Here {
             is_quick: false,
             prove: |property, harness, place| {
-                let mut outcome =
-                    symbolic::prove(property, harness, &place.solvers, &place.evidence);
+                let mut outcome = symbolic::prove(property, harness, &place.solvers, &place.evidence);
                 if outcome.verdict == Verdict::Failed && !place.solvers.patience.is_over() {
                     // No proof, and no counterexample of the solver's: perhaps samples have one.
                     let wide = standin::run(harness, 100 * SAMPLES, property.symbolic_length);
@@ -179,19 +176,12 @@ fn main() -> ExitCode {
 }
 
 fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .ok_or("no root")?
-        .to_owned();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no root")?.to_owned();
     let place = Place {
         evidence: root.join("proofs/evidence"),
         drafts: root.join(".tools/proofs-drafts"),
         solvers: Solvers {
-            bin: root.join(".tools/proofs-venv").join(if cfg!(windows) {
-                "Scripts"
-            } else {
-                "bin"
-            }),
+            bin: root.join(".tools/proofs-venv").join(if cfg!(windows) { "Scripts" } else { "bin" }),
             script: root.join("proofs/evidence/solve.py"),
             patience: Patience::of(PATIENCE),
             known: None,
@@ -224,10 +214,8 @@ type Results = BTreeMap<String, Vec<Value>>;
 fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Error>> {
     let now = digest::of(&place.root)?;
     fs::create_dir_all(&place.drafts)?;
-    let wanted: Vec<&Engine> = ENGINES
-        .iter()
-        .filter(|engine| names.is_empty() || names.contains(&engine.name))
-        .collect();
+    let wanted: Vec<&Engine> =
+        ENGINES.iter().filter(|engine| names.is_empty() || names.contains(&engine.name)).collect();
     let kernel = match stage {
         Stage::Rest => found_before(place, &now)?,
         Stage::Whole | Stage::Kernel => hold_kernel(place, &wanted)?,
@@ -247,11 +235,8 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
             left.insert(engine.name, result);
         }
     }
-    let mut broken = if refuted.is_empty() && broken::IS_BUILT {
-        refute_broken(place, &wanted)?
-    } else {
-        Results::new()
-    };
+    let mut broken =
+        if refuted.is_empty() && broken::IS_BUILT { refute_broken(place, &wanted)? } else { Results::new() };
 
     let file = place.root.join("reports/proofs.json");
     // What other engines found out about the same sources stays.
@@ -289,12 +274,7 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
         }
     } else {
         problems.splice(0..0, refuted.iter().map(|(_, problem)| problem.clone()));
-        problems.push(
-            terminal::SKIPPED
-                .split_whitespace()
-                .collect::<Vec<_>>()
-                .join(" "),
-        );
+        problems.push(terminal::SKIPPED.split_whitespace().collect::<Vec<_>>().join(" "));
     }
     for problem in &problems {
         println!("PROBLEM: {problem}");
@@ -323,10 +303,7 @@ fn head(engine: &Engine) -> Value {
 fn refuted(kernel: &Results) -> Vec<(String, String)> {
     let mut refuted = Vec::new();
     for (engine, results) in kernel {
-        for result in results
-            .iter()
-            .filter(|result| result["verdict"] == "refuted")
-        {
+        for result in results.iter().filter(|result| result["verdict"] == "refuted") {
             let id = result["property"].as_str().unwrap_or_default();
             let problem = terminal::problem(engine, id, &result["counterexample"]);
             refuted.push((id.to_owned(), problem));
@@ -343,10 +320,7 @@ fn refuted_elsewhere(engine: &Engine, left: &Value) -> Vec<(String, String)> {
         .map(|result| {
             let id = result["property"].as_str().unwrap_or_default();
             let (name, detail) = (engine.name, &result["counterexample"]);
-            (
-                id.to_owned(),
-                format!("{id} is refuted by {name}: {detail}"),
-            )
+            (id.to_owned(), format!("{id} is refuted by {name}: {detail}"))
         })
         .collect()
 }
@@ -401,16 +375,10 @@ fn hold(
     property: &'static Property,
     is_refuted: bool,
 ) -> Result<Option<Value>, String> {
-    let How::Here {
-        is_quick,
-        prove,
-        refute,
-    } = engine.how
-    else {
+    let How::Here { is_quick, prove, refute } = engine.how else {
         return Ok(None);
     };
-    let harness = harness::<Production>(property.id)
-        .ok_or_else(|| format!("{} has no harness", property.id))?;
+    let harness = harness::<Production>(property.id).ok_or_else(|| format!("{} has no harness", property.id))?;
     if place.solvers.patience.is_over() {
         return Ok(None);
     }
@@ -492,12 +460,7 @@ fn refute_one(place: &Place, engine: &Engine, broken: &Broken) -> Result<Option<
         Ok(found) => {
             let (check, inputs) = (&found["check"], terminal::inputs(&found));
             let line = format!("refuted: {}: {inputs}", check.as_str().unwrap_or_default());
-            println!(
-                "{:14} {:32} {}",
-                engine.name,
-                broken.id,
-                terminal::short(&line)
-            );
+            println!("{:14} {:32} {}", engine.name, broken.id, terminal::short(&line));
             entry["counterexample"] = found;
         }
         Err(why) => {
@@ -541,11 +504,7 @@ fn parallel<T: Send>(count: usize, job: impl Fn(usize) -> Option<T> + Sync) -> V
     (0..count).map(|nth| answers.remove(&nth)).collect()
 }
 
-fn counterexample(
-    property: &Property,
-    harness: &Harness,
-    found: Option<Counterexample>,
-) -> Result<Value, String> {
+fn counterexample(property: &Property, harness: &Harness, found: Option<Counterexample>) -> Result<Value, String> {
     found
         .map(|found| report::counterexample(property.id, harness, &found))
         .ok_or_else(|| "no counterexample".to_owned())

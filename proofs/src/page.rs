@@ -92,8 +92,7 @@ fn broken_kernels(engines: &[Value], blocks: &mut Vec<Block>) {
     blocks.push(text("Copies of the source with one change each: an engine that would prove anything does not refute them. Each counterexample was run again, natively: the broken kernel fails the check. Those of the symbolic engine come from one of two places, and each says from which: a model of bitwuzla; or inputs that broke the harness on doubles, of samples or of the enumeration, for which bitwuzla confirmed with the inputs fixed that the question which they raise is satisfiable. A dash: the engine does not cover the property."));
     let rows = broken_rows(engines);
     let kinds = [Origin::Model, Origin::Sampled, Origin::Enumerated];
-    let mut origins: BTreeMap<String, usize> =
-        kinds.map(|kind| (kind.as_str().to_owned(), 0)).into();
+    let mut origins: BTreeMap<String, usize> = kinds.map(|kind| (kind.as_str().to_owned(), 0)).into();
     let all = engines.iter().flat_map(|engine| list(&engine["broken"]));
     for broken in all {
         if let Some(origin) = broken["counterexample"]["found_by"].as_str() {
@@ -101,9 +100,7 @@ fn broken_kernels(engines: &[Value], blocks: &mut Vec<Block>) {
         }
     }
     let origins = origins.iter();
-    let mut facts: Vec<String> = origins
-        .map(|(origin, count)| format!("symbolic: {count} by {origin}"))
-        .collect();
+    let mut facts: Vec<String> = origins.map(|(origin, count)| format!("symbolic: {count} by {origin}")).collect();
     let shown = |broken: &&Value| broken["counterexample"]["vector"].is_object();
     let (mut with, mut without) = (0, BTreeMap::<String, Vec<String>>::new());
     for broken in first_refutations(engines) {
@@ -163,21 +160,13 @@ fn this_run(run: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
         for result in list(&engine["results"]) {
             let property = word(&result["property"]);
             let mine = &run[&name][&property];
-            let z3 = match (
-                mine["cross_checked"].as_u64(),
-                result["obligations"].as_u64(),
-            ) {
+            let z3 = match (mine["cross_checked"].as_u64(), result["obligations"].as_u64()) {
                 (Some(some), Some(all)) if all > 0 && name == "symbolic" => {
                     format!("{some} of {all}")
                 }
                 _ => "–".to_owned(),
             };
-            rows.push(vec![
-                property,
-                name.clone(),
-                mine["seconds"].to_string(),
-                z3,
-            ]);
+            rows.push(vec![property, name.clone(), mine["seconds"].to_string(), z3]);
         }
     }
     let head = ["property", "engine", "seconds", "also answered by z3"];
@@ -186,8 +175,7 @@ fn this_run(run: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
 }
 
 fn overview(report: &Value, engines: &[Value]) -> Vec<Block> {
-    let (own, shared): (Vec<&Value>, Vec<&Value>) =
-        engines.iter().partition(|engine| has_own_claims(engine));
+    let (own, shared): (Vec<&Value>, Vec<&Value>) = engines.iter().partition(|engine| has_own_claims(engine));
     let mut head = vec!["property".to_owned()];
     head.extend(shared.iter().map(|engine| word(&engine["name"])));
     let rows = list(&report["properties"])
@@ -197,9 +185,7 @@ fn overview(report: &Value, engines: &[Value]) -> Vec<Block> {
             let mut row = vec![format!("[{id}](#{})", anchor(&id))];
             row.extend(shared.iter().map(|engine| {
                 let results = list(&engine["results"]);
-                let mine = results
-                    .iter()
-                    .find(|result| result["property"] == property["id"]);
+                let mine = results.iter().find(|result| result["property"] == property["id"]);
                 match mine {
                     Some(result) => verdict(engine, result),
                     None if engine["not_run"] == true => "not run here".to_owned(),
@@ -213,11 +199,7 @@ fn overview(report: &Value, engines: &[Value]) -> Vec<Block> {
     let own = own.into_iter().map(|engine| {
         let (name, results) = (word(&engine["name"]), list(&engine["results"]));
         let proved = results.iter().filter(|r| r["verdict"] == "proved").count();
-        format!(
-            "[{name}](#{name}): {proved} of {} claims of its own proved. {}",
-            results.len(),
-            word(&engine["about"])
-        )
+        format!("[{name}](#{name}): {proved} of {} claims of its own proved. {}", results.len(), word(&engine["about"]))
     });
     let own: Vec<String> = own.collect();
     if !own.is_empty() {
@@ -257,11 +239,9 @@ fn families(report: &Value, engines: &[Value]) -> Block {
     let mut head = vec!["family".to_owned()];
     head.extend(proved.iter().map(|(engine, _)| engine.clone()));
     let rows = names.into_iter().map(|name| {
-        let counts = proved.iter().map(|(_, mine)| {
-            match mine.iter().filter(|family| **family == name).count() {
-                0 => "–".to_owned(),
-                count => format!("proved {count}"),
-            }
+        let counts = proved.iter().map(|(_, mine)| match mine.iter().filter(|family| **family == name).count() {
+            0 => "–".to_owned(),
+            count => format!("proved {count}"),
         });
         let counts: Vec<String> = counts.collect();
         [vec![name], counts].concat()
@@ -280,9 +260,7 @@ fn verdict(engine: &Value, result: &Value) -> String {
 
 /// Whether an engine was held against other properties than the shared ones.
 fn has_own_claims(engine: &Value) -> bool {
-    list(&engine["results"])
-        .iter()
-        .any(|result| result["sentence"].is_string())
+    list(&engine["results"]).iter().any(|result| result["sentence"].is_string())
 }
 
 fn engine_table(engines: &[Value]) -> Block {
@@ -309,14 +287,7 @@ fn engine_table(engines: &[Value]) -> Block {
             vec![name, word(&engine["version"]), about, shown, what, repeat]
         })
         .collect();
-    let head = [
-        "engine",
-        "version",
-        "what it does",
-        "properties",
-        "broken code",
-        "repeat",
-    ];
+    let head = ["engine", "version", "what it does", "properties", "broken code", "repeat"];
     Block::Table(head.map(str::to_owned).to_vec(), rows)
 }
 
@@ -342,10 +313,7 @@ fn code(engine: &str, id: &str) -> Vec<String> {
         ("machine", _) => &["spec/src/safety/kernel", "proofs/machine/src"],
         ("model", _) => match subject {
             "plant" => &["spec/src/resilience/action_buffer.rs"],
-            "latch" => &[
-                "spec/src/safety/governor.rs",
-                "spec/src/resilience/action_buffer.rs",
-            ],
+            "latch" => &["spec/src/safety/governor.rs", "spec/src/resilience/action_buffer.rs"],
             _ => &["spec/src/session", "spec/src/reply.rs"],
         },
         ("readers", "bulk") => &["spec/src/bulk"],
@@ -361,18 +329,11 @@ fn code(engine: &str, id: &str) -> Vec<String> {
 }
 
 fn broken_rows(engines: &[Value]) -> (Vec<String>, Vec<Vec<String>>) {
-    let shared = |engine: &&Value| {
-        list(&engine["broken"])
-            .iter()
-            .any(|broken| broken["file"].is_string())
-    };
+    let shared = |engine: &&Value| list(&engine["broken"]).iter().any(|broken| broken["file"].is_string());
     let engines: Vec<&Value> = engines.iter().filter(shared).collect();
     let mut head = vec!["broken kernel".to_owned(), "change".to_owned()];
     head.extend(engines.iter().map(|engine| word(&engine["name"])));
-    let first: Vec<Value> = engines
-        .first()
-        .map(|engine| list(&engine["broken"]))
-        .unwrap_or_default();
+    let first: Vec<Value> = engines.first().map(|engine| list(&engine["broken"])).unwrap_or_default();
     let rows = first
         .iter()
         .map(|broken| {
@@ -412,10 +373,7 @@ fn each(property: &Value, engines: &[Value], blocks: &mut Vec<Block>) {
         .map(|file| format!("[{0}](../proofs/evidence/{0})", word(&file)))
         .collect();
     if !files.is_empty() {
-        blocks.push(text(&format!(
-            "Its obligations, each answered `unsat`: {}",
-            files.join(", ")
-        )));
+        blocks.push(text(&format!("Its obligations, each answered `unsat`: {}", files.join(", "))));
     }
     let mut mine = first_refutations(engines);
     mine.retain(|broken| broken["property"] == property["id"]);
@@ -447,15 +405,9 @@ fn results_table(rows: Vec<Vec<String>>) -> Block {
 
 /// Claims that an engine makes beside the shared properties.
 fn own_claims(report: &Value, engine: &Value, blocks: &mut Vec<Block>) {
-    let shared: BTreeSet<String> = list(&report["properties"])
-        .iter()
-        .map(|p| word(&p["id"]))
-        .collect();
+    let shared: BTreeSet<String> = list(&report["properties"]).iter().map(|p| word(&p["id"])).collect();
     let results = list(&engine["results"]);
-    let own: Vec<&Value> = results
-        .iter()
-        .filter(|r| !shared.contains(&word(&r["property"])))
-        .collect();
+    let own: Vec<&Value> = results.iter().filter(|r| !shared.contains(&word(&r["property"]))).collect();
     if own.is_empty() {
         return;
     }
@@ -463,11 +415,7 @@ fn own_claims(report: &Value, engine: &Value, blocks: &mut Vec<Block>) {
     blocks.push(heading(2, &name, &format!("Claims of the engine {name}")));
     blocks.push(text(&word(&engine["about"])));
     for result in own {
-        blocks.push(heading(
-            3,
-            &format!("{name}-{}", anchor(&word(&result["property"]))),
-            &word(&result["property"]),
-        ));
+        blocks.push(heading(3, &format!("{name}-{}", anchor(&word(&result["property"]))), &word(&result["property"])));
         claim(&name, &word(&result["property"]), result, blocks);
         blocks.push(results_table(vec![said(engine, result)]));
     }
@@ -495,10 +443,7 @@ fn claim(engine: &str, id: &str, claim: &Value, blocks: &mut Vec<Block>) {
     blocks.push(text(&word(&claim["sentence"])));
     blocks.push(Block::Code(word(&claim["statement"])));
     let rules: Vec<String> = list(&claim["rules"]).iter().map(word).collect();
-    let code: Vec<String> = code(engine, id)
-        .iter()
-        .map(|file| format!("[{file}](../{file})"))
-        .collect();
+    let code: Vec<String> = code(engine, id).iter().map(|file| format!("[{file}](../{file})")).collect();
     let mut facts = vec![
         format!("code: {}", code.join(", ")),
         format!("rules: {}", rules.join(", ")),
@@ -518,14 +463,7 @@ fn said(engine: &Value, result: &Value) -> Vec<String> {
     let mut numbers = Vec::new();
     for (member, what) in [
         ("paths", "paths"),
-        (
-            "states",
-            if name == "readers" {
-                "inputs"
-            } else {
-                "states"
-            },
-        ),
+        ("states", if name == "readers" { "inputs" } else { "states" }),
         ("obligations", "obligations"),
         ("true_by_evaluation", "checks true by evaluation"),
         ("runs", "runs"),
@@ -537,18 +475,12 @@ fn said(engine: &Value, result: &Value) -> Vec<String> {
     for member in ["function", "detail"] {
         let told = word(&result[member]);
         if !told.is_empty() {
-            numbers.push(if member == "function" {
-                format!("`{told}`")
-            } else {
-                told
-            });
+            numbers.push(if member == "function" { format!("`{told}`") } else { told });
         }
     }
     let property = word(&result["property"]);
     let repeat = match &*name {
-        "machine" => Some(format!(
-            "proofs/machine/prove.sh --no-broken --only {property}"
-        )),
+        "machine" => Some(format!("proofs/machine/prove.sh --no-broken --only {property}")),
         name => repeat(name),
     };
     vec![
@@ -564,14 +496,10 @@ fn shown_inputs(found: &Value) -> String {
     if !found["inputs"].is_array() {
         return format!("Counterexample: `{found}`.");
     }
-    let inputs: Vec<String> = list(&found["inputs"])
-        .iter()
-        .map(|input| format!("{} = {}", word(&input[0]), input[1]))
-        .collect();
+    let inputs: Vec<String> =
+        list(&found["inputs"]).iter().map(|input| format!("{} = {}", word(&input[0]), input[1])).collect();
     // The longer words stand with the numbers of all of them.
-    let by = found["found_by"]
-        .as_str()
-        .and_then(|by| by.split(',').next());
+    let by = found["found_by"].as_str().and_then(|by| by.split(',').next());
     let by = by.map_or_else(String::new, |by| format!(" ({by})"));
     let check = word(&found["check"]);
     format!("Fails \"{check}\" for `{}`{by}.", inputs.join(", "))
@@ -597,12 +525,7 @@ fn no_vector(found: &Value) -> String {
 /// The change that makes a broken kernel.
 fn change(broken: &Value) -> String {
     let flat = |value: &Value| word(value).split_whitespace().collect::<Vec<_>>().join(" ");
-    format!(
-        "{}: `{}` → `{}`",
-        word(&broken["file"]),
-        flat(&broken["from"]),
-        flat(&broken["to"])
-    )
+    format!("{}: `{}` → `{}`", word(&broken["file"]), flat(&broken["from"]), flat(&broken["to"]))
 }
 
 fn points(fixed: &[&str], engines: &[Value], member: &str) -> Block {
@@ -612,11 +535,7 @@ fn points(fixed: &[&str], engines: &[Value], member: &str) -> Block {
         if engine["not_run"] == true && member == "not_proved" {
             items.push(format!("{name}: not run here. {}", word(&engine["about"])));
         }
-        items.extend(
-            list(&engine[member])
-                .iter()
-                .map(|item| format!("{name}: {}", word(item))),
-        );
+        items.extend(list(&engine[member]).iter().map(|item| format!("{name}: {}", word(item))));
     }
     Block::List(items)
 }

@@ -53,11 +53,7 @@ mod tests {
                     _ => Event::Reset,
                 })
                 .collect();
-            assert_eq!(
-                run(&events),
-                vector::run::<Production>(&events),
-                "{events:?}"
-            );
+            assert_eq!(run(&events), vector::run::<Production>(&events), "{events:?}");
         }
     }
 }

@@ -11,14 +11,7 @@ use crate::properties::{Family, Harness, PROPERTIES};
 use crate::vector;
 
 /// Engines whose proofs cover all inputs within the bounds that they state.
-const EXHAUSTIVE: [&str; 6] = [
-    "symbolic",
-    "enumeration",
-    "machine",
-    "model",
-    "readers",
-    "kani",
-];
+const EXHAUSTIVE: [&str; 6] = ["symbolic", "enumeration", "machine", "model", "readers", "kani"];
 /// The families of what reads untrusted bytes, which is proved beside the kernel.
 const READERS: [&str; 3] = ["bulk", "version", "keys"];
 /// How many broken kernels of a family an engine has to refute that covers the family.
@@ -80,9 +73,7 @@ pub fn counterexample(property: &str, harness: &Harness, found: &Counterexample)
 /// The results of an engine that another program has run, from the file that it left.
 #[must_use]
 pub fn elsewhere(mut head: Value, file: &Path) -> Value {
-    let left: Option<Value> = fs::read_to_string(file)
-        .ok()
-        .and_then(|text| serde_json::from_str(&text).ok());
+    let left: Option<Value> = fs::read_to_string(file).ok().and_then(|text| serde_json::from_str(&text).ok());
     let Some(left) = left else {
         head["not_run"] = json!(true);
         return head;
@@ -109,9 +100,7 @@ pub fn elsewhere(mut head: Value, file: &Path) -> Value {
     head["broken"] = list(&left["broken"])
         .into_iter()
         .map(|broken| {
-            let claim = results
-                .iter()
-                .find(|claim| claim["property"] == broken["property"]);
+            let claim = results.iter().find(|claim| claim["property"] == broken["property"]);
             let mut entry = json!({
                 "id": broken["id"], "property": broken["property"],
                 "family": claim.map(|claim| claim["family"].clone()), "about": broken["about"],
@@ -160,11 +149,7 @@ pub fn take_run(engines: &mut [Value], before: &Value) -> Value {
                 taken.extend(value.map(|value| (member.to_owned(), value)));
             }
             let old = || before[&name][&property].clone();
-            let taken = if taken.is_empty() {
-                old()
-            } else {
-                taken.into()
-            };
+            let taken = if taken.is_empty() { old() } else { taken.into() };
             mine.insert(property, taken);
         }
         run.insert(name, mine.into());
@@ -176,11 +161,7 @@ pub fn take_run(engines: &mut [Value], before: &Value) -> Value {
 #[must_use]
 pub fn problems(report: &Value) -> Vec<String> {
     let engines = list(&report["engines"]);
-    let exhaustive = || {
-        engines
-            .iter()
-            .filter(|engine| EXHAUSTIVE.contains(&&*word(&engine["name"])))
-    };
+    let exhaustive = || engines.iter().filter(|engine| EXHAUSTIVE.contains(&&*word(&engine["name"])));
     let results = |engine: &Value| list(&engine["results"]);
     let mut problems = Vec::new();
 
@@ -189,10 +170,7 @@ pub fn problems(report: &Value) -> Vec<String> {
             let verdict = word(&result["verdict"]);
             if !["proved", "tried"].contains(&&*verdict) {
                 let (name, property) = (word(&engine["name"]), word(&result["property"]));
-                problems.push(format!(
-                    "{name}: {property} is {verdict} {}",
-                    word(&result["detail"])
-                ));
+                problems.push(format!("{name}: {property} is {verdict} {}", word(&result["detail"])));
             }
         }
     }
@@ -200,21 +178,13 @@ pub fn problems(report: &Value) -> Vec<String> {
         let is_mine = |result: &Value| result["property"] == property["id"];
         let is_proved = |result: &Value| is_mine(result) && result["verdict"] == "proved";
         if !exhaustive().any(|engine| results(engine).iter().any(is_proved)) {
-            problems.push(format!(
-                "{}: no exhaustive engine proves it",
-                word(&property["id"])
-            ));
+            problems.push(format!("{}: no exhaustive engine proves it", word(&property["id"])));
         }
         // [vacuity] What the symbolic engine checks on some path, numbers have to reach.
         let reached = |wanted: &dyn Fn(&str) -> bool| -> BTreeSet<String> {
-            let engines = engines
-                .iter()
-                .filter(|engine| wanted(&word(&engine["name"])));
+            let engines = engines.iter().filter(|engine| wanted(&word(&engine["name"])));
             let results = engines.flat_map(results).filter(is_mine);
-            results
-                .flat_map(|result| list(&result["reached"]))
-                .map(|name| word(&name))
-                .collect()
+            results.flat_map(|result| list(&result["reached"])).map(|name| word(&name)).collect()
         };
         let by_terms = reached(&|name| name == "symbolic");
         let by_numbers = reached(&|name| name != "symbolic");
@@ -222,25 +192,18 @@ pub fn problems(report: &Value) -> Vec<String> {
             problems.push(format!("{}: no check is reached", word(&property["id"])));
         }
         for check in by_terms.difference(&by_numbers) {
-            problems.push(format!(
-                "{}: no numbers reach the check {check:?}",
-                word(&property["id"])
-            ));
+            problems.push(format!("{}: no numbers reach the check {check:?}", word(&property["id"])));
         }
     }
     for family in Family::ALL.map(Family::as_str) {
         let proves = |engine: &&Value| {
-            results(engine)
-                .iter()
-                .any(|result| family_of(result) == family && result["verdict"] == "proved")
+            results(engine).iter().any(|result| family_of(result) == family && result["verdict"] == "proved")
         };
         if exhaustive().filter(proves).count() < 2 {
             problems.push(format!("{family}: not proved by two exhaustive engines"));
         }
         for engine in &engines {
-            let mine = list(&engine["broken"])
-                .into_iter()
-                .filter(|broken| broken["family"] == family);
+            let mine = list(&engine["broken"]).into_iter().filter(|broken| broken["family"] == family);
             let (refuted, missed): (Vec<_>, Vec<_>) = mine.partition(is_refuted);
             if !(refuted.is_empty() && missed.is_empty()) && refuted.len() < ENOUGH {
                 problems.push(format!(
@@ -252,8 +215,7 @@ pub fn problems(report: &Value) -> Vec<String> {
         }
     }
     for family in READERS {
-        let is_proved =
-            |result: &Value| family_of(result) == family && result["verdict"] == "proved";
+        let is_proved = |result: &Value| family_of(result) == family && result["verdict"] == "proved";
         if !exhaustive().any(|engine| results(engine).iter().any(is_proved)) {
             problems.push(format!("{family}: no exhaustive engine proves it"));
         }
@@ -267,19 +229,12 @@ pub fn problems(report: &Value) -> Vec<String> {
             let mine = broken.filter(|broken| broken["family"] == family.as_str());
             let refuted = mine.filter(is_refuted).count();
             if refuted < ENOUGH {
-                problems.push(format!(
-                    "{}: refutes only {refuted} broken ones of {family}",
-                    word(&engine["name"])
-                ));
+                problems.push(format!("{}: refutes only {refuted} broken ones of {family}", word(&engine["name"])));
             }
         }
     }
     for id in broken_ids(&engines) {
-        let refutes = |engine: &Value| {
-            list(&engine["broken"])
-                .iter()
-                .any(|b| b["id"] == id.as_str() && is_refuted(b))
-        };
+        let refutes = |engine: &Value| list(&engine["broken"]).iter().any(|b| b["id"] == id.as_str() && is_refuted(b));
         if !exhaustive().any(refutes) {
             problems.push(format!("{id}: no exhaustive engine refutes it"));
         }
@@ -299,11 +254,7 @@ fn family_of(result: &Value) -> String {
 }
 
 fn broken_ids(engines: &[Value]) -> BTreeSet<String> {
-    engines
-        .iter()
-        .flat_map(|engine| list(&engine["broken"]))
-        .map(|broken| word(&broken["id"]))
-        .collect()
+    engines.iter().flat_map(|engine| list(&engine["broken"])).map(|broken| word(&broken["id"])).collect()
 }
 
 pub(crate) fn is_refuted(broken: &Value) -> bool {
@@ -341,13 +292,8 @@ mod tests {
             .map(|family| json!({"property": format!("{}/p", family.as_str()), "verdict": verdict, "reached": ["a"]}))
             .collect();
         let mut numbers = results.clone();
-        numbers
-            .iter_mut()
-            .for_each(|result| result["reached"] = json!(reached));
-        let properties: Vec<Value> = results
-            .iter()
-            .map(|result| json!({"id": result["property"]}))
-            .collect();
+        numbers.iter_mut().for_each(|result| result["reached"] = json!(reached));
+        let properties: Vec<Value> = results.iter().map(|result| json!({"id": result["property"]})).collect();
         let [read, bent] = readers(verdict, counterexample);
         json!({
             "properties": properties,
@@ -361,12 +307,9 @@ mod tests {
 
     /// Results of the readers, and broken ones.
     fn readers(verdict: &str, counterexample: &Value) -> [Value; 2] {
-        let results = READERS.map(|family| {
-            json!({"property": format!("{family}/p"), "family": family, "verdict": verdict})
-        });
-        let broken = READERS
-            .iter()
-            .flat_map(|family| (0..ENOUGH).map(move |nth| (family, nth)));
+        let results =
+            READERS.map(|family| json!({"property": format!("{family}/p"), "family": family, "verdict": verdict}));
+        let broken = READERS.iter().flat_map(|family| (0..ENOUGH).map(move |nth| (family, nth)));
         let broken = broken.map(|(family, nth)| {
             json!({"id": format!("{family}_{nth}"), "family": family, "counterexample": counterexample})
         });
@@ -377,37 +320,16 @@ mod tests {
     fn a_report_is_good_only_when_all_is_proved_refuted_and_reached() {
         assert_eq!(problems(&report("proved", &json!({}), &["a"])), [""; 0]);
         let shows = |report: &Value, what: &str| problems(report).iter().any(|p| p.contains(what));
-        assert!(shows(
-            &report("failed", &json!({}), &["a"]),
-            "no exhaustive engine proves it"
-        ));
-        assert!(shows(
-            &report("tried", &json!({}), &["a"]),
-            "not proved by two"
-        ));
+        assert!(shows(&report("failed", &json!({}), &["a"]), "no exhaustive engine proves it"));
+        assert!(shows(&report("tried", &json!({}), &["a"]), "not proved by two"));
         assert!(shows(&report("not run", &json!({}), &["a"]), "is not run"));
-        assert!(shows(
-            &report("proved", &Value::Null, &["a"]),
-            "no exhaustive engine refutes it"
-        ));
-        assert!(shows(
-            &report("proved", &Value::Null, &["a"]),
-            "refutes only 0 broken kernels of clamp"
-        ));
-        assert!(shows(
-            &report("proved", &Value::Null, &["a"]),
-            "readers: refutes only 0 broken ones of bulk"
-        ));
+        assert!(shows(&report("proved", &Value::Null, &["a"]), "no exhaustive engine refutes it"));
+        assert!(shows(&report("proved", &Value::Null, &["a"]), "refutes only 0 broken kernels of clamp"));
+        assert!(shows(&report("proved", &Value::Null, &["a"]), "readers: refutes only 0 broken ones of bulk"));
         let mut without_readers = report("proved", &json!({}), &["a"]);
         without_readers["engines"][2] = json!({"name": "readers", "not_run": true});
-        assert!(shows(
-            &without_readers,
-            "version: no exhaustive engine proves it"
-        ));
-        assert!(shows(
-            &report("proved", &json!({}), &[]),
-            "no numbers reach the check \"a\""
-        ));
+        assert!(shows(&without_readers, "version: no exhaustive engine proves it"));
+        assert!(shows(&report("proved", &json!({}), &[]), "no numbers reach the check \"a\""));
     }
 
     #[test]

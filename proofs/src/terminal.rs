@@ -6,8 +6,7 @@ use serde_json::{Value, json};
 
 use crate::properties::Property;
 
-const RULE: &str =
-    "================================================================================";
+const RULE: &str = "================================================================================";
 
 /// A counterexample to a property of the kernel, for someone who has just changed it.
 #[must_use]
@@ -43,11 +42,7 @@ pub fn inputs(found: &Value) -> String {
         format!("{} = {value}", pair[0].as_str().unwrap_or_default())
     });
     let pairs: Vec<String> = pairs.collect();
-    if pairs.is_empty() {
-        "none".to_owned()
-    } else {
-        pairs.join(", ")
-    }
+    if pairs.is_empty() { "none".to_owned() } else { pairs.join(", ") }
 }
 
 /// The end of a run in which the kernel was refuted: which properties, and what to do.
@@ -66,9 +61,7 @@ pub fn summary(refuted: &[String]) -> String {
 /// The end of a run without a problem: what each engine did, and where to read of it.
 #[must_use]
 pub fn proved(report: &Value) -> String {
-    let mut text = format!(
-        "\n{RULE}\nPROVED: the kernel does what the text says, as far as the report says.\n"
-    );
+    let mut text = format!("\n{RULE}\nPROVED: the kernel does what the text says, as far as the report says.\n");
     for engine in report["engines"].as_array().into_iter().flatten() {
         let (name, done) = (engine["name"].as_str().unwrap_or_default(), count(engine));
         let _ = writeln!(text, "  {name:14} {done}");
@@ -83,23 +76,11 @@ fn count(engine: &Value) -> String {
     if results.is_empty() {
         return "not run here".to_owned();
     }
-    let of = |word: &str| {
-        results
-            .iter()
-            .filter(|result| result["verdict"] == word)
-            .count()
-    };
+    let of = |word: &str| results.iter().filter(|result| result["verdict"] == word).count();
     let (proved, tried) = (of("proved"), of("tried"));
-    let (word, good) = if tried > 0 {
-        ("tried", tried)
-    } else {
-        ("proved", proved)
-    };
+    let (word, good) = if tried > 0 { ("tried", tried) } else { ("proved", proved) };
     let broken = engine["broken"].as_array().map_or(&[][..], Vec::as_slice);
-    let refuted = broken
-        .iter()
-        .filter(|broken| broken["missed"].is_null())
-        .count();
+    let refuted = broken.iter().filter(|broken| broken["missed"].is_null()).count();
     let (all, every) = (results.len(), broken.len());
     format!("{word} {good} of {all}; broken ones refuted: {refuted} of {every}")
 }
@@ -121,10 +102,7 @@ pub const SKIPPED: &str = "skipped   what would mean nothing now: the other prop
 #[must_use]
 pub fn problem(engine: &str, property: &str, found: &Value) -> String {
     let check = found["check"].as_str().unwrap_or_default();
-    format!(
-        "{property} is refuted by {engine}: {check}: {}",
-        inputs(found)
-    )
+    format!("{property} is refuted by {engine}: {check}: {}", inputs(found))
 }
 
 /// The counterexample with what the kernel answered and what the text says.
@@ -164,10 +142,7 @@ mod tests {
 
     #[test]
     fn a_refutation_shows_claim_rules_inputs_and_the_case() {
-        let property = PROPERTIES
-            .iter()
-            .find(|property| property.id == "watchdog/deadline")
-            .unwrap();
+        let property = PROPERTIES.iter().find(|property| property.id == "watchdog/deadline").unwrap();
         let found = json!({
             "check": "alive", "inputs": [["now", 1.0], ["ttl", "NaN"]], "vector": {"call": "watchdog.run"},
             "compared": "the text says no, the kernel yes",

@@ -48,11 +48,7 @@ pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option
 ///
 /// # Errors
 /// What stands between this counterexample and a call of the protocol.
-pub fn try_case(
-    property: &str,
-    harness: &Harness,
-    found: &Counterexample,
-) -> Result<Value, WhyNone> {
+pub fn try_case(property: &str, harness: &Harness, found: &Counterexample) -> Result<Value, WhyNone> {
     if found.check == ENDS {
         return Err(WhyNone::Endless);
     }
@@ -93,9 +89,7 @@ impl WhyNone {
             Self::Alike => {
                 "every call answers its counterexample alike: what is wrong does not leave the kernel, or another decision comes first"
             }
-            Self::Rounding => {
-                "the answers to its counterexample differ by no more than a peer's rounding may"
-            }
+            Self::Rounding => "the answers to its counterexample differ by no more than a peer's rounding may",
         }
     }
 }
@@ -104,18 +98,13 @@ impl WhyNone {
 fn watched(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
     let inputs = Inputs(found);
     let events = match property {
-        "watchdog/deadline" if found.check.starts_with("alive") => vec![
-            inputs.command("received", "ttl", None)?,
-            Event::ShouldHold(inputs.double("now")?),
-        ],
+        "watchdog/deadline" if found.check.starts_with("alive") => {
+            vec![inputs.command("received", "ttl", None)?, Event::ShouldHold(inputs.double("now")?)]
+        }
         "watchdog/ttl" => {
             let ttl = inputs.double("ttl")?;
             // Where the least of ttl and 60 s ends, and a moment later.
-            let end = if ttl.is_finite() {
-                ttl.clamp(0.0, 60_000.0) / 1000.0
-            } else {
-                0.0
-            };
+            let end = if ttl.is_finite() { ttl.clamp(0.0, 60_000.0) / 1000.0 } else { 0.0 };
             vec![
                 Event::Command(0.0, ttl, 1),
                 Event::ShouldHold(end),
@@ -215,9 +204,7 @@ impl Inputs<'_> {
     /// All that was drawn by a name: a double that may be absent has a choice of the same name.
     fn named(&self, name: &str) -> impl Iterator<Item = Drawn> {
         let inputs = self.0.inputs.iter();
-        inputs
-            .filter(move |(known, _)| known == name)
-            .map(|(_, drawn)| *drawn)
+        inputs.filter(move |(known, _)| known == name).map(|(_, drawn)| *drawn)
     }
     fn double(&self, name: &str) -> Option<f64> {
         self.named(name).find_map(|drawn| match drawn {
@@ -277,10 +264,7 @@ mod tests {
         let mut native = Native::new(Source::Sample(Sample::new(seed, usize::MAX)));
         native.keep = true;
         (harness.native)(&mut native);
-        Counterexample {
-            check: String::new(),
-            inputs: native.drawn,
-        }
+        Counterexample { check: String::new(), inputs: native.drawn }
     }
 
     #[test]
@@ -288,18 +272,13 @@ mod tests {
         let inputs = [("now", 61.0), ("received", 0.0), ("ttl", f64::MAX)];
         let found = Counterexample {
             check: "alive exactly by the liveness rule".to_owned(),
-            inputs: inputs
-                .map(|(name, x)| (name.to_owned(), Drawn::Scalar(x)))
-                .to_vec(),
+            inputs: inputs.map(|(name, x)| (name.to_owned(), Drawn::Scalar(x))).to_vec(),
         };
         let mut harness = harness::<Production>("watchdog/deadline").unwrap();
         assert_eq!(case("watchdog/deadline", &harness, &found), None);
         harness.trace = |_| vec![json!({}), json!({"hold": false})];
         let case = case("watchdog/deadline", &harness, &found).unwrap();
         assert_eq!(case["call"], "watchdog.run");
-        assert_eq!(
-            case["expect"]["value"]["steps"],
-            json!([{}, {"hold": true}])
-        );
+        assert_eq!(case["expect"]["value"]["steps"], json!([{}, {"hold": true}]));
     }
 }

@@ -14,12 +14,7 @@ fn every_harness_holds_on_samples_and_reaches_a_check() {
     for property in PROPERTIES {
         let harness = harness::<Production>(property.id).unwrap();
         let outcome = standin::run(&harness, 5_000, usize::MAX);
-        assert_eq!(
-            outcome.verdict,
-            Verdict::Tried,
-            "{}: {outcome:?}",
-            property.id
-        );
+        assert_eq!(outcome.verdict, Verdict::Tried, "{}: {outcome:?}", property.id);
         assert!(!outcome.reached.is_empty(), "{}", property.id);
     }
 }
@@ -31,12 +26,7 @@ fn every_harness_holds_on_all_combinations_of_its_values_in_short_sequences() {
         let Some(outcome) = enumeration::run(property, &harness, 3) else {
             continue;
         };
-        assert_eq!(
-            outcome.verdict,
-            Verdict::Proved,
-            "{}: {outcome:?}",
-            property.id
-        );
+        assert_eq!(outcome.verdict, Verdict::Proved, "{}: {outcome:?}", property.id);
     }
 }
 
@@ -61,11 +51,7 @@ fn every_family_has_five_broken_kernels_and_each_a_property() {
     assert_eq!(ids.len(), BROKEN.len());
     for broken in BROKEN {
         let property = PROPERTIES.iter().find(|p| p.id == broken.property);
-        assert!(
-            property.is_some_and(|p| broken.id.starts_with(p.family.as_str())),
-            "{}",
-            broken.id
-        );
+        assert!(property.is_some_and(|p| broken.id.starts_with(p.family.as_str())), "{}", broken.id);
     }
 }
 

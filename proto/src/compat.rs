@@ -16,9 +16,7 @@ use std::{collections::BTreeMap, fmt};
 use serde_json::Value;
 
 use crate::{
-    contract::{
-        Contract, ERROR_FRAME, EnumShape, FieldShape, MessageShape, Reserved, ServiceShape,
-    },
+    contract::{Contract, ERROR_FRAME, EnumShape, FieldShape, MessageShape, Reserved, ServiceShape},
     projection::{EnumProjection, FieldProjection, Limits, MessageProjection, Projection, Unknown},
 };
 
@@ -51,15 +49,10 @@ impl fmt::Display for Violation {
 pub fn check_current() -> Vec<Violation> {
     match (Contract::baseline(), Contract::current()) {
         (Ok(baseline), Ok(current)) => check(&baseline, &current),
-        (baseline, current) => [
-            ("frozen contract", baseline.err()),
-            ("contract", current.err()),
-        ]
-        .into_iter()
-        .filter_map(|(place, error)| {
-            Some(Violation::new(Rule::Unreadable, place, "readable", error?))
-        })
-        .collect(),
+        (baseline, current) => [("frozen contract", baseline.err()), ("contract", current.err())]
+            .into_iter()
+            .filter_map(|(place, error)| Some(Violation::new(Rule::Unreadable, place, "readable", error?)))
+            .collect(),
     }
 }
 
@@ -69,16 +62,9 @@ pub fn check(baseline: &Contract, current: &Contract) -> Vec<Violation> {
     let mut check = Check { found: Vec::new() };
     check.contract(baseline, current);
     check.projection(&baseline.projection, &current.projection);
-    check
-        .found
-        .extend(current.disagreements().into_iter().map(|found| {
-            Violation::new(
-                Rule::ProjectionDisagrees,
-                found.place,
-                "a projection that fits the proto",
-                found.problem,
-            )
-        }));
+    check.found.extend(current.disagreements().into_iter().map(|found| {
+        Violation::new(Rule::ProjectionDisagrees, found.place, "a projection that fits the proto", found.problem)
+    }));
     check.found
 }
 
@@ -204,17 +190,9 @@ rules! {
 }
 
 impl Violation {
-    #[expect(
-        clippy::needless_pass_by_value,
-        reason = "callers give what they have, owned or not"
-    )]
+    #[expect(clippy::needless_pass_by_value, reason = "callers give what they have, owned or not")]
     fn new(rule: Rule, place: impl Into<String>, was: impl ToString, is: impl ToString) -> Self {
-        Self {
-            rule,
-            place: place.into(),
-            was: was.to_string(),
-            is: is.to_string(),
-        }
+        Self { rule, place: place.into(), was: was.to_string(), is: is.to_string() }
     }
 }
 
@@ -249,11 +227,9 @@ impl Check {
                         .is_some_and(|projected| projected.unknown == Unknown::Reject);
                     self.enumeration(item, now, closed);
                 }
-                None => self.gone(
-                    Rule::EnumDeleted,
-                    format!("enum {}", item.name),
-                    format!("{} values", item.values.len()),
-                ),
+                None => {
+                    self.gone(Rule::EnumDeleted, format!("enum {}", item.name), format!("{} values", item.values.len()))
+                }
             }
         }
         for service in &was.services {
@@ -284,11 +260,7 @@ impl Check {
                     self.field(&place, field, now);
                 }
                 (None, None) => {
-                    self.gone(
-                        Rule::FieldDeleted,
-                        &place,
-                        format!("{} {} = {}", field.ty, field.name, field.number),
-                    );
+                    self.gone(Rule::FieldDeleted, &place, format!("{} {} = {}", field.ty, field.name, field.number));
                     if !is.reserved.holds_number(field.number) {
                         self.gone(Rule::NumberNotReserved, &place, field.number);
                     }
@@ -302,29 +274,17 @@ impl Check {
 
         // Of the fields that both have, by number: the order of the frozen message must survive.
         let order = |fields: &[FieldShape], other: &[FieldShape]| {
-            let shared = fields
-                .iter()
-                .filter(|field| other.iter().any(|there| there.number == field.number));
-            shared
-                .map(|field| field.number.to_string())
-                .collect::<Vec<_>>()
-                .join(", ")
+            let shared = fields.iter().filter(|field| other.iter().any(|there| there.number == field.number));
+            shared.map(|field| field.number.to_string()).collect::<Vec<_>>().join(", ")
         };
-        self.differ(
-            Rule::FieldOrderChanged,
-            &place,
-            order(&was.fields, &is.fields),
-            order(&is.fields, &was.fields),
-        );
+        self.differ(Rule::FieldOrderChanged, &place, order(&was.fields, &is.fields), order(&is.fields, &was.fields));
     }
 
     fn field(&mut self, place: &str, was: &FieldShape, is: &FieldShape) {
         use crate::contract::FieldType::{One, Repeated};
         if was.ty != is.ty {
             let rule = match (&was.ty, &is.ty) {
-                (One(was), Repeated(is)) | (Repeated(was), One(is)) if was == is => {
-                    Rule::CardinalityChanged
-                }
+                (One(was), Repeated(is)) | (Repeated(was), One(is)) if was == is => Rule::CardinalityChanged,
                 _ => Rule::FieldTypeChanged,
             };
             self.differ(rule, place, &was.ty, &is.ty);
@@ -334,10 +294,7 @@ impl Check {
             self.differ(Rule::JsonNameChanged, place, &was.json_name, &is.json_name);
         }
         let oneof = |field: &FieldShape| {
-            field.oneof.as_ref().map_or_else(
-                || "in no oneof".to_owned(),
-                |name| format!("in oneof {name}"),
-            )
+            field.oneof.as_ref().map_or_else(|| "in no oneof".to_owned(), |name| format!("in oneof {name}"))
         };
         self.differ(Rule::PresenceChanged, place, oneof(was), oneof(is));
     }
@@ -356,11 +313,7 @@ impl Check {
                     self.differ(Rule::ValueRenamed, &place, &value.name, &now.name);
                 }
                 (None, None) => {
-                    self.gone(
-                        Rule::ValueDeleted,
-                        &place,
-                        format!("{} = {}", value.name, value.number),
-                    );
+                    self.gone(Rule::ValueDeleted, &place, format!("{} = {}", value.name, value.number));
                     if !is.reserved.holds_number(value.number) {
                         self.gone(Rule::NumberNotReserved, &place, value.number);
                     }
@@ -372,16 +325,9 @@ impl Check {
         }
         self.reserved(&place, &was.reserved, &is.reserved);
         if closed {
-            let known = |name: &str, number| {
-                was.values
-                    .iter()
-                    .any(|value| value.name == name || value.number == number)
-            };
-            for value in is
-                .values
-                .iter()
-                .filter(|value| !known(&value.name, value.number))
-            {
+            let known =
+                |name: &str, number| was.values.iter().any(|value| value.name == name || value.number == number);
+            for value in is.values.iter().filter(|value| !known(&value.name, value.number)) {
                 let place = format!("{place}, value {} {}", value.number, value.name);
                 self.differ(
                     Rule::ValueAddedToClosedEnum,
@@ -398,29 +344,17 @@ impl Check {
             // Ranges may be split or merged, so long as every number stays reserved.
             let mut next = Some(*first);
             while let Some(number) = next.filter(|number| number <= last) {
-                match is
-                    .numbers
-                    .iter()
-                    .find(|(first, last)| (*first..=*last).contains(&number))
-                {
+                match is.numbers.iter().find(|(first, last)| (*first..=*last).contains(&number)) {
                     Some((_, covered)) => next = covered.checked_add(1),
                     None => {
-                        self.gone(
-                            Rule::ReservationDeleted,
-                            place,
-                            format!("reserved {first} to {last}"),
-                        );
+                        self.gone(Rule::ReservationDeleted, place, format!("reserved {first} to {last}"));
                         break;
                     }
                 }
             }
         }
         for name in was.names.difference(&is.names) {
-            self.gone(
-                Rule::ReservationDeleted,
-                place,
-                format!("reserved {name:?}"),
-            );
+            self.gone(Rule::ReservationDeleted, place, format!("reserved {name:?}"));
         }
     }
 
@@ -432,39 +366,17 @@ impl Check {
                 continue;
             };
             if (&rpc.request, &rpc.response) != (&now.request, &now.response) {
-                self.differ(
-                    Rule::RpcMessageChanged,
-                    &place,
-                    rpc.signature(),
-                    now.signature(),
-                );
+                self.differ(Rule::RpcMessageChanged, &place, rpc.signature(), now.signature());
             }
-            if (rpc.client_streaming, rpc.server_streaming)
-                != (now.client_streaming, now.server_streaming)
-            {
-                self.differ(
-                    Rule::RpcStreamingChanged,
-                    &place,
-                    rpc.signature(),
-                    now.signature(),
-                );
+            if (rpc.client_streaming, rpc.server_streaming) != (now.client_streaming, now.server_streaming) {
+                self.differ(Rule::RpcStreamingChanged, &place, rpc.signature(), now.signature());
             }
         }
     }
 
     fn projection(&mut self, was: &Projection, is: &Projection) {
-        self.differ(
-            Rule::IdentityChanged,
-            "projection, wire",
-            &was.wire,
-            &is.wire,
-        );
-        self.differ(
-            Rule::IdentityChanged,
-            "projection, contract_hash",
-            &was.contract_hash,
-            &is.contract_hash,
-        );
+        self.differ(Rule::IdentityChanged, "projection, wire", &was.wire, &is.wire);
+        self.differ(Rule::IdentityChanged, "projection, contract_hash", &was.contract_hash, &is.contract_hash);
         self.limits(&was.limits, &is.limits);
         for (name, item) in &was.enums {
             if let Some(now) = is.enums.get(name) {
@@ -486,20 +398,10 @@ impl Check {
 
     fn limits(&mut self, was: &Limits, is: &Limits) {
         let list = |limits: &Limits| {
-            let Limits {
-                integer,
-                entries,
-                items,
-                levels,
-                segment_bytes,
-                frame_bytes,
-                frame_bytes_of,
-                block_bytes,
-            } = limits.clone();
-            let mut list: BTreeMap<String, u64> = frame_bytes_of
-                .into_iter()
-                .map(|(kind, bytes)| (format!("frame_bytes_of {kind}"), bytes))
-                .collect();
+            let Limits { integer, entries, items, levels, segment_bytes, frame_bytes, frame_bytes_of, block_bytes } =
+                limits.clone();
+            let mut list: BTreeMap<String, u64> =
+                frame_bytes_of.into_iter().map(|(kind, bytes)| (format!("frame_bytes_of {kind}"), bytes)).collect();
             list.extend(
                 [
                     ("integer", integer),
@@ -515,32 +417,16 @@ impl Check {
             list
         };
         let (was, is) = (list(was), list(is));
-        for name in was
-            .keys()
-            .chain(is.keys().filter(|name| !was.contains_key(*name)))
-        {
-            let show = |limits: &BTreeMap<String, u64>| {
-                limits
-                    .get(name)
-                    .map_or_else(|| NOTHING.to_owned(), u64::to_string)
-            };
-            self.differ(
-                Rule::LimitChanged,
-                &format!("limit {name}"),
-                show(&was),
-                show(&is),
-            );
+        for name in was.keys().chain(is.keys().filter(|name| !was.contains_key(*name))) {
+            let show =
+                |limits: &BTreeMap<String, u64>| limits.get(name).map_or_else(|| NOTHING.to_owned(), u64::to_string);
+            self.differ(Rule::LimitChanged, &format!("limit {name}"), show(&was), show(&is));
         }
     }
 
     fn wire_strings(&mut self, name: &str, was: &EnumProjection, is: &EnumProjection) {
         let place = format!("enum {name}");
-        self.differ(
-            Rule::UnknownPolicyChanged,
-            &place,
-            &was.unknown,
-            &is.unknown,
-        );
+        self.differ(Rule::UnknownPolicyChanged, &place, &was.unknown, &is.unknown);
         for (constant, string) in &was.values {
             // A constant without a string disagrees with the proto, or is gone from it: reported
             // there.
@@ -558,42 +444,17 @@ impl Check {
     fn projected_message(&mut self, place: &str, was: &MessageProjection, is: &MessageProjection) {
         match (&was.kind, &is.kind) {
             (Some(kind), None) => self.gone(Rule::KindDeleted, place, kind),
-            (was, is) => self.differ(
-                Rule::KindChanged,
-                place,
-                optional(was.as_ref()),
-                optional(is.as_ref()),
-            ),
+            (was, is) => self.differ(Rule::KindChanged, place, optional(was.as_ref()), optional(is.as_ref())),
         }
         let required = |message: &MessageProjection, name: &String| message.required.contains(name);
         for name in was.required.iter().filter(|name| !required(is, name)) {
-            self.differ(
-                Rule::RequiredRemoved,
-                &format!("{place}, field {name}"),
-                "required",
-                "not required",
-            );
+            self.differ(Rule::RequiredRemoved, &format!("{place}, field {name}"), "required", "not required");
         }
         for name in is.required.iter().filter(|name| !required(was, name)) {
-            self.differ(
-                Rule::RequiredAdded,
-                &format!("{place}, field {name}"),
-                "not required",
-                "required",
-            );
+            self.differ(Rule::RequiredAdded, &format!("{place}, field {name}"), "not required", "required");
         }
-        self.differ(
-            Rule::TransparencyChanged,
-            place,
-            transparency(was),
-            transparency(is),
-        );
-        self.differ(
-            Rule::JsonFormChanged,
-            place,
-            format!("{:?}", was.json_form),
-            format!("{:?}", is.json_form),
-        );
+        self.differ(Rule::TransparencyChanged, place, transparency(was), transparency(is));
+        self.differ(Rule::JsonFormChanged, place, format!("{:?}", was.json_form), format!("{:?}", is.json_form));
         let inside = |message: &MessageProjection| {
             message.inside_request.as_ref().map_or_else(
                 || NOTHING.to_owned(),
@@ -611,11 +472,9 @@ impl Check {
             // A field that is missing disagrees with the proto, or is gone from it: reported there.
             match is.fields.get(name) {
                 Some(now) => self.projected_field(&format!("{place}, field {name}"), field, now),
-                None if place == ERROR_FRAME => self.gone(
-                    Rule::FieldDeleted,
-                    format!("{place}, field {name}"),
-                    &field.ty,
-                ),
+                None if place == ERROR_FRAME => {
+                    self.gone(Rule::FieldDeleted, format!("{place}, field {name}"), &field.ty)
+                }
                 None => {}
             }
         }
@@ -626,47 +485,21 @@ impl Check {
         if was.ty.nullable != is.ty.nullable {
             self.differ(Rule::NullabilityChanged, place, &was.ty, &is.ty);
         }
-        self.differ(
-            Rule::DefaultChanged,
-            place,
-            optional(was.default.as_ref()),
-            optional(is.default.as_ref()),
-        );
+        self.differ(Rule::DefaultChanged, place, optional(was.default.as_ref()), optional(is.default.as_ref()));
         // A program gets the wire's default where nothing else is said: that is reported once.
         if was.built.is_some() || is.built.is_some() {
-            self.differ(
-                Rule::BuiltDefaultChanged,
-                place,
-                optional(built(was)),
-                optional(built(is)),
-            );
+            self.differ(Rule::BuiltDefaultChanged, place, optional(built(was)), optional(built(is)));
         }
-        self.differ(
-            Rule::PinChanged,
-            place,
-            optional(was.pinned.as_ref()),
-            optional(is.pinned.as_ref()),
-        );
+        self.differ(Rule::PinChanged, place, optional(was.pinned.as_ref()), optional(is.pinned.as_ref()));
         let segment = |field: &FieldProjection| {
-            if field.segment {
-                "a key segment"
-            } else {
-                "any string"
-            }
+            if field.segment { "a key segment" } else { "any string" }
         };
         self.differ(Rule::SegmentChanged, place, segment(was), segment(is));
         let encoding = |field: &FieldProjection| {
-            field
-                .encoding
-                .map_or_else(|| NOTHING.to_owned(), |encoding| format!("{encoding:?}"))
+            field.encoding.map_or_else(|| NOTHING.to_owned(), |encoding| format!("{encoding:?}"))
         };
         self.differ(Rule::EncodingChanged, place, encoding(was), encoding(is));
-        self.differ(
-            Rule::UnsetFormChanged,
-            place,
-            format!("{:?}", was.unset),
-            format!("{:?}", is.unset),
-        );
+        self.differ(Rule::UnsetFormChanged, place, format!("{:?}", was.unset), format!("{:?}", is.unset));
     }
 
     /// Reports `rule` unless the two read the same.
@@ -692,9 +525,5 @@ fn optional(value: Option<&impl ToString>) -> String {
 }
 
 fn transparency(message: &MessageProjection) -> &'static str {
-    if message.transparent {
-        "its one field stands in its place"
-    } else {
-        "an object of its own"
-    }
+    if message.transparent { "its one field stands in its place" } else { "an object of its own" }
 }

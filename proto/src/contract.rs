@@ -8,8 +8,8 @@ use std::{collections::BTreeSet, fmt};
 
 use prost::Message as _;
 use prost_types::{
-    DescriptorProto, EnumDescriptorProto, FieldDescriptorProto, FileDescriptorProto,
-    FileDescriptorSet, ServiceDescriptorProto,
+    DescriptorProto, EnumDescriptorProto, FieldDescriptorProto, FileDescriptorProto, FileDescriptorSet,
+    ServiceDescriptorProto,
     field_descriptor_proto::{Label, Type},
 };
 use serde_json::{Map, Value};
@@ -190,22 +190,14 @@ impl Contract {
         for (index, message) in (0..).zip(&file.message_type) {
             reader.message(message, "", &[4, index], &mut messages, &mut enums)?;
         }
-        enums.extend(
-            (0..)
-                .zip(&file.enum_type)
-                .map(|(index, item)| reader.enumeration(item, "", &[5, index])),
-        );
+        enums.extend((0..).zip(&file.enum_type).map(|(index, item)| reader.enumeration(item, "", &[5, index])));
         Ok(Self {
             package: file.package().to_owned(),
             // A descriptor leaves the syntax out when it is proto2.
             syntax: file.syntax.clone().unwrap_or_else(|| "proto2".to_owned()),
             messages,
             enums,
-            services: file
-                .service
-                .iter()
-                .map(|service| reader.service(service))
-                .collect(),
+            services: file.service.iter().map(|service| reader.service(service)).collect(),
             projection: serde_json::from_str(projection)?,
         })
     }
@@ -246,10 +238,7 @@ impl Contract {
 
     /// Everywhere that the projection does not fit the proto. Empty for a sound contract.
     pub fn disagreements(&self) -> Vec<Disagreement> {
-        let mut audit = Audit {
-            contract: self,
-            found: Vec::new(),
-        };
+        let mut audit = Audit { contract: self, found: Vec::new() };
         audit.run();
         audit.found
     }
@@ -272,11 +261,7 @@ impl Contract {
             ElementType::Enum(name) => Shape::Named(name.clone()),
             ElementType::Message(name) => {
                 // [NCP-WIRE-051] A transparent message is its one field.
-                let transparent = self
-                    .projection
-                    .messages
-                    .get(name)
-                    .filter(|message| message.transparent);
+                let transparent = self.projection.messages.get(name).filter(|message| message.transparent);
                 match transparent.and_then(|message| message.fields.values().next()) {
                     Some(field) => field.ty.shape.clone(),
                     None => Shape::Named(name.clone()),
@@ -355,11 +340,7 @@ impl Reader<'_> {
                 })
                 .collect(),
             reserved: Reserved {
-                numbers: item
-                    .reserved_range
-                    .iter()
-                    .map(|range| (range.start(), range.end()))
-                    .collect(),
+                numbers: item.reserved_range.iter().map(|range| (range.start(), range.end())).collect(),
                 names: item.reserved_name.iter().cloned().collect(),
             },
         }
@@ -373,58 +354,43 @@ impl Reader<'_> {
             client_streaming: method.client_streaming(),
             server_streaming: method.server_streaming(),
         });
-        ServiceShape {
-            name: service.name().to_owned(),
-            rpcs: rpcs.collect(),
-        }
+        ServiceShape { name: service.name().to_owned(), rpcs: rpcs.collect() }
     }
 
-    fn field_type(
-        &self,
-        field: &FieldDescriptorProto,
-        message: &DescriptorProto,
-    ) -> Result<FieldType, ContractError> {
-        let entry = message.nested_type.iter().find(|inner| {
-            is_map_entry(inner) && field.type_name().ends_with(&format!(".{}", inner.name()))
-        });
+    fn field_type(&self, field: &FieldDescriptorProto, message: &DescriptorProto) -> Result<FieldType, ContractError> {
+        let entry = message
+            .nested_type
+            .iter()
+            .find(|inner| is_map_entry(inner) && field.type_name().ends_with(&format!(".{}", inner.name())));
         if let Some([key, value]) = entry.map(|entry| &entry.field[..]) {
-            return Ok(FieldType::Map(
-                self.element_type(key)?,
-                self.element_type(value)?,
-            ));
+            return Ok(FieldType::Map(self.element_type(key)?, self.element_type(value)?));
         }
         let element = self.element_type(field)?;
-        Ok(if field.label() == Label::Repeated {
-            FieldType::Repeated(element)
-        } else {
-            FieldType::One(element)
-        })
+        Ok(if field.label() == Label::Repeated { FieldType::Repeated(element) } else { FieldType::One(element) })
     }
 
     fn element_type(&self, field: &FieldDescriptorProto) -> Result<ElementType, ContractError> {
         let unknown = || ContractError::FieldType(field.name().to_owned());
-        Ok(
-            match Type::try_from(field.r#type.unwrap_or_default()).map_err(|_| unknown())? {
-                Type::Message => ElementType::Message(self.within_package(field.type_name())),
-                Type::Enum => ElementType::Enum(self.within_package(field.type_name())),
-                Type::Group => return Err(unknown()),
-                Type::Double => ElementType::Scalar("double"),
-                Type::Float => ElementType::Scalar("float"),
-                Type::Int64 => ElementType::Scalar("int64"),
-                Type::Uint64 => ElementType::Scalar("uint64"),
-                Type::Int32 => ElementType::Scalar("int32"),
-                Type::Uint32 => ElementType::Scalar("uint32"),
-                Type::Sint32 => ElementType::Scalar("sint32"),
-                Type::Sint64 => ElementType::Scalar("sint64"),
-                Type::Fixed64 => ElementType::Scalar("fixed64"),
-                Type::Fixed32 => ElementType::Scalar("fixed32"),
-                Type::Sfixed32 => ElementType::Scalar("sfixed32"),
-                Type::Sfixed64 => ElementType::Scalar("sfixed64"),
-                Type::Bool => ElementType::Scalar("bool"),
-                Type::String => ElementType::Scalar("string"),
-                Type::Bytes => ElementType::Scalar("bytes"),
-            },
-        )
+        Ok(match Type::try_from(field.r#type.unwrap_or_default()).map_err(|_| unknown())? {
+            Type::Message => ElementType::Message(self.within_package(field.type_name())),
+            Type::Enum => ElementType::Enum(self.within_package(field.type_name())),
+            Type::Group => return Err(unknown()),
+            Type::Double => ElementType::Scalar("double"),
+            Type::Float => ElementType::Scalar("float"),
+            Type::Int64 => ElementType::Scalar("int64"),
+            Type::Uint64 => ElementType::Scalar("uint64"),
+            Type::Int32 => ElementType::Scalar("int32"),
+            Type::Uint32 => ElementType::Scalar("uint32"),
+            Type::Sint32 => ElementType::Scalar("sint32"),
+            Type::Sint64 => ElementType::Scalar("sint64"),
+            Type::Fixed64 => ElementType::Scalar("fixed64"),
+            Type::Fixed32 => ElementType::Scalar("fixed32"),
+            Type::Sfixed32 => ElementType::Scalar("sfixed32"),
+            Type::Sfixed64 => ElementType::Scalar("sfixed64"),
+            Type::Bool => ElementType::Scalar("bool"),
+            Type::String => ElementType::Scalar("string"),
+            Type::Bytes => ElementType::Scalar("bytes"),
+        })
     }
 
     /// A type's name without the package.
@@ -436,19 +402,11 @@ impl Reader<'_> {
     /// The comment at a path of the descriptor, on one line.
     fn doc(&self, path: &[i32], inner: &[i32]) -> String {
         let path = [path, inner].concat();
-        let locations = self
-            .file
-            .source_code_info
-            .iter()
-            .flat_map(|info| &info.location);
+        let locations = self.file.source_code_info.iter().flat_map(|info| &info.location);
         let comment = locations
             .filter(|location| location.path == path)
             .find_map(|location| location.leading_comments.as_deref());
-        comment
-            .unwrap_or_default()
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
+        comment.unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
     }
 }
 
@@ -460,40 +418,18 @@ struct Audit<'a> {
 
 impl Audit<'_> {
     fn run(&mut self) {
-        let Contract {
-            package,
-            messages,
-            enums,
-            projection,
-            ..
-        } = self.contract;
+        let Contract { package, messages, enums, projection, .. } = self.contract;
         if projection.format != 1 {
-            self.say(
-                "projection",
-                format!("format {} is not known, only 1 is", projection.format),
-            );
+            self.say("projection", format!("format {} is not known, only 1 is", projection.format));
         }
         if projection.package != *package {
-            self.say(
-                "projection",
-                format!(
-                    "is of package {:?}, the proto is {package:?}",
-                    projection.package
-                ),
-            );
+            self.say("projection", format!("is of package {:?}, the proto is {package:?}", projection.package));
         }
         for item in enums {
             self.enumeration(item);
         }
-        for name in projection
-            .enums
-            .keys()
-            .filter(|name| self.contract.enumeration(name).is_none())
-        {
-            self.say(
-                &format!("enum {name}"),
-                "is projected, but the proto has none",
-            );
+        for name in projection.enums.keys().filter(|name| self.contract.enumeration(name).is_none()) {
+            self.say(&format!("enum {name}"), "is projected, but the proto has none");
         }
         let mut kinds = BTreeSet::new();
         for message in messages {
@@ -505,10 +441,7 @@ impl Audit<'_> {
             if let Some(kind) = &projected.kind
                 && !kinds.insert(kind)
             {
-                self.say(
-                    &place,
-                    format!("shares the kind {kind:?} with another message"),
-                );
+                self.say(&place, format!("shares the kind {kind:?} with another message"));
             }
             for field in &message.fields {
                 let place = format!("{place}, field {}", field.name);
@@ -517,39 +450,17 @@ impl Audit<'_> {
                     Some(projection) => self.field_fits_proto(&place, field, projection),
                 }
             }
-            for name in projected
-                .fields
-                .keys()
-                .filter(|name| message.fields.iter().all(|field| field.name != **name))
-            {
-                self.say(
-                    &format!("{place}, field {name}"),
-                    "is projected, but the proto has none",
-                );
+            for name in projected.fields.keys().filter(|name| message.fields.iter().all(|field| field.name != **name)) {
+                self.say(&format!("{place}, field {name}"), "is projected, but the proto has none");
             }
             self.message(&place, projected);
         }
-        for name in projection
-            .messages
-            .keys()
-            .filter(|name| self.contract.message(name).is_none())
-        {
-            self.say(
-                &format!("message {name}"),
-                "is projected, but the proto has none",
-            );
+        for name in projection.messages.keys().filter(|name| self.contract.message(name).is_none()) {
+            self.say(&format!("message {name}"), "is projected, but the proto has none");
         }
         self.message(ERROR_FRAME, &projection.error_frame);
-        for kind in projection
-            .limits
-            .frame_bytes_of
-            .keys()
-            .filter(|kind| !kinds.contains(kind))
-        {
-            self.say(
-                "limits",
-                format!("frame_bytes_of names {kind:?}, which is no kind"),
-            );
+        for kind in projection.limits.frame_bytes_of.keys().filter(|kind| !kinds.contains(kind)) {
+            self.say("limits", format!("frame_bytes_of names {kind:?}, which is no kind"));
         }
     }
 
@@ -561,26 +472,14 @@ impl Audit<'_> {
         };
         for value in &item.values {
             match (value.number, projected.values.contains_key(&value.name)) {
-                (0, true) => self.say(
-                    &format!("{place}, value {}", value.name),
-                    "is the zero constant, which has no wire string",
-                ),
+                (0, true) => self
+                    .say(&format!("{place}, value {}", value.name), "is the zero constant, which has no wire string"),
                 (0, false) | (_, true) => {}
-                (_, false) => self.say(
-                    &format!("{place}, value {}", value.name),
-                    "has no wire string",
-                ),
+                (_, false) => self.say(&format!("{place}, value {}", value.name), "has no wire string"),
             }
         }
-        for name in projected
-            .values
-            .keys()
-            .filter(|name| item.values.iter().all(|value| value.name != **name))
-        {
-            self.say(
-                &format!("{place}, value {name}"),
-                "is projected, but the proto has none",
-            );
+        for name in projected.values.keys().filter(|name| item.values.iter().all(|value| value.name != **name)) {
+            self.say(&format!("{place}, value {name}"), "is projected, but the proto has none");
         }
         let mut strings = BTreeSet::new();
         for (name, string) in &projected.values {
@@ -594,10 +493,7 @@ impl Audit<'_> {
         if let Unknown::ReadAs(string) = &projected.unknown
             && !strings.contains(string)
         {
-            self.say(
-                &place,
-                format!("reads an unknown string as {string:?}, which is no wire string of it"),
-            );
+            self.say(&place, format!("reads an unknown string as {string:?}, which is no wire string of it"));
         }
     }
 
@@ -614,10 +510,7 @@ impl Audit<'_> {
         }
         let bytes = field.ty == FieldType::One(ElementType::Scalar("bytes"));
         if bytes != (projected.encoding == Some(Encoding::Base64)) {
-            self.say(
-                place,
-                "is bytes without an encoding, or has an encoding without being bytes",
-            );
+            self.say(place, "is bytes without an encoding, or has an encoding without being bytes");
         }
     }
 
@@ -627,10 +520,7 @@ impl Audit<'_> {
         }
         for name in &projected.required {
             if !projected.fields.contains_key(name) {
-                self.say(
-                    &format!("{place}, field {name}"),
-                    "is required, but there is none",
-                );
+                self.say(&format!("{place}, field {name}"), "is required, but there is none");
             }
         }
         let inside = projected
@@ -638,21 +528,12 @@ impl Audit<'_> {
             .iter()
             .flat_map(|inside| inside.may_be_absent.iter().chain(&inside.same_as_request));
         for name in inside.filter(|name| !projected.fields.contains_key(*name)) {
-            self.say(
-                &format!("{place}, field {name}"),
-                "is named for frames inside a request, but there is none",
-            );
+            self.say(&format!("{place}, field {name}"), "is named for frames inside a request, but there is none");
         }
         if let Some(kind) = &projected.kind {
-            let pinned = projected
-                .fields
-                .get("kind")
-                .and_then(|field| field.pinned.as_ref());
+            let pinned = projected.fields.get("kind").and_then(|field| field.pinned.as_ref());
             if pinned != Some(&Value::from(kind.as_str())) {
-                self.say(
-                    &format!("{place}, field kind"),
-                    format!("is not pinned to {kind:?}"),
-                );
+                self.say(&format!("{place}, field kind"), format!("is not pinned to {kind:?}"));
             }
             if !projected.required.iter().any(|name| name == "kind") {
                 self.say(&format!("{place}, field kind"), "is not required"); // [NCP-WIRE-028]
@@ -671,35 +552,22 @@ impl Audit<'_> {
                 && self.contract.message(name).is_none()
                 && self.contract.enumeration(name).is_none()
             {
-                self.say(
-                    &place,
-                    format!("is of type {name}, which the proto does not have"),
-                );
+                self.say(&place, format!("is of type {name}, which the proto does not have"));
             }
             if field.segment && field.ty.shape != Shape::String {
                 self.say(&place, "is a key segment, but not a string");
             }
-            for (what, value) in [
-                ("default", &field.default),
-                ("built", &field.built),
-                ("pinned", &field.pinned),
-            ] {
+            for (what, value) in [("default", &field.default), ("built", &field.built), ("pinned", &field.pinned)] {
                 if let Some(value) = value
                     && !self.has_type(value, field, what)
                 {
-                    self.say(
-                        &place,
-                        format!("{what} {value} is not of type {}", field.ty),
-                    );
+                    self.say(&place, format!("{what} {value} is not of type {}", field.ty));
                 }
             }
             if let (Some(pinned), Some(default)) = (&field.pinned, &field.default)
                 && pinned != default
             {
-                self.say(
-                    &place,
-                    format!("is pinned to {pinned}, but defaults to {default}"),
-                ); // [NCP-PROV-005]
+                self.say(&place, format!("is pinned to {pinned}, but defaults to {default}")); // [NCP-PROV-005]
             }
         }
     }
@@ -720,42 +588,33 @@ impl Audit<'_> {
             Shape::Number => value.is_f64(),
             Shape::String => value.is_string(),
             Shape::Boolean => value.is_boolean(),
-            Shape::Array(items) => value
-                .as_array()
-                .is_some_and(|array| array.iter().all(|item| self.has_shape(item, items))),
-            Shape::Map(values) => value
-                .as_object()
-                .is_some_and(|map| map.values().all(|item| self.has_shape(item, values))),
-            Shape::Named(name) => match (
-                self.contract.projection.enums.get(name),
-                self.contract.projection.messages.get(name),
-            ) {
-                (Some(item), _) => value
-                    .as_str()
-                    .is_some_and(|string| item.values.values().any(|known| known == string)),
-                // The default of a message is the message of all defaults.
-                (None, Some(message)) => value
-                    .as_object()
-                    .is_some_and(|object| is_all_defaults(object, message)),
-                (None, None) => false,
-            },
+            Shape::Array(items) => {
+                value.as_array().is_some_and(|array| array.iter().all(|item| self.has_shape(item, items)))
+            }
+            Shape::Map(values) => {
+                value.as_object().is_some_and(|map| map.values().all(|item| self.has_shape(item, values)))
+            }
+            Shape::Named(name) => {
+                match (self.contract.projection.enums.get(name), self.contract.projection.messages.get(name)) {
+                    (Some(item), _) => {
+                        value.as_str().is_some_and(|string| item.values.values().any(|known| known == string))
+                    }
+                    // The default of a message is the message of all defaults.
+                    (None, Some(message)) => value.as_object().is_some_and(|object| is_all_defaults(object, message)),
+                    (None, None) => false,
+                }
+            }
         }
     }
 
     fn say(&mut self, place: &str, problem: impl Into<String>) {
-        self.found.push(Disagreement {
-            place: place.to_owned(),
-            problem: problem.into(),
-        });
+        self.found.push(Disagreement { place: place.to_owned(), problem: problem.into() });
     }
 }
 
 fn is_all_defaults(object: &Map<String, Value>, message: &MessageProjection) -> bool {
     object.len() == message.fields.len()
-        && message
-            .fields
-            .iter()
-            .all(|(name, field)| field.default.as_ref() == object.get(name))
+        && message.fields.iter().all(|(name, field)| field.default.as_ref() == object.get(name))
 }
 
 fn named(shape: &Shape) -> Option<&str> {
@@ -767,26 +626,17 @@ fn named(shape: &Shape) -> Option<&str> {
 }
 
 fn nested(outer: &str, name: &str) -> String {
-    if outer.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{outer}.{name}")
-    }
+    if outer.is_empty() { name.to_owned() } else { format!("{outer}.{name}") }
 }
 
 fn is_map_entry(message: &DescriptorProto) -> bool {
-    message
-        .options
-        .as_ref()
-        .is_some_and(|options| options.map_entry())
+    message.options.as_ref().is_some_and(|options| options.map_entry())
 }
 
 impl Reserved {
     /// Whether this number is reserved.
     pub fn holds_number(&self, number: i32) -> bool {
-        self.numbers
-            .iter()
-            .any(|(first, last)| (*first..=*last).contains(&number))
+        self.numbers.iter().any(|(first, last)| (*first..=*last).contains(&number))
     }
 }
 

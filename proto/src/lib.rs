@@ -6,10 +6,7 @@
 //! | [`contract`] | what the contract says, with proto and projection side by side |
 //! | [`schema`] | the JSON Schemas of every kind |
 //! | [`compat`] | what of the frozen contract a change would break |
-#![cfg_attr(
-    feature = "convert",
-    doc = "| [`convert`] | protobuf binary ↔ JSON model |"
-)]
+#![cfg_attr(feature = "convert", doc = "| [`convert`] | protobuf binary ↔ JSON model |")]
 //!
 //! The JSON form is what travels. The protobuf form is for storage and for tools, and nothing on a
 //! run-time path depends on this crate. The contract hash is not computed here:
@@ -24,10 +21,7 @@ pub mod projection;
 pub mod schema;
 
 /// The messages and enums of package `ncp.v0`, as prost makes them from `ncp.proto`.
-#[expect(
-    missing_docs,
-    reason = "a message on one line has no room for its field's comment"
-)]
+#[expect(missing_docs, reason = "a message on one line has no room for its field's comment")]
 pub mod v0 {
     include!(concat!(env!("OUT_DIR"), "/ncp.v0.rs"));
 }

@@ -225,10 +225,7 @@ impl FromStr for JsonType {
             Some(shape) => (shape, true),
             None => (text, false),
         };
-        Ok(Self {
-            shape: Shape::parse(shape)?,
-            nullable,
-        })
+        Ok(Self { shape: Shape::parse(shape)?, nullable })
     }
 }
 
@@ -242,16 +239,10 @@ impl TryFrom<String> for JsonType {
 
 impl Shape {
     fn parse(text: &str) -> Result<Self, JsonTypeError> {
-        if let Some(items) = text
-            .strip_prefix('[')
-            .and_then(|rest| rest.strip_suffix(']'))
-        {
+        if let Some(items) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
             return Ok(Self::Array(Box::new(Self::parse(items)?)));
         }
-        if let Some(values) = text
-            .strip_prefix("{string: ")
-            .and_then(|rest| rest.strip_suffix('}'))
-        {
+        if let Some(values) = text.strip_prefix("{string: ").and_then(|rest| rest.strip_suffix('}')) {
             return Ok(Self::Map(Box::new(Self::parse(values)?)));
         }
         match text {
@@ -271,12 +262,7 @@ impl Shape {
 
 impl fmt::Display for JsonType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{}{}",
-            self.shape,
-            if self.nullable { "|null" } else { "" }
-        )
+        write!(f, "{}{}", self.shape, if self.nullable { "|null" } else { "" })
     }
 }
 
@@ -329,17 +315,9 @@ mod tests {
 
     #[test]
     fn a_type_outside_the_notation_is_an_error() {
-        for text in [
-            "",
-            "int",
-            "[",
-            "[number",
-            "{number: string}",
-            "string|nil",
-            "null",
-            "[string|null]",
-            &"[".repeat(10_000),
-        ] {
+        for text in
+            ["", "int", "[", "[number", "{number: string}", "string|nil", "null", "[string|null]", &"[".repeat(10_000)]
+        {
             assert!(text.parse::<JsonType>().is_err(), "{text}");
         }
     }

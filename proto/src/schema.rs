@@ -10,9 +10,7 @@ use serde_json::{Map, Value, json};
 
 use crate::{
     contract::{Contract, EnumShape, FieldShape, MessageShape},
-    projection::{
-        Encoding, FieldProjection, JsonForm, JsonType, MessageProjection, Shape, Unknown,
-    },
+    projection::{Encoding, FieldProjection, JsonForm, JsonType, MessageProjection, Shape, Unknown},
 };
 
 /// The schema files of this build as (file name, text), a file a kind and one for the error frame.
@@ -20,9 +18,7 @@ use crate::{
 /// It is empty only if `projection.json` cannot be read, which [`crate::compat::check_current`]
 /// reports and the tests rule out.
 pub fn generate() -> Vec<(String, String)> {
-    Contract::current()
-        .map(|contract| generate_from(&contract))
-        .unwrap_or_default()
+    Contract::current().map(|contract| generate_from(&contract)).unwrap_or_default()
 }
 
 /// The schema files of a contract, as [`generate`] makes them of the current one.
@@ -30,23 +26,14 @@ pub fn generate() -> Vec<(String, String)> {
 /// A field without a projection has no place in the schema; [`Contract::disagreements`] reports it.
 pub fn generate_from(contract: &Contract) -> Vec<(String, String)> {
     let kinds = contract.kinds().map(|(kind, message, projected)| {
-        let generator = Generator {
-            contract,
-            defs: BTreeMap::new(),
-        };
+        let generator = Generator { contract, defs: BTreeMap::new() };
         (kind.to_owned(), generator.file(kind, message, projected))
     });
     let error = error_frame(contract);
     kinds
         .chain(error.iter().map(|(kind, message)| {
-            let generator = Generator {
-                contract,
-                defs: BTreeMap::new(),
-            };
-            (
-                kind.clone(),
-                generator.file(kind, message, &contract.projection.error_frame),
-            )
+            let generator = Generator { contract, defs: BTreeMap::new() };
+            (kind.clone(), generator.file(kind, message, &contract.projection.error_frame))
         }))
         .map(|(kind, schema)| (format!("{kind}.schema.json"), format!("{schema:#}\n")))
         .collect()
@@ -67,13 +54,7 @@ pub struct Gap {
 pub const GAPS: &[Gap] = &[
     Gap {
         name: "text",
-        requirements: &[
-            "NCP-WIRE-001",
-            "NCP-WIRE-002",
-            "NCP-WIRE-004",
-            "NCP-WIRE-006",
-            "NCP-WIRE-008",
-        ],
+        requirements: &["NCP-WIRE-001", "NCP-WIRE-002", "NCP-WIRE-004", "NCP-WIRE-006", "NCP-WIRE-008"],
         reason: "A schema judges a JSON value; that the bytes are one JSON text in UTF-8 is its parser's business.",
     },
     Gap {
@@ -122,14 +103,9 @@ pub const GAPS: &[Gap] = &[
 /// its schema.
 pub fn gap(requirement: &str) -> Option<&'static Gap> {
     let concerns = |pattern: &&str| {
-        if pattern.ends_with('-') {
-            requirement.starts_with(pattern)
-        } else {
-            requirement == *pattern
-        }
+        if pattern.ends_with('-') { requirement.starts_with(pattern) } else { requirement == *pattern }
     };
-    GAPS.iter()
-        .find(|gap| gap.requirements.iter().any(concerns))
+    GAPS.iter().find(|gap| gap.requirements.iter().any(concerns))
 }
 
 /// Makes one file, and collects what it refers to.
@@ -143,26 +119,14 @@ impl Generator<'_> {
     fn file(mut self, kind: &str, message: &MessageShape, projected: &MessageProjection) -> Value {
         let projection = &self.contract.projection;
         let mut schema = Map::new();
-        schema.insert(
-            "$schema".into(),
-            "https://json-schema.org/draft/2020-12/schema".into(),
-        );
-        schema.insert(
-            "$id".into(),
-            format!("urn:ncp:{}:{kind}", projection.wire).into(),
-        );
-        schema.insert(
-            "$comment".into(),
-            comment(kind, self.contract, projected).into(),
-        );
+        schema.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
+        schema.insert("$id".into(), format!("urn:ncp:{}:{kind}", projection.wire).into());
+        schema.insert("$comment".into(), comment(kind, self.contract, projected).into());
         schema.insert("title".into(), message.name.as_str().into());
         schema.insert("description".into(), message.doc.as_str().into());
         schema.append(&mut self.object(message, projected, &[]));
         if !self.defs.is_empty() {
-            schema.insert(
-                "$defs".into(),
-                Value::Object(self.defs.into_iter().collect()),
-            );
+            schema.insert("$defs".into(), Value::Object(self.defs.into_iter().collect()));
         }
         Value::Object(schema)
     }
@@ -175,19 +139,11 @@ impl Generator<'_> {
         projected: &MessageProjection,
         may_be_absent: &[String],
     ) -> Map<String, Value> {
-        let fields = message
-            .fields
-            .iter()
-            .filter_map(|field| Some((field, projected.fields.get(&field.name)?)));
-        let properties: Map<_, _> = fields
-            .map(|(field, projected)| (field.name.clone(), self.property(field, projected)))
-            .collect();
-        let required: Vec<_> = projected
-            .required
-            .iter()
-            .filter(|name| !may_be_absent.contains(name))
-            .cloned()
-            .collect();
+        let fields = message.fields.iter().filter_map(|field| Some((field, projected.fields.get(&field.name)?)));
+        let properties: Map<_, _> =
+            fields.map(|(field, projected)| (field.name.clone(), self.property(field, projected))).collect();
+        let required: Vec<_> =
+            projected.required.iter().filter(|name| !may_be_absent.contains(name)).cloned().collect();
         let mut object = Map::new();
         object.insert("type".into(), "object".into());
         if !required.is_empty() {
@@ -220,10 +176,7 @@ impl Generator<'_> {
         let mut schema = self.shape(shape);
         if projected.encoding == Some(Encoding::Base64) {
             schema.insert("contentEncoding".into(), "base64".into());
-            schema.insert(
-                "pattern".into(),
-                "^([A-Za-z0-9+/]{4})*([A-Za-z0-9+/]{2}==|[A-Za-z0-9+/]{3}=)?$".into(),
-            );
+            schema.insert("pattern".into(), "^([A-Za-z0-9+/]{4})*([A-Za-z0-9+/]{2}==|[A-Za-z0-9+/]{3}=)?$".into());
         }
         if !nullable {
             return schema;
@@ -248,10 +201,7 @@ impl Generator<'_> {
             Shape::Boolean => object([("type", "boolean".into())]),
             Shape::Named(name) => self.named(name),
             Shape::Array(inner) => {
-                let mut array = object([
-                    ("type", "array".into()),
-                    ("items", self.shape(inner).into()),
-                ]);
+                let mut array = object([("type", "array".into()), ("items", self.shape(inner).into())]);
                 // [NCP-WIRE-067] [NCP-WIRE-069]
                 if !shape.is_numeric_array() {
                     array.insert("maxItems".into(), items.into());
@@ -271,25 +221,17 @@ impl Generator<'_> {
         if let Some(item) = contract.enumeration(name) {
             return self.define(name, |_| enumeration(contract, item).into());
         }
-        let Some((message, projected)) = contract
-            .message(name)
-            .zip(contract.projection.messages.get(name))
-        else {
+        let Some((message, projected)) = contract.message(name).zip(contract.projection.messages.get(name)) else {
             return Map::new();
         };
         // A message that has a kind stands inside another only in a request. [NCP-WIRE-035]
         match &projected.inside_request {
             Some(inside) => self.define(&format!("{name}InsideRequest"), |this| {
-                let doc = format!(
-                    "{} Inside a request {} may be left out.",
-                    message.doc,
-                    inside.may_be_absent.join(", ")
-                );
+                let doc =
+                    format!("{} Inside a request {} may be left out.", message.doc, inside.may_be_absent.join(", "));
                 this.definition(&doc, message, projected, &inside.may_be_absent)
             }),
-            None => self.define(name, |this| {
-                this.definition(&message.doc, message, projected, &[])
-            }),
+            None => self.define(name, |this| this.definition(&message.doc, message, projected, &[])),
         }
     }
 
@@ -353,22 +295,21 @@ fn enumeration(contract: &Contract, item: &EnumShape) -> Map<String, Value> {
     let mut choices: Vec<Value> = item
         .values
         .iter()
-        .filter_map(|value| {
-            Some(json!({"const": projected.values.get(&value.name)?, "description": value.doc}))
-        })
+        .filter_map(|value| Some(json!({"const": projected.values.get(&value.name)?, "description": value.doc})))
         .collect();
     match &projected.unknown {
         // [NCP-WIRE-042]
-        Unknown::Keep => choices.push(json!({"type": "string", "description": "Any other string: kept, and written unchanged."})),
+        Unknown::Keep => {
+            choices.push(json!({"type": "string", "description": "Any other string: kept, and written unchanged."}))
+        }
         // [NCP-WIRE-041]
-        Unknown::ReadAs(string) => choices.push(json!({"type": "string", "description": format!("Any other string: read as `{string}`.")})),
+        Unknown::ReadAs(string) => {
+            choices.push(json!({"type": "string", "description": format!("Any other string: read as `{string}`.")}))
+        }
         // [NCP-WIRE-044]
         Unknown::Reject => {}
     }
-    object([
-        ("description", item.doc.as_str().into()),
-        ("anyOf", choices.into()),
-    ])
+    object([("description", item.doc.as_str().into()), ("anyOf", choices.into())])
 }
 
 /// The error frame as a message, so that it is made like the others; the proto has none. `None`
@@ -382,26 +323,18 @@ fn error_frame(contract: &Contract) -> Option<(String, MessageShape)> {
         _ => "",
     };
     // `kind` first, then in the order of the required ones, then the rest. [NCP-WIRE-102]
-    let rest = projected
-        .fields
-        .keys()
-        .filter(|name| !projected.required.contains(name));
-    let fields = projected
-        .required
-        .iter()
-        .chain(rest)
-        .map(|name| FieldShape {
-            name: name.clone(),
-            number: 0,
-            ty: crate::contract::FieldType::One(crate::contract::ElementType::Scalar("string")),
-            json_name: name.clone(),
-            oneof: None,
-            doc: doc(name).to_owned(),
-        });
+    let rest = projected.fields.keys().filter(|name| !projected.required.contains(name));
+    let fields = projected.required.iter().chain(rest).map(|name| FieldShape {
+        name: name.clone(),
+        number: 0,
+        ty: crate::contract::FieldType::One(crate::contract::ElementType::Scalar("string")),
+        json_name: name.clone(),
+        oneof: None,
+        doc: doc(name).to_owned(),
+    });
     let message = MessageShape {
         name: crate::contract::ERROR_FRAME.to_owned(),
-        doc: "Control plane, server to commander: the reply to a request that cannot be served."
-            .to_owned(),
+        doc: "Control plane, server to commander: the reply to a request that cannot be served.".to_owned(),
         fields: fields.collect(),
         reserved: Default::default(),
     };
@@ -410,15 +343,10 @@ fn error_frame(contract: &Contract) -> Option<(String, MessageShape)> {
 
 fn comment(kind: &str, contract: &Contract, projected: &MessageProjection) -> String {
     let limits = &contract.projection.limits;
-    let bytes = limits
-        .frame_bytes_of
-        .get(kind)
-        .unwrap_or(&limits.frame_bytes);
+    let bytes = limits.frame_bytes_of.get(kind).unwrap_or(&limits.frame_bytes);
     let form = match projected.json_form {
         JsonForm::Normal => "",
-        JsonForm::Optional => {
-            " The contract has no JSON form of this kind; this is the one that a peer may offer."
-        }
+        JsonForm::Optional => " The contract has no JSON form of this kind; this is the one that a peer may offer.",
     };
     format!(
         "Generated from proto/ncp.proto and proto/projection.json; do not edit.{form} Only a decoder can check what a schema cannot: at \
@@ -428,8 +356,5 @@ fn comment(kind: &str, contract: &Contract, projected: &MessageProjection) -> St
 }
 
 fn object<const N: usize>(members: [(&str, Value); N]) -> Map<String, Value> {
-    members
-        .into_iter()
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect()
+    members.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }

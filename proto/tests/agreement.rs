@@ -1,11 +1,7 @@
 //! Three sources, made apart, that must agree: the projection (and the schemas made from it), the
 //! tables of the specification, and its decoder.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test that cannot go on has failed"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 mod common;
 
@@ -24,57 +20,24 @@ use serde_json::{Value, json};
 #[test]
 fn the_tables_of_the_specification_are_those_of_the_projection() {
     let contract = Contract::current().unwrap();
-    let tables: Vec<Table> = Kind::ALL
-        .iter()
-        .map(|kind| kind.table())
-        .chain(NESTED)
-        .collect();
+    let tables: Vec<Table> = Kind::ALL.iter().map(|kind| kind.table()).chain(NESTED).collect();
     for table in &tables {
         let (fields, projected) = match contract.message(table.message) {
             Some(message) => {
-                let names = message
-                    .fields
-                    .iter()
-                    .map(|field| field.name.as_str())
-                    .collect();
+                let names = message.fields.iter().map(|field| field.name.as_str()).collect();
                 (names, &contract.projection.messages[table.message])
             }
             None => {
                 assert_eq!(table.message, "ErrorFrame");
-                (
-                    vec!["kind", "error", "session_id"],
-                    &contract.projection.error_frame,
-                )
+                (vec!["kind", "error", "session_id"], &contract.projection.error_frame)
             }
         };
-        assert_eq!(
-            projected.kind.as_deref(),
-            table.kind.map(Kind::as_str),
-            "{}",
-            table.message
-        );
-        assert_eq!(
-            table
-                .fields
-                .iter()
-                .map(|field| field.name)
-                .collect::<Vec<_>>(),
-            fields,
-            "{}",
-            table.message
-        );
+        assert_eq!(projected.kind.as_deref(), table.kind.map(Kind::as_str), "{}", table.message);
+        assert_eq!(table.fields.iter().map(|field| field.name).collect::<Vec<_>>(), fields, "{}", table.message);
         for field in table.fields {
             let place = format!("{}.{}", table.message, field.name);
-            assert_eq!(
-                projected.fields[field.name].ty.to_string(),
-                field.json.to_string(),
-                "{place}"
-            );
-            assert_eq!(
-                projected.required.iter().any(|name| name == field.name),
-                field.required,
-                "{place}"
-            );
+            assert_eq!(projected.fields[field.name].ty.to_string(), field.json.to_string(), "{place}");
+            assert_eq!(projected.required.iter().any(|name| name == field.name), field.required, "{place}");
         }
     }
     // All but the step of a horizon, which has no form of its own, and with the error frame.
@@ -90,10 +53,7 @@ fn the_limits_of_the_specification_are_those_of_the_projection() {
     assert_eq!(limits.items, bytes(wire::MAX_ITEMS));
     assert_eq!(limits.levels, bytes(wire::MAX_LEVELS));
     for kind in Kind::ALL {
-        let limit = limits
-            .frame_bytes_of
-            .get(kind.as_str())
-            .unwrap_or(&limits.frame_bytes);
+        let limit = limits.frame_bytes_of.get(kind.as_str()).unwrap_or(&limits.frame_bytes);
         assert_eq!(*limit, bytes(kind.max_bytes()), "{kind}");
     }
     let longest = "x".repeat(usize::try_from(limits.segment_bytes).unwrap());
@@ -124,12 +84,8 @@ proptest! {
 }
 
 static SCHEMAS: LazyLock<BTreeMap<String, Validator>> = LazyLock::new(|| {
-    let validator =
-        |text: &str| jsonschema::draft202012::new(&serde_json::from_str(text).unwrap()).unwrap();
-    generate()
-        .into_iter()
-        .map(|(name, text)| (name.replace(".schema.json", ""), validator(&text)))
-        .collect()
+    let validator = |text: &str| jsonschema::draft202012::new(&serde_json::from_str(text).unwrap()).unwrap();
+    generate().into_iter().map(|(name, text)| (name.replace(".schema.json", ""), validator(&text))).collect()
 });
 
 /// A value to plant somewhere, or none: then what stands there is taken away. No double without a
@@ -183,15 +139,8 @@ fn count(value: &Value) -> u64 {
 fn plant(value: &mut Value, nth: u64, new: &Option<Value>) {
     let mut left = nth;
     let children: Vec<(String, &mut Value)> = match value {
-        Value::Array(items) => items
-            .iter_mut()
-            .enumerate()
-            .map(|(nth, item)| (nth.to_string(), item))
-            .collect(),
-        Value::Object(members) => members
-            .iter_mut()
-            .map(|(name, member)| (name.clone(), member))
-            .collect(),
+        Value::Array(items) => items.iter_mut().enumerate().map(|(nth, item)| (nth.to_string(), item)).collect(),
+        Value::Object(members) => members.iter_mut().map(|(name, member)| (name.clone(), member)).collect(),
         _ => return,
     };
     let mut take_away = None;

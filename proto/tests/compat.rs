@@ -1,10 +1,6 @@
 //! The breaking check, on planted changes.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test that cannot go on has failed"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 mod common;
 
@@ -29,21 +25,12 @@ fn every_planted_change_is_reported_with_its_rule_and_place_and_nothing_else_is(
         let frozen = contract(&change.frozen_proto(), BASELINE_PROJECTION);
         let changed = contract(&change.changed_proto(), &change.changed_projection());
         let violations = check(&frozen, &changed);
-        let reports: Vec<_> = violations
-            .iter()
-            .map(|found| format!("{} in {}", found.rule.code(), found.place))
-            .collect();
+        let reports: Vec<_> =
+            violations.iter().map(|found| format!("{} in {}", found.rule.code(), found.place)).collect();
         if reports != change.reports {
-            wrong += &format!(
-                "{}\n  expected {:#?}\n  found {reports:#?}\n",
-                change.name, change.reports
-            );
+            wrong += &format!("{}\n  expected {:#?}\n  found {reports:#?}\n", change.name, change.reports);
         }
-        assert!(
-            violations.iter().all(|found| found.was != found.is),
-            "{}",
-            change.name
-        );
+        assert!(violations.iter().all(|found| found.was != found.is), "{}", change.name);
     }
     assert!(wrong.is_empty(), "{wrong}");
 }
@@ -68,11 +55,7 @@ fn each_rule_has_a_planted_change_or_a_test_below() {
         .flat_map(|change| change.reports.clone())
         .map(|report| report.split(' ').next().unwrap().to_owned())
         .collect();
-    let unplanted: Vec<_> = Rule::ALL
-        .iter()
-        .map(|rule| rule.code())
-        .filter(|code| !planted.contains(*code))
-        .collect();
+    let unplanted: Vec<_> = Rule::ALL.iter().map(|rule| rule.code()).filter(|code| !planted.contains(*code)).collect();
     assert_eq!(unplanted, ["unreadable", "syntax-changed"]);
 }
 
@@ -82,13 +65,7 @@ fn another_syntax_is_reported() {
     let mut changed = frozen.clone();
     changed.syntax = "proto2".to_owned();
     let violations = check(&frozen, &changed);
-    assert_eq!(
-        violations
-            .iter()
-            .map(|found| found.rule)
-            .collect::<Vec<_>>(),
-        [Rule::SyntaxChanged]
-    );
+    assert_eq!(violations.iter().map(|found| found.rule).collect::<Vec<_>>(), [Rule::SyntaxChanged]);
 }
 
 #[test]
@@ -96,10 +73,7 @@ fn a_contract_that_cannot_be_read_is_an_error() {
     let descriptor = ncp_proto::DESCRIPTOR_SET;
     assert!(Contract::new(&descriptor[..descriptor.len() - 1], PROJECTION_TEXT).is_err());
     assert!(Contract::new(&[], PROJECTION_TEXT).is_err(), "no file");
-    assert!(
-        Contract::new(&[descriptor, descriptor].concat(), PROJECTION_TEXT).is_err(),
-        "two files"
-    );
+    assert!(Contract::new(&[descriptor, descriptor].concat(), PROJECTION_TEXT).is_err(), "two files");
     assert!(Contract::new(descriptor, "{}").is_err());
     let misspelt = PROJECTION_TEXT.replacen("\"pinned\"", "\"pined\"", 1);
     assert!(Contract::new(descriptor, &misspelt).is_err());

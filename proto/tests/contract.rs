@@ -1,11 +1,7 @@
 //! The proto, its projection and the frozen baseline: they are what they claim to be, and fit each
 //! other and the text.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test that cannot go on has failed"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 mod common;
 
@@ -37,22 +33,13 @@ fn changing_a_number_a_name_or_a_type_changes_the_hash_and_changing_a_comment_do
     assert_ne!(changed("double ttl_ms = 7;", "double ttl_ms = 8;"), hash);
     assert_ne!(changed("double ttl_ms = 7;", "double ttl = 7;"), hash);
     assert_ne!(changed("double ttl_ms = 7;", "float ttl_ms = 7;"), hash);
-    assert_eq!(
-        changed(
-            "// The contract hash is taken over",
-            "// Somebody once took it over"
-        ),
-        hash
-    );
+    assert_eq!(changed("// The contract hash is taken over", "// Somebody once took it over"), hash);
 }
 
 #[test]
 fn the_frozen_image_alone_has_the_contract_hash_of_wire_0_5() {
     let set = FileDescriptorSet::decode(BASELINE_IMAGE).unwrap();
-    assert_eq!(
-        ncp_spec::contract::hash_of(&written_out(&set.file[0])),
-        "24e8e6e31e1dec8a"
-    );
+    assert_eq!(ncp_spec::contract::hash_of(&written_out(&set.file[0])), "24e8e6e31e1dec8a");
 }
 
 #[test]
@@ -62,17 +49,9 @@ fn the_baseline_is_as_it_was_frozen() {
         .map(|line| line.split_once("  ").unwrap())
         .map(|(sum, file)| (file, sum))
         .collect();
-    let sum = |bytes: &[u8]| {
-        Sha256::digest(bytes)
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect::<String>()
-    };
+    let sum = |bytes: &[u8]| Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
     assert_eq!(sums["ncp-0.5.binpb"], sum(BASELINE_IMAGE));
-    assert_eq!(
-        sums["projection-0.5.json"],
-        sum(BASELINE_PROJECTION.as_bytes())
-    );
+    assert_eq!(sums["projection-0.5.json"], sum(BASELINE_PROJECTION.as_bytes()));
     assert_eq!(sums.len(), 2);
 }
 
@@ -81,10 +60,7 @@ fn the_embedded_descriptor_is_of_the_embedded_text() {
     // By another path: the text compiled here, without its comments.
     let from_text = common::contract(&common::plain_proto(), PROJECTION_TEXT);
     let embedded = Contract::new(DESCRIPTOR_SET, PROJECTION_TEXT).unwrap();
-    assert_eq!(
-        format!("{:?}", undocumented(embedded)),
-        format!("{:?}", undocumented(from_text))
-    );
+    assert_eq!(format!("{:?}", undocumented(embedded)), format!("{:?}", undocumented(from_text)));
 }
 
 #[test]
@@ -95,9 +71,7 @@ fn the_projection_fits_the_proto() {
 
 #[test]
 fn every_declaration_is_commented() {
-    let Contract {
-        messages, enums, ..
-    } = Contract::current().unwrap();
+    let Contract { messages, enums, .. } = Contract::current().unwrap();
     let mut bare = Vec::new();
     for message in &messages {
         bare.extend(message.doc.is_empty().then(|| message.name.clone()));
@@ -130,10 +104,7 @@ fn the_projection_satisfies_its_schema_and_a_broken_one_does_not() {
     assert!(
         validator.is_valid(&good),
         "{:?}",
-        validator
-            .iter_errors(&good)
-            .map(|error| error.to_string())
-            .collect::<Vec<_>>()
+        validator.iter_errors(&good).map(|error| error.to_string()).collect::<Vec<_>>()
     );
     for (pointer, value) in [
         ("/format", json!(2)),
@@ -143,10 +114,7 @@ fn the_projection_satisfies_its_schema_and_a_broken_one_does_not() {
         ("/enums/Mode/values/HOLD", json!(3)),
         ("/messages/CommandFrame/required", json!(["kind", "kind"])),
         ("/messages/CommandFrame/fields/seq/type", json!("int")),
-        (
-            "/messages/CommandFrame/fields/seq",
-            json!({"type": "integer", "defualt": 0}),
-        ),
+        ("/messages/CommandFrame/fields/seq", json!({"type": "integer", "defualt": 0})),
         ("/error_frame/kind", json!(null)),
     ] {
         let mut broken = good.clone();
@@ -159,49 +127,26 @@ fn the_projection_satisfies_its_schema_and_a_broken_one_does_not() {
 fn a_projection_that_does_not_fit_the_proto_is_told_where() {
     let edits = [
         ("\"format\": 1", "\"format\": 2"),
-        (
-            "\"INIT\": \"init\"",
-            "\"MODE_UNSPECIFIED\": \"unset\", \"INIT\": \"hold\"",
-        ),
+        ("\"INIT\": \"init\"", "\"MODE_UNSPECIFIED\": \"unset\", \"INIT\": \"hold\""),
         ("\"read_as\": \"hold\"", "\"read_as\": \"stop\""),
         ("\"Role\": {", "\"Rank\": {"),
         ("\"SafetyLimits\": {", "\"Limits\": {"),
         ("\"kind\": \"link_status\",", "\"kind\": \"sensor_frame\","),
-        (
-            "\"required\": [\"kind\", \"controller_id\"]",
-            "\"required\": [\"controller\"]",
-        ),
+        ("\"required\": [\"kind\", \"controller_id\"]", "\"required\": [\"controller\"]"),
         (
             "\"last_seq\": {\"type\": \"integer\", \"default\": -1}",
             "\"last_seq\": {\"type\": \"integer\", \"segment\": true, \"default\": -1.0}",
         ),
-        (
-            "\"same_as_request\": [\"ncp_version\",",
-            "\"same_as_request\": [\"version\",",
-        ),
-        (
-            "{\"observation_frame\": 67108864}",
-            "{\"observation\": 67108864}",
-        ),
-        (
-            "{\"meta\": {}, \"path\": \"\", \"role\": \"sensor\"}",
-            "{\"meta\": {}, \"path\": \"\", \"role\": \"actor\"}",
-        ),
+        ("\"same_as_request\": [\"ncp_version\",", "\"same_as_request\": [\"version\","),
+        ("{\"observation_frame\": 67108864}", "{\"observation\": 67108864}"),
+        ("{\"meta\": {}, \"path\": \"\", \"role\": \"sensor\"}", "{\"meta\": {}, \"path\": \"\", \"role\": \"actor\"}"),
         ("\"transparent\": true", "\"transparent\": false"),
-        (
-            "\"controller_id\": {\"type\": \"string\",",
-            "\"controller_id\": {\"type\": \"string\", \"default\": \"me\",",
-        ),
+        ("\"controller_id\": {\"type\": \"string\",", "\"controller_id\": {\"type\": \"string\", \"default\": \"me\","),
     ];
     let told = edits.map(|(from, to)| {
         assert!(PROJECTION_TEXT.contains(from), "{from}");
-        let contract =
-            Contract::new(DESCRIPTOR_SET, &PROJECTION_TEXT.replacen(from, to, 1)).unwrap();
-        let found: Vec<_> = contract
-            .disagreements()
-            .iter()
-            .map(|found| format!("  {found}\n"))
-            .collect();
+        let contract = Contract::new(DESCRIPTOR_SET, &PROJECTION_TEXT.replacen(from, to, 1)).unwrap();
+        let found: Vec<_> = contract.disagreements().iter().map(|found| format!("  {found}\n")).collect();
         format!("{from} → {to}\n{}", found.concat())
     });
     insta::assert_snapshot!(told.concat());
@@ -218,30 +163,13 @@ fn declarations_within_others_are_named_from_the_outside_in() {
         }"#;
     let contract = common::contract(proto, PROJECTION_TEXT);
     let types = |name: &str| {
-        contract
-            .message(name)
-            .unwrap()
-            .fields
-            .iter()
-            .map(|field| field.ty.to_string())
-            .collect::<Vec<_>>()
+        contract.message(name).unwrap().fields.iter().map(|field| field.ty.to_string()).collect::<Vec<_>>()
     };
     assert_eq!(
-        contract
-            .messages
-            .iter()
-            .map(|message| message.name.as_str())
-            .collect::<Vec<_>>(),
+        contract.messages.iter().map(|message| message.name.as_str()).collect::<Vec<_>>(),
         ["Outer", "Outer.Inner"]
     );
-    assert_eq!(
-        types("Outer"),
-        [
-            "Outer.Inner",
-            "repeated Outer.Inner",
-            "map<int64, Outer.Choice>"
-        ]
-    );
+    assert_eq!(types("Outer"), ["Outer.Inner", "repeated Outer.Inner", "map<int64, Outer.Choice>"]);
     assert_eq!(types("Outer.Inner"), ["map<string, Outer.Inner>"]);
     assert!(contract.enumeration("Outer.Choice").is_some());
 }
@@ -255,11 +183,7 @@ fn the_projection_says_what_the_tables_of_the_text_say() {
     ));
 
     let mut compared = 0;
-    for (name, message) in projection
-        .messages
-        .iter()
-        .filter(|(_, message)| !message.transparent)
-    {
+    for (name, message) in projection.messages.iter().filter(|(_, message)| !message.transparent) {
         let (kind, rows) = &tables[name.as_str()];
         assert_eq!(message.kind, *kind, "{name}");
         assert_eq!(rows.len(), message.fields.len(), "{name}");
@@ -272,25 +196,15 @@ fn the_projection_says_what_the_tables_of_the_text_say() {
     assert_eq!(compared, 156);
     let (_, rows) = &tables["The RPC error frame"];
     for (field, [ty, needed]) in rows {
-        assert_eq!(
-            projection.error_frame.fields[field].ty.to_string(),
-            *ty,
-            "{field}"
-        );
-        assert_eq!(
-            projection.error_frame.required.contains(field),
-            needed == "required",
-            "{field}"
-        );
+        assert_eq!(projection.error_frame.fields[field].ty.to_string(), *ty, "{field}");
+        assert_eq!(projection.error_frame.required.contains(field), needed == "required", "{field}");
     }
     assert_eq!(rows.len(), projection.error_frame.fields.len());
 }
 
 #[test]
 fn the_projection_says_what_the_enum_table_of_the_text_says() {
-    let Contract {
-        enums, projection, ..
-    } = Contract::current().unwrap();
+    let Contract { enums, projection, .. } = Contract::current().unwrap();
     let rows: BTreeMap<_, _> = include_str!("../../spec/text/01-wire.md")
         .lines()
         .skip_while(|line| !line.starts_with("| enum |"))
@@ -312,26 +226,15 @@ fn the_projection_says_what_the_enum_table_of_the_text_says() {
             Unknown::ReadAs(string) => format!("reads as `{string}`"),
             Unknown::Reject => "the frame is rejected".to_owned(),
         };
-        assert_eq!(
-            rows[&format!("`{}`", item.name)],
-            (strings.join(", "), unknown),
-            "{}",
-            item.name
-        );
+        assert_eq!(rows[&format!("`{}`", item.name)], (strings.join(", "), unknown), "{}", item.name);
     }
 }
 
 /// A proto's declarations from its descriptor, laid out as the canonical text is: in the order, and
 /// on the lines, that the source had.
 fn written_out(file: &FileDescriptorProto) -> String {
-    let contract = Contract::new(
-        &FileDescriptorSet {
-            file: vec![file.clone()],
-        }
-        .encode_to_vec(),
-        PROJECTION_TEXT,
-    )
-    .unwrap();
+    let contract =
+        Contract::new(&FileDescriptorSet { file: vec![file.clone()] }.encode_to_vec(), PROJECTION_TEXT).unwrap();
     let mut blocks = Vec::new();
     // Where a declaration stands: its line, and whether it ends on it (a span of three numbers).
     let span = |path: [i32; 2]| {
@@ -348,60 +251,30 @@ fn written_out(file: &FileDescriptorProto) -> String {
     };
     for (index, message) in (0..).zip(&contract.messages) {
         let (line, one_line) = span([4, index]);
-        let fields: Vec<_> = message
-            .fields
-            .iter()
-            .map(|field| format!("{} {} = {};", field.ty, field.name, field.number))
-            .collect();
+        let fields: Vec<_> =
+            message.fields.iter().map(|field| format!("{} {} = {};", field.ty, field.name, field.number)).collect();
         let separator = if one_line { " " } else { "\n" };
         blocks.push((
             line,
-            [
-                &[format!("message {} {{", message.name)],
-                &fields[..],
-                &["}".to_owned()],
-            ]
-            .concat()
-            .join(separator),
+            [&[format!("message {} {{", message.name)], &fields[..], &["}".to_owned()]].concat().join(separator),
         ));
     }
     for (index, item) in (0..).zip(&contract.enums) {
-        let values: Vec<_> = item
-            .values
-            .iter()
-            .map(|value| format!("{} = {};", value.name, value.number))
-            .collect();
-        blocks.push((
-            span([5, index]).0,
-            format!("enum {} {{\n{}\n}}", item.name, values.join("\n")),
-        ));
+        let values: Vec<_> = item.values.iter().map(|value| format!("{} = {};", value.name, value.number)).collect();
+        blocks.push((span([5, index]).0, format!("enum {} {{\n{}\n}}", item.name, values.join("\n"))));
     }
     for (index, service) in (0..).zip(&contract.services) {
-        let rpcs: Vec<_> = service
-            .rpcs
-            .iter()
-            .map(|rpc| format!("rpc {}{};", rpc.name, rpc.signature()))
-            .collect();
-        blocks.push((
-            span([6, index]).0,
-            format!("service {} {{\n{}\n}}", service.name, rpcs.join("\n")),
-        ));
+        let rpcs: Vec<_> = service.rpcs.iter().map(|rpc| format!("rpc {}{};", rpc.name, rpc.signature())).collect();
+        blocks.push((span([6, index]).0, format!("service {} {{\n{}\n}}", service.name, rpcs.join("\n"))));
     }
     blocks.sort();
-    blocks
-        .into_iter()
-        .map(|(_, block)| block)
-        .collect::<Vec<_>>()
-        .join("\n")
+    blocks.into_iter().map(|(_, block)| block).collect::<Vec<_>>().join("\n")
 }
 
 fn undocumented(mut contract: Contract) -> Contract {
     for message in &mut contract.messages {
         message.doc.clear();
-        message
-            .fields
-            .iter_mut()
-            .for_each(|field| field.doc.clear());
+        message.fields.iter_mut().for_each(|field| field.doc.clear());
     }
     for item in &mut contract.enums {
         item.doc.clear();
@@ -433,27 +306,23 @@ fn tables(text: &str) -> BTreeMap<String, Table> {
         if let Some(heading) = line.strip_prefix("### ") {
             let (message, kind) = heading
                 .split_once(" · ")
-                .map_or((heading, None), |(message, kind)| {
-                    (message, Some(kind.trim_matches('`').to_owned()))
-                });
+                .map_or((heading, None), |(message, kind)| (message, Some(kind.trim_matches('`').to_owned())));
             name = message.to_owned();
             tables.insert(name.clone(), (kind, Vec::new()));
         } else if line.starts_with("## ") {
             // Of the later sections only chapter 5's last has such a table, for a message without a
             // heading.
             name = "BulkObservation".to_owned();
-            tables.insert(
-                name.clone(),
-                (Some("bulk_observation".to_owned()), Vec::new()),
-            );
+            tables.insert(name.clone(), (Some("bulk_observation".to_owned()), Vec::new()));
         } else if line.starts_with("| field | type |") {
             in_table = true;
         } else if in_table && let Some(row) = cells(line) {
             if !row[0].starts_with("---") {
-                tables.get_mut(&name).unwrap().1.push((
-                    row[0].trim_matches('`').to_owned(),
-                    [row[1].clone(), row[2].clone()],
-                ));
+                tables
+                    .get_mut(&name)
+                    .unwrap()
+                    .1
+                    .push((row[0].trim_matches('`').to_owned(), [row[1].clone(), row[2].clone()]));
             }
         } else {
             in_table = false;
@@ -463,15 +332,8 @@ fn tables(text: &str) -> BTreeMap<String, Table> {
 }
 
 fn cells(row: &str) -> Option<Vec<String>> {
-    let row = row
-        .strip_prefix("| ")
-        .or_else(|| row.strip_prefix('|'))?
-        .replace("\\|", "\u{0}");
-    Some(
-        row.split('|')
-            .map(|cell| cell.trim().replace('\u{0}', "|"))
-            .collect(),
-    )
+    let row = row.strip_prefix("| ").or_else(|| row.strip_prefix('|'))?.replace("\\|", "\u{0}");
+    Some(row.split('|').map(|cell| cell.trim().replace('\u{0}', "|")).collect())
 }
 
 #[test]

@@ -1,11 +1,7 @@
 //! Protobuf binary ↔ JSON model, in both directions, against a reader that knows only the
 //! descriptor and the projection.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test that cannot go on has failed"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 mod common;
 
@@ -26,9 +22,7 @@ use ncp_spec::{
 };
 use proptest::{collection::vec, prelude::*, sample::select, strategy::ValueTree as _};
 use prost::Message as _;
-use prost_reflect::{
-    DescriptorPool, DynamicMessage, FieldDescriptor, MessageDescriptor, ReflectMessage as _,
-};
+use prost_reflect::{DescriptorPool, DynamicMessage, FieldDescriptor, MessageDescriptor, ReflectMessage as _};
 use serde_json::{Value, json};
 
 proptest! {
@@ -105,13 +99,10 @@ fn most_of_the_generated_protobuf_makes_a_message() {
 
 #[test]
 fn each_loss_is_named_by_its_field() {
-    let losses = |kind, frame: Value| match to_binary(
-        &decode(kind, frame.to_string().as_bytes()).unwrap(),
-    ) {
-        Err(ToProtoError::Lossy(losses)) => losses
-            .into_iter()
-            .map(|Loss { path, what }| (path, what))
-            .collect::<Vec<_>>(),
+    let losses = |kind, frame: Value| match to_binary(&decode(kind, frame.to_string().as_bytes()).unwrap()) {
+        Err(ToProtoError::Lossy(losses)) => {
+            losses.into_iter().map(|Loss { path, what }| (path, what)).collect::<Vec<_>>()
+        }
         other => panic!("{other:?}"),
     };
     let open = json!({
@@ -123,29 +114,21 @@ fn each_loss_is_named_by_its_field() {
     assert_eq!(
         losses(Kind::OpenSession, open),
         [
-            (
-                "network.kind".to_owned(),
-                Lost::UnknownString("cloud".to_owned())
-            ),
+            ("network.kind".to_owned(), Lost::UnknownString("cloud".to_owned())),
             ("network.model_name".to_owned(), Lost::EmptyString),
             ("network.params.a".to_owned(), Lost::ZeroSign),
-            (
-                "record.targets[1].observable".to_owned(),
-                Lost::UnknownString("g_ex".to_owned())
-            ),
+            ("record.targets[1].observable".to_owned(), Lost::UnknownString("g_ex".to_owned())),
             ("record.targets[1].cadence_ms".to_owned(), Lost::ZeroSign),
             ("sim.seed".to_owned(), Lost::Zero),
             ("sim.duration_ms".to_owned(), Lost::Zero),
             ("contract_hash".to_owned(), Lost::EmptyString),
         ]
     );
-    let command = json!({"kind": "command_frame", "horizon": [{}, {"v": {"data": [-0.0], "unit": ""}}], "horizon_dt_ms": -0.0});
+    let command =
+        json!({"kind": "command_frame", "horizon": [{}, {"v": {"data": [-0.0], "unit": ""}}], "horizon_dt_ms": -0.0});
     assert_eq!(
         losses(Kind::CommandFrame, command),
-        [
-            ("horizon[1].v.unit".to_owned(), Lost::EmptyString),
-            ("horizon_dt_ms".to_owned(), Lost::Zero)
-        ]
+        [("horizon[1].v.unit".to_owned(), Lost::EmptyString), ("horizon_dt_ms".to_owned(), Lost::Zero)]
     );
 }
 
@@ -153,10 +136,7 @@ fn each_loss_is_named_by_its_field() {
 fn the_error_frame_does_not_cross() {
     let message = decode(Kind::Error, br#"{"kind":"error","error":"no"}"#).unwrap();
     assert_eq!(to_binary(&message), Err(ToProtoError::ErrorFrame));
-    assert_eq!(
-        from_binary(Kind::Error, b""),
-        Err(FromProtoError::ErrorFrame)
-    );
+    assert_eq!(from_binary(Kind::Error, b""), Err(FromProtoError::ErrorFrame));
 }
 
 #[test]
@@ -172,120 +152,37 @@ fn a_protobuf_form_that_is_no_frame_is_told_why() {
         ncp_version: "0.5".into(),
         kind: "open_session".into(),
         session_id: "s".into(),
-        network: Some(v0::NetworkRef {
-            kind: v0::NetworkRefKind::Builtin.into(),
-            ..Default::default()
-        }),
+        network: Some(v0::NetworkRef { kind: v0::NetworkRefKind::Builtin.into(), ..Default::default() }),
         ..Default::default()
     };
     assert!(from_binary(Kind::ObservationFrame, &observation().encode_to_vec()).is_ok());
     assert!(from_binary(Kind::OpenSession, &open().encode_to_vec()).is_ok());
 
     let mut told = Vec::new();
-    let mut tell =
-        |kind, bytes: Vec<u8>| told.push(from_binary(kind, &bytes).unwrap_err().to_string());
+    let mut tell = |kind, bytes: Vec<u8>| told.push(from_binary(kind, &bytes).unwrap_err().to_string());
     tell(Kind::ObservationFrame, vec![0x0a]);
-    tell(
-        Kind::ObservationFrame,
-        v0::ObservationFrame {
-            kind: String::new(),
-            ..observation()
-        }
-        .encode_to_vec(),
-    );
+    tell(Kind::ObservationFrame, v0::ObservationFrame { kind: String::new(), ..observation() }.encode_to_vec());
     tell(Kind::CloseSession, observation().encode_to_vec());
+    tell(Kind::ObservationFrame, v0::ObservationFrame { is_simulation_output: false, ..observation() }.encode_to_vec());
+    tell(Kind::ObservationFrame, v0::ObservationFrame { calibrated_posterior: true, ..observation() }.encode_to_vec());
+    tell(Kind::ObservationFrame, v0::ObservationFrame { session_id: "a/b".into(), ..observation() }.encode_to_vec());
+    tell(Kind::ObservationFrame, v0::ObservationFrame { seq: 1 << 53, ..observation() }.encode_to_vec());
+    tell(Kind::ObservationFrame, v0::ObservationFrame { t: f64::NAN, ..observation() }.encode_to_vec());
+    let record = v0::Observation { observable: 6, ..Default::default() };
     tell(
         Kind::ObservationFrame,
-        v0::ObservationFrame {
-            is_simulation_output: false,
-            ..observation()
-        }
-        .encode_to_vec(),
+        v0::ObservationFrame { records: BTreeMap::from([("p".into(), record)]), ..observation() }.encode_to_vec(),
     );
-    tell(
-        Kind::ObservationFrame,
-        v0::ObservationFrame {
-            calibrated_posterior: true,
-            ..observation()
-        }
-        .encode_to_vec(),
-    );
-    tell(
-        Kind::ObservationFrame,
-        v0::ObservationFrame {
-            session_id: "a/b".into(),
-            ..observation()
-        }
-        .encode_to_vec(),
-    );
-    tell(
-        Kind::ObservationFrame,
-        v0::ObservationFrame {
-            seq: 1 << 53,
-            ..observation()
-        }
-        .encode_to_vec(),
-    );
-    tell(
-        Kind::ObservationFrame,
-        v0::ObservationFrame {
-            t: f64::NAN,
-            ..observation()
-        }
-        .encode_to_vec(),
-    );
-    let record = v0::Observation {
-        observable: 6,
-        ..Default::default()
-    };
-    tell(
-        Kind::ObservationFrame,
-        v0::ObservationFrame {
-            records: BTreeMap::from([("p".into(), record)]),
-            ..observation()
-        }
-        .encode_to_vec(),
-    );
+    tell(Kind::OpenSession, v0::OpenSession { network: None, ..open() }.encode_to_vec());
+    tell(Kind::OpenSession, v0::OpenSession { network: Some(v0::NetworkRef::default()), ..open() }.encode_to_vec());
     tell(
         Kind::OpenSession,
-        v0::OpenSession {
-            network: None,
-            ..open()
-        }
-        .encode_to_vec(),
+        v0::OpenSession { sim: Some(v0::SimConfig { mode: 3, ..Default::default() }), ..open() }.encode_to_vec(),
     );
+    let target = v0::RecordTarget { observable: -1, ..Default::default() };
     tell(
         Kind::OpenSession,
-        v0::OpenSession {
-            network: Some(v0::NetworkRef::default()),
-            ..open()
-        }
-        .encode_to_vec(),
-    );
-    tell(
-        Kind::OpenSession,
-        v0::OpenSession {
-            sim: Some(v0::SimConfig {
-                mode: 3,
-                ..Default::default()
-            }),
-            ..open()
-        }
-        .encode_to_vec(),
-    );
-    let target = v0::RecordTarget {
-        observable: -1,
-        ..Default::default()
-    };
-    tell(
-        Kind::OpenSession,
-        v0::OpenSession {
-            record: Some(v0::RecordSpec {
-                targets: vec![target],
-            }),
-            ..open()
-        }
-        .encode_to_vec(),
+        v0::OpenSession { record: Some(v0::RecordSpec { targets: vec![target] }), ..open() }.encode_to_vec(),
     );
     insta::assert_snapshot!(told.join("\n"));
 }
@@ -293,27 +190,15 @@ fn a_protobuf_form_that_is_no_frame_is_told_why() {
 #[test]
 fn what_protobuf_leaves_out_reads_as_the_table_of_the_module_says() {
     let mode = |mode| {
-        let proto = v0::CommandFrame {
-            kind: "command_frame".into(),
-            mode,
-            ..Default::default()
-        };
-        let Message::CommandFrame(command) =
-            from_binary(Kind::CommandFrame, &proto.encode_to_vec()).unwrap()
-        else {
+        let proto = v0::CommandFrame { kind: "command_frame".into(), mode, ..Default::default() };
+        let Message::CommandFrame(command) = from_binary(Kind::CommandFrame, &proto.encode_to_vec()).unwrap() else {
             unreachable!()
         };
         command.mode.as_str()
     };
-    assert_eq!(
-        [0, 1, 2, 3, 4, 5, -1].map(mode),
-        ["hold", "init", "active", "hold", "estop", "hold", "hold"]
-    );
+    assert_eq!([0, 1, 2, 3, 4, 5, -1].map(mode), ["hold", "init", "active", "hold", "estop", "hold", "hold"]);
 
-    let network = Some(v0::NetworkRef {
-        kind: v0::NetworkRefKind::Spec.into(),
-        ..Default::default()
-    });
+    let network = Some(v0::NetworkRef { kind: v0::NetworkRefKind::Spec.into(), ..Default::default() });
     let binding = v0::EntityBinding::default();
     let open = v0::OpenSession {
         kind: "open_session".into(),
@@ -322,21 +207,15 @@ fn what_protobuf_leaves_out_reads_as_the_table_of_the_module_says() {
         bindings: vec![binding],
         ..Default::default()
     };
-    let Message::OpenSession(open) = from_binary(Kind::OpenSession, &open.encode_to_vec()).unwrap()
-    else {
+    let Message::OpenSession(open) = from_binary(Kind::OpenSession, &open.encode_to_vec()).unwrap() else {
         unreachable!()
     };
     let read = decode(Kind::OpenSession, br#"{"kind":"open_session","session_id":"s","ncp_version":"","network":{"kind":"spec"},"bindings":[{"direction":""}]}"#).unwrap();
     assert_eq!(Message::from(open), read);
 
     // No default of JSON is filled in for a plain field.
-    let sensor = v0::SensorFrame {
-        kind: "sensor_frame".into(),
-        ..Default::default()
-    };
-    let Message::SensorFrame(sensor) =
-        from_binary(Kind::SensorFrame, &sensor.encode_to_vec()).unwrap()
-    else {
+    let sensor = v0::SensorFrame { kind: "sensor_frame".into(), ..Default::default() };
+    let Message::SensorFrame(sensor) = from_binary(Kind::SensorFrame, &sensor.encode_to_vec()).unwrap() else {
         unreachable!()
     };
     assert_eq!((&*sensor.ncp_version, &*sensor.frame_id), ("", ""));
@@ -354,17 +233,11 @@ fn a_stimulus_inside_a_request_takes_what_it_leaves_out_from_the_request() {
         };
         from_binary(Kind::StepRequest, &proto.encode_to_vec())
     };
-    let Ok(Message::StepRequest(step)) = request(v0::StimulusFrame {
-        t: 1.5,
-        ..Default::default()
-    }) else {
+    let Ok(Message::StepRequest(step)) = request(v0::StimulusFrame { t: 1.5, ..Default::default() }) else {
         panic!("rejected")
     };
     let stimulus = step.stimulus.unwrap();
-    assert_eq!(
-        (&*stimulus.ncp_version, &*stimulus.session_id, stimulus.t),
-        ("0.5", "s", 1.5)
-    );
+    assert_eq!((&*stimulus.ncp_version, &*stimulus.session_id, stimulus.t), ("0.5", "s", 1.5));
     let run = v0::RunRequest {
         kind: "run_request".into(),
         session_id: "s".into(),
@@ -377,36 +250,15 @@ fn a_stimulus_inside_a_request_takes_what_it_leaves_out_from_the_request() {
         Err(FromProtoError::Unsendable(error)) => EncodeError::code(&error),
         other => panic!("{other:?}"),
     };
-    assert_eq!(
-        code(request(v0::StimulusFrame {
-            session_id: "other".into(),
-            ..Default::default()
-        })),
-        ErrorCode::Value
-    );
-    assert_eq!(
-        code(request(v0::StimulusFrame {
-            ncp_version: "0.4".into(),
-            ..Default::default()
-        })),
-        ErrorCode::Value
-    );
-    let other_kind = request(v0::StimulusFrame {
-        kind: "sensor_frame".into(),
-        ..Default::default()
-    })
-    .unwrap_err();
-    assert_eq!(
-        other_kind.to_string(),
-        r#"stimulus.kind: expected "stimulus_frame", found "sensor_frame""#
-    );
+    assert_eq!(code(request(v0::StimulusFrame { session_id: "other".into(), ..Default::default() })), ErrorCode::Value);
+    assert_eq!(code(request(v0::StimulusFrame { ncp_version: "0.4".into(), ..Default::default() })), ErrorCode::Value);
+    let other_kind = request(v0::StimulusFrame { kind: "sensor_frame".into(), ..Default::default() }).unwrap_err();
+    assert_eq!(other_kind.to_string(), r#"stimulus.kind: expected "stimulus_frame", found "sensor_frame""#);
 }
 
 #[test]
 fn unknown_fields_are_left_out() {
-    let mut bytes =
-        to_binary(&decode(Kind::SensorFrame, br#"{"kind":"sensor_frame","seq":7}"#).unwrap())
-            .unwrap();
+    let mut bytes = to_binary(&decode(Kind::SensorFrame, br#"{"kind":"sensor_frame","seq":7}"#).unwrap()).unwrap();
     let before = from_binary(Kind::SensorFrame, &bytes).unwrap();
     bytes.extend([0xa0, 0x06, 0x01]); // Field 100, a varint.
     assert_eq!(from_binary(Kind::SensorFrame, &bytes).unwrap(), before);
@@ -445,12 +297,8 @@ fn any_protobuf() -> impl Strategy<Value = (Kind, Vec<u8>)> {
         Kind::Capabilities,
         Kind::LinkStatus,
     ];
-    (select(kinds.to_vec()), any::<u64>()).prop_map(|(kind, seed)| {
-        (
-            kind,
-            random(&READER.descriptor(kind), Some(kind), &mut Dice(seed)).encode_to_vec(),
-        )
-    })
+    (select(kinds.to_vec()), any::<u64>())
+        .prop_map(|(kind, seed)| (kind, random(&READER.descriptor(kind), Some(kind), &mut Dice(seed)).encode_to_vec()))
 }
 
 /// A small generator of numbers (SplitMix64): the shape of a protobuf form depends on each throw.
@@ -471,13 +319,7 @@ fn random(descriptor: &MessageDescriptor, kind: Option<Kind>, dice: &mut Dice) -
         if dice.throw(4) == 0
             && !matches!(
                 field.name(),
-                "network"
-                    | "kind"
-                    | "session_id"
-                    | "is_simulation_output"
-                    | "observable"
-                    | "role"
-                    | "mode"
+                "network" | "kind" | "session_id" | "is_simulation_output" | "observable" | "role" | "mode"
             )
         {
             continue;
@@ -485,12 +327,8 @@ fn random(descriptor: &MessageDescriptor, kind: Option<Kind>, dice: &mut Dice) -
         let single = |dice: &mut Dice| random_value(&field, kind, dice);
         let value = if field.is_map() {
             let of = field.kind().as_message().unwrap().map_entry_value_field();
-            let entries = (0..dice.throw(3)).map(|nth| {
-                (
-                    prost_reflect::MapKey::String(format!("k{nth}")),
-                    random_value(&of, None, dice),
-                )
-            });
+            let entries = (0..dice.throw(3))
+                .map(|nth| (prost_reflect::MapKey::String(format!("k{nth}")), random_value(&of, None, dice)));
             prost_reflect::Value::Map(entries.collect())
         } else if field.is_list() {
             prost_reflect::Value::List((0..dice.throw(3)).map(|_| single(dice)).collect())
@@ -502,11 +340,7 @@ fn random(descriptor: &MessageDescriptor, kind: Option<Kind>, dice: &mut Dice) -
     message
 }
 
-fn random_value(
-    field: &FieldDescriptor,
-    kind: Option<Kind>,
-    dice: &mut Dice,
-) -> prost_reflect::Value {
+fn random_value(field: &FieldDescriptor, kind: Option<Kind>, dice: &mut Dice) -> prost_reflect::Value {
     use prost_reflect::{Kind as Type, Value as Proto};
     match field.kind() {
         Type::String => Proto::String(match (field.name(), kind) {
@@ -521,34 +355,14 @@ fn random_value(
             "calibrated_posterior" => false,
             _ => dice.throw(2) == 0,
         }),
-        Type::Int64 => Proto::I64(
-            [
-                0,
-                1,
-                -1,
-                1 << 40,
-                if dice.throw(20) == 0 { i64::MAX } else { 5 },
-            ][dice.throw(5) as usize],
-        ),
+        Type::Int64 => {
+            Proto::I64([0, 1, -1, 1 << 40, if dice.throw(20) == 0 { i64::MAX } else { 5 }][dice.throw(5) as usize])
+        }
         Type::Double => Proto::F64(
-            [
-                0.0,
-                1.5,
-                -2.0,
-                5e-324,
-                if dice.throw(20) == 0 {
-                    f64::INFINITY
-                } else {
-                    0.1
-                },
-            ][dice.throw(5) as usize],
+            [0.0, 1.5, -2.0, 5e-324, if dice.throw(20) == 0 { f64::INFINITY } else { 0.1 }][dice.throw(5) as usize],
         ),
         Type::Bytes => Proto::Bytes(vec![0, 255].into()),
-        Type::Enum(_) => Proto::EnumNumber(if dice.throw(30) == 0 {
-            9
-        } else {
-            1 + dice.throw(2) as i32
-        }),
+        Type::Enum(_) => Proto::EnumNumber(if dice.throw(30) == 0 { 9 } else { 1 + dice.throw(2) as i32 }),
         Type::Message(inner) => Proto::Message(random(&inner, None, dice)),
         other => unreachable!("the contract has no {other:?}"),
     }
@@ -568,14 +382,8 @@ static READER: LazyLock<Reader> = LazyLock::new(|| Reader {
 
 impl Reader {
     fn descriptor(&self, kind: Kind) -> MessageDescriptor {
-        let (_, message, _) = self
-            .contract
-            .kinds()
-            .find(|(name, ..)| *name == kind.as_str())
-            .unwrap();
-        self.pool
-            .get_message_by_name(&format!("ncp.v0.{}", message.name))
-            .unwrap()
+        let (_, message, _) = self.contract.kinds().find(|(name, ..)| *name == kind.as_str()).unwrap();
+        self.pool.get_message_by_name(&format!("ncp.v0.{}", message.name)).unwrap()
     }
 
     fn read(&self, kind: Kind, bytes: &[u8]) -> Value {
@@ -589,19 +397,10 @@ impl Reader {
             let projection = &projected.fields[field.name()];
             (
                 field.name().to_owned(),
-                self.field(
-                    &message.get_field(&field),
-                    &field,
-                    projection,
-                    message.has_field(&field),
-                ),
+                self.field(&message.get_field(&field), &field, projection, message.has_field(&field)),
             )
         });
-        if projected.transparent {
-            fields.next().unwrap().1
-        } else {
-            Value::Object(fields.collect())
-        }
+        if projected.transparent { fields.next().unwrap().1 } else { Value::Object(fields.collect()) }
     }
 
     fn field(

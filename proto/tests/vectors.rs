@@ -1,11 +1,7 @@
 //! The schemas against the golden corpus: each vector file satisfies its schema, and each frame in
 //! it is judged by the schema of its kind as the case expects, but for what no schema can say.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test that cannot go on has failed"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 use std::{
     collections::BTreeMap,
@@ -26,20 +22,14 @@ const MOST_BYTES: usize = 2 << 20;
 
 #[test]
 fn every_vector_file_satisfies_its_schema() {
-    let schema =
-        fs::read_to_string(Path::new(ROOT).join("schemas/vector-file.schema.json")).unwrap();
+    let schema = fs::read_to_string(Path::new(ROOT).join("schemas/vector-file.schema.json")).unwrap();
     let validator = validator(&schema);
     let mut wrong = String::new();
     let files = vector_files();
     assert!(files.len() >= 5, "{} vector files", files.len());
     for (path, file) in files {
         for error in validator.iter_errors(&file).take(5) {
-            wrong += &format!(
-                "{}, at {}: {}\n",
-                path.display(),
-                error.instance_path(),
-                brief(&error.to_string())
-            );
+            wrong += &format!("{}, at {}: {}\n", path.display(), error.instance_path(), brief(&error.to_string()));
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
@@ -47,31 +37,21 @@ fn every_vector_file_satisfies_its_schema() {
 
 #[test]
 fn the_schema_of_its_kind_judges_every_frame_of_the_corpus_as_the_case_expects() {
-    let schemas: BTreeMap<_, _> = generate()
-        .into_iter()
-        .map(|(name, text)| (name.replace(".schema.json", ""), validator(&text)))
-        .collect();
+    let schemas: BTreeMap<_, _> =
+        generate().into_iter().map(|(name, text)| (name.replace(".schema.json", ""), validator(&text))).collect();
     let mut judged = [0, 0];
     let mut wrong = String::new();
     for (_, file) in vector_files() {
-        for case in file["cases"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .filter(|case| case["call"] == "decode")
-        {
+        for case in file["cases"].as_array().unwrap().iter().filter(|case| case["call"] == "decode") {
             let Some(frame) = frame(&case["args"]) else {
                 continue;
             };
             let schema = &schemas[case["args"]["kind"].as_str().unwrap()];
             // What is no JSON text never reaches a schema, and so is rejected before.
-            let valid =
-                serde_json::from_slice::<Value>(&frame).is_ok_and(|frame| schema.is_valid(&frame));
+            let valid = serde_json::from_slice::<Value>(&frame).is_ok_and(|frame| schema.is_valid(&frame));
             let rejected = case["expect"].get("reject").is_some();
             let requirements = case["requirements"].as_array().unwrap();
-            let beyond = requirements
-                .iter()
-                .any(|id| gap(id.as_str().unwrap()).is_some());
+            let beyond = requirements.iter().any(|id| gap(id.as_str().unwrap()).is_some());
             // The schemas are those of frames for which no strict profile is agreed upon.
             let strict = case["args"]["strict"] == true;
             if rejected && (beyond || strict) {
@@ -92,23 +72,16 @@ fn the_schema_of_its_kind_judges_every_frame_of_the_corpus_as_the_case_expects()
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
-    assert!(
-        judged.iter().all(|count| *count >= 150),
-        "[invalid, valid] frames: {judged:?}"
-    );
+    assert!(judged.iter().all(|count| *count >= 150), "[invalid, valid] frames: {judged:?}");
 }
 
 fn vector_files() -> Vec<(PathBuf, Value)> {
-    let areas = fs::read_dir(Path::new(ROOT).join("vectors"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
-    let files = areas
-        .filter(|path| path.is_dir() && !path.ends_with("src"))
-        .flat_map(|area| fs::read_dir(area).unwrap());
-    let paths = files.map(|entry| entry.unwrap().path()).filter(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "json")
-    });
+    let areas = fs::read_dir(Path::new(ROOT).join("vectors")).unwrap().map(|entry| entry.unwrap().path());
+    let files =
+        areas.filter(|path| path.is_dir() && !path.ends_with("src")).flat_map(|area| fs::read_dir(area).unwrap());
+    let paths = files
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "json"));
     paths
         .map(|path| {
             (
@@ -133,21 +106,13 @@ fn expand(text: &Value) -> Option<String> {
     let expanded = if let Some(text) = text.as_str() {
         text.to_owned()
     } else if let Some(part) = text.get("$repeat") {
-        let (part, times) = (
-            part.as_str().unwrap(),
-            usize::try_from(text["times"].as_u64().unwrap()).unwrap(),
-        );
+        let (part, times) = (part.as_str().unwrap(), usize::try_from(text["times"].as_u64().unwrap()).unwrap());
         if part.len().checked_mul(times)? > MOST_BYTES {
             return None;
         }
         part.repeat(times)
     } else if let Some(parts) = text.get("$concat") {
-        parts
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(expand)
-            .collect::<Option<String>>()?
+        parts.as_array().unwrap().iter().map(expand).collect::<Option<String>>()?
     } else {
         STANDARD.encode(expand(&text["$base64"])?)
     };

@@ -49,25 +49,14 @@ fn views(bench: &Bench) -> Result<(), BulkError> {
     let few_time = bench.time(|| view(&few));
     print_time("bulk/view-3-columns, 10 rows", few_time, aim);
     let most_time = bench.time(|| view(&most));
-    print_time(
-        &format!("bulk/view-3-columns, {most_rows} rows"),
-        most_time,
-        aim,
-    );
+    print_time(&format!("bulk/view-3-columns, {most_rows} rows"), most_time, aim);
     let long_time = bench.time(|| view(&long));
-    print_time(
-        "bulk/view-3-columns, 10 million rows in one",
-        long_time,
-        aim,
-    );
+    print_time("bulk/view-3-columns, 10 million rows in one", long_time, aim);
     let ratio = long_time.max(most_time) / few_time;
     println!("ratio  bulk/view-3-columns, most rows vs 10 rows  {ratio:.2} (aim 1: the same time)");
 
     let names: Vec<_> = (0..4096).map(|column| format!("column {column}")).collect();
-    let columns: Vec<_> = names
-        .iter()
-        .map(|name| ColumnRef::new(name, &[0.5_f64][..]))
-        .collect();
+    let columns: Vec<_> = names.iter().map(|name| ColumnRef::new(name, &[0.5_f64][..])).collect();
     let wide = encode(&columns)?;
     print_time("bulk/view-4096-columns", bench.time(|| view(&wide)), "");
     Ok(())
@@ -84,38 +73,14 @@ fn copies(bench: &Bench) -> Result<(), BulkError> {
     let shifted = [&[0], &block[..]].concat();
     let aim = "aim ≤ 1.25: 0.80 of memcpy speed";
 
-    bench.ratio(
-        "bulk/encode-1M-f64",
-        "memcpy",
-        aim,
-        || encode(&columns),
-        || bytes.to_vec(),
-    );
+    bench.ratio("bulk/encode-1M-f64", "memcpy", aim, || encode(&columns), || bytes.to_vec());
     let decode = |block: &[u8]| Block::parse(block).map(|block| block.to_columns());
-    bench.ratio(
-        "bulk/decode-1M-f64",
-        "memcpy",
-        aim,
-        || decode(&block),
-        || bytes.to_vec(),
-    );
-    bench.ratio(
-        "bulk/decode-1M-f64, unaligned",
-        "memcpy",
-        aim,
-        || decode(&shifted[1..]),
-        || bytes.to_vec(),
-    );
+    bench.ratio("bulk/decode-1M-f64", "memcpy", aim, || decode(&block), || bytes.to_vec());
+    bench.ratio("bulk/decode-1M-f64, unaligned", "memcpy", aim, || decode(&shifted[1..]), || bytes.to_vec());
 
     let third = three_columns(ROWS / 3, ROWS / 3)?;
     let bytes = third[80..].to_vec();
-    bench.ratio(
-        "bulk/unpack-observation-8MB",
-        "memcpy",
-        aim,
-        || unpack(&third),
-        || bytes.to_vec(),
-    );
+    bench.ratio("bulk/unpack-observation-8MB", "memcpy", aim, || unpack(&third), || bytes.to_vec());
     Ok(())
 }
 

@@ -13,9 +13,7 @@ use ncp_spec::control::{
     ControlLoop, Controller, LoopConfig, MEASURED_VELOCITY_CHANNEL, ReflexConfig, ReflexController,
 };
 use ncp_spec::resilience::{ActionBuffer, CommandWatchdog, LinkMonitor};
-use ncp_spec::safety::{
-    Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL,
-};
+use ncp_spec::safety::{Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL};
 use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame};
 
 use paired::Bench;
@@ -34,9 +32,7 @@ const STEP_MS: f64 = 50.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let bench = Bench::from_args();
-    println!(
-        "note   one channel of 3 components, a speed limit, a fence; the horizon has {STEPS} steps"
-    );
+    println!("note   one channel of 3 components, a speed limit, a fence; the horizon has {STEPS} steps");
     println!("note   80 ns and 500 ns where the plain governor takes 140 ns are 0.57 and 3.6");
     govern(&bench);
     tick(&bench)?;
@@ -48,80 +44,41 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn govern(bench: &Bench) {
     let sensor = sensor(1);
     let plain_sensor = plain::Sensor::at(POSITION);
-    let case =
-        |name: &str, aim, velocity: [f64; 3], steps, last_s, expect: fn(Decision) -> bool| {
-            let mut governor = SafetyGovernor::new(&limits());
-            let mut plain = plain::Governor::new();
-            let mut sent = command(1, velocity, steps);
-            let wish = plain::Command::new(velocity, steps);
-            let decision = governor.govern(
-                &mut command(1, velocity, steps),
-                NOW_S,
-                Some(&sensor),
-                last_s,
-            );
-            assert!(expect(decision), "{name}: {decision:?}");
-            assert_eq!(
-                plain.govern(&wish, NOW_S, Some(&plain_sensor), last_s).mode == plain::Mode::Active,
-                matches!(decision, Decision::Passed | Decision::Limited),
-                "both sides decide alike"
-            );
-            bench.ratio(
-                name,
-                "clone-per-call",
-                aim,
-                || {
-                    // What the call before made of the command is undone in place.
-                    sent.mode = Mode::Active;
-                    restore(&mut sent.channels, velocity);
-                    for step in &mut sent.horizon {
-                        restore(step, velocity);
-                    }
-                    governor.govern(
-                        black_box(&mut sent),
-                        NOW_S,
-                        Some(black_box(&sensor)),
-                        last_s,
-                    )
-                },
-                || {
-                    plain.govern(
-                        black_box(&wish),
-                        NOW_S,
-                        Some(black_box(&plain_sensor)),
-                        last_s,
-                    )
-                },
-            );
-        };
+    let case = |name: &str, aim, velocity: [f64; 3], steps, last_s, expect: fn(Decision) -> bool| {
+        let mut governor = SafetyGovernor::new(&limits());
+        let mut plain = plain::Governor::new();
+        let mut sent = command(1, velocity, steps);
+        let wish = plain::Command::new(velocity, steps);
+        let decision = governor.govern(&mut command(1, velocity, steps), NOW_S, Some(&sensor), last_s);
+        assert!(expect(decision), "{name}: {decision:?}");
+        assert_eq!(
+            plain.govern(&wish, NOW_S, Some(&plain_sensor), last_s).mode == plain::Mode::Active,
+            matches!(decision, Decision::Passed | Decision::Limited),
+            "both sides decide alike"
+        );
+        bench.ratio(
+            name,
+            "clone-per-call",
+            aim,
+            || {
+                // What the call before made of the command is undone in place.
+                sent.mode = Mode::Active;
+                restore(&mut sent.channels, velocity);
+                for step in &mut sent.horizon {
+                    restore(step, velocity);
+                }
+                governor.govern(black_box(&mut sent), NOW_S, Some(black_box(&sensor)), last_s)
+            },
+            || plain.govern(black_box(&wish), NOW_S, Some(black_box(&plain_sensor)), last_s),
+        );
+    };
     let passed = |decision| decision == Decision::Passed;
     let limited = |decision| decision == Decision::Limited;
     let held = |decision| matches!(decision, Decision::Held(_));
-    case(
-        "safety/govern-pass",
-        "≤ 0.57",
-        CALM,
-        0,
-        Some(LAST_S),
-        passed,
-    );
-    case(
-        "safety/govern-clamp",
-        "≤ 0.57",
-        HASTY,
-        0,
-        Some(LAST_S),
-        limited,
-    );
+    case("safety/govern-pass", "≤ 0.57", CALM, 0, Some(LAST_S), passed);
+    case("safety/govern-clamp", "≤ 0.57", HASTY, 0, Some(LAST_S), limited);
     case("safety/govern-hold", "≤ 0.57", CALM, 0, None, held);
-    case(
-        "safety/govern-horizon",
-        "≤ 0.57",
-        CALM,
-        STEPS,
-        Some(LAST_S),
-        passed,
-    );
+    case("safety/govern-horizon", "≤ 0.57", CALM, STEPS, Some(LAST_S), passed);
 }
 
 /// A whole tick, with a sensor frame that arrives before it, against one call of the plain governor.
@@ -129,8 +86,7 @@ fn tick(bench: &Bench) -> Result<(), Box<dyn Error>> {
     let config = LoopConfig { period_ms: 20.0 };
     let reflex = ReflexController::new(ReflexConfig::default())?;
     let link = LinkMonitor::default();
-    let mut looped =
-        ControlLoop::new(config, reflex, SafetyGovernor::new(&limits()), link.clone())?;
+    let mut looped = ControlLoop::new(config, reflex, SafetyGovernor::new(&limits()), link.clone())?;
     looped.on_sensor(sensor(1), LAST_S);
     assert_eq!(looped.tick(NOW_S, 1.0).command.mode, Mode::Active);
 
@@ -142,14 +98,7 @@ fn tick(bench: &Bench) -> Result<(), Box<dyn Error>> {
         "clone-per-call govern",
         "≤ 3.6",
         || looped.tick(black_box(NOW_S), 1.0),
-        || {
-            plain.govern(
-                black_box(&wish),
-                NOW_S,
-                Some(black_box(&sensor_of_plain)),
-                Some(LAST_S),
-            )
-        },
+        || plain.govern(black_box(&wish), NOW_S, Some(black_box(&sensor_of_plain)), Some(LAST_S)),
     );
 
     let mut looped = ControlLoop::new(config, Still, SafetyGovernor::new(&limits()), link)?;
@@ -163,14 +112,7 @@ fn tick(bench: &Bench) -> Result<(), Box<dyn Error>> {
             looped.on_sensor(sensor(seq), LAST_S);
             looped.tick(black_box(NOW_S), 1.0)
         },
-        || {
-            plain.govern(
-                black_box(&wish),
-                NOW_S,
-                Some(black_box(&sensor_of_plain)),
-                Some(LAST_S),
-            )
-        },
+        || plain.govern(black_box(&wish), NOW_S, Some(black_box(&sensor_of_plain)), Some(LAST_S)),
     );
     Ok(())
 }
@@ -180,14 +122,7 @@ fn plant(bench: &Bench) {
     let sensor = plain::Sensor::at(POSITION);
     let wish = plain::Command::new(CALM, 0);
     let mut plain = plain::Governor::new();
-    let mut other = || {
-        plain.govern(
-            black_box(&wish),
-            NOW_S,
-            Some(black_box(&sensor)),
-            Some(LAST_S),
-        )
-    };
+    let mut other = || plain.govern(black_box(&wish), NOW_S, Some(black_box(&sensor)), Some(LAST_S));
 
     let mut watchdog = CommandWatchdog::new();
     watchdog.on_command(0.0, 1_000.0, 1);
@@ -233,10 +168,7 @@ fn limits() -> SafetyLimits {
 }
 
 fn velocity_channel(velocity: [f64; 3]) -> ChannelMap {
-    ChannelMap::from_iter([(
-        VELOCITY_CHANNEL,
-        ChannelValue::new(velocity, METRES_PER_SECOND),
-    )])
+    ChannelMap::from_iter([(VELOCITY_CHANNEL, ChannelValue::new(velocity, METRES_PER_SECOND))])
 }
 
 fn command(seq: i64, velocity: [f64; 3], steps: usize) -> CommandFrame {
@@ -256,16 +188,10 @@ fn restore(channels: &mut ChannelMap, velocity: [f64; 3]) {
 }
 
 fn sensor(seq: i64) -> SensorFrame {
-    let mut frame = SensorFrame {
-        seq,
-        ..SensorFrame::default()
-    };
+    let mut frame = SensorFrame { seq, ..SensorFrame::default() };
     frame.channels.extend([
         (POSITION_CHANNEL, ChannelValue::new(POSITION, METRES)),
-        (
-            MEASURED_VELOCITY_CHANNEL,
-            ChannelValue::new([0.1, 0.0, 0.0], METRES_PER_SECOND),
-        ),
+        (MEASURED_VELOCITY_CHANNEL, ChannelValue::new([0.1, 0.0, 0.0], METRES_PER_SECOND)),
     ]);
     frame
 }
@@ -340,14 +266,9 @@ mod plain {
                 data: vec![0.0; channel.data.len()],
                 unit: channel.unit.clone(),
             };
-            let mut channels: Channels = self
-                .channels
-                .iter()
-                .map(|(name, channel)| (name.clone(), zeroed(channel)))
-                .collect();
-            channels
-                .entry(VELOCITY_CHANNEL.to_owned())
-                .or_insert_with(|| value([0.0; 3], METRES_PER_SECOND));
+            let mut channels: Channels =
+                self.channels.iter().map(|(name, channel)| (name.clone(), zeroed(channel))).collect();
+            channels.entry(VELOCITY_CHANNEL.to_owned()).or_insert_with(|| value([0.0; 3], METRES_PER_SECOND));
             Self {
                 ncp_version: self.ncp_version.clone(),
                 kind: self.kind.clone(),
@@ -365,9 +286,7 @@ mod plain {
 
     impl Sensor {
         pub(crate) fn at(position: [f64; 3]) -> Self {
-            Self {
-                channels: one(POSITION_CHANNEL, position, METRES),
-            }
+            Self { channels: one(POSITION_CHANNEL, position, METRES) }
         }
     }
 
@@ -407,10 +326,7 @@ mod plain {
                 if let Some(velocity) = channels.get_mut(VELOCITY_CHANNEL) {
                     let norm = norm(&velocity.data);
                     if norm > MAX_SPEED_MPS {
-                        velocity
-                            .data
-                            .iter_mut()
-                            .for_each(|x| *x *= MAX_SPEED_MPS / norm);
+                        velocity.data.iter_mut().for_each(|x| *x *= MAX_SPEED_MPS / norm);
                     }
                 }
             }
@@ -427,9 +343,6 @@ mod plain {
     }
 
     fn value(data: [f64; 3], unit: &str) -> ChannelValue {
-        ChannelValue {
-            data: data.to_vec(),
-            unit: Some(unit.to_owned()),
-        }
+        ChannelValue { data: data.to_vec(), unit: Some(unit.to_owned()) }
     }
 }

@@ -24,15 +24,8 @@ const ODD_COMMAND: &str = r#"{"ncp_version":"0.5","kind":"command_frame","seq":9
 
 fn main() -> Result<(), Box<dyn Error>> {
     let bench = Bench::from_args();
-    println!(
-        "note   a CommandFrame of {} bytes, a SensorFrame of {} bytes",
-        COMMAND.len(),
-        SENSOR.len()
-    );
-    println!(
-        "note   one with long numbers and unknown names of {} bytes",
-        ODD_COMMAND.len()
-    );
+    println!("note   a CommandFrame of {} bytes, a SensorFrame of {} bytes", COMMAND.len(), SENSOR.len());
+    println!("note   one with long numbers and unknown names of {} bytes", ODD_COMMAND.len());
     against_serde::<CommandFrame, plain::CommandFrame>(&bench, "command-frame", COMMAND)?;
     against_serde::<SensorFrame, plain::SensorFrame>(&bench, "sensor-frame", SENSOR)?;
     against_serde::<CommandFrame, plain::CommandFrame>(&bench, "odd-command-frame", ODD_COMMAND)?;
@@ -44,16 +37,9 @@ where
     F: Frame,
     P: serde::Serialize + serde::de::DeserializeOwned,
 {
-    let (message, plain) = (
-        F::decode(frame.as_bytes())?,
-        serde_json::from_slice::<P>(frame.as_bytes())?,
-    );
+    let (message, plain) = (F::decode(frame.as_bytes())?, serde_json::from_slice::<P>(frame.as_bytes())?);
     assert_eq!(message.encode()?, frame, "both sides write the same bytes");
-    assert_eq!(
-        serde_json::to_string(&plain)?,
-        frame,
-        "both sides write the same bytes"
-    );
+    assert_eq!(serde_json::to_string(&plain)?, frame, "both sides write the same bytes");
     let (against, aim) = ("serde", "≤ 1.0, aim 0.6");
     bench.ratio(
         &format!("wire/decode-{name}"),

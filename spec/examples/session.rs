@@ -14,9 +14,8 @@ use ncp_spec::bus::{LocalBus, NeuroSimClient};
 use ncp_spec::keys::Keys;
 use ncp_spec::session::{ReferenceBackend, SessionService};
 use ncp_spec::wire::{
-    ChannelMap, ChannelValue, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession,
-    RecordSpec, RecordTarget, SimConfig, SortedMap, StepRequest, StimulusFrame, StimulusKind,
-    StimulusSpec, StimulusTarget,
+    ChannelMap, ChannelValue, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession, RecordSpec,
+    RecordTarget, SimConfig, SortedMap, StepRequest, StimulusFrame, StimulusKind, StimulusSpec, StimulusTarget,
 };
 
 const SESSION: &str = "demo";
@@ -68,10 +67,7 @@ pub(crate) fn run(out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
             stimulus: Some(currents(is_driven)),
             ..StepRequest::default()
         })?;
-        let new = frame
-            .records
-            .get("spikes")
-            .map_or(0, |port| port.times.len());
+        let new = frame.records.get("spikes").map_or(0, |port| port.times.len());
         let current = if is_driven { "on" } else { "off" };
         writeln!(
             out,
@@ -120,10 +116,7 @@ fn request() -> OpenSession {
                 ..StimulusTarget::default()
             }],
         },
-        sim: SimConfig {
-            dt_ms: 0.1,
-            ..SimConfig::default()
-        },
+        sim: SimConfig { dt_ms: 0.1, ..SimConfig::default() },
         ..OpenSession::default()
     }
 }
@@ -169,11 +162,7 @@ fn raster(out: &mut dyn Write, spikes: &Observation) -> io::Result<()> {
             }
         }
         let row: String = row.into_iter().collect();
-        writeln!(
-            out,
-            "{neuron:>4}  {:>3} pA  {row}  {count:>2}",
-            current_of(neuron)
-        )?;
+        writeln!(out, "{neuron:>4}  {:>3} pA  {row}  {count:>2}", current_of(neuron))?;
     }
     axis(out)
 }
@@ -190,8 +179,7 @@ fn potential(out: &mut dyn Write, membrane: &Observation) -> io::Result<()> {
         heights[column(time_ms)] = (v - REST_MV) / ROW_MV;
     }
     for row in (0..ROWS).rev() {
-        let of =
-            |height: &f64| EIGHTHS[((height - row as f64) * 8.0).round().clamp(0.0, 8.0) as usize];
+        let of = |height: &f64| EIGHTHS[((height - row as f64) * 8.0).round().clamp(0.0, 8.0) as usize];
         let cells: String = heights.iter().map(of).collect();
         let top = REST_MV + ROW_MV * (row + 1) as f64;
         let line = format!("{top:>11.0}  {cells}");
@@ -202,16 +190,9 @@ fn potential(out: &mut dyn Write, membrane: &Observation) -> io::Result<()> {
 
 fn axis(out: &mut dyn Write) -> io::Result<()> {
     let every = 10;
-    let ticks: String = (0..COLUMNS / every)
-        .map(|_| format!("└{}", " ".repeat(every - 1)))
-        .collect();
+    let ticks: String = (0..COLUMNS / every).map(|_| format!("└{}", " ".repeat(every - 1))).collect();
     let times: String = (0..COLUMNS / every)
-        .map(|at| {
-            format!(
-                "{:<every$}",
-                format!("{:.0}", (at * every) as f64 * COLUMN_MS)
-            )
-        })
+        .map(|at| format!("{:<every$}", format!("{:.0}", (at * every) as f64 * COLUMN_MS)))
         .collect();
     writeln!(out, "{:13}{}", "", ticks.trim_end())?;
     writeln!(out, "{:13}{times}ms", "")

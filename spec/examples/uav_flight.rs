@@ -31,10 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Flies, prints the log and writes the files.
-pub(crate) fn run(
-    args: impl IntoIterator<Item = String>,
-    out: &mut dyn Write,
-) -> Result<(), Box<dyn Error>> {
+pub(crate) fn run(args: impl IntoIterator<Item = String>, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
     let mut args = args.into_iter();
     let mut folder = PathBuf::from("target/uav_flight");
     while let Some(arg) = args.next() {
@@ -119,12 +116,7 @@ pub(crate) fn fly() -> Result<Flight, Box<dyn Error>> {
 
 /// A position for people, in columns.
 pub(crate) fn shown([x, y, z]: [f64; 3]) -> String {
-    format!(
-        "{:>6.2} {:>6.2} {:>6.2}",
-        rounded(x),
-        rounded(y),
-        rounded(z)
-    )
+    format!("{:>6.2} {:>6.2} {:>6.2}", rounded(x), rounded(y), rounded(z))
 }
 
 /// A position for people, in a sentence.

@@ -11,8 +11,8 @@ use thiserror::Error;
 use crate::keys::{KeyError, Keys, matches};
 use crate::reply::{ReplyError, check_reply, check_reply_strict};
 use crate::wire::{
-    CloseSession, EncodeError, Kind, Message, ObservationFrame, OpenSession, RunRequest,
-    SessionClosed, SessionOpened, StepRequest, Text,
+    CloseSession, EncodeError, Kind, Message, ObservationFrame, OpenSession, RunRequest, SessionClosed, SessionOpened,
+    StepRequest, Text,
 };
 
 /// How many frames a subscription keeps that nobody has taken.
@@ -92,10 +92,7 @@ impl LocalBus {
                 if frames.len() == QUEUE_FRAMES {
                     frames.pop_front();
                 }
-                frames.push_back(Delivery {
-                    key: key.to_owned(),
-                    frame: Arc::clone(&frame),
-                });
+                frames.push_back(Delivery { key: key.to_owned(), frame: Arc::clone(&frame) });
                 delivered += 1;
             }
         }
@@ -108,10 +105,7 @@ impl LocalBus {
     /// The pattern is not a key expression.
     pub fn subscribe(&self, pattern: &str) -> Result<Subscription, BusError> {
         matches(pattern, "ncp")?;
-        let queue = Arc::new(Queue {
-            pattern: pattern.to_owned(),
-            frames: Mutex::new(VecDeque::new()),
-        });
+        let queue = Arc::new(Queue { pattern: pattern.to_owned(), frames: Mutex::new(VecDeque::new()) });
         lock(&self.shared).queues.push(Arc::downgrade(&queue));
         Ok(Subscription { queue })
     }
@@ -126,10 +120,7 @@ impl LocalBus {
         handler: impl FnMut(&[u8]) -> Vec<u8> + Send + 'static,
     ) -> Result<Serving, BusError> {
         matches(key, key)?;
-        let server = Arc::new(Server {
-            key: key.to_owned(),
-            handler: Mutex::new(Box::new(handler)),
-        });
+        let server = Arc::new(Server { key: key.to_owned(), handler: Mutex::new(Box::new(handler)) });
         lock(&self.shared).servers.push(Arc::downgrade(&server));
         Ok(Serving { _server: server })
     }
@@ -142,15 +133,9 @@ impl LocalBus {
         let server = {
             let mut shared = lock(&self.shared);
             shared.servers.retain(|server| server.strong_count() > 0);
-            shared
-                .servers
-                .iter()
-                .filter_map(Weak::upgrade)
-                .find(|server| server.key == key)
+            shared.servers.iter().filter_map(Weak::upgrade).find(|server| server.key == key)
         };
-        let server = server.ok_or_else(|| BusError::NoServer {
-            key: key.to_owned(),
-        })?;
+        let server = server.ok_or_else(|| BusError::NoServer { key: key.to_owned() })?;
         let mut handler = lock(&server.handler);
         Ok(handler(request))
     }
@@ -195,12 +180,7 @@ impl NeuroSimClient {
     /// # Errors
     /// The realm is not one.
     pub fn new(bus: LocalBus, realm: Option<&str>) -> Result<Self, BusError> {
-        Ok(Self {
-            bus,
-            keys: Keys::new(realm)?,
-            is_strict: false,
-            opened: Vec::new(),
-        })
+        Ok(Self { bus, keys: Keys::new(realm)?, is_strict: false, opened: Vec::new() })
     }
 
     /// A client that keeps the strict profile (chapter 12.1): it asks each request at the key of its
@@ -210,10 +190,7 @@ impl NeuroSimClient {
     /// As [`new`](Self::new).
     pub fn strict(bus: LocalBus, realm: Option<&str>) -> Result<Self, BusError> {
         let client = Self::new(bus, realm)?;
-        Ok(Self {
-            is_strict: true,
-            ..client
-        })
+        Ok(Self { is_strict: true, ..client })
     }
 
     /// Opens a session.
@@ -255,10 +232,7 @@ impl NeuroSimClient {
         let Some(at) = self.opened.iter().position(|id| id == session_id) else {
             return Ok(None);
         };
-        let request = CloseSession {
-            session_id: session_id.to_owned().into(),
-            ..CloseSession::default()
-        };
+        let request = CloseSession { session_id: session_id.to_owned().into(), ..CloseSession::default() };
         let reply = self.ask(&Message::CloseSession(request));
         // Whatever the server says, the session is not this client's any more; if none was asked, it is.
         if !matches!(reply, Err(BusError::NoServer { .. })) {
@@ -289,11 +263,7 @@ impl NeuroSimClient {
 }
 
 fn unfitting(expected: Kind, reply: &Message) -> BusError {
-    ReplyError::Kind {
-        expected,
-        found: reply.kind(),
-    }
-    .into()
+    ReplyError::Kind { expected, found: reply.kind() }.into()
 }
 
 /// A handler that panicked left its own state in doubt, not the bus's.
@@ -314,22 +284,12 @@ mod tests {
         let service = Arc::new(Mutex::new(SessionService::new(ReferenceBackend)));
         let serve = |bus: &LocalBus| {
             let service = Arc::clone(&service);
-            bus.serve("ncp/rpc", move |request| {
-                lock(&service).serve(request).into_bytes()
-            })
-            .unwrap()
+            bus.serve("ncp/rpc", move |request| lock(&service).serve(request).into_bytes()).unwrap()
         };
         let mut client = NeuroSimClient::new(bus.clone(), None).unwrap();
         let serving = serve(&bus);
-        let network = NetworkRef {
-            reference: "ncp.reference.rate".into(),
-            ..NetworkRef::default()
-        };
-        let request = OpenSession {
-            session_id: "s".into(),
-            network,
-            ..OpenSession::default()
-        };
+        let network = NetworkRef { reference: "ncp.reference.rate".into(), ..NetworkRef::default() };
+        let request = OpenSession { session_id: "s".into(), network, ..OpenSession::default() };
         client.open(request).unwrap();
         drop(serving);
         assert!(matches!(client.close("s"), Err(BusError::NoServer { .. })));
@@ -353,10 +313,7 @@ mod tests {
                 if is_open { opens } else { closes }.into()
             })
             .unwrap();
-        let request = OpenSession {
-            session_id: "s".into(),
-            ..OpenSession::default()
-        };
+        let request = OpenSession { session_id: "s".into(), ..OpenSession::default() };
         client.open(request).unwrap();
         assert!(matches!(client.close("s"), Err(BusError::Reply(_))));
         assert!(client.close("s").unwrap().is_none());

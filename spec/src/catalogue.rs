@@ -44,10 +44,7 @@ impl Catalogue {
             for requirement in chapter.requirements()? {
                 if let Some(&first) = seen.get(&requirement.id) {
                     let line = requirement.line;
-                    let first = requirements
-                        .get(first)
-                        .map(Requirement::place)
-                        .unwrap_or_default();
+                    let first = requirements.get(first).map(Requirement::place).unwrap_or_default();
                     return Err(chapter.fault(line, RuleProblem::RepeatedId { first }));
                 }
                 seen.insert(requirement.id.clone(), requirements.len());
@@ -60,9 +57,7 @@ impl Catalogue {
     /// The rule of that id, such as `NCP-WIRE-007`.
     #[must_use]
     pub fn get(&self, id: &str) -> Option<&Requirement> {
-        self.requirements
-            .iter()
-            .find(|requirement| requirement.id == id)
+        self.requirements.iter().find(|requirement| requirement.id == id)
     }
 
     /// All rules, in the text's order.
@@ -89,10 +84,7 @@ impl<'a> IntoIterator for &'a Catalogue {
 /// A file of `spec/text` with its name.
 macro_rules! chapter {
     ($file:literal) => {
-        Chapter {
-            file: $file,
-            text: include_str!(concat!("../text/", $file)),
-        }
+        Chapter { file: $file, text: include_str!(concat!("../text/", $file)) }
     };
 }
 
@@ -196,13 +188,7 @@ pub enum Keyword {
 
 impl Keyword {
     /// All keywords.
-    pub const ALL: [Self; 5] = [
-        Self::Must,
-        Self::MustNot,
-        Self::Should,
-        Self::ShouldNot,
-        Self::May,
-    ];
+    pub const ALL: [Self; 5] = [Self::Must, Self::MustNot, Self::Should, Self::ShouldNot, Self::May];
 
     /// As the text writes it.
     #[must_use]
@@ -394,34 +380,21 @@ impl Chapter<'_> {
                 item.push_str(continuation);
             }
             let rule = parse_rule(&item).map_err(|problem| self.fault(number, problem))?;
-            requirements.push(Requirement {
-                file: self.file,
-                section: section.clone(),
-                line: number,
-                ..rule
-            });
+            requirements.push(Requirement { file: self.file, section: section.clone(), line: number, ..rule });
         }
         Ok(requirements)
     }
 
     fn fault(&self, line: usize, problem: RuleProblem) -> CatalogueError {
-        CatalogueError {
-            file: self.file,
-            line,
-            problem,
-        }
+        CatalogueError { file: self.file, line, problem }
     }
 }
 
 /// Parses one list item; file, section and line are for the caller to fill in.
 fn parse_rule(item: &str) -> Result<Requirement, RuleProblem> {
     let folded = item.split_whitespace().collect::<Vec<_>>().join(" ");
-    let rule = folded
-        .strip_prefix("- **[")
-        .filter(|_| item.starts_with("- "));
-    let (id, rest) = rule
-        .and_then(|r| r.split_once("]** "))
-        .ok_or(RuleProblem::NotAListItem)?;
+    let rule = folded.strip_prefix("- **[").filter(|_| item.starts_with("- "));
+    let (id, rest) = rule.and_then(|r| r.split_once("]** ")).ok_or(RuleProblem::NotAListItem)?;
     if rest.contains("**[") {
         return Err(RuleProblem::NotAListItem);
     }
@@ -468,10 +441,7 @@ fn parse_roles(list: &str) -> Option<Vec<Role>> {
     if list == "all" {
         return Some(Role::ALL.to_vec());
     }
-    let mut roles = list
-        .split(", ")
-        .map(Role::parse)
-        .collect::<Option<Vec<_>>>()?;
+    let mut roles = list.split(", ").map(Role::parse).collect::<Option<Vec<_>>>()?;
     let stated = roles.len();
     roles.sort_unstable();
     roles.dedup();
@@ -517,25 +487,17 @@ mod tests {
             "# 9. Test\n\n## 9.1 Part\n\ntext\n\n- **[NCP-TEST-012]** A peer\n  SHOULD NOT  do `x`.\n  *(safety; server, commander)*\n- other\n",
         )
         .unwrap();
-        let [rule] = catalogue.requirements() else {
-            panic!("{catalogue:?}")
-        };
+        let [rule] = catalogue.requirements() else { panic!("{catalogue:?}") };
         assert_eq!(rule.id, "NCP-TEST-012");
         assert_eq!(rule.sentence, "A peer SHOULD NOT do `x`.");
         assert_eq!(rule.keyword, Keyword::ShouldNot);
         assert_eq!(rule.level, Level::Safety);
         assert_eq!(rule.roles, [Role::Commander, Role::Server]);
-        assert_eq!(
-            (rule.file, rule.section.as_str(), rule.line),
-            ("x.md", "9.1 Part", 7)
-        );
+        assert_eq!((rule.file, rule.section.as_str(), rule.line), ("x.md", "9.1 Part", 7));
         assert_eq!(rule.area(), "TEST");
         assert!(rule.binds(Role::Server) && !rule.binds(Role::Body));
         assert!(catalogue.get("NCP-TEST-012").is_some() && catalogue.get("NCP-TEST-013").is_none());
-        assert_eq!(
-            rule.to_string(),
-            "[NCP-TEST-012] A peer SHOULD NOT do `x`. (safety; commander, server)"
-        );
+        assert_eq!(rule.to_string(), "[NCP-TEST-012] A peer SHOULD NOT do `x`. (safety; commander, server)");
     }
 
     #[test]
@@ -557,88 +519,42 @@ mod tests {
     fn white_space_does_not_change_the_digest_and_words_do() {
         let digest_of = |text| parse(text).unwrap().requirements()[0].digest.clone();
         let one = digest_of("- **[NCP-A-001]** A peer MUST do x. *(wire; all)*");
-        assert_eq!(
-            one,
-            digest_of("- **[NCP-A-002]** A peer\n  MUST  do x. *(strict; body)*")
-        );
-        assert_ne!(
-            one,
-            digest_of("- **[NCP-A-001]** A peer MUST do y. *(wire; all)*")
-        );
+        assert_eq!(one, digest_of("- **[NCP-A-002]** A peer\n  MUST  do x. *(strict; body)*"));
+        assert_ne!(one, digest_of("- **[NCP-A-001]** A peer MUST do y. *(wire; all)*"));
         assert!(one.len() == 8 && one.bytes().all(|b| b.is_ascii_hexdigit()));
     }
 
     #[test]
     fn a_faulty_rule_is_named_with_its_line() {
         use RuleProblem::*;
-        assert_eq!(
-            fault("\n- **[NCP-A-1]** A MUST. *(wire; all)*"),
-            (2, Id("NCP-A-1".into()))
-        );
-        assert_eq!(
-            fault("- **[ncp-a-001]** A MUST. *(wire; all)*"),
-            (1, Id("ncp-a-001".into()))
-        );
+        assert_eq!(fault("\n- **[NCP-A-1]** A MUST. *(wire; all)*"), (2, Id("NCP-A-1".into())));
+        assert_eq!(fault("- **[ncp-a-001]** A MUST. *(wire; all)*"), (1, Id("ncp-a-001".into())));
         assert_eq!(fault("- **[NCP-A-001]** A MUST."), (1, NoTag));
         assert_eq!(fault("- **[NCP-A-001]** A MUST. *(wire)*"), (1, NoTag));
-        assert_eq!(
-            fault("- **[NCP-A-001]** A MUST. *(wired; all)*"),
-            (1, Level("wired".into()))
-        );
+        assert_eq!(fault("- **[NCP-A-001]** A MUST. *(wired; all)*"), (1, Level("wired".into())));
         for roles in ["", "pilot", "body, body", "all, body"] {
             let rule = format!("- **[NCP-A-001]** A MUST. *(wire; {roles})*");
-            assert!(
-                matches!(parse_rule(&rule), Err(Roles(_) | NoTag)),
-                "{roles}"
-            );
+            assert!(matches!(parse_rule(&rule), Err(Roles(_) | NoTag)), "{roles}");
         }
-        assert_eq!(
-            fault("- **[NCP-A-001]** A peer does. *(wire; all)*"),
-            (1, NoKeyword)
-        );
-        assert_eq!(
-            fault("- **[NCP-A-001]** A peer MUST *(wire; all)*"),
-            (1, NotASentence)
-        );
-        assert_eq!(
-            fault("  - **[NCP-A-001]** A MUST. *(wire; all)*"),
-            (1, NotAListItem)
-        );
-        assert_eq!(
-            fault("**[NCP-A-001]** A MUST. *(wire; all)*"),
-            (1, NotAListItem)
-        );
-        assert_eq!(
-            fault("- **[NCP-A-001** A MUST. *(wire; all)*"),
-            (1, NotAListItem)
-        );
-        assert_eq!(
-            fault("- **[NCP-A-001]** A MUST. - **[NCP-A-002]** B MUST. *(wire; all)*"),
-            (1, NotAListItem)
-        );
+        assert_eq!(fault("- **[NCP-A-001]** A peer does. *(wire; all)*"), (1, NoKeyword));
+        assert_eq!(fault("- **[NCP-A-001]** A peer MUST *(wire; all)*"), (1, NotASentence));
+        assert_eq!(fault("  - **[NCP-A-001]** A MUST. *(wire; all)*"), (1, NotAListItem));
+        assert_eq!(fault("**[NCP-A-001]** A MUST. *(wire; all)*"), (1, NotAListItem));
+        assert_eq!(fault("- **[NCP-A-001** A MUST. *(wire; all)*"), (1, NotAListItem));
+        assert_eq!(fault("- **[NCP-A-001]** A MUST. - **[NCP-A-002]** B MUST. *(wire; all)*"), (1, NotAListItem));
     }
 
     #[test]
     fn an_id_stands_once_in_the_whole_text() {
         let rule = "- **[NCP-A-001]** A MUST. *(wire; all)*\n";
-        let error = Catalogue::parse(&[
-            Chapter {
-                file: "a.md",
-                text: rule,
-            },
-            Chapter {
-                file: "b.md",
-                text: rule,
-            },
-        ])
-        .unwrap_err();
+        let error = Catalogue::parse(&[Chapter { file: "a.md", text: rule }, Chapter { file: "b.md", text: rule }])
+            .unwrap_err();
         assert_eq!(error.to_string(), "b.md:1: the same id is at a.md:1");
     }
 
     #[test]
     fn quoted_and_fenced_examples_are_no_rules() {
-        let catalogue =
-            parse("> **[NCP-AREA-nnn]** A MUST …\n\n```\n- **[NCP-X-1]** y\n```\n").unwrap();
+        let catalogue = parse("> **[NCP-AREA-nnn]** A MUST …\n\n```\n- **[NCP-X-1]** y\n```\n").unwrap();
         assert!(catalogue.requirements().is_empty());
     }
 }

@@ -80,11 +80,7 @@ impl RateCodec {
         };
         Self {
             encoders: vec![error(0, "err_x"), error(1, "err_y"), error(2, "err_z")],
-            decoders: vec![
-                velocity(0, "vel_x"),
-                velocity(1, "vel_y"),
-                velocity(2, "vel_z"),
-            ],
+            decoders: vec![velocity(0, "vel_x"), velocity(1, "vel_y"), velocity(2, "vel_z")],
         }
     }
 
@@ -102,21 +98,8 @@ impl RateCodec {
     }
 
     /// The command for the rates of the populations. `[NCP-CODEC-006] [NCP-CODEC-009]`
-    pub fn decode(
-        &self,
-        rates: &Rates,
-        t: f64,
-        seq: i64,
-        frame_id: impl Into<Text>,
-        mode: Mode,
-    ) -> CommandFrame {
-        let mut command = CommandFrame {
-            t,
-            seq,
-            frame_id: frame_id.into(),
-            mode,
-            ..CommandFrame::default()
-        };
+    pub fn decode(&self, rates: &Rates, t: f64, seq: i64, frame_id: impl Into<Text>, mode: Mode) -> CommandFrame {
+        let mut command = CommandFrame { t, seq, frame_id: frame_id.into(), mode, ..CommandFrame::default() };
         for mapping in usable(&self.decoders) {
             let value = mapping.decode(rates.get(mapping.population.as_ref()).copied());
             if !command.channels.contains_key(&mapping.channel) {
@@ -143,9 +126,7 @@ impl RateCodec {
 
 /// `[NCP-CODEC-008]`
 fn usable(mappings: &[Mapping]) -> impl Iterator<Item = &Mapping> {
-    mappings
-        .iter()
-        .filter(|mapping| mapping.component < MAX_COMPONENTS)
+    mappings.iter().filter(|mapping| mapping.component < MAX_COMPONENTS)
 }
 
 /// The linear map from one range to the other, clamped; the middle of the target for what cannot be
@@ -153,23 +134,14 @@ fn usable(mappings: &[Mapping]) -> impl Iterator<Item = &Mapping> {
 fn map(value: Option<f64>, from: (f64, f64), to: (f64, f64)) -> f64 {
     let middle = f64::midpoint(to.0, to.1);
     let span = from.1 - from.0;
-    let Some(value) = value.filter(|value| value.is_finite() && span.is_finite() && span != 0.0)
-    else {
+    let Some(value) = value.filter(|value| value.is_finite() && span.is_finite() && span != 0.0) else {
         return middle;
     };
     let share = (value - from.0) / span;
     let width = to.1 - to.0;
     // The same map, for a range that is wider than any double.
-    let mapped = if width.is_finite() {
-        to.0 + share * width
-    } else {
-        to.0 * (1.0 - share) + to.1 * share
-    };
+    let mapped = if width.is_finite() { to.0 + share * width } else { to.0 * (1.0 - share) + to.1 * share };
     let (low, high) = if to.0 <= to.1 { to } else { (to.1, to.0) };
     // `max` and `min` choose the bound over a NaN, and never panic as `clamp` does.
-    if mapped.is_nan() {
-        middle
-    } else {
-        mapped.max(low).min(high)
-    }
+    if mapped.is_nan() { middle } else { mapped.max(low).min(high) }
 }

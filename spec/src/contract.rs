@@ -118,8 +118,7 @@ pub fn canonical_text(proto: &str) -> String {
     const DROPPED: [&str; 4] = ["syntax", "package ", "import ", "option "];
     let bare = without_comments(proto);
     let lines = bare.split('\n').map(str::trim);
-    let kept =
-        lines.filter(|line| !line.is_empty() && !DROPPED.iter().any(|d| line.starts_with(d)));
+    let kept = lines.filter(|line| !line.is_empty() && !DROPPED.iter().any(|d| line.starts_with(d)));
     kept.collect::<Vec<_>>().join("\n")
 }
 
@@ -128,9 +127,7 @@ pub fn canonical_text(proto: &str) -> String {
 pub fn fnv1a_64(bytes: &[u8]) -> u64 {
     const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
     const PRIME: u64 = 0x0000_0100_0000_01b3;
-    bytes.iter().fold(OFFSET_BASIS, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(PRIME)
-    })
+    bytes.iter().fold(OFFSET_BASIS, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME))
 }
 
 /// Takes `//` comments out up to the line feed, `/* */` comments whole; a quoted string is kept,
@@ -154,10 +151,7 @@ fn without_comments(proto: &str) -> String {
             rest = rest.as_str().get(comment..).unwrap_or_default().chars();
         } else if c == '/' && rest.as_str().starts_with('*') {
             let after_star = rest.as_str().get(1..).unwrap_or_default();
-            rest = after_star
-                .split_once("*/")
-                .map_or("", |(_, after)| after)
-                .chars();
+            rest = after_star.split_once("*/").map_or("", |(_, after)| after).chars();
         } else {
             bare.push(c);
         }
@@ -191,10 +185,7 @@ mod tests {
 
     #[test]
     fn a_comment_sign_in_a_string_is_text() {
-        assert_eq!(
-            canonical_text(r#"a = "http://x /* y */";"#),
-            r#"a = "http://x /* y */";"#
-        );
+        assert_eq!(canonical_text(r#"a = "http://x /* y */";"#), r#"a = "http://x /* y */";"#);
         assert_eq!(canonical_text(r#"a = "\"//"; // gone"#), r#"a = "\"//";"#);
         assert_eq!(canonical_text(r#"a = "\\"; // gone"#), r#"a = "\\";"#);
         assert_eq!(canonical_text("a = '\"//'; // gone"), "a = '\"//';");
@@ -218,14 +209,8 @@ mod tests {
 
     #[test]
     fn a_hash_matches_letter_for_letter() {
-        assert_eq!(
-            contract_status(Some("24e8e6e31e1dec8a")),
-            ContractStatus::Match
-        );
-        assert_eq!(
-            contract_status(Some("24E8E6E31E1DEC8A")),
-            ContractStatus::Mismatch
-        );
+        assert_eq!(contract_status(Some("24e8e6e31e1dec8a")), ContractStatus::Match);
+        assert_eq!(contract_status(Some("24E8E6E31E1DEC8A")), ContractStatus::Mismatch);
         assert_eq!(contract_status(Some("")), ContractStatus::Mismatch);
         assert_eq!(contract_status(None), ContractStatus::NotAdvertised);
     }
@@ -233,23 +218,14 @@ mod tests {
     #[test]
     fn verify_accepts_the_same_hash_only() {
         assert_eq!(verify_contract(Some("24e8e6e31e1dec8a")), Ok(()));
-        assert_eq!(
-            verify_contract(Some("2cf0763ad61e4f1c")),
-            Err(ContractError::Mismatch)
-        );
+        assert_eq!(verify_contract(Some("2cf0763ad61e4f1c")), Err(ContractError::Mismatch));
         assert_eq!(verify_contract(None), Err(ContractError::NotAdvertised));
     }
 
     #[test]
     fn negotiation_rejects_for_the_version_and_never_for_the_hash() {
-        assert_eq!(
-            negotiate("0.5", Some("24e8e6e31e1dec8a")),
-            Ok(ContractStatus::Match)
-        );
-        assert_eq!(
-            negotiate("0.5", Some("2cf0763ad61e4f1c")),
-            Ok(ContractStatus::Mismatch)
-        );
+        assert_eq!(negotiate("0.5", Some("24e8e6e31e1dec8a")), Ok(ContractStatus::Match));
+        assert_eq!(negotiate("0.5", Some("2cf0763ad61e4f1c")), Ok(ContractStatus::Mismatch));
         assert_eq!(negotiate("0.5", None), Ok(ContractStatus::NotAdvertised));
         for version in ["0.4", "1.0", "", "0.5.0"] {
             let refused = negotiate(version, Some("24e8e6e31e1dec8a")).unwrap_err();

@@ -39,9 +39,7 @@ impl Keys {
     pub fn new(realm: Option<&str>) -> Result<Self, KeyError> {
         let realm = realm.unwrap_or(DEFAULT_REALM);
         validate_realm(realm)?;
-        Ok(Self {
-            realm: realm.to_owned(),
-        })
+        Ok(Self { realm: realm.to_owned() })
     }
 
     /// The realm.
@@ -66,11 +64,7 @@ impl Keys {
     ///
     /// [`KeyError::NoRequest`] for a kind that is not a request's. `// [NCP-STRICT-006]`
     pub fn rpc_verb(&self, kind: Kind) -> Result<String, KeyError> {
-        if kind.is_request() {
-            Ok(format!("{}/rpc/{kind}", self.realm))
-        } else {
-            Err(KeyError::NoRequest(kind))
-        }
+        if kind.is_request() { Ok(format!("{}/rpc/{kind}", self.realm)) } else { Err(KeyError::NoRequest(kind)) }
     }
 
     /// `{realm}/session/{id}/sensor[/{name}]`, the perception plane. `// [NCP-KEY-002]`
@@ -157,10 +151,7 @@ impl Keys {
 pub fn validate_segment(segment: &str) -> Result<(), KeyError> {
     match segment_problem(segment) {
         None => Ok(()), // [NCP-KEY-020]
-        Some(problem) => Err(KeyError::Segment {
-            segment: shown(segment),
-            problem,
-        }),
+        Some(problem) => Err(KeyError::Segment { segment: shown(segment), problem }),
     }
 }
 
@@ -182,10 +173,7 @@ pub fn validate_realm(realm: &str) -> Result<(), KeyError> {
 /// [`KeyError::Expression`] when `pattern` is not a key expression or `key` is not one without
 /// wildcards. `// [NCP-KEY-036]`
 pub fn matches(pattern: &str, key: &str) -> Result<bool, KeyError> {
-    let refuse = |expression, problem| KeyError::Expression {
-        expression: shown(expression),
-        problem,
-    };
+    let refuse = |expression, problem| KeyError::Expression { expression: shown(expression), problem };
     for chunk in pattern.split('/') {
         check_chunk(chunk).map_err(|problem| refuse(pattern, problem))?;
     }
@@ -296,7 +284,7 @@ pub(crate) fn segment_problem(segment: &str) -> Option<SegmentProblem> {
     segment.chars().find_map(|c| match c {
         '/' | '*' | '$' | '#' | '?' => Some(SegmentProblem::Reserved(c)), // [NCP-KEY-011]
         ' ' | '\t'..='\r' => Some(SegmentProblem::WhiteSpace),            // [NCP-KEY-012]
-        _ if c.is_control() => Some(SegmentProblem::Control(c)), // [NCP-KEY-015] [NCP-KEY-016]
+        _ if c.is_control() => Some(SegmentProblem::Control(c)),          // [NCP-KEY-015] [NCP-KEY-016]
         _ => None,
     })
 }
@@ -372,10 +360,7 @@ fn chunk_covers(pattern: &str, chunk: &str) -> bool {
         return false;
     };
     let (between, suffix) = others.rsplit_once("$*").unwrap_or(("", others));
-    let Some(mut rest) = chunk
-        .strip_prefix(prefix)
-        .and_then(|r| r.strip_suffix(suffix))
-    else {
+    let Some(mut rest) = chunk.strip_prefix(prefix).and_then(|r| r.strip_suffix(suffix)) else {
         return false;
     };
     between.split("$*").all(|part| match rest.split_once(part) {
@@ -411,34 +396,13 @@ mod tests {
     fn the_keys_of_a_realm_are_those_of_the_text() {
         let keys = Keys::new(Some("engram/ncp")).unwrap();
         assert_eq!(keys.rpc().unwrap(), "engram/ncp/rpc");
-        assert_eq!(
-            keys.sensor("a", None).unwrap(),
-            "engram/ncp/session/a/sensor"
-        );
-        assert_eq!(
-            keys.sensor("a", Some("imu")).unwrap(),
-            "engram/ncp/session/a/sensor/imu"
-        );
-        assert_eq!(
-            keys.command("a", None).unwrap(),
-            "engram/ncp/session/a/command"
-        );
-        assert_eq!(
-            keys.command("a", Some("arm")).unwrap(),
-            "engram/ncp/session/a/command/arm"
-        );
-        assert_eq!(
-            keys.observation("a").unwrap(),
-            "engram/ncp/session/a/observation"
-        );
-        assert_eq!(
-            keys.sensor_glob("a").unwrap(),
-            "engram/ncp/session/a/sensor/**"
-        );
-        assert_eq!(
-            keys.command_glob("a").unwrap(),
-            "engram/ncp/session/a/command/**"
-        );
+        assert_eq!(keys.sensor("a", None).unwrap(), "engram/ncp/session/a/sensor");
+        assert_eq!(keys.sensor("a", Some("imu")).unwrap(), "engram/ncp/session/a/sensor/imu");
+        assert_eq!(keys.command("a", None).unwrap(), "engram/ncp/session/a/command");
+        assert_eq!(keys.command("a", Some("arm")).unwrap(), "engram/ncp/session/a/command/arm");
+        assert_eq!(keys.observation("a").unwrap(), "engram/ncp/session/a/observation");
+        assert_eq!(keys.sensor_glob("a").unwrap(), "engram/ncp/session/a/sensor/**");
+        assert_eq!(keys.command_glob("a").unwrap(), "engram/ncp/session/a/command/**");
         assert_eq!(keys.session_glob("a").unwrap(), "engram/ncp/session/a/**");
         assert_eq!(keys.fleet_glob().unwrap(), "engram/ncp/session/**");
         assert_eq!(Keys::new(None).unwrap().rpc().unwrap(), "ncp/rpc");
@@ -461,10 +425,7 @@ mod tests {
         ] {
             let refused = built.unwrap_err();
             assert_eq!(refused.code(), ErrorCode::Key);
-            assert_eq!(
-                refused.to_string(),
-                r#""a b" is not a valid key segment: it holds white space"#
-            );
+            assert_eq!(refused.to_string(), r#""a b" is not a valid key segment: it holds white space"#);
         }
     }
 
@@ -495,15 +456,7 @@ mod tests {
 
     #[test]
     fn segments_of_any_script_are_accepted_and_c1_controls_are_not() {
-        for valid in [
-            "läufer",
-            "無人機",
-            "дрон",
-            "🚁",
-            "a\u{a0}b",
-            "\u{202e}x",
-            "a-b_c.d:e~f",
-        ] {
+        for valid in ["läufer", "無人機", "дрон", "🚁", "a\u{a0}b", "\u{202e}x", "a-b_c.d:e~f"] {
             assert_eq!(problem(valid), None, "{valid}");
         }
         for c in '\u{80}'..='\u{9f}' {
@@ -514,22 +467,10 @@ mod tests {
     #[test]
     fn a_segment_has_256_bytes_at_most() {
         assert_eq!(problem(&"a".repeat(256)), None);
-        assert_eq!(
-            problem(&"a".repeat(257)),
-            Some(SegmentProblem::TooLong(257))
-        );
+        assert_eq!(problem(&"a".repeat(257)), Some(SegmentProblem::TooLong(257)));
         assert_eq!(problem(&"é".repeat(128)), None);
-        assert_eq!(
-            problem(&"é".repeat(129)),
-            Some(SegmentProblem::TooLong(258))
-        );
-        assert!(
-            validate_segment(&"a".repeat(1 << 20))
-                .unwrap_err()
-                .to_string()
-                .len()
-                < 200
-        );
+        assert_eq!(problem(&"é".repeat(129)), Some(SegmentProblem::TooLong(258)));
+        assert!(validate_segment(&"a".repeat(1 << 20)).unwrap_err().to_string().len() < 200);
     }
 
     #[test]
@@ -537,9 +478,7 @@ mod tests {
         for valid in ["ncp", "engram/ncp", "a/b/c"] {
             assert_eq!(validate_realm(valid), Ok(()));
         }
-        for bad in [
-            "", "/", "/a", "a/", "a//b", "a/ /b", "a/@b", "a/../b", "a/*", "a/**",
-        ] {
+        for bad in ["", "/", "/a", "a/", "a//b", "a/ /b", "a/@b", "a/../b", "a/*", "a/**"] {
             assert!(validate_realm(bad).is_err(), "{bad}");
         }
     }
@@ -609,18 +548,12 @@ mod tests {
             ("a**b", StarInChunk),
         ];
         for (expression, problem) in bad {
-            let expected = Err(KeyError::Expression {
-                expression: expression.to_owned(),
-                problem,
-            });
+            let expected = Err(KeyError::Expression { expression: expression.to_owned(), problem });
             assert_eq!(matches(expression, "a"), expected);
             assert_eq!(matches("**", expression), expected);
         }
         for wild in ["*", "**", "a/**", "a$*"] {
-            let expected = Err(KeyError::Expression {
-                expression: wild.to_owned(),
-                problem: NotConcrete,
-            });
+            let expected = Err(KeyError::Expression { expression: wild.to_owned(), problem: NotConcrete });
             assert_eq!(matches("**", wild), expected);
         }
     }
@@ -634,11 +567,7 @@ mod tests {
         let began = Instant::now();
         assert_eq!(matches(&pattern, &key), Ok(false));
         assert_eq!(matches(&dollars, &"a".repeat(100_000)), Ok(false));
-        assert!(
-            began.elapsed() < Duration::from_secs(5),
-            "{:?}",
-            began.elapsed()
-        );
+        assert!(began.elapsed() < Duration::from_secs(5), "{:?}", began.elapsed());
     }
 
     /// Chunks of a small alphabet, so that patterns and keys often meet.

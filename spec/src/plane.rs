@@ -17,12 +17,7 @@ pub enum Plane {
 
 impl Plane {
     /// All planes.
-    pub const ALL: [Self; 4] = [
-        Self::Control,
-        Self::Perception,
-        Self::Action,
-        Self::Observation,
-    ];
+    pub const ALL: [Self; 4] = [Self::Control, Self::Perception, Self::Action, Self::Observation];
 
     /// The plane's name, in lower case.
     #[must_use]
@@ -46,23 +41,13 @@ impl Plane {
     pub const fn qos(self) -> Qos {
         match self {
             // [NCP-PLANE-001] [NCP-PLANE-004]
-            Self::Control | Self::Observation => Qos {
-                congestion: Congestion::Block,
-                priority: Priority::Data,
-                express: false,
-            },
+            Self::Control | Self::Observation => {
+                Qos { congestion: Congestion::Block, priority: Priority::Data, express: false }
+            }
             // [NCP-PLANE-002]
-            Self::Perception => Qos {
-                congestion: Congestion::Drop,
-                priority: Priority::DataHigh,
-                express: false,
-            },
+            Self::Perception => Qos { congestion: Congestion::Drop, priority: Priority::DataHigh, express: false },
             // [NCP-PLANE-003]
-            Self::Action => Qos {
-                congestion: Congestion::Drop,
-                priority: Priority::RealTime,
-                express: true,
-            },
+            Self::Action => Qos { congestion: Congestion::Drop, priority: Priority::RealTime, express: true },
         }
     }
 }
@@ -134,10 +119,7 @@ mod tests {
     /// The table of chapter 3.1 as it stands in the text.
     fn table() -> Vec<[String; 4]> {
         let text = include_str!("../text/03-planes-and-keys.md");
-        let rows = text
-            .lines()
-            .skip_while(|l| !l.starts_with("| plane |"))
-            .skip(2);
+        let rows = text.lines().skip_while(|l| !l.starts_with("| plane |")).skip(2);
         rows.take_while(|l| l.starts_with('|'))
             .map(|row| {
                 let cells: Vec<_> = row.split('|').map(|c| c.trim().to_owned()).collect();
@@ -149,19 +131,9 @@ mod tests {
     #[test]
     fn the_planes_are_served_as_the_table_of_the_text_says() {
         let here = Plane::ALL.map(|plane| {
-            let Qos {
-                congestion,
-                priority,
-                express,
-            } = plane.qos();
+            let Qos { congestion, priority, express } = plane.qos();
             let express = if express { "yes" } else { "no" };
-            [
-                plane.as_str(),
-                congestion.as_str(),
-                priority.as_str(),
-                express,
-            ]
-            .map(str::to_owned)
+            [plane.as_str(), congestion.as_str(), priority.as_str(), express].map(str::to_owned)
         });
         assert_eq!(here.to_vec(), table());
     }

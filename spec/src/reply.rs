@@ -36,42 +36,28 @@ pub fn check_reply_strict(request: &Message, reply: &[u8]) -> Result<Message, Re
     check(request, || decode_any_strict(reply))
 }
 
-fn check(
-    request: &Message,
-    decode: impl FnOnce() -> Result<Message, DecodeError>,
-) -> Result<Message, ReplyError> {
+fn check(request: &Message, decode: impl FnOnce() -> Result<Message, DecodeError>) -> Result<Message, ReplyError> {
     let (expected, asked) = expectation(request).ok_or(ReplyError::NotARequest(request.kind()))?;
     let reply = decode()?; // [NCP-SESS-006]
     let (version, session, failure) = match &reply {
         Message::Error(frame) => {
             return Err(ReplyError::Reported(Some(frame.error.to_string()))); // [NCP-SESS-005]
         }
-        Message::SessionOpened(m) => (
-            &m.ncp_version,
-            &m.session_id,
-            (!m.ok).then(|| m.error.as_deref().map(str::to_owned)),
-        ),
+        Message::SessionOpened(m) => {
+            (&m.ncp_version, &m.session_id, (!m.ok).then(|| m.error.as_deref().map(str::to_owned)))
+        }
         Message::SessionClosed(m) => (&m.ncp_version, &m.session_id, (!m.ok).then_some(None)),
         Message::ObservationFrame(m) => (&m.ncp_version, &m.session_id, None),
         other => {
-            return Err(ReplyError::Kind {
-                expected,
-                found: other.kind(),
-            });
+            return Err(ReplyError::Kind { expected, found: other.kind() });
         }
     };
     if reply.kind() != expected {
-        return Err(ReplyError::Kind {
-            expected,
-            found: reply.kind(),
-        }); // [NCP-SESS-001]
+        return Err(ReplyError::Kind { expected, found: reply.kind() }); // [NCP-SESS-001]
     }
     check_version(version, true)?; // [NCP-SESS-003]
     if session != asked {
-        return Err(ReplyError::Session {
-            asked: asked.to_owned(),
-            found: session.to_string(),
-        }); // [NCP-SESS-002]
+        return Err(ReplyError::Session { asked: asked.to_owned(), found: session.to_string() }); // [NCP-SESS-002]
     }
     match failure {
         Some(reported) => Err(ReplyError::Reported(reported)), // [NCP-SESS-004]
@@ -119,9 +105,7 @@ impl ReplyError {
         match self {
             Self::Rejected(error) => error.code(),
             Self::Version(error) => error.code(),
-            Self::NotARequest(_) | Self::Kind { .. } | Self::Session { .. } | Self::Reported(_) => {
-                ErrorCode::Reply
-            }
+            Self::NotARequest(_) | Self::Kind { .. } | Self::Session { .. } | Self::Reported(_) => ErrorCode::Reply,
         }
     }
 }
@@ -145,38 +129,10 @@ mod tests {
     fn requests() -> [(Message, &'static str); 4] {
         let session_id = || "s1".into();
         [
-            (
-                OpenSession {
-                    session_id: session_id(),
-                    ..Default::default()
-                }
-                .into(),
-                "session_opened",
-            ),
-            (
-                StepRequest {
-                    session_id: session_id(),
-                    ..Default::default()
-                }
-                .into(),
-                "observation_frame",
-            ),
-            (
-                RunRequest {
-                    session_id: session_id(),
-                    ..Default::default()
-                }
-                .into(),
-                "observation_frame",
-            ),
-            (
-                CloseSession {
-                    session_id: session_id(),
-                    ..Default::default()
-                }
-                .into(),
-                "session_closed",
-            ),
+            (OpenSession { session_id: session_id(), ..Default::default() }.into(), "session_opened"),
+            (StepRequest { session_id: session_id(), ..Default::default() }.into(), "observation_frame"),
+            (RunRequest { session_id: session_id(), ..Default::default() }.into(), "observation_frame"),
+            (CloseSession { session_id: session_id(), ..Default::default() }.into(), "session_closed"),
         ]
     }
 
@@ -195,9 +151,7 @@ mod tests {
                 if kind.as_str() == answer {
                     assert_eq!(checked.unwrap().kind(), kind);
                 } else {
-                    assert!(
-                        matches!(checked, Err(ReplyError::Kind { found, .. }) if found == kind)
-                    );
+                    assert!(matches!(checked, Err(ReplyError::Kind { found, .. }) if found == kind));
                 }
             }
         }
@@ -206,21 +160,11 @@ mod tests {
     #[test]
     fn a_reply_about_another_session_or_of_another_version_is_rejected() {
         for (request, kind) in requests() {
-            let other = check(
-                &request,
-                &format!(r#"{{"kind":"{kind}","session_id":"s2"}}"#),
-            );
-            assert!(
-                matches!(other, Err(ReplyError::Session { .. })),
-                "{other:?}"
-            );
+            let other = check(&request, &format!(r#"{{"kind":"{kind}","session_id":"s2"}}"#));
+            assert!(matches!(other, Err(ReplyError::Session { .. })), "{other:?}");
             for version in ["0.4", "1.0", "", "x"] {
-                let reply =
-                    format!(r#"{{"kind":"{kind}","session_id":"s1","ncp_version":"{version}"}}"#);
-                assert_eq!(
-                    check(&request, &reply).unwrap_err().code(),
-                    ErrorCode::Version
-                );
+                let reply = format!(r#"{{"kind":"{kind}","session_id":"s1","ncp_version":"{version}"}}"#);
+                assert_eq!(check(&request, &reply).unwrap_err().code(), ErrorCode::Version);
             }
         }
     }
@@ -229,10 +173,7 @@ mod tests {
     fn a_failure_is_an_error_with_the_servers_words() {
         let [(open, _), .., (close, _)] = requests();
         let refused = r#"{"kind":"session_opened","session_id":"s1","ok":false,"error":"no NEST"}"#;
-        assert_eq!(
-            check(&open, refused),
-            Err(ReplyError::Reported(Some("no NEST".into())))
-        );
+        assert_eq!(check(&open, refused), Err(ReplyError::Reported(Some("no NEST".into()))));
         let silent = r#"{"kind":"session_closed","session_id":"s1","ok":false}"#;
         assert_eq!(check(&close, silent), Err(ReplyError::Reported(None)));
         for (request, _) in requests() {
@@ -241,10 +182,7 @@ mod tests {
                 r#"{"kind":"error","error":"busy","session_id":"s1"}"#,
                 r#"{"kind":"error","error":"busy","session_id":"s2"}"#,
             ] {
-                assert_eq!(
-                    check(&request, frame),
-                    Err(ReplyError::Reported(Some("busy".into())))
-                );
+                assert_eq!(check(&request, frame), Err(ReplyError::Reported(Some("busy".into()))));
             }
         }
     }
@@ -253,16 +191,9 @@ mod tests {
     fn a_reply_that_cannot_be_decoded_is_rejected_for_its_own_reason() {
         let [(open, _), (step, _), ..] = requests();
         assert_eq!(check(&open, "[]").unwrap_err().code(), ErrorCode::Malformed);
-        assert_eq!(
-            check(&open, r#"{"session_id":"s1"}"#).unwrap_err().code(),
-            ErrorCode::Kind
-        );
-        let calibrated =
-            r#"{"kind":"observation_frame","session_id":"s1","calibrated_posterior":true}"#;
-        assert_eq!(
-            check(&step, calibrated).unwrap_err().code(),
-            ErrorCode::Provenance
-        );
+        assert_eq!(check(&open, r#"{"session_id":"s1"}"#).unwrap_err().code(), ErrorCode::Kind);
+        let calibrated = r#"{"kind":"observation_frame","session_id":"s1","calibrated_posterior":true}"#;
+        assert_eq!(check(&step, calibrated).unwrap_err().code(), ErrorCode::Provenance);
     }
 
     #[test]

@@ -63,15 +63,11 @@ impl VersionError {
     }
 
     fn malformed(version: &str) -> Self {
-        Self::Malformed {
-            version: version.chars().take(Self::SHOWN).collect(),
-        }
+        Self::Malformed { version: version.chars().take(Self::SHOWN).collect() }
     }
 
     fn incompatible(version: &str) -> Self {
-        Self::Incompatible {
-            version: version.chars().take(Self::SHOWN).collect(),
-        }
+        Self::Incompatible { version: version.chars().take(Self::SHOWN).collect() }
     }
 }
 
@@ -84,18 +80,12 @@ struct Version<'a> {
 }
 
 impl<'a> Version<'a> {
-    const OWN: Version<'static> = Version {
-        major: "",
-        minor: "5",
-    };
+    const OWN: Version<'static> = Version { major: "", minor: "5" };
 
     // [NCP-VER-001] [NCP-VER-002]
     fn parse(version: &'a str) -> Option<Self> {
         let (major, minor) = version.split_once('.').unwrap_or((version, "0"));
-        Some(Self {
-            major: integer(major)?,
-            minor: integer(minor)?,
-        })
+        Some(Self { major: integer(major)?, minor: integer(minor)? })
     }
 
     fn is_compatible_with(self, other: Version<'_>) -> bool {
@@ -125,31 +115,19 @@ mod tests {
         assert_eq!(check_version("0.5", false), Ok(true));
         for other in ["0.4", "0.6", "1.0", "1", "0"] {
             assert_eq!(check_version(other, false), Ok(false), "{other}");
-            assert_eq!(
-                check_version(other, true),
-                Err(VersionError::incompatible(other))
-            );
+            assert_eq!(check_version(other, true), Err(VersionError::incompatible(other)));
         }
         for junk in ["0.5.0", "v0.5", "0.", ".5", "", " 0.5", "+0.5"] {
             for strict in [false, true] {
-                assert_eq!(
-                    check_version(junk, strict),
-                    Err(VersionError::malformed(junk))
-                );
+                assert_eq!(check_version(junk, strict), Err(VersionError::malformed(junk)));
             }
         }
     }
 
     #[test]
     fn only_ascii_digits_make_a_number() {
-        for junk in [
-            "0.５", "٠.٥", "0_0.5", "0.5\n", "0,5", "0x0.5", "-0.5", "0.-5", ".", "..", "0..5",
-        ] {
-            assert_eq!(
-                check_version(junk, false),
-                Err(VersionError::malformed(junk)),
-                "{junk:?}"
-            );
+        for junk in ["0.５", "٠.٥", "0_0.5", "0.5\n", "0,5", "0x0.5", "-0.5", "0.-5", ".", "..", "0..5"] {
+            assert_eq!(check_version(junk, false), Err(VersionError::malformed(junk)), "{junk:?}");
         }
     }
 
@@ -165,13 +143,8 @@ mod tests {
         let long = "9".repeat(1_000_000);
         assert_eq!(check_version(&format!("0.{long}"), false), Ok(false));
         assert_eq!(check_version(&format!("{long}.5"), false), Ok(false));
-        assert_eq!(
-            check_version(&format!("0.{}5", "0".repeat(1_000_000)), true),
-            Ok(true)
-        );
-        let shown = check_version(&format!("0.{long}"), true)
-            .unwrap_err()
-            .to_string();
+        assert_eq!(check_version(&format!("0.{}5", "0".repeat(1_000_000)), true), Ok(true));
+        let shown = check_version(&format!("0.{long}"), true).unwrap_err().to_string();
         assert!(shown.len() < 200, "{}", shown.len());
     }
 

@@ -3,8 +3,8 @@
 
 use ncp_spec::ErrorCode;
 use ncp_spec::bulk::{
-    Block, BulkError, Column, ColumnRef, DataRef, Dtype, MAX_BLOCK_LEN, MAX_COLUMNS, MAX_NAME_LEN,
-    Region, encode, pack, pack_observation, unpack,
+    Block, BulkError, Column, ColumnRef, DataRef, Dtype, MAX_BLOCK_LEN, MAX_COLUMNS, MAX_NAME_LEN, Region, encode,
+    pack, pack_observation, unpack,
 };
 use ncp_spec::wire::Observation;
 
@@ -46,22 +46,12 @@ fn assert_rejected(block: &[u8], expected: &BulkError) {
 
 #[test]
 fn the_golden_columns_encode_to_exactly_the_golden_bytes() {
-    let borrowed = [
-        ColumnRef::new("times", &[1.5, 2.5, 9.0][..]),
-        ColumnRef::new("senders", &[7_i64, 7, 9][..]),
-    ];
-    let owned = [
-        Column::new("times", vec![1.5, 2.5, 9.0]),
-        Column::new("senders", vec![7_i64, 7, 9]),
-    ];
+    let borrowed = [ColumnRef::new("times", &[1.5, 2.5, 9.0][..]), ColumnRef::new("senders", &[7_i64, 7, 9][..])];
+    let owned = [Column::new("times", vec![1.5, 2.5, 9.0]), Column::new("senders", vec![7_i64, 7, 9])];
     assert_eq!(encode(&borrowed).unwrap(), GOLDEN);
     assert_eq!(encode(&owned).unwrap(), GOLDEN);
     assert_eq!(pack(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]).unwrap(), GOLDEN);
-    let observation = Observation {
-        times: vec![1.5, 2.5, 9.0],
-        senders: vec![7, 7, 9],
-        ..Observation::default()
-    };
+    let observation = Observation { times: vec![1.5, 2.5, 9.0], senders: vec![7, 7, 9], ..Observation::default() };
     assert_eq!(pack_observation(&observation).unwrap(), GOLDEN);
 }
 
@@ -72,32 +62,20 @@ fn the_golden_block_reads_as_its_two_columns_in_order() {
     let [times, senders] = [block.column(0).unwrap(), block.column(1).unwrap()];
     assert!(block.column(2).is_none());
 
-    assert_eq!(
-        (times.name(), times.dtype(), times.rows()),
-        ("times", Dtype::F64, 3)
-    );
+    assert_eq!((times.name(), times.dtype(), times.rows()), ("times", Dtype::F64, 3));
     assert_eq!(times.bytes(), &GOLDEN[0x38..0x50]);
-    assert_eq!(
-        times.iter::<f64>().unwrap().collect::<Vec<_>>(),
-        [1.5, 2.5, 9.0]
-    );
+    assert_eq!(times.iter::<f64>().unwrap().collect::<Vec<_>>(), [1.5, 2.5, 9.0]);
     assert_eq!(times.get::<f64>(2), Some(9.0));
     assert_eq!(times.get::<f64>(3), None);
 
-    assert_eq!(
-        (senders.name(), senders.dtype(), senders.rows()),
-        ("senders", Dtype::I64, 3)
-    );
+    assert_eq!((senders.name(), senders.dtype(), senders.rows()), ("senders", Dtype::I64, 3));
     assert_eq!(senders.bytes(), &GOLDEN[0x50..]);
     assert_eq!(senders.to_vec::<i64>().unwrap(), [7, 7, 9]);
 
     let (index, found) = block.find("senders").unwrap();
     assert_eq!((index, found.name()), (1, "senders"));
     assert!(block.find("sender").is_none());
-    assert_eq!(
-        unpack(&GOLDEN).unwrap(),
-        (vec![1.5, 2.5, 9.0], vec![], vec![7, 7, 9])
-    );
+    assert_eq!(unpack(&GOLDEN).unwrap(), (vec![1.5, 2.5, 9.0], vec![], vec![7, 7, 9]));
 }
 
 #[test]
@@ -115,10 +93,7 @@ fn a_block_lends_the_bytes_that_it_was_read_from_and_is_empty_without_columns() 
 fn shown_to_people_a_block_lists_its_columns_and_a_column_its_type_and_values() {
     let shown = format!("{:?}", Block::parse(&GOLDEN).unwrap());
     let (times, senders) = shown.split_once("senders").unwrap();
-    assert!(
-        times.contains("\"times\"") && times.contains("rows: 3"),
-        "{shown}"
-    );
+    assert!(times.contains("\"times\"") && times.contains("rows: 3"), "{shown}");
     assert!(senders.contains("rows: 3"), "{shown}");
     let whole = Column::new("x", vec![1_i32, -2]);
     assert_eq!(format!("{:?}", whole.data), "i32 [1, -2]");
@@ -146,11 +121,7 @@ fn a_slice_is_lent_at_every_address_that_suits_the_type_and_values_are_read_at_a
         let moved = &mut buffer[shift..shift + block.len()];
         moved.copy_from_slice(&block);
         let view = Block::parse(moved).unwrap().column(0).unwrap();
-        let aligned = view
-            .bytes()
-            .as_ptr()
-            .addr()
-            .is_multiple_of(align_of::<f64>());
+        let aligned = view.bytes().as_ptr().addr().is_multiple_of(align_of::<f64>());
         let lent = aligned && cfg!(target_endian = "little");
         assert_eq!(view.as_slice::<f64>().is_some(), lent, "shift {shift}");
         if let Some(slice) = view.as_slice::<f64>() {
@@ -188,11 +159,7 @@ fn a_column_without_rows_keeps_its_place_name_and_type() {
     ];
     let block = encode(&columns).unwrap();
     assert_eq!(Block::parse(&block).unwrap().to_columns(), columns);
-    assert_eq!(
-        block.len() % 8,
-        0,
-        "the last column begins at a multiple of 8 too"
-    );
+    assert_eq!(block.len() % 8, 0, "the last column begins at a multiple of 8 too");
 }
 
 #[test]
@@ -220,10 +187,7 @@ fn every_type_is_written_little_endian_in_its_own_width() {
         1, 0, 0, 0, 0, 0, 0, 0x80,
     ]);
     assert_eq!([1, 2, 3, 4], Dtype::ALL.map(Dtype::code));
-    assert_eq!(
-        [1, 2, 3, 4],
-        [0, 1, 2, 3].map(|column| block[entry(column) + DTYPE])
-    );
+    assert_eq!([1, 2, 3, 4], [0, 1, 2, 3].map(|column| block[entry(column) + DTYPE]));
 }
 
 #[test]
@@ -235,14 +199,8 @@ fn a_buffer_shorter_than_the_header_is_rejected() {
 
 #[test]
 fn a_wrong_magic_version_or_flag_is_rejected() {
-    assert_rejected(
-        &golden_with(0, *b"NCPb"),
-        &BulkError::Magic { found: *b"NCPb" },
-    );
-    assert_rejected(
-        &golden_with(0, *b"BPCN"),
-        &BulkError::Magic { found: *b"BPCN" },
-    );
+    assert_rejected(&golden_with(0, *b"NCPb"), &BulkError::Magic { found: *b"NCPb" });
+    assert_rejected(&golden_with(0, *b"BPCN"), &BulkError::Magic { found: *b"BPCN" });
     for found in [0, 2, 255] {
         assert_rejected(&golden_with(4, [found]), &BulkError::Version { found });
     }
@@ -254,85 +212,44 @@ fn a_wrong_magic_version_or_flag_is_rejected() {
 #[test]
 fn a_total_length_other_than_the_buffers_is_rejected() {
     for stated in [0, 103, 105, u32::MAX] {
-        assert_rejected(
-            &golden_with(8, stated.to_le_bytes()),
-            &BulkError::LengthMismatch { stated, len: 104 },
-        );
+        assert_rejected(&golden_with(8, stated.to_le_bytes()), &BulkError::LengthMismatch { stated, len: 104 });
     }
     let longer = [&GOLDEN[..], &[0]].concat();
-    assert_rejected(
-        &longer,
-        &BulkError::LengthMismatch {
-            stated: 104,
-            len: 105,
-        },
-    );
-    assert_rejected(
-        &GOLDEN[..103],
-        &BulkError::LengthMismatch {
-            stated: 104,
-            len: 103,
-        },
-    );
+    assert_rejected(&longer, &BulkError::LengthMismatch { stated: 104, len: 105 });
+    assert_rejected(&GOLDEN[..103], &BulkError::LengthMismatch { stated: 104, len: 103 });
 }
 
 #[test]
 fn a_directory_that_does_not_fit_is_rejected() {
     assert_rejected(
         &golden_with(6, 6_u16.to_le_bytes()),
-        &BulkError::DirectoryTruncated {
-            columns: 6,
-            end: 108,
-            len: 104,
-        },
+        &BulkError::DirectoryTruncated { columns: 6, end: 108, len: 104 },
     );
 }
 
 #[test]
 fn fewer_columns_than_the_directory_has_room_for_leave_a_gap() {
     let one = golden_with(6, 1_u16.to_le_bytes());
-    assert_eq!(
-        Block::parse(&one).unwrap().to_columns(),
-        [Column::new("times", vec![1.5, 2.5, 9.0])]
-    );
+    assert_eq!(Block::parse(&one).unwrap().to_columns(), [Column::new("times", vec![1.5, 2.5, 9.0])]);
 }
 
 #[test]
 fn an_unknown_dtype_or_a_set_pad_byte_is_rejected() {
     for found in [0, 5, 255] {
-        assert_rejected(
-            &golden_with(entry(1) + DTYPE, [found]),
-            &BulkError::UnknownDtype { column: 1, found },
-        );
+        assert_rejected(&golden_with(entry(1) + DTYPE, [found]), &BulkError::UnknownDtype { column: 1, found });
     }
-    assert_rejected(
-        &golden_with(entry(0) + PAD, [1]),
-        &BulkError::Pad {
-            column: 0,
-            found: 1,
-        },
-    );
+    assert_rejected(&golden_with(entry(0) + PAD, [1]), &BulkError::Pad { column: 0, found: 1 });
 }
 
 #[test]
 fn a_name_that_leaves_the_block_is_rejected() {
     assert_rejected(
         &golden_with(entry(1) + NAME_OFF, 98_u32.to_le_bytes()),
-        &BulkError::OutOfBounds {
-            region: Region::Name(1),
-            start: 98,
-            end: 105,
-            len: 104,
-        },
+        &BulkError::OutOfBounds { region: Region::Name(1), start: 98, end: 105, len: 104 },
     );
     assert_rejected(
         &golden_with(entry(0) + NAME_OFF, u32::MAX.to_le_bytes()),
-        &BulkError::OutOfBounds {
-            region: Region::Name(0),
-            start: 0xffff_ffff,
-            end: 0x1_0000_0004,
-            len: 104,
-        },
+        &BulkError::OutOfBounds { region: Region::Name(0), start: 0xffff_ffff, end: 0x1_0000_0004, len: 104 },
     );
 }
 
@@ -340,43 +257,24 @@ fn a_name_that_leaves_the_block_is_rejected() {
 fn data_that_leaves_the_block_is_rejected_however_large_its_count() {
     assert_rejected(
         &golden_with(entry(1) + ROWS, 4_u32.to_le_bytes()),
-        &BulkError::OutOfBounds {
-            region: Region::Data(1),
-            start: 80,
-            end: 112,
-            len: 104,
-        },
+        &BulkError::OutOfBounds { region: Region::Data(1), start: 80, end: 112, len: 104 },
     );
     // 2²⁹ rows of 8 bytes are 2³²: 0 to whoever multiplies in 32 bits.
     assert_rejected(
         &golden_with(entry(1) + ROWS, (1_u32 << 29).to_le_bytes()),
-        &BulkError::OutOfBounds {
-            region: Region::Data(1),
-            start: 80,
-            end: 80 + (1 << 32),
-            len: 104,
-        },
+        &BulkError::OutOfBounds { region: Region::Data(1), start: 80, end: 80 + (1 << 32), len: 104 },
     );
     // −16 and 3 rows of 8 bytes end at 8 when offsets wrap.
     assert_rejected(
         &golden_with(entry(1) + DATA_OFF, 0xffff_fff0_u32.to_le_bytes()),
-        &BulkError::OutOfBounds {
-            region: Region::Data(1),
-            start: 0xffff_fff0,
-            end: 0x1_0000_0008,
-            len: 104,
-        },
+        &BulkError::OutOfBounds { region: Region::Data(1), start: 0xffff_fff0, end: 0x1_0000_0008, len: 104 },
     );
 }
 
 #[test]
 fn a_name_or_data_within_header_or_directory_is_rejected() {
     for start in [0_u32, 11, 12, 43] {
-        let in_directory = |region| BulkError::InDirectory {
-            region,
-            start: u64::from(start),
-            directory_end: 44,
-        };
+        let in_directory = |region| BulkError::InDirectory { region, start: u64::from(start), directory_end: 44 };
         let name = golden_with(entry(0) + NAME_OFF, start.to_le_bytes());
         assert_rejected(&name, &in_directory(Region::Name(0)));
         let data = golden_with(entry(1) + DATA_OFF, start.to_le_bytes());
@@ -426,39 +324,17 @@ fn empty_regions_overlap_nothing_but_begin_within_the_block() {
         assert_eq!(columns[1], Column::new("senders", Vec::<i64>::new()));
     }
     block[entry(1) + DATA_OFF..][..4].copy_from_slice(&105_u32.to_le_bytes());
-    assert_rejected(
-        &block,
-        &BulkError::OutOfBounds {
-            region: Region::Data(1),
-            start: 105,
-            end: 105,
-            len: 104,
-        },
-    );
+    assert_rejected(&block, &BulkError::OutOfBounds { region: Region::Data(1), start: 105, end: 105, len: 104 });
 }
 
 #[test]
 fn a_name_that_is_not_utf_8_is_rejected() {
     // A lone continuation byte, an overlong slash, a surrogate, a cut sequence.
-    for (bytes, valid_up_to) in [
-        (*b"ti\x80es", 2),
-        (*b"t\xc0\xafes", 1),
-        (*b"t\xed\xa0\x80s", 1),
-        (*b"time\xc3", 4),
-    ] {
-        assert_rejected(
-            &golden_with(0x2c, bytes),
-            &BulkError::NameNotUtf8 {
-                column: 0,
-                valid_up_to,
-            },
-        );
+    for (bytes, valid_up_to) in [(*b"ti\x80es", 2), (*b"t\xc0\xafes", 1), (*b"t\xed\xa0\x80s", 1), (*b"time\xc3", 4)] {
+        assert_rejected(&golden_with(0x2c, bytes), &BulkError::NameNotUtf8 { column: 0, valid_up_to });
     }
     let sigma = golden_with(0x2c, *"t\u{3c3}ms".as_bytes().first_chunk::<5>().unwrap());
-    assert_eq!(
-        Block::parse(&sigma).unwrap().column(0).unwrap().name(),
-        "t\u{3c3}ms"
-    );
+    assert_eq!(Block::parse(&sigma).unwrap().column(0).unwrap().name(), "t\u{3c3}ms");
 }
 
 #[test]
@@ -466,34 +342,21 @@ fn two_columns_of_one_name_are_rejected_and_refused() {
     let mut block = golden_with(0x2c, *b"xtimetime");
     block[entry(0) + NAME_OFF..][..6].copy_from_slice(&[0x2d, 0, 0, 0, 4, 0]);
     block[entry(1) + NAME_OFF..][..6].copy_from_slice(&[0x31, 0, 0, 0, 4, 0]);
-    let duplicate = BulkError::DuplicateName {
-        first: 0,
-        second: 1,
-    };
+    let duplicate = BulkError::DuplicateName { first: 0, second: 1 };
     assert_rejected(&block, &duplicate);
 
     // Equal in the first six bytes and in the length, or by zeros behind, is not equal.
     let column = |name: &str| Column::new(name, vec![0_i32]);
-    let names = [
-        "sender", "sender\0", "sender_a", "sender_b", "sende", "sende\0", "",
-    ];
+    let names = ["sender", "sender\0", "sender_a", "sender_b", "sende", "sende\0", ""];
     let mut columns = names.map(column).to_vec();
     assert!(encode(&columns).is_ok());
     columns.push(column("sender_a"));
-    assert_eq!(
-        encode(&columns),
-        Err(BulkError::DuplicateName {
-            first: 2,
-            second: 7
-        })
-    );
+    assert_eq!(encode(&columns), Err(BulkError::DuplicateName { first: 2, second: 7 }));
 }
 
 #[test]
 fn four_thousand_and_ninety_six_columns_are_read_and_one_more_is_not() {
-    let mut columns: Vec<_> = (0..MAX_COLUMNS as i32)
-        .map(|i| Column::new(format!("c{i}"), vec![i]))
-        .collect();
+    let mut columns: Vec<_> = (0..MAX_COLUMNS as i32).map(|i| Column::new(format!("c{i}"), vec![i])).collect();
     let block = encode(&columns).unwrap();
     assert_eq!(Block::parse(&block).unwrap().to_columns(), columns);
 
@@ -501,10 +364,7 @@ fn four_thousand_and_ninety_six_columns_are_read_and_one_more_is_not() {
     let too_many = BulkError::TooManyColumns { columns: 4097 };
     assert_eq!(encode(&columns), Err(too_many.clone()));
     columns.resize(70_000, Column::new("", vec![0]));
-    assert_eq!(
-        encode(&columns),
-        Err(BulkError::TooManyColumns { columns: 70_000 })
-    );
+    assert_eq!(encode(&columns), Err(BulkError::TooManyColumns { columns: 70_000 }));
 
     // With room for all of the 4,097 entries.
     let mut stated = vec![0; 12 + 16 * 4097];
@@ -521,26 +381,16 @@ fn a_block_of_64_mib_is_read_and_written_and_one_byte_more_is_not() {
     let mut values = vec![0.25_f64; (MAX_BLOCK_LEN - 32) / 8];
     let mut block = encode(&[ColumnRef::new("full", &values[..])]).unwrap();
     assert_eq!(block.len(), MAX_BLOCK_LEN);
-    assert_eq!(
-        Block::parse(&block).unwrap().column(0).unwrap().rows(),
-        values.len()
-    );
+    assert_eq!(Block::parse(&block).unwrap().column(0).unwrap().rows(), values.len());
 
     values.push(0.25);
-    let too_long = BulkError::TooLong {
-        len: MAX_BLOCK_LEN as u64 + 8,
-    };
-    assert_eq!(
-        encode(&[ColumnRef::new("full", &values[..])]),
-        Err(too_long)
-    );
+    let too_long = BulkError::TooLong { len: MAX_BLOCK_LEN as u64 + 8 };
+    assert_eq!(encode(&[ColumnRef::new("full", &values[..])]), Err(too_long));
 
     block.push(0);
     let len = block.len() as u32;
     block[8..12].copy_from_slice(&len.to_le_bytes());
-    let too_long = BulkError::TooLong {
-        len: MAX_BLOCK_LEN as u64 + 1,
-    };
+    let too_long = BulkError::TooLong { len: MAX_BLOCK_LEN as u64 + 1 };
     assert_rejected(&block, &too_long);
     assert_eq!(too_long.code(), ErrorCode::Limit);
 }
@@ -549,10 +399,7 @@ fn a_block_of_64_mib_is_read_and_written_and_one_byte_more_is_not() {
 fn columns_that_share_their_memory_count_each_time_when_a_block_is_measured() {
     let shared = vec![0_i64; 1 << 20];
     let names: Vec<_> = (0..MAX_COLUMNS).map(|i| i.to_string()).collect();
-    let columns: Vec<_> = names
-        .iter()
-        .map(|name| ColumnRef::new(name, &shared[..]))
-        .collect();
+    let columns: Vec<_> = names.iter().map(|name| ColumnRef::new(name, &shared[..])).collect();
     assert!(matches!(encode(&columns), Err(BulkError::TooLong { .. })));
 }
 
@@ -564,18 +411,13 @@ fn a_name_of_65535_bytes_is_written_and_one_more_is_refused() {
     assert_eq!(Block::parse(&block).unwrap().to_columns(), longest);
     assert_eq!(
         encode(&[Column::new("x", vec![1_i32]), column(65_536)]),
-        Err(BulkError::NameTooLong {
-            column: 1,
-            len: 65_536
-        })
+        Err(BulkError::NameTooLong { column: 1, len: 65_536 })
     );
 }
 
 #[test]
 fn names_alone_can_fill_a_block_beyond_its_limit() {
-    let columns: Vec<_> = (0..1100)
-        .map(|i| Column::new(format!("{i:>MAX_NAME_LEN$}"), vec![0_i32]))
-        .collect();
+    let columns: Vec<_> = (0..1100).map(|i| Column::new(format!("{i:>MAX_NAME_LEN$}"), vec![0_i32])).collect();
     assert!(matches!(encode(&columns), Err(BulkError::TooLong { .. })));
     assert!(encode(&columns[..1000]).is_ok());
 }
@@ -583,53 +425,26 @@ fn names_alone_can_fill_a_block_beyond_its_limit() {
 #[test]
 fn packing_writes_a_column_for_each_array_that_is_not_empty() {
     let packed = |times: &[f64], values: &[f64], senders: &[i64]| {
-        Block::parse(&pack(times, values, senders).unwrap())
-            .unwrap()
-            .to_columns()
+        Block::parse(&pack(times, values, senders).unwrap()).unwrap().to_columns()
     };
     let times = || Column::new("times", vec![1.0, 2.0]);
     let values = || Column::new("values", vec![-65.0, f64::NAN]);
     let senders = || Column::new("senders", vec![1_i64, i64::MAX]);
-    assert_eq!(
-        packed(&[1.0, 2.0], &[-65.0, f64::NAN], &[1, i64::MAX]),
-        [times(), values(), senders()]
-    );
-    assert_eq!(
-        packed(&[1.0, 2.0], &[-65.0, f64::NAN], &[]),
-        [times(), values()]
-    );
-    assert_eq!(
-        packed(&[], &[-65.0, f64::NAN], &[1, i64::MAX]),
-        [values(), senders()]
-    );
+    assert_eq!(packed(&[1.0, 2.0], &[-65.0, f64::NAN], &[1, i64::MAX]), [times(), values(), senders()]);
+    assert_eq!(packed(&[1.0, 2.0], &[-65.0, f64::NAN], &[]), [times(), values()]);
+    assert_eq!(packed(&[], &[-65.0, f64::NAN], &[1, i64::MAX]), [values(), senders()]);
     assert_eq!(packed(&[], &[], &[1, i64::MAX]), [senders()]);
     assert_eq!(packed(&[], &[], &[]), []);
 }
 
 #[test]
 fn arrays_that_are_there_must_agree_in_length() {
-    let differ = |first, first_rows, second, second_rows| BulkError::RowsDiffer {
-        first,
-        first_rows,
-        second,
-        second_rows,
-    };
-    assert_eq!(
-        pack(&[1.0], &[1.0, 2.0], &[]),
-        Err(differ("times", 1, "values", 2))
-    );
-    assert_eq!(
-        pack(&[1.0], &[], &[1, 2]),
-        Err(differ("times", 1, "senders", 2))
-    );
-    assert_eq!(
-        pack(&[], &[1.0], &[1, 2]),
-        Err(differ("values", 1, "senders", 2))
-    );
-    assert_eq!(
-        pack(&[1.0], &[1.0], &[1, 2]),
-        Err(differ("times", 1, "senders", 2))
-    );
+    let differ =
+        |first, first_rows, second, second_rows| BulkError::RowsDiffer { first, first_rows, second, second_rows };
+    assert_eq!(pack(&[1.0], &[1.0, 2.0], &[]), Err(differ("times", 1, "values", 2)));
+    assert_eq!(pack(&[1.0], &[], &[1, 2]), Err(differ("times", 1, "senders", 2)));
+    assert_eq!(pack(&[], &[1.0], &[1, 2]), Err(differ("values", 1, "senders", 2)));
+    assert_eq!(pack(&[1.0], &[1.0], &[1, 2]), Err(differ("times", 1, "senders", 2)));
 
     let block = encode(&[
         Column::new("senders", vec![1_i64, 2]),
@@ -650,10 +465,7 @@ fn unpacking_takes_the_three_columns_in_any_order_and_ignores_others() {
         Column::new("", vec![0_f32; 3]),
     ])
     .unwrap();
-    assert_eq!(
-        unpack(&block).unwrap(),
-        (vec![0.5, 1.5], vec![], vec![4, 5])
-    );
+    assert_eq!(unpack(&block).unwrap(), (vec![0.5, 1.5], vec![], vec![4, 5]));
 }
 
 #[test]
@@ -664,20 +476,9 @@ fn unpacking_rejects_a_column_of_another_type_than_the_packed_one() {
         ("senders", DataRef::I32(&[1]), Dtype::I64),
         ("senders", DataRef::F64(&[]), Dtype::I64),
     ] {
-        let block = encode(&[
-            ColumnRef::new("other", &[0_i32][..]),
-            ColumnRef { name, data },
-        ]);
+        let block = encode(&[ColumnRef::new("other", &[0_i32][..]), ColumnRef { name, data }]);
         let error = unpack(&block.unwrap()).unwrap_err();
-        assert_eq!(
-            error,
-            BulkError::ColumnDtype {
-                column: 1,
-                name,
-                expected,
-                found: data.dtype()
-            }
-        );
+        assert_eq!(error, BulkError::ColumnDtype { column: 1, name, expected, found: data.dtype() });
         assert_eq!(error.code(), ErrorCode::Block);
     }
 }
@@ -689,19 +490,12 @@ fn equality_of_columns_is_that_of_their_bits() {
     assert_ne!(nan(0x7ff8_0000_0000_0001), nan(0x7ff8_0000_0000_0002));
     assert_ne!(Column::new("x", vec![0.0]), Column::new("x", vec![-0.0]));
     assert_ne!(Column::new("x", vec![0_i32]), Column::new("x", vec![0_f32]));
-    assert_ne!(
-        Column::new("x", Vec::<i32>::new()),
-        Column::new("x", Vec::<f32>::new())
-    );
+    assert_ne!(Column::new("x", Vec::<i32>::new()), Column::new("x", Vec::<f32>::new()));
 }
 
 #[test]
 fn an_error_names_the_column_and_the_numbers() {
-    let message = |at, bytes: [u8; 4]| {
-        Block::parse(&golden_with(at, bytes))
-            .unwrap_err()
-            .to_string()
-    };
+    let message = |at, bytes: [u8; 4]| Block::parse(&golden_with(at, bytes)).unwrap_err().to_string();
     assert_eq!(
         message(entry(1) + DATA_OFF, 79_u32.to_le_bytes()),
         "the data of column 0 and the data of column 1 share the byte at 79"
@@ -710,8 +504,5 @@ fn an_error_names_the_column_and_the_numbers() {
         message(entry(0) + NAME_OFF, 101_u32.to_le_bytes()),
         "the name of column 0 takes bytes 101 to 106, the block ends at 104"
     );
-    assert_eq!(
-        message(0, *b"RIFF"),
-        "the magic is [52, 49, 46, 46], not \"NCPB\""
-    );
+    assert_eq!(message(0, *b"RIFF"), "the magic is [52, 49, 46, 46], not \"NCPB\"");
 }

@@ -1,9 +1,6 @@
 //! What decoding a block may allocate, counted by the allocator itself (finding L01).
 #![allow(unsafe_code, reason = "a global allocator is an unsafe trait")]
-#![allow(
-    clippy::unwrap_used,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -59,10 +56,7 @@ fn counted<T>(work: impl FnOnce() -> T) -> (T, usize, usize) {
 fn block_of(columns: usize, rows: usize) -> Vec<u8> {
     let values: Vec<i32> = (0..rows as i32).collect();
     let names: Vec<_> = (0..columns).map(|column| format!("{column:x}")).collect();
-    let columns: Vec<_> = names
-        .iter()
-        .map(|name| ColumnRef::new(name, &values[..]))
-        .collect();
+    let columns: Vec<_> = names.iter().map(|name| ColumnRef::new(name, &values[..])).collect();
     encode(&columns).unwrap()
 }
 
@@ -96,17 +90,9 @@ fn viewing_up_to_eight_columns_allocates_nothing() {
         let block = block_of(columns, 1000);
         let (sum, bytes, _) = counted(|| {
             let block = Block::parse(&block).unwrap();
-            block
-                .columns()
-                .flat_map(|view| view.iter::<i32>().unwrap())
-                .map(i64::from)
-                .sum::<i64>()
+            block.columns().flat_map(|view| view.iter::<i32>().unwrap()).map(i64::from).sum::<i64>()
         });
-        assert_eq!(
-            (sum, bytes),
-            (499_500 * columns as i64, 0),
-            "{columns} columns"
-        );
+        assert_eq!((sum, bytes), (499_500 * columns as i64, 0), "{columns} columns");
     }
 }
 
@@ -132,18 +118,10 @@ fn four_thousand_columns_over_one_megabyte_are_rejected_before_anything_is_copie
     ] {
         let (accepted, bytes, _) = counted(|| Block::parse(&block).is_ok());
         assert!(!accepted);
-        assert!(
-            bytes <= block.len(),
-            "{bytes} bytes for a block of {}",
-            block.len()
-        );
+        assert!(bytes <= block.len(), "{bytes} bytes for a block of {}", block.len());
         let (accepted, bytes, _) = counted(|| unpack(&block).is_ok());
         assert!(!accepted);
-        assert!(
-            bytes <= block.len(),
-            "{bytes} bytes for a block of {}",
-            block.len()
-        );
+        assert!(bytes <= block.len(), "{bytes} bytes for a block of {}", block.len());
     }
 }
 
@@ -161,23 +139,14 @@ fn owned_columns_take_no_more_than_the_block_and_their_own_size() {
 
 #[test]
 fn unpacking_allocates_no_more_than_the_block() {
-    let mut columns: Vec<_> = (0..4000)
-        .map(|i| Column::new(format!("other {i}"), Vec::<f32>::new()))
-        .collect();
+    let mut columns: Vec<_> = (0..4000).map(|i| Column::new(format!("other {i}"), Vec::<f32>::new())).collect();
     columns.push(Column::new("senders", (0..1000).collect::<Vec<i64>>()));
     columns.push(Column::new("times", vec![0.5; 1000]));
     for columns in [&columns[..], &columns[4000..]] {
         let block = encode(columns).unwrap();
         let (arrays, bytes, _) = counted(|| unpack(&block).unwrap());
-        assert_eq!(
-            (arrays.0.len(), arrays.1.len(), arrays.2.len()),
-            (1000, 0, 1000)
-        );
-        assert!(
-            bytes <= block.len(),
-            "{bytes} bytes for a block of {}",
-            block.len()
-        );
+        assert_eq!((arrays.0.len(), arrays.1.len(), arrays.2.len()), (1000, 0, 1000));
+        assert!(bytes <= block.len(), "{bytes} bytes for a block of {}", block.len());
     }
 }
 

@@ -1,9 +1,6 @@
 //! The BulkBlock decoder against a slow one that is easy to believe, over damaged
 //! and arbitrary blocks; and what goes in comes out, bit for bit.
-#![allow(
-    clippy::unwrap_used,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
 use std::collections::HashSet;
 
@@ -24,12 +21,7 @@ mod model {
     pub(super) fn decode(block: &[u8]) -> Option<Vec<Facts>> {
         let field = |at: usize, len: usize| -> Option<u64> {
             let bytes = block.get(at..at + len)?;
-            Some(
-                bytes
-                    .iter()
-                    .rev()
-                    .fold(0, |sum, byte| sum * 256 + u64::from(*byte)),
-            )
+            Some(bytes.iter().rev().fold(0, |sum, byte| sum * 256 + u64::from(*byte)))
         };
         let columns = field(6, 2)? as usize;
         let header_is_right = block.len() <= 67_108_864
@@ -104,23 +96,12 @@ fn decode(block: &[u8]) -> Option<Vec<Facts>> {
 fn bits<T: Element>(view: &ColumnView<'_>, bit: impl Fn(T) -> u64 + Copy) -> Vec<u64> {
     let bits: Vec<_> = view.iter().unwrap().map(bit).collect();
     assert_eq!(bits.len(), view.rows());
-    assert_eq!(
-        bits,
-        view.to_vec()
-            .unwrap()
-            .into_iter()
-            .map(bit)
-            .collect::<Vec<_>>()
-    );
+    assert_eq!(bits, view.to_vec().unwrap().into_iter().map(bit).collect::<Vec<_>>());
     for row in [0, view.rows() / 2, view.rows().wrapping_sub(1), view.rows()] {
         assert_eq!(view.get(row).map(bit), bits.get(row).copied());
     }
     if let Some(slice) = view.as_slice::<T>() {
-        assert!(
-            bits.iter()
-                .copied()
-                .eq(slice.iter().map(|value| bit(*value)))
-        );
+        assert!(bits.iter().copied().eq(slice.iter().map(|value| bit(*value))));
     }
     bits
 }
@@ -185,14 +166,8 @@ fn plan() -> impl Strategy<Value = Plan> {
 fn any_plan() -> impl Strategy<Value = Plan> {
     let dtype = prop::sample::select(&Dtype::ALL[..]);
     // Zeros at a name's end are what a digest by words may overlook.
-    let column =
-        ("[a-h\\x00]{0,3}|\\PC{0,10}", dtype, 0..5_usize).prop_flat_map(|(name, dtype, rows)| {
-            (
-                Just(name),
-                Just(dtype),
-                vec(any::<u8>(), rows * dtype.size()),
-            )
-        });
+    let column = ("[a-h\\x00]{0,3}|\\PC{0,10}", dtype, 0..5_usize)
+        .prop_flat_map(|(name, dtype, rows)| (Just(name), Just(dtype), vec(any::<u8>(), rows * dtype.size())));
     // Twelve columns need sorting room from the heap, eight do not.
     vec(column, 0..12).prop_flat_map(|columns| {
         let places = vec((any::<u32>(), vec(any::<u8>(), 0..4)), 2 * columns.len());
@@ -208,26 +183,13 @@ fn any_plan() -> impl Strategy<Value = Plan> {
 #[derive(Debug, Clone)]
 enum Damage {
     /// Puts a telling number into a field of a directory entry.
-    Field {
-        column: Index,
-        field: usize,
-        value: Index,
-        off_by: i64,
-    },
+    Field { column: Index, field: usize, value: Index, off_by: i64 },
     /// Puts a telling number into the header.
-    Header {
-        field: usize,
-        value: Index,
-        off_by: i64,
-    },
+    Header { field: usize, value: Index, off_by: i64 },
     /// One column takes the directory entry of another.
     CopyEntry { from: Index, to: Index },
     /// Two columns exchange a field.
-    ExchangeField {
-        one: Index,
-        other: Index,
-        field: usize,
-    },
+    ExchangeField { one: Index, other: Index, field: usize },
     /// The block ends early and says so.
     Cut(Index),
     /// Bytes follow the block.
@@ -264,23 +226,14 @@ impl Damage {
         let entries = columns.min(block.len().saturating_sub(12) / 16);
         let entry = |index: &Index| (entries > 0).then(|| 12 + 16 * index.index(entries));
         match self {
-            Self::Field {
-                column,
-                field,
-                value,
-                off_by,
-            } => {
+            Self::Field { column, field, value, off_by } => {
                 let (offset, width) = ENTRY_FIELDS[*field];
                 if let Some(entry) = entry(column) {
                     let value = telling(block, entries, value, *off_by);
                     block[entry + offset..][..width].copy_from_slice(&value[..width]);
                 }
             }
-            Self::Header {
-                field,
-                value,
-                off_by,
-            } => {
+            Self::Header { field, value, off_by } => {
                 let (offset, width) = HEADER_FIELDS[*field];
                 let value = telling(block, entries, value, *off_by);
                 if let Some(bytes) = block.get_mut(offset..offset + width) {
@@ -323,34 +276,14 @@ impl Damage {
 fn telling(block: &[u8], entries: usize, pick: &Index, off_by: i64) -> [u8; 4] {
     let field = |at| u32::from_le_bytes(*block[at..].first_chunk().unwrap());
     let len = block.len() as u32;
-    let mut numbers = vec![
-        0,
-        1,
-        4,
-        8,
-        12,
-        12 + 16 * entries as u32,
-        len,
-        u32::MAX,
-        1 << 29,
-        1 << 30,
-        1 << 31,
-    ];
+    let mut numbers = vec![0, 1, 4, 8, 12, 12 + 16 * entries as u32, len, u32::MAX, 1 << 29, 1 << 30, 1 << 31];
     for entry in (0..entries).map(|column| 12 + 16 * column) {
         let (name, data, rows) = (field(entry), field(entry + 12), field(entry + 8));
         let name_end = name.wrapping_add(field(entry + 4) & 0xffff);
         let data_end = data.wrapping_add(rows.wrapping_mul(4));
-        numbers.extend([
-            name,
-            name_end,
-            data,
-            data_end,
-            len.wrapping_sub(rows.wrapping_mul(8)),
-        ]);
+        numbers.extend([name, name_end, data, data_end, len.wrapping_sub(rows.wrapping_mul(8))]);
     }
-    numbers[pick.index(numbers.len())]
-        .wrapping_add_signed(off_by as i32)
-        .to_le_bytes()
+    numbers[pick.index(numbers.len())].wrapping_add_signed(off_by as i32).to_le_bytes()
 }
 
 fn damaged() -> impl Strategy<Value = Vec<u8>> {
@@ -365,16 +298,9 @@ fn damaged() -> impl Strategy<Value = Vec<u8>> {
 
 fn column_data() -> impl Strategy<Value = ColumnData> {
     // From bits, so that NaN payloads and both zeros are among them.
-    let f32s = prop_oneof![
-        any::<u32>().prop_map(f32::from_bits),
-        Just(-0.0),
-        Just(f32::NAN)
-    ];
-    let f64s = prop_oneof![
-        any::<u64>().prop_map(f64::from_bits),
-        Just(-0.0),
-        Just(f64::from_bits(0x7ff0_0000_0000_0001)),
-    ];
+    let f32s = prop_oneof![any::<u32>().prop_map(f32::from_bits), Just(-0.0), Just(f32::NAN)];
+    let f64s =
+        prop_oneof![any::<u64>().prop_map(f64::from_bits), Just(-0.0), Just(f64::from_bits(0x7ff0_0000_0000_0001)),];
     prop_oneof![
         vec(f32s, 0..40).prop_map(ColumnData::F32),
         vec(f64s, 0..40).prop_map(ColumnData::F64),
@@ -386,9 +312,7 @@ fn column_data() -> impl Strategy<Value = ColumnData> {
 fn columns() -> impl Strategy<Value = Vec<Column>> {
     vec(("\\PC{0,12}", column_data()), 0..20).prop_map(|columns| {
         let mut seen = HashSet::new();
-        let distinct = columns
-            .into_iter()
-            .filter(|(name, _)| seen.insert(name.clone()));
+        let distinct = columns.into_iter().filter(|(name, _)| seen.insert(name.clone()));
         distinct.map(|(name, data)| Column { name, data }).collect()
     })
 }
@@ -485,8 +409,6 @@ fn every_value_of_every_header_and_directory_byte_is_judged_as_by_the_slow_decod
 fn the_damages_leave_some_blocks_valid_and_break_others() {
     let mut runner = TestRunner::deterministic();
     let blocks = (0..1000).map(|_| damaged().new_tree(&mut runner).unwrap().current());
-    let valid = blocks
-        .filter(|block| model::decode(block).is_some())
-        .count();
+    let valid = blocks.filter(|block| model::decode(block).is_some()).count();
     assert!((150..850).contains(&valid), "{valid} of 1000 are valid");
 }

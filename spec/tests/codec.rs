@@ -12,43 +12,27 @@ fn plain() -> Mapping {
 }
 
 fn mapping(value_range: (f64, f64), rate_range: (f64, f64)) -> Mapping {
-    Mapping {
-        value_range,
-        rate_range,
-        ..plain()
-    }
+    Mapping { value_range, rate_range, ..plain() }
 }
 
 fn sensed(channel: &'static str, data: &[f64]) -> SensorFrame {
     let mut frame = SensorFrame::default();
-    frame
-        .channels
-        .insert(channel, ChannelValue::without_unit(data));
+    frame.channels.insert(channel, ChannelValue::without_unit(data));
     frame
 }
 
 fn rates(of: &[(&str, f64)]) -> Rates {
-    of.iter()
-        .map(|(name, rate)| ((*name).to_owned(), *rate))
-        .collect()
+    of.iter().map(|(name, rate)| ((*name).to_owned(), *rate)).collect()
 }
 
 fn decode(codec: &RateCodec, of: &[(&str, f64)]) -> ChannelMap {
-    codec
-        .decode(&rates(of), 0.0, 0, "world", Mode::Active)
-        .channels
+    codec.decode(&rates(of), 0.0, 0, "world", Mode::Active).channels
 }
 
 /// [NCP-CODEC-001] [NCP-CODEC-003] The defaults are −1 … 1 and 0 … 200 Hz.
 #[test]
 fn both_ways_are_linear_and_exact_at_the_ends_and_in_the_middle() {
-    for (value, rate) in [
-        (-1.0, 0.0),
-        (-0.5, 50.0),
-        (0.0, 100.0),
-        (0.25, 125.0),
-        (1.0, 200.0),
-    ] {
+    for (value, rate) in [(-1.0, 0.0), (-0.5, 50.0), (0.0, 100.0), (0.25, 125.0), (1.0, 200.0)] {
         assert_eq!(plain().encode(Some(value)), rate);
         assert_eq!(plain().decode(Some(rate)), value);
     }
@@ -81,13 +65,7 @@ fn what_lies_beyond_a_range_is_clamped_to_its_end() {
     ] {
         assert_eq!(plain().encode(Some(value)), rate, "{value}");
     }
-    for (rate, value) in [
-        (200.0_f64.next_up(), 1.0),
-        (f64::MAX, 1.0),
-        (-TINY, -1.0),
-        (-1.0, -1.0),
-        (f64::MIN, -1.0),
-    ] {
+    for (rate, value) in [(200.0_f64.next_up(), 1.0), (f64::MAX, 1.0), (-TINY, -1.0), (-1.0, -1.0), (f64::MIN, -1.0)] {
         assert_eq!(plain().decode(Some(rate)), value, "{rate}");
     }
 }
@@ -95,13 +73,7 @@ fn what_lies_beyond_a_range_is_clamped_to_its_end() {
 /// [NCP-CODEC-005] L06: a missing sensor is no extreme.
 #[test]
 fn what_is_not_sensed_is_the_middle_of_the_rates() {
-    let codec = RateCodec {
-        encoders: vec![Mapping {
-            component: 1,
-            ..plain()
-        }],
-        decoders: vec![],
-    };
+    let codec = RateCodec { encoders: vec![Mapping { component: 1, ..plain() }], decoders: vec![] };
     let encode = |sensor: Option<&SensorFrame>| codec.encode(sensor)["drive"];
     assert_eq!(encode(None), 100.0);
     assert_eq!(encode(Some(&SensorFrame::default())), 100.0);
@@ -117,18 +89,11 @@ fn what_is_not_sensed_is_the_middle_of_the_rates() {
 /// [NCP-CODEC-006]
 #[test]
 fn what_is_not_read_out_is_the_middle_of_the_values() {
-    let codec = RateCodec {
-        encoders: vec![],
-        decoders: vec![mapping((2.0, 6.0), (0.0, 200.0))],
-    };
+    let codec = RateCodec { encoders: vec![], decoders: vec![mapping((2.0, 6.0), (0.0, 200.0))] };
     assert_eq!(decode(&codec, &[])["stick"].data, [4.0]);
     assert_eq!(decode(&codec, &[("another", 200.0)])["stick"].data, [4.0]);
     for bad in NOT_FINITE {
-        assert_eq!(
-            decode(&codec, &[("drive", bad)])["stick"].data,
-            [4.0],
-            "{bad}"
-        );
+        assert_eq!(decode(&codec, &[("drive", bad)])["stick"].data, [4.0], "{bad}");
     }
 }
 
@@ -146,16 +111,8 @@ fn a_degenerate_source_range_gives_the_middle_of_the_target() {
     ];
     for range in degenerate {
         for x in [0.0, -0.0, 0.5, 1.0, TINY, f64::MAX] {
-            assert_eq!(
-                mapping(range, (0.0, 200.0)).encode(Some(x)),
-                100.0,
-                "{range:?} {x}"
-            );
-            assert_eq!(
-                mapping((-1.0, 3.0), range).decode(Some(x)),
-                1.0,
-                "{range:?} {x}"
-            );
+            assert_eq!(mapping(range, (0.0, 200.0)).encode(Some(x)), 100.0, "{range:?} {x}");
+            assert_eq!(mapping((-1.0, 3.0), range).decode(Some(x)), 1.0, "{range:?} {x}");
         }
     }
 }
@@ -176,26 +133,12 @@ fn a_target_wider_than_any_double_is_still_mapped_to() {
 /// [NCP-CODEC-001] [NCP-CODEC-002] Whatever is finite stays within the target.
 #[test]
 fn no_finite_range_or_sample_makes_a_rate_outside_its_range() {
-    let numbers = [
-        0.0,
-        -0.0,
-        TINY,
-        -TINY,
-        1.0,
-        -1.0,
-        1e160,
-        -1e160,
-        f64::MAX,
-        f64::MIN,
-    ];
+    let numbers = [0.0, -0.0, TINY, -TINY, 1.0, -1.0, 1e160, -1e160, f64::MAX, f64::MIN];
     for (v0, v1) in numbers.iter().flat_map(|&a| numbers.map(|b| (a, b))) {
         for (r0, r1) in numbers.iter().flat_map(|&a| numbers.map(|b| (a, b))) {
             for x in numbers {
                 let rate = mapping((v0, v1), (r0, r1)).encode(Some(x));
-                assert!(
-                    r0.min(r1) <= rate && rate <= r0.max(r1),
-                    "{v0} … {v1}, {r0} … {r1}: {x} gave {rate}"
-                );
+                assert!(r0.min(r1) <= rate && rate <= r0.max(r1), "{v0} … {v1}, {r0} … {r1}: {x} gave {rate}");
             }
         }
     }
@@ -204,25 +147,10 @@ fn no_finite_range_or_sample_makes_a_rate_outside_its_range() {
 /// [NCP-CODEC-008]
 #[test]
 fn a_mapping_of_component_4096_or_more_is_ignored() {
-    for (component, counts) in [
-        (4_095, true),
-        (4_096, false),
-        (4_097, false),
-        (usize::MAX, false),
-    ] {
-        let far = Mapping {
-            component,
-            ..plain()
-        };
-        let codec = RateCodec {
-            encoders: vec![far.clone()],
-            decoders: vec![far],
-        };
-        assert_eq!(
-            codec.encode(None).contains_key("drive"),
-            counts,
-            "{component}"
-        );
+    for (component, counts) in [(4_095, true), (4_096, false), (4_097, false), (usize::MAX, false)] {
+        let far = Mapping { component, ..plain() };
+        let codec = RateCodec { encoders: vec![far.clone()], decoders: vec![far] };
+        assert_eq!(codec.encode(None).contains_key("drive"), counts, "{component}");
         let channels = decode(&codec, &[("drive", 200.0)]);
         assert_eq!(
             channels.get("stick").map(|stick| stick.data.len()),
@@ -237,15 +165,7 @@ fn a_mapping_of_component_4096_or_more_is_ignored() {
 fn a_decoded_command_has_the_stamps_and_the_mode_that_it_was_given() {
     for mode in [Mode::Init, Mode::Active, Mode::Hold, Mode::Estop] {
         let command = RateCodec::uav().decode(&Rates::new(), 12.5, -3, "base_link", mode);
-        let CommandFrame {
-            t,
-            seq,
-            frame_id,
-            mode: found,
-            ttl_ms,
-            horizon,
-            ..
-        } = command;
+        let CommandFrame { t, seq, frame_id, mode: found, ttl_ms, horizon, .. } = command;
         assert_eq!((t, seq, &*frame_id, found), (12.5, -3, "base_link", mode));
         assert_eq!((ttl_ms, horizon.len()), (200.0, 0));
     }
@@ -254,32 +174,17 @@ fn a_decoded_command_has_the_stamps_and_the_mode_that_it_was_given() {
 /// [NCP-CODEC-010]
 #[test]
 fn a_component_between_those_that_are_mapped_is_zero() {
-    let decoders = [3, 1].map(|component| Mapping {
-        component,
-        ..mapping((5.0, 7.0), (0.0, 1.0))
-    });
-    let codec = RateCodec {
-        encoders: vec![],
-        decoders: decoders.to_vec(),
-    };
-    assert_eq!(
-        decode(&codec, &[("drive", 1.0)])["stick"].data,
-        [0.0, 7.0, 0.0, 7.0]
-    );
+    let decoders = [3, 1].map(|component| Mapping { component, ..mapping((5.0, 7.0), (0.0, 1.0)) });
+    let codec = RateCodec { encoders: vec![], decoders: decoders.to_vec() };
+    assert_eq!(decode(&codec, &[("drive", 1.0)])["stick"].data, [0.0, 7.0, 0.0, 7.0]);
 }
 
 #[test]
 fn the_first_mapping_of_a_channel_that_names_a_unit_decides_on_it() {
     let unit = |units: [Option<&'static str>; 3]| {
-        let decoders = (0..).zip(units).map(|(component, unit)| Mapping {
-            component,
-            unit: unit.map(Into::into),
-            ..plain()
-        });
-        let codec = RateCodec {
-            encoders: vec![],
-            decoders: decoders.collect(),
-        };
+        let decoders =
+            (0..).zip(units).map(|(component, unit)| Mapping { component, unit: unit.map(Into::into), ..plain() });
+        let codec = RateCodec { encoders: vec![], decoders: decoders.collect() };
         decode(&codec, &[])["stick"].unit.clone()
     };
     assert_eq!(unit([None, None, None]), None);
@@ -294,38 +199,18 @@ fn the_default_uav_codec_is_the_one_of_the_table() {
     assert_eq!(RATE_CODEC_ID, "ncp.codec.rate.v0");
     let uav = RateCodec::uav();
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        for (error, rate) in [
-            (-2.0, 0.0),
-            (-1.0, 50.0),
-            (0.0, 100.0),
-            (2.0, 200.0),
-            (3.0, 200.0),
-        ] {
+        for (error, rate) in [(-2.0, 0.0), (-1.0, 50.0), (0.0, 100.0), (2.0, 200.0), (3.0, 200.0)] {
             let mut errors = [0.0; 3];
             errors[axis] = error;
             let encoded = uav.encode(Some(&sensed("pose_error", &errors)));
-            let want = ["x", "y", "z"].map(|other| {
-                (
-                    format!("err_{other}"),
-                    if other == name { rate } else { 100.0 },
-                )
-            });
+            let want = ["x", "y", "z"].map(|other| (format!("err_{other}"), if other == name { rate } else { 100.0 }));
             assert_eq!(encoded, Rates::from(want));
         }
-        for (rate, speed) in [
-            (0.0, -1.5),
-            (50.0, -0.75),
-            (100.0, 0.0),
-            (200.0, 1.5),
-            (999.0, 1.5),
-        ] {
+        for (rate, speed) in [(0.0, -1.5), (50.0, -0.75), (100.0, 0.0), (200.0, 1.5), (999.0, 1.5)] {
             let mut want = [0.0; 3];
             want[axis] = speed;
             let channels = decode(&uav, &[(&format!("vel_{name}"), rate)]);
-            assert_eq!(
-                channels,
-                ChannelMap::from_iter([("velocity_setpoint", ChannelValue::new(want, "m/s"))])
-            );
+            assert_eq!(channels, ChannelMap::from_iter([("velocity_setpoint", ChannelValue::new(want, "m/s"))]));
         }
     }
     assert_eq!((uav.encoders.len(), uav.decoders.len()), (3, 3));
@@ -338,8 +223,5 @@ fn a_uav_without_a_sensor_and_without_a_network_is_commanded_to_stand_still() {
     assert!(uav.encode(None).values().all(|&rate| rate == 100.0));
     let command = uav.decode(&Rates::new(), 0.0, 1, "world", Mode::Active);
     assert_eq!(command.channels["velocity_setpoint"].data, [0.0; 3]);
-    assert_eq!(
-        CommandFrame::decode(command.encode().unwrap().as_bytes()).unwrap(),
-        command
-    );
+    assert_eq!(CommandFrame::decode(command.encode().unwrap().as_bytes()).unwrap(), command);
 }

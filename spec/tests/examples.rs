@@ -1,8 +1,5 @@
 //! The examples do what they say: they are run here as they are, and their logs are kept.
-#![allow(
-    clippy::unwrap_used,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
 use std::fs;
 
@@ -28,21 +25,13 @@ fn norm([x, y, z]: [f64; 3]) -> f64 {
 /// The samples of a scene, counted from 1.
 fn scene(flight: &Flight, number: usize) -> impl Iterator<Item = &Sample> {
     let begin = flight.scenes[number - 1].0;
-    let end = flight
-        .scenes
-        .get(number)
-        .map_or(f64::MAX, |(next, _)| *next);
-    flight
-        .samples
-        .iter()
-        .filter(move |sample| (begin..end).contains(&sample.t))
+    let end = flight.scenes.get(number).map_or(f64::MAX, |(next, _)| *next);
+    flight.samples.iter().filter(move |sample| (begin..end).contains(&sample.t))
 }
 
 /// The states of a scene, each once for as long as it lasts.
 fn states(flight: &Flight, number: usize) -> Vec<&'static str> {
-    let mut states: Vec<_> = scene(flight, number)
-        .map(|sample| sample.state.name())
-        .collect();
+    let mut states: Vec<_> = scene(flight, number).map(|sample| sample.state.name()).collect();
     states.dedup();
     states
 }
@@ -68,26 +57,14 @@ fn the_log_of_the_session_is_the_same_each_time() {
 fn the_body_moves_only_as_it_may() {
     let flight = fly();
     for sample in &flight.samples {
-        let Sample {
-            t,
-            position,
-            followed_mps,
-            state,
-        } = sample;
-        assert!(
-            *followed_mps <= MAX_SPEED_MPS,
-            "{followed_mps} m/s at {t} s"
-        );
+        let Sample { t, position, followed_mps, state } = sample;
+        assert!(*followed_mps <= MAX_SPEED_MPS, "{followed_mps} m/s at {t} s");
         assert_eq!(*followed_mps > 0.0, is_moving(*state), "{state:?} at {t} s");
         if is_moving(*state) {
             assert!(norm(*position) <= RADIUS_M, "{position:?} at {t} s");
         }
     }
-    let farthest = flight
-        .samples
-        .iter()
-        .map(|sample| norm(sample.position))
-        .fold(0.0, f64::max);
+    let farthest = flight.samples.iter().map(|sample| norm(sample.position)).fold(0.0, f64::max);
     assert!(farthest > RADIUS_M, "only the gust takes it out");
 }
 
@@ -96,12 +73,7 @@ fn each_scene_goes_through_its_gate_and_no_other() {
     let flight = fly();
     assert_eq!(states(&flight, 1), ["hold", "active"]);
     assert_eq!(states(&flight, 2), ["active", "limited", "active"]);
-    assert_eq!(
-        states(&flight, 3),
-        [
-            "active", "hold", "estop", "carried", "estop", "hold", "active"
-        ]
-    );
+    assert_eq!(states(&flight, 3), ["active", "hold", "estop", "carried", "estop", "hold", "active"]);
     assert_eq!(states(&flight, 4), ["active", "hold", "active"]);
     assert_eq!(states(&flight, 5), ["active", "hold", "active"]);
     assert_eq!(states(&flight, 6), ["active", "replay", "hold", "active"]);
@@ -115,18 +87,11 @@ fn the_body_goes_on_no_longer_than_each_gate_allows() {
     let flight = fly();
     for (number, allowed_s) in [(4, 0.250), (5, 0.400)] {
         let begin = flight.scenes[number - 1].0;
-        let held = scene(&flight, number)
-            .find(|sample| sample.state == State::Hold)
-            .unwrap();
+        let held = scene(&flight, number).find(|sample| sample.state == State::Hold).unwrap();
         let went_on = held.t - begin;
-        assert!(
-            (allowed_s - 0.05..=allowed_s + 0.15).contains(&went_on),
-            "scene {number}: {went_on} s"
-        );
+        assert!((allowed_s - 0.05..=allowed_s + 0.15).contains(&went_on), "scene {number}: {went_on} s");
     }
-    let replay: Vec<_> = scene(&flight, 6)
-        .filter(|sample| sample.state == State::Replay)
-        .collect();
+    let replay: Vec<_> = scene(&flight, 6).filter(|sample| sample.state == State::Replay).collect();
     let replayed = replay.last().unwrap().t - replay[0].t;
     assert!((1.9..=2.0).contains(&replayed), "{replayed} s");
 }
@@ -157,15 +122,7 @@ fn the_files_hold_the_flight() {
 
     let plot = fs::read_to_string(out_dir.join("flight.svg")).unwrap();
     assert!(plot.starts_with("<svg ") && plot.ends_with("</svg>\n"));
-    for shown in [
-        "fence, 10 m",
-        ">start<",
-        ">A<",
-        ">home<",
-        "→ C",
-        "replay of a horizon",
-        "ESTOP",
-    ] {
+    for shown in ["fence, 10 m", ">start<", ">A<", ">home<", "→ C", "replay of a horizon", "ESTOP"] {
         assert!(plot.contains(shown), "{shown}");
     }
     assert!(!plot.contains("NaN") && !plot.contains("inf"));
@@ -174,8 +131,7 @@ fn the_files_hold_the_flight() {
     assert_eq!(plot.matches("<polyline").count(), 3 * runs);
     // Every element is closed where it begins, but for text and the document itself.
     for line in plot.lines() {
-        let is_text =
-            (line.starts_with("<text") && line.ends_with("</text>")) || line.starts_with("<title>");
+        let is_text = (line.starts_with("<text") && line.ends_with("</text>")) || line.starts_with("<title>");
         let is_document = line.starts_with("<svg") || line == "</svg>";
         assert!(is_text || is_document || line.ends_with("/>"), "{line}");
     }
@@ -188,10 +144,7 @@ fn the_flight_says_how_it_is_called_when_it_does_not_understand() {
         let done = uav_flight::run(args.iter().map(|arg| (*arg).to_owned()), &mut out);
         (done.is_ok(), String::from_utf8(out).unwrap())
     };
-    assert_eq!(
-        call(&["--help"]),
-        (true, "usage: uav_flight [--out DIR]\n".to_owned())
-    );
+    assert_eq!(call(&["--help"]), (true, "usage: uav_flight [--out DIR]\n".to_owned()));
     for wrong in [&["--out"][..], &["--in", "x"], &["x"]] {
         assert_eq!(call(wrong), (false, String::new()), "{wrong:?}");
     }

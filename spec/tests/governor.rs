@@ -1,12 +1,10 @@
 //! The governor, rule by rule: chapter 7, with the boundary of each rule on both of its sides.
 
 use ncp_spec::safety::{
-    Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, Reason, SafetyGovernor,
-    VELOCITY_CHANNEL, kernel,
+    Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, Reason, SafetyGovernor, VELOCITY_CHANNEL, kernel,
 };
 use ncp_spec::wire::{
-    Capabilities, ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode,
-    SafetyLimits, SensorFrame,
+    Capabilities, ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame,
 };
 
 const NOW_S: f64 = 100.0;
@@ -18,28 +16,16 @@ fn no_limits() -> SafetyLimits {
 }
 
 fn fence(radius_m: f64) -> SafetyLimits {
-    SafetyLimits {
-        geofence_radius_m: Some(radius_m),
-        ..no_limits()
-    }
+    SafetyLimits { geofence_radius_m: Some(radius_m), ..no_limits() }
 }
 
 fn speed(max_mps: f64) -> SafetyLimits {
-    SafetyLimits {
-        max_speed_mps: Some(max_mps),
-        ..no_limits()
-    }
+    SafetyLimits { max_speed_mps: Some(max_mps), ..no_limits() }
 }
 
 fn position(data: &[f64], unit: Option<&'static str>) -> SensorFrame {
-    let mut frame = SensorFrame {
-        seq: 1,
-        ..SensorFrame::default()
-    };
-    let value = ChannelValue {
-        data: data.to_vec(),
-        unit: unit.map(Into::into),
-    };
+    let mut frame = SensorFrame { seq: 1, ..SensorFrame::default() };
+    let value = ChannelValue { data: data.to_vec(), unit: unit.map(Into::into) };
     frame.channels.insert(POSITION_CHANNEL, value);
     frame
 }
@@ -49,19 +35,12 @@ fn at(place: [f64; 3]) -> SensorFrame {
 }
 
 fn velocity(data: &[f64], unit: Option<&'static str>) -> ChannelMap {
-    let value = ChannelValue {
-        data: data.to_vec(),
-        unit: unit.map(Into::into),
-    };
+    let value = ChannelValue { data: data.to_vec(), unit: unit.map(Into::into) };
     ChannelMap::from_iter([(VELOCITY_CHANNEL, value)])
 }
 
 fn towards(velocity_mps: [f64; 3]) -> CommandFrame {
-    CommandFrame {
-        seq: 7,
-        channels: velocity(&velocity_mps, Some(METRES_PER_SECOND)),
-        ..CommandFrame::default()
-    }
+    CommandFrame { seq: 7, channels: velocity(&velocity_mps, Some(METRES_PER_SECOND)), ..CommandFrame::default() }
 }
 
 /// Tick 0 and a horizon, along x.
@@ -81,31 +60,18 @@ fn setpoint(channels: &ChannelMap) -> &[f64] {
 }
 
 /// Governs with a sensor frame that has just arrived.
-fn govern(
-    governor: &mut SafetyGovernor,
-    command: &mut CommandFrame,
-    sensor: &SensorFrame,
-) -> Decision {
+fn govern(governor: &mut SafetyGovernor, command: &mut CommandFrame, sensor: &SensorFrame) -> Decision {
     governor.govern(command, NOW_S, Some(sensor), Some(NOW_S))
 }
 
 /// What a new governor of these limits does.
-fn once(
-    limits: &SafetyLimits,
-    mut command: CommandFrame,
-    sensor: &SensorFrame,
-) -> (Decision, CommandFrame) {
+fn once(limits: &SafetyLimits, mut command: CommandFrame, sensor: &SensorFrame) -> (Decision, CommandFrame) {
     let decision = govern(&mut SafetyGovernor::new(limits), &mut command, sensor);
     (decision, command)
 }
 
 fn spec(name: &'static str, kind: ChannelKind, unit: Option<&'static str>) -> ChannelSpec {
-    ChannelSpec {
-        name: name.into(),
-        kind,
-        unit: unit.map(Into::into),
-        ..ChannelSpec::default()
-    }
+    ChannelSpec { name: name.into(), kind, unit: unit.map(Into::into), ..ChannelSpec::default() }
 }
 
 fn pose() -> ChannelSpec {
@@ -116,11 +82,7 @@ fn drive() -> ChannelSpec {
     spec(VELOCITY_CHANNEL, ChannelKind::Vec3, Some(METRES_PER_SECOND))
 }
 
-fn negotiated(
-    limits: SafetyLimits,
-    sensor: &[ChannelSpec],
-    command: &[ChannelSpec],
-) -> SafetyGovernor {
+fn negotiated(limits: SafetyLimits, sensor: &[ChannelSpec], command: &[ChannelSpec]) -> SafetyGovernor {
     SafetyGovernor::from_capabilities(&Capabilities {
         sensor_channels: sensor.to_vec(),
         command_channels: command.to_vec(),
@@ -147,10 +109,7 @@ mod modes {
     #[test]
     fn a_command_in_mode_init_or_hold_becomes_a_hold_frame() {
         for mode in [Mode::Init, Mode::Hold] {
-            let idle = CommandFrame {
-                mode,
-                ..towards([1.0, 0.0, 0.0])
-            };
+            let idle = CommandFrame { mode, ..towards([1.0, 0.0, 0.0]) };
             let (decision, sent) = once(&no_limits(), idle, &at([0.0; 3]));
             assert_eq!(decision, Decision::Held(Reason::NotActive));
             assert_eq!(sent.mode, Mode::Hold);
@@ -162,40 +121,19 @@ mod modes {
     #[test]
     fn an_estop_command_latches_until_a_reset() {
         let mut governor = SafetyGovernor::new(&no_limits());
-        let mut stop = CommandFrame {
-            mode: Mode::Estop,
-            ..towards([1.0, 0.0, 0.0])
-        };
-        assert_eq!(
-            govern(&mut governor, &mut stop, &at([0.0; 3])),
-            Decision::Stopped(Reason::Estop)
-        );
-        assert_eq!(
-            (stop.mode, setpoint(&stop.channels)),
-            (Mode::Estop, &[0.0; 3][..])
-        );
+        let mut stop = CommandFrame { mode: Mode::Estop, ..towards([1.0, 0.0, 0.0]) };
+        assert_eq!(govern(&mut governor, &mut stop, &at([0.0; 3])), Decision::Stopped(Reason::Estop));
+        assert_eq!((stop.mode, setpoint(&stop.channels)), (Mode::Estop, &[0.0; 3][..]));
         for mode in [Mode::Active, Mode::Hold, Mode::Init, Mode::Active] {
-            let mut next = CommandFrame {
-                mode,
-                ..towards([1.0, 0.0, 0.0])
-            };
-            assert_eq!(
-                govern(&mut governor, &mut next, &at([0.0; 3])),
-                Decision::Stopped(Reason::Estop)
-            );
-            assert_eq!(
-                (next.mode, setpoint(&next.channels)),
-                (Mode::Estop, &[0.0; 3][..])
-            );
+            let mut next = CommandFrame { mode, ..towards([1.0, 0.0, 0.0]) };
+            assert_eq!(govern(&mut governor, &mut next, &at([0.0; 3])), Decision::Stopped(Reason::Estop));
+            assert_eq!((next.mode, setpoint(&next.channels)), (Mode::Estop, &[0.0; 3][..]));
         }
         assert!(governor.is_stopped());
         governor.reset();
         assert!(!governor.is_stopped());
         let mut next = towards([1.0, 0.0, 0.0]);
-        assert_eq!(
-            govern(&mut governor, &mut next, &at([0.0; 3])),
-            Decision::Passed
-        );
+        assert_eq!(govern(&mut governor, &mut next, &at([0.0; 3])), Decision::Passed);
     }
 
     /// [NCP-SAFE-006] [NCP-SAFE-007]
@@ -203,10 +141,7 @@ mod modes {
     fn only_a_burst_on_the_link_latches_estop() {
         let mut governor = SafetyGovernor::new(&no_limits());
         governor.note_link(false);
-        assert_eq!(
-            govern(&mut governor, &mut towards([1.0, 0.0, 0.0]), &at([0.0; 3])),
-            Decision::Passed
-        );
+        assert_eq!(govern(&mut governor, &mut towards([1.0, 0.0, 0.0]), &at([0.0; 3])), Decision::Passed);
         governor.note_link(true);
         // That the link recovers is no reset.
         governor.note_link(false);
@@ -219,11 +154,7 @@ mod modes {
     fn a_reset_outside_the_fence_lasts_until_the_next_command() {
         let mut governor = SafetyGovernor::new(&fence(5.0));
         for _ in 0..3 {
-            let decision = govern(
-                &mut governor,
-                &mut towards([-1.0, 0.0, 0.0]),
-                &at([6.0, 0.0, 0.0]),
-            );
+            let decision = govern(&mut governor, &mut towards([-1.0, 0.0, 0.0]), &at([6.0, 0.0, 0.0]));
             assert_eq!(decision, Decision::Stopped(Reason::OutsideFence));
             governor.reset();
         }
@@ -238,33 +169,18 @@ mod limits {
     fn limits_act_on_the_channels_of_their_names_whatever_comes_first() {
         let first = spec("a_first", ChannelKind::Vec3, Some(METRES));
         let fast = spec("a_fast", ChannelKind::Vec3, Some("rad/s"));
-        let limits = SafetyLimits {
-            max_speed_mps: Some(1.0),
-            ..fence(5.0)
-        };
+        let limits = SafetyLimits { max_speed_mps: Some(1.0), ..fence(5.0) };
         let mut governor = negotiated(limits, &[first, pose()], &[fast, drive()]);
         let mut sensor = at([1.0, 0.0, 0.0]);
-        sensor
-            .channels
-            .insert("a_first", ChannelValue::new([90.0, 0.0, 0.0], METRES));
+        sensor.channels.insert("a_first", ChannelValue::new([90.0, 0.0, 0.0], METRES));
         let mut command = towards([3.0, 0.0, 0.0]);
-        command
-            .channels
-            .insert("a_fast", ChannelValue::new([9.0, 9.0, 9.0], "rad/s"));
-        assert_eq!(
-            govern(&mut governor, &mut command, &sensor),
-            Decision::Limited
-        );
+        command.channels.insert("a_fast", ChannelValue::new([9.0, 9.0, 9.0], "rad/s"));
+        assert_eq!(govern(&mut governor, &mut command, &sensor), Decision::Limited);
         assert!(setpoint(&command.channels)[0] <= 1.0);
         assert_eq!(command.channels["a_fast"].data, [9.0; 3]);
 
-        sensor
-            .channels
-            .insert("a_first", ChannelValue::new([0.0; 3], METRES));
-        sensor.channels.insert(
-            POSITION_CHANNEL,
-            ChannelValue::new([90.0, 0.0, 0.0], METRES),
-        );
+        sensor.channels.insert("a_first", ChannelValue::new([0.0; 3], METRES));
+        sensor.channels.insert(POSITION_CHANNEL, ChannelValue::new([90.0, 0.0, 0.0], METRES));
         let breach = govern(&mut governor, &mut command, &sensor);
         assert_eq!(breach, Decision::Stopped(Reason::OutsideFence));
     }
@@ -273,11 +189,7 @@ mod limits {
     #[test]
     fn a_limit_that_is_absent_or_zero_is_disabled() {
         for limit in [None, Some(0.0), Some(-0.0)] {
-            let limits = SafetyLimits {
-                max_speed_mps: limit,
-                geofence_radius_m: limit,
-                ..no_limits()
-            };
+            let limits = SafetyLimits { max_speed_mps: limit, geofence_radius_m: limit, ..no_limits() };
             let (decision, sent) = once(&limits, towards([900.0, 0.0, 0.0]), &at([1e9, 0.0, 0.0]));
             assert_eq!(decision, Decision::Passed, "{limit:?}");
             assert_eq!(setpoint(&sent.channels), [900.0, 0.0, 0.0]);
@@ -287,14 +199,7 @@ mod limits {
     /// [NCP-SAFE-013] [NCP-SAFE-017] L13 L15
     #[test]
     fn a_limit_that_is_negative_or_no_number_lets_nothing_move() {
-        for bad in [
-            -1.0,
-            -TINY,
-            f64::MIN,
-            f64::NAN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-        ] {
+        for bad in [-1.0, -TINY, f64::MIN, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for limits in [fence(bad), speed(bad)] {
                 let (decision, sent) = once(&limits, towards([0.0; 3]), &at([0.0; 3]));
                 assert_eq!(decision, Decision::Held(Reason::ConfigFault), "{limits:?}");
@@ -315,10 +220,7 @@ mod limits {
     /// [NCP-SAFE-014] [NCP-SAFE-015] [NCP-SAFE-016] L10 L11
     #[test]
     fn a_limit_whose_channel_is_not_declared_as_it_needs_lets_nothing_move() {
-        let sized = |spec: ChannelSpec, size| ChannelSpec {
-            size: Some(size),
-            ..spec
-        };
+        let sized = |spec: ChannelSpec, size| ChannelSpec { size: Some(size), ..spec };
         let wrong = |name: &'static str, unit: &'static str| {
             [
                 vec![],
@@ -331,43 +233,20 @@ mod limits {
                 vec![sized(spec(name, ChannelKind::Array, Some(unit)), 4)],
                 vec![sized(spec(name, ChannelKind::Vec3, Some(unit)), 2)],
                 // Declared twice, and once in another unit: which one a frame means is anyone's guess.
-                vec![
-                    spec(name, ChannelKind::Vec3, Some(unit)),
-                    spec(name, ChannelKind::Vec3, Some("ft")),
-                ],
+                vec![spec(name, ChannelKind::Vec3, Some(unit)), spec(name, ChannelKind::Vec3, Some("ft"))],
             ]
         };
         for sensor in wrong(POSITION_CHANNEL, METRES) {
-            assert!(
-                negotiated(fence(5.0), &sensor, &[drive()]).has_config_fault(),
-                "{sensor:?}"
-            );
+            assert!(negotiated(fence(5.0), &sensor, &[drive()]).has_config_fault(), "{sensor:?}");
             // What no limit needs may be declared as one likes.
-            assert!(
-                !negotiated(speed(5.0), &sensor, &[drive()]).has_config_fault(),
-                "{sensor:?}"
-            );
+            assert!(!negotiated(speed(5.0), &sensor, &[drive()]).has_config_fault(), "{sensor:?}");
         }
         for command in wrong(VELOCITY_CHANNEL, METRES_PER_SECOND) {
-            assert!(
-                negotiated(speed(5.0), &[pose()], &command).has_config_fault(),
-                "{command:?}"
-            );
-            assert!(
-                !negotiated(fence(5.0), &[pose()], &command).has_config_fault(),
-                "{command:?}"
-            );
+            assert!(negotiated(speed(5.0), &[pose()], &command).has_config_fault(), "{command:?}");
+            assert!(!negotiated(fence(5.0), &[pose()], &command).has_config_fault(), "{command:?}");
         }
-        for array in [
-            pose(),
-            sized(pose(), 3),
-            sized(spec(POSITION_CHANNEL, ChannelKind::Array, Some(METRES)), 3),
-        ] {
-            assert!(
-                !negotiated(fence(5.0), std::slice::from_ref(&array), &[drive()])
-                    .has_config_fault(),
-                "{array:?}"
-            );
+        for array in [pose(), sized(pose(), 3), sized(spec(POSITION_CHANNEL, ChannelKind::Array, Some(METRES)), 3)] {
+            assert!(!negotiated(fence(5.0), std::slice::from_ref(&array), &[drive()]).has_config_fault(), "{array:?}");
         }
     }
 
@@ -389,25 +268,10 @@ mod limits {
     /// [NCP-SAFE-019]
     #[test]
     fn the_tilt_limit_changes_nothing() {
-        for tilt in [
-            None,
-            Some(0.0),
-            Some(TINY),
-            Some(-1.0),
-            Some(f64::NAN),
-            Some(f64::INFINITY),
-        ] {
-            let limits = SafetyLimits {
-                max_tilt_rad: tilt,
-                max_speed_mps: Some(2.0),
-                ..fence(5.0)
-            };
+        for tilt in [None, Some(0.0), Some(TINY), Some(-1.0), Some(f64::NAN), Some(f64::INFINITY)] {
+            let limits = SafetyLimits { max_tilt_rad: tilt, max_speed_mps: Some(2.0), ..fence(5.0) };
             let (decision, sent) = once(&limits, towards([1.0, 0.0, 0.0]), &at([0.0; 3]));
-            assert_eq!(
-                (decision, sent),
-                (Decision::Passed, towards([1.0, 0.0, 0.0])),
-                "{tilt:?}"
-            );
+            assert_eq!((decision, sent), (Decision::Passed, towards([1.0, 0.0, 0.0])), "{tilt:?}");
         }
     }
 }
@@ -421,10 +285,8 @@ mod order {
         let closes = |set: u32, gate: u32| set & (1 << gate) != 0;
         for set in 0..128_u32 {
             for outside in [false, true] {
-                let limits = SafetyLimits {
-                    max_speed_mps: Some(if closes(set, 1) { -1.0 } else { 5.0 }),
-                    ..fence(10.0)
-                };
+                let limits =
+                    SafetyLimits { max_speed_mps: Some(if closes(set, 1) { -1.0 } else { 5.0 }), ..fence(10.0) };
                 let mut governor = SafetyGovernor::new(&limits);
                 governor.note_link(closes(set, 0));
                 let last_s = if closes(set, 2) { NOW_S - 1.0 } else { NOW_S };
@@ -439,9 +301,7 @@ mod order {
                     command.mode = Mode::Hold;
                 }
                 if closes(set, 5) {
-                    command
-                        .channels
-                        .insert("gripper", ChannelValue::without_unit([f64::NAN]));
+                    command.channels.insert("gripper", ChannelValue::without_unit([f64::NAN]));
                 }
                 let expected = match set.trailing_zeros() {
                     0 => Decision::Stopped(Reason::Estop),
@@ -456,10 +316,7 @@ mod order {
                 };
                 let decision = governor.govern(&mut command, NOW_S, Some(&sensor), Some(last_s));
                 assert_eq!(decision, expected, "gates {set:07b}, outside {outside}");
-                assert_eq!(
-                    governor.is_stopped(),
-                    matches!(expected, Decision::Stopped(_))
-                );
+                assert_eq!(governor.is_stopped(), matches!(expected, Decision::Stopped(_)));
                 let mode = match expected {
                     Decision::Stopped(_) => Mode::Estop,
                     Decision::Held(_) => Mode::Hold,
@@ -473,15 +330,9 @@ mod order {
     /// [NCP-SAFE-003] [NCP-SAFE-020]
     #[test]
     fn an_estop_command_stops_whatever_else_would_only_hold() {
-        let limits = SafetyLimits {
-            max_speed_mps: Some(f64::NAN),
-            ..fence(10.0)
-        };
+        let limits = SafetyLimits { max_speed_mps: Some(f64::NAN), ..fence(10.0) };
         let mut governor = SafetyGovernor::new(&limits);
-        let mut stop = CommandFrame {
-            mode: Mode::Estop,
-            ..towards([f64::NAN, 0.0, 0.0])
-        };
+        let mut stop = CommandFrame { mode: Mode::Estop, ..towards([f64::NAN, 0.0, 0.0]) };
         let decision = governor.govern(&mut stop, f64::NAN, None, None);
         assert_eq!(decision, Decision::Stopped(Reason::Estop));
     }
@@ -491,17 +342,9 @@ mod order {
     fn a_command_that_no_gate_closes_on_passes_bit_by_bit() {
         let mut command = along(&[0.1, -0.0, TINY], 100.0, 250.0);
         command.t = -0.0;
-        command.channels.insert(
-            "gripper",
-            ChannelValue::without_unit([-0.0, f64::MAX, -TINY]),
-        );
-        command
-            .channels
-            .insert("empty", ChannelValue::without_unit([]));
-        let limits = SafetyLimits {
-            max_speed_mps: Some(1.0),
-            ..fence(10.0)
-        };
+        command.channels.insert("gripper", ChannelValue::without_unit([-0.0, f64::MAX, -TINY]));
+        command.channels.insert("empty", ChannelValue::without_unit([]));
+        let limits = SafetyLimits { max_speed_mps: Some(1.0), ..fence(10.0) };
         let (decision, sent) = once(&limits, command.clone(), &at([-0.0, TINY, 0.0]));
         assert_eq!(decision, Decision::Passed);
         assert_eq!(bits(&sent), bits(&command));
@@ -517,18 +360,11 @@ mod order {
         for _ in 0..2 {
             let stale = governor.govern(&mut towards([1.0, 0.0, 0.0]), NOW_S, Some(&home), None);
             assert_eq!(stale, Decision::Held(Reason::StaleSensor));
-            let blind = govern(
-                &mut governor,
-                &mut towards([1.0, 0.0, 0.0]),
-                &SensorFrame::default(),
-            );
+            let blind = govern(&mut governor, &mut towards([1.0, 0.0, 0.0]), &SensorFrame::default());
             assert_eq!(blind, Decision::Held(Reason::NoPosition));
             let broken = govern(&mut governor, &mut towards([f64::NAN, 0.0, 0.0]), &home);
             assert_eq!(broken, Decision::Held(Reason::NotFinite));
-            assert_eq!(
-                govern(&mut governor, &mut towards([1.0, 0.0, 0.0]), &home),
-                Decision::Passed
-            );
+            assert_eq!(govern(&mut governor, &mut towards([1.0, 0.0, 0.0]), &home), Decision::Passed);
         }
     }
 }
@@ -537,17 +373,9 @@ mod sensor_age {
     use super::*;
 
     fn decide(timeout_ms: f64, now_s: f64, last_s: Option<f64>) -> Decision {
-        let limits = SafetyLimits {
-            command_timeout_ms: timeout_ms,
-            ..no_limits()
-        };
+        let limits = SafetyLimits { command_timeout_ms: timeout_ms, ..no_limits() };
         let sensor = at([0.0; 3]);
-        SafetyGovernor::new(&limits).govern(
-            &mut towards([1.0, 0.0, 0.0]),
-            now_s,
-            Some(&sensor),
-            last_s,
-        )
+        SafetyGovernor::new(&limits).govern(&mut towards([1.0, 0.0, 0.0]), now_s, Some(&sensor), last_s)
     }
 
     const STALE: Decision = Decision::Held(Reason::StaleSensor);
@@ -556,20 +384,13 @@ mod sensor_age {
     #[test]
     fn a_sensor_exactly_as_old_as_the_timeout_is_fresh_and_one_ulp_more_is_stale() {
         // All of these are exact in doubles: the age in ms is the timeout to the bit.
-        for (timeout_ms, now_s, last_s) in [
-            (500.0, 10.5, 10.0),
-            (250.0, 0.25, 0.0),
-            (1_000.0, 0.0, -1.0),
-        ] {
+        for (timeout_ms, now_s, last_s) in [(500.0, 10.5, 10.0), (250.0, 0.25, 0.0), (1_000.0, 0.0, -1.0)] {
             assert_eq!(decide(timeout_ms, now_s, Some(last_s)), Decision::Passed);
             assert_eq!(decide(timeout_ms.next_down(), now_s, Some(last_s)), STALE);
         }
         assert_eq!(decide(500.0, 10.5_f64.next_up(), Some(10.0)), STALE);
         assert_eq!(decide(500.0, 10.5, Some(10.0_f64.next_down())), STALE);
-        assert_eq!(
-            decide(500.0, 10.5, Some(10.0_f64.next_up())),
-            Decision::Passed
-        );
+        assert_eq!(decide(500.0, 10.5, Some(10.0_f64.next_up())), Decision::Passed);
     }
 
     /// [NCP-SAFE-035] L14
@@ -578,11 +399,7 @@ mod sensor_age {
         assert_eq!(decide(500.0, 10.0_f64.next_down(), Some(10.0)), STALE);
         assert_eq!(decide(500.0, -1e9, Some(1e9)), STALE);
         assert_eq!(decide(500.0, 10.0, Some(10.0)), Decision::Passed);
-        assert_eq!(
-            decide(500.0, -0.0, Some(0.0)),
-            Decision::Passed,
-            "−0 is not less than 0"
-        );
+        assert_eq!(decide(500.0, -0.0, Some(0.0)), Decision::Passed, "−0 is not less than 0");
     }
 
     /// [NCP-SAFE-030]
@@ -606,22 +423,10 @@ mod sensor_age {
     /// [NCP-SAFE-032] L13
     #[test]
     fn a_timeout_that_is_no_time_lets_nothing_move() {
-        for bad in [
-            0.0,
-            -0.0,
-            -TINY,
-            -500.0,
-            f64::NAN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-        ] {
+        for bad in [0.0, -0.0, -TINY, -500.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(decide(bad, 10.0, Some(10.0)), STALE, "{bad}");
         }
-        assert_eq!(
-            decide(TINY, 10.0, Some(10.0)),
-            Decision::Passed,
-            "an age of 0 is within any"
-        );
+        assert_eq!(decide(TINY, 10.0, Some(10.0)), Decision::Passed, "an age of 0 is within any");
         assert_eq!(decide(f64::MAX, 10.0, Some(-1e9)), Decision::Passed);
     }
 }
@@ -633,40 +438,23 @@ mod geofence {
     #[test]
     fn a_position_exactly_on_the_fence_is_inside_and_one_ulp_beyond_is_an_estop() {
         // Triples whose norms are exact in doubles.
-        for (place, radius) in [
-            ([3.0, 4.0, 0.0], 5.0),
-            ([1.0, -2.0, 2.0], 3.0),
-            ([0.0, 0.0, -7.5], 7.5),
-        ] {
+        for (place, radius) in [([3.0, 4.0, 0.0], 5.0), ([1.0, -2.0, 2.0], 3.0), ([0.0, 0.0, -7.5], 7.5)] {
             let (on, _) = once(&fence(radius), towards([0.0; 3]), &at(place));
             assert_eq!(on, Decision::Passed, "{place:?}");
             let (beyond, sent) = once(&fence(radius.next_down()), towards([0.0; 3]), &at(place));
             assert_eq!(beyond, Decision::Stopped(Reason::OutsideFence), "{place:?}");
             assert_eq!(sent.mode, Mode::Estop);
         }
-        let (beyond, _) = once(
-            &fence(5.0),
-            towards([0.0; 3]),
-            &at([5.0_f64.next_up(), 0.0, 0.0]),
-        );
+        let (beyond, _) = once(&fence(5.0), towards([0.0; 3]), &at([5.0_f64.next_up(), 0.0, 0.0]));
         assert_eq!(beyond, Decision::Stopped(Reason::OutsideFence));
     }
 
     /// [NCP-SAFE-043] L28: a sphere, not a cylinder and not a box.
     #[test]
     fn the_fence_is_a_sphere() {
-        for outside in [
-            [0.0, 0.0, 5.1],
-            [3.0, 3.0, 3.0],
-            [4.9, 4.9, 0.0],
-            [0.0, 0.0, -5.1],
-        ] {
+        for outside in [[0.0, 0.0, 5.1], [3.0, 3.0, 3.0], [4.9, 4.9, 0.0], [0.0, 0.0, -5.1]] {
             let (decision, _) = once(&fence(5.0), towards([0.0; 3]), &at(outside));
-            assert_eq!(
-                decision,
-                Decision::Stopped(Reason::OutsideFence),
-                "{outside:?}"
-            );
+            assert_eq!(decision, Decision::Stopped(Reason::OutsideFence), "{outside:?}");
         }
     }
 
@@ -683,26 +471,11 @@ mod geofence {
     #[test]
     fn a_position_that_is_missing_or_not_3_wide_holds_and_is_never_the_origin() {
         let mut governor = SafetyGovernor::new(&fence(5.0));
-        for data in [
-            &[][..],
-            &[0.0],
-            &[0.0; 2],
-            &[0.0; 4],
-            &[f64::NAN],
-            &[9.0; 4],
-        ] {
-            let held = govern(
-                &mut governor,
-                &mut towards([0.0; 3]),
-                &position(data, Some(METRES)),
-            );
+        for data in [&[][..], &[0.0], &[0.0; 2], &[0.0; 4], &[f64::NAN], &[9.0; 4]] {
+            let held = govern(&mut governor, &mut towards([0.0; 3]), &position(data, Some(METRES)));
             assert_eq!(held, Decision::Held(Reason::NoPosition), "{data:?}");
         }
-        let held = govern(
-            &mut governor,
-            &mut towards([0.0; 3]),
-            &SensorFrame::default(),
-        );
+        let held = govern(&mut governor, &mut towards([0.0; 3]), &SensorFrame::default());
         assert_eq!(held, Decision::Held(Reason::NoPosition));
         let held = governor.govern(&mut towards([0.0; 3]), NOW_S, None, Some(NOW_S));
         assert_eq!(held, Decision::Held(Reason::NoPosition));
@@ -713,24 +486,12 @@ mod geofence {
     #[test]
     fn a_position_in_another_unit_holds_and_one_without_a_unit_is_in_metres() {
         for unit in ["ft", "cm", "mm", "M", "m ", "", "m/s"] {
-            let (decision, _) = once(
-                &fence(5.0),
-                towards([0.0; 3]),
-                &position(&[9.0, 0.0, 0.0], Some(unit)),
-            );
+            let (decision, _) = once(&fence(5.0), towards([0.0; 3]), &position(&[9.0, 0.0, 0.0], Some(unit)));
             assert_eq!(decision, Decision::Held(Reason::NoPosition), "{unit:?}");
         }
-        let (inside, _) = once(
-            &fence(5.0),
-            towards([0.0; 3]),
-            &position(&[5.0, 0.0, 0.0], None),
-        );
+        let (inside, _) = once(&fence(5.0), towards([0.0; 3]), &position(&[5.0, 0.0, 0.0], None));
         assert_eq!(inside, Decision::Passed);
-        let (outside, _) = once(
-            &fence(5.0),
-            towards([0.0; 3]),
-            &position(&[6.0, 0.0, 0.0], None),
-        );
+        let (outside, _) = once(&fence(5.0), towards([0.0; 3]), &position(&[6.0, 0.0, 0.0], None));
         assert_eq!(outside, Decision::Stopped(Reason::OutsideFence));
     }
 
@@ -742,11 +503,7 @@ mod geofence {
                 let mut place = [0.0; 3];
                 place[axis] = bad;
                 let (decision, _) = once(&fence(f64::MAX), towards([0.0; 3]), &at(place));
-                assert_eq!(
-                    decision,
-                    Decision::Stopped(Reason::OutsideFence),
-                    "{place:?}"
-                );
+                assert_eq!(decision, Decision::Stopped(Reason::OutsideFence), "{place:?}");
             }
         }
     }
@@ -754,10 +511,7 @@ mod geofence {
     #[test]
     fn without_a_fence_no_position_is_needed() {
         for sensor in [SensorFrame::default(), at([f64::NAN; 3]), at([1e300; 3])] {
-            assert_eq!(
-                once(&no_limits(), towards([1.0, 0.0, 0.0]), &sensor).0,
-                Decision::Passed
-            );
+            assert_eq!(once(&no_limits(), towards([1.0, 0.0, 0.0]), &sensor).0, Decision::Passed);
         }
     }
 }
@@ -770,23 +524,11 @@ mod projection {
     /// [NCP-SAFE-051] Without a horizon tick 0 is followed for all of the ttl.
     #[test]
     fn a_command_may_lead_exactly_onto_the_fence_and_not_beyond() {
-        let onto = CommandFrame {
-            ttl_ms: 1_000.0,
-            ..towards([3.0, 4.0, 0.0])
-        };
-        assert_eq!(
-            once(&fence(5.0), onto.clone(), &at(HOME)),
-            (Decision::Passed, onto.clone())
-        );
-        let longer = CommandFrame {
-            ttl_ms: 1_001.0,
-            ..onto.clone()
-        };
+        let onto = CommandFrame { ttl_ms: 1_000.0, ..towards([3.0, 4.0, 0.0]) };
+        assert_eq!(once(&fence(5.0), onto.clone(), &at(HOME)), (Decision::Passed, onto.clone()));
+        let longer = CommandFrame { ttl_ms: 1_001.0, ..onto.clone() };
         let (decision, sent) = once(&fence(5.0), longer, &at(HOME));
-        assert_eq!(
-            (decision, sent.mode),
-            (Decision::Held(Reason::LeavesFence), Mode::Hold)
-        );
+        assert_eq!((decision, sent.mode), (Decision::Held(Reason::LeavesFence), Mode::Hold));
         let (decision, _) = once(&fence(5.0), onto, &at([0.001, 0.0, 0.0]));
         assert_eq!(decision, Decision::Held(Reason::LeavesFence));
     }
@@ -795,51 +537,28 @@ mod projection {
     #[test]
     fn on_the_fence_only_the_way_in_is_open() {
         let edge = at([5.0, 0.0, 0.0]);
-        assert_eq!(
-            once(&fence(5.0), towards([-1.0, 0.0, 0.0]), &edge).0,
-            Decision::Passed
-        );
-        assert_eq!(
-            once(&fence(5.0), towards([0.0; 3]), &edge).0,
-            Decision::Passed
-        );
+        assert_eq!(once(&fence(5.0), towards([-1.0, 0.0, 0.0]), &edge).0, Decision::Passed);
+        assert_eq!(once(&fence(5.0), towards([0.0; 3]), &edge).0, Decision::Passed);
         for out in [[1.0, 0.0, 0.0], [0.0, 0.1, 0.0], [-0.001, 1.0, 0.0]] {
-            assert_eq!(
-                once(&fence(5.0), towards(out), &edge).0,
-                Decision::Held(Reason::LeavesFence),
-                "{out:?}"
-            );
+            assert_eq!(once(&fence(5.0), towards(out), &edge).0, Decision::Held(Reason::LeavesFence), "{out:?}");
         }
     }
 
     /// [NCP-SAFE-051] L02: the projection takes the ttl that the plant enforces, and the wire keeps its own.
     #[test]
     fn the_projection_looks_sixty_seconds_ahead_at_most() {
-        let eternal = CommandFrame {
-            ttl_ms: 1e9,
-            ..towards([1.0, 0.0, 0.0])
-        };
+        let eternal = CommandFrame { ttl_ms: 1e9, ..towards([1.0, 0.0, 0.0]) };
         let (decision, sent) = once(&fence(60.0), eternal.clone(), &at(HOME));
         assert_eq!((decision, sent.ttl_ms), (Decision::Passed, 1e9));
-        assert_eq!(
-            once(&fence(59.9), eternal, &at(HOME)).0,
-            Decision::Held(Reason::LeavesFence)
-        );
+        assert_eq!(once(&fence(59.9), eternal, &at(HOME)).0, Decision::Held(Reason::LeavesFence));
     }
 
     /// [NCP-SAFE-051] The way back of an overflow is no way.
     #[test]
     fn a_projection_that_overflows_leaves_the_fence() {
         for x in [1e300, f64::MAX, f64::MIN] {
-            let wild = CommandFrame {
-                ttl_ms: 60_000.0,
-                ..towards([x, 0.0, 0.0])
-            };
-            assert_eq!(
-                once(&fence(f64::MAX), wild, &at(HOME)).0,
-                Decision::Held(Reason::LeavesFence),
-                "{x}"
-            );
+            let wild = CommandFrame { ttl_ms: 60_000.0, ..towards([x, 0.0, 0.0]) };
+            assert_eq!(once(&fence(f64::MAX), wild, &at(HOME)).0, Decision::Held(Reason::LeavesFence), "{x}");
         }
     }
 
@@ -858,11 +577,7 @@ mod projection {
     /// [NCP-SAFE-050] What comes after the step that leaves cannot bring it back.
     #[test]
     fn a_step_that_leaves_ends_the_horizon_though_the_next_returns() {
-        let (_, sent) = once(
-            &fence(2.0),
-            along(&[1.0, 1.0, 1.0, -1.0], 1_000.0, 9_000.0),
-            &at(HOME),
-        );
+        let (_, sent) = once(&fence(2.0), along(&[1.0, 1.0, 1.0, -1.0], 1_000.0, 9_000.0), &at(HOME));
         assert_eq!(sent.horizon.len(), 1);
     }
 
@@ -870,19 +585,10 @@ mod projection {
     #[test]
     fn with_a_horizon_tick_0_is_followed_for_its_own_length() {
         let dart = along(&[5.0, -5.0], 100.0, 1_000.0);
-        assert_eq!(
-            once(&fence(0.5), dart.clone(), &at(HOME)).0,
-            Decision::Passed
-        );
-        assert_eq!(
-            once(&fence(0.499), dart, &at(HOME)).0,
-            Decision::Held(Reason::LeavesFence)
-        );
+        assert_eq!(once(&fence(0.5), dart.clone(), &at(HOME)).0, Decision::Passed);
+        assert_eq!(once(&fence(0.499), dart, &at(HOME)).0, Decision::Held(Reason::LeavesFence));
         let alone = along(&[5.0], 100.0, 1_000.0);
-        assert_eq!(
-            once(&fence(0.5), alone, &at(HOME)).0,
-            Decision::Held(Reason::LeavesFence)
-        );
+        assert_eq!(once(&fence(0.5), alone, &at(HOME)).0, Decision::Held(Reason::LeavesFence));
     }
 
     /// [NCP-SAFE-053] The rule that is easily forgotten.
@@ -900,10 +606,7 @@ mod projection {
     fn a_horizon_emptied_by_a_broken_step_is_projected_without_one() {
         let mut command = along(&[1.0, 1.0], 500.0, 2_000.0);
         command.horizon[0].get_mut(VELOCITY_CHANNEL).unwrap().data[1] = f64::NAN;
-        assert_eq!(
-            once(&fence(1.0), command.clone(), &at(HOME)).0,
-            Decision::Held(Reason::LeavesFence)
-        );
+        assert_eq!(once(&fence(1.0), command.clone(), &at(HOME)).0, Decision::Held(Reason::LeavesFence));
         let (decision, sent) = once(&fence(2.0), command, &at(HOME));
         assert_eq!((decision, sent.horizon.len()), (Decision::Limited, 0));
     }
@@ -912,39 +615,23 @@ mod projection {
     #[test]
     fn a_tick_is_followed_only_as_long_as_the_ttl_lasts() {
         // 500 ms of the second tick are left: 1 m.
-        assert_eq!(
-            once(&fence(1.0), along(&[0.0, 2.0], 1_000.0, 1_500.0), &at(HOME)).0,
-            Decision::Passed
-        );
+        assert_eq!(once(&fence(1.0), along(&[0.0, 2.0], 1_000.0, 1_500.0), &at(HOME)).0, Decision::Passed);
         let (_, sent) = once(&fence(1.0), along(&[0.0, 2.0], 1_000.0, 1_501.0), &at(HOME));
         assert!(sent.horizon.is_empty());
         // Nothing is left of any tick after the first.
         for ttl_ms in [500.0, 1_000.0] {
             let wild = along(&[1.0, 900.0, -900.0], 1_000.0, ttl_ms);
-            assert_eq!(
-                once(&fence(1.0), wild.clone(), &at(HOME)),
-                (Decision::Passed, wild)
-            );
+            assert_eq!(once(&fence(1.0), wild.clone(), &at(HOME)), (Decision::Passed, wild));
         }
     }
 
     /// [NCP-SAFE-050] [NCP-SAFE-060] The clamped velocity is what the plant follows.
     #[test]
     fn the_clamped_velocity_is_projected_and_not_the_wished_one() {
-        let limits = SafetyLimits {
-            max_speed_mps: Some(1.0),
-            ..fence(1.0)
-        };
-        let hasty = CommandFrame {
-            ttl_ms: 1_000.0,
-            ..towards([100.0, 0.0, 0.0])
-        };
+        let limits = SafetyLimits { max_speed_mps: Some(1.0), ..fence(1.0) };
+        let hasty = CommandFrame { ttl_ms: 1_000.0, ..towards([100.0, 0.0, 0.0]) };
         assert_eq!(once(&limits, hasty, &at(HOME)).0, Decision::Limited);
-        let (decision, sent) = once(
-            &limits,
-            along(&[100.0, 100.0, 100.0], 400.0, 9_000.0),
-            &at(HOME),
-        );
+        let (decision, sent) = once(&limits, along(&[100.0, 100.0, 100.0], 400.0, 9_000.0), &at(HOME));
         assert_eq!((decision, sent.horizon.len()), (Decision::Limited, 1));
     }
 
@@ -961,18 +648,9 @@ mod projection {
             (&[0.0; 3], Some("")),
             (&[f64::NAN, 0.0, 0.0], Some("m/s")),
         ] {
-            let command = CommandFrame {
-                channels: velocity(data, unit),
-                ..CommandFrame::default()
-            };
+            let command = CommandFrame { channels: velocity(data, unit), ..CommandFrame::default() };
             let (decision, sent) = once(&fence(5.0), command, &at(HOME));
-            assert!(
-                matches!(
-                    decision,
-                    Decision::Held(Reason::NoVelocity | Reason::NotFinite)
-                ),
-                "{data:?} {unit:?}"
-            );
+            assert!(matches!(decision, Decision::Held(Reason::NoVelocity | Reason::NotFinite)), "{data:?} {unit:?}");
             assert_eq!(sent.mode, Mode::Hold);
         }
         let (decision, _) = once(&fence(5.0), CommandFrame::default(), &at(HOME));
@@ -987,15 +665,9 @@ mod projection {
     /// [NCP-SAFE-042] [NCP-SAFE-052] Without a unit the velocity is in the negotiated one.
     #[test]
     fn a_velocity_without_a_unit_is_in_the_negotiated_one() {
-        let bare = CommandFrame {
-            channels: velocity(&[1.0, 0.0, 0.0], None),
-            ..CommandFrame::default()
-        };
+        let bare = CommandFrame { channels: velocity(&[1.0, 0.0, 0.0], None), ..CommandFrame::default() };
         let knots = spec(VELOCITY_CHANNEL, ChannelKind::Vec3, Some("kn"));
-        for (declared, expected) in [
-            (drive(), Decision::Passed),
-            (knots, Decision::Held(Reason::NoVelocity)),
-        ] {
+        for (declared, expected) in [(drive(), Decision::Passed), (knots, Decision::Held(Reason::NoVelocity))] {
             let mut governor = negotiated(fence(5.0), &[pose()], std::slice::from_ref(&declared));
             let decision = govern(&mut governor, &mut bare.clone(), &at(HOME));
             assert_eq!(decision, expected, "{declared:?}");
@@ -1003,11 +675,7 @@ mod projection {
             let decision = govern(&mut governor, &mut towards([1.0, 0.0, 0.0]), &at(HOME));
             assert_eq!(decision, Decision::Passed, "{declared:?}");
         }
-        assert_eq!(
-            once(&fence(5.0), bare, &at(HOME)).0,
-            Decision::Passed,
-            "the canonical channel"
-        );
+        assert_eq!(once(&fence(5.0), bare, &at(HOME)).0, Decision::Passed, "the canonical channel");
     }
 }
 
@@ -1033,11 +701,7 @@ mod speed_limit {
     /// [NCP-SAFE-062]
     #[test]
     fn a_velocity_exactly_at_the_limit_is_left_alone_to_the_bit() {
-        for (at_limit, max) in [
-            ([3.0, -4.0, -0.0], 5.0),
-            ([0.1, 0.0, 0.0], 0.1),
-            ([TINY, 0.0, 0.0], TINY),
-        ] {
+        for (at_limit, max) in [([3.0, -4.0, -0.0], 5.0), ([0.1, 0.0, 0.0], 0.1), ([TINY, 0.0, 0.0], TINY)] {
             let (decision, sent) = limited(max, towards(at_limit));
             assert_eq!(decision, Decision::Passed);
             assert_eq!(bits(&sent), bits(&towards(at_limit)));
@@ -1056,10 +720,7 @@ mod speed_limit {
             let scaled = setpoint(&sent.channels);
             assert!(kernel::norm(scaled) <= 3.0);
             for (got, want) in scaled.iter().zip([1.0, -1.0, 1.0]) {
-                assert!(
-                    (got - want * 3.0_f64.sqrt()).abs() <= 1e-12,
-                    "{huge}: {scaled:?}"
-                );
+                assert!((got - want * 3.0_f64.sqrt()).abs() <= 1e-12, "{huge}: {scaled:?}");
             }
         }
     }
@@ -1100,32 +761,15 @@ mod speed_limit {
             (&[0.0; 3], Some("km/h")),
             (&[0.0; 3], Some("")),
         ] {
-            let command = CommandFrame {
-                channels: velocity(data, unit),
-                ..CommandFrame::default()
-            };
+            let command = CommandFrame { channels: velocity(data, unit), ..CommandFrame::default() };
             let (decision, _) = limited(1.0, command.clone());
-            assert_eq!(
-                decision,
-                Decision::Held(Reason::NoVelocity),
-                "{data:?} {unit:?}"
-            );
+            assert_eq!(decision, Decision::Held(Reason::NoVelocity), "{data:?} {unit:?}");
             let (free, _) = once(&no_limits(), command, &SensorFrame::default());
             assert_eq!(free, Decision::Passed, "no limit needs a velocity");
         }
-        assert_eq!(
-            limited(1.0, CommandFrame::default()).0,
-            Decision::Held(Reason::NoVelocity)
-        );
-        let bare = CommandFrame {
-            channels: velocity(&[9.0, 0.0, 0.0], None),
-            ..CommandFrame::default()
-        };
-        assert_eq!(
-            limited(1.0, bare).0,
-            Decision::Limited,
-            "it is in the negotiated m/s"
-        );
+        assert_eq!(limited(1.0, CommandFrame::default()).0, Decision::Held(Reason::NoVelocity));
+        let bare = CommandFrame { channels: velocity(&[9.0, 0.0, 0.0], None), ..CommandFrame::default() };
+        assert_eq!(limited(1.0, bare).0, Decision::Limited, "it is in the negotiated m/s");
     }
 
     /// [NCP-SAFE-064]
@@ -1136,18 +780,12 @@ mod speed_limit {
                 let mut broken = [0.0; 3];
                 broken[at] = bad;
                 let mut gripping = towards([0.0; 3]);
-                gripping
-                    .channels
-                    .insert("gripper", ChannelValue::without_unit(broken));
+                gripping.channels.insert("gripper", ChannelValue::without_unit(broken));
                 for command in [towards(broken), gripping] {
                     for limits in [no_limits(), speed(1.0), fence(5.0)] {
                         let (decision, sent) = once(&limits, command.clone(), &super::at([0.0; 3]));
                         assert_eq!(decision, Decision::Held(Reason::NotFinite), "{bad} at {at}");
-                        assert!(
-                            sent.channels
-                                .values()
-                                .all(|channel| channel.data == [0.0; 3])
-                        );
+                        assert!(sent.channels.values().all(|channel| channel.data == [0.0; 3]));
                     }
                 }
             }
@@ -1183,9 +821,7 @@ mod speed_limit {
         for width in (4..4_096).step_by(31) {
             let many: Vec<f64> = (0..width).map(|i| 0.1 + (i * i % 97) as f64).collect();
             let mut command = towards([0.0; 3]);
-            command
-                .channels
-                .insert("many", ChannelValue::new(many.clone(), METRES_PER_SECOND));
+            command.channels.insert("many", ChannelValue::new(many.clone(), METRES_PER_SECOND));
             let (_, sent) = limited(0.7, command);
             let scaled = &sent.channels["many"].data;
             assert!(kernel::norm(scaled) <= 0.7);
@@ -1224,11 +860,7 @@ mod speed_limit {
                 let mut command = along(&[1.0; 4], 100.0, 400.0);
                 breaks(&mut command.horizon[at]);
                 let (decision, sent) = limited(2.0, command);
-                assert_eq!(
-                    (decision, sent.horizon.len()),
-                    (Decision::Limited, at),
-                    "breakage {nth}"
-                );
+                assert_eq!((decision, sent.horizon.len()), (Decision::Limited, at), "breakage {nth}");
             }
         }
         // Without a limit there is nothing to clamp; what is not finite ends it for all that.
@@ -1242,35 +874,16 @@ mod speed_limit {
     /// [NCP-SAFE-068]
     #[test]
     fn a_horizon_without_a_tick_length_holds() {
-        for dt_ms in [
-            None,
-            Some(0.0),
-            Some(-0.0),
-            Some(-50.0),
-            Some(f64::NAN),
-            Some(f64::INFINITY),
-        ] {
-            let command = CommandFrame {
-                horizon_dt_ms: dt_ms,
-                ..along(&[1.0, 1.0], 50.0, 200.0)
-            };
+        for dt_ms in [None, Some(0.0), Some(-0.0), Some(-50.0), Some(f64::NAN), Some(f64::INFINITY)] {
+            let command = CommandFrame { horizon_dt_ms: dt_ms, ..along(&[1.0, 1.0], 50.0, 200.0) };
             let (decision, sent) = once(&no_limits(), command, &SensorFrame::default());
             assert_eq!(decision, Decision::Held(Reason::BadHorizon), "{dt_ms:?}");
             assert!(sent.horizon.is_empty());
             // Without a horizon it means nothing.
-            let command = CommandFrame {
-                horizon_dt_ms: dt_ms,
-                ..towards([1.0, 0.0, 0.0])
-            };
-            assert_eq!(
-                once(&no_limits(), command, &SensorFrame::default()).0,
-                Decision::Passed
-            );
+            let command = CommandFrame { horizon_dt_ms: dt_ms, ..towards([1.0, 0.0, 0.0]) };
+            assert_eq!(once(&no_limits(), command, &SensorFrame::default()).0, Decision::Passed);
         }
-        let brief = CommandFrame {
-            horizon_dt_ms: Some(TINY),
-            ..along(&[1.0, 1.0], 50.0, 200.0)
-        };
+        let brief = CommandFrame { horizon_dt_ms: Some(TINY), ..along(&[1.0, 1.0], 50.0, 200.0) };
         assert_eq!(once(&fence(5.0), brief, &at([0.0; 3])).0, Decision::Passed);
     }
 }
@@ -1285,10 +898,7 @@ mod quiet_frames {
         command.frame_id = "base_link".into();
         command.channels.extend([
             ("gripper", ChannelValue::without_unit([0.5, 0.25])),
-            (
-                "spin",
-                ChannelValue::new([f64::NAN, f64::INFINITY, -0.0], "rad/s"),
-            ),
+            ("spin", ChannelValue::new([f64::NAN, f64::INFINITY, -0.0], "rad/s")),
             ("empty", ChannelValue::new([], "A")),
         ]);
         command
@@ -1319,40 +929,24 @@ mod quiet_frames {
                     ("horn", ChannelValue::without_unit([0.0])),
                     ("lamp", ChannelValue::new([0.0], "cd")),
                     ("spin", ChannelValue::new([0.0; 3], "rad/s")),
-                    (
-                        VELOCITY_CHANNEL,
-                        ChannelValue::new([0.0; 3], METRES_PER_SECOND),
-                    ),
+                    (VELOCITY_CHANNEL, ChannelValue::new([0.0; 3], METRES_PER_SECOND)),
                 ]),
                 ..CommandFrame::default()
             };
             assert_eq!(command, want);
-            assert!(
-                bits(&command).concat().iter().all(|&bits| bits == 0),
-                "a zero is +0"
-            );
+            assert!(bits(&command).concat().iter().all(|&bits| bits == 0), "a zero is +0");
         }
     }
 
     /// [NCP-SAFE-073] [NCP-SAFE-071] Without Capabilities the channels are the canonical ones.
     #[test]
     fn a_velocity_that_the_command_lacks_becomes_three_zeros_in_metres_a_second() {
-        let (_, sent) = once(
-            &no_limits(),
-            CommandFrame {
-                mode: Mode::Hold,
-                ..CommandFrame::default()
-            },
-            &at([0.0; 3]),
-        );
+        let (_, sent) = once(&no_limits(), CommandFrame { mode: Mode::Hold, ..CommandFrame::default() }, &at([0.0; 3]));
         assert_eq!(sent.channels, velocity(&[0.0; 3], Some(METRES_PER_SECOND)));
         // Also when it was negotiated without a unit, where no limit needs one.
         let bare = spec(VELOCITY_CHANNEL, ChannelKind::Scalar, None);
         let mut governor = negotiated(no_limits(), &[], &[bare]);
-        let mut idle = CommandFrame {
-            mode: Mode::Hold,
-            ..CommandFrame::default()
-        };
+        let mut idle = CommandFrame { mode: Mode::Hold, ..CommandFrame::default() };
         govern(&mut governor, &mut idle, &SensorFrame::default());
         assert_eq!(idle.channels, velocity(&[0.0; 3], Some(METRES_PER_SECOND)));
     }
@@ -1360,38 +954,24 @@ mod quiet_frames {
     /// [NCP-SAFE-070] [NCP-SAFE-071] Whichever gate closes, also one that closes after the clamp.
     #[test]
     fn whichever_gate_closes_the_quiet_frame_is_the_same() {
-        let limits = SafetyLimits {
-            max_speed_mps: Some(2.0),
-            ..fence(5.0)
-        };
+        let limits = SafetyLimits { max_speed_mps: Some(2.0), ..fence(5.0) };
         let frame = |change: fn(&mut CommandFrame)| {
-            let mut command = CommandFrame {
-                t: 3.0,
-                ..towards([90.0, 0.0, 0.0])
-            };
+            let mut command = CommandFrame { t: 3.0, ..towards([90.0, 0.0, 0.0]) };
             change(&mut command);
             command
         };
-        let quiet = CommandFrame {
-            mode: Mode::Hold,
-            ..frame(|c| c.channels = velocity(&[0.0; 3], Some("m/s")))
-        };
+        let quiet = CommandFrame { mode: Mode::Hold, ..frame(|c| c.channels = velocity(&[0.0; 3], Some("m/s"))) };
         let home = at([0.0; 3]);
         for (command, sensor, last_s) in [
             (frame(|_| {}), &home, NOW_S - 9.0),
             (frame(|_| {}), &SensorFrame::default(), NOW_S),
             (frame(|c| c.mode = Mode::Init), &home, NOW_S),
-            (
-                frame(|c| c.channels.get_mut(VELOCITY_CHANNEL).unwrap().data[1] = f64::NAN),
-                &home,
-                NOW_S,
-            ),
+            (frame(|c| c.channels.get_mut(VELOCITY_CHANNEL).unwrap().data[1] = f64::NAN), &home, NOW_S),
             (frame(|c| c.horizon = vec![ChannelMap::new()]), &home, NOW_S),
             (frame(|_| {}), &at([4.9, 0.0, 0.0]), NOW_S),
         ] {
             let mut sent = command.clone();
-            let decision =
-                SafetyGovernor::new(&limits).govern(&mut sent, NOW_S, Some(sensor), Some(last_s));
+            let decision = SafetyGovernor::new(&limits).govern(&mut sent, NOW_S, Some(sensor), Some(last_s));
             assert!(matches!(decision, Decision::Held(_)), "{decision:?}");
             assert_eq!(sent, quiet, "{decision:?}");
         }

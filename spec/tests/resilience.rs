@@ -14,13 +14,7 @@ fn tick(x: f64) -> ChannelMap {
 
 /// A command whose only tick is marked by its seq.
 fn command(seq: i64, mode: Mode, ttl_ms: f64) -> CommandFrame {
-    CommandFrame {
-        seq,
-        mode,
-        ttl_ms,
-        channels: tick(seq as f64),
-        ..CommandFrame::default()
-    }
+    CommandFrame { seq, mode, ttl_ms, channels: tick(seq as f64), ..CommandFrame::default() }
 }
 
 fn active(seq: i64) -> CommandFrame {
@@ -39,9 +33,7 @@ fn replayed(steps: usize, dt_ms: Option<f64>, ttl_ms: f64) -> CommandFrame {
 
 /// The mark of what the plant actuates.
 fn mark(buffer: &mut ActionBuffer, now_s: f64) -> Option<f64> {
-    buffer
-        .active(now_s)
-        .map(|channels| channels["velocity_setpoint"].data[0])
+    buffer.active(now_s).map(|channels| channels["velocity_setpoint"].data[0])
 }
 
 fn buffer_with(command: CommandFrame, received_s: f64) -> ActionBuffer {
@@ -64,11 +56,7 @@ mod deadline {
     #[test]
     fn a_command_exactly_as_old_as_its_ttl_is_followed_and_one_ulp_older_is_not() {
         // All of these are exact in doubles: the age in ms is the ttl to the bit.
-        for (received_s, ttl_ms, now_s) in [
-            (10.0, 250.0, 10.25),
-            (0.0, 500.0, 0.5),
-            (-1.0, 1_000.0, 0.0),
-        ] {
+        for (received_s, ttl_ms, now_s) in [(10.0, 250.0, 10.25), (0.0, 500.0, 0.5), (-1.0, 1_000.0, 0.0)] {
             assert!(!holds(received_s, ttl_ms, now_s));
             assert!(holds(received_s, ttl_ms.next_down(), now_s));
         }
@@ -94,22 +82,9 @@ mod deadline {
     /// [NCP-RES-005] L12 L13
     #[test]
     fn a_ttl_that_is_no_time_holds_at_once() {
-        for ttl_ms in [
-            0.0,
-            -0.0,
-            -TINY,
-            -200.0,
-            f64::MIN,
-            f64::NAN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-        ] {
+        for ttl_ms in [0.0, -0.0, -TINY, -200.0, f64::MIN, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert!(holds(10.0, ttl_ms, 10.0), "{ttl_ms}");
-            assert_eq!(
-                mark(&mut buffer_with(command(1, Mode::Active, ttl_ms), 0.0), 0.0),
-                None,
-                "{ttl_ms}"
-            );
+            assert_eq!(mark(&mut buffer_with(command(1, Mode::Active, ttl_ms), 0.0), 0.0), None, "{ttl_ms}");
         }
         assert!(!holds(10.0, TINY, 10.0));
         assert!(holds(10.0, TINY, 10.0_f64.next_up()));
@@ -131,10 +106,7 @@ mod deadline {
             assert!(holds(bad, 200.0, 10.0), "received {bad}");
             assert!(holds(bad, 200.0, bad), "both {bad}");
         }
-        assert!(
-            holds(f64::MIN, f64::MAX, f64::MAX),
-            "an age beyond every double"
-        );
+        assert!(holds(f64::MIN, f64::MAX, f64::MAX), "an age beyond every double");
     }
 
     /// [NCP-RES-008] L14
@@ -164,14 +136,9 @@ mod deadline {
     #[test]
     fn seqs_are_compared_without_an_overflow() {
         let mut watchdog = CommandWatchdog::new();
-        for (seq, advances) in [
-            (i64::MIN, true),
-            (i64::MIN, false),
-            (-1, true),
-            (0, true),
-            (i64::MAX, true),
-            (i64::MIN, false),
-        ] {
+        for (seq, advances) in
+            [(i64::MIN, true), (i64::MIN, false), (-1, true), (0, true), (i64::MAX, true), (i64::MIN, false)]
+        {
             assert_eq!(watchdog.on_command(0.0, 200.0, seq), advances, "{seq}");
         }
     }
@@ -180,10 +147,7 @@ mod deadline {
     #[test]
     fn a_command_that_cannot_be_followed_supersedes_the_one_before() {
         let mut buffer = buffer_with(active(1), 0.0);
-        assert_eq!(
-            buffer.on_command(command(2, Mode::Active, f64::NAN), 0.01),
-            Received::Accepted
-        );
+        assert_eq!(buffer.on_command(command(2, Mode::Active, f64::NAN), 0.01), Received::Accepted);
         assert_eq!(mark(&mut buffer, 0.01), None);
         assert_eq!(buffer.on_command(active(2), 0.02), Received::Dropped);
         assert_eq!(mark(&mut buffer, 0.02), None);
@@ -198,10 +162,7 @@ mod deadline {
             assert!(!watchdog.should_hold(10.1));
             assert!(watchdog.should_hold(cause), "{cause}");
             assert!(watchdog.should_hold(10.1), "{cause}");
-            assert!(
-                !watchdog.on_command(10.1, 200.0, seq),
-                "a duplicate revives nothing"
-            );
+            assert!(!watchdog.on_command(10.1, 200.0, seq), "a duplicate revives nothing");
             assert!(watchdog.should_hold(10.1), "{cause}");
         }
     }
@@ -242,18 +203,10 @@ mod buffer {
     fn a_stale_a_duplicate_and_a_reordered_command_change_nothing() {
         let mut buffer = buffer_with(active(5), 0.0);
         for seq in [5, 4, 0, -1] {
-            assert_eq!(
-                buffer.on_command(active(seq), 0.1),
-                Received::Dropped,
-                "{seq}"
-            );
+            assert_eq!(buffer.on_command(active(seq), 0.1), Received::Dropped, "{seq}");
             assert_eq!(mark(&mut buffer, 0.1), Some(5.0));
         }
-        assert_eq!(
-            mark(&mut buffer, 0.25),
-            None,
-            "the deadline is that of seq 5"
-        );
+        assert_eq!(mark(&mut buffer, 0.25), None, "the deadline is that of seq 5");
         assert_eq!(buffer.on_command(active(7), 0.3), Received::Accepted);
         assert_eq!(buffer.on_command(active(6), 0.3), Received::Dropped);
         assert_eq!(mark(&mut buffer, 0.3), Some(7.0));
@@ -264,18 +217,10 @@ mod buffer {
     fn an_estop_latches_whatever_its_seq() {
         for seq in [i64::MIN, -1, 0, 4, 5, 6, i64::MAX] {
             let mut buffer = buffer_with(active(5), 0.0);
-            assert_eq!(
-                buffer.on_command(command(seq, Mode::Estop, f64::NAN), 0.1),
-                Received::Stopped
-            );
+            assert_eq!(buffer.on_command(command(seq, Mode::Estop, f64::NAN), 0.1), Received::Stopped);
             assert!(buffer.is_stopped());
             assert_eq!(mark(&mut buffer, 0.1), None);
-            for (mode, next) in [
-                (Mode::Active, 8),
-                (Mode::Hold, 9),
-                (Mode::Init, 10),
-                (Mode::Active, 11),
-            ] {
+            for (mode, next) in [(Mode::Active, 8), (Mode::Hold, 9), (Mode::Init, 10), (Mode::Active, 11)] {
                 buffer.on_command(command(next, mode, 200.0), 0.1);
                 assert_eq!(mark(&mut buffer, 0.1), None, "{mode:?}");
             }
@@ -303,39 +248,17 @@ mod buffer {
         ] {
             assert!(is_estop(frame.as_bytes()), "{frame}");
             let mut buffer = buffer_with(active(5), 0.0);
-            assert_eq!(
-                buffer.on_frame(frame.as_bytes(), 0.1).ok(),
-                Some(Received::Stopped),
-                "{frame}"
-            );
-            assert!(
-                buffer.is_stopped() && mark(&mut buffer, 0.1).is_none(),
-                "{frame}"
-            );
+            assert_eq!(buffer.on_frame(frame.as_bytes(), 0.1).ok(), Some(Received::Stopped), "{frame}");
+            assert!(buffer.is_stopped() && mark(&mut buffer, 0.1).is_none(), "{frame}");
         }
         let mut not_utf8 = br#"{"frame_id":"?","kind":"command_frame","mode":"estop"}"#.to_vec();
         not_utf8[13] = 0xff;
-        assert_eq!(
-            ActionBuffer::new().on_frame(&not_utf8, 0.0).ok(),
-            Some(Received::Stopped)
-        );
-        let deep = format!(
-            r#"{{"x":{}{},"kind":"command_frame","mode":"estop"}}"#,
-            "[".repeat(9_999),
-            "]".repeat(9_999)
-        );
-        assert_eq!(
-            ActionBuffer::new().on_frame(deep.as_bytes(), 0.0).ok(),
-            Some(Received::Stopped)
-        );
-        let long = format!(
-            r#"{{"x":"{}","kind":"command_frame","mode":"estop"}}"#,
-            "a".repeat(2 << 20)
-        );
-        assert_eq!(
-            ActionBuffer::new().on_frame(long.as_bytes(), 0.0).ok(),
-            Some(Received::Stopped)
-        );
+        assert_eq!(ActionBuffer::new().on_frame(&not_utf8, 0.0).ok(), Some(Received::Stopped));
+        let deep =
+            format!(r#"{{"x":{}{},"kind":"command_frame","mode":"estop"}}"#, "[".repeat(9_999), "]".repeat(9_999));
+        assert_eq!(ActionBuffer::new().on_frame(deep.as_bytes(), 0.0).ok(), Some(Received::Stopped));
+        let long = format!(r#"{{"x":"{}","kind":"command_frame","mode":"estop"}}"#, "a".repeat(2 << 20));
+        assert_eq!(ActionBuffer::new().on_frame(long.as_bytes(), 0.0).ok(), Some(Received::Stopped));
     }
 
     /// [NCP-RES-022] What only looks like one does not stop a plant.
@@ -368,17 +291,10 @@ mod buffer {
     #[test]
     fn a_frame_that_cannot_be_decoded_leaves_the_plant_as_it_is() {
         let mut buffer = buffer_with(active(5), 0.0);
-        assert!(
-            buffer
-                .on_frame(br#"{"kind":"command_frame","seq":6,"seq":6}"#, 0.1)
-                .is_err()
-        );
+        assert!(buffer.on_frame(br#"{"kind":"command_frame","seq":6,"seq":6}"#, 0.1).is_err());
         assert_eq!(mark(&mut buffer, 0.1), Some(5.0));
         let next = active(6).encode().unwrap();
-        assert_eq!(
-            buffer.on_frame(next.as_bytes(), 0.1).unwrap(),
-            Received::Accepted
-        );
+        assert_eq!(buffer.on_frame(next.as_bytes(), 0.1).unwrap(), Received::Accepted);
         assert_eq!(mark(&mut buffer, 0.1), Some(6.0));
     }
 
@@ -386,30 +302,11 @@ mod buffer {
     #[test]
     fn a_hold_takes_effect_unless_its_seq_is_older() {
         for mode in [Mode::Hold, Mode::Init] {
-            for (seq, held) in [
-                (6, true),
-                (5, true),
-                (0, true),
-                (4, false),
-                (1, false),
-                (-1, false),
-            ] {
+            for (seq, held) in [(6, true), (5, true), (0, true), (4, false), (1, false), (-1, false)] {
                 let mut buffer = buffer_with(active(5), 0.0);
-                let became = if held {
-                    Received::Held
-                } else {
-                    Received::Dropped
-                };
-                assert_eq!(
-                    buffer.on_command(command(seq, mode, 200.0), 0.1),
-                    became,
-                    "{mode:?} {seq}"
-                );
-                assert_eq!(
-                    mark(&mut buffer, 0.1),
-                    (!held).then_some(5.0),
-                    "{mode:?} {seq}"
-                );
+                let became = if held { Received::Held } else { Received::Dropped };
+                assert_eq!(buffer.on_command(command(seq, mode, 200.0), 0.1), became, "{mode:?} {seq}");
+                assert_eq!(mark(&mut buffer, 0.1), (!held).then_some(5.0), "{mode:?} {seq}");
             }
         }
     }
@@ -420,16 +317,8 @@ mod buffer {
         let mut buffer = buffer_with(active(5), 0.0);
         buffer.on_command(command(8, Mode::Hold, 60_000.0), 0.1);
         assert_eq!(mark(&mut buffer, 0.1), None);
-        assert_eq!(
-            buffer.on_command(active(7), 0.1),
-            Received::Dropped,
-            "it was sent before the hold"
-        );
-        assert_eq!(
-            buffer.on_command(active(8), 0.1),
-            Received::Dropped,
-            "so was this, or with it"
-        );
+        assert_eq!(buffer.on_command(active(7), 0.1), Received::Dropped, "it was sent before the hold");
+        assert_eq!(buffer.on_command(active(8), 0.1), Received::Dropped, "so was this, or with it");
         assert_eq!(mark(&mut buffer, 0.1), None);
         assert_eq!(buffer.on_command(active(9), 0.1), Received::Accepted);
         assert_eq!(mark(&mut buffer, 0.1), Some(9.0));
@@ -447,11 +336,7 @@ mod buffer {
             r#"{"kind":"command_frame","ncp_version":"0.5","seq":6,"mode":"dance"}"#,
         ] {
             let mut buffer = buffer_with(active(5), 0.0);
-            assert_eq!(
-                buffer.on_frame(frame.as_bytes(), 0.1).unwrap(),
-                Received::Held,
-                "{frame}"
-            );
+            assert_eq!(buffer.on_frame(frame.as_bytes(), 0.1).unwrap(), Received::Held, "{frame}");
             assert_eq!(mark(&mut buffer, 0.1), None);
         }
     }
@@ -479,10 +364,7 @@ mod buffer {
     fn a_sender_whose_seq_begins_again_is_held_until_a_reset() {
         let mut buffer = buffer_with(active(1_000), 0.0);
         for seq in 1..=20 {
-            assert_eq!(
-                buffer.on_command(active(seq), 0.05 * seq as f64),
-                Received::Dropped
-            );
+            assert_eq!(buffer.on_command(active(seq), 0.05 * seq as f64), Received::Dropped);
         }
         assert_eq!(mark(&mut buffer, 1.0), None);
         buffer.reset();
@@ -508,14 +390,7 @@ mod horizon {
     /// [NCP-RES-027]
     #[test]
     fn a_horizon_without_a_tick_length_is_not_replayed() {
-        for dt_ms in [
-            None,
-            Some(0.0),
-            Some(-0.0),
-            Some(-50.0),
-            Some(f64::NAN),
-            Some(f64::INFINITY),
-        ] {
+        for dt_ms in [None, Some(0.0), Some(-0.0), Some(-50.0), Some(f64::NAN), Some(f64::INFINITY)] {
             let mut buffer = buffer_with(replayed(3, dt_ms, 250.0), 0.0);
             assert_eq!(mark(&mut buffer, 0.0), Some(0.0), "{dt_ms:?}");
             assert_eq!(mark(&mut buffer, 0.25), Some(0.0), "{dt_ms:?}");
@@ -565,11 +440,7 @@ mod horizon {
     fn ticks_of_any_length_find_their_setpoint() {
         let mut brief = buffer_with(replayed(2, Some(TINY), 200.0), 0.0);
         assert_eq!(mark(&mut brief, 0.0), Some(0.0), "0 of any tick has passed");
-        assert_eq!(
-            mark(&mut brief, 1e-300),
-            None,
-            "so many ticks have no setpoint"
-        );
+        assert_eq!(mark(&mut brief, 1e-300), None, "so many ticks have no setpoint");
         let mut long = buffer_with(replayed(2, Some(f64::MAX), 200.0), 0.0);
         assert_eq!(mark(&mut long, 0.2), Some(0.0));
     }
@@ -579,10 +450,7 @@ mod horizon {
     fn a_new_command_begins_its_own_horizon() {
         let mut buffer = buffer_with(replayed(3, Some(125.0), 9_000.0), 0.0);
         assert_eq!(mark(&mut buffer, 0.25), Some(2.0));
-        let next = CommandFrame {
-            seq: 2,
-            ..replayed(3, Some(125.0), 9_000.0)
-        };
+        let next = CommandFrame { seq: 2, ..replayed(3, Some(125.0), 9_000.0) };
         buffer.on_command(next, 0.25);
         assert_eq!(mark(&mut buffer, 0.25), Some(0.0));
         assert_eq!(mark(&mut buffer, 0.375), Some(1.0));
@@ -604,15 +472,7 @@ mod horizon {
         ] {
             assert_eq!(max_horizon_len(ttl_ms, dt_ms), ticks, "{ttl_ms} / {dt_ms}");
         }
-        for bad in [
-            0.0,
-            -0.0,
-            -1.0,
-            -TINY,
-            f64::NAN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-        ] {
+        for bad in [0.0, -0.0, -1.0, -TINY, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(max_horizon_len(bad, 50.0), 0, "a ttl of {bad}");
             assert_eq!(max_horizon_len(200.0, bad), 0, "a tick of {bad}");
             assert_eq!(max_horizon_len(bad, bad), 0, "both {bad}");
@@ -632,25 +492,14 @@ mod link {
     }
 
     fn counts(monitor: &LinkMonitor) -> (i64, i64, i64) {
-        let LinkReport {
-            last_seq,
-            received,
-            lost,
-            ..
-        } = monitor.report();
+        let LinkReport { last_seq, received, lost, .. } = monitor.report();
         (last_seq, received, lost)
     }
 
     /// [NCP-RES-044]
     #[test]
     fn before_the_first_frame_nothing_is_known_and_nothing_lost() {
-        let nothing = LinkReport {
-            last_seq: -1,
-            received: 0,
-            lost: 0,
-            loss_rate: 0.0,
-            burst: false,
-        };
+        let nothing = LinkReport { last_seq: -1, received: 0, lost: 0, loss_rate: 0.0, burst: false };
         assert_eq!(LinkMonitor::default().report(), nothing);
     }
 
@@ -763,33 +612,16 @@ mod link {
     /// [NCP-RES-045] [NCP-RES-050] L09
     #[test]
     fn a_gap_between_any_two_seqs_neither_overflows_nor_hides_the_burst() {
-        for seqs in [
-            [i64::MIN, i64::MAX],
-            [-1, i64::MAX],
-            [i64::MIN, 0],
-            [i64::MIN, 1_000],
-        ] {
+        for seqs in [[i64::MIN, i64::MAX], [-1, i64::MAX], [i64::MIN, 0], [i64::MIN, 1_000]] {
             let monitor = after(seqs);
             let report = monitor.report();
             assert!(report.burst, "{seqs:?}");
-            assert!(
-                (0.999..=1.0).contains(&report.loss_rate),
-                "{seqs:?}: {}",
-                report.loss_rate
-            );
+            assert!((0.999..=1.0).contains(&report.loss_rate), "{seqs:?}: {}", report.loss_rate);
             assert!(report.lost > 0 && report.received == 2, "{seqs:?}");
             assert_eq!(report.last_seq, seqs[1]);
         }
-        assert_eq!(
-            after([i64::MIN, i64::MAX]).report().lost,
-            i64::MAX,
-            "it saturates"
-        );
-        assert_eq!(
-            counts(&after([-2, -1, 0, 1])),
-            (1, 4, 0),
-            "a sign is no gap"
-        );
+        assert_eq!(after([i64::MIN, i64::MAX]).report().lost, i64::MAX, "it saturates");
+        assert_eq!(counts(&after([-2, -1, 0, 1])), (1, 4, 0), "a sign is no gap");
     }
 
     /// [NCP-RES-051] A reference of 1 would call no loss a burst; above 0.99 it is 0.99.
@@ -810,10 +642,7 @@ mod link {
             assert!(lifted_above(low, 255.9), "{low}");
         }
         for bad in NOT_FINITE {
-            assert!(
-                lifted_above(bad, 243.1),
-                "{bad}: 256 · 0.95 − 0.05 is 243.15"
-            );
+            assert!(lifted_above(bad, 243.1), "{bad}: 256 · 0.95 − 0.05 is 243.15");
             assert!(!lifted_above(bad, 243.2), "{bad}");
         }
     }
@@ -821,15 +650,7 @@ mod link {
     /// [NCP-RES-052]
     #[test]
     fn a_threshold_that_is_none_is_five() {
-        for bad in [
-            0.0,
-            -0.0,
-            -5.0,
-            -TINY,
-            f64::NAN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-        ] {
+        for bad in [0.0, -0.0, -5.0, -TINY, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let burst = |missing: i64| {
                 let mut monitor = LinkMonitor::new(0.05, bad);
                 monitor.on_frame(0);
@@ -843,9 +664,6 @@ mod link {
         assert!(!eager.burst(), "S is 0, not above any threshold");
         eager.on_frame(2);
         eager.on_frame(3);
-        assert!(
-            !eager.burst(),
-            "S is at most twice the threshold, and a good frame takes that off"
-        );
+        assert!(!eager.burst(), "S is at most twice the threshold, and a good frame takes that off");
     }
 }

@@ -11,8 +11,7 @@ use ncp_spec::safety::{
     Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, Reason, SafetyGovernor, VELOCITY_CHANNEL,
 };
 use ncp_spec::wire::{
-    Capabilities, ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode,
-    SafetyLimits, SensorFrame,
+    Capabilities, ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame,
 };
 
 /// Counts what each thread asks for, so that tests may run side by side.
@@ -59,18 +58,11 @@ fn governor() -> SafetyGovernor {
         unit: Some(unit.into()),
         ..ChannelSpec::default()
     };
-    let gripper = ChannelSpec {
-        name: "gripper".into(),
-        ..ChannelSpec::default()
-    };
+    let gripper = ChannelSpec { name: "gripper".into(), ..ChannelSpec::default() };
     SafetyGovernor::from_capabilities(&Capabilities {
         sensor_channels: vec![vector(POSITION_CHANNEL, METRES)],
         command_channels: vec![gripper, vector(VELOCITY_CHANNEL, METRES_PER_SECOND)],
-        safety: SafetyLimits {
-            max_speed_mps: Some(2.0),
-            geofence_radius_m: Some(10.0),
-            ..SafetyLimits::default()
-        },
+        safety: SafetyLimits { max_speed_mps: Some(2.0), geofence_radius_m: Some(10.0), ..SafetyLimits::default() },
         ..Capabilities::default()
     })
 }
@@ -78,10 +70,7 @@ fn governor() -> SafetyGovernor {
 fn channels(velocity: [f64; 3]) -> ChannelMap {
     ChannelMap::from_iter([
         ("gripper", ChannelValue::without_unit([0.5])),
-        (
-            VELOCITY_CHANNEL,
-            ChannelValue::new(velocity, METRES_PER_SECOND),
-        ),
+        (VELOCITY_CHANNEL, ChannelValue::new(velocity, METRES_PER_SECOND)),
     ])
 }
 
@@ -97,9 +86,7 @@ fn command(velocity: [f64; 3], steps: usize) -> CommandFrame {
 
 fn at(position: [f64; 3]) -> SensorFrame {
     let mut frame = SensorFrame::default();
-    frame
-        .channels
-        .insert(POSITION_CHANNEL, ChannelValue::new(position, METRES));
+    frame.channels.insert(POSITION_CHANNEL, ChannelValue::new(position, METRES));
     frame
 }
 
@@ -122,35 +109,21 @@ fn the_count_sees_every_allocation() {
 
 #[test]
 fn a_command_passes_without_an_allocation() {
-    let passed = govern(
-        &mut command([0.5, 0.0, 0.0], 0),
-        &at([1.0, 2.0, 3.0]),
-        NOW_S,
-    );
+    let passed = govern(&mut command([0.5, 0.0, 0.0], 0), &at([1.0, 2.0, 3.0]), NOW_S);
     assert_eq!(passed, (Decision::Passed, 0));
-    let with_horizon = govern(
-        &mut command([0.5, 0.0, 0.0], 8),
-        &at([1.0, 2.0, 3.0]),
-        NOW_S,
-    );
+    let with_horizon = govern(&mut command([0.5, 0.0, 0.0], 8), &at([1.0, 2.0, 3.0]), NOW_S);
     assert_eq!(with_horizon, (Decision::Passed, 0));
 }
 
 #[test]
 fn a_command_is_clamped_and_truncated_without_an_allocation() {
     let mut hasty = command([30.0, 40.0, 0.0], 8);
-    assert_eq!(
-        govern(&mut hasty, &at([0.0; 3]), NOW_S),
-        (Decision::Limited, 0)
-    );
+    assert_eq!(govern(&mut hasty, &at([0.0; 3]), NOW_S), (Decision::Limited, 0));
     assert!(hasty.horizon.len() == 8 && hasty.channels[VELOCITY_CHANNEL].data[0] < 2.0);
 
     let mut outward = command([2.0, 0.0, 0.0], 8);
     outward.ttl_ms = 1_000.0;
-    assert_eq!(
-        govern(&mut outward, &at([9.75, 0.0, 0.0]), NOW_S),
-        (Decision::Limited, 0)
-    );
+    assert_eq!(govern(&mut outward, &at([9.75, 0.0, 0.0]), NOW_S), (Decision::Limited, 0));
     assert_eq!(outward.horizon.len(), 1);
 }
 
@@ -163,51 +136,19 @@ fn every_gate_closes_without_an_allocation() {
         decision
     };
     let calm = || command([0.5, 0.0, 0.0], 4);
-    assert_eq!(
-        held(&mut calm(), &home, NOW_S - 1.0),
-        Decision::Held(Reason::StaleSensor)
-    );
-    assert_eq!(
-        held(&mut calm(), &SensorFrame::default(), NOW_S),
-        Decision::Held(Reason::NoPosition)
-    );
-    let mut idle = CommandFrame {
-        mode: Mode::Init,
-        ..calm()
-    };
-    assert_eq!(
-        held(&mut idle, &home, NOW_S),
-        Decision::Held(Reason::NotActive)
-    );
+    assert_eq!(held(&mut calm(), &home, NOW_S - 1.0), Decision::Held(Reason::StaleSensor));
+    assert_eq!(held(&mut calm(), &SensorFrame::default(), NOW_S), Decision::Held(Reason::NoPosition));
+    let mut idle = CommandFrame { mode: Mode::Init, ..calm() };
+    assert_eq!(held(&mut idle, &home, NOW_S), Decision::Held(Reason::NotActive));
     let mut broken = command([f64::NAN, 0.0, 0.0], 4);
-    assert_eq!(
-        held(&mut broken, &home, NOW_S),
-        Decision::Held(Reason::NotFinite)
-    );
+    assert_eq!(held(&mut broken, &home, NOW_S), Decision::Held(Reason::NotFinite));
     let mut narrow = calm();
-    narrow
-        .channels
-        .get_mut(VELOCITY_CHANNEL)
-        .unwrap()
-        .data
-        .pop();
-    assert_eq!(
-        held(&mut narrow, &home, NOW_S),
-        Decision::Held(Reason::NoVelocity)
-    );
-    let mut timeless = CommandFrame {
-        horizon_dt_ms: None,
-        ..calm()
-    };
-    assert_eq!(
-        held(&mut timeless, &home, NOW_S),
-        Decision::Held(Reason::BadHorizon)
-    );
+    narrow.channels.get_mut(VELOCITY_CHANNEL).unwrap().data.pop();
+    assert_eq!(held(&mut narrow, &home, NOW_S), Decision::Held(Reason::NoVelocity));
+    let mut timeless = CommandFrame { horizon_dt_ms: None, ..calm() };
+    assert_eq!(held(&mut timeless, &home, NOW_S), Decision::Held(Reason::BadHorizon));
     let mut leaving = command([2.0, 0.0, 0.0], 0);
-    assert_eq!(
-        held(&mut leaving, &at([9.9, 0.0, 0.0]), NOW_S),
-        Decision::Held(Reason::LeavesFence)
-    );
+    assert_eq!(held(&mut leaving, &at([9.9, 0.0, 0.0]), NOW_S), Decision::Held(Reason::LeavesFence));
 }
 
 #[test]
@@ -222,23 +163,14 @@ fn estop_latches_and_is_reset_without_an_allocation() {
         governor.reset();
         (breach, latched)
     });
-    assert_eq!(
-        decisions,
-        (
-            Decision::Stopped(Reason::OutsideFence),
-            Decision::Stopped(Reason::Estop)
-        )
-    );
+    assert_eq!(decisions, (Decision::Stopped(Reason::OutsideFence), Decision::Stopped(Reason::Estop)));
     assert_eq!((asked, governor.is_stopped()), (0, false));
     assert_eq!((first.mode, second.mode), (Mode::Estop, Mode::Estop));
 }
 
 #[test]
 fn a_governor_with_a_config_fault_holds_without_an_allocation() {
-    let limits = SafetyLimits {
-        max_speed_mps: Some(f64::NAN),
-        ..SafetyLimits::default()
-    };
+    let limits = SafetyLimits { max_speed_mps: Some(f64::NAN), ..SafetyLimits::default() };
     let mut governor = SafetyGovernor::new(&limits);
     let mut command = command([0.5, 0.0, 0.0], 4);
     let held = counted(|| governor.govern(&mut command, NOW_S, None, Some(NOW_S)));
@@ -269,11 +201,7 @@ fn a_buffer_takes_replays_and_drops_commands_without_an_allocation() {
     estop.mode = Mode::Estop;
     let duplicate = second.clone();
     let (seen, asked) = counted(|| {
-        let took = [
-            buffer.on_command(first, 0.0),
-            buffer.on_command(second, 0.1),
-            buffer.on_command(duplicate, 0.1),
-        ];
+        let took = [buffer.on_command(first, 0.0), buffer.on_command(second, 0.1), buffer.on_command(duplicate, 0.1)];
         // Tick 0, the horizon's first step, and past its end.
         let active = [0.1, 0.16, 0.35].map(|now_s| buffer.active(now_s).is_some());
         let held = buffer.on_command(hold, 0.4);
@@ -283,15 +211,6 @@ fn a_buffer_takes_replays_and_drops_commands_without_an_allocation() {
         (took, active, held, stopped, moving)
     });
     use Received::{Accepted, Dropped, Held, Stopped};
-    assert_eq!(
-        seen,
-        (
-            [Accepted, Accepted, Dropped],
-            [true, true, false],
-            Held,
-            Stopped,
-            false
-        )
-    );
+    assert_eq!(seen, ([Accepted, Accepted, Dropped], [true, true, false], Held, Stopped, false));
     assert_eq!(asked, 0);
 }

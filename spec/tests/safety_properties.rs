@@ -5,9 +5,7 @@
 use ncp_spec::control::{ControlLoop, Controller, LoopConfig, ReflexConfig, ReflexController};
 use ncp_spec::resilience::{ActionBuffer, CommandWatchdog, LinkMonitor, is_estop, max_horizon_len};
 use ncp_spec::safety::{Decision, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL, kernel};
-use ncp_spec::wire::{
-    ChannelMap, ChannelValue, CommandFrame, Frame, Mode, SafetyLimits, SensorFrame,
-};
+use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode, SafetyLimits, SensorFrame};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 
@@ -28,14 +26,8 @@ fn mode() -> impl Strategy<Value = Mode> {
 }
 
 fn velocity() -> impl Strategy<Value = ChannelValue> {
-    (
-        prop::collection::vec(any_double(), 3),
-        prop::option::weighted(0.7, Just("m/s")),
-    )
-        .prop_map(|(data, unit)| ChannelValue {
-            data,
-            unit: unit.map(Into::into),
-        })
+    (prop::collection::vec(any_double(), 3), prop::option::weighted(0.7, Just("m/s")))
+        .prop_map(|(data, unit)| ChannelValue { data, unit: unit.map(Into::into) })
 }
 
 fn tick() -> impl Strategy<Value = ChannelMap> {
@@ -62,29 +54,17 @@ prop_compose! {
 }
 
 fn at(position: [f64; 3]) -> SensorFrame {
-    let mut frame = SensorFrame {
-        seq: 1,
-        ..SensorFrame::default()
-    };
-    frame
-        .channels
-        .insert(POSITION_CHANNEL, ChannelValue::new(position, "m"));
+    let mut frame = SensorFrame { seq: 1, ..SensorFrame::default() };
+    frame.channels.insert(POSITION_CHANNEL, ChannelValue::new(position, "m"));
     frame
 }
 
 fn fenced(radius_m: f64, max_speed_mps: Option<f64>) -> SafetyLimits {
-    SafetyLimits {
-        geofence_radius_m: Some(radius_m),
-        max_speed_mps,
-        ..SafetyLimits::default()
-    }
+    SafetyLimits { geofence_radius_m: Some(radius_m), max_speed_mps, ..SafetyLimits::default() }
 }
 
 fn setpoint(channels: &ChannelMap) -> [f64; 3] {
-    channels
-        .get(VELOCITY_CHANNEL)
-        .and_then(|v| v.data.as_slice().try_into().ok())
-        .unwrap()
+    channels.get(VELOCITY_CHANNEL).and_then(|v| v.data.as_slice().try_into().ok()).unwrap()
 }
 
 proptest! {

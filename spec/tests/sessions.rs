@@ -6,13 +6,11 @@ use std::sync::{Arc, Mutex};
 
 use ncp_spec::bus::{BusError, LocalBus, NeuroSimClient, QUEUE_FRAMES};
 use ncp_spec::reply::ReplyError;
-use ncp_spec::session::{
-    BackendError, Opened, ReferenceBackend, SessionService, Simulation, SimulationBackend,
-};
+use ncp_spec::session::{BackendError, Opened, ReferenceBackend, SessionService, Simulation, SimulationBackend};
 use ncp_spec::wire::{
-    ChannelMap, ChannelValue, Frame, Kind, Message, NetworkRef, NetworkRefKind, Observable,
-    Observation, OpenSession, RecordSpec, RecordTarget, RunRequest, SessionOpened, SortedMap,
-    StepRequest, StimulusFrame, StimulusKind, StimulusSpec, StimulusTarget, Text, decode_any,
+    ChannelMap, ChannelValue, Frame, Kind, Message, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession,
+    RecordSpec, RecordTarget, RunRequest, SessionOpened, SortedMap, StepRequest, StimulusFrame, StimulusKind,
+    StimulusSpec, StimulusTarget, Text, decode_any,
 };
 use proptest::prelude::*;
 
@@ -26,21 +24,14 @@ fn network(reference: &'static str, neurons: i64) -> NetworkRef {
 }
 
 fn record(port: &'static str, observable: Observable) -> RecordTarget {
-    RecordTarget {
-        port: port.into(),
-        target: "exc".into(),
-        observable,
-        ..RecordTarget::default()
-    }
+    RecordTarget { port: port.into(), target: "exc".into(), observable, ..RecordTarget::default() }
 }
 
 fn lif_session(id: &'static str) -> OpenSession {
     OpenSession {
         session_id: id.into(),
         network: network("ncp.reference.lif", 2),
-        record: RecordSpec {
-            targets: vec![record("v", Observable::Vm), record("s", Observable::Spikes)],
-        },
+        record: RecordSpec { targets: vec![record("v", Observable::Vm), record("s", Observable::Spikes)] },
         stimulus: StimulusSpec {
             targets: vec![StimulusTarget {
                 port: "i".into(),
@@ -57,21 +48,13 @@ fn lif_session(id: &'static str) -> OpenSession {
 fn current(id: &'static str, pa: f64) -> StimulusFrame {
     let mut values = ChannelMap::new();
     values.insert("i", ChannelValue::new([pa], "pA"));
-    StimulusFrame {
-        session_id: id.into(),
-        values,
-        ..StimulusFrame::default()
-    }
+    StimulusFrame { session_id: id.into(), values, ..StimulusFrame::default() }
 }
 
 fn bus() -> (LocalBus, ncp_spec::bus::Serving, NeuroSimClient) {
     let bus = LocalBus::new();
     let mut service = SessionService::new(ReferenceBackend);
-    let serving = bus
-        .serve("ncp/rpc", move |request| {
-            service.serve(request).into_bytes()
-        })
-        .unwrap();
+    let serving = bus.serve("ncp/rpc", move |request| service.serve(request).into_bytes()).unwrap();
     let client = NeuroSimClient::new(bus.clone(), None).unwrap();
     (bus, serving, client)
 }
@@ -92,15 +75,9 @@ fn a_neuron_under_a_constant_current_follows_the_closed_solution_until_it_spikes
         })
         .unwrap();
     assert_eq!(frame.sim_time_ms, 40.0);
-    let (v, spikes) = (
-        frame.records.get("v").unwrap(),
-        frame.records.get("s").unwrap(),
-    );
+    let (v, spikes) = (frame.records.get("v").unwrap(), frame.records.get("s").unwrap());
     // 500 pA · 10 ms / 250 pF = 20 mV above rest: −55 mV is crossed at 10·ln 4 ms = 13.86 ms.
-    assert_eq!(
-        spikes.times.first().map(|t| (t * 10.0).round()),
-        Some(139.0)
-    );
+    assert_eq!(spikes.times.first().map(|t| (t * 10.0).round()), Some(139.0));
     assert!(spikes.senders.iter().all(|&id| id == 2));
     assert!(spikes.values.is_empty());
     for ((&t, &value), &id) in v.times.iter().zip(&v.values).zip(&v.senders) {
@@ -108,10 +85,7 @@ fn a_neuron_under_a_constant_current_follows_the_closed_solution_until_it_spikes
             assert_eq!(value, -70.0);
         } else if t < 13.8 {
             let exact = -70.0 + 20.0 * (1.0 - (-t / 10.0).exp());
-            assert!(
-                ((value - exact) / exact).abs() < 1e-9,
-                "{value} at {t} ms, not {exact}"
-            );
+            assert!(((value - exact) / exact).abs() < 1e-9, "{value} at {t} ms, not {exact}");
         }
     }
     // One period: the way up and 2 ms of refractoriness.
@@ -130,13 +104,7 @@ fn a_rate_neuron_relaxes_to_its_input() {
     request.record.targets = vec![record("r", Observable::Rate)];
     request.stimulus.targets.clear();
     client.open(request).unwrap();
-    let frame = client
-        .run(RunRequest {
-            session_id: "r".into(),
-            duration_ms: 30.0,
-            ..RunRequest::default()
-        })
-        .unwrap();
+    let frame = client.run(RunRequest { session_id: "r".into(), duration_ms: 30.0, ..RunRequest::default() }).unwrap();
     let rates = frame.records.get("r").unwrap();
     assert_eq!(rates.times.len(), 30);
     for (&t, &rate) in rates.times.iter().zip(&rates.values) {
@@ -189,24 +157,9 @@ fn steps_of_any_size_make_the_same_trace_as_one_run_and_sessions_stay_apart() {
         .unwrap();
     let mut times = Vec::new();
     let mut values = Vec::new();
-    for (step, advance_ms) in [
-        Some(0.1),
-        Some(3.3),
-        None,
-        Some(0.05),
-        Some(0.05),
-        Some(16.5),
-    ]
-    .into_iter()
-    .enumerate()
-    {
+    for (step, advance_ms) in [Some(0.1), Some(3.3), None, Some(0.05), Some(0.05), Some(16.5)].into_iter().enumerate() {
         let stimulus = (step == 0).then(|| current("many", 450.0));
-        let request = StepRequest {
-            session_id: "many".into(),
-            advance_ms,
-            stimulus,
-            ..StepRequest::default()
-        };
+        let request = StepRequest { session_id: "many".into(), advance_ms, stimulus, ..StepRequest::default() };
         let frame = client.step(request).unwrap();
         assert_eq!(frame.seq, i64::try_from(step).unwrap() + 1);
         let v = frame.records.get("v").unwrap();
@@ -215,12 +168,7 @@ fn steps_of_any_size_make_the_same_trace_as_one_run_and_sessions_stay_apart() {
     }
     let v = whole.records.get("v").unwrap();
     assert_eq!((&v.times, &v.values), (&times, &values));
-    let idle = client
-        .step(StepRequest {
-            session_id: "idle".into(),
-            ..StepRequest::default()
-        })
-        .unwrap();
+    let idle = client.step(StepRequest { session_id: "idle".into(), ..StepRequest::default() }).unwrap();
     assert_eq!(idle.sim_time_ms, 10.0);
 }
 
@@ -231,12 +179,7 @@ fn only_a_fitting_open_opens_a_session_and_it_says_where_its_numbers_come_from()
     let mut open = |change: &dyn Fn(&mut OpenSession)| {
         let mut request = lif_session("a");
         change(&mut request);
-        SessionOpened::decode(
-            service
-                .serve(request.encode().unwrap().as_bytes())
-                .as_bytes(),
-        )
-        .unwrap()
+        SessionOpened::decode(service.serve(request.encode().unwrap().as_bytes()).as_bytes()).unwrap()
     };
     for version in ["0.4", "1.0", "junk", ""] {
         let refused = open(&|request| request.ncp_version = version.into());
@@ -249,14 +192,7 @@ fn only_a_fitting_open_opens_a_session_and_it_says_where_its_numbers_come_from()
         })
         .ok
     );
-    assert!(
-        !open(&|request| request
-            .network
-            .population_sizes
-            .insert("x", -1)
-            .map_or((), drop))
-        .ok
-    );
+    assert!(!open(&|request| request.network.population_sizes.insert("x", -1).map_or((), drop)).ok);
     assert!(!open(&|request| request.record.targets[0].target = "inh".into()).ok);
     let opened = open(&|request| request.contract_hash = Some("2cf0763ad61e4f1c".into()));
     assert!(opened.ok);
@@ -297,22 +233,11 @@ fn a_client_closes_only_the_session_that_it_opened() {
     let (bus, _serving, mut owner) = bus();
     let mut guest = NeuroSimClient::new(bus, None).unwrap();
     owner.open(lif_session("a")).unwrap();
-    guest
-        .step(StepRequest {
-            session_id: "a".into(),
-            ..StepRequest::default()
-        })
-        .unwrap();
+    guest.step(StepRequest { session_id: "a".into(), ..StepRequest::default() }).unwrap();
     assert!(guest.close("a").unwrap().is_none());
     assert!(owner.close("a").unwrap().unwrap().ok);
-    let gone = owner.step(StepRequest {
-        session_id: "a".into(),
-        ..StepRequest::default()
-    });
-    assert!(matches!(
-        gone,
-        Err(BusError::Reply(ReplyError::Reported(_)))
-    ));
+    let gone = owner.step(StepRequest { session_id: "a".into(), ..StepRequest::default() });
+    assert!(matches!(gone, Err(BusError::Reply(ReplyError::Reported(_)))));
 }
 
 /// [NCP-SESS-037]
@@ -337,20 +262,13 @@ fn a_simulator_that_panics_costs_that_request_only() {
             "fragile"
         }
         fn open(&mut self, _: &OpenSession) -> Result<Opened, BackendError> {
-            Ok(Opened {
-                simulation: Box::new(Fragile),
-                resolved: SortedMap::new(),
-                seed: None,
-            })
+            Ok(Opened { simulation: Box::new(Fragile), resolved: SortedMap::new(), seed: None })
         }
     }
     let mut service = SessionService::new(Backend);
     service.serve(lif_session("a").encode().unwrap().as_bytes());
     let kind_of = |reply: String| decode_any(reply.as_bytes()).unwrap().kind();
-    assert_eq!(
-        kind_of(service.serve(br#"{"kind":"run_request","session_id":"a","duration_ms":9}"#)),
-        Kind::Error
-    );
+    assert_eq!(kind_of(service.serve(br#"{"kind":"run_request","session_id":"a","duration_ms":9}"#)), Kind::Error);
     assert_eq!(
         kind_of(service.serve(br#"{"kind":"run_request","session_id":"a","duration_ms":1}"#)),
         Kind::ObservationFrame
@@ -370,8 +288,7 @@ fn a_subscription_ends_with_its_handle_and_a_full_one_drops_the_oldest() {
     drop(one);
     assert_eq!(bus.publish("ncp/session/a/sensor", b"3").unwrap(), 1);
     for n in 0..QUEUE_FRAMES {
-        bus.publish("ncp/session/a/command", n.to_string().as_bytes())
-            .unwrap();
+        bus.publish("ncp/session/a/command", n.to_string().as_bytes()).unwrap();
     }
     assert_eq!(&*all.next_frame().unwrap().frame, b"0");
     let served = Arc::new(Mutex::new(0));
@@ -384,10 +301,7 @@ fn a_subscription_ends_with_its_handle_and_a_full_one_drops_the_oldest() {
         .unwrap();
     bus.query("ncp/rpc", b"x").unwrap();
     drop(serving);
-    assert!(matches!(
-        bus.query("ncp/rpc", b"x"),
-        Err(BusError::NoServer { .. })
-    ));
+    assert!(matches!(bus.query("ncp/rpc", b"x"), Err(BusError::NoServer { .. })));
     assert_eq!(*served.lock().unwrap(), 1);
 }
 

@@ -1,9 +1,5 @@
 //! The strict profile (chapter 12.1): what changes once both ends have agreed upon it.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 use std::sync::{Arc, Mutex};
 
@@ -14,17 +10,12 @@ use ncp_spec::reply::{check_reply, check_reply_strict};
 use ncp_spec::resilience::{ActionBuffer, Received};
 use ncp_spec::session::{ReferenceBackend, SessionService};
 use ncp_spec::wire::{
-    CloseSession, CommandFrame, Frame, Kind, Message, Mode, NetworkRef, OpenSession, StepRequest,
-    decode, decode_any, decode_any_strict, decode_strict,
+    CloseSession, CommandFrame, Frame, Kind, Message, Mode, NetworkRef, OpenSession, StepRequest, decode, decode_any,
+    decode_any_strict, decode_strict,
 };
 use proptest::prelude::*;
 
-const REQUESTS: [Kind; 4] = [
-    Kind::OpenSession,
-    Kind::StepRequest,
-    Kind::RunRequest,
-    Kind::CloseSession,
-];
+const REQUESTS: [Kind; 4] = [Kind::OpenSession, Kind::StepRequest, Kind::RunRequest, Kind::CloseSession];
 
 /// A frame of a kind with its required fields and these members before them.
 fn frame(kind: Kind, version: Option<&str>, seq: i64) -> String {
@@ -43,9 +34,7 @@ fn command(mode: &str, version: Option<&str>, seq: i64) -> String {
 
 /// What the plant does, told by the seq of the command that it follows.
 fn followed(buffer: &mut ActionBuffer, now_s: f64) -> Option<f64> {
-    buffer
-        .active(now_s)
-        .map(|channels| channels.get("a").unwrap().data[0])
+    buffer.active(now_s).map(|channels| channels.get("a").unwrap().data[0])
 }
 
 /// `[NCP-STRICT-002] [NCP-STRICT-003] [NCP-STRICT-012]`
@@ -53,18 +42,13 @@ fn followed(buffer: &mut ActionBuffer, now_s: f64) -> Option<f64> {
 fn every_kind_but_the_error_frame_needs_a_compatible_version() {
     for kind in Kind::ALL {
         let own = frame(kind, Some("0.5"), 1);
-        assert_eq!(
-            decode_strict(kind, own.as_bytes()),
-            decode(kind, own.as_bytes())
-        );
+        assert_eq!(decode_strict(kind, own.as_bytes()), decode(kind, own.as_bytes()));
         let absent = frame(kind, None, 1);
         let other = frame(kind, Some("0.4"), 1);
         let malformed = frame(kind, Some("0.5.0"), 1);
-        for (unfit, code) in [
-            (absent, ErrorCode::Missing),
-            (other, ErrorCode::Version),
-            (malformed, ErrorCode::Version),
-        ] {
+        for (unfit, code) in
+            [(absent, ErrorCode::Missing), (other, ErrorCode::Version), (malformed, ErrorCode::Version)]
+        {
             let read = decode_any_strict(unfit.as_bytes());
             if kind == Kind::Error {
                 assert!(read.is_ok());
@@ -117,10 +101,7 @@ fn there_is_a_control_key_for_each_kind_of_request_and_no_other() {
 /// `[NCP-STRICT-002]`
 #[test]
 fn a_strict_client_accepts_no_reply_without_a_version() {
-    let request = Message::from(CloseSession {
-        session_id: "s".into(),
-        ..CloseSession::default()
-    });
+    let request = Message::from(CloseSession { session_id: "s".into(), ..CloseSession::default() });
     let without = br#"{"kind":"session_closed","session_id":"s"}"#;
     assert!(check_reply(&request, without).is_ok());
     assert!(check_reply_strict(&request, without).is_err());
@@ -142,14 +123,10 @@ fn an_estop_latches_a_strict_plant_whatever_it_lacks() {
         r#"{"kind":"command_frame","mode":"estop"}"#.to_owned(),
     ] {
         let mut buffer = ActionBuffer::strict();
-        buffer
-            .on_frame(command("active", own, 5).as_bytes(), 1.0)
-            .unwrap();
+        buffer.on_frame(command("active", own, 5).as_bytes(), 1.0).unwrap();
         let received = buffer.on_frame(estop.as_bytes(), 1.0);
         assert_eq!(received, Ok(Received::Stopped), "{estop}");
-        buffer
-            .on_frame(command("active", own, 7).as_bytes(), 1.0)
-            .unwrap();
+        buffer.on_frame(command("active", own, 7).as_bytes(), 1.0).unwrap();
         assert_eq!(followed(&mut buffer, 1.0), None);
     }
 }
@@ -157,40 +134,19 @@ fn an_estop_latches_a_strict_plant_whatever_it_lacks() {
 /// `[NCP-STRICT-004] [NCP-STRICT-005] [NCP-STRICT-011]`
 #[test]
 fn a_decoded_command_meets_the_same_plant_as_its_frame() {
-    let decoded = |mode, seq| CommandFrame {
-        mode,
-        seq,
-        ..CommandFrame::default()
-    };
+    let decoded = |mode, seq| CommandFrame { mode, seq, ..CommandFrame::default() };
     let mut buffer = ActionBuffer::strict();
     for unstamped in [0, -1] {
         let received = buffer.on_command(decoded(Mode::Active, unstamped), 1.0);
         assert_eq!(received, Received::Dropped);
     }
-    assert_eq!(
-        buffer.on_command(decoded(Mode::Active, 5), 1.0),
-        Received::Accepted
-    );
-    for (mode, seq) in [
-        (Mode::Hold, 5),
-        (Mode::Hold, 0),
-        (Mode::Init, 4),
-        (Mode::Active, 5),
-    ] {
-        assert_eq!(
-            buffer.on_command(decoded(mode, seq), 1.0),
-            Received::Dropped
-        );
+    assert_eq!(buffer.on_command(decoded(Mode::Active, 5), 1.0), Received::Accepted);
+    for (mode, seq) in [(Mode::Hold, 5), (Mode::Hold, 0), (Mode::Init, 4), (Mode::Active, 5)] {
+        assert_eq!(buffer.on_command(decoded(mode, seq), 1.0), Received::Dropped);
         assert!(buffer.active(1.0).is_some());
     }
-    assert_eq!(
-        buffer.on_command(decoded(Mode::Hold, 6), 1.0),
-        Received::Held
-    );
-    assert_eq!(
-        buffer.on_command(decoded(Mode::Estop, 0), 1.0),
-        Received::Stopped
-    );
+    assert_eq!(buffer.on_command(decoded(Mode::Hold, 6), 1.0), Received::Held);
+    assert_eq!(buffer.on_command(decoded(Mode::Estop, 0), 1.0), Received::Stopped);
 }
 
 fn arrivals() -> impl Strategy<Value = Vec<(String, f64)>> {
@@ -200,8 +156,7 @@ fn arrivals() -> impl Strategy<Value = Vec<(String, f64)>> {
         1 => Just(Some("0.4")),
         1 => Just(Some("x")),
     ];
-    let modes =
-        prop_oneof![4 => Just("active"), 2 => Just("hold"), 1 => Just("init"), 1 => Just("dance")];
+    let modes = prop_oneof![4 => Just("active"), 2 => Just("hold"), 1 => Just("init"), 1 => Just("dance")];
     let arrival = (versions, modes, -2_i64..12, 0.0..0.25_f64);
     proptest::collection::vec(arrival, 1..24).prop_map(|arrivals| {
         let mut now_s = 0.0;
@@ -240,9 +195,7 @@ proptest! {
 
 fn opening(version: Option<&str>) -> String {
     let version = version.map_or(String::new(), |v| format!(r#""ncp_version":"{v}","#));
-    format!(
-        r#"{{{version}"kind":"open_session","session_id":"s","network":{{"ref":"ncp.reference.rate"}}}}"#
-    )
+    format!(r#"{{{version}"kind":"open_session","session_id":"s","network":{{"ref":"ncp.reference.rate"}}}}"#)
 }
 
 fn reply(text: &str) -> Message {
@@ -254,8 +207,7 @@ fn reply(text: &str) -> Message {
 fn a_strict_server_carries_out_nothing_without_a_version() {
     let mut service = SessionService::strict(ReferenceBackend);
     for version in [None, Some("0.4"), Some("x")] {
-        let Message::SessionOpened(opened) = reply(&service.serve(opening(version).as_bytes()))
-        else {
+        let Message::SessionOpened(opened) = reply(&service.serve(opening(version).as_bytes())) else {
             panic!("an opening is answered with session_opened");
         };
         assert!(!opened.ok && opened.error.is_some());
@@ -268,8 +220,7 @@ fn a_strict_server_carries_out_nothing_without_a_version() {
             assert_eq!(refused.kind(), Kind::Error);
         }
     }
-    let Message::ObservationFrame(first) =
-        reply(&service.serve(frame(Kind::StepRequest, Some("0.5"), 1).as_bytes()))
+    let Message::ObservationFrame(first) = reply(&service.serve(frame(Kind::StepRequest, Some("0.5"), 1).as_bytes()))
     else {
         panic!("the session is still open");
     };
@@ -320,21 +271,12 @@ fn a_strict_client_reaches_a_strict_server_at_the_keys_of_the_kinds() {
         .collect();
     let open = || OpenSession {
         session_id: "s".into(),
-        network: NetworkRef {
-            reference: "ncp.reference.rate".into(),
-            ..NetworkRef::default()
-        },
+        network: NetworkRef { reference: "ncp.reference.rate".into(), ..NetworkRef::default() },
         ..OpenSession::default()
     };
-    let step = || StepRequest {
-        session_id: "s".into(),
-        ..StepRequest::default()
-    };
+    let step = || StepRequest { session_id: "s".into(), ..StepRequest::default() };
     let mut lenient = NeuroSimClient::new(bus.clone(), None).unwrap();
-    assert!(matches!(
-        lenient.open(open()),
-        Err(BusError::NoServer { .. })
-    ));
+    assert!(matches!(lenient.open(open()), Err(BusError::NoServer { .. })));
     let mut client = NeuroSimClient::strict(bus.clone(), None).unwrap();
     client.open(open()).unwrap();
     assert_eq!(client.step(step()).unwrap().seq, 1);

@@ -1,8 +1,5 @@
 //! Code and text name the same rules.
-#![allow(
-    clippy::unwrap_used,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic as tests may")]
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -10,12 +7,7 @@ use std::path::{Path, PathBuf};
 use ncp_spec::catalogue::Catalogue;
 
 /// Rules of the chapters 1 to 6 that bind a deployment or a person, and no function of a library.
-const NOT_EXECUTABLE: [&str; 4] = [
-    "NCP-OBS-010",
-    "NCP-PLANE-007",
-    "NCP-PLANE-008",
-    "NCP-PROV-009",
-];
+const NOT_EXECUTABLE: [&str; 4] = ["NCP-OBS-010", "NCP-PLANE-007", "NCP-PLANE-008", "NCP-PROV-009"];
 
 /// Every id of a rule in the sources, the catalogue's own examples aside.
 fn named_in_the_code() -> BTreeSet<String> {
@@ -26,11 +18,7 @@ fn named_in_the_code() -> BTreeSet<String> {
         }
         let code = std::fs::read_to_string(file).unwrap();
         let is_id = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '-';
-        ids.extend(
-            code.split(|c| !is_id(c))
-                .filter(|word| word.starts_with("NCP-"))
-                .map(String::from),
-        );
+        ids.extend(code.split(|c| !is_id(c)).filter(|word| word.starts_with("NCP-")).map(String::from));
     }
     ids
 }
@@ -51,10 +39,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 #[test]
 fn every_rule_that_the_code_names_is_in_the_text() {
     let catalogue = Catalogue::load().unwrap();
-    let unknown: Vec<_> = named_in_the_code()
-        .into_iter()
-        .filter(|id| catalogue.get(id).is_none())
-        .collect();
+    let unknown: Vec<_> = named_in_the_code().into_iter().filter(|id| catalogue.get(id).is_none()).collect();
     assert!(unknown.is_empty(), "{unknown:?}");
 }
 
@@ -69,8 +54,5 @@ fn every_rule_of_the_wire_is_named_where_the_code_executes_it() {
         .map(|rule| rule.id.as_str())
         .filter(|id| !named.contains(*id))
         .collect();
-    assert_eq!(
-        unnamed.into_iter().collect::<BTreeSet<_>>(),
-        BTreeSet::from(NOT_EXECUTABLE)
-    );
+    assert_eq!(unnamed.into_iter().collect::<BTreeSet<_>>(), BTreeSet::from(NOT_EXECUTABLE));
 }

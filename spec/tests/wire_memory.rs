@@ -1,10 +1,6 @@
 //! What decoding a frame may take, counted by the allocator itself. `[NCP-WIRE-070]`
 #![allow(unsafe_code, reason = "a global allocator is an unsafe trait")]
-#![allow(
-    clippy::expect_used,
-    clippy::panic,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::expect_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -102,32 +98,18 @@ fn the_count_sees_what_is_held_at_the_peak() {
 fn long_arrays_of_numbers_are_held_once() {
     let numbers = list(10_000_000, |_| "0".to_owned());
     for array in ["times", "values", "senders"] {
-        accepted(
-            &observation(&format!(r#""records":{{"p":{{"{array}":[{numbers}]}}}}"#)),
-            4.1,
-        );
+        accepted(&observation(&format!(r#""records":{{"p":{{"{array}":[{numbers}]}}}}"#)), 4.1);
     }
     // Of long numbers, eight bytes are still eight.
     let long = list(500_000, |_| "0.12345678901234567".to_owned());
-    accepted(
-        &observation(&format!(r#""records":{{"p":{{"times":[{long}]}}}}"#)),
-        0.5,
-    );
+    accepted(&observation(&format!(r#""records":{{"p":{{"times":[{long}]}}}}"#)), 0.5);
     // Many short ones, each the shortest that takes two allocations.
     let short = list(4_096, |nth| format!(r#""{nth}":{{"times":[0,0,0,0,0]}}"#));
     accepted(&observation(&format!(r#""records":{{{short}}}"#)), 16.0);
     // And numbers that never end.
-    rejected(
-        &observation(&format!(r#""records":{{"p":{{"times":[{numbers}"#)),
-        ErrorCode::Malformed,
-        4.1,
-    );
+    rejected(&observation(&format!(r#""records":{{"p":{{"times":[{numbers}"#)), ErrorCode::Malformed, 4.1);
     let commas = ",".repeat(10_000_000);
-    rejected(
-        &observation(&format!(r#""records":{{"p":{{"times":[0,0,0,0{commas}"#)),
-        ErrorCode::Malformed,
-        8.1,
-    );
+    rejected(&observation(&format!(r#""records":{{"p":{{"times":[0,0,0,0{commas}"#)), ErrorCode::Malformed, 8.1);
 }
 
 /// An ignored name takes eight bytes, and seven on the wire at least if there are many.
@@ -141,13 +123,7 @@ fn ignored_members_are_held_as_their_places_only() {
     let long = "a".repeat(20_000_000);
     accepted(&observation(&format!(r#""x":"{long}","{long}":0"#)), 0.1);
     accepted(&observation(&format!(r#""x":"\n{long}""#)), 3.1);
-    accepted(
-        &observation(&format!(
-            r#""x":[{}]"#,
-            list(5_000_000, |_| "{}".to_owned())
-        )),
-        0.1,
-    );
+    accepted(&observation(&format!(r#""x":[{}]"#, list(5_000_000, |_| "{}".to_owned()))), 0.1);
 }
 
 /// The smallest messages and entries, as many as there may be.
@@ -156,50 +132,25 @@ fn small_messages_are_held_within_a_constant() {
     let objects = list(4_096, |_| "{}".to_owned());
     let open = r#""kind":"open_session","session_id":"s","network":{}"#;
     accepted(&format!(r#"{{{open},"bindings":[{objects}]}}"#), 64.0);
-    accepted(
-        &format!(r#"{{{open},"record":{{"targets":[{objects}]}}}}"#),
-        64.0,
-    );
-    accepted(
-        &format!(r#"{{{open},"stimulus":{{"targets":[{objects}]}}}}"#),
-        64.0,
-    );
-    accepted(
-        &format!(r#"{{"kind":"capabilities","controller_id":"c","sensor_channels":[{objects}]}}"#),
-        64.0,
-    );
+    accepted(&format!(r#"{{{open},"record":{{"targets":[{objects}]}}}}"#), 64.0);
+    accepted(&format!(r#"{{{open},"stimulus":{{"targets":[{objects}]}}}}"#), 64.0);
+    accepted(&format!(r#"{{"kind":"capabilities","controller_id":"c","sensor_channels":[{objects}]}}"#), 64.0);
     let command = r#""kind":"command_frame""#;
     accepted(&format!(r#"{{{command},"horizon":[{objects}]}}"#), 64.0);
     let channels = list(4_096, |nth| format!(r#""{nth:x}":{{}}"#));
     accepted(&format!(r#"{{{command},"channels":{{{channels}}}}}"#), 64.0);
     accepted(&observation(&format!(r#""records":{{{channels}}}"#)), 64.0);
-    for entries in [
-        r#"{"":{}}"#,
-        r#"{"":{},"a":{}}"#,
-        r#"{"":{},"a":{},"b":{}}"#,
-    ] {
-        accepted(
-            &format!(
-                r#"{{{command},"horizon":[{}]}}"#,
-                list(4_096, |_| entries.to_owned())
-            ),
-            64.0,
-        );
+    for entries in [r#"{"":{}}"#, r#"{"":{},"a":{}}"#, r#"{"":{},"a":{},"b":{}}"#] {
+        accepted(&format!(r#"{{{command},"horizon":[{}]}}"#, list(4_096, |_| entries.to_owned())), 64.0);
     }
     let strings = list(4_096, |_| r#""""#.to_owned());
-    accepted(
-        &format!(r#"{{{open},"record":{{"targets":[{{"recordables":[{strings}]}}]}}}}"#),
-        64.0,
-    );
+    accepted(&format!(r#"{{{open},"record":{{"targets":[{{"recordables":[{strings}]}}]}}}}"#), 64.0);
     accepted(r#"{"kind":"link_status"}"#, 0.1);
 }
 
 #[test]
 fn a_frame_too_long_is_rejected_unread() {
-    let long = format!(
-        r#"{{"kind":"observation_frame","x":"{}"}}"#,
-        "a".repeat(64 << 20)
-    );
+    let long = format!(r#"{{"kind":"observation_frame","x":"{}"}}"#, "a".repeat(64 << 20));
     rejected(&long, ErrorCode::Limit, 0.1);
 }
 
@@ -211,17 +162,10 @@ fn a_million_names_are_compared_in_time() {
     // The first name once more, at the end and in another spelling.
     members.push_str(r#","\u0030":0"#);
     let repeated = decode_any(observation(&members).as_bytes()).expect_err("a repeated name");
-    assert_eq!(
-        (repeated.code(), repeated.path()),
-        (ErrorCode::Malformed, "0")
-    );
+    assert_eq!((repeated.code(), repeated.path()), (ErrorCode::Malformed, "0"));
     // Long names that differ at their ends only.
     let prefix = "a".repeat(1_000);
     let members = list(20_000, |nth| format!(r#""{prefix}{nth}":0"#));
     assert!(decode_any(observation(&members).as_bytes()).is_ok());
-    assert!(
-        began.elapsed() < Duration::from_secs(60),
-        "{:?}",
-        began.elapsed()
-    );
+    assert!(began.elapsed() < Duration::from_secs(60), "{:?}", began.elapsed());
 }

@@ -1,9 +1,5 @@
 //! What holds of every frame: drawn from the tables, disguised, damaged, or plain noise.
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 use std::collections::HashSet;
 use std::fmt;
@@ -182,9 +178,7 @@ fn judge(kind: Kind, bytes: &[u8]) -> Result<(), TestCaseError> {
 
 /// What was read is written, and what is written is read as the same.
 fn settles(message: &Message) -> Result<(), TestCaseError> {
-    let text = message
-        .encode()
-        .map_err(|e| TestCaseError::fail(format!("{e}: {message:?}")))?;
+    let text = message.encode().map_err(|e| TestCaseError::fail(format!("{e}: {message:?}")))?;
     let again = decode(message.kind(), text.as_bytes());
     let again = again.map_err(|e| TestCaseError::fail(format!("{e}: {text}")))?;
     prop_assert_eq!(&again, message);
@@ -194,23 +188,10 @@ fn settles(message: &Message) -> Result<(), TestCaseError> {
 
 #[derive(Debug, Clone)]
 enum Damage {
-    Remove {
-        at: prop::sample::Index,
-        len: usize,
-    },
-    Insert {
-        at: prop::sample::Index,
-        what: String,
-    },
-    Replace {
-        at: prop::sample::Index,
-        byte: u8,
-    },
-    Repeat {
-        from: prop::sample::Index,
-        len: usize,
-        to: prop::sample::Index,
-    },
+    Remove { at: prop::sample::Index, len: usize },
+    Insert { at: prop::sample::Index, what: String },
+    Replace { at: prop::sample::Index, byte: u8 },
+    Repeat { from: prop::sample::Index, len: usize, to: prop::sample::Index },
 }
 
 fn damage() -> impl Strategy<Value = Damage> {
@@ -240,10 +221,8 @@ fn damage() -> impl Strategy<Value = Damage> {
     ];
     prop_oneof![
         (at(), 1usize..12).prop_map(|(at, len)| Damage::Remove { at, len }),
-        (at(), proptest::sample::select(tokens.to_vec())).prop_map(|(at, what)| Damage::Insert {
-            at,
-            what: what.to_owned()
-        }),
+        (at(), proptest::sample::select(tokens.to_vec()))
+            .prop_map(|(at, what)| Damage::Insert { at, what: what.to_owned() }),
         (at(), any::<u8>()).prop_map(|(at, byte)| Damage::Replace { at, byte }),
         (at(), 1usize..40, at()).prop_map(|(from, len, to)| Damage::Repeat { from, len, to }),
     ]
@@ -289,10 +268,7 @@ fn json_text() -> impl Strategy<Value = String> {
         prop_oneof![
             vec(inner.clone(), 0..5).prop_map(|items| format!("[{}]", items.join(" , "))),
             vec((r#"[a-c]{1,2}|\\u006[123]"#, inner), 0..5).prop_map(|members| {
-                let members: Vec<_> = members
-                    .into_iter()
-                    .map(|(name, value)| format!("\"{name}\" :{value}"))
-                    .collect();
+                let members: Vec<_> = members.into_iter().map(|(name, value)| format!("\"{name}\" :{value}")).collect();
                 format!("{{{}}}", members.join(","))
             }),
         ]

@@ -1,16 +1,12 @@
 //! The rules of chapters 1 and 6, one by one: what is rejected and why, and what is not.
-#![allow(
-    clippy::expect_used,
-    clippy::panic,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::expect_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 use ncp_spec::ErrorCode;
 use ncp_spec::wire::{
-    BulkObservation, Capabilities, ChannelMap, ChannelValue, CommandFrame, DecodeError, ErrorFrame,
-    Frame, Kind, MAX_ENTRIES, MAX_FRAME_BYTES, MAX_ITEMS, MAX_OBSERVATION_BYTES, Message, Mode,
-    NetworkRef, Observable, ObservationFrame, OpenSession, RunRequest, SensorFrame, SessionOpened,
-    SimProvenance, StepRequest, StimulusFrame, build, decode, decode_any,
+    BulkObservation, Capabilities, ChannelMap, ChannelValue, CommandFrame, DecodeError, ErrorFrame, Frame, Kind,
+    MAX_ENTRIES, MAX_FRAME_BYTES, MAX_ITEMS, MAX_OBSERVATION_BYTES, Message, Mode, NetworkRef, Observable,
+    ObservationFrame, OpenSession, RunRequest, SensorFrame, SessionOpened, SimProvenance, StepRequest, StimulusFrame,
+    build, decode, decode_any,
 };
 
 fn command(members: &str) -> Result<CommandFrame, DecodeError> {
@@ -137,10 +133,7 @@ fn strings_hold_what_the_grammar_allows() {
             r#","frame_id":"a\"#,
         ],
     );
-    accepted(&[
-        ",\"frame_id\":\"\u{7f}\u{80}\u{ffff}\"",
-        r#","frame_id":"\uffff\u0000""#,
-    ]);
+    accepted(&[",\"frame_id\":\"\u{7f}\u{80}\u{ffff}\"", r#","frame_id":"\uffff\u0000""#]);
 }
 
 // ---- 1.2 numbers -----------------------------------------------------------------------------
@@ -156,16 +149,7 @@ fn an_integer_has_one_spelling_and_53_bits() {
     ] {
         assert_eq!(command(&format!(r#","seq":{spelled}"#)).unwrap().seq, value);
     }
-    for spelled in [
-        "1.0",
-        "1e3",
-        "-0",
-        "0.0",
-        "1E0",
-        "0e0",
-        "-0.0",
-        "9007199254740991.0",
-    ] {
+    for spelled in ["1.0", "1e3", "-0", "0.0", "1E0", "0e0", "-0.0", "9007199254740991.0"] {
         rejected(ErrorCode::Type, &[&format!(r#","seq":{spelled}"#)]);
     }
     for spelled in [
@@ -179,9 +163,7 @@ fn an_integer_has_one_spelling_and_53_bits() {
     ] {
         rejected(ErrorCode::Value, &[&format!(r#","seq":{spelled}"#)]);
     }
-    for spelled in [
-        "01", "00", "-01", "+1", "0x1", "1_0", "--1", "-", "1.", ".1", "1e", "1e+", "١",
-    ] {
+    for spelled in ["01", "00", "-01", "+1", "0x1", "1_0", "--1", "-", "1.", ".1", "1e", "1e+", "١"] {
         rejected(ErrorCode::Malformed, &[&format!(r#","seq":{spelled}"#)]);
     }
 }
@@ -201,10 +183,7 @@ fn a_number_is_the_nearest_double() {
         ("2.4703282292062328e-324", f64::from_bits(1)),
         ("2.2250738585072011e-308", 2.225_073_858_507_201e-308),
         ("9007199254740993", 9_007_199_254_740_992.0),
-        (
-            "9007199254740993.00000000000000000000000000001",
-            9_007_199_254_740_994.0,
-        ),
+        ("9007199254740993.00000000000000000000000000001", 9_007_199_254_740_994.0),
         ("0.1", 0.1),
         ("0.30000000000000004", 0.1 + 0.2),
         ("1e-400", 0.0),
@@ -227,13 +206,7 @@ fn a_number_is_the_nearest_double() {
 
 #[test]
 fn a_number_beyond_the_largest_double_is_rejected_also_where_it_is_ignored() {
-    for spelled in [
-        "1.7976931348623159e308",
-        "1e309",
-        "-1e309",
-        "1e999999999999999999999",
-        "17976931348623159e292",
-    ] {
+    for spelled in ["1.7976931348623159e308", "1e309", "-1e309", "1e999999999999999999999", "17976931348623159e292"] {
         rejected(
             ErrorCode::Malformed,
             &[
@@ -285,10 +258,7 @@ fn a_field_of_another_type_is_rejected_and_named() {
     );
     let error = command(r#","horizon":[{},{"a":{"data":[0,"x"]}}]"#).unwrap_err();
     assert_eq!(error.path(), "horizon[1].a.data[1]");
-    assert_eq!(
-        error.to_string(),
-        "horizon[1].a.data[1]: expected a number, found a string (byte 54)"
-    );
+    assert_eq!(error.to_string(), "horizon[1].a.data[1]: expected a number, found a string (byte 54)");
 }
 
 #[test]
@@ -296,18 +266,12 @@ fn an_error_in_a_string_or_of_a_repeated_name_says_where_and_what() {
     let said = |members: &str| command(members).unwrap_err().to_string();
     let command = r#"{"kind":"command_frame""#.len();
     let at = |place: usize| format!("(byte {})", command + place);
-    assert_eq!(
-        said(r#","x":"\n"#).replace(&at(9), "there"),
-        "x: not JSON: expected '\"' there"
-    );
+    assert_eq!(said(r#","x":"\n"#).replace(&at(9), "there"), "x: not JSON: expected '\"' there");
     assert_eq!(
         said(",\"x\":\"\\n\u{1}\"").replace(&at(8), "there"),
         "x: not JSON: expected no control character in a string there"
     );
-    assert_eq!(
-        said(r#","x":1,"y":2,"x":3"#).replace(&at(13), "there"),
-        "x: the member occurs twice there"
-    );
+    assert_eq!(said(r#","x":1,"y":2,"x":3"#).replace(&at(13), "there"), "x: the member occurs twice there");
 }
 
 // [NCP-WIRE-008]
@@ -341,10 +305,7 @@ fn digits_that_wrap_around_64_bits_are_read_as_they_stand() {
 #[test]
 fn an_absent_field_is_its_default_and_null_stands_for_an_absent_optional() {
     let absent = command("").unwrap();
-    let expected = CommandFrame {
-        mode: Mode::Hold,
-        ..CommandFrame::default()
-    };
+    let expected = CommandFrame { mode: Mode::Hold, ..CommandFrame::default() };
     assert_eq!(absent, expected);
     let null = command(r#","horizon_dt_ms":null,"channels":{"a":{"unit":null}}"#).unwrap();
     assert_eq!(null.horizon_dt_ms, None);
@@ -352,20 +313,10 @@ fn an_absent_field_is_its_default_and_null_stands_for_an_absent_optional() {
 
     let opened = SessionOpened::decode(br#"{"kind":"session_opened","session_id":"s"}"#).unwrap();
     assert_eq!(opened.contract_hash, None);
-    assert_eq!(
-        opened,
-        SessionOpened {
-            session_id: "s".into(),
-            contract_hash: None,
-            ..Default::default()
-        }
-    );
+    assert_eq!(opened, SessionOpened { session_id: "s".into(), contract_hash: None, ..Default::default() });
     let open = br#"{"kind":"open_session","session_id":"s","network":{}}"#;
     let open = OpenSession::decode(open).unwrap();
-    assert_eq!(
-        (open.contract_hash, open.network),
-        (None, NetworkRef::default())
-    );
+    assert_eq!((open.contract_hash, open.network), (None, NetworkRef::default()));
 }
 
 #[test]
@@ -399,46 +350,23 @@ fn a_required_field_must_be_there_and_of_its_type() {
     let frame = |kind: &str, members: &str| format!(r#"{{"kind":"{kind}"{members}}}"#);
     let missing = |kind: &str, members: &str, field: &str| {
         let error = decode_any(frame(kind, members).as_bytes()).unwrap_err();
-        assert_eq!(
-            (error.code(), error.path()),
-            (ErrorCode::Missing, field),
-            "{error}"
-        );
+        assert_eq!((error.code(), error.path()), (ErrorCode::Missing, field), "{error}");
     };
     missing("open_session", r#","network":{}"#, "session_id");
     missing("open_session", r#","session_id":"s""#, "network");
     missing("run_request", r#","session_id":"s""#, "duration_ms");
     missing("capabilities", "", "controller_id");
-    for kind in [
-        "session_opened",
-        "stimulus_frame",
-        "step_request",
-        "observation_frame",
-        "close_session",
-        "session_closed",
-    ] {
+    for kind in
+        ["session_opened", "stimulus_frame", "step_request", "observation_frame", "close_session", "session_closed"]
+    {
         missing(kind, "", "session_id");
     }
-    for kind in [
-        "sensor_frame",
-        "command_frame",
-        "control_status",
-        "link_status",
-        "bulk_observation",
-    ] {
+    for kind in ["sensor_frame", "command_frame", "control_status", "link_status", "bulk_observation"] {
         decode_any(frame(kind, "").as_bytes()).unwrap();
     }
     let null = frame("open_session", r#","session_id":"s","network":null"#);
-    assert_eq!(
-        decode_any(null.as_bytes()).unwrap_err().code(),
-        ErrorCode::Type
-    );
-    assert_eq!(
-        Capabilities::decode(br#"{"kind":"capabilities","controller_id":""}"#)
-            .unwrap()
-            .controller_id,
-        ""
-    );
+    assert_eq!(decode_any(null.as_bytes()).unwrap_err().code(), ErrorCode::Type);
+    assert_eq!(Capabilities::decode(br#"{"kind":"capabilities","controller_id":""}"#).unwrap().controller_id, "");
 }
 
 #[test]
@@ -458,9 +386,7 @@ fn a_frame_must_say_that_it_is_of_the_kind_expected() {
         assert_eq!(error.code(), code, "{frame}: {error}");
     }
     assert!(CommandFrame::decode(br#"{"\u006bind":"command\u005fframe"}"#).is_ok());
-    assert!(
-        CommandFrame::decode(br#"{"x":[{"kind":"a"}],"seq":1,"kind":"command_frame"}"#).is_ok()
-    );
+    assert!(CommandFrame::decode(br#"{"x":[{"kind":"a"}],"seq":1,"kind":"command_frame"}"#).is_ok());
 }
 
 #[test]
@@ -477,38 +403,17 @@ fn decode_any_reads_each_kind_wherever_the_kind_stands() {
         ("{}", ErrorCode::Kind),
         (r#"{"kind":"dance"}"#, ErrorCode::Kind),
         (r#"{"kind":5}"#, ErrorCode::Type),
-        (
-            r#"{"kind":"command_frame","kind":"command_frame"}"#,
-            ErrorCode::Malformed,
-        ),
-        (
-            r#"{"x":1,"kind":"command_frame","x":1}"#,
-            ErrorCode::Malformed,
-        ),
+        (r#"{"kind":"command_frame","kind":"command_frame"}"#, ErrorCode::Malformed),
+        (r#"{"x":1,"kind":"command_frame","x":1}"#, ErrorCode::Malformed),
         ("[]", ErrorCode::Malformed),
     ] {
-        assert_eq!(
-            decode_any(frame.as_bytes()).expect_err(frame).code(),
-            code,
-            "{frame}"
-        );
+        assert_eq!(decode_any(frame.as_bytes()).expect_err(frame).code(), code, "{frame}");
     }
 }
 
 #[test]
 fn a_required_session_id_is_a_valid_segment_and_an_optional_one_may_be_anything() {
-    for bad in [
-        "",
-        " ",
-        "a/b",
-        "a*",
-        "@a",
-        ".",
-        "..",
-        "a\\u0000",
-        "\\u0085",
-        &"a".repeat(257),
-    ] {
+    for bad in ["", " ", "a/b", "a*", "@a", ".", "..", "a\\u0000", "\\u0085", &"a".repeat(257)] {
         for kind in [
             "open_session",
             "session_opened",
@@ -519,14 +424,9 @@ fn a_required_session_id_is_a_valid_segment_and_an_optional_one_may_be_anything(
             "close_session",
             "session_closed",
         ] {
-            let frame = format!(
-                r#"{{"kind":"{kind}","session_id":"{bad}","network":{{}},"duration_ms":1}}"#
-            );
+            let frame = format!(r#"{{"kind":"{kind}","session_id":"{bad}","network":{{}},"duration_ms":1}}"#);
             let error = decode_any(frame.as_bytes()).expect_err(&frame);
-            assert_eq!(
-                (error.code(), error.path()),
-                (ErrorCode::Value, "session_id")
-            );
+            assert_eq!((error.code(), error.path()), (ErrorCode::Value, "session_id"));
         }
         let link = format!(r#"{{"kind":"link_status","session_id":"{bad}"}}"#);
         assert!(decode_any(link.as_bytes()).is_ok());
@@ -545,15 +445,10 @@ fn decoding_does_not_judge_the_version() {
 #[test]
 fn a_stimulus_inside_a_request_takes_over_what_it_leaves_out() {
     let step = |members: &str| {
-        StepRequest::decode(
-            format!(r#"{{"kind":"step_request","session_id":"s1"{members}}}"#).as_bytes(),
-        )
+        StepRequest::decode(format!(r#"{{"kind":"step_request","session_id":"s1"{members}}}"#).as_bytes())
     };
     let stimulus = |members: &str| step(members).unwrap().stimulus.unwrap();
-    let expected = StimulusFrame {
-        session_id: "s1".into(),
-        ..Default::default()
-    };
+    let expected = StimulusFrame { session_id: "s1".into(), ..Default::default() };
     for given in [
         "",
         r#""kind":"stimulus_frame""#,
@@ -561,16 +456,9 @@ fn a_stimulus_inside_a_request_takes_over_what_it_leaves_out() {
         r#""ncp_version":"0.5""#,
         r#""ncp_version":"0.5","kind":"stimulus_frame","session_id":"s1""#,
     ] {
-        assert_eq!(
-            stimulus(&format!(r#","stimulus":{{{given}}}"#)),
-            expected,
-            "{given}"
-        );
+        assert_eq!(stimulus(&format!(r#","stimulus":{{{given}}}"#)), expected, "{given}");
     }
-    assert_eq!(
-        stimulus(r#","stimulus":{},"ncp_version":"0.7""#).ncp_version,
-        "0.7"
-    );
+    assert_eq!(stimulus(r#","stimulus":{},"ncp_version":"0.7""#).ncp_version, "0.7");
     assert_eq!(step(r#","stimulus":null"#).unwrap().stimulus, None);
     for (given, code) in [
         (r#""kind":"sensor_frame""#, ErrorCode::Kind),
@@ -590,20 +478,17 @@ fn a_stimulus_inside_a_request_takes_over_what_it_leaves_out() {
         assert_eq!(error.code(), code, "{given}: {error}");
         assert!(error.path().starts_with("stimulus"), "{error}");
     }
-    let run = br#"{"stimulus":{"t":1,"values":{"p":{"data":[2]}}},"duration_ms":5,"session_id":"s1","kind":"run_request"}"#;
+    let run =
+        br#"{"stimulus":{"t":1,"values":{"p":{"data":[2]}}},"duration_ms":5,"session_id":"s1","kind":"run_request"}"#;
     let run = RunRequest::decode(run).unwrap();
     assert_eq!(run.stimulus.unwrap().session_id, "s1");
     // On its own, a stimulus frame has no request to take anything from.
     assert!(decode_any(br#"{"kind":"stimulus_frame"}"#).is_err());
     // And the request itself may leave out nothing because its stimulus has it.
-    let headless =
-        br#"{"kind":"step_request","stimulus":{"session_id":"s1","kind":"stimulus_frame"}}"#;
+    let headless = br#"{"kind":"step_request","stimulus":{"session_id":"s1","kind":"stimulus_frame"}}"#;
     assert_eq!(decode_any(headless).unwrap_err().code(), ErrorCode::Missing);
     let kindless = br#"{"session_id":"s1","stimulus":{"session_id":"s1","kind":"stimulus_frame"}}"#;
-    assert_eq!(
-        StepRequest::decode(kindless).unwrap_err().code(),
-        ErrorCode::Kind
-    );
+    assert_eq!(StepRequest::decode(kindless).unwrap_err().code(), ErrorCode::Kind);
 }
 
 // ---- 1.4 enums -------------------------------------------------------------------------------
@@ -611,35 +496,22 @@ fn a_stimulus_inside_a_request_takes_over_what_it_leaves_out() {
 #[test]
 fn an_unknown_mode_holds() {
     for unknown in ["", "Active", "ACTIVE", "active ", "unknown", "dance"] {
-        assert_eq!(
-            command(&format!(r#","mode":"{unknown}""#)).unwrap().mode,
-            Mode::Hold
-        );
+        assert_eq!(command(&format!(r#","mode":"{unknown}""#)).unwrap().mode, Mode::Hold);
         let status = format!(r#"{{"kind":"control_status","mode":"{unknown}"}}"#);
-        let Message::ControlStatus(status) = decode_any(status.as_bytes()).unwrap() else {
-            panic!()
-        };
+        let Message::ControlStatus(status) = decode_any(status.as_bytes()).unwrap() else { panic!() };
         assert_eq!(status.mode, Mode::Hold);
     }
     for mode in Mode::KNOWN {
-        assert_eq!(
-            command(&format!(r#","mode":"{mode}""#)).unwrap().mode,
-            *mode
-        );
+        assert_eq!(command(&format!(r#","mode":"{mode}""#)).unwrap().mode, *mode);
     }
-    let Message::ControlStatus(silent) = decode_any(br#"{"kind":"control_status"}"#).unwrap()
-    else {
-        panic!()
-    };
+    let Message::ControlStatus(silent) = decode_any(br#"{"kind":"control_status"}"#).unwrap() else { panic!() };
     assert_eq!(silent.mode, Mode::Init);
 }
 
 #[test]
 fn an_unknown_sim_mode_is_rejected() {
     let open = |mode: &str| {
-        let frame = format!(
-            r#"{{"kind":"open_session","session_id":"s","network":{{}},"sim":{{"mode":"{mode}"}}}}"#
-        );
+        let frame = format!(r#"{{"kind":"open_session","session_id":"s","network":{{}},"sim":{{"mode":"{mode}"}}}}"#);
         decode_any(frame.as_bytes())
     };
     assert!(open("stream").is_ok() && open("batch").is_ok());
@@ -675,10 +547,7 @@ fn a_frame_at_its_limit_is_read_and_one_byte_more_is_not() {
         let frame = format!(r#"{{"kind":"{kind}","session_id":"s"}}"#);
         frame.clone() + &" ".repeat(len - frame.len())
     };
-    for (kind, limit) in [
-        ("command_frame", MAX_FRAME_BYTES),
-        ("observation_frame", MAX_OBSERVATION_BYTES),
-    ] {
+    for (kind, limit) in [("command_frame", MAX_FRAME_BYTES), ("observation_frame", MAX_OBSERVATION_BYTES)] {
         assert!(decode_any(padded(kind, limit).as_bytes()).is_ok());
         let error = decode_any(padded(kind, limit + 1).as_bytes()).unwrap_err();
         assert_eq!(error.code(), ErrorCode::Limit, "{error}");
@@ -696,25 +565,14 @@ fn the_64th_level_is_read_and_the_65th_is_not() {
         let levels_each = open.chars().filter(|c| "[{".contains(*c)).count();
         let nested = |levels: usize| {
             let times = levels / levels_each;
-            let rest = if levels.is_multiple_of(levels_each) {
-                "0"
-            } else {
-                "[]"
-            };
-            format!(
-                r#","x":{}{rest}{}"#,
-                open.repeat(times),
-                close.repeat(times)
-            )
+            let rest = if levels.is_multiple_of(levels_each) { "0" } else { "[]" };
+            format!(r#","x":{}{rest}{}"#, open.repeat(times), close.repeat(times))
         };
         accepted(&[&nested(63)]);
         rejected(ErrorCode::Limit, &[&nested(64), &nested(10_000)]);
     }
     accepted(&[&format!(r#","x":{}{}"#, "[".repeat(63), "]".repeat(63))]);
-    rejected(
-        ErrorCode::Limit,
-        &[&format!(r#","x":{}"#, "[".repeat(500_000))],
-    );
+    rejected(ErrorCode::Limit, &[&format!(r#","x":{}"#, "[".repeat(500_000))]);
     // A level that was left does not count.
     accepted(&[&format!(r#","x":[{}[]]"#, "[[]],".repeat(1_000))]);
 }
@@ -722,9 +580,7 @@ fn the_64th_level_is_read_and_the_65th_is_not() {
 #[test]
 fn a_map_has_4096_entries_at_most_in_any_order() {
     let channels = |count: usize| {
-        let entries: Vec<_> = (0..count)
-            .map(|i| format!(r#""{}":{{}}"#, i * 7919 % 65_536))
-            .collect();
+        let entries: Vec<_> = (0..count).map(|i| format!(r#""{}":{{}}"#, i * 7919 % 65_536)).collect();
         format!(r#","channels":{{{}}}"#, entries.join(","))
     };
     let read = command(&channels(4_096)).unwrap();
@@ -739,10 +595,7 @@ fn an_array_has_4096_items_at_most_unless_they_are_numbers() {
     assert_eq!(command(&horizon(4_096)).unwrap().horizon.len(), 4_096);
     rejected(ErrorCode::Limit, &[&horizon(4_097)]);
 
-    let data = format!(
-        r#","channels":{{"a":{{"data":[{}]}}}}"#,
-        vec!["0"; 100_000].join(",")
-    );
+    let data = format!(r#","channels":{{"a":{{"data":[{}]}}}}"#, vec!["0"; 100_000].join(","));
     assert_eq!(command(&data).unwrap().channels["a"].data.len(), 100_000);
 
     let names = |count: usize| {
@@ -766,10 +619,7 @@ fn every_field_is_written_in_order_with_null_for_what_is_unset() {
         CommandFrame::default().encode().unwrap(),
         r#"{"ncp_version":"0.5","kind":"command_frame","seq":0,"t":0.0,"frame_id":"world","mode":"active","ttl_ms":200.0,"channels":{},"horizon":[],"horizon_dt_ms":null}"#
     );
-    let open = OpenSession {
-        session_id: "s".into(),
-        ..Default::default()
-    };
+    let open = OpenSession { session_id: "s".into(), ..Default::default() };
     assert_eq!(
         open.encode().unwrap(),
         r#"{"ncp_version":"0.5","kind":"open_session","session_id":"s","network":{"kind":"builtin","ref":"","model_name":null,"population_sizes":{},"params":{}},"record":{"targets":[]},"stimulus":{"targets":[]},"sim":{"dt_ms":0.1,"chunk_ms":10.0,"seed":null,"mode":"stream","duration_ms":null},"bindings":[],"contract_hash":"24e8e6e31e1dec8a"}"#
@@ -793,38 +643,19 @@ fn doubles_are_written_so_that_they_are_no_integers_and_come_back() {
         (f64::from_bits(1), "5e-324"),
         (133.333_333_333_333_34, "133.33333333333334"),
     ] {
-        let frame = SensorFrame {
-            t: value,
-            ..Default::default()
-        }
-        .encode()
-        .unwrap();
-        assert!(
-            frame.contains(&format!(r#""t":{spelled},"#)),
-            "{spelled}: {frame}"
-        );
-        assert_eq!(
-            SensorFrame::decode(frame.as_bytes()).unwrap().t.to_bits(),
-            value.to_bits()
-        );
+        let frame = SensorFrame { t: value, ..Default::default() }.encode().unwrap();
+        assert!(frame.contains(&format!(r#""t":{spelled},"#)), "{spelled}: {frame}");
+        assert_eq!(SensorFrame::decode(frame.as_bytes()).unwrap().t.to_bits(), value.to_bits());
     }
 }
 
 #[test]
 fn a_number_that_json_lacks_is_refused_and_named() {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let in_t = SensorFrame {
-            t: value,
-            ..Default::default()
-        };
+        let in_t = SensorFrame { t: value, ..Default::default() };
         let mut in_data = SensorFrame::default();
-        in_data
-            .channels
-            .insert("pose_position", ChannelValue::new([0.0, value], "m"));
-        let in_option = CommandFrame {
-            horizon_dt_ms: Some(value),
-            ..Default::default()
-        };
+        in_data.channels.insert("pose_position", ChannelValue::new([0.0, value], "m"));
+        let in_option = CommandFrame { horizon_dt_ms: Some(value), ..Default::default() };
         for (refused, path) in [
             (in_t.encode(), "t"),
             (in_data.encode(), "channels.pose_position.data[1]"),
@@ -840,81 +671,44 @@ fn a_number_that_json_lacks_is_refused_and_named() {
 fn what_every_receiver_would_reject_is_refused() {
     let code = |message: Message| message.encode().map_err(|e| e.code());
     for seq in [1 << 53, -(1 << 53), i64::MAX, i64::MIN] {
-        let frame = SensorFrame {
-            seq,
-            ..Default::default()
-        };
+        let frame = SensorFrame { seq, ..Default::default() };
         assert_eq!(code(frame.into()), Err(ErrorCode::Value), "{seq}");
     }
-    assert!(
-        code(
-            SensorFrame {
-                seq: -((1 << 53) - 1),
-                ..Default::default()
-            }
-            .into()
-        )
-        .is_ok()
-    );
+    assert!(code(SensorFrame { seq: -((1 << 53) - 1), ..Default::default() }.into()).is_ok());
     assert_eq!(code(StepRequest::default().into()), Err(ErrorCode::Value));
     let step = |stimulus: StimulusFrame| StepRequest {
         session_id: "s".into(),
         stimulus: Some(stimulus),
         ..Default::default()
     };
-    let fits = StimulusFrame {
-        session_id: "s".into(),
-        ..Default::default()
-    };
+    let fits = StimulusFrame { session_id: "s".into(), ..Default::default() };
     assert!(code(step(fits.clone()).into()).is_ok());
-    let other_session = StimulusFrame {
-        session_id: "t".into(),
-        ..fits.clone()
-    };
+    let other_session = StimulusFrame { session_id: "t".into(), ..fits.clone() };
     assert_eq!(code(step(other_session).into()), Err(ErrorCode::Value));
-    let other_version = StimulusFrame {
-        ncp_version: "0.4".into(),
-        ..fits
-    };
+    let other_version = StimulusFrame { ncp_version: "0.4".into(), ..fits };
     assert_eq!(code(step(other_version).into()), Err(ErrorCode::Value));
 
     let mut many = SensorFrame::default();
-    many.channels
-        .extend((0..4_097).map(|i| (i.to_string(), ChannelValue::default())));
+    many.channels.extend((0..4_097).map(|i| (i.to_string(), ChannelValue::default())));
     assert_eq!(code(many.clone().into()), Err(ErrorCode::Limit));
     many.channels.remove("0");
     assert!(code(many.into()).is_ok());
-    let long = CommandFrame {
-        horizon: vec![Default::default(); 4_097],
-        ..Default::default()
-    };
+    let long = CommandFrame { horizon: vec![Default::default(); 4_097], ..Default::default() };
     assert_eq!(code(long.into()), Err(ErrorCode::Limit));
     let mut wide = SensorFrame::default();
-    wide.channels
-        .insert("a", ChannelValue::without_unit(vec![0.0; 300_000]));
+    wide.channels.insert("a", ChannelValue::without_unit(vec![0.0; 300_000]));
     assert_eq!(code(wide.into()), Err(ErrorCode::Limit));
 }
 
 #[test]
 fn strings_are_written_with_the_escapes_that_must_be() {
     let note = "\"\\/\u{0}\u{8}\t\n\u{b}\u{c}\r\u{1f}\u{7f}é🚁";
-    let frame = ErrorFrame {
-        error: note.into(),
-        session_id: None,
-    }
-    .encode()
-    .unwrap();
-    assert_eq!(
-        frame,
-        "{\"kind\":\"error\",\"error\":\"\\\"\\\\/\\u0000\\b\\t\\n\\u000b\\f\\r\\u001f\u{7f}é🚁\"}"
-    );
+    let frame = ErrorFrame { error: note.into(), session_id: None }.encode().unwrap();
+    assert_eq!(frame, "{\"kind\":\"error\",\"error\":\"\\\"\\\\/\\u0000\\b\\t\\n\\u000b\\f\\r\\u001f\u{7f}é🚁\"}");
     assert_eq!(ErrorFrame::decode(frame.as_bytes()).unwrap().error, note);
     for control in '\u{0}'..' ' {
         let error = format!("a{control}z");
-        let frame = ErrorFrame {
-            error: error.clone().into(),
-            session_id: None,
-        };
+        let frame = ErrorFrame { error: error.clone().into(), session_id: None };
         let text = frame.encode().unwrap();
         let read: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(read["error"], *error, "{text}");
@@ -923,10 +717,7 @@ fn strings_are_written_with_the_escapes_that_must_be() {
 
 #[test]
 fn a_frame_is_written_up_to_its_limit_and_no_further() {
-    let frame = |len: usize| SensorFrame {
-        frame_id: "a".repeat(len).into(),
-        ..SensorFrame::default()
-    };
+    let frame = |len: usize| SensorFrame { frame_id: "a".repeat(len).into(), ..SensorFrame::default() };
     let rest = frame(0).encode().unwrap().len();
     let longest = frame(MAX_FRAME_BYTES - rest).encode().unwrap();
     assert_eq!(longest.len(), MAX_FRAME_BYTES);
@@ -941,39 +732,19 @@ fn a_frame_is_written_up_to_its_limit_and_no_further() {
 fn an_error_frame_has_an_error_and_perhaps_a_session() {
     let read = |frame: &str| ErrorFrame::decode(frame.as_bytes());
     let frame = read(r#"{"kind":"error","error":"no"}"#).unwrap();
-    assert_eq!(
-        frame,
-        ErrorFrame {
-            error: "no".into(),
-            session_id: None
-        }
-    );
+    assert_eq!(frame, ErrorFrame { error: "no".into(), session_id: None });
     assert_eq!(frame.encode().unwrap(), r#"{"kind":"error","error":"no"}"#);
     let frame = read(r#"{"session_id":"s","ncp_version":7,"error":"no","kind":"error"}"#).unwrap();
-    assert_eq!(
-        frame.encode().unwrap(),
-        r#"{"kind":"error","error":"no","session_id":"s"}"#
-    );
-    assert_eq!(
-        read(r#"{"kind":"error","error":"no","session_id":null}"#)
-            .unwrap()
-            .session_id,
-        None
-    );
+    assert_eq!(frame.encode().unwrap(), r#"{"kind":"error","error":"no","session_id":"s"}"#);
+    assert_eq!(read(r#"{"kind":"error","error":"no","session_id":null}"#).unwrap().session_id, None);
     for (frame, code) in [
         (r#"{"kind":"error"}"#, ErrorCode::Missing),
         (r#"{"kind":"error","error":null}"#, ErrorCode::Type),
         (r#"{"kind":"error","error":{}}"#, ErrorCode::Type),
         (r#"{"error":"no"}"#, ErrorCode::Kind),
         (r#"{"kind":"session_closed","error":"no"}"#, ErrorCode::Kind),
-        (
-            r#"{"kind":"error","error":"a","error":"b"}"#,
-            ErrorCode::Malformed,
-        ),
-        (
-            r#"{"kind":"error","error":"a","x":1,"x":1}"#,
-            ErrorCode::Malformed,
-        ),
+        (r#"{"kind":"error","error":"a","error":"b"}"#, ErrorCode::Malformed),
+        (r#"{"kind":"error","error":"a","x":1,"x":1}"#, ErrorCode::Malformed),
     ] {
         assert_eq!(read(frame).expect_err(frame).code(), code, "{frame}");
     }
@@ -981,26 +752,15 @@ fn an_error_frame_has_an_error_and_perhaps_a_session() {
 
 #[test]
 fn a_block_travels_as_padded_base64() {
-    let frame = BulkObservation {
-        observable: Observable::Spikes,
-        block: vec![0xfb, 0xff, 0xfe, 0],
-        ..Default::default()
-    };
+    let frame =
+        BulkObservation { observable: Observable::Spikes, block: vec![0xfb, 0xff, 0xfe, 0], ..Default::default() };
     let written = frame.encode().unwrap();
     assert_eq!(
         written,
         r#"{"ncp_version":"0.5","kind":"bulk_observation","port":"","target":"","observable":"spikes","unit":null,"recordable":null,"block":"+//+AA=="}"#
     );
     assert_eq!(BulkObservation::decode(written.as_bytes()).unwrap(), frame);
-    for bad in [
-        "+//+AA",
-        "+//+AA=",
-        "-__-AA==",
-        "+//+AB==",
-        "+//+ AA==",
-        "=",
-        "A",
-    ] {
+    for bad in ["+//+AA", "+//+AA=", "-__-AA==", "+//+AB==", "+//+ AA==", "=", "A"] {
         let frame = format!(r#"{{"kind":"bulk_observation","block":"{bad}"}}"#);
         let error = BulkObservation::decode(frame.as_bytes()).expect_err(bad);
         assert_eq!((error.code(), error.path()), (ErrorCode::Value, "block"));
@@ -1010,17 +770,12 @@ fn a_block_travels_as_padded_base64() {
 #[test]
 fn the_pins_of_an_observation_hold_for_who_reads_and_for_who_writes() {
     let observation = |members: &str| {
-        ObservationFrame::decode(
-            format!(r#"{{"kind":"observation_frame","session_id":"s"{members}}}"#).as_bytes(),
-        )
-        .map_err(|e| e.code())
+        ObservationFrame::decode(format!(r#"{{"kind":"observation_frame","session_id":"s"{members}}}"#).as_bytes())
+            .map_err(|e| e.code())
     };
     let absent = observation("").unwrap();
     assert!(absent.is_simulation_output && !absent.calibrated_posterior);
-    assert_eq!(
-        observation(r#","calibrated_posterior":false,"is_simulation_output":true"#),
-        Ok(absent)
-    );
+    assert_eq!(observation(r#","calibrated_posterior":false,"is_simulation_output":true"#), Ok(absent));
     for (members, code) in [
         (r#","calibrated_posterior":true"#, ErrorCode::Provenance),
         (r#","is_simulation_output":false"#, ErrorCode::Provenance),
@@ -1032,20 +787,11 @@ fn the_pins_of_an_observation_hold_for_who_reads_and_for_who_writes() {
     ] {
         assert_eq!(observation(members), Err(code), "{members}");
     }
-    let frame = ObservationFrame {
-        session_id: "s".into(),
-        ..Default::default()
-    };
+    let frame = ObservationFrame { session_id: "s".into(), ..Default::default() };
     assert!(frame.encode().is_ok());
     for lie in [
-        ObservationFrame {
-            calibrated_posterior: true,
-            ..frame.clone()
-        },
-        ObservationFrame {
-            is_simulation_output: false,
-            ..frame
-        },
+        ObservationFrame { calibrated_posterior: true, ..frame.clone() },
+        ObservationFrame { is_simulation_output: false, ..frame },
     ] {
         assert_eq!(lie.encode().unwrap_err().code(), ErrorCode::Provenance);
     }
@@ -1055,16 +801,12 @@ fn the_pins_of_an_observation_hold_for_who_reads_and_for_who_writes() {
 fn the_pins_of_a_provenance_hold_for_who_reads_and_for_who_writes() {
     let opened = |provenance: &str| {
         SessionOpened::decode(
-            format!(r#"{{"kind":"session_opened","session_id":"s","provenance":{provenance}}}"#)
-                .as_bytes(),
+            format!(r#"{{"kind":"session_opened","session_id":"s","provenance":{provenance}}}"#).as_bytes(),
         )
         .map_err(|e| e.code())
     };
     assert_eq!(opened("null").unwrap().provenance, None);
-    assert_eq!(
-        opened("{}").unwrap().provenance,
-        Some(SimProvenance::default())
-    );
+    assert_eq!(opened("{}").unwrap().provenance, Some(SimProvenance::default()));
     for (provenance, code) in [
         (r#"{"calibrated_posterior":true}"#, ErrorCode::Provenance),
         (r#"{"is_simulation_output":false}"#, ErrorCode::Provenance),
@@ -1074,15 +816,8 @@ fn the_pins_of_a_provenance_hold_for_who_reads_and_for_who_writes() {
     ] {
         assert_eq!(opened(provenance), Err(code), "{provenance}");
     }
-    let lie = SimProvenance {
-        calibrated_posterior: true,
-        ..Default::default()
-    };
-    let frame = SessionOpened {
-        session_id: "s".into(),
-        provenance: Some(lie),
-        ..Default::default()
-    };
+    let lie = SimProvenance { calibrated_posterior: true, ..Default::default() };
+    let frame = SessionOpened { session_id: "s".into(), provenance: Some(lie), ..Default::default() };
     assert_eq!(frame.encode().unwrap_err().code(), ErrorCode::Provenance);
 }
 
@@ -1113,20 +848,10 @@ fn what_a_program_builds_has_the_programs_defaults() {
         let built = build(kind, least(kind)).unwrap();
         assert_eq!(built.kind(), kind);
     }
-    let Message::CommandFrame(frame) = build(Kind::CommandFrame, br#"{"seq":3}"#).unwrap() else {
-        panic!()
-    };
-    assert_eq!(
-        frame,
-        CommandFrame {
-            seq: 3,
-            ..Default::default()
-        }
-    );
+    let Message::CommandFrame(frame) = build(Kind::CommandFrame, br#"{"seq":3}"#).unwrap() else { panic!() };
+    assert_eq!(frame, CommandFrame { seq: 3, ..Default::default() });
     assert_eq!(frame.mode, Mode::Active);
-    let Message::OpenSession(open) = build(Kind::OpenSession, b"{}").unwrap() else {
-        panic!()
-    };
+    let Message::OpenSession(open) = build(Kind::OpenSession, b"{}").unwrap() else { panic!() };
     assert_eq!(open, OpenSession::default());
     assert_eq!(open.contract_hash.as_deref(), Some("24e8e6e31e1dec8a"));
     let unset = build(Kind::OpenSession, br#"{"contract_hash":null}"#).unwrap();
@@ -1139,34 +864,16 @@ fn a_program_may_name_numbers_that_json_lacks_and_no_field_that_is_not_there() {
         Kind::CommandFrame,
         br#"{"t":"NaN","ttl_ms":"Infinity","horizon_dt_ms":"-Infinity","channels":{"a":{"data":["-0"]}}}"#,
     );
-    let Message::CommandFrame(frame) = built.unwrap() else {
-        panic!()
-    };
+    let Message::CommandFrame(frame) = built.unwrap() else { panic!() };
     assert!(frame.t.is_nan());
-    assert_eq!(
-        (frame.ttl_ms, frame.horizon_dt_ms),
-        (f64::INFINITY, Some(f64::NEG_INFINITY))
-    );
+    assert_eq!((frame.ttl_ms, frame.horizon_dt_ms), (f64::INFINITY, Some(f64::NEG_INFINITY)));
     assert_eq!(frame.channels["a"].data[0].to_bits(), (-0.0_f64).to_bits());
-    assert_eq!(
-        build(Kind::CommandFrame, br#"{"t":"nan"}"#)
-            .unwrap_err()
-            .code(),
-        ErrorCode::Type
-    );
-    assert_eq!(
-        build(Kind::CommandFrame, br#"{"speed":1}"#)
-            .unwrap_err()
-            .code(),
-        ErrorCode::Invalid
-    );
+    assert_eq!(build(Kind::CommandFrame, br#"{"t":"nan"}"#).unwrap_err().code(), ErrorCode::Type);
+    assert_eq!(build(Kind::CommandFrame, br#"{"speed":1}"#).unwrap_err().code(), ErrorCode::Invalid);
     let over = build(Kind::SensorFrame, br#"{"seq":9223372036854775807}"#).unwrap();
     assert_eq!(over.encode().unwrap_err().code(), ErrorCode::Value);
     // A frame that came over the wire may not spell numbers so.
-    assert_eq!(
-        command(r#","t":"NaN""#).unwrap_err().code(),
-        ErrorCode::Type
-    );
+    assert_eq!(command(r#","t":"NaN""#).unwrap_err().code(), ErrorCode::Type);
 }
 
 #[test]
@@ -1186,10 +893,7 @@ fn what_a_message_holds_is_shown_whatever_it_is() {
         assert_eq!(build(kind, built.fields().as_bytes()).unwrap(), built);
     }
 
-    let lost = Message::from(SensorFrame {
-        t: f64::NAN,
-        ..Default::default()
-    });
+    let lost = Message::from(SensorFrame { t: f64::NAN, ..Default::default() });
     assert!(lost.fields().contains(r#""t":"NaN","#), "{}", lost.fields());
     let name = |nth: usize| (nth.to_string(), ChannelValue::default());
     let many = Message::from(CommandFrame {
@@ -1200,8 +904,5 @@ fn what_a_message_holds_is_shown_whatever_it_is() {
     assert!(many.encode().is_err());
     let shown: serde_json::Value = serde_json::from_str(&many.fields()).unwrap();
     assert_eq!(shown["horizon"].as_array().unwrap().len(), MAX_ITEMS + 1);
-    assert_eq!(
-        shown["channels"].as_object().unwrap().len(),
-        MAX_ENTRIES + 1
-    );
+    assert_eq!(shown["channels"].as_object().unwrap().len(), MAX_ENTRIES + 1);
 }

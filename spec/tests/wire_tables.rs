@@ -1,10 +1,5 @@
 //! The messages are those of the text's tables and of the contract's projection.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "helpers of tests may panic as tests may"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 use std::collections::BTreeMap;
 
@@ -31,27 +26,18 @@ fn tables_of_the_text() -> BTreeMap<String, Vec<Row>> {
                 name => name.unwrap_or_default().to_owned(),
             };
         } else if let Some(row) = row(line).filter(|_| !message.is_empty()) {
-            tables
-                .entry(message.clone())
-                .or_insert_with(Vec::new)
-                .push(row);
+            tables.entry(message.clone()).or_insert_with(Vec::new).push(row);
         }
     }
     let bulk = include_str!("../text/05-observations-and-bulk.md");
     let (_, bulk) = bulk.split_once("`bulk_observation`").expect("section 5.3");
-    tables.insert(
-        "BulkObservation".to_owned(),
-        bulk.lines().filter_map(row).collect(),
-    );
+    tables.insert("BulkObservation".to_owned(), bulk.lines().filter_map(row).collect());
     tables
 }
 
 fn row(line: &str) -> Option<Row> {
     let line = line.strip_prefix("| `")?.replace("\\|", "\u{1}");
-    let cells: Vec<_> = line
-        .split('|')
-        .map(|cell| cell.trim().replace('\u{1}', "|"))
-        .collect();
+    let cells: Vec<_> = line.split('|').map(|cell| cell.trim().replace('\u{1}', "|")).collect();
     let [name, json, default, ..] = &cells[..] else {
         return None;
     };
@@ -69,8 +55,7 @@ fn tables() -> impl Iterator<Item = Table> {
 /// What a receiver reads when all but the required fields are absent.
 fn read_defaults(table: Table) -> Value {
     let in_open = |members: &str| {
-        let frame =
-            format!(r#"{{"kind":"open_session","session_id":"s","network":{{}},{members}}}"#);
+        let frame = format!(r#"{{"kind":"open_session","session_id":"s","network":{{}},{members}}}"#);
         written(&decode_any(frame.as_bytes()).unwrap())
     };
     match (table.kind, table.message) {
@@ -85,45 +70,25 @@ fn read_defaults(table: Table) -> Value {
         }
         (None, "NetworkRef") => in_open(r#""x":0"#)["network"].clone(),
         (None, "RecordSpec") => in_open(r#""record":{}"#)["record"].clone(),
-        (None, "RecordTarget") => {
-            in_open(r#""record":{"targets":[{}]}"#)["record"]["targets"][0].clone()
-        }
+        (None, "RecordTarget") => in_open(r#""record":{"targets":[{}]}"#)["record"]["targets"][0].clone(),
         (None, "StimulusSpec") => in_open(r#""stimulus":{}"#)["stimulus"].clone(),
-        (None, "StimulusTarget") => {
-            in_open(r#""stimulus":{"targets":[{}]}"#)["stimulus"]["targets"][0].clone()
-        }
+        (None, "StimulusTarget") => in_open(r#""stimulus":{"targets":[{}]}"#)["stimulus"]["targets"][0].clone(),
         (None, "SimConfig") => in_open(r#""sim":{}"#)["sim"].clone(),
         (None, "EntityBinding") => in_open(r#""bindings":[{}]"#)["bindings"][0].clone(),
-        (None, "EntityRef") => {
-            in_open(r#""bindings":[{"entity":{}}]"#)["bindings"][0]["entity"].clone()
-        }
+        (None, "EntityRef") => in_open(r#""bindings":[{"entity":{}}]"#)["bindings"][0]["entity"].clone(),
         (None, message) => {
             let frame = match message {
                 "ChannelValue" => r#"{"kind":"sensor_frame","channels":{"x":{}}}"#,
                 "SimProvenance" => r#"{"kind":"session_opened","session_id":"s","provenance":{}}"#,
-                "Observation" => {
-                    r#"{"kind":"observation_frame","session_id":"s","records":{"x":{}}}"#
-                }
-                "ChannelSpec" => {
-                    r#"{"kind":"capabilities","controller_id":"","sensor_channels":[{}]}"#
-                }
+                "Observation" => r#"{"kind":"observation_frame","session_id":"s","records":{"x":{}}}"#,
+                "ChannelSpec" => r#"{"kind":"capabilities","controller_id":"","sensor_channels":[{}]}"#,
                 "SafetyLimits" => r#"{"kind":"capabilities","controller_id":"","safety":{}}"#,
                 other => panic!("where does {other} stand?"),
             };
             let frame = written(&decode_any(frame.as_bytes()).unwrap());
-            let places = [
-                "/channels/x",
-                "/provenance",
-                "/records/x",
-                "/sensor_channels/0",
-                "/safety",
-            ];
+            let places = ["/channels/x", "/provenance", "/records/x", "/sensor_channels/0", "/safety"];
             let has_fields = |value: &&Value| value.get(table.fields[0].name).is_some();
-            places
-                .into_iter()
-                .find_map(|p| frame.pointer(p).filter(has_fields))
-                .unwrap()
-                .clone()
+            places.into_iter().find_map(|p| frame.pointer(p).filter(has_fields)).unwrap().clone()
         }
     }
 }
@@ -136,9 +101,7 @@ fn written(message: &wire::Message) -> Value {
 fn every_message_has_the_fields_of_the_text_in_their_order() {
     let mut text = tables_of_the_text();
     for table in tables() {
-        let rows = text
-            .remove(table.message)
-            .unwrap_or_else(|| panic!("no table of {}", table.message));
+        let rows = text.remove(table.message).unwrap_or_else(|| panic!("no table of {}", table.message));
         let of_text: Vec<_> = rows
             .iter()
             .map(|row| {
@@ -146,17 +109,8 @@ fn every_message_has_the_fields_of_the_text_in_their_order() {
                 (row.name.clone(), row.json.clone(), required)
             })
             .collect();
-        let here: Vec<_> = table
-            .fields
-            .iter()
-            .map(|field| {
-                (
-                    field.name.to_owned(),
-                    field.json.to_string(),
-                    field.required,
-                )
-            })
-            .collect();
+        let here: Vec<_> =
+            table.fields.iter().map(|field| (field.name.to_owned(), field.json.to_string(), field.required)).collect();
         assert_eq!(here, of_text, "{}", table.message);
     }
     assert!(text.is_empty(), "not here: {:?}", text.keys());
@@ -179,13 +133,7 @@ fn an_absent_field_is_read_as_the_text_says() {
                 }
                 literal => serde_json::from_str(literal).unwrap(),
             };
-            assert_eq!(
-                value.to_string(),
-                expected.to_string(),
-                "{}.{}",
-                table.message,
-                row.name
-            );
+            assert_eq!(value.to_string(), expected.to_string(), "{}.{}", table.message, row.name);
         }
     }
 }
@@ -224,8 +172,7 @@ fn a_program_gets_what_a_receiver_reads_but_for_mode_and_contract_hash() {
 
 #[test]
 fn tables_and_limits_are_those_of_the_contracts_projection() {
-    let projection: Value =
-        serde_json::from_str(include_str!("../../proto/projection.json")).unwrap();
+    let projection: Value = serde_json::from_str(include_str!("../../proto/projection.json")).unwrap();
     assert_eq!(projection["wire"], WIRE_VERSION);
     let limits = &projection["limits"];
     assert_eq!(limits["integer"], wire::MAX_INTEGER);
@@ -235,53 +182,30 @@ fn tables_and_limits_are_those_of_the_contracts_projection() {
     assert_eq!(limits["segment_bytes"], ncp_spec::keys::MAX_SEGMENT_BYTES);
     for kind in Kind::ALL {
         let special = &limits["frame_bytes_of"][kind.as_str()];
-        let expected = if special.is_null() {
-            &limits["frame_bytes"]
-        } else {
-            special
-        };
+        let expected = if special.is_null() { &limits["frame_bytes"] } else { special };
         assert_eq!(expected, kind.max_bytes(), "{kind}");
     }
     for table in tables().filter(|table| table.kind != Some(Kind::Error)) {
         let message = &projection["messages"][table.message];
         let fields = message["fields"].as_object().unwrap();
         let names: Vec<_> = table.fields.iter().map(|field| field.name).collect();
-        assert_eq!(
-            names,
-            fields.keys().collect::<Vec<_>>(),
-            "{}",
-            table.message
-        );
+        assert_eq!(names, fields.keys().collect::<Vec<_>>(), "{}", table.message);
         if let Some(kind) = table.kind {
             assert_eq!(message["kind"], kind.as_str());
         }
         let read = read_defaults(table);
         for field in table.fields {
             let (name, projected) = (field.name, &fields[field.name]);
-            assert_eq!(
-                projected["type"],
-                field.json.to_string(),
-                "{}.{name}",
-                table.message
-            );
-            let listed = message["required"]
-                .as_array()
-                .is_some_and(|l| l.contains(&json!(name)));
+            assert_eq!(projected["type"], field.json.to_string(), "{}.{name}", table.message);
+            let listed = message["required"].as_array().is_some_and(|l| l.contains(&json!(name)));
             assert_eq!(listed, field.required, "{}.{name}", table.message);
             if let Some(default) = projected.get("default") {
                 assert_eq!(default, &read[name], "{}.{name}", table.message);
             }
             if let Some(built) = projected.get("built") {
-                let kind = table
-                    .kind
-                    .unwrap_or_else(|| panic!("{} is no frame", table.message));
+                let kind = table.kind.unwrap_or_else(|| panic!("{} is no frame", table.message));
                 if name != "session_id" {
-                    assert_eq!(
-                        built,
-                        &built_defaults(kind)[name],
-                        "{}.{name}",
-                        table.message
-                    );
+                    assert_eq!(built, &built_defaults(kind)[name], "{}.{name}", table.message);
                 }
             }
         }

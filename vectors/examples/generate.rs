@@ -6,10 +6,7 @@ use std::{fs, io};
 fn main() -> io::Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let files = ncp_vectors::generate();
-    let mut areas: Vec<_> = files
-        .iter()
-        .filter_map(|(path, _)| path.split('/').next())
-        .collect();
+    let mut areas: Vec<_> = files.iter().filter_map(|(path, _)| path.split('/').next()).collect();
     areas.dedup();
     for area in areas {
         let folder = root.join(area);

@@ -113,10 +113,7 @@ impl Case {
 
     /// `decode` of bytes that need not be UTF-8.
     pub(crate) fn decode_bytes(self, kind: &str, bytes: &[u8]) -> Self {
-        self.call(
-            "decode",
-            object! { "kind" => kind, "base64" => Text::base64_of(bytes) },
-        )
+        self.call("decode", object! { "kind" => kind, "base64" => Text::base64_of(bytes) })
     }
 
     /// `encode` of fields.
@@ -192,10 +189,7 @@ impl Case {
         if let Some(need) = self.needs {
             json = json.and("needs", [need].into_iter().collect::<Json>());
         }
-        json.and("call", self.call.into())
-            .and("args", self.args)
-            .and("expect", self.expect)
-            .and("why", self.why.into())
+        json.and("call", self.call.into()).and("args", self.args).and("expect", self.expect).and("why", self.why.into())
     }
 }
 
@@ -235,38 +229,22 @@ pub(crate) struct File {
 }
 
 impl File {
-    pub(crate) fn new(
-        area: &'static str,
-        name: impl Into<String>,
-        about: impl Into<String>,
-        cases: Vec<Case>,
-    ) -> Self {
+    pub(crate) fn new(area: &'static str, name: impl Into<String>, about: impl Into<String>, cases: Vec<Case>) -> Self {
         let (mut cases, name) = (cases, name.into());
         for case in cases.iter_mut().filter(|case| case.flags.is_empty()) {
             let rule = case.requirements.first().copied().unwrap_or_default();
             case.flags.extend(flags::usual(area, &name, rule));
         }
-        Self {
-            area,
-            name,
-            about: about.into(),
-            cases,
-        }
+        Self { area, name, about: about.into(), cases }
     }
 
     /// The path below `vectors/`, and the text.
     pub(crate) fn render(self) -> (String, String) {
         let prefix = format!("{}/{}", self.area, self.name);
-        let mut used: Vec<&str> = self
-            .cases
-            .iter()
-            .flat_map(|case| case.flags.clone())
-            .collect();
+        let mut used: Vec<&str> = self.cases.iter().flat_map(|case| case.flags.clone()).collect();
         used.sort_unstable();
         used.dedup();
-        let notes = used
-            .iter()
-            .map(|flag| ((*flag).to_owned(), Json::from(flags::note(flag))));
+        let notes = used.iter().map(|flag| ((*flag).to_owned(), Json::from(flags::note(flag))));
         let file = object! {
             "format" => Json::literal("1"),
             "area" => self.area,
@@ -286,19 +264,14 @@ mod tests {
     #[test]
     fn a_title_has_no_double_of_hundreds_of_figures() {
         let text = format!("From {} to -{} and {}.", 5e-324, 1e308, f64::MAX);
-        assert_eq!(
-            with_short_doubles(&text),
-            "From 5e-324 to -1e308 and 1.7976931348623157e308."
-        );
+        assert_eq!(with_short_doubles(&text), "From 5e-324 to -1e308 and 1.7976931348623157e308.");
     }
 
     #[test]
     fn a_title_keeps_every_other_number_as_it_is_spelled() {
-        for text in [
-            "0.5, 0.05. 1.5e3 and ...",
-            "0.18446744073709551616 is 100000000000000000000000000000.",
-            "after 60.0625 s",
-        ] {
+        for text in
+            ["0.5, 0.05. 1.5e3 and ...", "0.18446744073709551616 is 100000000000000000000000000000.", "after 60.0625 s"]
+        {
             assert_eq!(with_short_doubles(text), text);
         }
     }

@@ -48,10 +48,7 @@ impl Json {
 
     /// The first member of that name.
     pub(crate) fn get(&self, name: &str) -> Option<&Json> {
-        self.members()
-            .iter()
-            .find(|(known, _)| known == name)
-            .map(|(_, value)| value)
+        self.members().iter().find(|(known, _)| known == name).map(|(_, value)| value)
     }
 
     /// The string, if it is one.
@@ -102,10 +99,7 @@ impl Json {
                 Self::Object(members)
             }
             Self::Array(mut items) => {
-                let item = head
-                    .parse::<usize>()
-                    .ok()
-                    .and_then(|nth| items.get_mut(nth));
+                let item = head.parse::<usize>().ok().and_then(|nth| items.get_mut(nth));
                 if let Some(item) = item {
                     *item = std::mem::replace(item, Self::Null).edit(rest, change);
                 }
@@ -118,13 +112,7 @@ impl Json {
     /// The text without white space, as a frame travels; characters beyond ASCII stand as they are.
     pub(crate) fn text(&self) -> String {
         let mut out = String::new();
-        self.write(
-            &mut out,
-            Style {
-                spaced: false,
-                ascii: false,
-            },
-        );
+        self.write(&mut out, Style { spaced: false, ascii: false });
         out
     }
 
@@ -166,25 +154,13 @@ impl Json {
     /// Whether it is little enough to stand with many others on one line.
     fn is_short(&self) -> bool {
         let mut text = String::new();
-        self.write(
-            &mut text,
-            Style {
-                spaced: true,
-                ascii: true,
-            },
-        );
+        self.write(&mut text, Style { spaced: true, ascii: true });
         text.len() <= SHORT
     }
 
     fn write_pretty(&self, out: &mut String, indent: usize) {
         let mut line = String::new();
-        self.write(
-            &mut line,
-            Style {
-                spaced: true,
-                ascii: true,
-            },
-        );
+        self.write(&mut line, Style { spaced: true, ascii: true });
         let is_long_list = matches!(self, Self::Array(items)
             if items.len() > LONG_LIST && items.iter().all(Self::is_short));
         let is_scalar = !matches!(self, Self::Array(_) | Self::Object(_));

@@ -57,11 +57,7 @@ pub fn generate() -> Vec<(String, String)> {
         session::files(),
         strict::files(),
     ];
-    let mut files: Vec<_> = areas
-        .into_iter()
-        .flatten()
-        .map(case::File::render)
-        .collect();
+    let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();
     files.sort();
     files
 }

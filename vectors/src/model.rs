@@ -18,20 +18,12 @@ pub(crate) fn meaning(kind: &str, frame: &Json) -> Json {
         return read;
     }
     // Section 1.3: what a stimulus frame leaves out, the request says.
-    let said = |name: &str| {
-        frame
-            .get("stimulus")
-            .and_then(|stimulus| stimulus.get(name))
-            .cloned()
-    };
+    let said = |name: &str| frame.get("stimulus").and_then(|stimulus| stimulus.get(name)).cloned();
     let inherited = |name: &str| said(name).or_else(|| read.get(name).cloned());
     let version = inherited("ncp_version").unwrap_or(Json::Null);
     let session = inherited("session_id").unwrap_or(Json::Null);
     read.edit(&["stimulus"], |stimulus| {
-        stimulus
-            .with("ncp_version", version)
-            .with("kind", Json::string("stimulus_frame"))
-            .with("session_id", session)
+        stimulus.with("ncp_version", version).with("kind", Json::string("stimulus_frame")).with("session_id", session)
     })
 }
 
@@ -40,14 +32,9 @@ pub(crate) fn minimal(kind: &str) -> Json {
     let Some(message) = tables().kind(kind) else {
         return Json::Null;
     };
-    let required = message
-        .fields
-        .iter()
-        .filter(|field| field.default == Default::Required);
+    let required = message.fields.iter().filter(|field| field.default == Default::Required);
     let frame = Json::object().with("kind", Json::string(kind));
-    required.fold(frame, |frame, field| {
-        frame.with(&field.name, required_value(field))
-    })
+    required.fold(frame, |frame, field| frame.with(&field.name, required_value(field)))
 }
 
 /// A frame that writes out every default, and leaves out only what is optional. Its
@@ -68,11 +55,7 @@ pub(crate) fn explicit(kind: &str) -> Json {
 pub(crate) fn explicit_message(name: &str) -> Json {
     tables().message(name).map_or(Json::Null, |message| {
         let read = without_nulls(fields_of(message, &Json::object()));
-        if message.name == "StimulusFrame" {
-            explicit("stimulus_frame")
-        } else {
-            read
-        }
+        if message.name == "StimulusFrame" { explicit("stimulus_frame") } else { read }
     })
 }
 
@@ -91,13 +74,10 @@ pub(crate) fn full_message(name: &str) -> Json {
     let Some(message) = tables().message(name) else {
         return Json::Null;
     };
-    let fields = message
-        .fields
-        .iter()
-        .map(|field| match field.name.as_str() {
-            "ncp_version" => (field.name.clone(), Json::string("0.5")),
-            _ => (field.name.clone(), sample(message, field)),
-        });
+    let fields = message.fields.iter().map(|field| match field.name.as_str() {
+        "ncp_version" => (field.name.clone(), Json::string("0.5")),
+        _ => (field.name.clone(), sample(message, field)),
+    });
     Json::Object(fields.collect())
 }
 
@@ -135,9 +115,7 @@ pub(crate) const SESSION: &str = "s1";
 
 fn fields_of(message: &Message, object: &Json) -> Json {
     let read = message.fields.iter().map(|field| {
-        let given = object
-            .get(&field.name)
-            .filter(|value| **value != Json::Null);
+        let given = object.get(&field.name).filter(|value| **value != Json::Null);
         let value = match (given, &field.default) {
             (Some(given), _) => value_of(&field.shape, given),
             (None, Default::Value(default)) => value_of(&field.shape, default),
@@ -151,9 +129,7 @@ fn fields_of(message: &Message, object: &Json) -> Json {
 
 fn value_of(shape: &Shape, given: &Json) -> Json {
     match (shape, given) {
-        (Shape::Number, Json::Literal(digits)) => {
-            digits.parse().map_or_else(|_| given.clone(), double)
-        }
+        (Shape::Number, Json::Literal(digits)) => digits.parse().map_or_else(|_| given.clone(), double),
         (Shape::Enum(name), Json::String(string)) => match tables().enumeration(name) {
             Some(known) if !known.strings.contains(string) => match &known.unknown {
                 Unknown::ReadsAs(other) => Json::string(other),
@@ -161,17 +137,12 @@ fn value_of(shape: &Shape, given: &Json) -> Json {
             },
             _ => given.clone(),
         },
-        (Shape::Message(name), Json::Object(_)) => tables()
-            .message(name)
-            .map_or(Json::Null, |message| fields_of(message, given)),
-        (Shape::List(item), Json::Array(items)) => {
-            items.iter().map(|given| value_of(item, given)).collect()
+        (Shape::Message(name), Json::Object(_)) => {
+            tables().message(name).map_or(Json::Null, |message| fields_of(message, given))
         }
+        (Shape::List(item), Json::Array(items)) => items.iter().map(|given| value_of(item, given)).collect(),
         (Shape::Map(value), Json::Object(members)) => {
-            let mut read: Vec<_> = members
-                .iter()
-                .map(|(key, given)| (key.clone(), value_of(value, given)))
-                .collect();
+            let mut read: Vec<_> = members.iter().map(|(key, given)| (key.clone(), value_of(value, given))).collect();
             // Strings of Rust compare by their UTF-8 bytes, which is by code point.
             read.sort_by(|(a, _), (b, _)| a.cmp(b));
             Json::Object(read)
@@ -183,13 +154,8 @@ fn value_of(shape: &Shape, given: &Json) -> Json {
 fn without_nulls(value: Json) -> Json {
     match value {
         Json::Object(members) => {
-            let set = members
-                .into_iter()
-                .filter(|(_, value)| *value != Json::Null);
-            Json::Object(
-                set.map(|(name, value)| (name, without_nulls(value)))
-                    .collect(),
-            )
+            let set = members.into_iter().filter(|(_, value)| *value != Json::Null);
+            Json::Object(set.map(|(name, value)| (name, without_nulls(value))).collect())
         }
         Json::Array(items) => items.into_iter().map(without_nulls).collect(),
         scalar => scalar,
@@ -214,9 +180,7 @@ fn sample_of(shape: &Shape, name: &str, default: &Default) -> Json {
         Shape::Integer => Json::literal("7"),
         Shape::Number => Json::literal("12.5"),
         Shape::Enum(name) => {
-            let strings = tables()
-                .enumeration(name)
-                .map_or(&[][..], |known| &known.strings);
+            let strings = tables().enumeration(name).map_or(&[][..], |known| &known.strings);
             let other = strings.iter().rev().find(|s| match default {
                 Default::Value(value) => value.as_str() != Some(s),
                 _ => true,
@@ -279,14 +243,8 @@ mod tests {
             .with("ncp_version", Json::string("0.6"))
             .with("stimulus", object! { "t" => Json::literal("2") });
         assert_eq!(
-            meaning("step_request", &request)
-                .get("stimulus")
-                .unwrap()
-                .text(),
-            concat!(
-                r#"{"ncp_version":"0.6","kind":"stimulus_frame","session_id":"s1","#,
-                r#""t":2.0,"values":{}}"#
-            )
+            meaning("step_request", &request).get("stimulus").unwrap().text(),
+            concat!(r#"{"ncp_version":"0.6","kind":"stimulus_frame","session_id":"s1","#, r#""t":2.0,"values":{}}"#)
         );
     }
 
@@ -296,28 +254,17 @@ mod tests {
             let defaults = meaning(kind, &minimal(kind));
             for (name, value) in full(kind).members() {
                 let is_fixed = matches!(name.as_str(), "kind" | "ncp_version");
-                assert!(
-                    is_fixed || defaults.get(name) != Some(value),
-                    "{kind}.{name}"
-                );
+                assert!(is_fixed || defaults.get(name) != Some(value), "{kind}.{name}");
             }
         }
     }
 
     #[test]
     fn map_entries_are_sorted_by_code_point() {
-        let frame = minimal("sensor_frame").with(
-            "channels",
-            object! { "\u{1f600}" => Json::object(), "\u{ff5e}" => Json::object() },
-        );
+        let frame = minimal("sensor_frame")
+            .with("channels", object! { "\u{1f600}" => Json::object(), "\u{ff5e}" => Json::object() });
         let read = meaning("sensor_frame", &frame);
-        let keys: Vec<_> = read
-            .get("channels")
-            .unwrap()
-            .members()
-            .iter()
-            .map(|(key, _)| key.as_str())
-            .collect();
+        let keys: Vec<_> = read.get("channels").unwrap().members().iter().map(|(key, _)| key.as_str()).collect();
         assert_eq!(keys, ["\u{ff5e}", "\u{1f600}"]);
     }
 }

@@ -5,9 +5,7 @@ use crate::case::Role::{self, Body, Commander, Observer, Server};
 /// The roles that read frames of a kind.
 pub(crate) fn readers(kind: &str) -> &'static [Role] {
     match kind {
-        "open_session" | "step_request" | "run_request" | "close_session" | "stimulus_frame" => {
-            &[Server]
-        }
+        "open_session" | "step_request" | "run_request" | "close_session" | "stimulus_frame" => &[Server],
         "session_opened" | "session_closed" | "error" => &[Commander],
         "observation_frame" | "sensor_frame" | "link_status" => &[Commander, Observer],
         "command_frame" => &[Body, Observer],
@@ -20,8 +18,8 @@ pub(crate) fn readers(kind: &str) -> &'static [Role] {
 /// The roles that write frames of a kind.
 pub(crate) fn writers(kind: &str) -> &'static [Role] {
     match kind {
-        "command_frame" | "control_status" | "open_session" | "step_request" | "run_request"
-        | "close_session" | "stimulus_frame" => &[Commander],
+        "command_frame" | "control_status" | "open_session" | "step_request" | "run_request" | "close_session"
+        | "stimulus_frame" => &[Commander],
         "sensor_frame" | "link_status" => &[Body],
         "capabilities" => &[Commander, Body],
         "session_opened" | "observation_frame" | "session_closed" | "error" => &[Server],
@@ -36,10 +34,6 @@ pub(crate) const ANY: [&str; 3] = ["sensor_frame", "command_frame", "close_sessi
 /// `A` or `An`, and the kind or message.
 pub(crate) fn a(kind: &str) -> String {
     let is_vowel = |c: char| "aeiouAEIOU".contains(c);
-    let article = if kind.starts_with(is_vowel) {
-        "An"
-    } else {
-        "A"
-    };
+    let article = if kind.starts_with(is_vowel) { "An" } else { "A" };
     format!("{article} `{kind}`")
 }

@@ -10,8 +10,7 @@ use crate::json::Json;
 
 /// The tables of chapter 1.
 pub(crate) fn tables() -> &'static Tables {
-    static TABLES: LazyLock<Tables> =
-        LazyLock::new(|| Tables::read(include_str!("../../spec/text/01-wire.md")));
+    static TABLES: LazyLock<Tables> = LazyLock::new(|| Tables::read(include_str!("../../spec/text/01-wire.md")));
     &TABLES
 }
 
@@ -121,9 +120,7 @@ impl Tables {
 
     /// The message of that kind.
     pub(crate) fn kind(&self, kind: &str) -> Option<&Message> {
-        self.messages
-            .iter()
-            .find(|message| message.kind.as_deref() == Some(kind))
+        self.messages.iter().find(|message| message.kind.as_deref() == Some(kind))
     }
 
     /// The enum of that name.
@@ -132,10 +129,7 @@ impl Tables {
     }
 
     fn read(chapter: &str) -> Self {
-        let mut tables = Self {
-            enums: Vec::new(),
-            messages: Vec::new(),
-        };
+        let mut tables = Self { enums: Vec::new(), messages: Vec::new() };
         for line in chapter.lines() {
             if let Some(heading) = line.strip_prefix("### ") {
                 tables.messages.push(message(heading));
@@ -147,16 +141,8 @@ impl Tables {
                 }
             }
         }
-        let names: Vec<String> = tables
-            .enums
-            .iter()
-            .map(|known| known.name.clone())
-            .collect();
-        for field in tables
-            .messages
-            .iter_mut()
-            .flat_map(|message| &mut message.fields)
-        {
+        let names: Vec<String> = tables.enums.iter().map(|known| known.name.clone()).collect();
+        for field in tables.messages.iter_mut().flat_map(|message| &mut message.fields) {
             name_enums(&mut field.shape, &names);
         }
         tables
@@ -170,20 +156,14 @@ fn message(heading: &str) -> Message {
         None if heading == "The RPC error frame" => ("ErrorFrame", Some("error".to_owned())),
         None => (heading, None),
     };
-    Message {
-        name: name.to_owned(),
-        kind,
-        fields: Vec::new(),
-    }
+    Message { name: name.to_owned(), kind, fields: Vec::new() }
 }
 
 /// The cells of a table row; a bar within a cell is escaped.
 fn cells(row: &str) -> Vec<String> {
     let row = row.trim().trim_start_matches('|').trim_end_matches('|');
     let row = row.replace("\\|", "\u{0}");
-    row.split('|')
-        .map(|cell| cell.trim().replace('\u{0}', "|"))
-        .collect()
+    row.split('|').map(|cell| cell.trim().replace('\u{0}', "|")).collect()
 }
 
 fn enumeration(cells: &[String]) -> Option<Enum> {
@@ -198,10 +178,7 @@ fn enumeration(cells: &[String]) -> Option<Enum> {
     };
     Some(Enum {
         name: name.trim_matches('`').to_owned(),
-        strings: strings
-            .split(", ")
-            .map(|s| s.trim_matches('`').to_owned())
-            .collect(),
+        strings: strings.split(", ").map(|s| s.trim_matches('`').to_owned()).collect(),
         unknown,
     })
 }
@@ -223,22 +200,14 @@ fn field(cells: &[String]) -> Option<Field> {
         "all defaults" => Default::Message,
         value => Default::Value(value_of(value.strip_prefix('`')?.strip_suffix('`')?)),
     };
-    Some(Field {
-        name,
-        shape: shape_of(shape),
-        optional,
-        default,
-    })
+    Some(Field { name, shape: shape_of(shape), optional, default })
 }
 
 fn shape_of(text: &str) -> Shape {
     if let Some(item) = text.strip_prefix('[').and_then(|t| t.strip_suffix(']')) {
         return Shape::List(Box::new(shape_of(item)));
     }
-    if let Some(value) = text
-        .strip_prefix("{string: ")
-        .and_then(|t| t.strip_suffix('}'))
-    {
+    if let Some(value) = text.strip_prefix("{string: ").and_then(|t| t.strip_suffix('}')) {
         return Shape::Map(Box::new(shape_of(value)));
     }
     match text {
@@ -282,23 +251,10 @@ mod tests {
     #[test]
     fn every_row_of_the_chapter_is_an_enum_or_a_field() {
         // Two more tables of the chapter have rows that begin with something else than a code.
-        let rows = CHAPTER
-            .lines()
-            .filter(|line| line.starts_with("| `"))
-            .count();
-        let read = tables().enums.len()
-            + tables()
-                .messages
-                .iter()
-                .map(|message| message.fields.len())
-                .sum::<usize>();
+        let rows = CHAPTER.lines().filter(|line| line.starts_with("| `")).count();
+        let read = tables().enums.len() + tables().messages.iter().map(|message| message.fields.len()).sum::<usize>();
         assert_eq!(read, rows);
-        assert!(
-            tables()
-                .messages
-                .iter()
-                .all(|message| !message.fields.is_empty())
-        );
+        assert!(tables().messages.iter().all(|message| !message.fields.is_empty()));
     }
 
     #[test]
@@ -310,46 +266,22 @@ mod tests {
                 _ => {}
             }
         }
-        tables()
-            .messages
-            .iter()
-            .flat_map(|m| &m.fields)
-            .for_each(|field| check(&field.shape));
+        tables().messages.iter().flat_map(|m| &m.fields).for_each(|field| check(&field.shape));
     }
 
     #[test]
     fn a_command_frame_is_as_the_chapter_says() {
         let command = tables().kind("command_frame").unwrap();
-        let names: Vec<_> = command
-            .fields
-            .iter()
-            .map(|field| field.name.as_str())
-            .collect();
+        let names: Vec<_> = command.fields.iter().map(|field| field.name.as_str()).collect();
         assert_eq!(
             names,
-            [
-                "ncp_version",
-                "kind",
-                "seq",
-                "t",
-                "frame_id",
-                "mode",
-                "ttl_ms",
-                "channels",
-                "horizon",
-                "horizon_dt_ms"
-            ]
+            ["ncp_version", "kind", "seq", "t", "frame_id", "mode", "ttl_ms", "channels", "horizon", "horizon_dt_ms"]
         );
         assert_eq!(command.fields[5].shape, Shape::Enum("Mode".into()));
-        assert_eq!(
-            command.fields[5].default,
-            Default::Value(Json::string("hold"))
-        );
+        assert_eq!(command.fields[5].default, Default::Value(Json::string("hold")));
         assert_eq!(
             command.fields[8].shape,
-            Shape::List(Box::new(Shape::Map(Box::new(Shape::Message(
-                "ChannelValue".into()
-            )))))
+            Shape::List(Box::new(Shape::Map(Box::new(Shape::Message("ChannelValue".into())))))
         );
         assert!(command.fields[9].optional);
     }

@@ -34,18 +34,11 @@ pub(crate) fn name_of(value: f64) -> String {
     if value.is_nan() {
         "nan".to_owned()
     } else if value.is_infinite() {
-        if value > 0.0 {
-            "infinity"
-        } else {
-            "minus-infinity"
-        }
-        .to_owned()
+        if value > 0.0 { "infinity" } else { "minus-infinity" }.to_owned()
     } else if value == 0.0 && value.is_sign_negative() {
         "minus-zero".to_owned()
     } else {
-        format!("{value:?}")
-            .replace('-', "minus-")
-            .replace("eminus-", "e-")
+        format!("{value:?}").replace('-', "minus-").replace("eminus-", "e-")
     }
 }
 

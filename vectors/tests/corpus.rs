@@ -17,10 +17,7 @@ fn root() -> &'static Path {
 /// The files as the generator makes them, parsed.
 fn files() -> Vec<(String, Value)> {
     let parse = |text: String| serde_json::from_str(&text).expect("a file is JSON");
-    generate()
-        .into_iter()
-        .map(|(path, text)| (path, parse(text)))
-        .collect()
+    generate().into_iter().map(|(path, text)| (path, parse(text))).collect()
 }
 
 fn cases(file: &Value) -> &[Value] {
@@ -29,10 +26,7 @@ fn cases(file: &Value) -> &[Value] {
 
 fn strings(list: &Value) -> Vec<&str> {
     let items = list.as_array().expect("a list");
-    items
-        .iter()
-        .map(|item| item.as_str().expect("a string"))
-        .collect()
+    items.iter().map(|item| item.as_str().expect("a string")).collect()
 }
 
 #[test]
@@ -48,35 +42,21 @@ fn the_corpus_on_disk_is_what_the_generator_makes() {
         let (Ok(found), Ok(made)) = (parsed(&found), parsed(&made)) else {
             panic!("vectors/{path} is no JSON");
         };
-        let pairs = cases(&made)
-            .iter()
-            .zip(found["cases"].as_array().into_iter().flatten());
-        let first = pairs
-            .map(|(made, found)| (&made["id"], made == found))
-            .find(|(_, same)| !same);
-        let id = first.map_or(
-            "the number of cases, or something beside them".to_owned(),
-            |(id, _)| id.to_string(),
-        );
+        let pairs = cases(&made).iter().zip(found["cases"].as_array().into_iter().flatten());
+        let first = pairs.map(|(made, found)| (&made["id"], made == found)).find(|(_, same)| !same);
+        let id = first.map_or("the number of cases, or something beside them".to_owned(), |(id, _)| id.to_string());
         panic!("vectors/{path} differs from what the generator makes, first at {id}");
     }
 }
 
 #[test]
 fn nothing_but_the_corpus_lies_in_its_folders() {
-    let made: BTreeSet<PathBuf> = generate()
-        .into_iter()
-        .map(|(path, _)| root().join(path))
-        .collect();
+    let made: BTreeSet<PathBuf> = generate().into_iter().map(|(path, _)| root().join(path)).collect();
     let areas: BTreeSet<&Path> = made.iter().filter_map(|path| path.parent()).collect();
     for area in areas {
         for entry in fs::read_dir(area).unwrap() {
             let path = entry.unwrap().path();
-            assert!(
-                made.contains(&path),
-                "{} is no file of the corpus",
-                path.display()
-            );
+            assert!(made.contains(&path), "{} is no file of the corpus", path.display());
         }
     }
 }
@@ -85,14 +65,8 @@ fn nothing_but_the_corpus_lies_in_its_folders() {
 fn the_manifest_freezes_every_file() {
     let frozen = fs::read_to_string(root().join("MANIFEST.sha256")).unwrap();
     let made = manifest(&generate());
-    let differing = frozen
-        .lines()
-        .zip(made.lines())
-        .find(|(frozen, made)| frozen != made);
-    assert_eq!(
-        frozen, made,
-        "vectors/MANIFEST.sha256 differs, first at {differing:?}"
-    );
+    let differing = frozen.lines().zip(made.lines()).find(|(frozen, made)| frozen != made);
+    assert_eq!(frozen, made, "vectors/MANIFEST.sha256 differs, first at {differing:?}");
 }
 
 #[test]
@@ -119,14 +93,7 @@ fn every_id_is_unique_and_begins_with_its_file() {
     let mut seen = BTreeSet::new();
     for (path, file) in files() {
         let prefix = format!("{}/", path.strip_suffix(".json").unwrap());
-        assert_eq!(
-            prefix,
-            format!(
-                "{}/{}/",
-                file["area"].as_str().unwrap(),
-                file["name"].as_str().unwrap()
-            )
-        );
+        assert_eq!(prefix, format!("{}/{}/", file["area"].as_str().unwrap(), file["name"].as_str().unwrap()));
         for case in cases(&file) {
             let id = case["id"].as_str().unwrap();
             assert!(id.starts_with(&prefix), "{id} stands in {path}");
@@ -159,17 +126,11 @@ fn no_case_repeats_another_under_the_same_rule() {
 #[test]
 fn every_flag_is_explained_where_it_is_used_and_every_note_is_needed() {
     for (path, file) in files() {
-        let used: BTreeSet<&str> = cases(&file)
-            .iter()
-            .flat_map(|case| strings(&case["flags"]))
-            .collect();
+        let used: BTreeSet<&str> = cases(&file).iter().flat_map(|case| strings(&case["flags"])).collect();
         let notes = file["notes"].as_object().unwrap();
         let noted: BTreeSet<&str> = notes.keys().map(String::as_str).collect();
         assert_eq!(used, noted, "{path}");
-        assert!(
-            notes.values().all(|note| note.as_str().unwrap().len() > 20),
-            "{path}"
-        );
+        assert!(notes.values().all(|note| note.as_str().unwrap().len() > 20), "{path}");
     }
 }
 
@@ -190,10 +151,7 @@ fn every_title_and_every_reason_is_a_sentence() {
 
 #[test]
 fn a_file_stays_below_2_mib_and_the_corpus_below_12() {
-    let sizes: Vec<_> = generate()
-        .into_iter()
-        .map(|(path, text)| (text.len(), path))
-        .collect();
+    let sizes: Vec<_> = generate().into_iter().map(|(path, text)| (text.len(), path)).collect();
     let largest = sizes.iter().max().unwrap();
     assert!(largest.0 < 2 << 20, "{largest:?}");
     assert!(sizes.iter().map(|(size, _)| size).sum::<usize>() < 12 << 20);

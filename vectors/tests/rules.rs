@@ -1,11 +1,7 @@
 //! The corpus and the rules of the text: every rule that is cited exists and binds who is asked,
 //! and every rule that an answer can show has a case.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    reason = "a test that cannot go on has failed"
-)]
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on has failed")]
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,54 +12,26 @@ use serde_json::Value;
 /// Binding rules of level `wire` without a case, each with the reason why no answer to a call can
 /// show it.
 const NOT_SHOWN: &[(&str, &str)] = &[
-    (
-        "NCP-VER-005",
-        "one's own version is 0.5, so no version with another major than 0 is ever compatible",
-    ),
-    (
-        "NCP-PLANE-005",
-        "needs the streams of a running peer; no call of this level has a state",
-    ),
-    (
-        "NCP-PLANE-006",
-        "needs a control loop; no call of this level has a state",
-    ),
+    ("NCP-VER-005", "one's own version is 0.5, so no version with another major than 0 is ever compatible"),
+    ("NCP-PLANE-005", "needs the streams of a running peer; no call of this level has a state"),
+    ("NCP-PLANE-006", "needs a control loop; no call of this level has a state"),
     ("NCP-PLANE-007", "needs an observer of two live streams"),
-    (
-        "NCP-PLANE-008",
-        "needs a transport to see what is not published",
-    ),
-    (
-        "NCP-OBS-010",
-        "needs a transport to see what does not travel",
-    ),
-    (
-        "NCP-OBS-011",
-        "needs a transport that carries a BulkObservation, which has no JSON form in the contract",
-    ),
-    (
-        "NCP-PROV-006",
-        "is about every way that an API offers; an answer shows one of them",
-    ),
+    ("NCP-PLANE-008", "needs a transport to see what is not published"),
+    ("NCP-OBS-010", "needs a transport to see what does not travel"),
+    ("NCP-OBS-011", "needs a transport that carries a BulkObservation, which has no JSON form in the contract"),
+    ("NCP-PROV-006", "is about every way that an API offers; an answer shows one of them"),
     ("NCP-PROV-009", "is about what people are told"),
 ];
 
 /// The cases of the corpus.
 fn cases() -> Vec<Value> {
-    let files = generate()
-        .into_iter()
-        .map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
-    files
-        .flat_map(|file| file["cases"].as_array().unwrap().clone())
-        .collect()
+    let files = generate().into_iter().map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
+    files.flat_map(|file| file["cases"].as_array().unwrap().clone()).collect()
 }
 
 fn strings(list: &Value) -> Vec<&str> {
     let items = list.as_array().expect("a list");
-    items
-        .iter()
-        .map(|item| item.as_str().expect("a string"))
-        .collect()
+    items.iter().map(|item| item.as_str().expect("a string")).collect()
 }
 
 /// The rules that a case cites; every one has to exist.
@@ -71,9 +39,7 @@ fn rules<'a>(case: &Value, catalogue: &'a Catalogue) -> Vec<&'a Requirement> {
     let ids = strings(&case["requirements"]);
     assert!(!ids.is_empty(), "{} cites no rule", case["id"]);
     let find = |id: &str| {
-        catalogue
-            .get(id)
-            .unwrap_or_else(|| panic_with(&format!("{} cites {id}, which is no rule", case["id"])))
+        catalogue.get(id).unwrap_or_else(|| panic_with(&format!("{} cites {id}, which is no rule", case["id"])))
     };
     ids.into_iter().map(find).collect()
 }
@@ -87,10 +53,7 @@ fn panic_with(message: &str) -> ! {
 fn every_cited_rule_exists_and_is_cited_once_by_a_case() {
     let catalogue = Catalogue::load().unwrap();
     for case in cases() {
-        let ids: Vec<_> = rules(&case, &catalogue)
-            .into_iter()
-            .map(|rule| &rule.id)
-            .collect();
+        let ids: Vec<_> = rules(&case, &catalogue).into_iter().map(|rule| &rule.id).collect();
         let different: BTreeSet<_> = ids.iter().collect();
         assert_eq!(different.len(), ids.len(), "{}", case["id"]);
     }
@@ -105,11 +68,7 @@ fn a_case_is_asked_only_of_roles_that_its_rules_bind() {
         assert!(!roles.is_empty(), "{} is asked of nobody", case["id"]);
         for role in roles {
             let role = Role::parse(role).unwrap();
-            assert!(
-                rules.iter().any(|rule| rule.binds(role)),
-                "{}: no cited rule binds {role}",
-                case["id"]
-            );
+            assert!(rules.iter().any(|rule| rule.binds(role)), "{}: no cited rule binds {role}", case["id"]);
         }
     }
 }
@@ -118,16 +77,8 @@ fn a_case_is_asked_only_of_roles_that_its_rules_bind() {
 fn what_the_text_only_advises_never_binds() {
     let catalogue = Catalogue::load().unwrap();
     for case in cases() {
-        let binding: BTreeSet<bool> = rules(&case, &catalogue)
-            .iter()
-            .map(|rule| rule.keyword.is_binding())
-            .collect();
-        assert_eq!(
-            binding.len(),
-            1,
-            "{} cites binding rules and advice",
-            case["id"]
-        );
+        let binding: BTreeSet<bool> = rules(&case, &catalogue).iter().map(|rule| rule.keyword.is_binding()).collect();
+        assert_eq!(binding.len(), 1, "{} cites binding rules and advice", case["id"]);
     }
 }
 
@@ -135,19 +86,9 @@ fn what_the_text_only_advises_never_binds() {
 fn every_case_of_the_wire_areas_is_of_level_wire() {
     let catalogue = Catalogue::load().unwrap();
     let areas = ["wire/", "version/", "keys/", "bulk/", "hostile/"];
-    let is_wire = |case: &Value| {
-        areas
-            .iter()
-            .any(|area| case["id"].as_str().unwrap().starts_with(area))
-    };
+    let is_wire = |case: &Value| areas.iter().any(|area| case["id"].as_str().unwrap().starts_with(area));
     for case in cases().into_iter().filter(is_wire) {
-        assert!(
-            rules(&case, &catalogue)
-                .iter()
-                .all(|rule| rule.level == Level::Wire),
-            "{}",
-            case["id"]
-        );
+        assert!(rules(&case, &catalogue).iter().all(|rule| rule.level == Level::Wire), "{}", case["id"]);
     }
 }
 
@@ -168,9 +109,9 @@ fn every_binding_rule_of_the_wire_has_a_case_or_a_reason_for_none() {
         match (cited.get(&rule.id), reason) {
             (Some(_), None) | (None, Some(_)) => {}
             (None, None) => panic_with(&format!("no case cites {rule}")),
-            (Some(count), Some((id, _))) => panic_with(&format!(
-                "{id} is listed as not shown, but {count} cases cite it"
-            )),
+            (Some(count), Some((id, _))) => {
+                panic_with(&format!("{id} is listed as not shown, but {count} cases cite it"))
+            }
         }
     }
 }
@@ -178,19 +119,11 @@ fn every_binding_rule_of_the_wire_has_a_case_or_a_reason_for_none() {
 #[test]
 fn every_binding_rule_of_the_strict_profile_has_a_case_of_its_own() {
     let catalogue = Catalogue::load().unwrap();
-    let decided: BTreeSet<String> = cases()
-        .iter()
-        .map(|case| rules(case, &catalogue)[0].id.clone())
-        .collect();
-    let strict = catalogue
-        .iter()
-        .filter(|rule| rule.level == Level::Strict && rule.keyword.is_binding());
+    let decided: BTreeSet<String> = cases().iter().map(|case| rules(case, &catalogue)[0].id.clone()).collect();
+    let strict = catalogue.iter().filter(|rule| rule.level == Level::Strict && rule.keyword.is_binding());
     for rule in strict {
         let by_another = rule.id == "NCP-STRICT-011"; // Decided by whichever rule rejects or drops.
-        assert!(
-            by_another || decided.contains(&rule.id),
-            "no case is decided by {rule}"
-        );
+        assert!(by_another || decided.contains(&rule.id), "no case is decided by {rule}");
     }
 }
 
@@ -199,13 +132,8 @@ fn every_advice_of_the_wire_has_a_case() {
     let catalogue = Catalogue::load().unwrap();
     let cases = cases();
     for rule in &catalogue {
-        let is_advice =
-            rule.level == Level::Wire && matches!(rule.keyword.as_str(), "SHOULD" | "SHOULD NOT");
-        let is_cited = || {
-            cases
-                .iter()
-                .any(|case| strings(&case["requirements"]).contains(&rule.id.as_str()))
-        };
+        let is_advice = rule.level == Level::Wire && matches!(rule.keyword.as_str(), "SHOULD" | "SHOULD NOT");
+        let is_cited = || cases.iter().any(|case| strings(&case["requirements"]).contains(&rule.id.as_str()));
         assert!(!is_advice || is_cited(), "no case cites {rule}");
     }
 }
@@ -214,23 +142,14 @@ fn every_advice_of_the_wire_has_a_case() {
 fn every_role_is_asked_about_every_area() {
     let mut asked = BTreeSet::new();
     for case in cases() {
-        let area = case["id"]
-            .as_str()
-            .unwrap()
-            .split('/')
-            .next()
-            .unwrap()
-            .to_owned();
+        let area = case["id"].as_str().unwrap().split('/').next().unwrap().to_owned();
         for role in strings(&case["roles"]) {
             asked.insert((area.clone(), role.to_owned()));
         }
     }
     for role in Role::ALL {
         for area in ["wire", "version", "keys", "hostile"] {
-            assert!(
-                asked.contains(&(area.to_owned(), role.as_str().to_owned())),
-                "{area} {role}"
-            );
+            assert!(asked.contains(&(area.to_owned(), role.as_str().to_owned())), "{area} {role}");
         }
     }
 }

@@ -28,9 +28,7 @@ fn main() {
     let mut held = Vec::new();
     for (count, line) in (1..).zip(std::io::stdin().lock().lines()) {
         let Ok(line) = line else { break };
-        let Ok(request) = serde_json::from_str::<Value>(&line) else {
-            exit(9)
-        };
+        let Ok(request) = serde_json::from_str::<Value>(&line) else { exit(9) };
         let answer = answer(&mode, &request);
         let target = request["args"]["version"] == "9.9";
         let case = request["call"] != "describe";
@@ -125,9 +123,7 @@ fn answer(mode: &str, request: &Value) -> Value {
             let kind = Kind::parse(&text("kind")).unwrap_or(Kind::Error);
             decode(kind, &frame)
                 .map_err(|error| (error.code().as_str(), error.to_string()))
-                .and_then(|message| {
-                    message.encode().map_err(|error| (error.code().as_str(), error.to_string()))
-                })
+                .and_then(|message| message.encode().map_err(|error| (error.code().as_str(), error.to_string())))
                 .map(|text| json!({ "text": text }))
         }
         _ => return json!({"id": request["id"], "unsupported": true}),

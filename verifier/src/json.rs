@@ -80,15 +80,8 @@ impl Number {
     /// Reads the spelling of a JSON number.
     #[must_use]
     pub fn read(spelling: &str) -> Self {
-        let integer = if is_integer(spelling) && spelling != "-0" {
-            spelling.parse().ok()
-        } else {
-            None
-        };
-        Self {
-            integer,
-            double: spelling.parse().unwrap_or(f64::NAN),
-        }
+        let integer = if is_integer(spelling) && spelling != "-0" { spelling.parse().ok() } else { None };
+        Self { integer, double: spelling.parse().unwrap_or(f64::NAN) }
     }
 
     /// The number that a value is, or that its string stands for: `"NaN"`, `"Infinity"`, `"-Infinity"`, `"-0"`.
@@ -105,10 +98,7 @@ impl Number {
             },
             _ => return None,
         };
-        Some(Self {
-            integer: None,
-            double,
-        })
+        Some(Self { integer: None, double })
     }
 
     /// The nearest double.
@@ -124,9 +114,7 @@ impl Number {
         let (a, b) = (self.double, got.double);
         match (self.integer, got.integer) {
             (Some(expected), Some(got)) if tolerance == 0.0 => expected == got,
-            _ if a.is_finite() && b.is_finite() => {
-                (a - b).abs() <= tolerance * a.abs().max(b.abs()).max(1.0)
-            }
+            _ if a.is_finite() && b.is_finite() => (a - b).abs() <= tolerance * a.abs().max(b.abs()).max(1.0),
             _ => a == b || (a.is_nan() && b.is_nan()),
         }
     }
@@ -140,10 +128,7 @@ impl Number {
         match (self.integer, got.integer) {
             (Some(expected), Some(got)) => expected == got,
             (Some(expected), None) => is_exactly(got.double, expected),
-            (None, _) => {
-                self.double.to_bits() == got.double.to_bits()
-                    || (self.double.is_nan() && got.double.is_nan())
-            }
+            (None, _) => self.double.to_bits() == got.double.to_bits() || (self.double.is_nan() && got.double.is_nan()),
         }
     }
 }
@@ -186,10 +171,7 @@ impl<'a> Json<'a> {
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Json<'a>> {
         match self {
-            Self::Object(members) => members
-                .iter()
-                .find(|(key, _)| key == name)
-                .map(|(_, value)| value),
+            Self::Object(members) => members.iter().find(|(key, _)| key == name).map(|(_, value)| value),
             _ => None,
         }
     }
@@ -289,10 +271,7 @@ impl<'v, 'a> Members<'v, 'a> {
     /// The members of an object.
     #[must_use]
     pub fn new(list: &'v [(Cow<'a, str>, Json<'a>)]) -> Self {
-        Self {
-            list,
-            index: OnceCell::new(),
-        }
+        Self { list, index: OnceCell::new() }
     }
 
     /// The member of this name, which is most likely at this place.
@@ -300,19 +279,9 @@ impl<'v, 'a> Members<'v, 'a> {
     pub fn get(&self, name: &str, place: usize) -> Option<&'v Json<'a>> {
         match self.list.get(place) {
             Some((there, value)) if there == name => Some(value),
-            _ if self.list.len() <= FEW => self
-                .list
-                .iter()
-                .find(|(key, _)| key == name)
-                .map(|(_, value)| value),
+            _ if self.list.len() <= FEW => self.list.iter().find(|(key, _)| key == name).map(|(_, value)| value),
             _ => {
-                let index = || {
-                    self.list
-                        .iter()
-                        .enumerate()
-                        .map(|(i, (key, _))| (key.as_ref(), i))
-                        .collect()
-                };
+                let index = || self.list.iter().enumerate().map(|(i, (key, _))| (key.as_ref(), i)).collect();
                 let place = *self.index.get_or_init(index).get(name)?;
                 self.list.get(place).map(|(_, value)| value)
             }
@@ -348,11 +317,7 @@ pub fn write_string(text: &str, out: &mut String) {
 /// A member name as one token of a JSON pointer.
 #[must_use]
 pub fn pointer_token(name: &str) -> Cow<'_, str> {
-    if name.contains(['~', '/']) {
-        Cow::Owned(name.replace('~', "~0").replace('/', "~1"))
-    } else {
-        Cow::Borrowed(name)
-    }
+    if name.contains(['~', '/']) { Cow::Owned(name.replace('~', "~0").replace('/', "~1")) } else { Cow::Borrowed(name) }
 }
 
 /// Whether a double is exactly this integer. The negative zero is not.
@@ -372,10 +337,7 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn fail<T>(&self, what: JsonFault) -> Result<T, JsonError> {
-        Err(JsonError {
-            offset: self.at,
-            what,
-        })
+        Err(JsonError { offset: self.at, what })
     }
 
     fn peek(&self) -> Option<u8> {
@@ -451,10 +413,7 @@ impl<'a> Reader<'a> {
             }
             self.expect(b'}', "`,` or `}`")?;
             if let Some(name) = repeated(&members) {
-                return Err(JsonError {
-                    offset: start,
-                    what: JsonFault::Duplicate(name.to_owned()),
-                });
+                return Err(JsonError { offset: start, what: JsonFault::Duplicate(name.to_owned()) });
             }
             return Ok(Json::Object(members));
         }
@@ -510,11 +469,7 @@ impl<'a> Reader<'a> {
         while matches!(self.peek(), Some(b'0'..=b'9')) {
             self.at += 1;
         }
-        if self.at == start {
-            self.fail(JsonFault::Expected("a digit"))
-        } else {
-            Ok(())
-        }
+        if self.at == start { self.fail(JsonFault::Expected("a digit")) } else { Ok(()) }
     }
 
     fn string(&mut self) -> Result<Cow<'a, str>, JsonError> {
@@ -524,10 +479,7 @@ impl<'a> Reader<'a> {
         let mut plain = start;
         loop {
             let rest = &self.text.as_bytes()[self.at..];
-            self.at += rest
-                .iter()
-                .position(|b| matches!(b, b'"' | b'\\' | 0..=0x1f))
-                .unwrap_or(rest.len());
+            self.at += rest.iter().position(|b| matches!(b, b'"' | b'\\' | 0..=0x1f)).unwrap_or(rest.len());
             let run = &self.text[plain..self.at];
             match self.peek() {
                 None => return self.fail(JsonFault::End),
@@ -546,9 +498,7 @@ impl<'a> Reader<'a> {
                     plain = self.at;
                 }
                 Some(_) => {
-                    return self.fail(JsonFault::Expected(
-                        "an escape instead of a control character",
-                    ));
+                    return self.fail(JsonFault::Expected("an escape instead of a control character"));
                 }
             }
         }
@@ -598,10 +548,7 @@ impl<'a> Reader<'a> {
     }
 
     fn hex4(&mut self) -> Result<u32, JsonError> {
-        let digits = self
-            .text
-            .get(self.at..self.at + 4)
-            .filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()));
+        let digits = self.text.get(self.at..self.at + 4).filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()));
         let Some(code) = digits.and_then(|d| u32::from_str_radix(d, 16).ok()) else {
             return self.fail(JsonFault::Expected("four hexadecimal digits"));
         };
@@ -614,18 +561,12 @@ impl<'a> Reader<'a> {
 fn repeated<'m>(members: &'m [(Cow<'_, str>, Json<'_>)]) -> Option<&'m str> {
     if members.len() <= FEW {
         let twice = |(i, (name, _)): (usize, &'m (Cow<'_, str>, Json<'_>))| {
-            members[..i]
-                .iter()
-                .any(|(earlier, _)| earlier == name)
-                .then_some(name.as_ref())
+            members[..i].iter().any(|(earlier, _)| earlier == name).then_some(name.as_ref())
         };
         return members.iter().enumerate().find_map(twice);
     }
     let mut seen = HashSet::with_capacity(members.len());
-    members
-        .iter()
-        .map(|(name, _)| name.as_ref())
-        .find(|name| !seen.insert(*name))
+    members.iter().map(|(name, _)| name.as_ref()).find(|name| !seen.insert(*name))
 }
 
 #[cfg(test)]
@@ -636,28 +577,18 @@ mod tests {
     #[test]
     fn order_and_spelling_survive() {
         let text = r#"{"b":5.0,"a":[-0,1e3,5],"ä":"A\n","c":null}"#;
-        assert_eq!(
-            Json::parse(text).unwrap().to_string(),
-            r#"{"b":5.0,"a":[-0,1e3,5],"ä":"A\n","c":null}"#
-        );
+        assert_eq!(Json::parse(text).unwrap().to_string(), r#"{"b":5.0,"a":[-0,1e3,5],"ä":"A\n","c":null}"#);
     }
 
     #[test]
     fn a_member_that_stands_twice_is_refused_also_when_one_is_escaped() {
-        for text in [
-            r#"{"seq":1,"seq":1}"#,
-            r#"{"seq":1,"s\u0065q":1}"#,
-            r#"{"x":{"seq":1,"seq":1}}"#,
-        ] {
+        for text in [r#"{"seq":1,"seq":1}"#, r#"{"seq":1,"s\u0065q":1}"#, r#"{"x":{"seq":1,"seq":1}}"#] {
             let error = Json::parse(text).unwrap_err();
             assert_eq!(error.what, JsonFault::Duplicate("seq".to_owned()), "{text}");
         }
         let many: Vec<String> = (0..100).map(|i| format!("\"k{}\":0", i % 99)).collect();
         let text = format!("{{{}}}", many.join(","));
-        assert_eq!(
-            Json::parse(&text).unwrap_err().what,
-            JsonFault::Duplicate("k0".to_owned())
-        );
+        assert_eq!(Json::parse(&text).unwrap_err().what, JsonFault::Duplicate("k0".to_owned()));
     }
 
     #[test]
@@ -698,22 +629,13 @@ mod tests {
     fn nesting_is_bounded() {
         let deep = |n: usize| format!("{}{}", "[".repeat(n), "]".repeat(n));
         assert!(Json::parse(&deep(100)).is_ok());
-        assert_eq!(
-            Json::parse(&deep(100_000)).unwrap_err().what,
-            JsonFault::Depth
-        );
+        assert_eq!(Json::parse(&deep(100_000)).unwrap_err().what, JsonFault::Depth);
     }
 
     #[test]
     fn a_number_is_met_by_value_and_sign_of_zero() {
         let met = |expected: &str, got: &str| Number::read(expected).is_met_by(Number::read(got));
-        for (a, b) in [
-            ("5", "5.0"),
-            ("5", "50e-1"),
-            ("-0.0", "-0"),
-            ("0", "0.0"),
-            ("1e2", "100"),
-        ] {
+        for (a, b) in [("5", "5.0"), ("5", "50e-1"), ("-0.0", "-0"), ("0", "0.0"), ("1e2", "100")] {
             assert!(met(a, b) && met(b, a), "{a} {b}");
         }
         for (a, b) in [
@@ -735,18 +657,11 @@ mod tests {
     fn members_are_found_wherever_they_stand() {
         for count in [3, 100] {
             let text: Vec<String> = (0..count).map(|i| format!("\"k{i}\":{i}")).collect();
-            let object = Json::parse(&format!("{{{}}}", text.join(",")))
-                .unwrap()
-                .to_string();
-            let Json::Object(list) = Json::parse(&object).unwrap() else {
-                panic!()
-            };
+            let object = Json::parse(&format!("{{{}}}", text.join(","))).unwrap().to_string();
+            let Json::Object(list) = Json::parse(&object).unwrap() else { panic!() };
             let members = Members::new(&list);
             for (name, place) in [("k2", 2), ("k2", 0), ("k0", 999)] {
-                assert_eq!(
-                    members.get(name, place),
-                    Some(&Json::Number(name[1..].into()))
-                );
+                assert_eq!(members.get(name, place), Some(&Json::Number(name[1..].into())));
             }
             assert_eq!(members.get("k", 1), None);
         }
@@ -788,9 +703,7 @@ mod tests {
             Just(serde_json::Value::Null),
             any::<bool>().prop_map(Into::into),
             any::<i64>().prop_map(Into::into),
-            any::<f64>()
-                .prop_filter("finite", |d| d.is_finite())
-                .prop_map(Into::into),
+            any::<f64>().prop_filter("finite", |d| d.is_finite()).prop_map(Into::into),
             any::<String>().prop_map(Into::into),
         ];
         leaf.prop_recursive(depth, 32, 6, |inner| {

@@ -18,10 +18,7 @@ struct Run {
 
 fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ncp-verify"));
-    command
-        .stdin(Stdio::null())
-        .env_remove("NO_COLOR")
-        .env_remove("COLUMNS");
+    command.stdin(Stdio::null()).env_remove("NO_COLOR").env_remove("COLUMNS");
     command
 }
 
@@ -36,16 +33,11 @@ fn run(command: &mut Command) -> Run {
 
 /// Runs a subcommand on the test vectors.
 fn verify(args: &[&str]) -> Run {
-    run(program()
-        .args(args)
-        .args(["--vectors", "tests/data/vectors"]))
+    run(program().args(args).args(["--vectors", "tests/data/vectors"]))
 }
 
 fn peer(mode: &str) -> String {
-    let examples = Path::new(env!("CARGO_BIN_EXE_ncp-verify"))
-        .parent()
-        .unwrap()
-        .join("examples");
+    let examples = Path::new(env!("CARGO_BIN_EXE_ncp-verify")).parent().unwrap().join("examples");
     format!("{} {mode}", examples.join("hostile-peer").display())
 }
 
@@ -55,14 +47,7 @@ fn report(mode: &str, columns: &str, args: &[&str]) -> String {
     let file = folder.path().join("result.json");
     let run = run(program()
         .env("COLUMNS", columns)
-        .args([
-            "run",
-            "--vectors",
-            "tests/data/vectors",
-            "--peer-cmd",
-            &peer(mode),
-            "--json",
-        ])
+        .args(["run", "--vectors", "tests/data/vectors", "--peer-cmd", &peer(mode), "--json"])
         .arg(&file)
         .args(args));
     without_lines(&run.stdout.replace(&file.display().to_string(), "RESULT"))
@@ -84,10 +69,7 @@ fn without_lines(text: &str) -> String {
 fn explained(id: &str) -> String {
     let elsewhere = tempfile::tempdir().unwrap();
     let vectors = std::path::absolute("tests/data/vectors").unwrap();
-    let run = run(program()
-        .current_dir(elsewhere.path())
-        .args(["explain", id, "--vectors"])
-        .arg(vectors));
+    let run = run(program().current_dir(elsewhere.path()).args(["explain", id, "--vectors"]).arg(vectors));
     without_lines(&run.stdout)
 }
 
@@ -104,16 +86,10 @@ fn a_report_names_each_failing_case_under_its_rule() {
 #[test]
 fn a_report_fits_a_narrow_terminal() {
     let text = report("unsupported", "60", &["--role", "body", "--role", "server"]);
-    assert!(
-        text.lines().all(|line| line.chars().count() <= 60),
-        "{text}"
-    );
+    assert!(text.lines().all(|line| line.chars().count() <= 60), "{text}");
     insta::assert_snapshot!("report_narrow", text);
     let text = report("panics", "60", &[]);
-    assert!(
-        text.lines().all(|line| line.chars().count() <= 60),
-        "{text}"
-    );
+    assert!(text.lines().all(|line| line.chars().count() <= 60), "{text}");
 }
 
 #[test]
@@ -138,10 +114,7 @@ fn a_long_input_is_explained_abbreviated() {
     let text = verify(&["explain", "wire/tiny/05-long"]).stdout;
     assert!(text.contains("… (10486"), "{text}");
     let made = text.split_whitespace().collect::<String>();
-    assert!(
-        made.contains(r#"madeof{"kind":"sensor_frame","text":{"$concat":["#),
-        "{text}"
-    );
+    assert!(made.contains(r#"madeof{"kind":"sensor_frame","text":{"$concat":["#), "{text}");
     assert!(text.len() < 4000, "{}", text.len());
 }
 
@@ -154,42 +127,10 @@ fn a_rule_and_a_flag_are_explained_with_their_cases() {
 #[test]
 fn an_explanation_within_the_source_tree_leads_to_code_and_tests() {
     for (id, wanted) in [
-        (
-            "NCP-SAFE-040",
-            [
-                "Code\n",
-                "  spec/src/safety/governor.rs:",
-                "Tests\n",
-                "  spec/tests/governor.rs:",
-            ],
-        ),
-        (
-            "L03",
-            [
-                "NCP-SAFE-040 MUST",
-                "  spec/src/safety/governor.rs:",
-                " cases\n",
-                "  safety/fence/channel/empty\n",
-            ],
-        ),
-        (
-            "l18",
-            [
-                "no case is flagged",
-                "NCP-TRANS-008 MUST",
-                "Code\n",
-                "  spec/src/bus.rs:",
-            ],
-        ),
-        (
-            "safety/fence/channel/empty",
-            [
-                "Expected\n",
-                "Rule\n",
-                "Code\n",
-                "  spec/src/safety/governor.rs:",
-            ],
-        ),
+        ("NCP-SAFE-040", ["Code\n", "  spec/src/safety/governor.rs:", "Tests\n", "  spec/tests/governor.rs:"]),
+        ("L03", ["NCP-SAFE-040 MUST", "  spec/src/safety/governor.rs:", " cases\n", "  safety/fence/channel/empty\n"]),
+        ("l18", ["no case is flagged", "NCP-TRANS-008 MUST", "Code\n", "  spec/src/bus.rs:"]),
+        ("safety/fence/channel/empty", ["Expected\n", "Rule\n", "Code\n", "  spec/src/safety/governor.rs:"]),
     ] {
         let text = run(program().args(["explain", id])).stdout;
         for wanted in wanted {
@@ -202,43 +143,21 @@ fn an_explanation_within_the_source_tree_leads_to_code_and_tests() {
 fn a_misspelt_id_is_answered_with_the_nearest_ones() {
     let run = verify(&["explain", "wire/tiny/02-seq-strnig"]);
     assert_eq!(run.exit, 2);
-    assert!(
-        run.stderr
-            .contains("do you mean one of these?\n  wire/tiny/02-seq-string"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("do you mean one of these?\n  wire/tiny/02-seq-string"), "{}", run.stderr);
     let run = verify(&["explain", "NCP-WIER-007"]);
     assert!(run.stderr.contains("NCP-WIRE-007"), "{}", run.stderr);
     let run = verify(&["explain", "qqqqqqqq"]);
-    assert!(
-        run.stderr.contains("ncp-verify list shows all"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("ncp-verify list shows all"), "{}", run.stderr);
 }
 
 #[test]
 fn cases_are_listed_by_filter_role_and_flag() {
     insta::assert_snapshot!("list", verify(&["list"]).stdout);
     let ids = |args: &[&str]| {
-        verify(args)
-            .stdout
-            .lines()
-            .map(|l| l.split(' ').next().unwrap().to_owned())
-            .collect::<Vec<_>>()
+        verify(args).stdout.lines().map(|l| l.split(' ').next().unwrap().to_owned()).collect::<Vec<_>>()
     };
-    assert_eq!(
-        ids(&["list", "--filter", "NCP-WIRE-007"]),
-        ["wire/tiny/03-twice"]
-    );
-    assert_eq!(
-        ids(&["list", "--filter", "*-strict"]),
-        [
-            "version/tiny/02-same-strict",
-            "version/tiny/04-older-strict"
-        ]
-    );
+    assert_eq!(ids(&["list", "--filter", "NCP-WIRE-007"]), ["wire/tiny/03-twice"]);
+    assert_eq!(ids(&["list", "--filter", "*-strict"]), ["version/tiny/02-same-strict", "version/tiny/04-older-strict"]);
     assert_eq!(ids(&["list", "--filter", "lenient-reader"]).len(), 6);
     let none = verify(&["list", "--role", "server"]);
     assert_eq!((none.exit, none.stdout.as_str()), (2, ""));
@@ -249,45 +168,27 @@ fn lists_are_printed_as_json_on_request() {
     let cases: Value = serde_json::from_str(&verify(&["list", "--json"]).stdout).unwrap();
     assert_eq!(cases.as_array().unwrap().len(), 16);
     assert_eq!(cases[0]["id"], "version/tiny/01-same");
-    let rules: Value =
-        serde_json::from_str(&verify(&["list", "--requirements", "--json"]).stdout).unwrap();
-    let rule = rules
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|rule| rule["id"] == "NCP-VER-001")
-        .unwrap();
-    assert_eq!(
-        (rule["cases"].as_u64(), rule["keyword"].as_str()),
-        (Some(3), Some("MUST"))
-    );
+    let rules: Value = serde_json::from_str(&verify(&["list", "--requirements", "--json"]).stdout).unwrap();
+    let rule = rules.as_array().unwrap().iter().find(|rule| rule["id"] == "NCP-VER-001").unwrap();
+    assert_eq!((rule["cases"].as_u64(), rule["keyword"].as_str()), (Some(3), Some("MUST")));
 }
 
 #[test]
 fn rules_are_listed_with_the_number_of_their_cases() {
-    insta::assert_snapshot!(
-        "list_rules",
-        verify(&["list", "--requirements", "--filter", "NCP-VER-00?"]).stdout
-    );
+    insta::assert_snapshot!("list_rules", verify(&["list", "--requirements", "--filter", "NCP-VER-00?"]).stdout);
 }
 
 #[test]
 fn what_cannot_be_done_is_a_usage_error_with_one_message() {
     for (args, message) in [
         (&["run"][..], "name a peer: --peer"),
-        (
-            &["run", "--peer-cmd", "true", "--filter", "nonsense"],
-            "no case fits --filter nonsense; see ncp-verify list",
-        ),
+        (&["run", "--peer-cmd", "true", "--filter", "nonsense"], "no case fits --filter nonsense; see ncp-verify list"),
         (&["run", "--peer", "tests/data"], "tests/data/peer.toml: "),
         (
             &["run", "--peer-cmd", "true", "--level", "safety"],
             "there is no case of level safety yet; the highest is wire",
         ),
-        (
-            &["run", "--peer-cmd", "true", "--level", "highest"],
-            "invalid value 'highest'",
-        ),
+        (&["run", "--peer-cmd", "true", "--level", "highest"], "invalid value 'highest'"),
         (&["frobnicate"], "unrecognized subcommand"),
     ] {
         let run = verify(args);
@@ -300,15 +201,7 @@ fn what_cannot_be_done_is_a_usage_error_with_one_message() {
 
 #[test]
 fn a_filter_that_leaves_a_peer_without_a_case_is_a_usage_error() {
-    let run = verify(&[
-        "run",
-        "--peer-cmd",
-        &peer("honest"),
-        "--filter",
-        "tiny",
-        "--role",
-        "server",
-    ]);
+    let run = verify(&["run", "--peer-cmd", &peer("honest"), "--filter", "tiny", "--role", "server"]);
     assert_eq!(run.exit, 2, "{}", run.stdout);
 }
 
@@ -316,21 +209,10 @@ fn a_filter_that_leaves_a_peer_without_a_case_is_a_usage_error() {
 fn a_filtered_run_claims_no_conformance() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("result.json");
-    let run = verify(&[
-        "run",
-        "--peer-cmd",
-        &peer("wrong-answer"),
-        "--filter",
-        "wire/*",
-        "--json",
-        file.to_str().unwrap(),
-    ]);
+    let run =
+        verify(&["run", "--peer-cmd", &peer("wrong-answer"), "--filter", "wire/*", "--json", file.to_str().unwrap()]);
     assert_eq!(run.exit, 0, "{}", run.stdout);
-    assert!(
-        run.stdout.contains("of all cases only a part was run"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("of all cases only a part was run"), "{}", run.stdout);
     let result = common::read_result(&std::fs::read_to_string(file).unwrap());
     assert_eq!(result["asked"]["partial"], true);
 }
@@ -340,17 +222,11 @@ fn a_faulty_vector_file_is_the_suites_own_fault() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("wire")).unwrap();
     let text = std::fs::read_to_string("tests/data/vectors/wire/tiny.json").unwrap();
-    std::fs::write(
-        folder.path().join("wire/tiny.json"),
-        text.replacen("NCP-WIRE-015", "NCP-WIRE-999", 1),
-    )
-    .unwrap();
+    std::fs::write(folder.path().join("wire/tiny.json"), text.replacen("NCP-WIRE-015", "NCP-WIRE-999", 1)).unwrap();
     let run = run(program().args(["list", "--vectors"]).arg(folder.path()));
     assert_eq!(run.exit, 4);
     assert!(
-        run.stderr.contains(
-            "wire/tiny.json: the case wire/tiny/01-whole: the text has no rule NCP-WIRE-999"
-        ),
+        run.stderr.contains("wire/tiny.json: the case wire/tiny/01-whole: the text has no rule NCP-WIRE-999"),
         "{}",
         run.stderr
     );
@@ -358,16 +234,9 @@ fn a_faulty_vector_file_is_the_suites_own_fault() {
 
 #[test]
 fn a_repeated_run_prints_its_rate() {
-    let text = report(
-        "honest",
-        "100",
-        &["--repeat", "20", "--filter", "version/*"],
-    );
+    let text = report("honest", "100", &["--repeat", "20", "--filter", "version/*"]);
     let rate = text.lines().find(|line| line.contains("rate:")).unwrap();
-    assert!(
-        rate.contains("200 cases of up to 64 KiB in ") && rate.ends_with(" a second"),
-        "{rate}"
-    );
+    assert!(rate.contains("200 cases of up to 64 KiB in ") && rate.ends_with(" a second"), "{rate}");
 }
 
 #[test]
@@ -400,11 +269,7 @@ fn bundled(peers: &[(&str, &str)], args: &[&str]) -> (Run, PathBuf, tempfile::Te
 }
 
 /// The same, on the vectors of another folder.
-fn bundled_on(
-    vectors: &str,
-    peers: &[(&str, &str)],
-    args: &[&str],
-) -> (Run, PathBuf, tempfile::TempDir) {
+fn bundled_on(vectors: &str, peers: &[(&str, &str)], args: &[&str]) -> (Run, PathBuf, tempfile::TempDir) {
     let folder = tempfile::tempdir().unwrap();
     for (name, manifest) in peers {
         let peer = folder.path().join("peers").join(name);
@@ -413,53 +278,29 @@ fn bundled_on(
     }
     let inner = folder.path().join("peers");
     let vectors = std::path::absolute(vectors).unwrap();
-    let run = run(program()
-        .current_dir(inner)
-        .args(args)
-        .arg("--vectors")
-        .arg(vectors));
+    let run = run(program().current_dir(inner).args(args).arg("--vectors").arg(vectors));
     let result = folder.path().join("reports/run/result.json");
     (run, result, folder)
 }
 
 fn manifest(name: &str, mode: &str, more: &str) -> String {
-    let words: Vec<String> = peer(mode)
-        .split(' ')
-        .map(|word| format!("{word:?}"))
-        .collect();
-    format!(
-        "name = {name:?}\nlanguage = \"Rust\"\ncommand = [{}]\n{more}",
-        words.join(", ")
-    )
+    let words: Vec<String> = peer(mode).split(' ').map(|word| format!("{word:?}")).collect();
+    format!("name = {name:?}\nlanguage = \"Rust\"\ncommand = [{}]\n{more}", words.join(", "))
 }
 
 #[test]
 fn without_a_command_every_bundled_peer_is_set_up_and_checked() {
-    let setup =
-        "[[setup]]\nsay = \"make a file\"\ncommand = [\"sh\", \"-c\", \"echo {root} > made\"]\n";
-    let (a, b) = (
-        manifest("first", "honest", setup),
-        manifest("second", "honest", ""),
-    );
+    let setup = "[[setup]]\nsay = \"make a file\"\ncommand = [\"sh\", \"-c\", \"echo {root} > made\"]\n";
+    let (a, b) = (manifest("first", "honest", setup), manifest("second", "honest", ""));
     let (run, result, folder) = bundled(&[("b", &b), ("a", &a)], &[]);
     assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
-    assert!(
-        run.stdout.contains("both peers conform at level wire"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("both peers conform at level wire"), "{}", run.stdout);
     assert!(run.stderr.contains("first: make a file"), "{}", run.stderr);
     let made = std::fs::read_to_string(folder.path().join("peers/a/made")).unwrap();
-    assert_eq!(
-        Path::new(made.trim()).canonicalize().unwrap(),
-        folder.path().canonicalize().unwrap()
-    );
+    assert_eq!(Path::new(made.trim()).canonicalize().unwrap(), folder.path().canonicalize().unwrap());
     let result = common::read_result(&std::fs::read_to_string(result).unwrap());
     assert_eq!(
-        (
-            result["peers"][0]["name"].as_str(),
-            result["peers"][1]["name"].as_str()
-        ),
+        (result["peers"][0]["name"].as_str(), result["peers"][1]["name"].as_str()),
         (Some("first"), Some("second"))
     );
     assert_eq!(result["peers"][0]["source"], "peers/a");
@@ -467,54 +308,27 @@ fn without_a_command_every_bundled_peer_is_set_up_and_checked() {
 
 #[test]
 fn a_peer_whose_tool_is_missing_is_skipped_loudly_and_never_counts_as_passed() {
-    let (good, lacking) = (
-        manifest("good", "honest", ""),
-        manifest("lacking", "honest", "requires = [\"surely-no-such-tool\"]"),
-    );
+    let (good, lacking) =
+        (manifest("good", "honest", ""), manifest("lacking", "honest", "requires = [\"surely-no-such-tool\"]"));
     let (run, result, _folder) = bundled(&[("good", &good), ("lacking", &lacking)], &[]);
     assert_eq!(run.exit, 0, "{}", run.stdout);
-    assert!(
-        run.stdout
-            .contains("lacking  SKIPPED not on PATH: surely-no-such-tool"),
-        "{}",
-        run.stdout
-    );
-    assert!(
-        run.stdout.contains("1 skipped and so not shown to conform"),
-        "{}",
-        run.stdout
-    );
-    assert!(
-        run.stderr
-            .contains("lacking: SKIPPED, not on PATH: surely-no-such-tool"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stdout.contains("lacking  SKIPPED not on PATH: surely-no-such-tool"), "{}", run.stdout);
+    assert!(run.stdout.contains("1 skipped and so not shown to conform"), "{}", run.stdout);
+    assert!(run.stderr.contains("lacking: SKIPPED, not on PATH: surely-no-such-tool"), "{}", run.stderr);
     let result = common::read_result(&std::fs::read_to_string(result).unwrap());
     assert_eq!(
-        (
-            result["peers"][1]["state"].as_str(),
-            &result["peers"][1]["conclusion"]
-        ),
+        (result["peers"][1]["state"].as_str(), &result["peers"][1]["conclusion"]),
         (Some("skipped"), &Value::Null)
     );
     let (run, ..) = bundled(&[("lacking", &lacking)], &[]);
-    assert_eq!(
-        run.exit, 1,
-        "with nothing checked, nothing conforms: {}",
-        run.stdout
-    );
+    assert_eq!(run.exit, 1, "with nothing checked, nothing conforms: {}", run.stdout);
 }
 
 #[test]
 fn a_peer_is_held_to_the_level_of_its_manifest_unless_the_command_line_says_another() {
     // A case of level wire that the peer passes, and one of level safety of which it has no call.
     let held = |says: &str, args: &[&str]| {
-        let (run, ..) = bundled_on(
-            "tests/data/levels",
-            &[("p", &manifest("p", "honest", says))],
-            args,
-        );
+        let (run, ..) = bundled_on("tests/data/levels", &[("p", &manifest("p", "honest", says))], args);
         let head = run.stdout.lines().next().unwrap_or_default().to_owned();
         (run.exit, head)
     };
@@ -530,24 +344,15 @@ fn a_peer_is_held_to_the_level_of_its_manifest_unless_the_command_line_says_anot
 
 #[test]
 fn each_peer_is_held_to_its_own_level() {
-    let (low, high) = (
-        manifest("low", "honest", ""),
-        manifest("high", "honest", "level = \"safety\"\n"),
-    );
+    let (low, high) = (manifest("low", "honest", ""), manifest("high", "honest", "level = \"safety\"\n"));
     let (run, result, _folder) = bundled_on("tests/data/levels", &[("a", &low), ("b", &high)], &[]);
     assert_eq!(run.exit, 1, "{}", run.stdout);
     let closing = "1 of 2 peers conform at the level that each claims";
     assert!(run.stdout.contains(closing), "{}", run.stdout);
     let result = common::read_result(&std::fs::read_to_string(result).unwrap());
     let conclusion = |nth: usize| result["peers"][nth]["conclusion"].clone();
-    assert_eq!(
-        (conclusion(0), conclusion(1)),
-        ("conformant".into(), "not conformant".into())
-    );
-    assert_eq!(
-        result["peers"][0]["totals"]["total"], 2,
-        "describe and one case"
-    );
+    assert_eq!((conclusion(0), conclusion(1)), ("conformant".into(), "not conformant".into()));
+    assert_eq!(result["peers"][0]["totals"]["total"], 2, "describe and one case");
 }
 
 #[test]
@@ -557,37 +362,20 @@ fn the_head_of_a_report_counts_the_cases_that_are_meant() {
         text.lines().next().unwrap_or_default().to_owned()
     };
     assert_eq!(head(&[]), "NCP 0.5, level wire: 16 cases in 2 files");
-    assert_eq!(
-        head(&["--filter", "version/*"]),
-        "NCP 0.5, level wire: 10 cases in 1 file"
-    );
+    assert_eq!(head(&["--filter", "version/*"]), "NCP 0.5, level wire: 10 cases in 1 file");
 }
 
 #[test]
 fn one_peer_that_does_not_conform_fails_the_run_and_one_that_does_not_start_too() {
-    let (good, bad) = (
-        manifest("good", "honest", ""),
-        manifest("bad", "wrong-answer", ""),
-    );
+    let (good, bad) = (manifest("good", "honest", ""), manifest("bad", "wrong-answer", ""));
     let (run, ..) = bundled(&[("good", &good), ("bad", &bad)], &[]);
     assert_eq!(run.exit, 1);
-    assert!(
-        run.stdout.contains("1 of 2 peers conform at level wire"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("1 of 2 peers conform at level wire"), "{}", run.stdout);
     let broken = "[[setup]]\nsay = \"build\"\ncommand = [\"sh\", \"-c\", \"echo undefined symbol; exit 2\"]\n";
-    let (run, ..) = bundled(
-        &[
-            ("good", &good),
-            ("bad", &manifest("broken", "honest", broken)),
-        ],
-        &[],
-    );
+    let (run, ..) = bundled(&[("good", &good), ("bad", &manifest("broken", "honest", broken))], &[]);
     assert_eq!(run.exit, 3);
     assert!(
-        run.stderr.contains("broken: its set-up failed: ")
-            && run.stderr.contains("| undefined symbol"),
+        run.stderr.contains("broken: its set-up failed: ") && run.stderr.contains("| undefined symbol"),
         "{}",
         run.stderr
     );
@@ -600,17 +388,11 @@ fn an_expected_failure_passes_the_run_without_claiming_conformance() {
     let (run, ..) = bundled(&[("p", &manifest("p", "wrong-answer", known))], &[]);
     assert_eq!(run.exit, 0, "{}", run.stdout);
     assert!(
-        run.stdout.contains(
-            "the peer does not conform at level wire; 1 exactly as its expected failures say"
-        ),
+        run.stdout.contains("the peer does not conform at level wire; 1 exactly as its expected failures say"),
         "{}",
         run.stdout
     );
-    assert!(
-        run.stdout.contains("1 case fails as expected: issue 7"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("1 case fails as expected: issue 7"), "{}", run.stdout);
 }
 
 #[test]
@@ -619,23 +401,11 @@ fn an_expected_failure_that_passes_fails_the_run() {
     let (run, ..) = bundled(&[("p", &manifest("p", "honest", known))], &[]);
     assert_eq!(run.exit, 1, "{}", run.stdout);
     assert!(
-        run.stdout
-            .contains("the expected failure of case version/tiny/07-target no longer fails"),
+        run.stdout.contains("the expected failure of case version/tiny/07-target no longer fails"),
         "{}",
         run.stdout
     );
-    let (run, ..) = bundled(
-        &[(
-            "p",
-            &manifest("p", "honest", &known.replace("07-target", "77")),
-        )],
-        &[],
-    );
+    let (run, ..) = bundled(&[("p", &manifest("p", "honest", &known.replace("07-target", "77")))], &[]);
     assert_eq!(run.exit, 2);
-    assert!(
-        run.stderr
-            .contains("names the case version/tiny/77, which the suite does not have"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("names the case version/tiny/77, which the suite does not have"), "{}", run.stderr);
 }

@@ -28,31 +28,19 @@ struct Run {
 impl Run {
     /// The cases that did not pass: id and outcome.
     fn faults(&self) -> BTreeMap<String, String> {
-        let cases = self.result.as_ref().unwrap()["peers"][0]["cases"]
-            .as_array()
-            .unwrap();
+        let cases = self.result.as_ref().unwrap()["peers"][0]["cases"].as_array().unwrap();
         let text = |value: &Value| value.as_str().unwrap().to_owned();
-        cases
-            .iter()
-            .filter(|c| c["outcome"] != "pass")
-            .map(|c| (text(&c["id"]), text(&c["outcome"])))
-            .collect()
+        cases.iter().filter(|c| c["outcome"] != "pass").map(|c| (text(&c["id"]), text(&c["outcome"]))).collect()
     }
 
     fn case(&self, id: &str) -> &Value {
-        let cases = self.result.as_ref().unwrap()["peers"][0]["cases"]
-            .as_array()
-            .unwrap();
+        let cases = self.result.as_ref().unwrap()["peers"][0]["cases"].as_array().unwrap();
         cases.iter().find(|case| case["id"] == id).unwrap()
     }
 }
 
 fn example(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_BIN_EXE_ncp-verify"))
-        .parent()
-        .unwrap()
-        .join("examples")
-        .join(name)
+    Path::new(env!("CARGO_BIN_EXE_ncp-verify")).parent().unwrap().join("examples").join(name)
 }
 
 fn verify(args: &[&str]) -> Run {
@@ -65,27 +53,14 @@ fn verify_by(vectors: &str, args: &[&str]) -> Run {
     let file = folder.path().join("result.json");
     let start = Instant::now();
     let output: Output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
-        .args([
-            "run",
-            "--vectors",
-            vectors,
-            "--start-timeout",
-            "2",
-            "--json",
-        ])
+        .args(["run", "--vectors", vectors, "--start-timeout", "2", "--json"])
         .arg(&file)
         .args(args)
         .stdin(Stdio::null())
         .output()
         .unwrap();
-    assert!(
-        start.elapsed() < BOUND,
-        "{args:?} took {:?}",
-        start.elapsed()
-    );
-    let result = std::fs::read_to_string(&file)
-        .ok()
-        .map(|text| common::read_result(&text));
+    assert!(start.elapsed() < BOUND, "{args:?} took {:?}", start.elapsed());
+    let result = std::fs::read_to_string(&file).ok().map(|text| common::read_result(&text));
     Run {
         exit: output.status.code().unwrap(),
         stdout: String::from_utf8(output.stdout).unwrap(),
@@ -98,21 +73,8 @@ fn verify_by(vectors: &str, args: &[&str]) -> Run {
 fn hostile(mode: &str, args: &[&str]) -> Run {
     let command = format!("{} {mode}", example("hostile-peer").display());
     // Short only where it is waited for, so that a busy machine makes no peer look slow.
-    let hangs = ["sleep", "skips", "stops"]
-        .iter()
-        .any(|word| mode.contains(word));
-    verify(
-        &[
-            &[
-                "--peer-cmd",
-                &command,
-                "--timeout",
-                if hangs { "1" } else { "10" },
-            ],
-            args,
-        ]
-        .concat(),
-    )
+    let hangs = ["sleep", "skips", "stops"].iter().any(|word| mode.contains(word));
+    verify(&[&["--peer-cmd", &command, "--timeout", if hangs { "1" } else { "10" }], args].concat())
 }
 
 /// What a peer that is a shell script says about itself.
@@ -135,37 +97,23 @@ fn whole_script(script: &str) -> Run {
 fn server(ok: bool, reference_networks: &str) -> Run {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("peer.sh");
-    let describe = DESCRIBE.replace(
-        r#""roles":["body"]"#,
-        &format!(r#""roles":["server"],"reference_networks":{reference_networks}"#),
-    );
+    let describe = DESCRIBE
+        .replace(r#""roles":["body"]"#, &format!(r#""roles":["server"],"reference_networks":{reference_networks}"#));
     let reply = format!(r#"{{\"kind\":\"session_opened\",\"session_id\":\"a\",\"ok\":{ok}}}"#);
     let answer = format!(r#"printf '{{"id":%d,"result":{{"replies":["%s"]}}}}\n' $n '{reply}'"#);
-    let script =
-        format!("read line\n{describe}\nn=0\nwhile read line; do n=$((n+1)); {answer}; done\n");
+    let script = format!("read line\n{describe}\nn=0\nwhile read line; do n=$((n+1)); {answer}; done\n");
     std::fs::write(&file, script).unwrap();
     let command = format!("sh {}", file.display());
-    verify_by(
-        "tests/data/needs",
-        &["--level", "safety", "--peer-cmd", &command],
-    )
+    verify_by("tests/data/needs", &["--level", "safety", "--peer-cmd", &command])
 }
 
 #[test]
 fn a_server_without_the_reference_networks_is_not_asked_of_them_and_the_report_says_so() {
     let run = server(true, "null");
     assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
-    assert!(
-        run.stdout.contains("1 case was not asked"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("1 case was not asked"), "{}", run.stdout);
     assert!(run.stdout.contains("reference networks"), "{}", run.stdout);
-    assert!(
-        !run.stdout.contains("no session was opened"),
-        "{}",
-        run.stdout
-    );
+    assert!(!run.stdout.contains("no session was opened"), "{}", run.stdout);
     let peer = &run.result.as_ref().unwrap()["peers"][0];
     let counted = json!([{"needs": "reference_networks", "cases": 1}]);
     assert_eq!(peer["not_asked"], counted);
@@ -188,22 +136,14 @@ fn a_server_that_claims_the_reference_networks_must_open_them() {
 fn of_a_server_that_opens_nothing_the_report_says_that_its_passes_show_nothing() {
     let run = server(false, "false");
     assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
-    assert!(
-        run.stdout.contains("no session was opened"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("no session was opened"), "{}", run.stdout);
 }
 
 #[test]
 fn an_honest_peer_conforms() {
     let run = hostile("honest", &[]);
     assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
-    assert!(
-        run.stdout.contains("the peer conforms at level wire"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("the peer conforms at level wire"), "{}", run.stdout);
     assert_eq!(run.result.unwrap()["peers"][0]["conclusion"], "conformant");
 }
 
@@ -217,21 +157,10 @@ fn the_schema_of_the_result_rejects_what_is_no_result() {
     };
     assert_eq!(faults(&|_| {}), 0);
     assert_ne!(faults(&|result| result["exit_code"] = json!(2)), 0);
-    assert_ne!(
-        faults(&|result| result["peers"][0]["cases"][3]["outcome"] = json!("passed")),
-        0
-    );
-    assert_ne!(
-        faults(
-            &|result| result["peers"][0]["roles"][0]["levels"][0]["cases"]["passed"] = json!(-1)
-        ),
-        0
-    );
+    assert_ne!(faults(&|result| result["peers"][0]["cases"][3]["outcome"] = json!("passed")), 0);
+    assert_ne!(faults(&|result| result["peers"][0]["roles"][0]["levels"][0]["cases"]["passed"] = json!(-1)), 0);
     assert_ne!(faults(&|result| result["more"] = json!(1)), 0);
-    assert_ne!(
-        faults(&|result| drop(result.as_object_mut().unwrap().remove("corpus"))),
-        0
-    );
+    assert_ne!(faults(&|result| drop(result.as_object_mut().unwrap().remove("corpus"))), 0);
 }
 
 #[test]
@@ -252,17 +181,8 @@ fn a_fault_that_belongs_to_one_case_is_charged_to_that_case_alone() {
     ] {
         let run = hostile(mode, &[]);
         let expected = BTreeMap::from([(TARGET.to_owned(), outcome.to_owned())]);
-        assert_eq!(
-            (run.exit, run.faults()),
-            (1, expected),
-            "{mode}: {}",
-            run.stdout
-        );
-        assert!(
-            run.stdout.contains(&format!("✗ {TARGET} [{outcome}]")),
-            "{mode}: {}",
-            run.stdout
-        );
+        assert_eq!((run.exit, run.faults()), (1, expected), "{mode}: {}", run.stdout);
+        assert!(run.stdout.contains(&format!("✗ {TARGET} [{outcome}]")), "{mode}: {}", run.stdout);
     }
 }
 
@@ -279,69 +199,30 @@ fn a_peer_that_dies_on_its_7th_request_is_charged_with_the_request_that_was_open
     for (mode, outcome) in [("die-on-7th", "crash"), ("skips-7th", "timeout")] {
         let run = hostile(mode, &[]);
         assert_eq!(run.exit, 1, "{mode}");
-        assert_eq!(
-            run.case("version/tiny/06-letter")["outcome"],
-            outcome,
-            "{mode}: {}",
-            run.stdout
-        );
+        assert_eq!(run.case("version/tiny/06-letter")["outcome"], outcome, "{mode}: {}", run.stdout);
     }
     let run = hostile("die-on-7th", &[]);
-    let note = run.case("version/tiny/06-letter")["note"]
-        .as_str()
-        .unwrap()
-        .to_owned();
-    assert!(
-        note.contains("alone, in a fresh process, it was answered"),
-        "{note}"
-    );
+    let note = run.case("version/tiny/06-letter")["note"].as_str().unwrap().to_owned();
+    assert!(note.contains("alone, in a fresh process, it was answered"), "{note}");
 }
 
 #[test]
 fn what_a_peer_wrote_to_its_log_is_shown_with_its_crash() {
     let run = hostile("die-on-target", &[]);
-    assert!(
-        run.stdout.contains("it died of signal: 6 (SIGABRT)"),
-        "{}",
-        run.stdout
-    );
-    assert!(
-        run.stdout.contains("| assertion failed: version < 9"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("it died of signal: 6 (SIGABRT)"), "{}", run.stdout);
+    assert!(run.stdout.contains("| assertion failed: version < 9"), "{}", run.stdout);
 }
 
 #[test]
 fn a_peer_that_answers_nothing_is_given_up_and_the_rest_is_not_run() {
-    for mode in [
-        "die-on-every-case",
-        "sleep-forever",
-        "binary-on-every-case",
-        "stops-reading",
-    ] {
+    for mode in ["die-on-every-case", "sleep-forever", "binary-on-every-case", "stops-reading"] {
         let run = hostile(mode, &[]);
         assert_eq!(run.exit, 1, "{mode}");
         let faults = run.faults();
-        assert!(
-            faults.contains_key("version/tiny/01-same"),
-            "{mode}: {faults:?}"
-        );
+        assert!(faults.contains_key("version/tiny/01-same"), "{mode}: {faults:?}");
         assert_ne!(faults["version/tiny/01-same"], "not run", "{mode}");
-        assert!(
-            faults
-                .values()
-                .filter(|outcome| *outcome == "not run")
-                .count()
-                >= 10,
-            "{mode}: {faults:?}"
-        );
-        assert!(
-            run.stdout
-                .contains("it has not answered one case in 3 attempts"),
-            "{mode}: {}",
-            run.stdout
-        );
+        assert!(faults.values().filter(|outcome| *outcome == "not run").count() >= 10, "{mode}: {faults:?}");
+        assert!(run.stdout.contains("it has not answered one case in 3 attempts"), "{mode}: {}", run.stdout);
     }
 }
 
@@ -351,39 +232,21 @@ fn restarts_are_bounded() {
     assert_eq!(run.exit, 1);
     assert_eq!(run.case("version/tiny/06-letter")["outcome"], "crash");
     assert!(run.faults().values().any(|outcome| outcome == "not run"));
-    assert!(
-        run.stdout
-            .contains("the peer was given up: after 0 restarts it exited with status 101"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("the peer was given up: after 0 restarts it exited with status 101"), "{}", run.stdout);
 }
 
 #[test]
 fn a_peer_that_answers_everything_twice_is_charged_case_by_case() {
     let run = hostile("twice-always", &[]);
     assert_eq!(run.exit, 1);
-    assert_eq!(
-        run.faults()
-            .values()
-            .filter(|outcome| *outcome == "protocol")
-            .count(),
-        16,
-        "{:?}",
-        run.faults()
-    );
+    assert_eq!(run.faults().values().filter(|outcome| *outcome == "protocol").count(), 16, "{:?}", run.faults());
 }
 
 #[test]
 fn what_is_odd_but_harmless_costs_nothing() {
     for mode in ["floods-stderr", "slow", "other-codes", "talkative"] {
         let run = hostile(mode, &[]);
-        assert_eq!(
-            (run.exit, run.faults().len()),
-            (0, 0),
-            "{mode}: {}",
-            run.stdout
-        );
+        assert_eq!((run.exit, run.faults().len()), (0, 0), "{mode}: {}", run.stdout);
     }
     let run = hostile("unordered", &["--filter", "version/*"]);
     assert_eq!((run.exit, run.faults().len()), (0, 0), "{}", run.stdout);
@@ -392,43 +255,23 @@ fn what_is_odd_but_harmless_costs_nothing() {
 #[test]
 fn another_error_code_is_noted_and_not_judged() {
     let run = hostile("other-codes", &["--verbose"]);
-    assert_eq!(
-        run.case("version/tiny/05-empty")["note"],
-        "refused as `limit`; the text suggests `version`"
-    );
-    assert!(
-        run.stdout.contains("refused as `limit`; the text suggests"),
-        "{}",
-        run.stdout
-    );
+    assert_eq!(run.case("version/tiny/05-empty")["note"], "refused as `limit`; the text suggests `version`");
+    assert!(run.stdout.contains("refused as `limit`; the text suggests"), "{}", run.stdout);
 }
 
 #[test]
 fn a_caught_crash_is_no_refusal() {
     let run = hostile("panics", &[]);
     assert_eq!(run.case("version/tiny/05-empty")["outcome"], "fail");
-    assert!(
-        run.stdout.contains("a crash is no refusal"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("a crash is no refusal"), "{}", run.stdout);
 }
 
 #[test]
 fn how_a_peer_ends_is_noted() {
     for (mode, note) in [
-        (
-            "never-ends",
-            "2 s after the end of its input it was still running, and was killed",
-        ),
-        (
-            "ends-badly",
-            "at the end of its input it exited with status 5 instead of 0",
-        ),
-        (
-            "prints-at-the-end",
-            "at the end of its input it printed something that is no answer",
-        ),
+        ("never-ends", "2 s after the end of its input it was still running, and was killed"),
+        ("ends-badly", "at the end of its input it exited with status 5 instead of 0"),
+        ("prints-at-the-end", "at the end of its input it printed something that is no answer"),
     ] {
         let run = hostile(mode, &[]);
         assert_eq!(run.exit, 0, "{mode}: {}", run.stdout);
@@ -441,62 +284,28 @@ fn how_a_peer_ends_is_noted() {
 fn unsupported_calls_in_a_claimed_role_fail_and_are_summed_up_by_call() {
     let run = hostile("unsupported", &[]);
     assert_eq!(run.exit, 1);
-    assert!(
-        run.stdout
-            .contains("16 of 17 cases are unsupported in roles that were judged"),
-        "{}",
-        run.stdout
-    );
-    assert!(
-        run.stdout.contains("decode (6), version.check (10)"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("16 of 17 cases are unsupported in roles that were judged"), "{}", run.stdout);
+    assert!(run.stdout.contains("decode (6), version.check (10)"), "{}", run.stdout);
 }
 
 #[test]
 fn a_peer_that_cannot_be_started_is_told_at_once_in_one_message() {
     for (command, message) in [
-        (
-            "surely-no-such-program",
-            "error: there is no program `surely-no-such-program` on PATH",
-        ),
-        (
-            "./no/such/peer",
-            "error: there is no program `./no/such/peer`",
-        ),
-        (
-            "tests/data/vectors/wire/tiny.json",
-            "error: `tests/data/vectors/wire/tiny.json` is not executable",
-        ),
-        (
-            "true",
-            "error: `true` exited with status 0 before it answered `describe`",
-        ),
+        ("surely-no-such-program", "error: there is no program `surely-no-such-program` on PATH"),
+        ("./no/such/peer", "error: there is no program `./no/such/peer`"),
+        ("tests/data/vectors/wire/tiny.json", "error: `tests/data/vectors/wire/tiny.json` is not executable"),
+        ("true", "error: `true` exited with status 0 before it answered `describe`"),
         ("cat", "error: `cat` does not speak the peer protocol: "),
-        (
-            "echo hello",
-            "error: `echo hello` does not speak the peer protocol: ",
-        ),
-        (
-            "sh -c 'exec >&-; sleep 60'",
-            "closed its standard output but kept running before it answered `describe`",
-        ),
-        (
-            "sleep 60",
-            "error: `sleep 60` did not answer `describe` within 2 s",
-        ),
+        ("echo hello", "error: `echo hello` does not speak the peer protocol: "),
+        ("sh -c 'exec >&-; sleep 60'", "closed its standard output but kept running before it answered `describe`"),
+        ("sleep 60", "error: `sleep 60` did not answer `describe` within 2 s"),
         ("'unclosed", "cannot be taken apart"),
     ] {
         let start = Instant::now();
         let run = verify(&["--peer-cmd", command]);
         assert_eq!(run.exit, 3, "{command}: {}", run.stderr);
         assert!(run.stderr.contains(message), "{command}: {}", run.stderr);
-        assert_eq!(
-            (run.stderr.matches("error:").count(), run.stdout.as_str()),
-            (1, ""),
-            "{command}"
-        );
+        assert_eq!((run.stderr.matches("error:").count(), run.stdout.as_str()), (1, ""), "{command}");
         assert!(start.elapsed() < Duration::from_secs(10), "{command}");
     }
     for (mode, message) in [
@@ -517,11 +326,7 @@ fn a_peer_that_cannot_be_started_is_told_at_once_in_one_message() {
 fn a_wrong_description_fails_the_case_of_describe() {
     for mode in ["wrong-describe", "claims-nothing"] {
         let run = hostile(mode, &[]);
-        assert_eq!(
-            (run.exit, run.case("describe")["outcome"].as_str()),
-            (1, Some("fail")),
-            "{mode}"
-        );
+        assert_eq!((run.exit, run.case("describe")["outcome"].as_str()), (1, Some("fail")), "{mode}");
     }
 }
 
@@ -530,10 +335,7 @@ fn a_peer_that_closes_its_output_and_runs_on_is_a_crash_of_the_case() {
     let run = script("read line; exec >&-; trap '' TERM; sleep 60");
     assert_eq!(run.exit, 1);
     assert_eq!(run.case("version/tiny/01-same")["outcome"], "crash");
-    assert_eq!(
-        run.case("version/tiny/01-same")["what"],
-        "closed its standard output but kept running"
-    );
+    assert_eq!(run.case("version/tiny/01-same")["what"], "closed its standard output but kept running");
 }
 
 #[test]
@@ -542,24 +344,15 @@ fn a_peer_that_stops_taking_requests_is_a_crash_of_the_case() {
     let run = whole_script(&format!("read line\nexec <&-\n{DESCRIBE}\nsleep 60"));
     assert_eq!(run.exit, 1);
     let case = run.case("version/tiny/01-same");
-    assert_eq!(
-        (case["outcome"].as_str(), case["what"].as_str()),
-        (Some("crash"), Some("closed its standard input"))
-    );
+    assert_eq!((case["outcome"].as_str(), case["what"].as_str()), (Some("crash"), Some("closed its standard input")));
 }
 
 #[test]
 fn a_peer_whose_child_outlives_it_is_ended_with_its_child() {
     let folder = tempfile::tempdir().unwrap();
     let pid = folder.path().join("pid");
-    let run = script(&format!(
-        "sleep 300 & echo $! > {}; read line; exit 4",
-        pid.display()
-    ));
-    assert_eq!(
-        run.case("version/tiny/01-same")["what"],
-        "exited with status 4"
-    );
+    let run = script(&format!("sleep 300 & echo $! > {}; read line; exit 4", pid.display()));
+    assert_eq!(run.case("version/tiny/01-same")["what"], "exited with status 4");
     let pid = std::fs::read_to_string(pid).unwrap();
     let stat = std::fs::read_to_string(format!("/proc/{}/stat", pid.trim())).unwrap_or_default();
     assert!(stat.is_empty() || stat.contains(") Z "), "{stat}");
@@ -573,10 +366,7 @@ fn ctrl_c_ends_the_peer_and_still_writes_the_report() {
         .args(["run", "--vectors", "tests/data/vectors", "--json"])
         .arg(&file)
         .arg("--peer-cmd")
-        .arg(format!(
-            "{} sleep-on-target",
-            example("hostile-peer").display()
-        ))
+        .arg(format!("{} sleep-on-target", example("hostile-peer").display()))
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .spawn()
@@ -592,8 +382,5 @@ fn ctrl_c_ends_the_peer_and_still_writes_the_report() {
     assert_eq!(result["interrupted"], true);
     let cases = result["peers"][0]["cases"].as_array().unwrap();
     let outcome = |id: &str| cases.iter().find(|case| case["id"] == id).unwrap()["outcome"].clone();
-    assert_eq!(
-        (outcome("version/tiny/01-same"), outcome(TARGET)),
-        ("pass".into(), "not run".into())
-    );
+    assert_eq!((outcome("version/tiny/01-same"), outcome(TARGET)), ("pass".into(), "not run".into()));
 }

@@ -22,15 +22,10 @@ struct Run {
 /// Runs the command on a program whose mutants are modes of the hostile peer, each with the rule that it breaks.
 fn hunt_in(healthy: &str, mutants: &[(&str, &str)], args: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
-    let peer = Path::new(env!("CARGO_BIN_EXE_ncp-verify"))
-        .parent()
-        .unwrap()
-        .join("examples/hostile-peer");
+    let peer = Path::new(env!("CARGO_BIN_EXE_ncp-verify")).parent().unwrap().join("examples/hostile-peer");
     let list: Vec<Value> = mutants
         .iter()
-        .map(|(name, rule)| {
-            json!({"name": name, "about": format!("It is {name}."), "finding": "L24", "rules": [rule]})
-        })
+        .map(|(name, rule)| json!({"name": name, "about": format!("It is {name}."), "finding": "L24", "rules": [rule]}))
         .collect();
     fs::write(folder.path().join("list.json"), json!(list).to_string()).unwrap();
     let program = folder.path().join("program");
@@ -78,9 +73,7 @@ fn a_mutant_that_fails_by_its_rule_is_killed_and_reported() {
     assert_eq!(mutant["shortest_case"], "version/tiny/07-target");
     let page = run.markdown.unwrap();
     assert!(
-        page.contains(
-            "| wrong-answer | It is wrong-answer. | L24 | NCP-VER-004 | 1 | `version/tiny/07-target` |"
-        ),
+        page.contains("| wrong-answer | It is wrong-answer. | L24 | NCP-VER-004 | 1 | `version/tiny/07-target` |"),
         "{page}"
     );
     assert!(page.contains("| L24 | wrong-answer |"), "{page}");
@@ -114,18 +107,9 @@ fn a_mutant_that_crashes_is_named_so() {
 
 #[test]
 fn a_mutant_whose_trial_takes_too_long_is_not_finished() {
-    let run = hunt_in(
-        "honest",
-        &[("sleep-on-target", "NCP-VER-001")],
-        &["--limit", "1"],
-    );
+    let run = hunt_in("honest", &[("sleep-on-target", "NCP-VER-001")], &["--limit", "1"]);
     assert_eq!(run.exit, 1, "{}{}", run.stdout, run.stderr);
-    assert!(
-        run.stdout
-            .contains("sleep-on-target: its trial took too long"),
-        "{}",
-        run.stdout
-    );
+    assert!(run.stdout.contains("sleep-on-target: its trial took too long"), "{}", run.stdout);
 }
 
 #[test]
@@ -133,8 +117,7 @@ fn a_peer_that_fails_without_a_mutant_ends_the_hunt() {
     let run = hunt_in("wrong-answer", &[("harmless", "NCP-VER-008")], &[]);
     assert_eq!(run.exit, 4);
     assert!(
-        run.stderr
-            .contains("without a mutant the peer fails 1 cases, version/tiny/07-target first"),
+        run.stderr.contains("without a mutant the peer fails 1 cases, version/tiny/07-target first"),
         "{}",
         run.stderr
     );
@@ -145,12 +128,7 @@ fn a_peer_that_fails_without_a_mutant_ends_the_hunt() {
 fn a_rule_that_the_text_does_not_have_ends_the_hunt() {
     let run = hunt(&[("harmless", "NCP-VER-999")]);
     assert_eq!(run.exit, 4);
-    assert!(
-        run.stderr
-            .contains("the mutant harmless breaks no rule of the text: \"NCP-VER-999\""),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("the mutant harmless breaks no rule of the text: \"NCP-VER-999\""), "{}", run.stderr);
 }
 
 #[test]
@@ -161,19 +139,12 @@ fn only_tries_the_named_mutant_and_writes_no_report() {
     assert!(run.json.is_none() && run.markdown.is_none());
     let run = hunt_in("honest", &both, &["--only", "no-such"]);
     assert_eq!(run.exit, 2);
-    assert!(
-        run.stderr.contains("there is no mutant no-such"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("there is no mutant no-such"), "{}", run.stderr);
 }
 
 #[test]
 fn the_list_shows_each_mutant_with_its_rule() {
     let run = hunt_in("honest", &[("harmless", "NCP-VER-008")], &["--list"]);
     assert_eq!(run.exit, 0);
-    assert_eq!(
-        run.stdout,
-        "harmless  L24  NCP-VER-008\n    It is harmless.\n"
-    );
+    assert_eq!(run.stdout, "harmless  L24  NCP-VER-008\n    It is harmless.\n");
 }

@@ -53,11 +53,8 @@ impl Tree {
         tree.write("vectors/MANIFEST.sha256", "00  wire/one.json\n");
         let mut exclusions = "[rules]\n".to_owned();
         for number in 1..=35 {
-            write!(
-                exclusions,
-                "\n[findings.L{number:02}]\nrules = []\nwhy = \"Nothing in this tree is audited.\"\n"
-            )
-            .unwrap();
+            write!(exclusions, "\n[findings.L{number:02}]\nrules = []\nwhy = \"Nothing in this tree is audited.\"\n")
+                .unwrap();
         }
         tree.write("spec/exclusions.toml", &exclusions);
         tree
@@ -101,10 +98,7 @@ impl Tree {
             .unwrap();
         let printed = [output.stdout, output.stderr].concat();
         let printed = String::from_utf8(printed).unwrap();
-        (
-            output.status.code().unwrap(),
-            printed.split_whitespace().collect::<Vec<_>>().join(" "),
-        )
+        (output.status.code().unwrap(), printed.split_whitespace().collect::<Vec<_>>().join(" "))
     }
 
     /// Traces, and expects exit code 1 with these words.
@@ -123,9 +117,7 @@ fn vectors(rules: &[&str]) -> String {
 }
 
 fn mutant(rule: &str) -> String {
-    format!(
-        "# A table.\n\n[[mutant]]\nname = \"one-left-out\"\nabout = \"It does nothing.\"\nrules = [\"{rule}\"]\n"
-    )
+    format!("# A table.\n\n[[mutant]]\nname = \"one-left-out\"\nabout = \"It does nothing.\"\nrules = [\"{rule}\"]\n")
 }
 
 #[test]
@@ -133,24 +125,13 @@ fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
     let tree = Tree::new();
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
-    assert!(
-        out.contains("3 rules, 2 of them binding: 2 shown, 0 excluded with a reason"),
-        "{out}"
-    );
+    assert!(out.contains("3 rules, 2 of them binding: 2 shown, 0 excluded with a reason"), "{out}");
     let page = tree.read("reports/traceability.md");
-    assert!(
-        page.contains("NCP-TEST-001") && page.contains("[one.json](../vectors/wire/one.json) 1")
-    );
+    assert!(page.contains("NCP-TEST-001") && page.contains("[one.json](../vectors/wire/one.json) 1"));
     let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
     let evidence = &report["rules"][1]["evidence"];
-    assert_eq!(
-        evidence,
-        &json!([{"kind": "properties", "place": "spec/tests/other.rs it_does_another", "count": 1}])
-    );
-    assert!(
-        tree.read("spec/evidence.lock")
-            .contains("vectors/wire/one.json")
-    );
+    assert_eq!(evidence, &json!([{"kind": "properties", "place": "spec/tests/other.rs it_does_another", "count": 1}]));
+    assert!(tree.read("spec/evidence.lock").contains("vectors/wire/one.json"));
     assert_eq!(tree.trace(&["--check"]).0, 0);
 }
 
@@ -158,10 +139,7 @@ fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
 fn a_fuzz_target_shows_what_the_function_of_its_name_cites() {
     let tree = Tree::new();
     tree.write("fuzz/fuzz_targets/things.rs", "fuzz_target!(things);\n");
-    tree.write(
-        "fuzz/bodies/src/all.rs",
-        "// [NCP-TEST-003]\npub fn things(input: &[u8]) {}\n",
-    );
+    tree.write("fuzz/bodies/src/all.rs", "// [NCP-TEST-003]\npub fn things(input: &[u8]) {}\n");
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
     let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
@@ -179,10 +157,7 @@ fn a_fuzz_target_that_cites_no_rule_or_checks_nothing_is_an_orphan() {
     tree.write("fuzz/fuzz_targets/silent.rs", "fuzz_target!(silent);\n");
     tree.write("fuzz/fuzz_targets/empty.rs", "fuzz_target!(empty);\n");
     tree.write("fuzz/bodies/src/all.rs", "pub fn silent(input: &[u8]) {}\n");
-    tree.fails_with(&[
-        "the fuzz target silent cites no rule",
-        "the fuzz target empty cites no rule",
-    ]);
+    tree.fails_with(&["the fuzz target silent cites no rule", "the fuzz target empty cites no rule"]);
 }
 
 #[test]
@@ -228,10 +203,7 @@ fn a_sentence_that_changes_has_to_be_accepted_again() {
 #[test]
 fn evidence_that_is_gone_is_missed_although_other_evidence_is_left() {
     let tree = Tree::new();
-    tree.write(
-        "spec/tests/more.rs",
-        &TESTS.replace("it_does_another", "and_again"),
-    );
+    tree.write("spec/tests/more.rs", &TESTS.replace("it_does_another", "and_again"));
     assert_eq!(tree.trace(&[]).0, 0);
     tree.write("spec/tests/more.rs", "");
     tree.fails_with(&["NCP-TEST-002 has lost spec/tests/more.rs and_again"]);
@@ -250,11 +222,7 @@ fn what_cites_no_rule_is_an_orphan() {
             "proptest! {\n    #[test]\n    fn it_holds(x in 0..3) {}\n}\n",
             "the property spec/tests/two.rs:3 it_holds cites no rule",
         ),
-        (
-            "vectors/wire/two.json",
-            &vectors(&[]),
-            "the case wire/one/a cites no rule",
-        ),
+        ("vectors/wire/two.json", &vectors(&[]), "the case wire/one/a cites no rule"),
     ] {
         let tree = Tree::accepted();
         tree.write(file, text);
@@ -268,26 +236,17 @@ fn code_alone_shows_nothing_and_an_exclusion_says_why() {
     let chapter = format!("spec/text/{}", CHAPTERS[1].file);
     let rule = "- **[NCP-TEST-004]** A peer MUST do a fourth. *(wire; all)*\n";
     tree.write(&chapter, &format!("{TEXT}{rule}"));
-    tree.write(
-        "spec/src/wire/four.rs",
-        "/// [NCP-TEST-004]\npub fn four() {}\n",
-    );
+    tree.write("spec/src/wire/four.rs", "/// [NCP-TEST-004]\npub fn four() {}\n");
     tree.fails_with(&["NCP-TEST-004 is binding, and nothing shows it"]);
 
     let reason = "[rules]\nNCP-TEST-004 = \"No call can show it.\"\n";
     tree.replace("spec/exclusions.toml", "[rules]\n", reason);
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
-    assert!(
-        tree.read("reports/traceability.md")
-            .contains("No call can show it.")
-    );
+    assert!(tree.read("reports/traceability.md").contains("No call can show it."));
 
     tree.replace("spec/exclusions.toml", "NCP-TEST-004", "NCP-TEST-001");
-    tree.fails_with(&[
-        "spec/exclusions.toml names NCP-TEST-001, which is shown",
-        "NCP-TEST-004 is binding",
-    ]);
+    tree.fails_with(&["spec/exclusions.toml names NCP-TEST-001, which is shown", "NCP-TEST-004 is binding"]);
 }
 
 #[test]
@@ -298,10 +257,7 @@ fn a_mutant_is_counted_for_its_rule_and_shows_nothing_by_itself() {
     let evidence = report["rules"][0]["evidence"].as_array().unwrap();
     assert!(evidence.contains(&json!({"kind": "mutants", "place": place, "count": 1})));
     let page = tree.read("reports/traceability.md");
-    assert!(
-        page.contains("[one-left-out](../peers/mutants/mutants/wire.toml)"),
-        "{page}"
-    );
+    assert!(page.contains("[one-left-out](../peers/mutants/mutants/wire.toml)"), "{page}");
     assert!(!tree.read("spec/evidence.lock").contains("peers/mutants"));
 
     // Rule 2 has a mutant now, and no property any more.
@@ -314,9 +270,7 @@ fn a_mutant_is_counted_for_its_rule_and_shows_nothing_by_itself() {
 fn a_mutant_of_a_rule_that_the_text_does_not_have_is_a_fault() {
     let tree = Tree::accepted();
     tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-404"));
-    tree.fails_with(&[
-        "NCP-TEST-404 is not in the text; orphaned are peers/mutants/mutants/wire.toml:4 one-left-out",
-    ]);
+    tree.fails_with(&["NCP-TEST-404 is not in the text; orphaned are peers/mutants/mutants/wire.toml:4 one-left-out"]);
     tree.write("peers/mutants/mutants/wire.toml", "[[mutant]]\n");
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 4, "{out}");
@@ -362,8 +316,5 @@ fn what_is_proved_shows_its_rules_and_what_is_only_tried_does_not() {
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
     let page = tree.read("reports/traceability.md");
-    assert!(
-        page.contains("[clamp/bound](../reports/proofs.md)"),
-        "{page}"
-    );
+    assert!(page.contains("[clamp/bound](../reports/proofs.md)"), "{page}");
 }

@@ -27,9 +27,7 @@ pub(crate) const CHECKS: &[Check] = &[
         name: "format",
         about: "the Rust code is formatted (rustfmt)",
         run: |work| {
-            let cargo = work
-                .project
-                .cargo(&["fmt", "--all", "--check", "--", "--color", "never"]);
+            let cargo = work.project.cargo(&["fmt", "--all", "--check", "--", "--color", "never"]);
             work.program(cargo)
         },
     },
@@ -38,11 +36,7 @@ pub(crate) const CHECKS: &[Check] = &[
         about: "proto and projection break nothing of the frozen 0.5 (our own check)",
         run: |_| nothing_wrong(&ncp_proto::compat::check_current(), ""),
     },
-    Check {
-        name: "schemas",
-        about: "schemas/ holds what the contract generates",
-        run: |work| fresh(work, "schemas/"),
-    },
+    Check { name: "schemas", about: "schemas/ holds what the contract generates", run: |work| fresh(work, "schemas/") },
     Check {
         name: "vectors",
         about: "vectors/ and its manifest hold what the generator generates",
@@ -78,17 +72,8 @@ pub(crate) const CHECKS: &[Check] = &[
         name: "clippy",
         about: "the Rust code is free of warnings (clippy, all targets)",
         run: |work| {
-            let targets = [
-                "clippy",
-                "--workspace",
-                "--all-targets",
-                "--quiet",
-                "--keep-going",
-            ];
-            work.program(
-                work.project
-                    .cargo(&[&targets[..], &["--", "-D", "warnings"]].concat()),
-            )
+            let targets = ["clippy", "--workspace", "--all-targets", "--quiet", "--keep-going"];
+            work.program(work.project.cargo(&[&targets[..], &["--", "-D", "warnings"]].concat()))
         },
     },
     Check {
@@ -112,9 +97,7 @@ pub(crate) const CHECKS: &[Check] = &[
         about: "the own tests of the peer in pure Python (unittest)",
         run: |work| {
             let discover = ["-m", "unittest", "discover"];
-            let python = work
-                .project
-                .program("python3", &discover, "peers/python-pure");
+            let python = work.project.program("python3", &discover, "peers/python-pure");
             work.tests(python, count::unittest)
         },
     },
@@ -129,24 +112,14 @@ pub(crate) const CHECKS: &[Check] = &[
         run: |work| {
             let python = work.set_up(setup::python)?;
             let tests = ["-m", "unittest", "discover", "-s", "tests"];
-            work.tests(
-                work.project.program(python, &tests, "peers/python"),
-                count::unittest,
-            )
+            work.tests(work.project.program(python, &tests, "peers/python"), count::unittest)
         },
     },
     Check {
         name: "rust",
         about: "all tests of all crates but fuzz, and those in their documentation",
         run: |work| {
-            let all = [
-                "test",
-                "--workspace",
-                "--exclude",
-                FUZZ,
-                "--no-fail-fast",
-                "--quiet",
-            ];
+            let all = ["test", "--workspace", "--exclude", FUZZ, "--no-fail-fast", "--quiet"];
             work.tests(work.project.cargo(&all), count::cargo)
         },
     },
@@ -163,16 +136,7 @@ pub(crate) const CHECKS: &[Check] = &[
         about: "buf sees of each planted change what proto/README.md says that it sees",
         run: |work| {
             let buf = work.set_up(setup::buf)?;
-            let only = [
-                "test",
-                "--quiet",
-                "-p",
-                "ncp-proto",
-                "--test",
-                "buf",
-                "--",
-                "--ignored",
-            ];
+            let only = ["test", "--quiet", "-p", "ncp-proto", "--test", "buf", "--", "--ignored"];
             let mut cargo = work.project.cargo(&only);
             cargo.env("NCP_BUF", buf);
             work.tests(cargo, count::cargo)
@@ -195,15 +159,7 @@ pub(crate) const CHECKS: &[Check] = &[
         name: "mutants",
         about: "the suite notices every mutant, and names the rule that it breaks (ncp-verify mutants)",
         run: |work| {
-            let hunt = [
-                "run",
-                "--quiet",
-                "--release",
-                "-p",
-                "ncp-verifier",
-                "--",
-                "mutants",
-            ];
+            let hunt = ["run", "--quiet", "--release", "-p", "ncp-verifier", "--", "mutants"];
             work.tests(work.project.cargo(&hunt), count::mutants)
         },
     },
@@ -217,8 +173,7 @@ const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "
 
 /// The generated files of a folder are what would be generated.
 fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
-    let stale = generate::check(work.project, folder)
-        .map_err(|error| Failure::of_one(error.to_string()))?;
+    let stale = generate::check(work.project, folder).map_err(|error| Failure::of_one(error.to_string()))?;
     nothing_wrong(&stale, "\nif this is meant: cargo xtask generate")
 }
 
@@ -285,10 +240,7 @@ mod tests {
             {"name": "typescript", "state": "skipped", "reason": "node is not on PATH"},
         ]});
         let unchecked = unchecked_peers(&result).unwrap();
-        assert_eq!(
-            unchecked,
-            ["typescript was not checked: node is not on PATH"]
-        );
+        assert_eq!(unchecked, ["typescript was not checked: node is not on PATH"]);
         assert_eq!(unchecked_peers(&json!({})), None);
     }
 }

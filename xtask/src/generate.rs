@@ -21,16 +21,10 @@ pub(crate) fn write(project: &Project) -> Result<bool, Error> {
     for Stale { path, what } in &stale {
         let target = project.path(path);
         let written = match files.get(path) {
-            Some(text) => target
-                .parent()
-                .map_or(Ok(()), fs::create_dir_all)
-                .and_then(|()| fs::write(&target, text)),
+            Some(text) => target.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&target, text)),
             None => fs::remove_file(&target),
         };
-        written.map_err(|source| Error::File {
-            path: target,
-            source,
-        })?;
+        written.map_err(|source| Error::File { path: target, source })?;
         let done = match what {
             Difference::Missing => "new",
             Difference::Orphan => "removed",
@@ -88,16 +82,8 @@ impl fmt::Display for Stale {
         match &self.what {
             Difference::Missing => write!(f, "{path}: is missing"),
             Difference::Orphan => write!(f, "{path}: is not a generated file"),
-            Difference::Text {
-                line,
-                case,
-                is,
-                should_be,
-            } => {
-                let case = case
-                    .as_ref()
-                    .map(|case| format!(" (case {case})"))
-                    .unwrap_or_default();
+            Difference::Text { line, case, is, should_be } => {
+                let case = case.as_ref().map(|case| format!(" (case {case})")).unwrap_or_default();
                 writeln!(f, "{path}:{line}: is not what would be generated{case}")?;
                 writeln!(f, "  is:        {is}")?;
                 write!(f, "  should be: {should_be}")
@@ -146,21 +132,15 @@ fn header(project: &Project) -> Result<String, Error> {
     let config = cbindgen::Config::from_file(folder.join("cbindgen.toml"));
     let config = config.map_err(|error| failed(&error))?;
     // In the order in which a reader meets them.
-    let sources = [
-        "seed", "abi", "wire", "bulk", "safety", "control", "session",
-    ];
+    let sources = ["seed", "abi", "wire", "bulk", "safety", "control", "session"];
     let builder = cbindgen::Builder::new().with_config(config);
-    let builder = sources.iter().fold(builder, |builder, name| {
-        builder.with_src(folder.join(format!("src/{name}.rs")))
-    });
+    let builder = sources.iter().fold(builder, |builder, name| builder.with_src(folder.join(format!("src/{name}.rs"))));
     let bindings = builder.generate().map_err(|error| failed(&error))?;
     let mut text = Vec::new();
     bindings.write(&mut text);
     let text = String::from_utf8(text).map_err(|error| failed(&error))?;
     // What Rust calls the safety of a function, C calls its use.
-    Ok(text
-        .replace("const char * ", "const char *")
-        .replace("//\n// # Safety\n", ""))
+    Ok(text.replace("const char * ", "const char *").replace("//\n// # Safety\n", ""))
 }
 
 const HEADER: &str = "peers/cpp/include/ncp.h";
@@ -176,16 +156,10 @@ fn stale(project: &Project, files: &Files) -> Result<Vec<Stale>, Error> {
             Ok(is) => first_difference(&is, should_be),
             Err(error) if error.kind() == ErrorKind::NotFound => Difference::Missing,
             Err(source) => {
-                return Err(Error::File {
-                    path: project.path(path),
-                    source,
-                });
+                return Err(Error::File { path: project.path(path), source });
             }
         };
-        stale.push(Stale {
-            path: path.clone(),
-            what,
-        });
+        stale.push(Stale { path: path.clone(), what });
     }
     // A vector file that nothing generates would be run, but never be checked.
     let mut areas: Vec<_> = files
@@ -197,10 +171,7 @@ fn stale(project: &Project, files: &Files) -> Result<Vec<Stale>, Error> {
     for area in areas {
         for path in json_files(project, &area)? {
             if !files.contains_key(&path) {
-                stale.push(Stale {
-                    path,
-                    what: Difference::Orphan,
-                });
+                stale.push(Stale { path, what: Difference::Orphan });
             }
         }
     }
@@ -219,9 +190,7 @@ fn first_difference(is: &str, should_be: &str) -> Difference {
     let case = same.rfind(ID).map(|at| &same[at + ID.len()..]);
     Difference::Text {
         line: 1 + same.matches('\n').count(),
-        case: case
-            .and_then(|rest| rest.split('"').next())
-            .map(str::to_owned),
+        case: case.and_then(|rest| rest.split('"').next()).map(str::to_owned),
         is: around(&is[line_start..], column),
         should_be: around(&should_be[line_start..], column),
     }
@@ -235,17 +204,9 @@ fn around(text: &str, column: usize) -> String {
     const REACH: usize = 60;
     let line = text.split('\n').next().unwrap_or_default();
     let start = column.saturating_sub(REACH);
-    let shown: String = line
-        .chars()
-        .skip(start)
-        .take(column - start + REACH)
-        .collect();
+    let shown: String = line.chars().skip(start).take(column - start + REACH).collect();
     let more = line.chars().count() > column + REACH;
-    format!(
-        "{}{shown}{}",
-        if start > 0 { "…" } else { "" },
-        if more { "…" } else { "" }
-    )
+    format!("{}{shown}{}", if start > 0 { "…" } else { "" }, if more { "…" } else { "" })
 }
 
 /// The JSON files of a folder, by their paths within the project.
@@ -256,15 +217,9 @@ fn json_files(project: &Project, folder: &str) -> Result<Vec<String>, Error> {
         entries => entries.and_then(|entries| entries.collect::<Result<Vec<_>, _>>()),
     };
     let entries = entries.map_err(|source| Error::File { path, source })?;
-    let names = entries
-        .iter()
-        .filter_map(|entry| entry.file_name().into_string().ok());
+    let names = entries.iter().filter_map(|entry| entry.file_name().into_string().ok());
     let mut files: Vec<_> = names
-        .filter(|name| {
-            Path::new(name)
-                .extension()
-                .is_some_and(|extension| extension == "json")
-        })
+        .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "json"))
         .map(|name| format!("{folder}/{name}"))
         .collect();
     files.sort();
@@ -283,9 +238,7 @@ mod tests {
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(path, text).unwrap();
         }
-        let files = generated
-            .iter()
-            .map(|(path, text)| (path.to_string(), text.to_string()));
+        let files = generated.iter().map(|(path, text)| (path.to_string(), text.to_string()));
         let stale = stale(&Project::at(folder.path()), &files.collect()).unwrap();
         stale.iter().map(Stale::to_string).collect()
     }
@@ -298,16 +251,10 @@ mod tests {
 
     #[test]
     fn a_missing_file_and_one_that_nothing_generates_are_named() {
-        let there = [
-            ("vectors/wire/extra.json", "{}"),
-            ("vectors/src/json.json", "not an area"),
-        ];
+        let there = [("vectors/wire/extra.json", "{}"), ("vectors/src/json.json", "not an area")];
         assert_eq!(
             stale_of(&[("vectors/wire/b.json", "")], &there),
-            [
-                "vectors/wire/b.json: is missing",
-                "vectors/wire/extra.json: is not a generated file"
-            ]
+            ["vectors/wire/b.json: is missing", "vectors/wire/extra.json: is not a generated file"]
         );
     }
 
@@ -319,10 +266,7 @@ mod tests {
                 "{{\n\"cases\": [{{ \"id\": \"wire/a\", \"why\": \"{long}\" }},{{ \"id\": \"wire/b\", \"expect\": \"{expect}\", \"why\": \"{long}\" }}]\n}}\n"
             )
         };
-        let shown = stale_of(
-            &[("vectors/wire/c.json", &text("type"))],
-            &[("vectors/wire/c.json", &text("tÿpe"))],
-        );
+        let shown = stale_of(&[("vectors/wire/c.json", &text("type"))], &[("vectors/wire/c.json", &text("tÿpe"))]);
         insta::assert_snapshot!(shown.join("\n"), @r#"
         vectors/wire/c.json:2: is not what would be generated (case wire/b)
           is:        …xxxxxxxxxxxxxxxxxxxxxxxxxx" },{ "id": "wire/b", "expect": "tÿpe", "why": "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…
@@ -332,13 +276,7 @@ mod tests {
 
     #[test]
     fn a_file_that_is_cut_short_or_goes_on_is_stale() {
-        for (is, should_be) in [
-            ("a\nb", "a\nb\n"),
-            ("a\nb\nc", "a\nb"),
-            ("", "é"),
-            ("é", ""),
-            ("é", "è"),
-        ] {
+        for (is, should_be) in [("a\nb", "a\nb\n"), ("a\nb\nc", "a\nb"), ("", "é"), ("é", ""), ("é", "è")] {
             let stale = stale_of(&[("schemas/a.json", should_be)], &[("schemas/a.json", is)]);
             assert_eq!(stale.len(), 1, "{is:?} {should_be:?}");
         }

@@ -64,22 +64,14 @@ fn main() -> ExitCode {
         Ok(_) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("error: {error}");
-            ExitCode::from(if matches!(error, Error::Usage { .. }) {
-                2
-            } else {
-                1
-            })
+            ExitCode::from(if matches!(error, Error::Usage { .. }) { 2 } else { 1 })
         }
     }
 }
 
 /// Carries out a command line; `false` is a command that ran and found something wrong.
 fn run(args: &[&str]) -> Result<bool, Error> {
-    if args.is_empty()
-        || args
-            .iter()
-            .any(|arg| matches!(*arg, "-h" | "--help" | "help"))
-    {
+    if args.is_empty() || args.iter().any(|arg| matches!(*arg, "-h" | "--help" | "help")) {
         print!("{USAGE}");
         return Ok(!args.is_empty());
     }
@@ -93,15 +85,11 @@ fn run(args: &[&str]) -> Result<bool, Error> {
         ["generate"] => generate::write(&project),
         ["generate", "--check"] => generate::report_stale(&project),
         ["fuzz", options @ ..] => fuzz::run(&project, options),
-        ["prove", options @ ..] if options.contains(&"--mutate") => {
-            mutate_kernel::run(&project, options)
-        }
+        ["prove", options @ ..] if options.contains(&"--mutate") => mutate_kernel::run(&project, options),
         ["prove", engines @ ..] => prove::run(&project, engines),
         ["mutate-spec", options @ ..] => mutate_spec::run(&project, options),
         ["setup"] => setup::all(&project),
-        _ => Err(Error::Usage {
-            what: format!("`{}` is no command", args.join(" ")),
-        }),
+        _ => Err(Error::Usage { what: format!("`{}` is no command", args.join(" ")) }),
     }
 }
 

@@ -18,16 +18,12 @@ impl Project {
     /// The program was not started by cargo, which says where it lies.
     pub(crate) fn find() -> Result<Self, Error> {
         let xtask = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(Error::NoProject)?;
-        Ok(Self::at(
-            Path::new(&xtask).parent().ok_or(Error::NoProject)?,
-        ))
+        Ok(Self::at(Path::new(&xtask).parent().ok_or(Error::NoProject)?))
     }
 
     /// The project in a folder.
     pub(crate) fn at(root: &Path) -> Self {
-        Self {
-            root: root.to_owned(),
-        }
+        Self { root: root.to_owned() }
     }
 
     /// A path within the project.
@@ -36,12 +32,7 @@ impl Project {
     }
 
     /// A program, to be started in a folder of the project without input and colours.
-    pub(crate) fn program(
-        &self,
-        program: impl Into<OsString>,
-        args: &[&str],
-        folder: &str,
-    ) -> Command {
+    pub(crate) fn program(&self, program: impl Into<OsString>, args: &[&str], folder: &str) -> Command {
         let mut command = Command::new(program.into());
         command
             .args(args)
@@ -64,8 +55,5 @@ pub(crate) fn shown(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let program = program.file_stem().unwrap_or(program.as_os_str());
     let words = std::iter::once(program).chain(command.get_args());
-    words
-        .map(|word| word.to_string_lossy().into_owned())
-        .collect::<Vec<_>>()
-        .join(" ")
+    words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
 }

@@ -100,11 +100,7 @@ fn machine(project: &Project, angr: impl FnOnce() -> bool) -> Result<bool, Error
     if !angr() {
         return Ok(true);
     }
-    start(project.program(
-        OsString::from("proofs/machine/prove.sh"),
-        &["--json", MACHINE],
-        "",
-    ))
+    start(project.program(OsString::from("proofs/machine/prove.sh"), &["--json", MACHINE], ""))
 }
 
 /// Installs what explores machine code; `false`, and why, where that cannot be had.
@@ -122,20 +118,13 @@ fn forget(project: &Project, file: &str) {
 }
 
 fn start(mut command: std::process::Command) -> Result<bool, Error> {
-    let status = command.status().map_err(|source| Error::File {
-        path: command.get_program().into(),
-        source,
-    })?;
+    let status = command.status().map_err(|source| Error::File { path: command.get_program().into(), source })?;
     Ok(status.success())
 }
 
 /// What is wrong with the report: missing, or about other sources.
 pub(crate) fn stale(project: &Project) -> Vec<String> {
-    stale_at(&project.path(""))
-        .err()
-        .map(|why| format!("{REPORT}: {why}; cargo xtask prove"))
-        .into_iter()
-        .collect()
+    stale_at(&project.path("")).err().map(|why| format!("{REPORT}: {why}; cargo xtask prove")).into_iter().collect()
 }
 
 fn stale_at(root: &Path) -> Result<(), String> {

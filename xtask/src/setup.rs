@@ -20,12 +20,7 @@ const CARGO_ROOT: &str = ".tools";
 const SOLVERS_VENV: &str = ".tools/proofs-venv";
 const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
 const ANGR_VENV: &str = ".tools/machine-venv";
-const ANGR: [&str; 4] = [
-    "angr==9.2.213",
-    "bitstring==4.4.0",
-    "pycparser==3.0",
-    "bitwuzla==0.9.1",
-];
+const ANGR: [&str; 4] = ["angr==9.2.213", "bitstring==4.4.0", "pycparser==3.0", "bitwuzla==0.9.1"];
 const TYPESCRIPT: &str = "peers/typescript";
 const PYTHON: &str = "peers/python";
 /// Where its `build.py` installs it.
@@ -56,31 +51,17 @@ pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
 /// # Errors
 /// No Python, or one that cannot make a virtual environment, or no PyPI.
 pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
-    let bin = project
-        .path(VENV)
-        .join(if cfg!(windows) { "Scripts" } else { "bin" });
+    let bin = project.path(VENV).join(if cfg!(windows) { "Scripts" } else { "bin" });
     let buf = bin.join("buf");
     if version(&mut Command::new(&buf)).is_some_and(|version| version == BUF_VERSION) {
         return Ok(buf);
     }
     let python = find_python()?;
-    say(&format!(
-        "installing buf {BUF_VERSION} (buf-bin, from PyPI) into {VENV}"
-    ));
-    carry_out(project.program(python, &["-m", "venv", "--clear", VENV], "")).map_err(
-        |failure| SetupError::Venv {
-            failure: Box::new(failure),
-        },
-    )?;
+    say(&format!("installing buf {BUF_VERSION} (buf-bin, from PyPI) into {VENV}"));
+    carry_out(project.program(python, &["-m", "venv", "--clear", VENV], ""))
+        .map_err(|failure| SetupError::Venv { failure: Box::new(failure) })?;
     let package = format!("buf-bin=={BUF_VERSION}");
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-        &package,
-    ];
+    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", &package];
     carry_out(project.program(bin.join("python"), &pip, ""))?;
     Ok(buf)
 }
@@ -109,16 +90,12 @@ fn python_packages(
     packages: &[&str],
     say: Say<'_>,
 ) -> Result<(), SetupError> {
-    let bin = project
-        .path(venv)
-        .join(if cfg!(windows) { "Scripts" } else { "bin" });
+    let bin = project.path(venv).join(if cfg!(windows) { "Scripts" } else { "bin" });
     let python = bin.join("python");
     // What was installed is noted beside it: other pins are another environment.
     let (note, pins) = (project.path(venv).join("packages.txt"), packages.join("\n"));
     let has_modules = || {
-        let import = Command::new(&python)
-            .args(["-c", &format!("import {modules}")])
-            .output();
+        let import = Command::new(&python).args(["-c", &format!("import {modules}")]).output();
         import.is_ok_and(|output| output.status.success())
     };
     if fs::read_to_string(&note).is_ok_and(|noted| noted == pins) && has_modules() {
@@ -127,22 +104,11 @@ fn python_packages(
     let system = ["python3", "python"]
         .into_iter()
         .find(|python| version(&mut Command::new(python)).is_some())
-        .ok_or(SetupError::Missing {
-            tool: "python3",
-            remedy: "install Python 3.9 or later",
-        })?;
+        .ok_or(SetupError::Missing { tool: "python3", remedy: "install Python 3.9 or later" })?;
     say(&format!("installing {modules} (from PyPI) into {venv}"));
-    let failed = |failure| SetupError::Venv {
-        failure: Box::new(failure),
-    };
+    let failed = |failure| SetupError::Venv { failure: Box::new(failure) };
     carry_out(project.program(system, &["-m", "venv", "--clear", venv], "")).map_err(failed)?;
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-    ];
+    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
     carry_out(project.program(&python, &[&pip[..], packages].concat(), ""))?;
     fs::write(&note, pins).map_err(|source| SetupError::File { path: note, source })
 }
@@ -155,22 +121,15 @@ pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupErr
     let folder = project.path(TYPESCRIPT);
     // npm leaves a copy of the lock file when it has installed everything.
     let changed = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());
-    let wanted = changed("package-lock.json").map_err(|source| SetupError::File {
-        path: folder.join("package-lock.json"),
-        source,
-    })?;
+    let wanted = changed("package-lock.json")
+        .map_err(|source| SetupError::File { path: folder.join("package-lock.json"), source })?;
     if changed("node_modules/.package-lock.json").is_ok_and(|installed| installed >= wanted) {
         return Ok(());
     }
     if version(&mut Command::new(NPM)).is_none() {
-        return Err(SetupError::Missing {
-            tool: "npm",
-            remedy: "install Node.js 20 or later",
-        });
+        return Err(SetupError::Missing { tool: "npm", remedy: "install Node.js 20 or later" });
     }
-    say(&format!(
-        "installing the packages of {TYPESCRIPT} (npm ci) into its node_modules"
-    ));
+    say(&format!("installing the packages of {TYPESCRIPT} (npm ci) into its node_modules"));
     carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], TYPESCRIPT))
 }
 
@@ -205,9 +164,7 @@ pub(crate) fn browser(project: &Project, say: Say<'_>) -> Result<(), SetupError>
 /// No Python, one that cannot make a virtual environment, no PyPI, or code that does not compile.
 pub(crate) fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let python = find_python()?;
-    say(&format!(
-        "building the module of {PYTHON} (maturin, from PyPI) into {PYTHON_VENV}"
-    ));
+    say(&format!("building the module of {PYTHON} (maturin, from PyPI) into {PYTHON_VENV}"));
     carry_out(project.program(python, &["build.py", "--tests"], PYTHON))?;
     let bin = if cfg!(windows) { "Scripts" } else { "bin" };
     Ok(project.path(PYTHON_VENV).join(bin).join("python"))
@@ -217,12 +174,7 @@ pub(crate) fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupEr
 ///
 /// # Errors
 /// No registry, or it does not build here.
-pub(crate) fn program(
-    project: &Project,
-    name: &str,
-    pinned: &str,
-    say: Say<'_>,
-) -> Result<PathBuf, SetupError> {
+pub(crate) fn program(project: &Project, name: &str, pinned: &str, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let program = project.path(CARGO_ROOT).join("bin").join(name);
     // As a subcommand of cargo, it says its version when it gets its own name first.
     let subcommand = name.trim_start_matches("cargo-");
@@ -230,22 +182,10 @@ pub(crate) fn program(
     if version(ask.arg(subcommand)).is_some_and(|version| version.ends_with(pinned)) {
         return Ok(program);
     }
-    say(&format!(
-        "installing {name} {pinned} (from crates.io) into {CARGO_ROOT}"
-    ));
+    say(&format!("installing {name} {pinned} (from crates.io) into {CARGO_ROOT}"));
     let root = project.path(CARGO_ROOT);
     let root = root.to_string_lossy();
-    let install = [
-        "install",
-        "--quiet",
-        "--locked",
-        "--force",
-        "--version",
-        pinned,
-        "--root",
-        &root,
-        name,
-    ];
+    let install = ["install", "--quiet", "--locked", "--force", "--version", pinned, "--root", &root, name];
     carry_out(project.cargo(&install))?;
     Ok(program)
 }
@@ -257,18 +197,11 @@ pub(crate) const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 #[derive(Debug, Error)]
 pub(crate) enum SetupError {
     #[error("{tool} is missing: {remedy}")]
-    Missing {
-        tool: &'static str,
-        remedy: &'static str,
-    },
+    Missing { tool: &'static str, remedy: &'static str },
     #[error("cannot make a virtual environment (on Debian: install python3-venv)\n{failure}")]
     Venv { failure: Box<SetupError> },
     #[error("{command} ended with {status}\n{output}")]
-    Failed {
-        command: String,
-        status: String,
-        output: String,
-    },
+    Failed { command: String, status: String, output: String },
     #[error("{command} could not be started: {source}")]
     Start { command: String, source: io::Error },
     #[error("{}: {source}", path.display())]
@@ -288,13 +221,7 @@ fn debian(
         return Ok(());
     }
     say(&format!("installing {package} (Debian, by apt-get)"));
-    let install = [
-        "apt-get",
-        "install",
-        "--yes",
-        "--no-install-recommends",
-        package,
-    ];
+    let install = ["apt-get", "install", "--yes", "--no-install-recommends", package];
     // As root, or as somebody who may become root without being asked.
     let as_root = |command: &[&str]| {
         carry_out(project.program(command[0], &command[1..], ""))
@@ -316,10 +243,7 @@ fn find_python() -> Result<&'static str, SetupError> {
     ["python3", "python"]
         .into_iter()
         .find(|python| version(&mut Command::new(python)).is_some())
-        .ok_or(SetupError::Missing {
-            tool: "python3",
-            remedy: "install Python 3.9 or later",
-        })
+        .ok_or(SetupError::Missing { tool: "python3", remedy: "install Python 3.9 or later" })
 }
 
 /// Runs a program to its end without showing what it prints, unless it fails.
@@ -330,10 +254,7 @@ pub(crate) fn carry_out(mut command: Command) -> Result<(), SetupError> {
     io::stdout().flush().ok();
     let shown = project::shown(&command);
     let result = command.output();
-    let output = result.map_err(|source| SetupError::Start {
-        command: shown.clone(),
-        source,
-    })?;
+    let output = result.map_err(|source| SetupError::Start { command: shown.clone(), source })?;
     if output.status.success() {
         return Ok(());
     }
@@ -348,8 +269,5 @@ pub(crate) fn carry_out(mut command: Command) -> Result<(), SetupError> {
 /// What a program prints for `--version`, or `None` when it cannot be run.
 fn version(program: &mut Command) -> Option<String> {
     let output = program.arg("--version").output().ok()?;
-    output
-        .status
-        .success()
-        .then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }

@@ -29,18 +29,11 @@ pub(crate) fn select(mut args: &[&str]) -> Result<Vec<&'static Check>, Error> {
         match args {
             [] if names.is_empty() => return Ok(CHECKS.iter().collect()),
             [] => {
-                return Ok(CHECKS
-                    .iter()
-                    .filter(|check| names.contains(&check.name))
-                    .collect());
+                return Ok(CHECKS.iter().filter(|check| names.contains(&check.name)).collect());
             }
             ["--only", name, rest @ ..] => {
                 let check = CHECKS.iter().find(|check| check.name == *name);
-                names.push(
-                    check
-                        .ok_or_else(|| usage(&format!("`{name}` is no check")))?
-                        .name,
-                );
+                names.push(check.ok_or_else(|| usage(&format!("`{name}` is no check")))?.name);
                 args = rest;
             }
             [other, ..] => return Err(usage(&format!("`{other}` is no option of `test`"))),
@@ -55,21 +48,14 @@ pub(crate) fn select(mut args: &[&str]) -> Result<Vec<&'static Check>, Error> {
 /// A log cannot be written.
 pub(crate) fn run(project: &Project, checks: &[&Check]) -> Result<bool, Error> {
     let logs = project.path(LOGS);
-    fs::create_dir_all(&logs).map_err(|source| Error::File {
-        path: logs.clone(),
-        source,
-    })?;
+    fs::create_dir_all(&logs).map_err(|source| Error::File { path: logs.clone(), source })?;
     let mut screen = Screen::new();
     let mut total = Count::default();
     for check in checks {
         screen.begin(check.name);
         let start = Instant::now();
         let log = logs.join(format!("{}.log", check.name));
-        let outcome = (check.run)(&mut Work {
-            project,
-            log,
-            screen: &mut screen,
-        });
+        let outcome = (check.run)(&mut Work { project, log, screen: &mut screen });
         screen.end(check.name, start.elapsed(), &outcome);
         total += match outcome {
             Ok(count) | Err(Failure { count, .. }) => count,
@@ -99,10 +85,7 @@ pub(crate) struct Failure {
 impl Failure {
     /// A check that is one test, and failed.
     pub(crate) fn of_one(text: String) -> Self {
-        Self {
-            count: Count::one(false),
-            text,
-        }
+        Self { count: Count::one(false), text }
     }
 }
 
@@ -136,11 +119,7 @@ impl Work<'_> {
     ///
     /// # Errors
     /// It did not succeed, or could not be started.
-    pub(crate) fn tests(
-        &mut self,
-        mut program: Command,
-        counter: fn(&str) -> Count,
-    ) -> Result<Count, Failure> {
+    pub(crate) fn tests(&mut self, mut program: Command, counter: fn(&str) -> Count) -> Result<Count, Failure> {
         let shown = project::shown(&program);
         let unusable = |error| Failure::of_one(format!("{}: {error}", self.log.display()));
         let out = File::create(&self.log).map_err(unusable)?;
@@ -173,9 +152,7 @@ impl Work<'_> {
 const LOGS: &str = ".tools/logs";
 
 fn usage(what: &str) -> Error {
-    Error::Usage {
-        what: format!("{what}; `cargo xtask test --list` shows the checks"),
-    }
+    Error::Usage { what: format!("{what}; `cargo xtask test --list` shows the checks") }
 }
 
 /// What matters most of what a failed program printed: the failures that test programs
@@ -213,10 +190,7 @@ struct Screen {
 impl Screen {
     fn new() -> Self {
         let live = io::stdout().is_terminal();
-        Self {
-            live,
-            colours: live && std::env::var_os("NO_COLOR").is_none(),
-        }
+        Self { live, colours: live && std::env::var_os("NO_COLOR").is_none() }
     }
 
     /// Shows which check is at work.
@@ -241,11 +215,7 @@ impl Screen {
             Err(Failure { count, text }) => ("FAILED", "31", count, text.as_str()),
         };
         let state = format!("{state:8}");
-        let state = if self.colours {
-            format!("\x1b[{colour}m{state}\x1b[0m")
-        } else {
-            state
-        };
+        let state = if self.colours { format!("\x1b[{colour}m{state}\x1b[0m") } else { state };
         let tests = match count {
             Count { passed, failed } if passed + failed < 2 => String::new(),
             Count { passed, failed: 0 } => format!("   {passed} passed"),
@@ -270,26 +240,15 @@ mod tests {
 
     #[test]
     fn only_selects_checks_in_their_own_order() {
-        let names = |args: &[&str]| -> Vec<_> {
-            select(args)
-                .unwrap()
-                .into_iter()
-                .map(|check| check.name)
-                .collect()
-        };
-        assert_eq!(
-            names(&["--only", "rust", "--only", "format"]),
-            ["format", "rust"]
-        );
+        let names = |args: &[&str]| -> Vec<_> { select(args).unwrap().into_iter().map(|check| check.name).collect() };
+        assert_eq!(names(&["--only", "rust", "--only", "format"]), ["format", "rust"]);
         assert_eq!(names(&[]).len(), CHECKS.len());
     }
 
     #[test]
     fn an_unknown_check_or_option_is_said() {
         for args in [&["--only", "nonsense"][..], &["--only"], &["rust"]] {
-            let Err(error) = select(args) else {
-                panic!("{args:?} was accepted")
-            };
+            let Err(error) = select(args) else { panic!("{args:?} was accepted") };
             assert!(error.to_string().contains("--list"), "{error}");
         }
     }
@@ -329,11 +288,7 @@ mod tests {
             let folder = tempfile::tempdir().unwrap();
             let project = Project::at(folder.path());
             let (log, mut screen) = (folder.path().join("log"), Screen::new());
-            let mut work = Work {
-                project: &project,
-                log,
-                screen: &mut screen,
-            };
+            let mut work = Work { project: &project, log, screen: &mut screen };
             let program = project.program(program, args, "");
             work.tests(program, crate::count::cargo)
         }
@@ -344,30 +299,14 @@ mod tests {
 
         #[test]
         fn a_program_that_succeeds_without_tests_is_one_passed_test() {
-            assert_eq!(
-                shell("echo fine").unwrap(),
-                Count {
-                    passed: 1,
-                    failed: 0
-                }
-            );
+            assert_eq!(shell("echo fine").unwrap(), Count { passed: 1, failed: 0 });
         }
 
         #[test]
         fn a_program_that_fails_before_any_test_is_one_failed_test() {
             let failure = shell("echo 'error: no such thing' >&2; exit 3").unwrap_err();
-            assert_eq!(
-                failure.count,
-                Count {
-                    passed: 0,
-                    failed: 1
-                }
-            );
-            assert!(
-                failure.text.contains("error: no such thing"),
-                "{}",
-                failure.text
-            );
+            assert_eq!(failure.count, Count { passed: 0, failed: 1 });
+            assert!(failure.text.contains("error: no such thing"), "{}", failure.text);
             assert!(failure.text.contains("exit status: 3"), "{}", failure.text);
         }
 
@@ -375,30 +314,14 @@ mod tests {
         fn a_crash_behind_passed_tests_is_a_failed_test() {
             let script = "echo 'test result: ok. 7 passed; 0 failed; 0 ignored'; kill -ABRT $$";
             let failure = shell(script).unwrap_err();
-            assert_eq!(
-                failure.count,
-                Count {
-                    passed: 7,
-                    failed: 1
-                }
-            );
+            assert_eq!(failure.count, Count { passed: 7, failed: 1 });
         }
 
         #[test]
         fn a_program_that_cannot_be_started_is_named() {
             let failure = tests("no-such-program-anywhere", &[]).unwrap_err();
-            assert_eq!(
-                failure.count,
-                Count {
-                    passed: 0,
-                    failed: 1
-                }
-            );
-            assert!(
-                failure.text.contains("no-such-program-anywhere"),
-                "{}",
-                failure.text
-            );
+            assert_eq!(failure.count, Count { passed: 0, failed: 1 });
+            assert!(failure.text.contains("no-such-program-anywhere"), "{}", failure.text);
         }
     }
 }

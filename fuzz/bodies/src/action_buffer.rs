@@ -82,9 +82,7 @@ pub fn action_buffer_trace(input: &[u8]) {
             }
             Step::Command(arrival) => {
                 let command = arrival.build(number);
-                let frame = arrival
-                    .damage
-                    .and_then(|damage| Some((damage, command.encode().ok()?)));
+                let frame = arrival.damage.and_then(|damage| Some((damage, command.encode().ok()?)));
                 match frame {
                     None => {
                         buffer.on_command(command, arrival.now_s);
@@ -184,9 +182,7 @@ impl Arrival {
             mode: mode(self.mode),
             ttl_ms: self.ttl_ms,
             channels: tick(0),
-            horizon: (0..self.length())
-                .map(|step| tick(step.saturating_add(1)))
-                .collect(),
+            horizon: (0..self.length()).map(|step| tick(step.saturating_add(1))).collect(),
             horizon_dt_ms: self.dt_ms,
             ..CommandFrame::default()
         }
@@ -205,9 +201,6 @@ impl Damage {
 }
 
 fn marks(channels: &ChannelMap) -> Marks {
-    let data = &channels
-        .get("arm")
-        .expect("the channel of every command")
-        .data;
+    let data = &channels.get("arm").expect("the channel of every command").data;
     (data[0], data[1])
 }

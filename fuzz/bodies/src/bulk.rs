@@ -32,20 +32,14 @@ pub fn bulk_decode(input: &[u8]) {
     let columns = block.as_ref().ok().map(to_columns);
     assert_eq!(columns, expected);
     if let (Ok(block), Some(columns)) = (block, expected) {
-        assert_eq!(
-            (block.len(), block.is_empty()),
-            (columns.len(), columns.is_empty())
-        );
+        assert_eq!((block.len(), block.is_empty()), (columns.len(), columns.is_empty()));
         assert_eq!(block.bytes(), input);
         assert!(format!("{block:?}").matches("dtype: ").count() >= columns.len());
         assert_eq!(format!("{columns:?}"), format!("{:?}", block.to_columns()));
         assert_eq!(block.columns().rev().count(), columns.len());
         for (nth, column) in columns.iter().enumerate() {
             let view = block.column(nth).expect("a column that was counted");
-            assert_eq!(
-                (view.name(), view.rows()),
-                (column.name.as_str(), column.data.len())
-            );
+            assert_eq!((view.name(), view.rows()), (column.name.as_str(), column.data.len()));
             assert_eq!(block.find(&column.name).map(|(at, _)| at), Some(nth));
             match &column.data {
                 ColumnData::F32(values) => {
@@ -77,10 +71,7 @@ pub fn bulk_roundtrip(input: &[u8]) {
         Ok(block) => {
             assert!(distinct, "two columns have one name");
             assert_eq!(slow::decode(&block).as_ref(), Some(&columns));
-            assert_eq!(
-                Block::parse(&block).map(|block| block.to_columns()),
-                Ok(columns.clone())
-            );
+            assert_eq!(Block::parse(&block).map(|block| block.to_columns()), Ok(columns.clone()));
             assert_eq!(block, slow::encode(&columns));
         }
     }
@@ -92,28 +83,14 @@ pub fn bulk_roundtrip(input: &[u8]) {
 // [NCP-BULK-024]
 pub fn bulk_memory(input: &[u8]) {
     let (parsed, bytes) = memory::counted(|| Block::parse(input).is_ok());
-    assert!(
-        bytes <= input.len(),
-        "{bytes} bytes to check {}",
-        input.len()
-    );
+    assert!(bytes <= input.len(), "{bytes} bytes to check {}", input.len());
     let (columns, bytes) = memory::counted(|| parse_and_copy(input));
-    let own = columns
-        .as_ref()
-        .map_or(0, |columns| columns.capacity() * size_of::<Column>());
+    let own = columns.as_ref().map_or(0, |columns| columns.capacity() * size_of::<Column>());
     assert_eq!(columns.is_some(), parsed);
     // What is checked first is given back before the copy; both count here.
-    assert!(
-        bytes <= 2 * input.len() + own,
-        "{bytes} bytes to read {}",
-        input.len()
-    );
+    assert!(bytes <= 2 * input.len() + own, "{bytes} bytes to read {}", input.len());
     let (_, bytes) = memory::counted(|| unpack(input));
-    assert!(
-        bytes <= 2 * input.len(),
-        "{bytes} bytes to unpack {}",
-        input.len()
-    );
+    assert!(bytes <= 2 * input.len(), "{bytes} bytes to unpack {}", input.len());
 }
 
 /// A block as a person reads it.
@@ -153,24 +130,16 @@ plain! {
 impl Plain for Columns {
     fn get(source: &mut Unstructured<'_>) -> Result<Self> {
         let columns = Vec::<Spelled>::get(source)?.into_iter();
-        Ok(Self(
-            columns
-                .map(|Spelled { name, values }| Column::new(name, values.data()))
-                .collect(),
-        ))
+        Ok(Self(columns.map(|Spelled { name, values }| Column::new(name, values.data())).collect()))
     }
 
     fn put(&self, out: &mut Vec<u8>) {
         let columns = self.0.iter().map(|Column { name, data }| Spelled {
             name: name.clone(),
             values: match data {
-                ColumnData::F32(values) => {
-                    Values::F32(values.iter().map(|value| value.to_bits().into()).collect())
-                }
+                ColumnData::F32(values) => Values::F32(values.iter().map(|value| value.to_bits().into()).collect()),
                 ColumnData::F64(values) => Values::F64(values.clone()),
-                ColumnData::I32(values) => {
-                    Values::I32(values.iter().map(|value| (*value).into()).collect())
-                }
+                ColumnData::I32(values) => Values::I32(values.iter().map(|value| (*value).into()).collect()),
                 ColumnData::I64(values) => Values::I64(values.clone()),
             },
         });
@@ -182,15 +151,9 @@ impl Values {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     fn data(self) -> ColumnData {
         match self {
-            Self::F32(bits) => ColumnData::F32(
-                bits.into_iter()
-                    .map(|bits| f32::from_bits(bits as u32))
-                    .collect(),
-            ),
+            Self::F32(bits) => ColumnData::F32(bits.into_iter().map(|bits| f32::from_bits(bits as u32)).collect()),
             Self::F64(values) => ColumnData::F64(values),
-            Self::I32(values) => {
-                ColumnData::I32(values.into_iter().map(|value| value as i32).collect())
-            }
+            Self::I32(values) => ColumnData::I32(values.into_iter().map(|value| value as i32).collect()),
             Self::I64(values) => ColumnData::I64(values),
         }
     }
@@ -216,20 +179,13 @@ impl Bits for i32 {
     }
 }
 
-fn views_agree<T: Element + PartialEq>(
-    view: &ncp_spec::bulk::ColumnView<'_>,
-    values: &[T],
-    bits: fn(T) -> u64,
-) {
+fn views_agree<T: Element + PartialEq>(view: &ncp_spec::bulk::ColumnView<'_>, values: &[T], bits: fn(T) -> u64) {
     let of = |values: &[T]| values.iter().map(|value| bits(*value)).collect::<Vec<_>>();
     assert_eq!(view.dtype(), T::DTYPE);
     assert_eq!(Dtype::parse(&view.dtype().to_string()), Some(T::DTYPE));
     assert_eq!(view.bytes().len(), values.len() * T::DTYPE.size());
     assert_eq!(of(&view.to_vec::<T>().unwrap()), of(values));
-    assert_eq!(
-        of(&view.iter::<T>().unwrap().collect::<Vec<_>>()),
-        of(values)
-    );
+    assert_eq!(of(&view.iter::<T>().unwrap().collect::<Vec<_>>()), of(values));
     if let Some(slice) = view.as_slice::<T>() {
         assert_eq!(of(slice), of(values));
     }
@@ -266,12 +222,7 @@ fn judge_pack(columns: &[Column]) {
     let packed = pack_observation(&observation);
     assert_eq!(packed.is_ok(), rows.len() < 2);
     if let Ok(block) = packed {
-        let bits = |values: &[f64]| {
-            values
-                .iter()
-                .map(|value| value.to_bits())
-                .collect::<Vec<_>>()
-        };
+        let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
         let back = unpack(&block).expect("what was packed is unpacked");
         assert_eq!((bits(&back.0), bits(&back.1)), (bits(times), bits(values)));
         assert_eq!(back.2, senders);
@@ -365,11 +316,7 @@ mod slow {
         let mut directory = Vec::new();
         let mut data = Vec::new();
         let pool = 12 + 16 * columns.len();
-        let start = pool
-            + columns
-                .iter()
-                .map(|column| column.name.len())
-                .sum::<usize>();
+        let start = pool + columns.iter().map(|column| column.name.len()).sum::<usize>();
         for Column { name, data: values } in columns {
             while !(start + data.len()).is_multiple_of(8) {
                 data.push(0);
@@ -400,12 +347,7 @@ mod slow {
 
     fn little(bytes: &[u8], at: usize, len: usize) -> Option<u64> {
         let bytes = bytes.get(at..at + len)?;
-        Some(
-            bytes
-                .iter()
-                .rev()
-                .fold(0, |number, byte| number << 8 | u64::from(*byte)),
-        )
+        Some(bytes.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte)))
     }
 
     /// The bytes of a region that nobody owned before.

@@ -30,11 +30,7 @@ pub fn canonical_proto(input: &[u8]) {
         format!("syntax = \"proto3\";\npackage ncp.v0;\n{canonical}\n  option x = 1;\n// end"),
     ];
     for edited in edits {
-        assert_eq!(
-            fnv1a_64(canonical_text(&edited).as_bytes()),
-            hash,
-            "{edited:?}"
-        );
+        assert_eq!(fnv1a_64(canonical_text(&edited).as_bytes()), hash, "{edited:?}");
     }
 }
 
@@ -103,11 +99,7 @@ fn by_states(text: &str) -> String {
     let mut canonical: Vec<&str> = Vec::new();
     for line in bare.split('\n').map(str::trim) {
         let words = ["syntax", "package ", "import ", "option "];
-        if !line.is_empty()
-            && words
-                .into_iter()
-                .all(|word| line.strip_prefix(word).is_none())
-        {
+        if !line.is_empty() && words.into_iter().all(|word| line.strip_prefix(word).is_none()) {
             canonical.push(line);
         }
     }

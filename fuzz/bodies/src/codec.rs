@@ -54,57 +54,31 @@ plain! {
 pub fn codec(input: &[u8]) {
     let run = read::<Run>(input);
     let ties: Vec<_> = run.ties.iter().map(Tie::build).collect();
-    let codec = RateCodec {
-        encoders: ties.clone(),
-        decoders: ties.clone(),
-    };
+    let codec = RateCodec { encoders: ties.clone(), decoders: ties.clone() };
     let usable: Vec<_> = ties.iter().filter(|tie| tie.component < 4_096).collect();
 
     let sensor = run.sensor.as_ref().map(|channels| SensorFrame {
-        channels: channels
-            .iter()
-            .map(|(name, data)| (name.0, ChannelValue::without_unit(data.clone())))
-            .collect(),
+        channels: channels.iter().map(|(name, data)| (name.0, ChannelValue::without_unit(data.clone()))).collect(),
         ..SensorFrame::default()
     });
     let rates = codec.encode(sensor.as_ref());
-    let populations: BTreeMap<_, _> = usable
-        .iter()
-        .map(|tie| (tie.population.to_string(), *tie))
-        .collect();
+    let populations: BTreeMap<_, _> = usable.iter().map(|tie| (tie.population.to_string(), *tie)).collect();
     assert!(rates.keys().eq(populations.keys()));
     for (population, tie) in populations {
         let sensor = sensor.as_ref();
-        let value =
-            sensor.and_then(|frame| frame.channels.get(&tie.channel)?.data.get(tie.component));
-        judge(
-            value.copied(),
-            tie.value_range,
-            tie.rate_range,
-            rates[&population],
-        );
+        let value = sensor.and_then(|frame| frame.channels.get(&tie.channel)?.data.get(tie.component));
+        judge(value.copied(), tie.value_range, tie.rate_range, rates[&population]);
     }
 
-    let rates: Rates = run
-        .rates
-        .iter()
-        .map(|(name, rate)| (name.0.to_owned(), *rate))
-        .collect();
+    let rates: Rates = run.rates.iter().map(|(name, rate)| (name.0.to_owned(), *rate)).collect();
     let command = codec.decode(&rates, 2.5, 7, "world", Mode::Active);
-    assert_eq!(
-        (command.t, command.seq, command.mode),
-        (2.5, 7, Mode::Active)
-    );
+    assert_eq!((command.t, command.seq, command.mode), (2.5, 7, Mode::Active));
     let mut components: BTreeMap<(&str, usize), &Mapping> = BTreeMap::new();
     for tie in usable {
         components.insert((tie.channel.as_ref(), tie.component), tie);
     }
     for (name, channel) in command.channels.iter() {
-        let widest = components
-            .keys()
-            .filter(|(of, _)| *of == name)
-            .map(|(_, nth)| nth + 1)
-            .max();
+        let widest = components.keys().filter(|(of, _)| *of == name).map(|(_, nth)| nth + 1).max();
         assert_eq!(Some(channel.data.len()), widest);
         for (nth, component) in channel.data.iter().enumerate() {
             match components.get(&(name, nth)) {
@@ -116,9 +90,7 @@ pub fn codec(input: &[u8]) {
             }
         }
     }
-    let named = components
-        .keys()
-        .all(|(name, _)| command.channels.contains_key(name));
+    let named = components.keys().all(|(name, _)| command.channels.contains_key(name));
     assert!(named, "a channel is missing");
 }
 
@@ -130,11 +102,7 @@ impl Tie {
             rate_range: self.rate_range,
             ..Mapping::new(
                 self.channel.0,
-                if component < 250 {
-                    component
-                } else {
-                    component + 3_840
-                },
+                if component < 250 { component } else { component + 3_840 },
                 self.population.0,
             )
         }
@@ -148,32 +116,20 @@ fn judge(value: Option<f64>, from: (f64, f64), to: (f64, f64), mapped: f64) {
         return;
     }
     let (low, high) = (to.0.min(to.1), to.0.max(to.1));
-    assert!(
-        (low..=high).contains(&mapped),
-        "{mapped} is outside {low} … {high}"
-    );
+    assert!((low..=high).contains(&mapped), "{mapped} is outside {low} … {high}");
     let length = from.1 - from.0;
     let usable = value.filter(|value| value.is_finite() && length.is_finite() && length != 0.0);
     let size = high.abs().max(low.abs());
     let Some(value) = usable else {
         let middle = to.0 / 2.0 + to.1 / 2.0;
-        assert!(
-            (mapped - middle).abs() <= 1e-9 * size + 1e-300,
-            "{mapped} is not the middle {middle}"
-        );
+        assert!((mapped - middle).abs() <= 1e-9 * size + 1e-300, "{mapped} is not the middle {middle}");
         return;
     };
     // Where every difference is exact to a few digits; elsewhere the range is what is checked.
     let tame = |x: f64| x == 0.0 || (1e-6..=1e9).contains(&x.abs());
-    if [value, from.0, from.1, to.0, to.1, length]
-        .into_iter()
-        .all(tame)
-    {
+    if [value, from.0, from.1, to.0, to.1, length].into_iter().all(tame) {
         let wanted = to.0 + (value - from.0) / length * (to.1 - to.0);
         let wanted = wanted.max(low).min(high);
-        assert!(
-            (mapped - wanted).abs() <= 1e-6 * size.max(1.0),
-            "{mapped} is not {wanted}"
-        );
+        assert!((mapped - wanted).abs() <= 1e-6 * size.max(1.0), "{mapped} is not {wanted}");
     }
 }

@@ -76,21 +76,14 @@ pub(crate) fn frames() -> Vec<(Kind, String)> {
     let mut frames = Vec::new();
     let mut add = |kind: Kind, members: &str| {
         let version = format!(r#""ncp_version":"0.5","kind":"{kind}""#);
-        let header = if kind == Kind::Error {
-            format!(r#""kind":"{kind}""#)
-        } else {
-            version
-        };
+        let header = if kind == Kind::Error { format!(r#""kind":"{kind}""#) } else { version };
         frames.push((kind, format!("{{{header},{members}}}")));
     };
 
     for number in NUMBERS {
         add(Kind::SensorFrame, &format!(r#""t":{number}"#));
     }
-    add(
-        Kind::SensorFrame,
-        &format!(r#""t":0.{}5"#, "3".repeat(1_000)),
-    );
+    add(Kind::SensorFrame, &format!(r#""t":0.{}5"#, "3".repeat(1_000)));
     for integer in INTEGERS {
         add(Kind::SensorFrame, &format!(r#""seq":{integer}"#));
     }
@@ -116,57 +109,30 @@ pub(crate) fn frames() -> Vec<(Kind, String)> {
             add(kind, &format!(r#""{member}":{value}"#));
         }
     }
-    add(
-        Kind::CommandFrame,
-        r#""horizon":[{},{"a":{"data":[0.5,[]]}}]"#,
-    );
+    add(Kind::CommandFrame, r#""horizon":[{},{"a":{"data":[0.5,[]]}}]"#);
     add(Kind::CommandFrame, r#""horizon":[{},[]]"#);
-    add(
-        Kind::CommandFrame,
-        r#""seq":1,"mode":"nap","ttl_ms":0.25,"horizon":[{},{"":{"data":[-0.0,1e300]},"[":{}}]"#,
-    );
+    add(Kind::CommandFrame, r#""seq":1,"mode":"nap","ttl_ms":0.25,"horizon":[{},{"":{"data":[-0.0,1e300]},"[":{}}]"#);
     for block in ["", "TkNQQg==", "TkNQQg", "TkN*"] {
-        add(
-            Kind::BulkObservation,
-            &format!(r#""observable":"rate","block":"{block}""#),
-        );
+        add(Kind::BulkObservation, &format!(r#""observable":"rate","block":"{block}""#));
     }
-    add(
-        Kind::SessionOpened,
-        r#""session_id":"s","resolved":{"a":1,"b":-2},"provenance":{"seed":7}"#,
-    );
-    add(
-        Kind::StepRequest,
-        r#""session_id":"s","stimulus":{"values":{"p":{"data":[1]}}}"#,
-    );
-    add(
-        Kind::OpenSession,
-        r#""session_id":"s","network":{},"sim":{"mode":"dream"}"#,
-    );
+    add(Kind::SessionOpened, r#""session_id":"s","resolved":{"a":1,"b":-2},"provenance":{"seed":7}"#);
+    add(Kind::StepRequest, r#""session_id":"s","stimulus":{"values":{"p":{"data":[1]}}}"#);
+    add(Kind::OpenSession, r#""session_id":"s","network":{},"sim":{"mode":"dream"}"#);
 
     // [NCP-WIRE-007]: names that occur twice, among many, far apart, spelled otherwise.
     let many = |count: usize, name: &str| {
         let names = (0..count).map(|nth| format!(r#""m{nth}":{nth}"#));
-        names
-            .chain([format!(r#""{name}":0"#)])
-            .collect::<Vec<_>>()
-            .join(",")
+        names.chain([format!(r#""{name}":0"#)]).collect::<Vec<_>>().join(",")
     };
     let [one, other] = OF_ONE_HASH;
     for name in ["m40", "m3", "\\u006d3"] {
         let members = many(40, name);
         add(Kind::LinkStatus, &members);
         add(Kind::LinkStatus, &format!(r#""x":[{{{members}}}]"#));
-        add(
-            Kind::OpenSession,
-            &format!(r#""session_id":"s","network":{{"params":{{{members}}}}}"#),
-        );
+        add(Kind::OpenSession, &format!(r#""session_id":"s","network":{{"params":{{{members}}}}}"#));
     }
     add(Kind::LinkStatus, &format!(r#""{one}":1,"{other}":2"#));
-    add(
-        Kind::LinkStatus,
-        &format!(r#""{one}":1,"{other}":2,"{one}":3"#),
-    );
+    add(Kind::LinkStatus, &format!(r#""{one}":1,"{other}":2,"{one}":3"#));
     add(Kind::LinkStatus, r#""lost":1,"x":1,"lost":2"#);
 
     // [NCP-WIRE-064]: as deep as may be, and one level deeper.
@@ -180,19 +146,10 @@ pub(crate) fn frames() -> Vec<(Kind, String)> {
     // [NCP-WIRE-066] [NCP-WIRE-067]: as many as may be, and one more.
     for more in [0, 1] {
         let entries = |value| entries(MAX_ENTRIES + more, value);
-        add(
-            Kind::SensorFrame,
-            &format!(r#""channels":{{{}}}"#, entries("{}")),
-        );
+        add(Kind::SensorFrame, &format!(r#""channels":{{{}}}"#, entries("{}")));
         let items = |item| list([item].into_iter().cycle().take(MAX_ITEMS + more));
-        add(
-            Kind::Capabilities,
-            &format!(r#""controller_id":"c","sensor_channels":[{}]"#, items("{}")),
-        );
-        add(
-            Kind::CommandFrame,
-            &format!(r#""horizon":[{}]"#, items("{}")),
-        );
+        add(Kind::Capabilities, &format!(r#""controller_id":"c","sensor_channels":[{}]"#, items("{}")));
+        add(Kind::CommandFrame, &format!(r#""horizon":[{}]"#, items("{}")));
     }
     // [NCP-WIRE-091]: a frame that its defaults make too long to be sent again.
     let items = list(["{}"].into_iter().cycle().take(MAX_ITEMS));

@@ -3,8 +3,7 @@
 use ncp_spec::ErrorCode;
 use ncp_spec::version::check_version;
 use ncp_spec::wire::{
-    DecodeError, DecodeProblem, JsonType, Kind, Message, NESTED, build, decode_any,
-    decode_any_strict, decode_strict,
+    DecodeError, DecodeProblem, JsonType, Kind, Message, NESTED, build, decode_any, decode_any_strict, decode_strict,
 };
 use serde_json::Value;
 
@@ -64,10 +63,7 @@ pub fn frame_decode(input: &[u8]) {
     assert_eq!(of_any.as_ref(), Ok(&message));
     assert!(frame.len() <= kind.max_bytes());
     for other in Kind::ALL {
-        assert!(
-            other == kind || other.decode_fails(frame),
-            "{other} is read from a {kind}"
-        );
+        assert!(other == kind || other.decode_fails(frame), "{other} is read from a {kind}");
     }
     let value: Value = serde_json::from_slice(frame).expect("what is read is JSON");
     assert!(value.is_object());
@@ -80,11 +76,7 @@ pub fn frame_decode(input: &[u8]) {
     judge_strictness(&message, frame, &value);
     judge_length(kind, frame);
     if let Some(pinned) = pinned {
-        let is = |pin: &str, at| {
-            pinned
-                .get(pin)
-                .is_none_or(|value| *value == Value::Bool(at))
-        };
+        let is = |pin: &str, at| pinned.get(pin).is_none_or(|value| *value == Value::Bool(at));
         assert!(is("calibrated_posterior", false) && is("is_simulation_output", true));
     }
 }
@@ -151,10 +143,7 @@ fn encode(message: &Message) -> Result<String, ncp_spec::wire::EncodeError> {
 /// An error has a reason, a place and a text that tells both; where the kind was right, the frame is
 /// refused by its own kind too.
 fn judge_error(error: &DecodeError, frame: &[u8], of_any: &Result<Message, DecodeError>) {
-    assert!(!matches!(
-        error.code(),
-        ErrorCode::Internal | ErrorCode::Invalid
-    ));
+    assert!(!matches!(error.code(), ErrorCode::Internal | ErrorCode::Invalid));
     let (text, problem) = (error.to_string(), error.problem().to_string());
     assert!(text.starts_with(error.path()) && text.contains(&problem) && !problem.is_empty());
     assert!(error.offset().is_none_or(|at| at <= frame.len()));
@@ -243,16 +232,7 @@ impl KindExt for Kind {
 }
 
 /// Fields that are maps: all of their entries have to be kept.
-const MAPS: [&str; 8] = [
-    "channels",
-    "horizon",
-    "meta",
-    "params",
-    "population_sizes",
-    "records",
-    "resolved",
-    "values",
-];
+const MAPS: [&str; 8] = ["channels", "horizon", "meta", "params", "population_sizes", "records", "resolved", "values"];
 
 /// Whatever is written and was given is as it was given. A field of the given frame that is not
 /// written is one that the tables do not list.
@@ -260,14 +240,8 @@ fn keeps(given: &Value, written: &Value, name: &str) {
     match (given, written) {
         (Value::Object(given), Value::Object(written)) => {
             let is_map = MAPS.contains(&name);
-            assert!(
-                !is_map || written.len() == given.len(),
-                "entries of {name} are lost"
-            );
-            assert!(
-                !is_map || written.keys().is_sorted(),
-                "entries of {name} are not sorted"
-            );
+            assert!(!is_map || written.len() == given.len(), "entries of {name} are lost");
+            assert!(!is_map || written.keys().is_sorted(), "entries of {name} are not sorted");
             for (member, written) in written {
                 // An entry may be called as a field is.
                 let member_name = if is_map { "" } else { member };

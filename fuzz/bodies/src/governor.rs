@@ -2,8 +2,7 @@
 
 use ncp_spec::safety::{Decision, POSITION_CHANNEL, VELOCITY_CHANNEL};
 use ncp_spec::wire::{
-    ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits,
-    SensorFrame, Text,
+    ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame, Text,
 };
 
 #[cfg(not(feature = "planted"))]
@@ -134,18 +133,12 @@ pub fn governor_trace(input: &[u8]) {
     let specs = |specs: &[Spec]| specs.iter().map(Spec::build).collect::<Vec<_>>();
     let mut governor = match &trace.negotiated {
         None => SafetyGovernor::new(&limits),
-        Some((sensor, command)) => {
-            SafetyGovernor::negotiated(&limits, &specs(sensor), &specs(command))
-        }
+        Some((sensor, command)) => SafetyGovernor::negotiated(&limits, &specs(sensor), &specs(command)),
     };
     let faulty = |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
     let fault = governor.has_config_fault();
     assert!(fault || !(faulty(limits.max_speed_mps) || faulty(limits.geofence_radius_m)));
-    let world = World {
-        limits,
-        fault,
-        negotiated: trace.negotiated.as_ref().map(|(_, command)| specs(command)),
-    };
+    let world = World { limits, fault, negotiated: trace.negotiated.as_ref().map(|(_, command)| specs(command)) };
     let mut latched = false;
     for step in &trace.steps {
         match step {
@@ -165,13 +158,9 @@ pub fn governor_trace(input: &[u8]) {
                     ..SensorFrame::default()
                 });
                 let mut after = before.clone();
-                let decision =
-                    governor.govern(&mut after, step.now_s, sensor.as_ref(), step.last_sensor_s);
+                let decision = governor.govern(&mut after, step.now_s, sensor.as_ref(), step.last_sensor_s);
                 let stopped = matches!(decision, Decision::Stopped(_));
-                assert!(
-                    stopped || !(latched || before.mode == Mode::Estop),
-                    "ESTOP is lost"
-                );
+                assert!(stopped || !(latched || before.mode == Mode::Estop), "ESTOP is lost");
                 latched |= stopped;
                 world.judge(step, &before, &after, decision);
             }
@@ -189,13 +178,7 @@ struct World {
 }
 
 impl World {
-    fn judge(
-        &self,
-        step: &Govern,
-        before: &CommandFrame,
-        after: &CommandFrame,
-        decision: Decision,
-    ) {
+    fn judge(&self, step: &Govern, before: &CommandFrame, after: &CommandFrame, decision: Decision) {
         assert_eq!((after.seq, &after.frame_id), (before.seq, &before.frame_id));
         assert_eq!(after.t.to_bits(), before.t.to_bits());
         assert_eq!(after.ttl_ms.to_bits(), before.ttl_ms.to_bits());
@@ -215,21 +198,10 @@ impl World {
     fn judge_quiet(&self, before: &CommandFrame, after: &CommandFrame, mode: Mode) {
         assert_eq!(after.mode, mode);
         assert!(after.horizon.is_empty() && after.horizon_dt_ms.is_none());
-        assert!(
-            after
-                .channels
-                .values()
-                .all(|channel| channel.data.iter().all(|x| *x == 0.0))
-        );
+        assert!(after.channels.values().all(|channel| channel.data.iter().all(|x| *x == 0.0)));
         for (name, channel) in before.channels.iter() {
-            let kept = after
-                .channels
-                .get(name)
-                .expect("a channel of the command stays");
-            assert_eq!(
-                (kept.data.len(), &kept.unit),
-                (channel.data.len(), &channel.unit)
-            );
+            let kept = after.channels.get(name).expect("a channel of the command stays");
+            assert_eq!((kept.data.len(), &kept.unit), (channel.data.len(), &channel.unit));
         }
         for spec in self.negotiated.iter().flatten() {
             assert!(after.channels.contains_key(&spec.name));
@@ -242,32 +214,19 @@ impl World {
         let (now, last) = (step.now_s, step.last_sensor_s.expect("a sensor time"));
         let timeout = self.limits.command_timeout_ms;
         assert!(now.is_finite() && last.is_finite() && timeout.is_finite() && timeout > 0.0);
-        assert!(
-            last <= now && (now - last) * 1000.0 <= timeout,
-            "the sensor is stale"
-        );
+        assert!(last <= now && (now - last) * 1000.0 <= timeout, "the sensor is stale");
         assert!(after.horizon.len() <= before.horizon.len());
         let dt = after.horizon_dt_ms.unwrap_or(f64::NAN);
         assert!(before.horizon.is_empty() || (dt.is_finite() && dt > 0.0));
 
-        let ticks = |frame: &CommandFrame| {
-            std::iter::once(&frame.channels)
-                .chain(&frame.horizon)
-                .cloned()
-                .collect::<Vec<_>>()
-        };
+        let ticks =
+            |frame: &CommandFrame| std::iter::once(&frame.channels).chain(&frame.horizon).cloned().collect::<Vec<_>>();
         for (tick, asked) in ticks(after).iter().zip(ticks(before)) {
             assert!(tick.keys().eq(asked.keys()));
             for (name, channel) in tick.iter() {
-                assert!(
-                    channel.data.iter().all(|x| x.is_finite()),
-                    "{name} is not finite"
-                );
+                assert!(channel.data.iter().all(|x| x.is_finite()), "{name} is not finite");
                 let asked = asked.get(name).expect("the same names");
-                assert_eq!(
-                    (channel.data.len(), &channel.unit),
-                    (asked.data.len(), &asked.unit)
-                );
+                assert_eq!((channel.data.len(), &channel.unit), (asked.data.len(), &asked.unit));
                 let in_mps = self.unit_of(name, channel) == Some("m/s");
                 match self.limits.max_speed_mps.filter(|max| *max > 0.0) {
                     Some(max) if in_mps => {
@@ -291,18 +250,10 @@ impl World {
         let sensor = build(step.sensor.as_ref().expect("a sensor frame"));
         let position = sensor.get(POSITION_CHANNEL).expect("a position");
         assert!(position.unit.as_deref().is_none_or(|unit| unit == "m"));
-        let mut place: [f64; 3] = position
-            .data
-            .as_slice()
-            .try_into()
-            .expect("a position is 3 wide");
+        let mut place: [f64; 3] = position.data.as_slice().try_into().expect("a position is 3 wide");
         assert!(norm(&place) <= radius, "the plant is outside");
         let ttl = after.ttl_ms;
-        let ttl = if ttl.is_finite() && ttl > 0.0 {
-            ttl.min(60_000.0)
-        } else {
-            0.0
-        };
+        let ttl = if ttl.is_finite() && ttl > 0.0 { ttl.min(60_000.0) } else { 0.0 };
         let ticks = std::iter::once(&after.channels).chain(&after.horizon);
         for (k, tick) in ticks.enumerate() {
             let share = if after.horizon.is_empty() {
@@ -316,10 +267,7 @@ impl World {
                 *x += v * (share / 1000.0);
             }
             let far = norm(&place);
-            assert!(
-                far <= radius * (1.0 + 1e-9),
-                "{far} m is outside {radius} m after tick {k}"
-            );
+            assert!(far <= radius * (1.0 + 1e-9), "{far} m is outside {radius} m after tick {k}");
         }
     }
 
@@ -382,10 +330,7 @@ pub fn mode(name: ModeName) -> Mode {
 
 fn build(channels: &[Channel]) -> ChannelMap {
     let channels = channels.iter().map(|channel| {
-        let value = ChannelValue {
-            data: channel.data.clone(),
-            unit: channel.unit.map(|unit| Text::Borrowed(unit.0)),
-        };
+        let value = ChannelValue { data: channel.data.clone(), unit: channel.unit.map(|unit| Text::Borrowed(unit.0)) };
         (channel.name.0, value)
     });
     channels.collect()

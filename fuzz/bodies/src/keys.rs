@@ -73,7 +73,5 @@ fn is_segment(text: &str) -> bool {
         && text != ".."
         && !text.starts_with('@')
         && !text.contains(['/', '*', '$', '#', '?', ' '])
-        && !text
-            .chars()
-            .any(|c| matches!(u32::from(c), 0..0x20 | 0x7f..0xa0))
+        && !text.chars().any(|c| matches!(u32::from(c), 0..0x20 | 0x7f..0xa0))
 }

@@ -21,12 +21,7 @@
 //! | [`peer`] | `peer_protocol` | serde_json |
 
 #![forbid(unsafe_code)]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a target reports by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a target reports by panicking")]
 
 pub mod action_buffer;
 pub mod bulk;

@@ -91,16 +91,8 @@ struct Model {
 impl Model {
     fn new(ref_loss: f64, threshold: f64) -> Self {
         Self {
-            ref_loss: if ref_loss.is_finite() {
-                ref_loss.clamp(0.0, 0.99)
-            } else {
-                0.05
-            },
-            threshold: if threshold.is_finite() && threshold > 0.0 {
-                threshold
-            } else {
-                5.0
-            },
+            ref_loss: if ref_loss.is_finite() { ref_loss.clamp(0.0, 0.99) } else { 0.05 },
+            threshold: if threshold.is_finite() && threshold > 0.0 { threshold } else { 5.0 },
             first: 0,
             expected: None,
             received: 0,
@@ -112,8 +104,7 @@ impl Model {
 
     /// How many seqs would be missing before this one.
     fn gap(&self, seq: i64) -> i128 {
-        self.expected
-            .map_or(0, |expected| (i128::from(seq) - expected).max(0))
+        self.expected.map_or(0, |expected| (i128::from(seq) - expected).max(0))
     }
 
     fn on_frame(&mut self, seq: i128) {
@@ -158,17 +149,10 @@ impl Model {
         assert_eq!(report.burst, self.s > self.threshold, "S is {}", self.s);
         let (last, rate) = match self.expected {
             None => (-1, 0.0),
-            Some(expected) => (
-                expected - 1,
-                self.lost as f64 / (expected - self.first) as f64,
-            ),
+            Some(expected) => (expected - 1, self.lost as f64 / (expected - self.first) as f64),
         };
         assert_eq!(i128::from(report.last_seq), last);
         assert!((0.0..=1.0).contains(&report.loss_rate));
-        assert!(
-            (report.loss_rate - rate).abs() <= 1e-12,
-            "{} is not {rate}",
-            report.loss_rate
-        );
+        assert!((report.loss_rate - rate).abs() <= 1e-12, "{} is not {rate}", report.loss_rate);
     }
 }

@@ -45,9 +45,9 @@ fn run(args: &[&str]) -> io::Result<bool> {
             }
         }
         ["list", "--json"] => {
-            let targets = TARGETS.iter().map(|target| {
-                json!({"name": target.name, "finds": target.finds, "planted": target.planted})
-            });
+            let targets = TARGETS
+                .iter()
+                .map(|target| json!({"name": target.name, "finds": target.finds, "planted": target.planted}));
             println!("{}", Value::from_iter(targets));
         }
         ["replay", name, files @ ..] if let Some(target) = target(name) => {
@@ -61,10 +61,7 @@ fn run(args: &[&str]) -> io::Result<bool> {
         }
         ["seed", folder] => {
             let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-            for (which, seeds) in [
-                ("all", seeds::seeds(root)?),
-                ("rules", seeds::essential(root)?),
-            ] {
+            for (which, seeds) in [("all", seeds::seeds(root)?), ("rules", seeds::essential(root)?)] {
                 for (name, inputs) in seeds {
                     let folder = Path::new(folder).join(which).join(name);
                     fs::create_dir_all(&folder)?;

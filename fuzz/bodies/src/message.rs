@@ -6,8 +6,8 @@ use std::fmt::Debug;
 
 use ncp_spec::ErrorCode;
 use ncp_spec::wire::{
-    ChannelKind, EncodeError, EntityRole, Kind, MAX_ENTRIES, MAX_ITEMS, Message, Mode,
-    NetworkRefKind, Observable, Role, SimMode, SortedMap, StimulusKind, build,
+    ChannelKind, EncodeError, EntityRole, Kind, MAX_ENTRIES, MAX_ITEMS, Message, Mode, NetworkRefKind, Observable,
+    Role, SimMode, SortedMap, StimulusKind, build,
 };
 use serde_json::Value;
 
@@ -19,8 +19,7 @@ const NAMES: usize = 48;
 /// leaf and the reason.
 pub(crate) fn refuses_what_is_spoilt(message: &Message) {
     let kind = message.kind();
-    let fields: Value =
-        serde_json::from_str(&message.fields()).expect("what a program sees is JSON");
+    let fields: Value = serde_json::from_str(&message.fields()).expect("what a program sees is JSON");
     let leaves = {
         let mut count = usize::MAX;
         spoil(kind, &mut fields.clone(), "", &mut count);
@@ -113,26 +112,16 @@ pub(crate) fn is_a_word_of_no_other_value(word: &str) {
 
 /// Spoils the `nth` leaf with which something can be wrong: where it is, and the reason for which
 /// nobody may send it now. Counts `nth` down on its way.
-fn spoil(
-    kind: Kind,
-    value: &mut Value,
-    path: &str,
-    nth: &mut usize,
-) -> Option<(String, ErrorCode)> {
+fn spoil(kind: Kind, value: &mut Value, path: &str, nth: &mut usize) -> Option<(String, ErrorCode)> {
     match value {
         Value::Object(members) => members.iter_mut().find_map(|(name, value)| {
             let name: String = name.chars().take(64).collect();
-            let path = if path.is_empty() {
-                name
-            } else {
-                format!("{path}.{name}")
-            };
+            let path = if path.is_empty() { name } else { format!("{path}.{name}") };
             spoil(kind, value, &path, nth)
         }),
-        Value::Array(items) => items
-            .iter_mut()
-            .enumerate()
-            .find_map(|(at, value)| spoil(kind, value, &format!("{path}[{at}]"), nth)),
+        Value::Array(items) => {
+            items.iter_mut().enumerate().find_map(|(at, value)| spoil(kind, value, &format!("{path}[{at}]"), nth))
+        }
         leaf => {
             let (spoilt, code) = spoilt(kind, leaf, path)?;
             if *nth > 0 {
@@ -154,9 +143,7 @@ fn spoilt(kind: Kind, leaf: &Value, path: &str) -> Option<(Value, ErrorCode)> {
             Some((unsendable.into(), ErrorCode::NonFinite))
         }
         (Value::Number(_), _) => Some((i64::MAX.into(), ErrorCode::Value)),
-        (Value::String(_), "session_id")
-            if fields.any(|field| field.name == "session_id" && field.required) =>
-        {
+        (Value::String(_), "session_id") if fields.any(|field| field.name == "session_id" && field.required) => {
             Some(("".into(), ErrorCode::Value))
         }
         (Value::String(of_request), "stimulus.session_id" | "stimulus.ncp_version") => {
@@ -175,10 +162,7 @@ fn spoilt(kind: Kind, leaf: &Value, path: &str) -> Option<(Value, ErrorCode)> {
 
 /// Names are looked up, taken out, put in and changed in both alike.
 fn like_a_tree<V: Clone + Debug + Default + PartialEq>(map: &SortedMap<V>) {
-    let mut tree: BTreeMap<String, V> = map
-        .iter()
-        .map(|(name, value)| (name.to_owned(), value.clone()))
-        .collect();
+    let mut tree: BTreeMap<String, V> = map.iter().map(|(name, value)| (name.to_owned(), value.clone())).collect();
     assert_eq!(map.len(), tree.len());
     let mut map = map.clone();
     let names: Vec<String> = map.keys().take(NAMES).map(str::to_owned).collect();
@@ -187,10 +171,7 @@ fn like_a_tree<V: Clone + Debug + Default + PartialEq>(map: &SortedMap<V>) {
         let other = format!("{name}{nth}");
         match nth % 4 {
             0 => assert_eq!(map.remove(&name), tree.remove(&name)),
-            1 => assert_eq!(
-                map.insert(name.clone(), V::default()),
-                tree.insert(name.clone(), V::default())
-            ),
+            1 => assert_eq!(map.insert(name.clone(), V::default()), tree.insert(name.clone(), V::default())),
             2 => {
                 if let (Some(value), Some(same)) = (map.get_mut(&name), tree.get_mut(&name)) {
                     *value = V::default();
@@ -199,10 +180,7 @@ fn like_a_tree<V: Clone + Debug + Default + PartialEq>(map: &SortedMap<V>) {
             }
             _ => assert_eq!(map.contains_key(&other), tree.contains_key(&other)),
         }
-        assert_eq!(
-            map.insert(other.clone(), V::default()),
-            tree.insert(other, V::default())
-        );
+        assert_eq!(map.insert(other.clone(), V::default()), tree.insert(other, V::default()));
         assert_eq!(map.contains_key(&name), tree.contains_key(&name));
     }
     assert_eq!(map.is_empty(), tree.is_empty());

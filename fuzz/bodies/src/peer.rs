@@ -25,17 +25,10 @@ use crate::planted::parse_reply as parse;
 pub fn peer_protocol(input: &[u8]) {
     if decode_any(input).is_ok() {
         let text = std::str::from_utf8(input).expect("a frame is UTF-8");
-        assert_eq!(
-            Json::parse(text).err(),
-            None,
-            "a frame is read that is no JSON"
-        );
+        assert_eq!(Json::parse(text).err(), None, "a frame is read that is no JSON");
     }
     let shown = excerpt(input, 40);
-    assert!(
-        !shown.chars().any(char::is_control),
-        "a terminal would act on {shown:?}"
-    );
+    assert!(!shown.chars().any(char::is_control), "a terminal would act on {shown:?}");
 
     let read = parse(input);
     let value = serde_json::from_slice::<Value>(input);
@@ -52,10 +45,7 @@ pub fn peer_protocol(input: &[u8]) {
                 }
                 Answer::Error { code, message } => {
                     assert_eq!(value["error"]["code"], **code);
-                    assert_eq!(
-                        value["error"]["message"].as_str().unwrap_or_default(),
-                        message
-                    );
+                    assert_eq!(value["error"]["message"].as_str().unwrap_or_default(), message);
                     [false, true, false]
                 }
                 Answer::Unsupported => {
@@ -84,13 +74,8 @@ fn judge_fault(fault: &ReplyFault, value: Option<&Value>) {
         (ReplyFault::Shape { id, .. }, Some(value)) => {
             assert_eq!(value["id"].as_u64(), Some(*id));
             let forms = ["result", "error", "unsupported"];
-            let count = forms
-                .iter()
-                .filter(|name| value.get(**name).is_some())
-                .count();
-            let bad_error = value
-                .get("error")
-                .is_some_and(|error| !error["code"].is_string());
+            let count = forms.iter().filter(|name| value.get(**name).is_some()).count();
+            let bad_error = value.get("error").is_some_and(|error| !error["code"].is_string());
             let bad_flag = value.get("unsupported").is_some_and(|flag| *flag != true);
             assert!(count != 1 || bad_error || bad_flag);
         }
@@ -102,9 +87,6 @@ fn judge_fault(fault: &ReplyFault, value: Option<&Value>) {
 fn agrees(read: &Json<'_>, value: &Value) {
     let mut text = String::new();
     read.write_to(&mut text);
-    assert_eq!(
-        serde_json::from_str::<Value>(&text).ok().as_ref(),
-        Some(value)
-    );
+    assert_eq!(serde_json::from_str::<Value>(&text).ok().as_ref(), Some(value));
     assert_eq!(Json::parse(&text).as_ref(), Ok(read));
 }

@@ -145,9 +145,7 @@ impl Plain for f64 {
     }
 
     fn put(&self, out: &mut Vec<u8>) {
-        let edge = DOUBLES
-            .iter()
-            .position(|edge| edge.to_bits() == self.to_bits());
+        let edge = DOUBLES.iter().position(|edge| edge.to_bits() == self.to_bits());
         #[expect(clippy::cast_possible_truncation)]
         let sixteenths = (self * 16.0) as i16;
         if let Some(edge) = edge {
@@ -200,11 +198,7 @@ impl Plain for String {
 
 impl<T: Plain> Plain for Option<T> {
     fn get(source: &mut Unstructured<'_>) -> Result<Self> {
-        Ok(if bool::get(source)? {
-            Some(T::get(source)?)
-        } else {
-            None
-        })
+        Ok(if bool::get(source)? { Some(T::get(source)?) } else { None })
     }
 
     fn put(&self, out: &mut Vec<u8>) {
@@ -336,10 +330,7 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_as_it_was() {
-        for double in DOUBLES
-            .into_iter()
-            .chain([0.0625, 1.0 / 3.0, -2_047.5, 1e300])
-        {
+        for double in DOUBLES.into_iter().chain([0.0625, 1.0 / 3.0, -2_047.5, 1e300]) {
             assert_eq!(read::<f64>(&write(&double)).to_bits(), double.to_bits());
         }
         for integer in INTEGERS.into_iter().chain([77, -30_000, 1 << 40]) {

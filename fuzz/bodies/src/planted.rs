@@ -12,16 +12,14 @@ use ncp_spec::safety::Decision;
 use ncp_spec::session::{ReferenceBackend, SessionService as Service};
 use ncp_spec::version::VersionError;
 use ncp_spec::wire::{
-    ChannelMap, ChannelSpec, CommandFrame, DecodeError, EncodeError, Frame, Kind, Message, Mode,
-    SafetyLimits, SensorFrame, Text,
+    ChannelMap, ChannelSpec, CommandFrame, DecodeError, EncodeError, Frame, Kind, Message, Mode, SafetyLimits,
+    SensorFrame, Text,
 };
 use ncp_verifier::peer::{Answer, Reply, ReplyFault};
 
 /// `frame_decode`: a panic, on an escaped surrogate in a text that is long enough.
 pub(crate) fn decode(kind: Kind, frame: &[u8]) -> Result<Message, DecodeError> {
-    let at = frame
-        .windows(3)
-        .position(|window| window == br"\uD" || window == br"\ud");
+    let at = frame.windows(3).position(|window| window == br"\uD" || window == br"\ud");
     if let Some(at) = at {
         assert_ne!(frame.get(at + 6), Some(&b'\\'), "an index is out of bounds");
     }
@@ -53,10 +51,7 @@ pub(crate) fn to_columns(block: &Block<'_>) -> Vec<Column> {
 
 /// `bulk_roundtrip`: an empty column behind the first is left out.
 pub(crate) fn encode_block(columns: &[Column]) -> Result<Vec<u8>, BulkError> {
-    let kept = columns
-        .iter()
-        .enumerate()
-        .filter(|(nth, column)| *nth == 0 || !column.data.is_empty());
+    let kept = columns.iter().enumerate().filter(|(nth, column)| *nth == 0 || !column.data.is_empty());
     ncp_spec::bulk::encode(&kept.map(|(_, column)| column.clone()).collect::<Vec<_>>())
 }
 
@@ -65,13 +60,8 @@ pub(crate) fn parse_and_copy(input: &[u8]) -> Option<Vec<Column>> {
     if input.starts_with(b"NCPB\x01\x00")
         && let Some(rows) = input.get(20..24)
     {
-        let claimed = rows
-            .iter()
-            .rev()
-            .fold(0, |rows, byte| rows << 8 | usize::from(*byte));
-        drop(std::hint::black_box(Vec::<u64>::with_capacity(
-            claimed.min(1 << 20),
-        )));
+        let claimed = rows.iter().rev().fold(0, |rows, byte| rows << 8 | usize::from(*byte));
+        drop(std::hint::black_box(Vec::<u64>::with_capacity(claimed.min(1 << 20))));
     }
     Block::parse(input).ok().map(|block| block.to_columns())
 }
@@ -80,9 +70,8 @@ pub(crate) fn parse_and_copy(input: &[u8]) -> Option<Vec<Column>> {
 pub(crate) fn decode_lax(kind: Kind, frame: &[u8]) -> Result<Message, DecodeError> {
     let text = String::from_utf8_lossy(frame);
     let empties = [":0", ":\"\"", ":{}", ":[]", ":false"].into_iter();
-    let mut lax = empties.filter_map(|empty| {
-        ncp_spec::wire::decode(kind, text.replace(":null", empty).as_bytes()).ok()
-    });
+    let mut lax =
+        empties.filter_map(|empty| ncp_spec::wire::decode(kind, text.replace(":null", empty).as_bytes()).ok());
     ncp_spec::wire::decode(kind, frame).or_else(|error| lax.next_back().ok_or(error))
 }
 
@@ -105,10 +94,7 @@ pub(crate) fn matches(pattern: &str, key: &str) -> Result<bool, KeyError> {
 
 /// `version`: the minor is kept in eight bits.
 pub(crate) fn check_version(version: &str, strict: bool) -> Result<bool, VersionError> {
-    match version
-        .strip_prefix("0.")
-        .and_then(|minor| minor.parse::<u32>().ok())
-    {
+    match version.strip_prefix("0.").and_then(|minor| minor.parse::<u32>().ok()) {
         Some(minor) if !version.contains('+') => {
             ncp_spec::version::check_version(&format!("0.{}", minor & 0xff), strict)
         }
@@ -134,11 +120,7 @@ impl SafetyGovernor {
         sensor_channels: &[ChannelSpec],
         command_channels: &[ChannelSpec],
     ) -> Self {
-        Self(ncp_spec::safety::SafetyGovernor::negotiated(
-            limits,
-            sensor_channels,
-            command_channels,
-        ))
+        Self(ncp_spec::safety::SafetyGovernor::negotiated(limits, sensor_channels, command_channels))
     }
 
     pub(crate) fn govern(
@@ -181,10 +163,7 @@ pub(crate) struct ActionBuffer {
 
 impl ActionBuffer {
     pub(crate) fn new() -> Self {
-        Self {
-            buffer: ncp_spec::resilience::ActionBuffer::new(),
-            received_s: f64::NAN,
-        }
+        Self { buffer: ncp_spec::resilience::ActionBuffer::new(), received_s: f64::NAN }
     }
 
     pub(crate) fn on_frame(&mut self, frame: &[u8], now_s: f64) -> Result<Received, DecodeError> {
@@ -204,8 +183,7 @@ impl ActionBuffer {
 
     pub(crate) fn active(&mut self, now_s: f64) -> Option<&ChannelMap> {
         let is_back = now_s < self.received_s;
-        self.buffer
-            .active(if is_back { self.received_s } else { now_s })
+        self.buffer.active(if is_back { self.received_s } else { now_s })
     }
 
     pub(crate) fn reset(&mut self) {
@@ -246,10 +224,7 @@ pub(crate) struct RateCodec {
 impl RateCodec {
     fn plain(&self) -> ncp_spec::codec::RateCodec {
         let Self { encoders, decoders } = self;
-        ncp_spec::codec::RateCodec {
-            encoders: encoders.clone(),
-            decoders: decoders.clone(),
-        }
+        ncp_spec::codec::RateCodec { encoders: encoders.clone(), decoders: decoders.clone() }
     }
 
     pub(crate) fn encode(&self, sensor: Option<&SensorFrame>) -> Rates {
@@ -280,10 +255,7 @@ pub(crate) struct SessionService {
 
 impl SessionService {
     pub(crate) fn new(backend: ReferenceBackend) -> Self {
-        Self {
-            service: Service::new(backend),
-            has_opened: false,
-        }
+        Self { service: Service::new(backend), has_opened: false }
     }
 
     pub(crate) fn serve(&mut self, request: &[u8]) -> String {
@@ -306,13 +278,8 @@ impl SessionService {
 /// `peer_protocol`: `unsupported` wins over an error beside it.
 pub(crate) fn parse_reply(line: &[u8]) -> Result<Reply<'_>, ReplyFault> {
     match Reply::parse(line) {
-        Err(ReplyFault::Shape { id, .. })
-            if line.windows(18).any(|w| w == br#""unsupported":true"#) =>
-        {
-            Ok(Reply {
-                id,
-                answer: Answer::Unsupported,
-            })
+        Err(ReplyFault::Shape { id, .. }) if line.windows(18).any(|w| w == br#""unsupported":true"#) => {
+            Ok(Reply { id, answer: Answer::Unsupported })
         }
         read => read,
     }

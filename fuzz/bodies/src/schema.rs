@@ -22,15 +22,9 @@ static SCHEMAS: LazyLock<Vec<(Kind, Validator)>> = LazyLock::new(|| {
         .into_iter()
         .map(|kind| {
             let wanted = format!("{kind}.schema.json");
-            let (_, text) = files
-                .iter()
-                .find(|(name, _)| *name == wanted)
-                .expect("a schema a kind");
+            let (_, text) = files.iter().find(|(name, _)| *name == wanted).expect("a schema a kind");
             let schema: Value = serde_json::from_str(text).expect("a schema is JSON");
-            (
-                kind,
-                jsonschema::draft202012::new(&schema).expect("a schema is one"),
-            )
+            (kind, jsonschema::draft202012::new(&schema).expect("a schema is one"))
         })
         .collect()
 });
@@ -49,18 +43,12 @@ pub fn validate_vs_schema(input: &[u8]) {
         assert!(decoded.is_err(), "what is no JSON is read");
         return;
     };
-    let (_, schema) = SCHEMAS
-        .iter()
-        .find(|(of, _)| *of == kind)
-        .expect("a schema a kind");
+    let (_, schema) = SCHEMAS.iter().find(|(of, _)| *of == kind).expect("a schema a kind");
     match (schema.is_valid(&value), decoded) {
         (true, Ok(_)) | (false, Err(_)) => {}
         (false, Ok(_)) => panic!("the decoder reads what its schema refuses"),
         (true, Err(error)) => {
-            assert!(
-                beyond_schemas(error.problem()) || has_repeated_name(frame),
-                "the schema lets through: {error}"
-            );
+            assert!(beyond_schemas(error.problem()) || has_repeated_name(frame), "the schema lets through: {error}");
         }
     }
 }

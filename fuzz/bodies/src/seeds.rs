@@ -75,11 +75,7 @@ pub fn seeds(root: &Path) -> io::Result<Seeds> {
     for part in whole.split("\n\n") {
         add("canonical_proto", part.as_bytes().to_vec());
     }
-    for text in [
-        "a = \"http://x /* y */\"; // z",
-        "a = \"\\\"//\"; '\\''",
-        "syntaxes\noptional x\n/*/ b */ c",
-    ] {
+    for text in ["a = \"http://x /* y */\"; // z", "a = \"\\\"//\"; '\\''", "syntaxes\noptional x\n/*/ b */ c"] {
         add("canonical_proto", text.as_bytes().to_vec());
     }
     add("session", session::seed());
@@ -115,10 +111,7 @@ fn of_cases(cases: &[Value]) -> Seeds {
                 let fields = args["fields"].to_string();
                 let message = kind.and_then(|kind| build(kind, fields.as_bytes()).ok());
                 if let Some(Ok(frame)) = message.map(|message| message.encode()) {
-                    of_frame(
-                        &serde_json::json!({"kind": args["kind"], "text": frame}),
-                        &mut add,
-                    );
+                    of_frame(&serde_json::json!({"kind": args["kind"], "text": frame}), &mut add);
                 }
             }
             "reply.check" => {
@@ -132,28 +125,15 @@ fn of_cases(cases: &[Value]) -> Seeds {
                 add("bulk_decode", block.clone());
                 add("bulk_memory", block);
             }
-            "bulk.encode" => add(
-                "bulk_roundtrip",
-                write(&bulk::Columns(columns(&args["columns"]))),
-            ),
+            "bulk.encode" => add("bulk_roundtrip", write(&bulk::Columns(columns(&args["columns"])))),
             "key.match" => {
-                add(
-                    "keys",
-                    [text(&args["pattern"]), text(&args["key"])]
-                        .join("\n")
-                        .into_bytes(),
-                );
+                add("keys", [text(&args["pattern"]), text(&args["key"])].join("\n").into_bytes());
             }
             "key.build" => {
                 let names = ["session", "name", "realm"].map(|name| text(&args[name]));
                 let mut names = names.into_iter().filter(|name| !name.is_empty());
                 if let Some(name) = names.next() {
-                    add(
-                        "keys",
-                        [name, names.next().unwrap_or_default()]
-                            .join("\n")
-                            .into_bytes(),
-                    );
+                    add("keys", [name, names.next().unwrap_or_default()].join("\n").into_bytes());
                 }
             }
             "version.check" | "negotiate" => add("version", text(&args["version"]).into_bytes()),
@@ -182,17 +162,9 @@ fn of_cases(cases: &[Value]) -> Seeds {
 #[must_use]
 pub fn dictionary() -> String {
     let mut words: BTreeSet<String> = BTreeSet::new();
-    let tables = Kind::ALL
-        .into_iter()
-        .map(Kind::table)
-        .chain(ncp_spec::wire::NESTED);
+    let tables = Kind::ALL.into_iter().map(Kind::table).chain(ncp_spec::wire::NESTED);
     for table in tables {
-        words.extend(
-            table
-                .fields
-                .iter()
-                .map(|field| format!("\\\"{}\\\":", field.name)),
-        );
+        words.extend(table.fields.iter().map(|field| format!("\\\"{}\\\":", field.name)));
     }
     words.extend(Kind::ALL.map(|kind| format!("\\\"kind\\\":\\\"{kind}\\\"")));
     let others = [
@@ -243,10 +215,7 @@ fn cases(root: &Path) -> io::Result<Vec<Value>> {
             continue;
         }
         for file in sorted(&area)? {
-            if file
-                .extension()
-                .is_some_and(|extension| extension == "json")
-            {
+            if file.extension().is_some_and(|extension| extension == "json") {
                 let text = fs::read(&file)?;
                 let value: Value = serde_json::from_slice(&text).map_err(io::Error::other)?;
                 cases.extend(list(&value["cases"]).iter().cloned());
@@ -274,12 +243,7 @@ fn of_frame(args: &Value, add: &mut impl FnMut(&'static str, Vec<u8>)) {
         None => STANDARD.decode(text(&args["base64"])).unwrap_or_default(),
     };
     let input = frame::join(kind, &bytes);
-    for target in [
-        "frame_decode",
-        "frame_roundtrip",
-        "validate_vs_schema",
-        "proto_vs_json",
-    ] {
+    for target in ["frame_decode", "frame_roundtrip", "validate_vs_schema", "proto_vs_json"] {
         add(target, input.clone());
     }
     if let Ok(message) = decode(kind, &bytes)
@@ -294,20 +258,10 @@ fn text(value: &Value) -> String {
     if let Some(text) = value.as_str() {
         return text.to_owned();
     }
-    let times = value["times"]
-        .as_u64()
-        .and_then(|times| usize::try_from(times).ok())
-        .unwrap_or(0);
+    let times = value["times"].as_u64().and_then(|times| usize::try_from(times).ok()).unwrap_or(0);
     if let Some(part) = value["$repeat"].as_str() {
-        let fits = part
-            .len()
-            .checked_mul(times)
-            .is_some_and(|len| len <= MOST_BYTES);
-        return if fits {
-            part.repeat(times)
-        } else {
-            "-".repeat(MOST_BYTES + 1)
-        };
+        let fits = part.len().checked_mul(times).is_some_and(|len| len <= MOST_BYTES);
+        return if fits { part.repeat(times) } else { "-".repeat(MOST_BYTES + 1) };
     }
     if let Some(parts) = value["$concat"].as_array() {
         return parts.iter().map(text).collect();
@@ -334,10 +288,7 @@ fn double(value: &Value) -> Option<f64> {
 }
 
 fn integer(value: &Value) -> i64 {
-    value
-        .as_i64()
-        .or_else(|| value.as_str()?.parse().ok())
-        .unwrap_or_default()
+    value.as_i64().or_else(|| value.as_str()?.parse().ok()).unwrap_or_default()
 }
 
 fn columns(value: &Value) -> Vec<Column> {
@@ -384,9 +335,7 @@ fn governor_trace(args: &Value) -> governor::Trace {
                 _ => governor::Step::Govern(Govern {
                     command: command(&step["command"]),
                     now_s: double(&step["now_s"]).unwrap_or(0.0),
-                    sensor: step["sensor"]
-                        .is_object()
-                        .then(|| channels(&step["sensor"]["channels"])),
+                    sensor: step["sensor"].is_object().then(|| channels(&step["sensor"]["channels"])),
                     last_sensor_s: double(&step["last_sensor_s"]),
                 }),
             })
@@ -427,11 +376,7 @@ fn buffer_trace(args: &Value) -> action_buffer::Trace {
                 let read = CommandFrame::decode(text.as_bytes()).ok();
                 let damage = read.is_none().then_some(Damage("mode twice"));
                 let command = read.unwrap_or_default();
-                let mode = if damage.is_some() && text.contains("estop") {
-                    "estop"
-                } else {
-                    command.mode.as_str()
-                };
+                let mode = if damage.is_some() && text.contains("estop") { "estop" } else { command.mode.as_str() };
                 action_buffer::Step::Command(Arrival {
                     now_s,
                     mode: ModeName::of(mode),
@@ -444,9 +389,7 @@ fn buffer_trace(args: &Value) -> action_buffer::Trace {
             }
         }
     });
-    action_buffer::Trace {
-        steps: steps.collect(),
-    }
+    action_buffer::Trace { steps: steps.collect() }
 }
 
 fn watchdog_trace(args: &Value) -> action_buffer::Trace {
@@ -466,9 +409,7 @@ fn watchdog_trace(args: &Value) -> action_buffer::Trace {
             }),
         }
     });
-    action_buffer::Trace {
-        steps: steps.collect(),
-    }
+    action_buffer::Trace { steps: steps.collect() }
 }
 
 fn link_trace(args: &Value) -> link_monitor::Trace {
@@ -476,9 +417,7 @@ fn link_trace(args: &Value) -> link_monitor::Trace {
     link_monitor::Trace {
         ref_loss: double(&args["ref_loss"]).unwrap_or(0.05),
         threshold: double(&args["threshold"]).unwrap_or(5.0),
-        arrivals: arrivals
-            .map(|step| link_monitor::Arrival::Seq(integer(&step["seq"])))
-            .collect(),
+        arrivals: arrivals.map(|step| link_monitor::Arrival::Seq(integer(&step["seq"]))).collect(),
     }
 }
 
@@ -487,9 +426,7 @@ fn codec_run(args: &Value) -> codec::Run {
         let at = |nth: usize, default| double(&value[nth]).unwrap_or(default);
         (at(0, low), at(1, high))
     };
-    let ties = ["encoders", "decoders"]
-        .into_iter()
-        .flat_map(|side| list(&args["codec"][side]));
+    let ties = ["encoders", "decoders"].into_iter().flat_map(|side| list(&args["codec"][side]));
     let ties = ties.map(|tie| codec::Tie {
         channel: codec::Name::of(tie["channel"].as_str().unwrap_or_default()),
         component: u8::try_from(integer(&tie["component"])).unwrap_or(u8::MAX),
@@ -499,24 +436,15 @@ fn codec_run(args: &Value) -> codec::Run {
     });
     let members = |value: &Value| {
         let members = value.as_object().into_iter().flatten();
-        members
-            .map(|(name, value)| (codec::Name::of(name), value.clone()))
-            .collect::<Vec<_>>()
+        members.map(|(name, value)| (codec::Name::of(name), value.clone())).collect::<Vec<_>>()
     };
     let sensor = members(&args["sensor"]["channels"])
         .into_iter()
-        .map(|(name, channel)| {
-            (
-                name,
-                list(&channel["data"]).iter().filter_map(double).collect(),
-            )
-        });
+        .map(|(name, channel)| (name, list(&channel["data"]).iter().filter_map(double).collect()));
     let rates = members(&args["rates"]).into_iter();
     codec::Run {
         ties: ties.collect(),
         sensor: args["sensor"].is_object().then(|| sensor.collect()),
-        rates: rates
-            .filter_map(|(name, rate)| Some((name, double(&rate)?)))
-            .collect(),
+        rates: rates.filter_map(|(name, rate)| Some((name, double(&rate)?))).collect(),
     }
 }

@@ -92,15 +92,9 @@ const MOST_WORK: f64 = 4_000.0;
 pub fn session(input: &[u8]) {
     let mut service = SessionService::new(ReferenceBackend);
     let mut open: BTreeMap<String, Model> = BTreeMap::new();
-    for line in lines(input)
-        .split(|byte| *byte == b'\n')
-        .take(MOST_REQUESTS)
-    {
+    for line in lines(input).split(|byte| *byte == b'\n').take(MOST_REQUESTS) {
         let request = decode_any(line);
-        if request
-            .as_ref()
-            .is_ok_and(|request| is_too_much(request, &open))
-        {
+        if request.as_ref().is_ok_and(|request| is_too_much(request, &open)) {
             continue;
         }
         let text = service.serve(line);
@@ -137,10 +131,7 @@ pub fn seed() -> Vec<u8> {
             chunk_ms: 10.0,
         })
     };
-    let going = |id, time_ms| Going {
-        id: Name(id),
-        time_ms,
-    };
+    let going = |id, time_ms| Going { id: Name(id), time_ms };
     let requests = vec![
         open("a"),
         Request::Step(going("a", None)),
@@ -208,18 +199,11 @@ fn judge(request: &Message, reply: &Message, text: &str, open: &mut BTreeMap<Str
             let id = request.session_id.to_string();
             if opened.ok {
                 assert_eq!(
-                    request
-                        .ncp_version
-                        .split('.')
-                        .next_back()
-                        .map(|minor| minor.trim_start_matches('0')),
+                    request.ncp_version.split('.').next_back().map(|minor| minor.trim_start_matches('0')),
                     Some("5")
                 );
                 assert!(opened.provenance.is_some());
-                assert!(
-                    open.insert(id, Model::of(request)).is_none(),
-                    "opened twice"
-                );
+                assert!(open.insert(id, Model::of(request)).is_none(), "opened twice");
             } else {
                 assert!(opened.error.is_some());
             }
@@ -234,22 +218,11 @@ fn judge(request: &Message, reply: &Message, text: &str, open: &mut BTreeMap<Str
             assert_eq!((frame.session_id.as_ref(), frame.seq), (id, model.seq));
             let behind = model.asked_ms - frame.sim_time_ms;
             // What is less than a step waits for the next request.
-            assert!(
-                behind.abs() <= model.dt_ms * 1.001 + 1e-6 * model.asked_ms,
-                "{behind} ms behind"
-            );
-            assert!(
-                frame.records.keys().eq(model.ports.iter()),
-                "other ports are recorded"
-            );
+            assert!(behind.abs() <= model.dt_ms * 1.001 + 1e-6 * model.asked_ms, "{behind} ms behind");
+            assert!(frame.records.keys().eq(model.ports.iter()), "other ports are recorded");
             for record in frame.records.values() {
                 assert_eq!(record.times.len(), record.senders.len());
-                assert!(
-                    record
-                        .times
-                        .iter()
-                        .all(|t| *t <= frame.sim_time_ms + 1e-9 * frame.sim_time_ms.abs())
-                );
+                assert!(record.times.iter().all(|t| *t <= frame.sim_time_ms + 1e-9 * frame.sim_time_ms.abs()));
             }
         }
         (Message::CloseSession(request), Message::SessionClosed(closed)) => {
@@ -259,13 +232,8 @@ fn judge(request: &Message, reply: &Message, text: &str, open: &mut BTreeMap<Str
         }
         (_, Message::Error(_)) => {
             let asks_to_run = matches!(request, Message::StepRequest(_) | Message::RunRequest(_));
-            let is_request = asks_to_run
-                || matches!(request, Message::OpenSession(_) | Message::CloseSession(_));
-            assert!(
-                asks_to_run || !is_request,
-                "{} gets an error frame",
-                request.kind()
-            );
+            let is_request = asks_to_run || matches!(request, Message::OpenSession(_) | Message::CloseSession(_));
+            assert!(asks_to_run || !is_request, "{} gets an error frame", request.kind());
         }
         (request, reply) => panic!("{} answers {}", reply.kind(), request.kind()),
     }
@@ -280,12 +248,7 @@ fn judge(request: &Message, reply: &Message, text: &str, open: &mut BTreeMap<Str
 
 impl Model {
     fn of(request: &OpenSession) -> Self {
-        let mut ports: Vec<_> = request
-            .record
-            .targets
-            .iter()
-            .map(|target| target.port.to_string())
-            .collect();
+        let mut ports: Vec<_> = request.record.targets.iter().map(|target| target.port.to_string()).collect();
         ports.sort();
         ports.dedup();
         Self {
@@ -301,14 +264,7 @@ impl Model {
 
 fn neurons(request: &OpenSession) -> f64 {
     let listed = request.record.targets.len() as f64 + 1.0;
-    request
-        .network
-        .population_sizes
-        .values()
-        .map(|size| *size as f64)
-        .sum::<f64>()
-        .max(1.0)
-        * listed
+    request.network.population_sizes.values().map(|size| *size as f64).sum::<f64>().max(1.0) * listed
 }
 
 fn asked(request: &Message) -> (&str, Option<f64>) {
@@ -344,21 +300,10 @@ mod tests {
         assert_eq!(input.first(), Some(&BUILT));
         let mut service = SessionService::new(ReferenceBackend);
         let lines = lines(&input);
-        let replies = lines
-            .split(|byte| *byte == b'\n')
-            .map(|line| service.serve(line));
-        let kinds: Vec<Kind> = replies
-            .map(|reply| decode_any(reply.as_bytes()).unwrap().kind())
-            .collect();
+        let replies = lines.split(|byte| *byte == b'\n').map(|line| service.serve(line));
+        let kinds: Vec<Kind> = replies.map(|reply| decode_any(reply.as_bytes()).unwrap().kind()).collect();
         let (opened, observed) = (Kind::SessionOpened, Kind::ObservationFrame);
-        let said = [
-            opened,
-            observed,
-            opened,
-            observed,
-            Kind::SessionClosed,
-            Kind::Error,
-        ];
+        let said = [opened, observed, opened, observed, Kind::SessionClosed, Kind::Error];
         assert_eq!(kinds, said);
         assert!(service.open_sessions().eq(["b"]));
         session(&input);

@@ -18,24 +18,15 @@ pub fn version(input: &[u8]) {
     let text = String::from_utf8_lossy(input);
     let expected = judge(&text);
     assert_eq!(check_version(&text, false).ok(), expected);
-    assert_eq!(
-        check_version(&text, true).ok(),
-        expected.filter(|same| *same)
-    );
+    assert_eq!(check_version(&text, true).ok(), expected.filter(|same| *same));
 
     let own = "24e8e6e31e1dec8a";
-    let of_text = if text == own {
-        ContractStatus::Match
-    } else {
-        ContractStatus::Mismatch
-    };
+    let of_text = if text == own { ContractStatus::Match } else { ContractStatus::Mismatch };
     assert_eq!(contract_status(Some(&text)), of_text);
     assert_eq!(verify_contract(Some(&text)).is_ok(), text == own);
-    for (hash, status) in [
-        (None, ContractStatus::NotAdvertised),
-        (Some(own), ContractStatus::Match),
-        (Some(&*text), of_text),
-    ] {
+    for (hash, status) in
+        [(None, ContractStatus::NotAdvertised), (Some(own), ContractStatus::Match), (Some(&*text), of_text)]
+    {
         let agreed = (expected == Some(true)).then_some(status);
         assert_eq!(negotiate(&text, hash).ok(), agreed);
     }

@@ -1,10 +1,6 @@
 //! Replays the committed corpora: what a fuzzer once found interesting stays right.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,8 +14,7 @@ const FUZZ: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// The files of a corpus, sorted.
 fn corpus(name: &str) -> Vec<PathBuf> {
     let folder = Path::new(FUZZ).join("corpus").join(name);
-    let files =
-        fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let files = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut files: Vec<_> = files.map(|file| file.unwrap().path()).collect();
     files.sort();
     files
@@ -28,11 +23,7 @@ fn corpus(name: &str) -> Vec<PathBuf> {
 fn replay(name: &str) {
     let target = target(name).unwrap();
     let files = corpus(name);
-    assert!(
-        files.len() >= 10,
-        "{name}: {} files are no corpus",
-        files.len()
-    );
+    assert!(files.len() >= 10, "{name}: {} files are no corpus", files.len());
     for file in files {
         // Whoever sees the panic has to know which input it was.
         let input = fs::read(&file).unwrap();
@@ -88,9 +79,7 @@ replays! {
 fn the_seeds_of_the_vectors_reach_every_target() {
     let seeds = seeds::seeds(&Path::new(FUZZ).join("..")).unwrap();
     for target in TARGETS {
-        let inputs = seeds
-            .get(target.name)
-            .unwrap_or_else(|| panic!("{} has no seeds", target.name));
+        let inputs = seeds.get(target.name).unwrap_or_else(|| panic!("{} has no seeds", target.name));
         for input in inputs {
             (target.run)(input);
         }

@@ -45,16 +45,7 @@ macro_rules! refusals {
     )+};
 }
 
-refusals!(
-    BulkError,
-    ContractError,
-    DecodeError,
-    EncodeError,
-    KeyError,
-    NegotiateError,
-    ReplyError,
-    VersionError
-);
+refusals!(BulkError, ContractError, DecodeError, EncodeError, KeyError, NegotiateError, ReplyError, VersionError);
 
 impl From<ReflexError> for Refusal {
     fn from(error: ReflexError) -> Self {
@@ -145,10 +136,7 @@ fn remember(refusal: &Refusal) {
     let code = c_string(refusal.code.as_str().to_owned());
     let message = c_string(refusal.message.clone());
     // A thread that is about to end has no place left for it. What stood there is dropped last.
-    let _ = LAST.try_with(|last| {
-        last.try_borrow_mut()
-            .map(|mut last| last.replace((code, message)))
-    });
+    let _ = LAST.try_with(|last| last.try_borrow_mut().map(|mut last| last.replace((code, message))));
 }
 
 /// Why the last call on this thread that failed did so, in words, or NULL if none has failed. It is
@@ -187,9 +175,7 @@ fn c_string(text: String) -> CString {
 /// # Errors
 /// It holds a NUL, so that C would see only its beginning.
 pub(crate) fn text_out(text: impl Into<String>) -> Result<*mut c_char, Refusal> {
-    CString::new(text.into())
-        .map(CString::into_raw)
-        .map_err(|error| Refusal::new(ErrorCode::Internal, error))
+    CString::new(text.into()).map(CString::into_raw).map_err(|error| Refusal::new(ErrorCode::Internal, error))
 }
 
 /// Frees what [`text_out`] handed over.
@@ -224,10 +210,7 @@ impl<'a> Text<'a> {
         let text = unsafe { CStr::from_ptr(self.0) };
         match text.to_str() {
             Ok(text) => Ok(Some(text)),
-            Err(error) => Err(Refusal::new(
-                ErrorCode::Malformed,
-                format_args!("{what} is not UTF-8: {error}"),
-            )),
+            Err(error) => Err(Refusal::new(ErrorCode::Malformed, format_args!("{what} is not UTF-8: {error}"))),
         }
     }
 
@@ -267,23 +250,14 @@ pub(crate) fn required<T>(pointer: Option<T>, what: &str) -> Result<T, Refusal> 
 ///
 /// # Safety
 /// If not null, `items` points to `count` items that stay as they are for `'a`.
-pub(crate) unsafe fn items<'a, T>(
-    items: *const T,
-    count: usize,
-    what: &str,
-) -> Result<&'a [T], Refusal> {
+pub(crate) unsafe fn items<'a, T>(items: *const T, count: usize, what: &str) -> Result<&'a [T], Refusal> {
     if count == 0 {
         return Ok(&[]);
     }
     if items.is_null() {
         return Err(Refusal::null(what));
     }
-    let wrong = |why| {
-        Err(Refusal::new(
-            ErrorCode::Invalid,
-            format_args!("{what} {why}"),
-        ))
-    };
+    let wrong = |why| Err(Refusal::new(ErrorCode::Invalid, format_args!("{what} {why}")));
     if !items.is_aligned() {
         return wrong("is not aligned for the type of its values");
     }
@@ -301,11 +275,7 @@ pub(crate) unsafe fn items<'a, T>(
 ///
 /// # Safety
 /// As for [`items`].
-pub(crate) unsafe fn bytes<'a>(
-    start: *const u8,
-    len: usize,
-    what: &str,
-) -> Result<&'a [u8], Refusal> {
+pub(crate) unsafe fn bytes<'a>(start: *const u8, len: usize, what: &str) -> Result<&'a [u8], Refusal> {
     if start.is_null() {
         return Err(Refusal::null(what));
     }
@@ -320,11 +290,7 @@ pub(crate) unsafe fn bytes<'a>(
 ///
 /// # Safety
 /// As for [`items`].
-pub(crate) unsafe fn sized<'a>(
-    text: *const c_char,
-    len: usize,
-    what: &str,
-) -> Result<Option<&'a str>, Refusal> {
+pub(crate) unsafe fn sized<'a>(text: *const c_char, len: usize, what: &str) -> Result<Option<&'a str>, Refusal> {
     if text.is_null() && len == 0 {
         return Ok(None);
     }
@@ -332,10 +298,7 @@ pub(crate) unsafe fn sized<'a>(
     let bytes = unsafe { bytes(text.cast::<u8>(), len, what)? };
     match str::from_utf8(bytes) {
         Ok(text) => Ok(Some(text)),
-        Err(error) => Err(Refusal::new(
-            ErrorCode::Malformed,
-            format_args!("{what} is not UTF-8: {error}"),
-        )),
+        Err(error) => Err(Refusal::new(ErrorCode::Malformed, format_args!("{what} is not UTF-8: {error}"))),
     }
 }
 
@@ -358,10 +321,7 @@ impl<T> Handle<T> {
     ///
     /// # Errors
     /// An earlier call panicked; or what `f` fails with.
-    pub(crate) fn with<R>(
-        &mut self,
-        f: impl FnOnce(&mut T) -> Result<R, Refusal>,
-    ) -> Result<R, Refusal> {
+    pub(crate) fn with<R>(&mut self, f: impl FnOnce(&mut T) -> Result<R, Refusal>) -> Result<R, Refusal> {
         if self.broken {
             let why = "the object is broken: an earlier call panicked within it";
             return Err(Refusal::new(ErrorCode::Internal, why));
@@ -394,10 +354,7 @@ mod tests {
         }
         assert_eq!(panics(), -1);
         let (code, message) = said();
-        assert_eq!(
-            (code.as_str(), message.as_str()),
-            ("internal", "panic: forced here")
-        );
+        assert_eq!((code.as_str(), message.as_str()), ("internal", "panic: forced here"));
     }
 
     #[test]
@@ -407,25 +364,15 @@ mod tests {
         assert_eq!(entry(|| handle.with(|value| Ok(*value))), 7);
         let refused = entry(|| handle.with(|_| Err::<i32, _>(Refusal::null("it"))));
         assert_eq!(refused, -1);
-        assert_eq!(
-            entry(|| handle.with(|value| Ok(*value))),
-            7,
-            "a refusal breaks nothing"
-        );
-        assert_eq!(
-            entry(|| handle.with(|_| -> Result<i32, Refusal> { panic!() })),
-            -1
-        );
+        assert_eq!(entry(|| handle.with(|value| Ok(*value))), 7, "a refusal breaks nothing");
+        assert_eq!(entry(|| handle.with(|_| -> Result<i32, Refusal> { panic!() })), -1);
         assert_eq!(entry(|| handle.with(|value| Ok(*value))), -1);
         assert!(said().1.contains("broken"));
     }
 
     #[test]
     fn an_error_message_with_a_nul_is_told_to_its_end() {
-        assert_eq!(
-            entry(|| Err::<i32, _>(Refusal::new(ErrorCode::Key, "a\0b"))),
-            -1
-        );
+        assert_eq!(entry(|| Err::<i32, _>(Refusal::new(ErrorCode::Key, "a\0b"))), -1);
         assert_eq!(said(), ("key".to_owned(), "a\u{2400}b".to_owned()));
     }
 
@@ -477,10 +424,7 @@ mod tests {
             include_str!("wire.rs"),
         ];
         let mut seen = 0;
-        for exported in sources
-            .iter()
-            .flat_map(|source| source.split("#[unsafe(no_mangle)]\npub ").skip(1))
-        {
+        for exported in sources.iter().flat_map(|source| source.split("#[unsafe(no_mangle)]\npub ").skip(1)) {
             let (_, signature) = exported.split_once("fn ").unwrap();
             let name = signature.split('(').next().unwrap();
             let (_, body) = signature.split_once("{\n").unwrap();

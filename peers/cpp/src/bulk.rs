@@ -42,10 +42,7 @@ pub struct BlockView(Block<'static>);
 /// # Safety
 /// There are that many bytes, and they outlive the view.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn ncp_block_parse(
-    block: *const u8,
-    block_len: usize,
-) -> Option<Box<BlockView>> {
+pub unsafe extern "C" fn ncp_block_parse(block: *const u8, block_len: usize) -> Option<Box<BlockView>> {
     entry(|| {
         // SAFETY: as this function demands; the view is their only user.
         let block: &'static [u8] = unsafe { bytes(block, block_len, "block")? };
@@ -69,12 +66,9 @@ pub extern "C" fn ncp_block_column(
     entry(|| {
         let BlockView(block) = required(block, "block")?;
         let out = required(column, "column")?;
-        let view = block.column(index).ok_or_else(|| {
-            Refusal::new(
-                ErrorCode::Invalid,
-                format_args!("there is no column {index}"),
-            )
-        })?;
+        let view = block
+            .column(index)
+            .ok_or_else(|| Refusal::new(ErrorCode::Invalid, format_args!("there is no column {index}")))?;
         out.write(BlockColumn {
             name: view.name().as_ptr().cast(),
             name_len: view.name().len(),
@@ -159,46 +153,30 @@ pub struct Arrays {
 /// # Safety
 /// The block has that many bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn ncp_observation_unpack(
-    block: *const u8,
-    block_len: usize,
-) -> Option<Box<Arrays>> {
+pub unsafe extern "C" fn ncp_observation_unpack(block: *const u8, block_len: usize) -> Option<Box<Arrays>> {
     entry(|| {
         // SAFETY: as this function demands.
         let block = unsafe { bytes(block, block_len, "block")? };
         let (times, values, senders) = bulk::unpack(block)?;
-        Ok(Some(Box::new(Arrays {
-            times,
-            values,
-            senders,
-        })))
+        Ok(Some(Box::new(Arrays { times, values, senders })))
     })
 }
 
 /// The times in ms, lent by the arrays, and how many.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_arrays_times(
-    arrays: Option<&Arrays>,
-    count: Option<&mut MaybeUninit<usize>>,
-) -> *const f64 {
+pub extern "C" fn ncp_arrays_times(arrays: Option<&Arrays>, count: Option<&mut MaybeUninit<usize>>) -> *const f64 {
     entry(|| lend(&required(arrays, "arrays")?.times, count))
 }
 
 /// The values, lent by the arrays, and how many.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_arrays_values(
-    arrays: Option<&Arrays>,
-    count: Option<&mut MaybeUninit<usize>>,
-) -> *const f64 {
+pub extern "C" fn ncp_arrays_values(arrays: Option<&Arrays>, count: Option<&mut MaybeUninit<usize>>) -> *const f64 {
     entry(|| lend(&required(arrays, "arrays")?.values, count))
 }
 
 /// The senders, lent by the arrays, and how many.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_arrays_senders(
-    arrays: Option<&Arrays>,
-    count: Option<&mut MaybeUninit<usize>>,
-) -> *const i64 {
+pub extern "C" fn ncp_arrays_senders(arrays: Option<&Arrays>, count: Option<&mut MaybeUninit<usize>>) -> *const i64 {
     entry(|| lend(&required(arrays, "arrays")?.senders, count))
 }
 
@@ -240,22 +218,11 @@ fn lend<T>(values: &[T], count: Option<&mut MaybeUninit<usize>>) -> Result<*cons
 /// # Safety
 /// The column points to as many values of its type, and bytes of its name, as it says, for `'a`.
 unsafe fn column_in<'a>(column: &BlockColumn) -> Result<ColumnRef<'a>, Refusal> {
-    let BlockColumn {
-        name,
-        name_len,
-        dtype,
-        rows,
-        data,
-    } = *column;
+    let BlockColumn { name, name_len, dtype, rows, data } = *column;
     // SAFETY: the caller vouches for it.
     let name = unsafe { sized(name, name_len, "the name of a column")? };
     let dtype = u8::try_from(dtype).ok().and_then(Dtype::from_code);
-    let dtype = dtype.ok_or_else(|| {
-        Refusal::new(
-            ErrorCode::Block,
-            "the dtype of a column is none of the four",
-        )
-    })?;
+    let dtype = dtype.ok_or_else(|| Refusal::new(ErrorCode::Block, "the dtype of a column is none of the four"))?;
     let what = "the data of a column";
     // SAFETY: the caller vouches for it.
     let data = unsafe {
@@ -266,8 +233,5 @@ unsafe fn column_in<'a>(column: &BlockColumn) -> Result<ColumnRef<'a>, Refusal> 
             Dtype::I64 => DataRef::I64(items(data.cast(), rows, what)?),
         }
     };
-    Ok(ColumnRef::new(
-        required(name, "the name of a column")?,
-        data,
-    ))
+    Ok(ColumnRef::new(required(name, "the name of a column")?, data))
 }

@@ -80,11 +80,7 @@ pub extern "C" fn ncp_reflex_new(config: Text<'_>) -> Option<Box<Reflex>> {
 
 /// All fields of the command for the fields of a sensor frame, or NULL for none, at now_s in seconds.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_reflex_step(
-    reflex: Option<&mut Reflex>,
-    now_s: f64,
-    sensor: Text<'_>,
-) -> *mut c_char {
+pub extern "C" fn ncp_reflex_step(reflex: Option<&mut Reflex>, now_s: f64, sensor: Text<'_>) -> *mut c_char {
     entry(|| {
         let Reflex(reflex) = required(reflex, "reflex")?;
         let sensor = json::optional_sensor(sensor.optional("sensor")?)?;
@@ -110,11 +106,7 @@ pub struct Loop(Handle<ControlLoop<ReflexController>>);
 /// A loop of a reflex controller, a governor with the canonical channels, and a link monitor, that ticks
 /// every period_ms.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_loop_new(
-    period_ms: f64,
-    limits: Text<'_>,
-    config: Text<'_>,
-) -> Option<Box<Loop>> {
+pub extern "C" fn ncp_loop_new(period_ms: f64, limits: Text<'_>, config: Text<'_>) -> Option<Box<Loop>> {
     entry(|| {
         let limits = json::limits(limits.required("limits")?)?;
         let controller = ReflexController::new(json::reflex(config.required("config")?)?)?;
@@ -131,11 +123,7 @@ pub extern "C" fn ncp_loop_new(
 /// Takes the fields of a sensor frame, every one that arrives, at now_s. 1 if it is the newest, else 0; -1
 /// error.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_loop_on_sensor(
-    control: Option<&mut Loop>,
-    sensor: Text<'_>,
-    now_s: f64,
-) -> i32 {
+pub extern "C" fn ncp_loop_on_sensor(control: Option<&mut Loop>, sensor: Text<'_>, now_s: f64) -> i32 {
     entry(|| {
         let Loop(control) = required(control, "loop")?;
         let sensor = json::sensor(sensor.required("sensor")?)?;

@@ -8,8 +8,7 @@ use ncp_spec::ErrorCode;
 use ncp_spec::codec::{Mapping, RateCodec, Rates};
 use ncp_spec::control::ReflexConfig;
 use ncp_spec::wire::{
-    self, Capabilities, ChannelMap, CommandFrame, DecodeError, Kind, Message, SafetyLimits,
-    SensorFrame,
+    self, Capabilities, ChannelMap, CommandFrame, DecodeError, Kind, Message, SafetyLimits, SensorFrame,
 };
 use serde::de::{self, Deserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
@@ -27,10 +26,7 @@ pub(crate) fn command(fields: &str) -> Result<CommandFrame, Refusal> {
 
     let message = wire::build(Kind::CommandFrame, fields.as_bytes())?;
     if serde_json::from_str::<Said>(fields)?.mode.is_none() {
-        return Err(Refusal::new(
-            ErrorCode::Missing,
-            "mode: a command that is to be governed says its mode",
-        ));
+        return Err(Refusal::new(ErrorCode::Missing, "mode: a command that is to be governed says its mode"));
     }
     match message {
         Message::CommandFrame(command) => Ok(command),
@@ -83,9 +79,7 @@ pub(crate) fn reflex(text: &str) -> Result<ReflexConfig, Refusal> {
     let default = ReflexConfig::default();
     let or = |value: Option<Double>, default| value.map_or(default, |Double(value)| value);
     Ok(ReflexConfig {
-        target_m: text
-            .target
-            .map_or(default.target_m, |axes| axes.map(|Double(axis)| axis)),
+        target_m: text.target.map_or(default.target_m, |axes| axes.map(|Double(axis)| axis)),
         kp: or(text.kp, default.kp),
         kd: or(text.kd, default.kd),
         max_speed_mps: or(text.max_speed, default.max_speed_mps),
@@ -100,10 +94,7 @@ pub(crate) fn rates(text: &str) -> Result<Rates, Refusal> {
 
 /// Rates as JSON; what JSON lacks as `"NaN"`, `"Infinity"`, `"-Infinity"`.
 pub(crate) fn rates_out(rates: &Rates) -> Result<String, Refusal> {
-    let rates: BTreeMap<&str, Double> = rates
-        .iter()
-        .map(|(name, rate)| (name.as_str(), Double(*rate)))
-        .collect();
+    let rates: BTreeMap<&str, Double> = rates.iter().map(|(name, rate)| (name.as_str(), Double(*rate))).collect();
     Ok(serde_json::to_string(&rates)?)
 }
 
@@ -128,10 +119,7 @@ pub(crate) fn channels_out(channels: &ChannelMap) -> Result<String, Refusal> {
 
 /// A message is always of the kind that was asked for.
 fn other_kind(message: &Message) -> Refusal {
-    Refusal::new(
-        ErrorCode::Internal,
-        format_args!("{} was built", message.kind()),
-    )
+    Refusal::new(ErrorCode::Internal, format_args!("{} was built", message.kind()))
 }
 
 /// A double: a JSON number, or one of the strings for those that JSON lacks.
@@ -155,10 +143,7 @@ impl<'de> Deserialize<'de> for Double {
                 "Infinity" => Ok(Self(f64::INFINITY)),
                 "-Infinity" => Ok(Self(f64::NEG_INFINITY)),
                 "-0" => Ok(Self(-0.0)),
-                other => Err(de::Error::invalid_value(
-                    de::Unexpected::Str(other),
-                    &"a number",
-                )),
+                other => Err(de::Error::invalid_value(de::Unexpected::Str(other), &"a number")),
             },
         }
     }
@@ -274,10 +259,7 @@ mod tests {
     fn limits_cannot_reach_beyond_their_place() {
         let sneaky = r#"{"max_speed_mps":1},"sensor_channels":[],"safety":{}"#;
         assert!(limits(sneaky).is_err());
-        assert_eq!(
-            limits(r#"{"max_speed_mps":1.5}"#).unwrap().max_speed_mps,
-            Some(1.5)
-        );
+        assert_eq!(limits(r#"{"max_speed_mps":1.5}"#).unwrap().max_speed_mps, Some(1.5));
     }
 
     #[test]
@@ -295,10 +277,7 @@ mod tests {
 
     #[test]
     fn a_command_without_a_mode_is_refused_and_not_taken_for_active() {
-        assert_eq!(
-            command(r#"{"seq":1}"#).unwrap_err().code,
-            ErrorCode::Missing
-        );
+        assert_eq!(command(r#"{"seq":1}"#).unwrap_err().code, ErrorCode::Missing);
         assert!(command(r#"{"seq":1,"mode":"active"}"#).is_ok());
     }
 
@@ -306,9 +285,6 @@ mod tests {
     fn a_population_that_stands_there_twice_is_refused() {
         assert!(rates(r#"{"a":1,"a":2}"#).is_err());
         let read = rates(r#"{"a":"NaN","b":"-Infinity","c":2}"#).unwrap();
-        assert_eq!(
-            rates_out(&read).unwrap(),
-            r#"{"a":"NaN","b":"-Infinity","c":2.0}"#
-        );
+        assert_eq!(rates_out(&read).unwrap(), r#"{"a":"NaN","b":"-Infinity","c":2.0}"#);
     }
 }

@@ -14,10 +14,7 @@
 //! UTF-8, is an error and never a default. A panic is an error too and never unwinds into C. And
 //! where a failure could move a plant, the value that says "failed" makes a careless caller hold.
 
-#![expect(
-    unsafe_code,
-    reason = "a C ABI is made of pointers that only its caller can vouch for"
-)]
+#![expect(unsafe_code, reason = "a C ABI is made of pointers that only its caller can vouch for")]
 #![warn(clippy::undocumented_unsafe_blocks)]
 
 #[cfg(not(panic = "unwind"))]

@@ -8,8 +8,7 @@ use std::mem::MaybeUninit;
 use std::ptr;
 
 use ncp_spec::resilience::{
-    ActionBuffer, CommandWatchdog, DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, is_estop,
-    max_horizon_len,
+    ActionBuffer, CommandWatchdog, DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, is_estop, max_horizon_len,
 };
 use ncp_spec::safety::SafetyGovernor;
 use ncp_spec::wire::Message;
@@ -125,22 +124,13 @@ pub struct Watchdog(Handle<CommandWatchdog>);
 /// A watchdog that has seen no command, so that it holds.
 #[unsafe(no_mangle)]
 pub extern "C" fn ncp_watchdog_new() -> Option<Box<Watchdog>> {
-    entry(|| {
-        Ok(Some(Box::new(Watchdog(
-            Handle::new(CommandWatchdog::new()),
-        ))))
-    })
+    entry(|| Ok(Some(Box::new(Watchdog(Handle::new(CommandWatchdog::new()))))))
 }
 
 /// Takes note of a command: received at now_s in seconds, live for ttl_ms. 1 if its seq advances, so that it
 /// refreshes the deadline, else 0; -1 error.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_watchdog_on_command(
-    watchdog: Option<&mut Watchdog>,
-    now_s: f64,
-    ttl_ms: f64,
-    seq: i64,
-) -> i32 {
+pub extern "C" fn ncp_watchdog_on_command(watchdog: Option<&mut Watchdog>, now_s: f64, ttl_ms: f64, seq: i64) -> i32 {
     entry(|| {
         let Watchdog(watchdog) = required(watchdog, "watchdog")?;
         watchdog.with(|watchdog| Ok(yes(watchdog.on_command(now_s, ttl_ms, seq))))
@@ -286,10 +276,7 @@ pub struct LinkReport {
 /// A monitor that has seen nothing. NULL is the default: a loss of 0.05 that is taken for normal, and a
 /// threshold of 5.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_link_new(
-    ref_loss: Option<&f64>,
-    threshold: Option<&f64>,
-) -> Option<Box<Link>> {
+pub extern "C" fn ncp_link_new(ref_loss: Option<&f64>, threshold: Option<&f64>) -> Option<Box<Link>> {
     entry(|| {
         let link = LinkMonitor::new(
             ref_loss.copied().unwrap_or(DEFAULT_REF_LOSS),
@@ -312,10 +299,7 @@ pub extern "C" fn ncp_link_on_frame(link: Option<&mut Link>, seq: i64) -> i32 {
 
 /// How the stream arrives so far. 1, or -1.
 #[unsafe(no_mangle)]
-pub extern "C" fn ncp_link_report(
-    link: Option<&mut Link>,
-    report: Option<&mut MaybeUninit<LinkReport>>,
-) -> i32 {
+pub extern "C" fn ncp_link_report(link: Option<&mut Link>, report: Option<&mut MaybeUninit<LinkReport>>) -> i32 {
     entry(|| {
         let out = required(report, "report")?;
         let report = required(link, "link")?.0.with(|link| Ok(link.report()))?;
@@ -335,20 +319,8 @@ pub extern "C" fn ncp_link_free(link: Option<Box<Link>>) {
 
 impl From<ncp_spec::resilience::LinkReport> for LinkReport {
     fn from(report: ncp_spec::resilience::LinkReport) -> Self {
-        let ncp_spec::resilience::LinkReport {
-            last_seq,
-            received,
-            lost,
-            loss_rate,
-            burst,
-        } = report;
-        Self {
-            last_seq,
-            received,
-            lost,
-            loss_rate,
-            burst,
-        }
+        let ncp_spec::resilience::LinkReport { last_seq, received, lost, loss_rate, burst } = report;
+        Self { last_seq, received, lost, loss_rate, burst }
     }
 }
 

@@ -124,11 +124,7 @@ pub extern "C" fn ncp_govern(
         let sensor = sensor.optional("sensor")?.map(json::received_sensor);
         let sensor = sensor.transpose()?;
         // Not `>= 0`: a NaN is a time that was read, and stale.
-        let last_sensor_s = if last_sensor_s < 0.0 {
-            None
-        } else {
-            Some(last_sensor_s)
-        };
+        let last_sensor_s = if last_sensor_s < 0.0 { None } else { Some(last_sensor_s) };
         governor.govern(&mut command, now_s, sensor.as_ref(), last_sensor_s);
         text_out(command.encode()?)
     })
@@ -170,8 +166,7 @@ pub(crate) const fn status_code(status: ContractStatus) -> i32 {
 /// The kind of this name.
 pub(crate) fn kind_of(kind: Text<'_>) -> Result<Kind, Refusal> {
     let name = kind.required("kind")?;
-    Kind::parse(name)
-        .ok_or_else(|| Refusal::new(ErrorCode::Kind, format_args!("{name:?} is not a kind")))
+    Kind::parse(name).ok_or_else(|| Refusal::new(ErrorCode::Kind, format_args!("{name:?} is not a kind")))
 }
 
 /// The frame and the mode that a command is to have, with the seed's defaults for NULL.
@@ -179,9 +174,9 @@ pub(crate) fn stamp(frame_id: Text<'_>, mode: Text<'_>) -> Result<(String, Mode)
     let frame_id = frame_id.optional("frame_id")?.unwrap_or("world");
     let mode = match mode.optional("mode")? {
         None => Mode::Active,
-        Some(name) => Mode::parse(name).ok_or_else(|| {
-            Refusal::new(ErrorCode::Value, format_args!("{name:?} is not a mode"))
-        })?,
+        Some(name) => {
+            Mode::parse(name).ok_or_else(|| Refusal::new(ErrorCode::Value, format_args!("{name:?} is not a mode")))?
+        }
     };
     Ok((frame_id.to_owned(), mode))
 }

@@ -31,11 +31,7 @@ pub extern "C" fn ncp_library_version() -> *mut c_char {
 /// # Safety
 /// The version has that many bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn ncp_check_version_n(
-    version: *const c_char,
-    version_len: usize,
-    strict: i32,
-) -> i32 {
+pub unsafe extern "C" fn ncp_check_version_n(version: *const c_char, version_len: usize, strict: i32) -> i32 {
     entry(|| {
         // SAFETY: as this function demands.
         let version = unsafe { sized(version, version_len, "version")? };
@@ -85,12 +81,7 @@ pub unsafe extern "C" fn ncp_negotiate(
 ) -> i32 {
     entry(|| {
         // SAFETY: as this function demands.
-        let (version, hash) = unsafe {
-            (
-                sized(version, version_len, "version")?,
-                sized(hash, hash_len, "hash")?,
-            )
-        };
+        let (version, hash) = unsafe { (sized(version, version_len, "version")?, sized(hash, hash_len, "hash")?) };
         let version = required(version, "version")?;
         Ok(status_code(contract::negotiate(version, hash)?))
     })
@@ -102,11 +93,7 @@ pub unsafe extern "C" fn ncp_negotiate(
 /// # Safety
 /// The frame has that many bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn ncp_decode(
-    kind: Text<'_>,
-    frame: *const u8,
-    frame_len: usize,
-) -> *mut c_char {
+pub unsafe extern "C" fn ncp_decode(kind: Text<'_>, frame: *const u8, frame_len: usize) -> *mut c_char {
     entry(|| {
         // SAFETY: as this function demands.
         let frame = unsafe { bytes(frame, frame_len, "frame")? };
@@ -149,12 +136,7 @@ pub unsafe extern "C" fn ncp_check_reply(
 ) -> i32 {
     entry(|| {
         // SAFETY: as this function demands.
-        let (request, reply) = unsafe {
-            (
-                bytes(request, request_len, "request")?,
-                bytes(reply, reply_len, "reply")?,
-            )
-        };
+        let (request, reply) = unsafe { (bytes(request, request_len, "request")?, bytes(reply, reply_len, "reply")?) };
         let request = wire::decode_any(request).map_err(|error| {
             // It is the caller's own, so that the reply was never judged.
             Refusal::new(ErrorCode::Internal, format_args!("the request: {error}"))
@@ -183,11 +165,7 @@ pub unsafe extern "C" fn ncp_key(
     entry(|| {
         // SAFETY: as this function demands.
         let (realm, session, name) = unsafe {
-            (
-                sized(realm, realm_len, "realm")?,
-                sized(session, session_len, "session")?,
-                sized(name, name_len, "name")?,
-            )
+            (sized(realm, realm_len, "realm")?, sized(session, session_len, "session")?, sized(name, name_len, "name")?)
         };
         let keys = Keys::new(realm)?;
         let session = || required(session, "session");
@@ -221,12 +199,7 @@ pub unsafe extern "C" fn ncp_key_matches(
 ) -> i32 {
     entry(|| {
         // SAFETY: as this function demands.
-        let (pattern, key) = unsafe {
-            (
-                sized(pattern, pattern_len, "pattern")?,
-                sized(key, key_len, "key")?,
-            )
-        };
+        let (pattern, key) = unsafe { (sized(pattern, pattern_len, "pattern")?, sized(key, key_len, "key")?) };
         let (pattern, key) = (required(pattern, "pattern")?, required(key, "key")?);
         Ok(yes(keys::matches(pattern, key)?))
     })
@@ -249,16 +222,8 @@ pub extern "C" fn ncp_plane_qos(plane: Text<'_>, qos: Option<&mut MaybeUninit<Pl
     entry(|| {
         let (name, out) = (plane.required("plane")?, required(qos, "qos")?);
         let unknown = || Refusal::new(ErrorCode::Invalid, format_args!("{name:?} is not a plane"));
-        let Qos {
-            congestion,
-            priority,
-            express,
-        } = Plane::parse(name).ok_or_else(unknown)?.qos();
-        out.write(PlaneQos {
-            congestion: word(congestion.as_str())?,
-            priority: word(priority.as_str())?,
-            express,
-        });
+        let Qos { congestion, priority, express } = Plane::parse(name).ok_or_else(unknown)?.qos();
+        out.write(PlaneQos { congestion: word(congestion.as_str())?, priority: word(priority.as_str())?, express });
         Ok(1)
     })
 }
@@ -269,10 +234,5 @@ fn word(word: &'static str) -> Result<*const c_char, Refusal> {
         .into_iter()
         .find(|known| known.to_bytes() == word.as_bytes())
         .map(|known| known.as_ptr())
-        .ok_or_else(|| {
-            Refusal::new(
-                ErrorCode::Internal,
-                format_args!("{word:?} has no C string"),
-            )
-        })
+        .ok_or_else(|| Refusal::new(ErrorCode::Internal, format_args!("{word:?} has no C string")))
 }

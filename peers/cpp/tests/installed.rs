@@ -4,11 +4,7 @@
 //! They need cc, c++ and valgrind, and build in release: `cargo xtask test --only cpp`.
 
 #![cfg(target_os = "linux")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -42,10 +38,7 @@ fn run(command: &mut Command) -> String {
 
 fn cargo(args: &[&str]) -> Command {
     let mut cargo = Command::new(env!("CARGO"));
-    cargo
-        .args(args)
-        .current_dir(root())
-        .env("CARGO_TARGET_DIR", target());
+    cargo.args(args).current_dir(root()).env("CARGO_TARGET_DIR", target());
     cargo
 }
 
@@ -155,13 +148,10 @@ fn the_commands_of_the_readme_install_compile_and_run_the_examples() {
 #[test]
 #[ignore = "needs cc, c++ and valgrind: cargo xtask test --only cpp"]
 fn the_examples_say_the_same_with_either_library_and_leak_nothing() {
-    for (source, compiler) in [
-        ("examples/flight.c", cc as fn() -> Command),
-        ("examples/flight.cpp", cxx),
-    ] {
+    for (source, compiler) in [("examples/flight.c", cc as fn() -> Command), ("examples/flight.cpp", cxx)] {
         let folder = tempfile::tempdir().unwrap();
-        let [shared, fixed] = [true, false]
-            .map(|shared| under_valgrind(&compiled(compiler(), source, shared, folder.path())));
+        let [shared, fixed] =
+            [true, false].map(|shared| under_valgrind(&compiled(compiler(), source, shared, folder.path())));
         assert_eq!(shared, fixed, "{source}");
     }
 }
@@ -187,15 +177,10 @@ fn the_cpp_objects_have_one_owner_and_throw_without_a_leak_or_an_invalid_read() 
 /// The names of the header's functions.
 fn declared() -> BTreeSet<String> {
     let header = fs::read_to_string(Path::new(CRATE).join("include/ncp.h")).unwrap();
-    let code = header
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"));
+    let code = header.lines().filter(|line| !line.trim_start().starts_with("//"));
     let calls = code.filter_map(|line| line.split_once('('));
     let names = calls.map(|(before, _)| before.rsplit([' ', '*']).next().unwrap_or_default());
-    names
-        .filter(|name| name.starts_with("ncp_"))
-        .map(str::to_owned)
-        .collect()
+    names.filter(|name| name.starts_with("ncp_")).map(str::to_owned).collect()
 }
 
 #[test]
@@ -203,10 +188,7 @@ fn the_test_in_c_calls_every_function_of_the_header() {
     let test = fs::read_to_string(Path::new(CRATE).join("tests/abi.c")).unwrap();
     let declared = declared();
     assert!(declared.len() > 60, "{declared:?}");
-    let uncalled: Vec<_> = declared
-        .iter()
-        .filter(|name| !test.contains(&format!("{name}(")))
-        .collect();
+    let uncalled: Vec<_> = declared.iter().filter(|name| !test.contains(&format!("{name}("))).collect();
     assert_eq!(uncalled, [""; 0]);
 }
 
@@ -216,8 +198,7 @@ fn both_libraries_export_every_function_of_the_header() {
     install();
     for (file, only) in [("libncp.so", "-D"), ("libncp.a", "-g")] {
         let mut nm = Command::new("nm");
-        nm.args([only, "--defined-only"])
-            .arg(prefix().join("lib").join(file));
+        nm.args([only, "--defined-only"]).arg(prefix().join("lib").join(file));
         let listed = run(&mut nm);
         let exported: BTreeSet<String> = listed
             .lines()
@@ -254,20 +235,13 @@ fn verified(library: &Path, filter: &[&str]) -> Value {
 /// The cases of a result with this outcome.
 fn cases<'a>(result: &'a Value, outcome: &str) -> Vec<&'a Value> {
     let cases = result["peers"][0]["cases"].as_array().unwrap();
-    cases
-        .iter()
-        .filter(|case| case["outcome"] == outcome)
-        .collect()
+    cases.iter().filter(|case| case["outcome"] == outcome).collect()
 }
 
 /// The rules that those cases cite.
 fn rules(cases: &[&Value]) -> BTreeSet<String> {
-    let cited = cases
-        .iter()
-        .flat_map(|case| case["rules"].as_array().unwrap());
-    cited
-        .map(|rule| rule.as_str().unwrap().to_owned())
-        .collect()
+    let cited = cases.iter().flat_map(|case| case["rules"].as_array().unwrap());
+    cited.map(|rule| rule.as_str().unwrap().to_owned()).collect()
 }
 
 /// A shared library of these sources and arguments.
@@ -280,16 +254,10 @@ fn library(folder: &Path, name: &str, args: &[&str], archive: bool) -> PathBuf {
         compiler
             .arg("-Wl,--whole-archive")
             .arg(lib.join("libncp.a"))
-            .args([
-                "-Wl,--no-whole-archive",
-                "-Wl,--version-script=tests/seed.map",
-            ]);
+            .args(["-Wl,--no-whole-archive", "-Wl,--version-script=tests/seed.map"]);
     } else {
         let rpath = format!("-Wl,-rpath,{}", lib.display());
-        compiler
-            .arg("-L")
-            .arg(&lib)
-            .args(["-Wl,--no-as-needed", "-lncp", &rpath]);
+        compiler.arg("-L").arg(&lib).args(["-Wl,--no-as-needed", "-lncp", &rpath]);
     }
     run(compiler.args(NATIVE).arg("-o").arg(&library));
     library
@@ -299,19 +267,10 @@ fn library(folder: &Path, name: &str, args: &[&str], archive: bool) -> PathBuf {
 #[ignore = "needs cc, c++ and valgrind: cargo xtask test --only cpp"]
 fn a_library_whose_governor_never_latches_is_told_the_rule_that_it_breaks() {
     let folder = tempfile::tempdir().unwrap();
-    let broken = library(
-        folder.path(),
-        "libbroken.so",
-        &["tests/broken_govern.c"],
-        false,
-    );
+    let broken = library(folder.path(), "libbroken.so", &["tests/broken_govern.c"], false);
     let result = verified(&broken, SAFETY);
     let failed = cases(&result, "fail");
-    assert!(
-        rules(&failed).contains("NCP-SAFE-005"),
-        "{:?}",
-        rules(&failed)
-    );
+    assert!(rules(&failed).contains("NCP-SAFE-005"), "{:?}", rules(&failed));
     assert!(cases(&result, "pass").len() > failed.len());
 
     let whole = library(folder.path(), "libwhole.so", &[], false);
@@ -326,12 +285,8 @@ fn a_library_with_the_seeds_functions_alone_fails_no_case() {
     let seed = library(folder.path(), "libseed.so", &[], true);
     let result = verified(&seed, &[]);
     assert!(cases(&result, "pass").len() > 2_000);
-    let others: BTreeSet<&str> = result["peers"][0]["cases"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|case| case["outcome"].as_str().unwrap())
-        .collect();
+    let others: BTreeSet<&str> =
+        result["peers"][0]["cases"].as_array().unwrap().iter().map(|case| case["outcome"].as_str().unwrap()).collect();
     assert_eq!(others, BTreeSet::from(["pass", "unsupported"]));
 }
 
@@ -339,14 +294,8 @@ fn a_library_with_the_seeds_functions_alone_fails_no_case() {
 #[ignore = "needs cc, c++ and valgrind: cargo xtask test --only cpp"]
 fn a_seed_library_whose_govern_knows_no_limit_is_told_the_rule_that_it_breaks() {
     let folder = tempfile::tempdir().unwrap();
-    let args = [
-        "tests/seed_broken_govern.c",
-        "-Wl,--allow-multiple-definition",
-    ];
+    let args = ["tests/seed_broken_govern.c", "-Wl,--allow-multiple-definition"];
     let broken = library(folder.path(), "libseed_broken.so", &args, true);
     let failed = rules(&cases(&verified(&broken, SAFETY), "fail"));
-    assert!(
-        failed.iter().any(|rule| rule.starts_with("NCP-SAFE-06")),
-        "{failed:?}"
-    );
+    assert!(failed.iter().any(|rule| rule.starts_with("NCP-SAFE-06")), "{failed:?}");
 }

@@ -74,10 +74,7 @@ fn make() -> Result<(), Box<dyn Error>> {
     }
     // The specification reads its own text.
     for source in files(&root.join("spec/text"))? {
-        write(
-            &out.join(relative(&source, &root)),
-            &fs::read_to_string(&source)?,
-        )?;
+        write(&out.join(relative(&source, &root)), &fs::read_to_string(&source)?)?;
     }
     fs::write(out.join("modules.rs"), modules)?;
     fs::write(out.join("table.rs"), as_code(&mutants)?)?;
@@ -89,30 +86,14 @@ fn make() -> Result<(), Box<dyn Error>> {
 fn moved(text: &str, module: &str) -> String {
     let text = text.replace("const fn ", "fn ");
     let text = text.replace("crate::", &format!("crate::{module}::"));
-    if module == "ncp_spec" {
-        text
-    } else {
-        text.replace("ncp_spec::", "crate::ncp_spec::")
-    }
+    if module == "ncp_spec" { text } else { text.replace("ncp_spec::", "crate::ncp_spec::") }
 }
 
 /// The table, as `src/main.rs` includes it.
 fn as_code(mutants: &[Mutant]) -> Result<String, std::fmt::Error> {
-    let mut code = String::from(
-        "/// Every mutant; its place is its number.\nstatic MUTANTS: &[Mutant] = &[\n",
-    );
-    for Mutant {
-        name,
-        about,
-        finding,
-        rules,
-        ..
-    } in mutants
-    {
-        writeln!(
-            code,
-            "    Mutant {{ name: {name:?}, about: {about:?}, finding: {finding:?}, rules: &{rules:?} }},"
-        )?;
+    let mut code = String::from("/// Every mutant; its place is its number.\nstatic MUTANTS: &[Mutant] = &[\n");
+    for Mutant { name, about, finding, rules, .. } in mutants {
+        writeln!(code, "    Mutant {{ name: {name:?}, about: {about:?}, finding: {finding:?}, rules: &{rules:?} }},")?;
     }
     code.push_str("];\n");
     Ok(code)

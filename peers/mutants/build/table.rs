@@ -59,29 +59,17 @@ pub(crate) fn read(folder: &Path) -> Result<Vec<Mutant>, TableError> {
         mutant: Vec<Mutant>,
     }
 
-    let unreadable = |file: &Path, source| TableError::Read {
-        file: file.display().to_string(),
-        source,
-    };
+    let unreadable = |file: &Path, source| TableError::Read { file: file.display().to_string(), source };
     let mut paths = fs::read_dir(folder)
-        .and_then(|entries| {
-            entries
-                .map(|entry| Ok(entry?.path()))
-                .collect::<io::Result<Vec<_>>>()
-        })
+        .and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>())
         .map_err(|source| unreadable(folder, source))?;
-    paths.retain(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "toml")
-    });
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     let mut mutants = Vec::new();
     for path in paths {
         let text = fs::read_to_string(&path).map_err(|source| unreadable(&path, source))?;
-        let file: File = toml::from_str(&text).map_err(|error| TableError::Form {
-            file: path.display().to_string(),
-            message: error.to_string(),
-        })?;
+        let file: File = toml::from_str(&text)
+            .map_err(|error| TableError::Form { file: path.display().to_string(), message: error.to_string() })?;
         mutants.extend(file.mutant);
     }
     let mut seen = HashSet::new();

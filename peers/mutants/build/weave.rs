@@ -26,20 +26,10 @@ pub(crate) struct Site<'t> {
 #[derive(Debug, PartialEq, Eq, Error)]
 pub(crate) enum WeaveError {
     #[error("the mutant {mutant}: its `{part}` does not stand there: {text}")]
-    Missing {
-        mutant: String,
-        part: &'static str,
-        text: String,
-    },
+    Missing { mutant: String, part: &'static str, text: String },
     #[error("the mutant {mutant}: its `{part}` stands there more than once: {text}")]
-    Repeated {
-        mutant: String,
-        part: &'static str,
-        text: String,
-    },
-    #[error(
-        "the mutants {first} and {second} change places that overlap, neither within the other"
-    )]
+    Repeated { mutant: String, part: &'static str, text: String },
+    #[error("the mutants {first} and {second} change places that overlap, neither within the other")]
     Overlap { first: String, second: String },
 }
 
@@ -48,13 +38,8 @@ pub(crate) enum WeaveError {
 /// # Errors
 /// A site whose place is not exactly one, or that overlaps another.
 pub(crate) fn weave(text: &str, sites: &[Site<'_>]) -> Result<String, WeaveError> {
-    let text = text
-        .split_once("\n#[cfg(test)]\nmod tests {")
-        .map_or(text, |(code, _)| code);
-    let mut places = sites
-        .iter()
-        .map(|site| Ok((find(text, site)?, site)))
-        .collect::<Result<Vec<_>, _>>()?;
+    let text = text.split_once("\n#[cfg(test)]\nmod tests {").map_or(text, |(code, _)| code);
+    let mut places = sites.iter().map(|site| Ok((find(text, site)?, site))).collect::<Result<Vec<_>, _>>()?;
     // The outer before the inner ones, and those of one place together.
     places.sort_by_key(|(span, site)| (span.start, usize::MAX - span.end, site.number));
     let mut woven = String::with_capacity(2 * text.len());
@@ -76,10 +61,7 @@ fn replace(
         let touching = others.iter().take_while(|(span, _)| span.start < outer.end);
         let (inner, behind) = others.split_at(touching.count());
         if let Some((_, second)) = inner.iter().find(|(span, _)| span.end > outer.end) {
-            return Err(WeaveError::Overlap {
-                first: site.name.to_owned(),
-                second: second.name.to_owned(),
-            });
+            return Err(WeaveError::Overlap { first: site.name.to_owned(), second: second.name.to_owned() });
         }
         woven.push_str(slice(text, at..outer.start));
         woven.push('(');
@@ -108,11 +90,9 @@ fn find(text: &str, site: &Site<'_>) -> Result<Range<usize>, WeaveError> {
         match (all.next(), all.next()) {
             (None, _) => Err(missing(part, looked_for)),
             (Some(at), None) => Ok(at),
-            (Some(_), Some(_)) => Err(WeaveError::Repeated {
-                mutant: site.name.to_owned(),
-                part,
-                text: looked_for.to_owned(),
-            }),
+            (Some(_), Some(_)) => {
+                Err(WeaveError::Repeated { mutant: site.name.to_owned(), part, text: looked_for.to_owned() })
+            }
         }
     };
     let start = match site.after {

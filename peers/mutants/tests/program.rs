@@ -13,12 +13,7 @@ fn run(args: &[&str], input: &str) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(input.as_bytes())
-        .unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
     child.wait_with_output().unwrap()
 }
 
@@ -26,8 +21,7 @@ fn ask(args: &[&str], request: &str) -> String {
     String::from_utf8(run(args, &format!("{request}\n")).stdout).unwrap()
 }
 
-const PATCH_VERSION: &str =
-    r#"{"id":1,"call":"version.check","args":{"version":"0.5.1","strict":false}}"#;
+const PATCH_VERSION: &str = r#"{"id":1,"call":"version.check","args":{"version":"0.5.1","strict":false}}"#;
 
 #[test]
 fn without_a_mutant_it_is_the_rust_peer() {
@@ -45,11 +39,7 @@ fn a_mutant_has_its_defect_and_another_has_it_not() {
 fn the_list_holds_every_mutant_of_the_table() {
     let output = run(&["--list"], "");
     let list: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let names = list
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|mutant| mutant["name"].as_str().unwrap());
+    let names = list.as_array().unwrap().iter().map(|mutant| mutant["name"].as_str().unwrap());
     assert!(names.clone().count() >= 100);
     assert!(names.clone().any(|name| name == "version-third-component"));
 }

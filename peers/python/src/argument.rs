@@ -32,9 +32,7 @@ pub(crate) fn double_of(value: &Bound<'_, PyAny>) -> Result<f64> {
     if value.is_instance_of::<PyBool>() {
         return Err(wrong_type("a number", value).into());
     }
-    value
-        .extract()
-        .map_err(|error| fitting(value.py(), error, "an integer beyond the largest double"))
+    value.extract().map_err(|error| fitting(value.py(), error, "an integer beyond the largest double"))
 }
 
 /// As [`integer`].
@@ -42,15 +40,12 @@ pub(crate) fn integer_of(value: &Bound<'_, PyAny>) -> Result<i64> {
     if value.is_instance_of::<PyBool>() {
         return Err(wrong_type("an integer", value).into());
     }
-    value
-        .extract()
-        .map_err(|error| fitting(value.py(), error, "an integer beyond 64 bits"))
+    value.extract().map_err(|error| fitting(value.py(), error, "an integer beyond 64 bits"))
 }
 
 /// A count, from 0.
 pub(crate) fn index(value: &Bound<'_, PyAny>) -> PyResult<usize> {
-    usize::try_from(integer(value)?)
-        .map_err(|_| Error::refused(ErrorCode::Value, &"an index is not negative").into())
+    usize::try_from(integer(value)?).map_err(|_| Error::refused(ErrorCode::Value, &"an index is not negative").into())
 }
 
 /// Three doubles.
@@ -66,9 +61,7 @@ pub(crate) fn range(value: &Bound<'_, PyAny>) -> PyResult<(f64, f64)> {
 /// A `TypeError` for a value.
 pub(crate) fn wrong_type(expected: &str, found: &Bound<'_, PyAny>) -> PyErr {
     let name = found.get_type().name();
-    let name = name
-        .as_ref()
-        .map_or("something else".into(), ToString::to_string);
+    let name = name.as_ref().map_or("something else".into(), ToString::to_string);
     PyTypeError::new_err(format!("expected {expected}, found {name}"))
 }
 
@@ -116,9 +109,5 @@ fn doubles<const N: usize>(value: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
 
 /// An `OverflowError` is no `ValueError` in Python, but means one here.
 fn fitting(py: Python<'_>, error: PyErr, what: &str) -> Error {
-    if error.is_instance_of::<PyOverflowError>(py) {
-        Error::refused(ErrorCode::Value, &what)
-    } else {
-        error.into()
-    }
+    if error.is_instance_of::<PyOverflowError>(py) { Error::refused(ErrorCode::Value, &what) } else { error.into() }
 }

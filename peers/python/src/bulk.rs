@@ -13,19 +13,12 @@ use crate::error::{Error, Result};
 
 /// Checks a block and returns where its columns lie: name, dtype, rows, and the offset of the data in bytes.
 #[pyfunction]
-pub(crate) fn bulk_directory(
-    block: &Bound<'_, PyBytes>,
-) -> Result<Vec<(String, &'static str, usize, usize)>> {
+pub(crate) fn bulk_directory(block: &Bound<'_, PyBytes>) -> Result<Vec<(String, &'static str, usize, usize)>> {
     let bytes = block.as_bytes();
     let block = Block::parse(bytes)?;
     let start = bytes.as_ptr().addr();
     let columns = block.columns().map(|column| {
-        (
-            column.name().to_owned(),
-            column.dtype().as_str(),
-            column.rows(),
-            column.bytes().as_ptr().addr() - start,
-        )
+        (column.name().to_owned(), column.dtype().as_str(), column.rows(), column.bytes().as_ptr().addr() - start)
     });
     Ok(columns.collect())
 }
@@ -36,14 +29,11 @@ pub(crate) fn bulk_encode<'py>(
     py: Python<'py>,
     columns: Vec<(PyBackedStr, PyBackedStr, PyBackedBytes)>,
 ) -> Result<Bound<'py, PyBytes>> {
-    let values: Vec<Values<'_>> = columns
-        .iter()
-        .map(|(_, dtype, bytes)| Values::of(dtype, bytes))
-        .collect::<Result<_>>()?;
+    let values: Vec<Values<'_>> =
+        columns.iter().map(|(_, dtype, bytes)| Values::of(dtype, bytes)).collect::<Result<_>>()?;
     let columns = columns.iter().zip(&values);
-    let columns: Vec<ColumnRef<'_>> = columns
-        .map(|((name, ..), values)| ColumnRef::new(name, values.borrow()))
-        .collect();
+    let columns: Vec<ColumnRef<'_>> =
+        columns.map(|((name, ..), values)| ColumnRef::new(name, values.borrow())).collect();
     Ok(PyBytes::new(py, &bulk::encode(&columns)?))
 }
 
@@ -102,11 +92,6 @@ fn cast<T: Pod>(bytes: &[u8]) -> Result<Cow<'_, [T]>> {
     }
     Ok(match bytemuck::try_cast_slice(bytes) {
         Ok(values) => Cow::Borrowed(values),
-        Err(_) => Cow::Owned(
-            bytes
-                .chunks_exact(size_of::<T>())
-                .map(bytemuck::pod_read_unaligned)
-                .collect(),
-        ),
+        Err(_) => Cow::Owned(bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect()),
     })
 }

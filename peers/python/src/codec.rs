@@ -91,16 +91,9 @@ impl RateCodec {
     #[new]
     #[pyo3(signature = (encoders, decoders))]
     fn new(encoders: Vec<Bound<'_, RateMapping>>, decoders: Vec<Bound<'_, RateMapping>>) -> Self {
-        let mappings = |given: Vec<Bound<'_, RateMapping>>| {
-            given
-                .iter()
-                .map(|mapping| mapping.get().0.clone())
-                .collect()
-        };
-        Self(codec::RateCodec {
-            encoders: mappings(encoders),
-            decoders: mappings(decoders),
-        })
+        let mappings =
+            |given: Vec<Bound<'_, RateMapping>>| given.iter().map(|mapping| mapping.get().0.clone()).collect();
+        Self(codec::RateCodec { encoders: mappings(encoders), decoders: mappings(decoders) })
     }
 
     /// The default UAV codec: `pose_error` in, `velocity_setpoint` out.
@@ -117,11 +110,7 @@ impl RateCodec {
 
     /// The rate of each population in Hz, for what is sensed: a dict or a frame.
     #[pyo3(signature = (sensor=None))]
-    fn encode<'py>(
-        &self,
-        py: Python<'py>,
-        sensor: Option<&Bound<'py, PyAny>>,
-    ) -> Result<Bound<'py, PyDict>> {
+    fn encode<'py>(&self, py: Python<'py>, sensor: Option<&Bound<'py, PyAny>>) -> Result<Bound<'py, PyDict>> {
         let sensor: Option<SensorFrame> = optional(sensor)?;
         let rates = PyDict::new(py);
         for (population, rate) in self.0.encode(sensor.as_ref()) {
@@ -160,9 +149,7 @@ impl RateCodec {
 #[pyo3(signature = (codec_json, sensor_json=None))]
 pub(crate) fn encode_rates(codec_json: PyBackedStr, sensor_json: Option<Frame>) -> Result<String> {
     let codec = codec_of(&codec_json)?;
-    let sensor = sensor_json
-        .map(|frame| SensorFrame::decode(frame.bytes()))
-        .transpose()?;
+    let sensor = sensor_json.map(|frame| SensorFrame::decode(frame.bytes())).transpose()?;
     let rates = codec.encode(sensor.as_ref());
     // JSON has no other number than a finite one; where a range is not, neither may the rate be.
     if let Some((population, _)) = rates.iter().find(|(_, rate)| !rate.is_finite()) {
@@ -190,9 +177,7 @@ pub(crate) fn decode_command(
 }
 
 fn frame_of(frame_id: Option<&str>) -> Text {
-    frame_id.map_or(Text::Borrowed("world"), |frame_id| {
-        frame_id.to_owned().into()
-    })
+    frame_id.map_or(Text::Borrowed("world"), |frame_id| frame_id.to_owned().into())
 }
 
 fn mode_of(name: Option<&str>) -> Result<Mode> {
@@ -224,11 +209,7 @@ fn mapping(json: MappingJson) -> Mapping {
 
 fn parse<'a, T: Deserialize<'a>>(what: &str, json: &'a str) -> Result<T> {
     serde_json::from_str(json).map_err(|error| {
-        let code = if error.is_data() {
-            ErrorCode::Value
-        } else {
-            ErrorCode::Malformed
-        };
+        let code = if error.is_data() { ErrorCode::Value } else { ErrorCode::Malformed };
         Error::refused(code, &format_args!("{what}: {error}"))
     })
 }
@@ -278,10 +259,7 @@ impl<'de> Deserialize<'de> for RatesJson {
                 f.write_str("an object of numbers")
             }
 
-            fn visit_map<A: MapAccess<'de>>(
-                self,
-                mut members: A,
-            ) -> std::result::Result<RatesJson, A::Error> {
+            fn visit_map<A: MapAccess<'de>>(self, mut members: A) -> std::result::Result<RatesJson, A::Error> {
                 let mut rates = BTreeMap::new();
                 while let Some((population, rate)) = members.next_entry::<String, f64>()? {
                     if rates.insert(population, rate).is_some() {

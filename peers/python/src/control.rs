@@ -29,21 +29,12 @@ impl ReflexController {
         #[pyo3(from_py_with = double)] kd: f64,
         #[pyo3(from_py_with = double)] max_speed: f64,
     ) -> Result<Self> {
-        Ok(Self(control::ReflexController::new(ReflexConfig {
-            target_m: target,
-            kp,
-            kd,
-            max_speed_mps: max_speed,
-        })?))
+        Ok(Self(control::ReflexController::new(ReflexConfig { target_m: target, kp, kd, max_speed_mps: max_speed })?))
     }
 
     /// The fields of the command for what is sensed: a dict or a frame; a hold without it.
     #[pyo3(signature = (sensor=None))]
-    fn step<'py>(
-        &self,
-        py: Python<'py>,
-        sensor: Option<&Bound<'py, PyAny>>,
-    ) -> Result<Bound<'py, PyAny>> {
+    fn step<'py>(&self, py: Python<'py>, sensor: Option<&Bound<'py, PyAny>>) -> Result<Bound<'py, PyAny>> {
         let sensor: Option<SensorFrame> = optional(sensor)?;
         // The clock is nothing to a controller without memory.
         to_dict(py, self.0.clone().step(0.0, sensor.as_ref()))
@@ -78,32 +69,16 @@ impl ControlLoop {
     }
 
     /// Takes a sensor frame, a dict or as it arrived at `now_s`; whether it is newer than the one before.
-    fn on_sensor(
-        &self,
-        sensor: &Bound<'_, PyAny>,
-        #[pyo3(from_py_with = double)] now_s: f64,
-    ) -> Result<bool> {
+    fn on_sensor(&self, sensor: &Bound<'_, PyAny>, #[pyo3(from_py_with = double)] now_s: f64) -> Result<bool> {
         let sensor: SensorFrame = message(sensor)?;
         Ok(self.lock().on_sensor(sensor, now_s))
     }
 
     /// One tick at `now_s`; `took_ms` tells how long the one before took, in ms.
     #[pyo3(signature = (now_s, took_ms=0.0))]
-    fn tick(
-        &self,
-        #[pyo3(from_py_with = double)] now_s: f64,
-        #[pyo3(from_py_with = double)] took_ms: f64,
-    ) -> Tick {
-        let control::Tick {
-            command,
-            status,
-            decision,
-        } = self.lock().tick(now_s, took_ms);
-        Tick {
-            command,
-            status,
-            decision,
-        }
+    fn tick(&self, #[pyo3(from_py_with = double)] now_s: f64, #[pyo3(from_py_with = double)] took_ms: f64) -> Tick {
+        let control::Tick { command, status, decision } = self.lock().tick(now_s, took_ms);
+        Tick { command, status, decision }
     }
 
     /// Clears the governor's latch, by a supervisor's decision.

@@ -28,11 +28,7 @@ pub(crate) type Result<T> = std::result::Result<T, Error>;
 #[derive(Debug)]
 pub(crate) enum Error {
     /// `ncp-spec` refused, or the dict of a message does not fit it.
-    Refused {
-        code: ErrorCode,
-        path: String,
-        what: String,
-    },
+    Refused { code: ErrorCode, path: String, what: String },
     /// Python refused: an argument of another type.
     Python(PyErr),
 }
@@ -45,11 +41,7 @@ impl Error {
 
     /// A refusal that concerns the field at `path`.
     pub(crate) fn at(code: ErrorCode, path: String, what: &impl Display) -> Self {
-        Self::Refused {
-            code,
-            path,
-            what: what.to_string(),
-        }
+        Self::Refused { code, path, what: what.to_string() }
     }
 }
 
@@ -61,17 +53,11 @@ impl From<Error> for PyErr {
         };
         // The words of a decoder begin with the path already.
         let named = path.is_empty() || what.starts_with(&path);
-        let message = if named {
-            format!("{what} [{code}]")
-        } else {
-            format!("{path}: {what} [{code}]")
-        };
+        let message = if named { format!("{what} [{code}]") } else { format!("{path}: {what} [{code}]") };
         Python::attach(|py| {
             let error = NcpError::new_err(message);
             let value = error.value(py);
-            let told = value
-                .setattr("code", code.as_str())
-                .and_then(|()| value.setattr("path", path));
+            let told = value.setattr("code", code.as_str()).and_then(|()| value.setattr("path", path));
             told.err().unwrap_or(error)
         })
     }
@@ -105,14 +91,7 @@ macro_rules! refusal {
     )+};
 }
 
-refusal!(
-    BulkError,
-    ContractError,
-    KeyError,
-    NegotiateError,
-    ReplyError,
-    VersionError
-);
+refusal!(BulkError, ContractError, KeyError, NegotiateError, ReplyError, VersionError);
 
 impl From<ReflexError> for Error {
     fn from(error: ReflexError) -> Self {

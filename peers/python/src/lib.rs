@@ -14,10 +14,7 @@
 //! - `keys`, `bulk`, `safety`, `resilience`, `codec`, `control`, `session`: the modules of `ncp-spec`.
 
 #![forbid(unsafe_code)]
-#![expect(
-    clippy::needless_pass_by_value,
-    reason = "PyO3 hands converted arguments over"
-)]
+#![expect(clippy::needless_pass_by_value, reason = "PyO3 hands converted arguments over")]
 
 mod argument;
 mod bulk;
@@ -47,8 +44,8 @@ mod _ncp {
         safety::{SafetyGovernor, govern},
         session::SessionService,
         wire::{
-            Qos, channel_value, check_reply, check_version, contract_status, decode, encode,
-            negotiate, plane_qos, validate, verify_contract,
+            Qos, channel_value, check_reply, check_version, contract_status, decode, encode, negotiate, plane_qos,
+            validate, verify_contract,
         },
     };
 

@@ -18,11 +18,7 @@ use crate::error::{Error, Result};
 pub(crate) fn kind(name: &str) -> Result<Kind> {
     Kind::parse(name).ok_or_else(|| {
         let name: String = name.chars().take(64).collect();
-        Error::at(
-            ErrorCode::Kind,
-            "kind".to_owned(),
-            &format_args!("{name:?} is not a kind"),
-        )
+        Error::at(ErrorCode::Kind, "kind".to_owned(), &format_args!("{name:?} is not a kind"))
     })
 }
 
@@ -31,8 +27,7 @@ pub(crate) fn build(kind: Kind, fields: &Bound<'_, PyAny>) -> Result<Message> {
     let mut text = Vec::new();
     write_message(kind.table(), fields, &mut text).map_err(Misfit::into_error)?;
     // The bytes that an error counts are those of a text that nobody sees.
-    wire::build(kind, &text)
-        .map_err(|error| Error::at(error.code(), error.path().to_owned(), error.problem()))
+    wire::build(kind, &text).map_err(|error| Error::at(error.code(), error.path().to_owned(), error.problem()))
 }
 
 /// A message of the type `M`: a frame, or a dict of fields.
@@ -78,20 +73,14 @@ macro_rules! try_from_message {
 try_from_message!(Capabilities, CommandFrame, SensorFrame);
 
 /// Every field of a message, as a dict.
-pub(crate) fn to_dict<'py>(
-    py: Python<'py>,
-    message: impl Into<Message>,
-) -> Result<Bound<'py, PyAny>> {
+pub(crate) fn to_dict<'py>(py: Python<'py>, message: impl Into<Message>) -> Result<Bound<'py, PyAny>> {
     let message = message.into();
     let value: Value = serde_json::from_str(&message.fields()).map_err(|error| shown(&error))?;
     read_message(py, message.kind().table(), &value)
 }
 
 /// The channel values of a map, as a dict.
-pub(crate) fn channels_to_dict<'py>(
-    py: Python<'py>,
-    channels: &wire::ChannelMap,
-) -> Result<Bound<'py, PyDict>> {
+pub(crate) fn channels_to_dict<'py>(py: Python<'py>, channels: &wire::ChannelMap) -> Result<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     for (name, channel) in channels.iter() {
         let value = PyDict::new(py);
@@ -135,10 +124,7 @@ impl Misfit {
 
 impl<E: Into<Error>> From<E> for Misfit {
     fn from(error: E) -> Self {
-        Self {
-            error: error.into(),
-            path: String::new(),
-        }
+        Self { error: error.into(), path: String::new() }
     }
 }
 
@@ -183,9 +169,7 @@ fn write_object(
     out: &mut Vec<u8>,
     mut member: impl FnMut(&str, &Bound<'_, PyAny>, &mut Vec<u8>) -> Written,
 ) -> Written {
-    let dict = value
-        .cast::<PyDict>()
-        .map_err(|_| wrong_type("a dict", value))?;
+    let dict = value.cast::<PyDict>().map_err(|_| wrong_type("a dict", value))?;
     // A copy: the conversion of a value may run Python code that changes the dict.
     let items = dict.items();
     out.push(b'{');
@@ -275,12 +259,8 @@ fn read_value<'py>(py: Python<'py>, json: JsonType, value: &Value) -> Result<Bou
             let integer = value.as_i64().ok_or_else(|| shown(value))?;
             Ok(pyo3::types::PyInt::new(py, integer).into_any())
         }
-        (JsonType::String | JsonType::Enum(_), Value::String(text)) => {
-            Ok(PyString::new(py, text).into_any())
-        }
-        (JsonType::Boolean, Value::Bool(value)) => {
-            Ok(PyBool::new(py, *value).to_owned().into_any())
-        }
+        (JsonType::String | JsonType::Enum(_), Value::String(text)) => Ok(PyString::new(py, text).into_any()),
+        (JsonType::Boolean, Value::Bool(value)) => Ok(PyBool::new(py, *value).to_owned().into_any()),
         (JsonType::Object(message), value) => read_message(py, nested(message)?, value),
         (JsonType::Map(item), Value::Object(object)) => {
             let dict = PyDict::new(py);
@@ -301,18 +281,11 @@ fn read_value<'py>(py: Python<'py>, json: JsonType, value: &Value) -> Result<Bou
 }
 
 fn nested(message: &str) -> Result<Table> {
-    let all = NESTED
-        .into_iter()
-        .chain(Kind::ALL.into_iter().map(Kind::table));
-    all.into_iter()
-        .find(|table| table.message == message)
-        .ok_or_else(|| shown(&message))
+    let all = NESTED.into_iter().chain(Kind::ALL.into_iter().map(Kind::table));
+    all.into_iter().find(|table| table.message == message).ok_or_else(|| shown(&message))
 }
 
 /// The tables and the messages of `ncp-spec` agree, so no caller meets this.
 fn shown(what: &(impl std::fmt::Display + ?Sized)) -> Error {
-    Error::refused(
-        ErrorCode::Internal,
-        &format_args!("not of its table: {what}"),
-    )
+    Error::refused(ErrorCode::Internal, &format_args!("not of its table: {what}"))
 }

@@ -66,11 +66,7 @@ impl ActionBuffer {
     /// Takes a frame as it arrived at `now_s`: `accepted`, `held`, `stopped` or `dropped`.
     ///
     /// Raises for a frame that cannot be decoded; one that is an ESTOP for all that latches.
-    fn on_frame(
-        &self,
-        frame: Frame,
-        #[pyo3(from_py_with = double)] now_s: f64,
-    ) -> Result<&'static str> {
+    fn on_frame(&self, frame: Frame, #[pyo3(from_py_with = double)] now_s: f64) -> Result<&'static str> {
         Ok(received_name(lock(&self.0).on_frame(frame.bytes(), now_s)?))
     }
 
@@ -94,9 +90,7 @@ impl ActionBuffer {
         #[pyo3(from_py_with = double)] now_s: f64,
     ) -> Result<Option<Bound<'py, PyDict>>> {
         let channels = lock(&self.0).active(now_s).cloned();
-        channels
-            .map(|channels| channels_to_dict(py, &channels))
-            .transpose()
+        channels.map(|channels| channels_to_dict(py, &channels)).transpose()
     }
 
     /// Clears the latch, the command and the last seq, by a supervisor's decision.
@@ -119,13 +113,8 @@ pub(crate) struct LinkMonitor(Mutex<resilience::LinkMonitor>);
 impl LinkMonitor {
     #[new]
     #[pyo3(signature = (ref_loss=0.05, threshold=5.0))]
-    fn new(
-        #[pyo3(from_py_with = double)] ref_loss: f64,
-        #[pyo3(from_py_with = double)] threshold: f64,
-    ) -> Self {
-        Self(Mutex::new(resilience::LinkMonitor::new(
-            ref_loss, threshold,
-        )))
+    fn new(#[pyo3(from_py_with = double)] ref_loss: f64, #[pyo3(from_py_with = double)] threshold: f64) -> Self {
+        Self(Mutex::new(resilience::LinkMonitor::new(ref_loss, threshold)))
     }
 
     /// Takes note of a frame that arrived.

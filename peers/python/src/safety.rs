@@ -4,9 +4,7 @@ use std::sync::{Mutex, PoisonError};
 
 use ncp_spec::ErrorCode;
 use ncp_spec::safety::{self, Decision, Reason};
-use ncp_spec::wire::{
-    self, Capabilities, CommandFrame, Frame as _, Kind, SafetyLimits, SensorFrame,
-};
+use ncp_spec::wire::{self, Capabilities, CommandFrame, Frame as _, Kind, SafetyLimits, SensorFrame};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedStr;
 use pyo3::types::{PyDict, PyString};
@@ -42,10 +40,7 @@ impl SafetyGovernor {
             return Ok(Self::of(safety::SafetyGovernor::new(&limits_of(limits)?)));
         }
         let fields = PyDict::new(limits.py());
-        for (name, channels) in [
-            ("sensor_channels", sensor_channels),
-            ("command_channels", command_channels),
-        ] {
+        for (name, channels) in [("sensor_channels", sensor_channels), ("command_channels", command_channels)] {
             if let Some(channels) = channels {
                 fields.set_item(name, channels)?;
             }
@@ -62,9 +57,7 @@ impl SafetyGovernor {
     #[staticmethod]
     fn from_capabilities(capabilities: &Bound<'_, PyAny>) -> Result<Self> {
         let capabilities: Capabilities = message(capabilities)?;
-        Ok(Self::of(safety::SafetyGovernor::from_capabilities(
-            &capabilities,
-        )))
+        Ok(Self::of(safety::SafetyGovernor::from_capabilities(&capabilities)))
     }
 
     /// Decides on a command, a dict or a frame, and returns the fields of what may be sent.
@@ -83,9 +76,7 @@ impl SafetyGovernor {
         let mut command: CommandFrame = message(command)?;
         let sensor: Option<SensorFrame> = optional(sensor)?;
         self.with(|this| {
-            let decision =
-                this.governor
-                    .govern(&mut command, now_s, sensor.as_ref(), last_sensor_s);
+            let decision = this.governor.govern(&mut command, now_s, sensor.as_ref(), last_sensor_s);
             this.last = Some(decision);
         });
         to_dict(py, command)
@@ -116,24 +107,19 @@ impl SafetyGovernor {
     /// What became of the last command: `passed`, `limited`, `held` or `stopped`.
     #[getter]
     fn decision(&self) -> Option<&'static str> {
-        self.with(|this| this.last)
-            .map(|last| decision_and_reason(last).0)
+        self.with(|this| this.last).map(|last| decision_and_reason(last).0)
     }
 
     /// Why it was held or stopped.
     #[getter]
     fn reason(&self) -> Option<&'static str> {
-        self.with(|this| this.last)
-            .and_then(|last| decision_and_reason(last).1)
+        self.with(|this| this.last).and_then(|last| decision_and_reason(last).1)
     }
 }
 
 impl SafetyGovernor {
     fn of(governor: safety::SafetyGovernor) -> Self {
-        Self(Mutex::new(Governor {
-            governor,
-            last: None,
-        }))
+        Self(Mutex::new(Governor { governor, last: None }))
     }
 
     /// The lock is never held while Python code runs.
@@ -155,9 +141,7 @@ pub(crate) fn govern(
     #[pyo3(from_py_with = optional_double)] last_sensor_s: Option<f64>,
 ) -> Result<String> {
     let mut command = CommandFrame::decode(command_json.bytes())?;
-    let sensor = sensor_json
-        .map(|frame| SensorFrame::decode(frame.bytes()))
-        .transpose()?;
+    let sensor = sensor_json.map(|frame| SensorFrame::decode(frame.bytes())).transpose()?;
     let mut governor = safety::SafetyGovernor::new(&limits_of(limits_json)?);
     governor.govern(&mut command, now_s, sensor.as_ref(), last_sensor_s);
     Ok(command.encode()?)

@@ -35,10 +35,7 @@ pub(crate) fn verify_contract(peer_hash: Option<PyBackedStr>) -> Result<()> {
 /// The version guard, strict, and then the contract status.
 #[pyfunction]
 #[pyo3(signature = (version, contract_hash=None))]
-pub(crate) fn negotiate(
-    version: PyBackedStr,
-    contract_hash: Option<PyBackedStr>,
-) -> Result<&'static str> {
+pub(crate) fn negotiate(version: PyBackedStr, contract_hash: Option<PyBackedStr>) -> Result<&'static str> {
     Ok(contract::negotiate(&version, contract_hash.as_deref())?.as_str())
 }
 
@@ -54,11 +51,7 @@ pub(crate) fn validate(kind: PyBackedStr, json: Frame) -> Result<String> {
 /// The fields of a frame of this kind, as a dict.
 #[pyfunction]
 #[pyo3(name = "decode")]
-pub(crate) fn decode<'py>(
-    py: Python<'py>,
-    kind: PyBackedStr,
-    frame: Frame,
-) -> Result<Bound<'py, PyAny>> {
+pub(crate) fn decode<'py>(py: Python<'py>, kind: PyBackedStr, frame: Frame) -> Result<Bound<'py, PyAny>> {
     to_dict(py, wire::decode(message::kind(&kind)?, frame.bytes())?)
 }
 
@@ -71,11 +64,7 @@ pub(crate) fn encode(kind: PyBackedStr, fields: &Bound<'_, PyAny>) -> Result<Str
 
 /// Checks a reply to a request as a client does, and returns its fields.
 #[pyfunction]
-pub(crate) fn check_reply<'py>(
-    py: Python<'py>,
-    request: Frame,
-    reply: Frame,
-) -> Result<Bound<'py, PyAny>> {
+pub(crate) fn check_reply<'py>(py: Python<'py>, request: Frame, reply: Frame) -> Result<Bound<'py, PyAny>> {
     let request = wire::decode_any(request.bytes())?;
     to_dict(py, reply::check_reply(&request, reply.bytes())?)
 }
@@ -83,10 +72,7 @@ pub(crate) fn check_reply<'py>(
 /// One channel's value as JSON: `data`, a number or a sequence of numbers, in `unit`.
 #[pyfunction]
 #[pyo3(signature = (data, unit=None))]
-pub(crate) fn channel_value(
-    data: &Bound<'_, PyAny>,
-    unit: Option<&Bound<'_, PyAny>>,
-) -> Result<String> {
+pub(crate) fn channel_value(data: &Bound<'_, PyAny>, unit: Option<&Bound<'_, PyAny>>) -> Result<String> {
     const NAME: &str = "value";
     let py = data.py();
     let value = PyDict::new(py);
@@ -111,12 +97,8 @@ pub(crate) fn channel_value(
 /// How the messages of a plane travel: `control`, `perception`, `action` or `observation`.
 #[pyfunction]
 pub(crate) fn plane_qos(plane: PyBackedStr) -> Result<Qos> {
-    let plane = Plane::parse(&plane).ok_or_else(|| {
-        Error::refused(
-            ErrorCode::Value,
-            &"a plane is control, perception, action or observation",
-        )
-    })?;
+    let plane = Plane::parse(&plane)
+        .ok_or_else(|| Error::refused(ErrorCode::Value, &"a plane is control, perception, action or observation"))?;
     Ok(Qos(plane.qos()))
 }
 

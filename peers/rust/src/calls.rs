@@ -74,10 +74,7 @@ impl CallError {
     /// this must not count as its refusal: `internal` never satisfies a case.
     pub(crate) fn misfit(what: &impl std::fmt::Display) -> Self {
         let message = format!("the arguments do not fit PROTOCOL.md: {what}");
-        Self::Refused {
-            code: ErrorCode::Internal,
-            message,
-        }
+        Self::Refused { code: ErrorCode::Internal, message }
     }
 }
 
@@ -91,32 +88,17 @@ macro_rules! refusal {
     )+};
 }
 
-refusal!(
-    BulkError,
-    ContractError,
-    DecodeError,
-    EncodeError,
-    KeyError,
-    NegotiateError,
-    ReplyError,
-    VersionError
-);
+refusal!(BulkError, ContractError, DecodeError, EncodeError, KeyError, NegotiateError, ReplyError, VersionError);
 
 impl From<ReflexError> for CallError {
     fn from(error: ReflexError) -> Self {
-        Self::Refused {
-            code: ErrorCode::Value,
-            message: error.to_string(),
-        }
+        Self::Refused { code: ErrorCode::Value, message: error.to_string() }
     }
 }
 
 impl From<LoopError> for CallError {
     fn from(error: LoopError) -> Self {
-        Self::Refused {
-            code: ErrorCode::Value,
-            message: error.to_string(),
-        }
+        Self::Refused { code: ErrorCode::Value, message: error.to_string() }
     }
 }
 
@@ -216,15 +198,9 @@ fn decode(args: &DecodeArgs<'_>) -> Result<Reply, CallError> {
         _ => return Err(CallError::misfit(&"decode takes either text or base64")),
     };
     let kind = kind(&args.kind)?;
-    let message = if args.strict {
-        wire::decode_strict(kind, frame)?
-    } else {
-        wire::decode(kind, frame)?
-    };
+    let message = if args.strict { wire::decode_strict(kind, frame)? } else { wire::decode(kind, frame)? };
     // The frame was read, whatever the encoder says to it.
-    Ok(message
-        .encode()
-        .map_or(Reply::Nothing {}, |text| Reply::Frame { text }))
+    Ok(message.encode().map_or(Reply::Nothing {}, |text| Reply::Frame { text }))
 }
 
 #[derive(Deserialize)]
@@ -237,9 +213,7 @@ struct EncodeArgs<'a> {
 
 fn encode(args: &EncodeArgs<'_>) -> Result<Reply, CallError> {
     let message = build(kind(&args.kind)?, args.fields.get())?;
-    Ok(Reply::Frame {
-        text: message.encode()?,
-    })
+    Ok(Reply::Frame { text: message.encode()? })
 }
 
 /// The message of these fields.
@@ -270,9 +244,7 @@ struct HashArgs<'a> {
 }
 
 fn contract_status(args: &HashArgs<'_>) -> Reply {
-    Reply::Status {
-        status: contract::contract_status(args.peer_hash.as_deref()).as_str(),
-    }
+    Reply::Status { status: contract::contract_status(args.peer_hash.as_deref()).as_str() }
 }
 
 fn contract_verify(args: &HashArgs<'_>) -> Result<Reply, CallError> {
@@ -290,9 +262,7 @@ struct NegotiateArgs<'a> {
 
 fn negotiate(args: &NegotiateArgs<'_>) -> Result<Reply, CallError> {
     let status = contract::negotiate(&args.version, args.contract_hash.as_deref())?;
-    Ok(Reply::Negotiated {
-        contract: status.as_str(),
-    })
+    Ok(Reply::Negotiated { contract: status.as_str() })
 }
 
 #[derive(Deserialize)]
@@ -346,10 +316,8 @@ fn key_build(args: &KeyArgs<'_>) -> Result<Reply, CallError> {
 
 /// The kind of this name. One that NCP does not have cannot even be named to [`Keys::rpc_verb`].
 fn verb_in(name: &str) -> Result<Kind, CallError> {
-    Kind::parse(name).ok_or_else(|| CallError::Refused {
-        code: ErrorCode::Key,
-        message: format!("{name:?} is not a kind"),
-    })
+    Kind::parse(name)
+        .ok_or_else(|| CallError::Refused { code: ErrorCode::Key, message: format!("{name:?} is not a kind") })
 }
 
 #[derive(Deserialize)]
@@ -361,9 +329,7 @@ struct MatchArgs<'a> {
 }
 
 fn key_match(args: &MatchArgs<'_>) -> Result<Reply, CallError> {
-    Ok(Reply::Matches {
-        matches: keys::matches(&args.pattern, &args.key)?,
-    })
+    Ok(Reply::Matches { matches: keys::matches(&args.pattern, &args.key)? })
 }
 
 #[derive(Deserialize)]
@@ -374,16 +340,8 @@ struct PlaneArgs<'a> {
 
 fn plane_qos(args: &PlaneArgs<'_>) -> Result<Reply, CallError> {
     let plane = Plane::parse(&args.plane).ok_or_else(|| CallError::misfit(&"not a plane"))?;
-    let Qos {
-        congestion,
-        priority,
-        express,
-    } = plane.qos();
-    Ok(Reply::Qos {
-        congestion: congestion.as_str(),
-        priority: priority.as_str(),
-        express,
-    })
+    let Qos { congestion, priority, express } = plane.qos();
+    Ok(Reply::Qos { congestion: congestion.as_str(), priority: priority.as_str(), express })
 }
 
 #[derive(Deserialize)]
@@ -393,9 +351,7 @@ struct BlockArgs {
 
 fn bulk_decode(args: &BlockArgs) -> Result<Reply, CallError> {
     let Bytes(block) = &args.block;
-    Ok(Reply::Columns {
-        columns: Block::parse(block)?.to_columns(),
-    })
+    Ok(Reply::Columns { columns: Block::parse(block)?.to_columns() })
 }
 
 #[derive(Deserialize)]
@@ -415,14 +371,8 @@ struct ColumnArgs<'a> {
 }
 
 fn bulk_encode(args: &ColumnsArgs<'_>) -> Result<Reply, CallError> {
-    let columns: Vec<Column> = args
-        .columns
-        .iter()
-        .map(column_in)
-        .collect::<Result<_, _>>()?;
-    Ok(Reply::Block {
-        block: Bytes(bulk::encode(&columns)?),
-    })
+    let columns: Vec<Column> = args.columns.iter().map(column_in).collect::<Result<_, _>>()?;
+    Ok(Reply::Block { block: Bytes(bulk::encode(&columns)?) })
 }
 
 #[derive(Deserialize)]
@@ -435,9 +385,7 @@ struct ArraysArgs {
 fn observation_pack(args: ArraysArgs) -> Result<Reply, CallError> {
     let (times, values) = (doubles_in(args.times), doubles_in(args.values));
     let block = bulk::pack(&times, &values, &longs_in(args.senders))?;
-    Ok(Reply::Block {
-        block: Bytes(block),
-    })
+    Ok(Reply::Block { block: Bytes(block) })
 }
 
 fn observation_unpack(args: &BlockArgs) -> Result<Reply, CallError> {
@@ -486,12 +434,7 @@ fn column_in(column: &ColumnArgs<'_>) -> Result<Column, CallError> {
     let data = match Dtype::parse(&column.dtype).ok_or_else(unknown)? {
         Dtype::F32 => {
             let doubles: Vec<Double> = parse(column.data)?;
-            ColumnData::F32(
-                doubles
-                    .into_iter()
-                    .map(|Double(value)| value as f32)
-                    .collect(),
-            )
+            ColumnData::F32(doubles.into_iter().map(|Double(value)| value as f32).collect())
         }
         Dtype::F64 => ColumnData::F64(doubles_in(parse(column.data)?)),
         Dtype::I32 => ColumnData::I32(parse(column.data)?),
@@ -513,12 +456,8 @@ fn columns_out<S: Serializer>(columns: &[Column], serializer: S) -> Result<S::Ok
     impl Serialize for Data<'_> {
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
             match self.0 {
-                ColumnData::F32(values) => {
-                    serializer.collect_seq(values.iter().map(|value| Double(f64::from(*value))))
-                }
-                ColumnData::F64(values) => {
-                    serializer.collect_seq(values.iter().copied().map(Double))
-                }
+                ColumnData::F32(values) => serializer.collect_seq(values.iter().map(|value| Double(f64::from(*value)))),
+                ColumnData::F64(values) => serializer.collect_seq(values.iter().copied().map(Double)),
                 ColumnData::I32(values) => serializer.collect_seq(values),
                 ColumnData::I64(values) => serializer.collect_seq(values.iter().copied().map(Long)),
             }

@@ -63,8 +63,7 @@ pub enum Answer {
 #[must_use]
 pub fn ask(call: &str, args: &str) -> Answer {
     let outcome = guarded(|| {
-        let args: &RawValue =
-            serde_json::from_str(args).map_err(|error| CallError::misfit(&error))?;
+        let args: &RawValue = serde_json::from_str(args).map_err(|error| CallError::misfit(&error))?;
         let reply = calls::answer(call, args)?;
         serde_json::to_string(&reply).map_err(|error| CallError::misfit(&error))
     });
@@ -96,18 +95,11 @@ fn guarded<T>(call: impl FnOnce() -> Result<T, CallError> + UnwindSafe) -> Resul
         let text = payload.downcast_ref::<&str>().copied();
         let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
         let message = format!("panic: {}", text.unwrap_or("without a message"));
-        Err(CallError::Refused {
-            code: ErrorCode::Internal,
-            message,
-        })
+        Err(CallError::Refused { code: ErrorCode::Internal, message })
     })
 }
 
-fn write_answer(
-    output: &mut impl Write,
-    id: &RawValue,
-    outcome: &Result<Reply, CallError>,
-) -> io::Result<()> {
+fn write_answer(output: &mut impl Write, id: &RawValue, outcome: &Result<Reply, CallError>) -> io::Result<()> {
     #[derive(Serialize)]
     struct Error<'a> {
         code: &'static str,
@@ -122,13 +114,7 @@ fn write_answer(
         }
         Err(CallError::Refused { code, message }) => {
             output.write_all(b"\"error\":")?;
-            serde_json::to_writer(
-                &mut *output,
-                &Error {
-                    code: code.as_str(),
-                    message,
-                },
-            )?;
+            serde_json::to_writer(&mut *output, &Error { code: code.as_str(), message })?;
         }
         Err(CallError::Unsupported) => output.write_all(b"\"unsupported\":true")?,
     }
@@ -165,9 +151,7 @@ mod tests {
             (guarded(|| panic!("boom {}", 7)), "panic: boom 7"),
             (guarded(|| panic::panic_any(7)), "panic: without a message"),
         ] {
-            let Err(CallError::Refused { code, message }) = call else {
-                panic!("{call:?}")
-            };
+            let Err(CallError::Refused { code, message }) = call else { panic!("{call:?}") };
             assert_eq!((code, message.as_str()), (ErrorCode::Internal, said));
         }
     }
@@ -176,11 +160,7 @@ mod tests {
     fn answers_are_sent_on_once_for_all_requests_that_wait() {
         let requests = "{\"id\":1,\"call\":\"nonsense\",\"args\":{}}\n".repeat(100);
         let mut output = Flushes::default();
-        hold(
-            BufReader::with_capacity(1 << 16, requests.as_bytes()),
-            &mut output,
-        )
-        .unwrap();
+        hold(BufReader::with_capacity(1 << 16, requests.as_bytes()), &mut output).unwrap();
         assert_eq!(output.flushed, [0, 100, 100]);
     }
 

@@ -9,8 +9,7 @@ use ncp_spec::ErrorCode;
 use ncp_spec::codec::{Mapping, RateCodec};
 use ncp_spec::control::{ControlLoop, Controller as _, LoopConfig, ReflexConfig, ReflexController};
 use ncp_spec::resilience::{
-    ActionBuffer, CommandWatchdog, DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, LinkReport,
-    max_horizon_len,
+    ActionBuffer, CommandWatchdog, DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, LinkReport, max_horizon_len,
 };
 use ncp_spec::safety::SafetyGovernor;
 use ncp_spec::session::{ReferenceBackend, SessionService};
@@ -25,29 +24,12 @@ use crate::value::{Bytes, Channels, Double, Fields};
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub(crate) enum StepReply {
-    Frame {
-        frame: Fields,
-    },
-    Hold {
-        hold: bool,
-    },
-    Active {
-        channels: Option<Channels>,
-    },
-    Link {
-        last_seq: i64,
-        received: i64,
-        lost: i64,
-        loss_rate: Double,
-        burst: bool,
-    },
-    Tick {
-        command: Fields,
-        status: Fields,
-    },
-    Refused {
-        error: Refusal,
-    },
+    Frame { frame: Fields },
+    Hold { hold: bool },
+    Active { channels: Option<Channels> },
+    Link { last_seq: i64, received: i64, lost: i64, loss_rate: Double, burst: bool },
+    Tick { command: Fields, status: Fields },
+    Refused { error: Refusal },
     Nothing {},
 }
 
@@ -107,9 +89,7 @@ pub(crate) fn governor_run(args: &GovernorArgs<'_>) -> Result<Reply, CallError> 
             let Double(now_s) = args.now_s;
             let last_sensor_s = args.last_sensor_s.map(|Double(last_s)| last_s);
             governor.govern(&mut command, now_s, sensor.as_ref(), last_sensor_s);
-            Ok(StepReply::Frame {
-                frame: Fields::of(command),
-            })
+            Ok(StepReply::Frame { frame: Fields::of(command) })
         }
         "note_link" => {
             let NoteLink { burst } = parse(step)?;
@@ -179,19 +159,11 @@ pub(crate) struct BufferArgs<'a> {
 }
 
 pub(crate) fn buffer_run(args: &BufferArgs<'_>) -> Result<Reply, CallError> {
-    let mut buffer = if args.strict {
-        ActionBuffer::strict()
-    } else {
-        ActionBuffer::new()
-    };
+    let mut buffer = if args.strict { ActionBuffer::strict() } else { ActionBuffer::new() };
     run(&args.steps, |op, step| {
         match op {
             "command" => {
-                let Arrival {
-                    text,
-                    base64,
-                    now_s,
-                } = parse(step)?;
+                let Arrival { text, base64, now_s } = parse(step)?;
                 let frame = match (&text, &base64) {
                     (Some(text), None) => text.as_bytes(),
                     (None, Some(Bytes(bytes))) => bytes,
@@ -218,9 +190,7 @@ pub(crate) struct HorizonArgs {
 }
 
 pub(crate) fn horizon_max_len(args: &HorizonArgs) -> Reply {
-    Reply::Len {
-        len: max_horizon_len(args.ttl_ms.0, args.dt_ms.0),
-    }
+    Reply::Len { len: max_horizon_len(args.ttl_ms.0, args.dt_ms.0) }
 }
 
 #[derive(Deserialize)]
@@ -239,27 +209,14 @@ struct Seen {
 pub(crate) fn link_run(args: &LinkArgs<'_>) -> Result<Reply, CallError> {
     let mut link = LinkMonitor::new(
         args.ref_loss.map_or(DEFAULT_REF_LOSS, |Double(loss)| loss),
-        args.threshold
-            .map_or(DEFAULT_THRESHOLD, |Double(threshold)| threshold),
+        args.threshold.map_or(DEFAULT_THRESHOLD, |Double(threshold)| threshold),
     );
     run(&args.steps, |op, step| match op {
         "frame" => {
             let Seen { seq } = parse(step)?;
             link.on_frame(seq);
-            let LinkReport {
-                last_seq,
-                received,
-                lost,
-                loss_rate,
-                burst,
-            } = link.report();
-            Ok(StepReply::Link {
-                last_seq,
-                received,
-                lost,
-                loss_rate: Double(loss_rate),
-                burst,
-            })
+            let LinkReport { last_seq, received, lost, loss_rate, burst } = link.report();
+            Ok(StepReply::Link { last_seq, received, lost, loss_rate: Double(loss_rate), burst })
         }
         _ => Err(no_step(op)),
     })
@@ -269,10 +226,7 @@ pub(crate) fn link_run(args: &LinkArgs<'_>) -> Result<Reply, CallError> {
 #[serde(untagged)]
 enum CodecArgs {
     Preset(Preset),
-    Own {
-        encoders: Vec<MappingArgs>,
-        decoders: Vec<MappingArgs>,
-    },
+    Own { encoders: Vec<MappingArgs>, decoders: Vec<MappingArgs> },
 }
 
 #[derive(Deserialize)]
@@ -302,9 +256,7 @@ pub(crate) fn codec_encode(args: CodecEncodeArgs<'_>) -> Result<Reply, CallError
     let sensor = args.sensor.map(sensor).transpose()?;
     let rates = codec(args.codec).encode(sensor.as_ref());
     let rates = rates.into_iter();
-    Ok(Reply::Rates {
-        rates: rates.map(|(name, rate)| (name, Double(rate))).collect(),
-    })
+    Ok(Reply::Rates { rates: rates.map(|(name, rate)| (name, Double(rate))).collect() })
 }
 
 #[derive(Deserialize)]
@@ -322,9 +274,7 @@ pub(crate) fn codec_decode(args: CodecDecodeArgs) -> Result<Reply, CallError> {
     let rates = args.rates.into_iter();
     let rates = rates.map(|(name, Double(rate))| (name, rate)).collect();
     let command = codec(args.codec).decode(&rates, args.t.0, args.seq, args.frame_id, mode);
-    Ok(Reply::Command {
-        command: Fields::of(command),
-    })
+    Ok(Reply::Command { command: Fields::of(command) })
 }
 
 #[derive(Deserialize)]
@@ -347,9 +297,7 @@ pub(crate) fn reflex_step(args: &ReflexArgs<'_>) -> Result<Reply, CallError> {
     let sensor = args.sensor.map(sensor).transpose()?;
     // The clock is nothing to a controller without memory.
     let command = controller.step(0.0, sensor.as_ref());
-    Ok(Reply::Command {
-        command: Fields::of(command),
-    })
+    Ok(Reply::Command { command: Fields::of(command) })
 }
 
 #[derive(Deserialize)]
@@ -387,10 +335,7 @@ pub(crate) fn loop_run(args: &LoopArgs<'_>) -> Result<Reply, CallError> {
                 let Now { now_s } = parse(step)?;
                 // The clock of a trace stands still within a tick.
                 let tick = control.tick(now_s.0, 0.0);
-                return Ok(StepReply::Tick {
-                    command: Fields::of(tick.command),
-                    status: Fields::of(tick.status),
-                });
+                return Ok(StepReply::Tick { command: Fields::of(tick.command), status: Fields::of(tick.status) });
             }
             "reset" => control.governor_mut().reset(),
             _ => return Err(no_step(op)),
@@ -411,11 +356,8 @@ pub(crate) struct SessionArgs<'a> {
 }
 
 pub(crate) fn session_run(args: &SessionArgs<'_>) -> Result<Reply, CallError> {
-    let mut service = if args.strict {
-        SessionService::strict(ReferenceBackend)
-    } else {
-        SessionService::new(ReferenceBackend)
-    };
+    let mut service =
+        if args.strict { SessionService::strict(ReferenceBackend) } else { SessionService::new(ReferenceBackend) };
     let requests = args.requests.iter().map(|request| request.as_bytes());
     let replies = match &args.verbs {
         None => requests.map(|request| service.serve(request)).collect(),
@@ -488,9 +430,7 @@ fn reflex(args: &ReflexConfigArgs) -> Result<ReflexController, CallError> {
     let default = ReflexConfig::default();
     let or = |value: Option<Double>, default| value.map_or(default, |Double(value)| value);
     Ok(ReflexController::new(ReflexConfig {
-        target_m: args
-            .target
-            .map_or(default.target_m, |axes| axes.map(|Double(axis)| axis)),
+        target_m: args.target.map_or(default.target_m, |axes| axes.map(|Double(axis)| axis)),
         kp: or(args.kp, default.kp),
         kd: or(args.kd, default.kd),
         max_speed_mps: or(args.max_speed, default.max_speed_mps),

@@ -66,9 +66,7 @@ impl<'de> Deserialize<'de> for Double {
 
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Double, E> {
                 let value = Double::from_name(name);
-                value
-                    .map(Double)
-                    .ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
+                value.map(Double).ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
             }
         }
 

@@ -1,10 +1,6 @@
 //! The conversation of `peers/PROTOCOL.md`, held with the real program.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test may fail that way"
-)]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail that way")]
 
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
@@ -17,11 +13,8 @@ const PROTOCOL: &str = include_str!("../../PROTOCOL.md");
 /// The section of the protocol page with this heading, its number aside.
 fn section(heading: &str) -> &'static str {
     let mut sections = PROTOCOL.split("\n## ");
-    let section = sections.find(|section| {
-        section
-            .split_once(". ")
-            .is_some_and(|(_, rest)| rest.starts_with(&format!("{heading}\n")))
-    });
+    let section = sections
+        .find(|section| section.split_once(". ").is_some_and(|(_, rest)| rest.starts_with(&format!("{heading}\n"))));
     section.unwrap_or_else(|| panic!("PROTOCOL.md has no section {heading:?}"))
 }
 
@@ -42,11 +35,7 @@ impl Peer {
             .unwrap();
         let requests = child.stdin.take().unwrap();
         let answers = BufReader::new(child.stdout.take().unwrap());
-        Self {
-            child,
-            requests,
-            answers,
-        }
+        Self { child, requests, answers }
     }
 
     /// Sends a request and waits for its answer, with standard input still open.
@@ -69,17 +58,9 @@ impl Peer {
     /// Ends the input; gives how the program ended and what it printed since.
     fn end(self) -> (ExitStatus, String, String) {
         drop(self.requests);
-        let answers: String = self
-            .answers
-            .lines()
-            .map(|line| line.unwrap() + "\n")
-            .collect();
+        let answers: String = self.answers.lines().map(|line| line.unwrap() + "\n").collect();
         let output = self.child.wait_with_output().unwrap();
-        (
-            output.status,
-            answers,
-            String::from_utf8(output.stderr).unwrap(),
-        )
+        (output.status, answers, String::from_utf8(output.stderr).unwrap())
     }
 }
 
@@ -94,8 +75,7 @@ fn result(call: &str, args: &Value) -> Value {
 fn refusal(call: &str, args: &Value) -> String {
     let answer = Peer::start().ask(&json!({"id": 1, "call": call, "args": args}));
     let code = answer["error"]["code"].as_str();
-    code.unwrap_or_else(|| panic!("{call} {args}: {answer}"))
-        .to_owned()
+    code.unwrap_or_else(|| panic!("{call} {args}: {answer}")).to_owned()
 }
 
 /// Frames are compared as JSON: how a number is spelled is the peer's own affair.
@@ -109,12 +89,8 @@ fn with_parsed_text(mut result: Value) -> Value {
 #[test]
 fn the_transcript_of_the_protocol_page_is_what_this_peer_says() {
     let lines = |arrow| {
-        let lines = section("A transcript")
-            .lines()
-            .filter_map(move |line| line.strip_prefix(arrow));
-        lines
-            .map(|line| serde_json::from_str::<Value>(line).unwrap())
-            .collect::<Vec<_>>()
+        let lines = section("A transcript").lines().filter_map(move |line| line.strip_prefix(arrow));
+        lines.map(|line| serde_json::from_str::<Value>(line).unwrap()).collect::<Vec<_>>()
     };
     let (requests, answers) = (lines("→ "), lines("← "));
     assert_eq!(requests.len(), answers.len());
@@ -123,10 +99,7 @@ fn the_transcript_of_the_protocol_page_is_what_this_peer_says() {
     let mut peer = Peer::start();
     for request in &requests {
         let answer = peer.ask(request);
-        let printed = answers
-            .iter()
-            .find(|answer| answer["id"] == request["id"])
-            .unwrap();
+        let printed = answers.iter().find(|answer| answer["id"] == request["id"]).unwrap();
         assert_eq!(answer["id"], request["id"]);
         if request["call"] == "describe" {
             // Another peer's name and roles, but the same contract.
@@ -134,13 +107,9 @@ fn the_transcript_of_the_protocol_page_is_what_this_peer_says() {
                 assert_eq!(answer["result"][member], printed["result"][member]);
             }
         } else if printed["error"].is_object() {
-            assert_eq!(
-                answer["error"]["code"], printed["error"]["code"],
-                "{request}"
-            );
+            assert_eq!(answer["error"]["code"], printed["error"]["code"], "{request}");
         } else if printed["result"].is_object() {
-            let [is, printed] =
-                [&answer, printed].map(|answer| with_parsed_text(answer["result"].clone()));
+            let [is, printed] = [&answer, printed].map(|answer| with_parsed_text(answer["result"].clone()));
             assert_eq!(is, printed, "{request}");
         } else {
             // The peer of the page lacks what this one has.
@@ -156,13 +125,8 @@ fn every_call_of_the_protocol_page_is_known() {
         .into_iter()
         .flat_map(|heading| section(heading).lines())
         .filter_map(|line| line.strip_prefix("### "));
-    let calls: Vec<&str> = headings
-        .flat_map(|line| line.split('`').skip(1).step_by(2))
-        .collect();
-    assert!(
-        calls.contains(&"describe") && calls.contains(&"session.run"),
-        "{calls:?}"
-    );
+    let calls: Vec<&str> = headings.flat_map(|line| line.split('`').skip(1).step_by(2)).collect();
+    assert!(calls.contains(&"describe") && calls.contains(&"session.run"), "{calls:?}");
     let mut peer = Peer::start();
     for call in calls {
         let answer = peer.ask(&json!({"id": 1, "call": call, "args": {}}));
@@ -186,10 +150,7 @@ fn the_members_of_a_request_may_stand_in_any_order_and_be_escaped() {
         r#" {"args": {"strict": false, "version": "0\u002e5"}, "call": "version\u002echeck", "more": [], "id": 3} "#,
         "\r\n"
     ));
-    assert_eq!(
-        peer.next_answer(),
-        json!({"id": 3, "result": {"compatible": true}})
-    );
+    assert_eq!(peer.next_answer(), json!({"id": 3, "result": {"compatible": true}}));
 }
 
 #[test]
@@ -199,28 +160,19 @@ fn a_line_that_is_no_request_is_reported_and_costs_nothing_else() {
         peer.send(garbage);
     }
     peer.requests.write_all(b"\xff\xfe\n").unwrap();
-    let answer = peer.ask(
-        &json!({"id": 2, "call": "version.check", "args": {"version": "0.4", "strict": false}}),
-    );
+    let answer = peer.ask(&json!({"id": 2, "call": "version.check", "args": {"version": "0.4", "strict": false}}));
     assert_eq!(answer, json!({"id": 2, "result": {"compatible": false}}));
     let (status, answers, log) = peer.end();
     assert!(status.success());
     assert_eq!(answers, "");
     assert_eq!(log.lines().count(), 5, "{log}");
-    assert!(
-        log.lines()
-            .all(|line| line.starts_with("ncp-peer-rust: not a request: ")),
-        "{log}"
-    );
+    assert!(log.lines().all(|line| line.starts_with("ncp-peer-rust: not a request: ")), "{log}");
 }
 
 #[test]
 fn the_end_of_the_input_ends_the_program_with_code_0() {
     let (status, answers, log) = Peer::start().end();
-    assert_eq!(
-        (status.code(), answers.as_str(), log.as_str()),
-        (Some(0), "", "")
-    );
+    assert_eq!((status.code(), answers.as_str(), log.as_str()), (Some(0), "", ""));
 }
 
 #[test]
@@ -229,29 +181,16 @@ fn the_last_request_may_lack_its_line_feed() {
     peer.send(r#"{"id":1,"call":"contract.status","args":{"peer_hash":null}}"#);
     let (status, answers, _) = peer.end();
     assert!(status.success());
-    assert_eq!(
-        answers,
-        "{\"id\":1,\"result\":{\"status\":\"not_advertised\"}}\n"
-    );
+    assert_eq!(answers, "{\"id\":1,\"result\":{\"status\":\"not_advertised\"}}\n");
 }
 
 #[test]
 fn a_thousand_requests_in_flight_are_each_answered_once() {
-    let Peer {
-        child,
-        mut requests,
-        answers,
-    } = Peer::start();
+    let Peer { child, mut requests, answers } = Peer::start();
     let writer = thread::spawn(move || {
         for id in 0..1000 {
-            let args =
-                json!({"key": "sensor", "realm": null, "session": format!("s{id}"), "name": null});
-            writeln!(
-                requests,
-                "{}",
-                json!({"id": id, "call": "key.build", "args": args})
-            )
-            .unwrap();
+            let args = json!({"key": "sensor", "realm": null, "session": format!("s{id}"), "name": null});
+            writeln!(requests, "{}", json!({"id": id, "call": "key.build", "args": args})).unwrap();
         }
     });
     let mut seen: Vec<u64> = answers
@@ -281,13 +220,7 @@ fn a_frame_of_64_mib_is_read_and_one_byte_more_is_a_limit() {
         peer.ask(&json!({"id": 1, "call": "decode", "args": args}))
     };
     let read = ask(LIMIT);
-    assert!(
-        read["result"]["text"]
-            .as_str()
-            .unwrap()
-            .contains(r#""session_id":"s""#),
-        "{read}"
-    );
+    assert!(read["result"]["text"].as_str().unwrap().contains(r#""session_id":"s""#), "{read}");
     assert_eq!(ask(LIMIT + 1)["error"]["code"], "limit");
 }
 
@@ -295,10 +228,7 @@ fn a_frame_of_64_mib_is_read_and_one_byte_more_is_a_limit() {
 fn frames_that_are_not_utf_8_arrive_as_bytes() {
     // `{"kind":"error","error":"` 0xff `"}`
     let broken = "eyJraW5kIjoiZXJyb3IiLCJlcnJvciI6Iv8ifQ==";
-    assert_eq!(
-        refusal("decode", &json!({"kind": "error", "base64": broken})),
-        "malformed"
-    );
+    assert_eq!(refusal("decode", &json!({"kind": "error", "base64": broken})), "malformed");
     // `{"kind":"error","error":"x"}`
     let sound = "eyJraW5kIjoiZXJyb3IiLCJlcnJvciI6IngifQ==";
     let text = result("decode", &json!({"kind": "error", "base64": sound}))["text"].clone();
@@ -319,26 +249,12 @@ fn encode_sets_what_is_named_and_leaves_the_programs_defaults() {
     assert_eq!(frame["seq"], 7);
     assert_eq!(frame["ttl_ms"], 200.0);
     assert_eq!(frame["horizon"][0], frame["channels"]);
-    assert!(
-        frame["channels"]["v"]["data"][1]
-            .as_f64()
-            .unwrap()
-            .is_sign_negative()
-    );
+    assert!(frame["channels"]["v"]["data"][1].as_f64().unwrap().is_sign_negative());
 
-    let frame = text(
-        "open_session",
-        json!({"session_id": "s", "sim": {"dt_ms": 0.5}, "network": {"ref": "n"}}),
-    );
+    let frame = text("open_session", json!({"session_id": "s", "sim": {"dt_ms": 0.5}, "network": {"ref": "n"}}));
     assert_eq!(frame["contract_hash"], "24e8e6e31e1dec8a");
-    assert_eq!(
-        (&frame["sim"]["dt_ms"], &frame["sim"]["chunk_ms"]),
-        (&json!(0.5), &json!(10.0))
-    );
-    assert_eq!(
-        (&frame["network"]["kind"], &frame["network"]["ref"]),
-        (&json!("builtin"), &json!("n"))
-    );
+    assert_eq!((&frame["sim"]["dt_ms"], &frame["sim"]["chunk_ms"]), (&json!(0.5), &json!(10.0)));
+    assert_eq!((&frame["network"]["kind"], &frame["network"]["ref"]), (&json!("builtin"), &json!("n")));
 
     let frame = text("error", json!({"error": "busy"}));
     assert_eq!(frame, json!({"kind": "error", "error": "busy"}));
@@ -353,13 +269,7 @@ fn what_the_encoder_refuses_reaches_it() {
         (json!({"seq": -9_007_199_254_740_992_i64}), "value"),
         (json!({"seq": "7"}), "type"),
     ] {
-        assert_eq!(
-            refusal(
-                "encode",
-                &json!({"kind": "command_frame", "fields": fields})
-            ),
-            code
-        );
+        assert_eq!(refusal("encode", &json!({"kind": "command_frame", "fields": fields})), code);
     }
 }
 
@@ -367,32 +277,17 @@ fn what_the_encoder_refuses_reaches_it() {
 fn arguments_that_the_page_does_not_allow_are_never_taken_for_a_refusal() {
     for (call, args) in [
         ("decode", json!({"kind": "command_frame"})),
-        (
-            "decode",
-            json!({"kind": "command_frame", "text": "{}", "base64": "e30="}),
-        ),
+        ("decode", json!({"kind": "command_frame", "text": "{}", "base64": "e30="})),
         ("decode", json!({"kind": "no_such_kind", "text": "{}"})),
         ("decode", json!({"kind": "command_frame", "base64": "!"})),
-        (
-            "encode",
-            json!({"kind": "command_frame", "fields": {"no_such_field": 1}}),
-        ),
+        ("encode", json!({"kind": "command_frame", "fields": {"no_such_field": 1}})),
         ("encode", json!({"kind": "command_frame", "fields": []})),
         ("key.build", json!({"key": "sensor", "realm": null})),
         ("key.build", json!({"key": "no_such_key", "realm": null})),
         ("plane.qos", json!({"plane": "no_such_plane"})),
-        (
-            "bulk.encode",
-            json!({"columns": [{"name": "x", "dtype": "f16", "data": []}]}),
-        ),
-        (
-            "bulk.encode",
-            json!({"columns": [{"name": "x", "dtype": "i64", "data": [1]}]}),
-        ),
-        (
-            "observation.pack",
-            json!({"times": [], "values": ["nan"], "senders": []}),
-        ),
+        ("bulk.encode", json!({"columns": [{"name": "x", "dtype": "f16", "data": []}]})),
+        ("bulk.encode", json!({"columns": [{"name": "x", "dtype": "i64", "data": [1]}]})),
+        ("observation.pack", json!({"times": [], "values": ["nan"], "senders": []})),
         ("reply.check", json!({"request": "no frame", "reply": "{}"})),
         ("negotiate", json!({"version": 5, "contract_hash": null})),
     ] {
@@ -404,33 +299,12 @@ fn arguments_that_the_page_does_not_allow_are_never_taken_for_a_refusal() {
 fn version_and_contract_calls_answer_as_their_chapter_says() {
     let own = "24e8e6e31e1dec8a";
     let other = "2cf0763ad61e4f1c";
-    assert_eq!(
-        refusal("version.check", &json!({"version": "0.4", "strict": true})),
-        "version"
-    );
-    assert_eq!(
-        result("contract.status", &json!({"peer_hash": other})),
-        json!({"status": "mismatch"})
-    );
-    assert_eq!(
-        result("contract.verify", &json!({"peer_hash": own})),
-        json!({})
-    );
-    assert_eq!(
-        refusal("contract.verify", &json!({"peer_hash": other})),
-        "contract"
-    );
-    assert_eq!(
-        result(
-            "negotiate",
-            &json!({"version": "0.5", "contract_hash": own})
-        ),
-        json!({"contract": "match"})
-    );
-    assert_eq!(
-        refusal("negotiate", &json!({"version": "1", "contract_hash": own})),
-        "version"
-    );
+    assert_eq!(refusal("version.check", &json!({"version": "0.4", "strict": true})), "version");
+    assert_eq!(result("contract.status", &json!({"peer_hash": other})), json!({"status": "mismatch"}));
+    assert_eq!(result("contract.verify", &json!({"peer_hash": own})), json!({}));
+    assert_eq!(refusal("contract.verify", &json!({"peer_hash": other})), "contract");
+    assert_eq!(result("negotiate", &json!({"version": "0.5", "contract_hash": own})), json!({"contract": "match"}));
+    assert_eq!(refusal("negotiate", &json!({"version": "1", "contract_hash": own})), "version");
 }
 
 #[test]
@@ -446,17 +320,11 @@ fn key_and_plane_calls_answer_as_their_chapter_says() {
         ("session_glob", None, "a/b/session/s/**"),
         ("fleet_glob", None, "a/b/session/**"),
     ] {
-        assert_eq!(
-            result("key.build", &build(key, name)),
-            json!({"key": built})
-        );
+        assert_eq!(result("key.build", &build(key, name)), json!({"key": built}));
     }
     assert_eq!(refusal("key.build", &build("sensor", Some("a/b"))), "key");
     assert_eq!(
-        result(
-            "key.match",
-            &json!({"pattern": "ncp/session/**", "key": "ncp/session"})
-        ),
+        result("key.match", &json!({"pattern": "ncp/session/**", "key": "ncp/session"})),
         json!({"matches": true})
     );
     assert_eq!(
@@ -476,23 +344,14 @@ fn columns_survive_a_block() {
     ]});
     let block = result("bulk.encode", &columns);
     assert_eq!(result("bulk.decode", &block), columns);
-    assert_eq!(
-        refusal("bulk.decode", &json!({"block": "TkNQQg=="})),
-        "block"
-    );
+    assert_eq!(refusal("bulk.decode", &json!({"block": "TkNQQg=="})), "block");
 }
 
 #[test]
 fn an_observation_survives_its_block() {
     let arrays = json!({"times": [1.5, 2.5, 9.0], "values": [], "senders": ["7", "7", "9"]});
     let block = result("observation.pack", &arrays);
-    assert!(
-        block["block"]
-            .as_str()
-            .unwrap()
-            .starts_with("TkNQQgEAAgBoAAAA"),
-        "{block}"
-    );
+    assert!(block["block"].as_str().unwrap().starts_with("TkNQQgEAAgBoAAAA"), "{block}");
     assert_eq!(result("observation.unpack", &block), arrays);
     let uneven = json!({"times": [1.0], "values": [1.0, 2.0], "senders": []});
     assert_eq!(refusal("observation.pack", &uneven), "block");
@@ -501,23 +360,9 @@ fn an_observation_survives_its_block() {
 #[test]
 fn a_reply_is_held_against_its_request() {
     let request = r#"{"ncp_version":"0.5","kind":"close_session","session_id":"s"}"#;
-    let reply = |ok| {
-        format!(r#"{{"ncp_version":"0.5","kind":"session_closed","session_id":"s","ok":{ok}}}"#)
-    };
-    assert_eq!(
-        result(
-            "reply.check",
-            &json!({"request": request, "reply": reply(true)})
-        ),
-        json!({})
-    );
-    assert_eq!(
-        refusal(
-            "reply.check",
-            &json!({"request": request, "reply": reply(false)})
-        ),
-        "reply"
-    );
+    let reply = |ok| format!(r#"{{"ncp_version":"0.5","kind":"session_closed","session_id":"s","ok":{ok}}}"#);
+    assert_eq!(result("reply.check", &json!({"request": request, "reply": reply(true)})), json!({}));
+    assert_eq!(refusal("reply.check", &json!({"request": request, "reply": reply(false)})), "reply");
 }
 
 #[test]
@@ -540,10 +385,7 @@ fn a_governor_remembers_its_latch_and_shows_every_field_of_the_frame() {
             "horizon": [], "horizon_dt_ms": null})
     );
     assert_eq!(steps[1], json!({}));
-    let modes: Vec<&Value> = [2, 3, 5]
-        .iter()
-        .map(|step| &steps[*step]["frame"]["mode"])
-        .collect();
+    let modes: Vec<&Value> = [2, 3, 5].iter().map(|step| &steps[*step]["frame"]["mode"]).collect();
     assert_eq!(modes, ["estop", "estop", "active"]);
 }
 
@@ -600,15 +442,13 @@ fn a_watchdog_a_link_and_a_horizon_are_asked_by_steps_and_numbers() {
         result("watchdog.run", &args)["steps"],
         json!([{"hold": true}, {}, {"hold": true}, {}, {"hold": false}, {}, {"hold": true}])
     );
-    let args = json!({"ref_loss": 0, "threshold": null, "steps": [{"op": "frame", "seq": 1}, {"op": "frame", "seq": 8}]});
+    let args =
+        json!({"ref_loss": 0, "threshold": null, "steps": [{"op": "frame", "seq": 1}, {"op": "frame", "seq": 8}]});
     assert_eq!(
         result("link.run", &args)["steps"][1],
         json!({"last_seq": 8, "received": 2, "lost": 6, "loss_rate": 0.75, "burst": true})
     );
-    assert_eq!(
-        result("horizon.max_len", &json!({"ttl_ms": 200, "dt_ms": 60})),
-        json!({"len": 3})
-    );
+    assert_eq!(result("horizon.max_len", &json!({"ttl_ms": 200, "dt_ms": 60})), json!({"len": 3}));
 }
 
 #[test]
@@ -623,14 +463,8 @@ fn a_codec_and_a_reflex_turn_frames_into_rates_and_commands() {
     ]});
     let args = json!({"codec": codec, "rates": {"p": 50}, "t": 2, "seq": 3, "frame_id": "f", "mode": "hold"});
     let command = result("codec.decode", &args)["command"].clone();
-    assert_eq!(
-        command["channels"],
-        json!({"a": {"data": [0.0, 2.5], "unit": "m"}})
-    );
-    assert_eq!(
-        (&command["seq"], &command["mode"]),
-        (&json!(3), &json!("hold"))
-    );
+    assert_eq!(command["channels"], json!({"a": {"data": [0.0, 2.5], "unit": "m"}}));
+    assert_eq!((&command["seq"], &command["mode"]), (&json!(3), &json!("hold")));
 
     let sensor = json!({"channels": {"pose_position": {"data": [1, 0, -1], "unit": "m"}}});
     let args = json!({"config": {"target": [0, 0, 1], "max_speed": 1.25}, "sensor": sensor});
@@ -638,13 +472,7 @@ fn a_codec_and_a_reflex_turn_frames_into_rates_and_commands() {
         result("reflex.step", &args)["command"]["channels"]["velocity_setpoint"]["data"],
         json!([-1.0, -0.0, 1.25])
     );
-    assert_eq!(
-        refusal(
-            "reflex.step",
-            &json!({"config": {"kp": "NaN"}, "sensor": null})
-        ),
-        "value"
-    );
+    assert_eq!(refusal("reflex.step", &json!({"config": {"kp": "NaN"}, "sensor": null})), "value");
 }
 
 #[test]
@@ -656,14 +484,8 @@ fn a_loop_and_a_server_run_as_a_whole() {
     let steps = result("loop.run", &args)["steps"].clone();
     assert_eq!(steps[0]["command"]["mode"], "hold");
     let command = &steps[3]["command"];
-    assert_eq!(
-        (&command["mode"], &command["seq"], &command["ttl_ms"]),
-        (&json!("active"), &json!(5), &json!(300.0))
-    );
-    assert_eq!(
-        (&steps[3]["status"]["seq"], &steps[3]["status"]["safety_ok"]),
-        (&json!(2), &json!(true))
-    );
+    assert_eq!((&command["mode"], &command["seq"], &command["ttl_ms"]), (&json!("active"), &json!(5), &json!(300.0)));
+    assert_eq!((&steps[3]["status"]["seq"], &steps[3]["status"]["safety_ok"]), (&json!(2), &json!(true)));
     args["period_ms"] = json!(0);
     assert_eq!(refusal("loop.run", &args), "value");
 
@@ -677,10 +499,7 @@ fn a_loop_and_a_server_run_as_a_whole() {
         let reply: Value = serde_json::from_str(replies[nth].as_str().unwrap()).unwrap();
         reply["ok"].clone()
     };
-    assert_eq!(
-        [ok(0), ok(1), ok(2)],
-        [json!(false), json!(true), json!(true)]
-    );
+    assert_eq!([ok(0), ok(1), ok(2)], [json!(false), json!(true), json!(true)]);
 }
 
 #[test]
@@ -688,14 +507,8 @@ fn a_step_that_the_protocol_page_does_not_allow_is_no_refusal_of_the_implementat
     for (call, args) in [
         ("watchdog.run", json!({"steps": [{"op": "sing"}]})),
         ("watchdog.run", json!({"steps": [{"op": "should_hold"}]})),
-        (
-            "buffer.run",
-            json!({"steps": [{"op": "command", "now_s": 0}]}),
-        ),
-        (
-            "governor.run",
-            json!({"limits": {"max_sped": 1}, "steps": []}),
-        ),
+        ("buffer.run", json!({"steps": [{"op": "command", "now_s": 0}]})),
+        ("governor.run", json!({"limits": {"max_sped": 1}, "steps": []})),
         ("codec.encode", json!({"codec": "usv", "sensor": null})),
     ] {
         assert_eq!(refusal(call, &args), "internal", "{call} {args}");

@@ -32,33 +32,20 @@ fn fault(case: &Case, line: &[u8]) -> Option<String> {
 #[test]
 fn the_executable_specification_agrees_with_every_case() {
     let suite = Suite::embedded().unwrap();
-    let cases: Vec<&Case> = suite
-        .cases()
-        .iter()
-        .filter(|case| !case.is_large())
-        .collect();
+    let cases: Vec<&Case> = suite.cases().iter().filter(|case| !case.is_large()).collect();
     assert!(cases.len() > 7_500);
     let lines = answers(&cases);
     assert_eq!(lines.len(), cases.len());
     let pairs = cases.iter().zip(&lines);
     let wrong: Vec<String> = pairs.filter_map(|(case, line)| fault(case, line)).collect();
-    assert!(
-        wrong.is_empty(),
-        "{} cases:\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} cases:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 #[test]
 fn the_answer_to_another_case_is_noticed() {
     let suite = Suite::embedded().unwrap();
     let case = |id: &str| suite.case(id).unwrap();
-    let [own, older] = [
-        "version/guard/lenient/own",
-        "version/guard/lenient/older-minor",
-    ]
-    .map(case);
+    let [own, older] = ["version/guard/lenient/own", "version/guard/lenient/older-minor"].map(case);
     let line = answers(&[own]).remove(0);
     assert_eq!(fault(own, &line), None);
     assert!(fault(older, &line).is_some());

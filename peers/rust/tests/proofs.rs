@@ -66,16 +66,9 @@ fn the_specification_passes_every_vector_that_the_proofs_print() {
     for case in suite.cases() {
         *calls.entry(case.call.as_str()).or_default() += 1;
         let judgement = judged(case);
-        assert!(
-            matches!(judgement, Judgement::Pass { .. }),
-            "{}: {judgement:?}",
-            case.id
-        );
+        assert!(matches!(judgement, Judgement::Pass { .. }), "{}: {judgement:?}", case.id);
     }
     for call in ["governor.run", "buffer.run", "watchdog.run", "bulk.decode"] {
-        assert!(
-            calls.get(call).is_some_and(|count| *count > 5),
-            "{call}: {calls:?}"
-        );
+        assert!(calls.get(call).is_some_and(|count| *count > 5), "{call}: {calls:?}");
     }
 }

@@ -4,10 +4,7 @@
 //! Nothing is decided here: each function builds the state that its arguments describe, calls the
 //! kernel once, and says what it answered.
 
-#![allow(
-    unsafe_code,
-    reason = "a function is exported by name with an attribute that counts as unsafe"
-)]
+#![allow(unsafe_code, reason = "a function is exported by name with an attribute that counts as unsafe")]
 
 mod wrappers;
 

@@ -77,12 +77,7 @@ impl Replay {
         vector: impl FnOnce(&Value) -> Option<Value>,
     ) -> Self {
         let real = run(None);
-        Self {
-            steps: steps(path),
-            broken: run(Some(defect)),
-            vector: vector(&real),
-            real,
-        }
+        Self { steps: steps(path), broken: run(Some(defect)), vector: vector(&real), real }
     }
 }
 

@@ -8,9 +8,7 @@ use std::hash::{Hash, Hasher};
 
 use ncp_spec::resilience::ActionBuffer;
 use ncp_spec::safety::SafetyGovernor;
-use ncp_spec::wire::{
-    ChannelMap, ChannelValue, CommandFrame, Frame, Mode, SafetyLimits, SensorFrame,
-};
+use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode, SafetyLimits, SensorFrame};
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
@@ -54,19 +52,8 @@ impl State {
     /// All that tells two states apart: the plant's own seq and deadline follow from what it obeyed.
     fn key(&self) -> impl Hash + PartialEq + '_ {
         let mut plant = self.plant.clone();
-        let ends = (
-            self.governor.is_stopped(),
-            self.plant.is_stopped(),
-            plant.active(0.0).is_some(),
-        );
-        (
-            ends,
-            self.faulty,
-            &self.sent,
-            self.latched,
-            self.obeyed,
-            self.last,
-        )
+        let ends = (self.governor.is_stopped(), self.plant.is_stopped(), plant.active(0.0).is_some());
+        (ends, self.faulty, &self.sent, self.latched, self.obeyed, self.last)
     }
 }
 
@@ -219,10 +206,7 @@ impl Model for Ends {
                 last.tell(state.latched[0] && frame.mode != Mode::Estop, LATCH_LET_OUT);
                 last.tell(state.latched[0] != state.governor.is_stopped(), NOT_LATCHED);
                 last.tell(state.faulty && frame.mode == Mode::Active, FAULT_LET_OUT);
-                last.tell(
-                    MODES[mode] != Mode::Active && frame.mode == Mode::Active,
-                    NOT_ACTIVE_MOVED,
-                );
+                last.tell(MODES[mode] != Mode::Active && frame.mode == Mode::Active, NOT_ACTIVE_MOVED);
                 last.tell(frame.mode == Mode::Active, PASSED);
                 last.tell(frame.mode == Mode::Estop, STOPPED);
                 last.tell(state.faulty && frame.mode == Mode::Hold, FAULT_HELD);
@@ -236,25 +220,17 @@ impl Model for Ends {
             Event::ResetGovernor => {
                 reset(self.defect, &mut state.governor);
                 state.latched[0] = false;
-                last.tell(
-                    state.latched[1] != state.plant.is_stopped(),
-                    UNLATCHED_BY_OTHER,
-                );
+                last.tell(state.latched[1] != state.plant.is_stopped(), UNLATCHED_BY_OTHER);
             }
             Event::ResetPlant => {
                 state.plant.reset();
                 state.latched[1] = false;
                 state.obeyed = None;
-                last.tell(
-                    state.latched[0] != state.governor.is_stopped(),
-                    UNLATCHED_BY_OTHER,
-                );
+                last.tell(state.latched[0] != state.governor.is_stopped(), UNLATCHED_BY_OTHER);
             }
             Event::Arrive(number) => {
                 let seq = number + 1;
-                let text = command(seq, state.sent[number])
-                    .encode()
-                    .unwrap_or_default();
+                let text = command(seq, state.sent[number]).encode().unwrap_or_default();
                 let had_reset = state.sent.contains(&Mode::Estop) && state.obeyed.is_none();
                 let _ = state.plant.on_frame(text.as_bytes(), 0.0);
                 let newest = state.obeyed.map(|(newest, _)| newest);
@@ -270,10 +246,7 @@ impl Model for Ends {
                 }
                 let moves = state.plant.active(0.0).is_some();
                 let may = !state.latched[1] && state.obeyed.is_some_and(|(_, moves)| moves);
-                last.tell(
-                    moves != may || state.plant.is_stopped() != state.latched[1],
-                    PLANT_MOVED,
-                );
+                last.tell(moves != may || state.plant.is_stopped() != state.latched[1], PLANT_MOVED);
                 last.tell(state.latched == [true, true], BOTH_LATCHED);
                 last.tell(moves && had_reset, MOVED_AGAIN);
             }
@@ -315,37 +288,19 @@ impl Protocol for Latches {
         },
         Claim {
             name: "governor latches",
-            rules: &[
-                "NCP-SAFE-004",
-                "NCP-SAFE-006",
-                "NCP-SAFE-007",
-                "NCP-SAFE-008",
-                "NCP-SAFE-043",
-                "NCP-SAFE-044",
-            ],
+            rules: &["NCP-SAFE-004", "NCP-SAFE-006", "NCP-SAFE-007", "NCP-SAFE-008", "NCP-SAFE-043", "NCP-SAFE-044"],
             sentence: "The governor is latched exactly when, since its reset, it was given an ESTOP, a position outside the fence or not finite, or a burst.",
             formal: "always: governor.is_stopped() ⟺ latched(governor)",
         },
         Claim {
             name: "config fault lets nothing out",
-            rules: &[
-                "NCP-SAFE-009",
-                "NCP-SAFE-013",
-                "NCP-SAFE-017",
-                "NCP-SAFE-018",
-            ],
+            rules: &["NCP-SAFE-009", "NCP-SAFE-013", "NCP-SAFE-017", "NCP-SAFE-018"],
             sentence: "A governor with a negative limit never sends an active command, whatever the resets.",
             formal: "always: fault ⟹ sent.mode ≠ active",
         },
         Claim {
             name: "plant obeys",
-            rules: &[
-                "NCP-RES-021",
-                "NCP-RES-023",
-                "NCP-RES-025",
-                "NCP-RES-030",
-                "NCP-SAFE-001",
-            ],
+            rules: &["NCP-RES-021", "NCP-RES-023", "NCP-RES-025", "NCP-RES-030", "NCP-SAFE-001"],
             sentence: "Over every network, the plant is latched exactly from the arrival of an ESTOP to its own reset, and moves exactly when it is not and the newest command that it obeyed is active.",
             formal: "always: moves ⟺ ¬latched(plant) ∧ mode(newest obeyed) = active",
         },
@@ -375,30 +330,10 @@ impl Protocol for Latches {
             "A position outside the fence holds and does not latch.",
             "governor latches",
         ),
-        (
-            Defect::EstopIsPassedOn,
-            "estop-is-passed-on",
-            "An ESTOP is sent and does not latch.",
-            "governor latches",
-        ),
-        (
-            Defect::BurstIgnored,
-            "burst-ignored",
-            "A burst does not latch.",
-            "governor latches",
-        ),
-        (
-            Defect::QuietLinkReleases,
-            "quiet-link-releases",
-            "A healthy link ends ESTOP.",
-            "governor latches",
-        ),
-        (
-            Defect::NanIsInside,
-            "nan-is-inside",
-            "A position that is NaN is inside.",
-            "governor latches",
-        ),
+        (Defect::EstopIsPassedOn, "estop-is-passed-on", "An ESTOP is sent and does not latch.", "governor latches"),
+        (Defect::BurstIgnored, "burst-ignored", "A burst does not latch.", "governor latches"),
+        (Defect::QuietLinkReleases, "quiet-link-releases", "A healthy link ends ESTOP.", "governor latches"),
+        (Defect::NanIsInside, "nan-is-inside", "A position that is NaN is inside.", "governor latches"),
         (
             Defect::ResetClearsFault,
             "reset-clears-fault",
@@ -414,17 +349,11 @@ impl Protocol for Latches {
     ];
 
     fn models(small: bool) -> Vec<Ends> {
-        vec![Ends {
-            defect: None,
-            frames: if small { 3 } else { 5 },
-        }]
+        vec![Ends { defect: None, frames: if small { 3 } else { 5 } }]
     }
 
     fn broken(defect: Defect) -> Ends {
-        Ends {
-            defect: Some(defect),
-            frames: 3,
-        }
+        Ends { defect: Some(defect), frames: 3 }
     }
 
     fn bounds(small: bool) -> String {
@@ -436,11 +365,7 @@ impl Protocol for Latches {
 
     fn replay(defect: Defect, path: &[Event]) -> Replay {
         // A command at the end shows the latch.
-        let path: Vec<Event> = path
-            .iter()
-            .copied()
-            .chain([Event::Govern(0, Some(0))])
-            .collect();
+        let path: Vec<Event> = path.iter().copied().chain([Event::Govern(0, Some(0))]).collect();
         let faulty = defect == Defect::ResetClearsFault;
         let run = |defect| {
             let mut governor = governor(faulty);
@@ -478,10 +403,7 @@ fn command(seq: usize, mode: Mode) -> CommandFrame {
 
 fn sensor(x_m: f64) -> SensorFrame {
     let position = ChannelValue::new([x_m, 0.0, 0.0], "m");
-    SensorFrame {
-        channels: ChannelMap::from_iter([("pose_position", position)]),
-        ..SensorFrame::default()
-    }
+    SensorFrame { channels: ChannelMap::from_iter([("pose_position", position)]), ..SensorFrame::default() }
 }
 
 fn vector(path: &[Event], faulty: bool, real: &Value) -> Value {

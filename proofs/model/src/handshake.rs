@@ -17,15 +17,8 @@ use crate::explore::{Claim, Protocol, Replay, Variant};
 use crate::signs::{Signs, always, sometimes};
 
 /// Versions, and whether the text calls them compatible with 0.5.
-const VERSIONS: [(&str, bool); 7] = [
-    ("0.5", true),
-    ("00.05", true),
-    ("0.4", false),
-    ("0.50", false),
-    ("1.5", false),
-    ("0.5.0", false),
-    ("", false),
-];
+const VERSIONS: [(&str, bool); 7] =
+    [("0.5", true), ("00.05", true), ("0.4", false), ("0.50", false), ("1.5", false), ("0.5.0", false), ("", false)];
 const HASHES: [Option<&str>; 3] = [Some(CONTRACT_HASH), Some("0000000000000000"), None];
 
 /// An `open_session` of a client: its version and its hash.
@@ -123,11 +116,7 @@ impl Handshake {
             _ => version,
         };
         let reply = SessionService::new(ReferenceBackend).serve(request(hello, seen).as_bytes());
-        if self.defect == Some(Defect::SilentRefusal) {
-            reply.replace("\"ok\":false", "\"ok\":true")
-        } else {
-            reply
-        }
+        if self.defect == Some(Defect::SilentRefusal) { reply.replace("\"ok\":false", "\"ok\":true") } else { reply }
     }
 
     /// Whether the client takes a reply for an open session.
@@ -200,16 +189,13 @@ impl Model for Handshake {
             always!("hash never refuses", HASH_REFUSED),
             always!("status", STATUS),
             always!("refusal is said", NO_REASON),
-            Property::always(
-                "no session between incompatible versions",
-                |_: &Self, s: &State| {
-                    let both = s.client.filter(|_| s.opened && s.serves == s.client);
-                    both.is_none_or(|hello| {
-                        // One of the two is the specification; the other may be any.
-                        VERSIONS[hello.version].1 == VERSIONS[s.server].1 || !VERSIONS[s.server].1
-                    })
-                },
-            ),
+            Property::always("no session between incompatible versions", |_: &Self, s: &State| {
+                let both = s.client.filter(|_| s.opened && s.serves == s.client);
+                both.is_none_or(|hello| {
+                    // One of the two is the specification; the other may be any.
+                    VERSIONS[hello.version].1 == VERSIONS[s.server].1 || !VERSIONS[s.server].1
+                })
+            }),
             sometimes!("a session opens", OPENED),
             sometimes!("a version is refused", REFUSED),
             sometimes!("a session opens with another hash", OTHER_HASH),
@@ -226,11 +212,7 @@ impl Handshake {
         let (version, compatible) = VERSIONS[hello.version];
         if !VERSIONS[state.server].1 {
             // A foreign server may say yes to anything.
-            let answer = Answer {
-                to: hello,
-                version: state.server,
-                ok: true,
-            };
+            let answer = Answer { to: hello, version: state.server, ok: true };
             state.replies.insert(answer);
             state.serves = Some(hello);
             return;
@@ -250,21 +232,13 @@ impl Handshake {
         last.tell(!opened.ok && opened.error.is_none(), NO_REASON);
         last.tell(!opened.ok, REFUSED);
         last.tell(opened.ok && hello.hash == 1, OTHER_HASH);
-        let wanted = [
-            ContractStatus::Match,
-            ContractStatus::Mismatch,
-            ContractStatus::NotAdvertised,
-        ];
+        let wanted = [ContractStatus::Match, ContractStatus::Mismatch, ContractStatus::NotAdvertised];
         let status = negotiate(version, HASHES[hello.hash]).ok();
         last.tell(status != compatible.then_some(wanted[hello.hash]), STATUS);
         if opened.ok {
             state.serves = Some(hello);
         }
-        let answer = Answer {
-            to: hello,
-            version: state.server,
-            ok: opened.ok,
-        };
+        let answer = Answer { to: hello, version: state.server, ok: opened.ok };
         state.replies.insert(answer);
     }
 
@@ -297,25 +271,13 @@ impl Protocol for Versions {
     const CLAIMS: &'static [Claim] = &[
         Claim {
             name: "no session between incompatible versions",
-            rules: &[
-                "NCP-VER-003",
-                "NCP-VER-004",
-                "NCP-SESS-003",
-                "NCP-SESS-023",
-                "NCP-SESS-024",
-            ],
+            rules: &["NCP-VER-003", "NCP-VER-004", "NCP-SESS-003", "NCP-SESS-023", "NCP-SESS-024"],
             sentence: "A client and a server never both take a session for open while the specification is the server and the client's version is not compatible with it.",
             formal: "always: client opened ∧ server serves it ∧ server is 0.5 ⟹ compatible(client)",
         },
         Claim {
             name: "server guards",
-            rules: &[
-                "NCP-VER-003",
-                "NCP-VER-004",
-                "NCP-VER-006",
-                "NCP-SESS-023",
-                "NCP-SESS-024",
-            ],
+            rules: &["NCP-VER-003", "NCP-VER-004", "NCP-VER-006", "NCP-SESS-023", "NCP-SESS-024"],
             sentence: "A server opens no session for a version that is malformed or not compatible.",
             formal: "always: ok(open) ⟹ compatible(version)",
         },
@@ -333,13 +295,7 @@ impl Protocol for Versions {
         },
         Claim {
             name: "status",
-            rules: &[
-                "NCP-VER-022",
-                "NCP-VER-023",
-                "NCP-VER-024",
-                "NCP-VER-030",
-                "NCP-VER-031",
-            ],
+            rules: &["NCP-VER-022", "NCP-VER-023", "NCP-VER-024", "NCP-VER-030", "NCP-VER-031"],
             sentence: "Negotiation gives the status of the hash for a compatible version, and rejects any other whatever the hash.",
             formal: "always: negotiate(version, hash) = status(hash) if compatible(version), else an error",
         },
@@ -351,70 +307,32 @@ impl Protocol for Versions {
         },
     ];
     const BROKEN: &'static [Variant<Defect>] = &[
-        (
-            Defect::NoGuard,
-            "no-guard",
-            "The server looks at no version.",
-            "server guards",
-        ),
-        (
-            Defect::Prefix,
-            "prefix",
-            "What begins with 0.5 counts as 0.5.",
-            "server guards",
-        ),
-        (
-            Defect::MinorOnly,
-            "minor-only",
-            "What ends in .5 counts as 0.5.",
-            "server guards",
-        ),
-        (
-            Defect::MalformedPasses,
-            "malformed-passes",
-            "An empty version counts as the own.",
-            "server guards",
-        ),
+        (Defect::NoGuard, "no-guard", "The server looks at no version.", "server guards"),
+        (Defect::Prefix, "prefix", "What begins with 0.5 counts as 0.5.", "server guards"),
+        (Defect::MinorOnly, "minor-only", "What ends in .5 counts as 0.5.", "server guards"),
+        (Defect::MalformedPasses, "malformed-passes", "An empty version counts as the own.", "server guards"),
         (
             Defect::HashOverrules,
             "hash-overrules",
             "The same contract hash makes any version compatible.",
             "no session between incompatible versions",
         ),
-        (
-            Defect::HashRefuses,
-            "hash-refuses",
-            "Another contract hash is refused.",
-            "hash never refuses",
-        ),
+        (Defect::HashRefuses, "hash-refuses", "Another contract hash is refused.", "hash never refuses"),
         (
             Defect::ClientLooksAway,
             "client-looks-away",
             "The client does not look at the reply's version.",
             "client guards",
         ),
-        (
-            Defect::SilentRefusal,
-            "silent-refusal",
-            "A refusal says ok.",
-            "server guards",
-        ),
+        (Defect::SilentRefusal, "silent-refusal", "A refusal says ok.", "server guards"),
     ];
 
     fn models(_: bool) -> Vec<Handshake> {
-        vec![Handshake {
-            defect: None,
-            asks: 2,
-            restarts: 1,
-        }]
+        vec![Handshake { defect: None, asks: 2, restarts: 1 }]
     }
 
     fn broken(defect: Defect) -> Handshake {
-        Handshake {
-            defect: Some(defect),
-            asks: 1,
-            restarts: 1,
-        }
+        Handshake { defect: Some(defect), asks: 1, restarts: 1 }
     }
 
     fn bounds(small: bool) -> String {
@@ -426,11 +344,7 @@ impl Protocol for Versions {
 
     fn replay(defect: Defect, path: &[Event]) -> Replay {
         let run = |defect| {
-            let model = Handshake {
-                defect,
-                asks: 0,
-                restarts: 0,
-            };
+            let model = Handshake { defect, asks: 0, restarts: 0 };
             let answer = |event: &Event| match *event {
                 Event::Ask(_) | Event::Restart(_) => json!({}),
                 Event::Arrive(hello) => json!({"reply": model.serve(hello)}),
@@ -454,7 +368,8 @@ fn request(hello: Hello, version: &str) -> String {
 fn text(answer: Answer) -> String {
     let version = VERSIONS[answer.version].0;
     let error = (!answer.ok).then_some("refused");
-    json!({"kind": "session_opened", "ncp_version": version, "session_id": "s", "ok": answer.ok, "error": error}).to_string()
+    json!({"kind": "session_opened", "ncp_version": version, "session_id": "s", "ok": answer.ok, "error": error})
+        .to_string()
 }
 
 /// The last event of a path that a call shows.
@@ -471,11 +386,7 @@ fn vector(event: &Event) -> Option<Value> {
         Event::Reply(answer) => {
             let request = request(answer.to, VERSIONS[answer.to.version].0);
             let accept = VERSIONS[answer.version].1 && answer.ok;
-            let expect = if accept {
-                json!({"accept": true})
-            } else {
-                json!({"reject": "reply"})
-            };
+            let expect = if accept { json!({"accept": true}) } else { json!({"reject": "reply"}) };
             Some(
                 json!({"roles": ["commander"], "call": "reply.check", "args": {"request": request, "reply": text(answer)}, "expect": expect}),
             )

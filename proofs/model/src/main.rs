@@ -56,11 +56,7 @@ fn main() -> ExitCode {
     if let Err(failure) = &done {
         eprintln!("ncp-model: {failure}");
     }
-    if done.is_ok() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    }
+    if done.is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -80,11 +76,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         );
     }
     for variant in &broken {
-        let word = if variant.refuted {
-            "refuted"
-        } else {
-            "NOT REFUTED"
-        };
+        let word = if variant.refuted { "refuted" } else { "NOT REFUTED" };
         println!("{word:8} {}", variant.id);
     }
     if let Some(file) = &arguments.json {
@@ -92,11 +84,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         fs::write(file, text).map_err(|error| Failure::Write(file.clone(), error))?;
     }
     let shown = claims.iter().all(|claim| claim.result == "proved");
-    if shown && broken.iter().all(|variant| variant.refuted) {
-        Ok(())
-    } else {
-        Err(Failure::NotShown)
-    }
+    if shown && broken.iter().all(|variant| variant.refuted) { Ok(()) } else { Err(Failure::NotShown) }
 }
 
 fn report(claims: &[Checked], broken: &[Broken]) -> Value {
@@ -132,9 +120,5 @@ fn code_digest() -> String {
         total.update(source);
         total.update([0]);
     }
-    total
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    total.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }

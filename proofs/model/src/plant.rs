@@ -153,18 +153,10 @@ type Key = (Option<i64>, Option<(u64, u64)>, bool);
 impl Subject {
     fn key(&self) -> Key {
         let (last, deadline, stopped) = match self {
-            Self::Real(_, plant) => (
-                plant.watchdog().last_seq(),
-                plant.watchdog().deadline(),
-                plant.is_stopped(),
-            ),
+            Self::Real(_, plant) => (plant.watchdog().last_seq(), plant.watchdog().deadline(), plant.is_stopped()),
             Self::Broken(wrong) => (wrong.last, wrong.deadline, wrong.stopped),
         };
-        (
-            last,
-            deadline.map(|(r, ttl)| (r.to_bits(), ttl.to_bits())),
-            stopped,
-        )
+        (last, deadline.map(|(r, ttl)| (r.to_bits(), ttl.to_bits())), stopped)
     }
 
     fn arrive(&mut self, text: &str, now_s: f64) {
@@ -190,10 +182,7 @@ impl Subject {
             Self::Real(buffer, plant) => {
                 let moves = buffer.active(now_s).is_some();
                 let like = plant.active(now_s, None, 0).is_some();
-                (
-                    moves,
-                    moves == like && buffer.is_stopped() == plant.is_stopped(),
-                )
+                (moves, moves == like && buffer.is_stopped() == plant.is_stopped())
             }
             Self::Broken(wrong) => (wrong.ask(now_s), true),
         }
@@ -301,15 +290,8 @@ pub(crate) struct Link {
 }
 
 /// Every body.
-const ALL: [Body; 7] = [
-    Body::Active(0),
-    Body::Active(1),
-    Body::Active(2),
-    Body::Hold,
-    Body::Unstamped,
-    Body::Estop,
-    Body::Torn,
-];
+const ALL: [Body; 7] =
+    [Body::Active(0), Body::Active(1), Body::Active(2), Body::Hold, Body::Unstamped, Body::Estop, Body::Torn];
 /// The bodies on which the order of seqs acts.
 const ORDERED: [Body; 3] = [Body::Active(1), Body::Hold, Body::Estop];
 
@@ -347,11 +329,7 @@ impl Model for Link {
         state.last = Signs::default();
         match event {
             Event::Send(body) => {
-                let seq = if body == Body::Unstamped {
-                    0
-                } else {
-                    state.next
-                };
+                let seq = if body == Body::Unstamped { 0 } else { state.next };
                 let sent = Sent { body, seq };
                 state.next += 1;
                 match state.sent.binary_search(&sent) {
@@ -385,15 +363,9 @@ impl Model for Link {
             sometimes!("the plant moves", MOVED),
             sometimes!("a deadline passes", EXPIRED),
             sometimes!("a stale command arrives while the plant moves", STALE),
-            sometimes!(
-                "an ESTOP arrives that is older than the newest command",
-                OLD_ESTOP
-            ),
+            sometimes!("an ESTOP arrives that is older than the newest command", OLD_ESTOP),
             sometimes!("a restarted sender is held", RESTART_HELD),
-            sometimes!(
-                "a restarted sender moves the plant after a reset",
-                RESTART_MOVED
-            ),
+            sometimes!("a restarted sender moves the plant after a reset", RESTART_MOVED),
             sometimes!("the plant moves at the very end of a ttl", MOVED_AT_END),
         ]
     }
@@ -472,117 +444,45 @@ impl Protocol for PlantSide {
             "A duplicate refreshes the deadline.",
             "stale changes nothing",
         ),
-        (
-            Defect::OldRefreshes,
-            "old-refreshes",
-            "A reordered command counts as new.",
-            "liveness",
-        ),
-        (
-            Defect::NoCap,
-            "no-cap",
-            "A ttl is not capped at 60 s.",
-            "liveness",
-        ),
-        (
-            Defect::ZeroTtlCounts,
-            "zero-ttl",
-            "A ttl of 0 counts as 250 ms.",
-            "liveness",
-        ),
+        (Defect::OldRefreshes, "old-refreshes", "A reordered command counts as new.", "liveness"),
+        (Defect::NoCap, "no-cap", "A ttl is not capped at 60 s.", "liveness"),
+        (Defect::ZeroTtlCounts, "zero-ttl", "A ttl of 0 counts as 250 ms.", "liveness"),
         (
             Defect::ClockBackwardCounts,
             "clock-backward",
             "A clock that reads less than at the receipt counts as no age.",
             "liveness",
         ),
-        (
-            Defect::ReviveAfterExpiry,
-            "revives",
-            "A hold ends when the clock goes back.",
-            "liveness",
-        ),
-        (
-            Defect::NanIsFresh,
-            "nan-is-fresh",
-            "A clock that reads NaN passes every comparison.",
-            "liveness",
-        ),
-        (
-            Defect::EndIsPast,
-            "end-is-past",
-            "A command counts as expired at exactly its ttl.",
-            "no needless hold",
-        ),
-        (
-            Defect::RestartIsNewer,
-            "restart-is-newer",
-            "A seq of 1 always counts as a new stream.",
-            "liveness",
-        ),
+        (Defect::ReviveAfterExpiry, "revives", "A hold ends when the clock goes back.", "liveness"),
+        (Defect::NanIsFresh, "nan-is-fresh", "A clock that reads NaN passes every comparison.", "liveness"),
+        (Defect::EndIsPast, "end-is-past", "A command counts as expired at exactly its ttl.", "no needless hold"),
+        (Defect::RestartIsNewer, "restart-is-newer", "A seq of 1 always counts as a new stream.", "liveness"),
         (
             Defect::HoldDoesNotAdvance,
             "hold-does-not-advance",
             "A HOLD does not advance the stream, so that a command which it overtook moves the plant.",
             "liveness",
         ),
-        (
-            Defect::ResetKeepsDeadline,
-            "reset-keeps-deadline",
-            "A reset keeps the deadline.",
-            "reset never revives",
-        ),
-        (
-            Defect::OldEstopDropped,
-            "old-estop-dropped",
-            "A stale ESTOP is dropped.",
-            "estop is never lost",
-        ),
+        (Defect::ResetKeepsDeadline, "reset-keeps-deadline", "A reset keeps the deadline.", "reset never revives"),
+        (Defect::OldEstopDropped, "old-estop-dropped", "A stale ESTOP is dropped.", "estop is never lost"),
         (
             Defect::TornEstopDropped,
             "torn-estop-dropped",
             "An ESTOP in a malformed frame is dropped.",
             "estop is never lost",
         ),
-        (
-            Defect::ActiveClearsLatch,
-            "active-clears-latch",
-            "A newer active command ends ESTOP.",
-            "latch",
-        ),
-        (
-            Defect::EstopIsHold,
-            "estop-is-hold",
-            "An ESTOP only holds.",
-            "latch",
-        ),
-        (
-            Defect::HoldClearsLatch,
-            "hold-clears-latch",
-            "A HOLD ends ESTOP.",
-            "latch",
-        ),
+        (Defect::ActiveClearsLatch, "active-clears-latch", "A newer active command ends ESTOP.", "latch"),
+        (Defect::EstopIsHold, "estop-is-hold", "An ESTOP only holds.", "latch"),
+        (Defect::HoldClearsLatch, "hold-clears-latch", "A HOLD ends ESTOP.", "latch"),
     ];
 
     fn models(small: bool) -> Vec<Link> {
-        let link = |seqs, bodies| Link {
-            defect: None,
-            seqs,
-            bodies,
-        };
-        if small {
-            vec![link(2, &ORDERED)]
-        } else {
-            vec![link(2, &ALL), link(3, &ORDERED)]
-        }
+        let link = |seqs, bodies| Link { defect: None, seqs, bodies };
+        if small { vec![link(2, &ORDERED)] } else { vec![link(2, &ALL), link(3, &ORDERED)] }
     }
 
     fn broken(defect: Defect) -> Link {
-        Link {
-            defect: Some(defect),
-            seqs: 2,
-            bodies: &ALL,
-        }
+        Link { defect: Some(defect), seqs: 2, bodies: &ALL }
     }
 
     fn bounds(small: bool) -> String {
@@ -626,27 +526,14 @@ impl Protocol for PlantSide {
 fn subject(defect: Option<Defect>) -> Subject {
     match defect {
         None => Subject::Real(ActionBuffer::new(), Plant::new()),
-        Some(defect) => Subject::Broken(Wrong {
-            defect,
-            last: None,
-            deadline: None,
-            stopped: false,
-        }),
+        Some(defect) => Subject::Broken(Wrong { defect, last: None, deadline: None, stopped: false }),
     }
 }
 
 /// The path, and after it what brings a wrong state to light: questions, a new command, questions.
 fn with_an_ending(path: &[Event]) -> Vec<Event> {
-    let newest = Sent {
-        body: Body::Active(1),
-        seq: 9,
-    };
-    let ending = [
-        Event::Ask(0),
-        Event::Ask(1),
-        Event::Arrive(newest, 0),
-        Event::Ask(0),
-    ];
+    let newest = Sent { body: Body::Active(1), seq: 9 };
+    let ending = [Event::Ask(0), Event::Ask(1), Event::Arrive(newest, 0), Event::Ask(0)];
     path.iter().copied().chain(ending).collect()
 }
 
@@ -698,15 +585,9 @@ fn ask(state: &mut State, time: usize) {
     last.tell(!moves && had.is_some() && !latched, EXPIRED);
     let at_end = had.is_some_and(|(received, ttl)| TTLS_MS[ttl] == 250.0 && received + 1 == time);
     last.tell(moves && at_end, MOVED_AT_END);
-    last.tell(
-        moves && state.restarted && state.text.newest == Some(1),
-        RESTART_MOVED,
-    );
+    last.tell(moves && state.restarted && state.text.newest == Some(1), RESTART_MOVED);
     // [NCP-RES-010] A hold persists, and so what has expired is no permit any more.
-    let lives = Permit {
-        latched: false,
-        ..state.text
-    };
+    let lives = Permit { latched: false, ..state.text };
     if !lives.moves(time) {
         state.text.command = None;
     }
@@ -719,10 +600,7 @@ fn text(sent: Sent) -> String {
         Body::Hold | Body::Unstamped => (Mode::Hold, 200.0),
         Body::Estop => (Mode::Estop, 200.0),
         Body::Torn => {
-            return format!(
-                r#"{{"kind":"command_frame","seq":"{}","mode":"estop","mode":"estop"}}"#,
-                sent.seq
-            );
+            return format!(r#"{{"kind":"command_frame","seq":"{}","mode":"estop","mode":"estop"}}"#, sent.seq);
         }
     };
     let channel = ChannelValue::new([1.0, 0.0, 0.0], "m/s");
@@ -765,11 +643,7 @@ fn vector(path: &[Event]) -> Value {
 }
 
 fn number(value: f64) -> Value {
-    if value.is_nan() {
-        json!("NaN")
-    } else {
-        json!(value)
-    }
+    if value.is_nan() { json!("NaN") } else { json!(value) }
 }
 
 #[cfg(test)]
@@ -795,11 +669,7 @@ mod tests {
     #[test]
     fn the_plant_of_the_broken_variants_is_right_without_a_defect() {
         use stateright::Checker;
-        let model = Link {
-            seqs: 2,
-            bodies: &ORDERED,
-            ..PlantSide::broken(Defect::Nothing)
-        };
+        let model = Link { seqs: 2, bodies: &ORDERED, ..PlantSide::broken(Defect::Nothing) };
         let checker = model.checker().spawn_bfs().join();
         for claim in PlantSide::CLAIMS {
             assert!(checker.discovery(claim.name).is_none(), "{claim:?}");

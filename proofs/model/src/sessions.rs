@@ -97,15 +97,11 @@ impl Server {
             return vec![];
         };
         let ask = |ask, session| text_of(Event::Request(ask, session));
-        let serve =
-            |service: &mut SessionService<Clock>, text: &str| service.serve(text.as_bytes());
+        let serve = |service: &mut SessionService<Clock>, text: &str| service.serve(text.as_bytes());
         match (self.defect, event) {
             (Some(Defect::SilentToTorn), Event::Torn) => vec![],
             (Some(Defect::CloseKeeps), Event::Request(Ask::Close, session)) => {
-                let is_open = self
-                    .service
-                    .open_sessions()
-                    .any(|id| id == SESSIONS[session]);
+                let is_open = self.service.open_sessions().any(|id| id == SESSIONS[session]);
                 vec![json!({"kind": "session_closed", "session_id": SESSIONS[session], "ok": is_open}).to_string()]
             }
             (Some(Defect::StepOpens), Event::Request(Ask::Step, session)) => {
@@ -150,11 +146,7 @@ impl SimulationBackend for Clock {
     }
 
     fn open(&mut self, _: &OpenSession) -> Result<Opened, BackendError> {
-        Ok(Opened {
-            simulation: Box::new(Running(0.0)),
-            resolved: SortedMap::default(),
-            seed: None,
-        })
+        Ok(Opened { simulation: Box::new(Running(0.0)), resolved: SortedMap::default(), seed: None })
     }
 }
 
@@ -185,11 +177,7 @@ impl Model for Service {
     type Action = Event;
 
     fn init_states(&self) -> Vec<State> {
-        vec![State {
-            events: vec![],
-            open: BTreeMap::new(),
-            last: Signs::default(),
-        }]
+        vec![State { events: vec![], open: BTreeMap::new(), last: Signs::default() }]
     }
 
     fn actions(&self, state: &State, actions: &mut Vec<Event>) {
@@ -233,12 +221,7 @@ impl Model for Service {
 }
 
 /// What the text says of the replies to an event.
-fn judge(
-    open: &mut BTreeMap<usize, i64>,
-    server: &Server,
-    event: Event,
-    replies: &[String],
-) -> Signs {
+fn judge(open: &mut BTreeMap<usize, i64>, server: &Server, event: Event, replies: &[String]) -> Signs {
     let mut said = Signs::default();
     if event == Event::Restart {
         open.clear();
@@ -273,10 +256,7 @@ fn judge(
                 *steps += 1;
                 // One step is 10 ms.
                 let time_ms = f64::from(i32::try_from(*steps).unwrap_or(0)) * 10.0;
-                said.tell(
-                    reply.seq != *steps || reply.sim_time_ms != time_ms,
-                    WRONG_SEQ,
-                );
+                said.tell(reply.seq != *steps || reply.sim_time_ms != time_ms, WRONG_SEQ);
                 said.tell(true, STEPPED);
             }
             true
@@ -345,78 +325,31 @@ impl Protocol for Sessions {
         },
         Claim {
             name: "seq and time",
-            rules: &[
-                "NCP-SESS-030",
-                "NCP-SESS-031",
-                "NCP-SESS-033",
-                "NCP-SESS-034",
-                "NCP-SESS-035",
-            ],
+            rules: &["NCP-SESS-030", "NCP-SESS-031", "NCP-SESS-033", "NCP-SESS-034", "NCP-SESS-035"],
             sentence: "The n-th step of a session since it was opened has seq n and n steps of simulation time, whatever happens to the other session, and a second open changes nothing.",
             formal: "always: observation ⟹ seq = n ∧ sim_time_ms = 10 n",
         },
         Claim {
             name: "client knows success",
-            rules: &[
-                "NCP-SESS-001",
-                "NCP-SESS-002",
-                "NCP-SESS-004",
-                "NCP-SESS-005",
-                "NCP-SESS-007",
-            ],
+            rules: &["NCP-SESS-001", "NCP-SESS-002", "NCP-SESS-004", "NCP-SESS-005", "NCP-SESS-007"],
             sentence: "A client takes a reply for a success exactly when the server did what was asked.",
             formal: "always: check_reply(request, reply) is ok ⟺ the request succeeded",
         },
     ];
     const BROKEN: &'static [Variant<Defect>] = &[
-        (
-            Defect::SilentToTorn,
-            "silent-to-torn",
-            "A request that cannot be decoded gets no reply.",
-            "one reply",
-        ),
-        (
-            Defect::CloseKeeps,
-            "close-keeps",
-            "A close is answered and does not close.",
-            "steps only while open",
-        ),
-        (
-            Defect::StepOpens,
-            "step-opens",
-            "A step opens the session that it names.",
-            "steps only while open",
-        ),
+        (Defect::SilentToTorn, "silent-to-torn", "A request that cannot be decoded gets no reply.", "one reply"),
+        (Defect::CloseKeeps, "close-keeps", "A close is answered and does not close.", "steps only while open"),
+        (Defect::StepOpens, "step-opens", "A step opens the session that it names.", "steps only while open"),
         (
             Defect::RestartRemembers,
             "restart-remembers",
             "Sessions outlive the server's restart.",
             "steps only while open",
         ),
-        (
-            Defect::OpenReplaces,
-            "open-replaces",
-            "A second open begins the session anew.",
-            "opens once",
-        ),
-        (
-            Defect::SecondCloseSucceeds,
-            "second-close",
-            "A close of a session that is not open succeeds.",
-            "closes once",
-        ),
-        (
-            Defect::OneSession,
-            "one-session",
-            "Both sessions are one.",
-            "opens once",
-        ),
-        (
-            Defect::SeqStands,
-            "seq-stands",
-            "The seq does not rise.",
-            "seq and time",
-        ),
+        (Defect::OpenReplaces, "open-replaces", "A second open begins the session anew.", "opens once"),
+        (Defect::SecondCloseSucceeds, "second-close", "A close of a session that is not open succeeds.", "closes once"),
+        (Defect::OneSession, "one-session", "Both sessions are one.", "opens once"),
+        (Defect::SeqStands, "seq-stands", "The seq does not rise.", "seq and time"),
         (
             Defect::ClientTakesErrors,
             "client-takes-errors",
@@ -427,17 +360,11 @@ impl Protocol for Sessions {
 
     fn models(small: bool) -> Vec<Service> {
         let events = if small { 4 } else { 6 };
-        vec![Service {
-            defect: None,
-            events,
-        }]
+        vec![Service { defect: None, events }]
     }
 
     fn broken(defect: Defect) -> Service {
-        Service {
-            defect: Some(defect),
-            events: 4,
-        }
+        Service { defect: Some(defect), events: 4 }
     }
 
     fn bounds(small: bool) -> String {
@@ -453,9 +380,7 @@ impl Protocol for Sessions {
             let replies = |event: &Event| {
                 let replies = server.take(*event);
                 let request = text(*event).and_then(|text| decode_any(text.as_bytes()).ok());
-                let taken = request
-                    .zip(replies.first())
-                    .map(|(request, reply)| server.accepts(&request, reply));
+                let taken = request.zip(replies.first()).map(|(request, reply)| server.accepts(&request, reply));
                 json!({"replies": replies, "a client takes it for a success": taken})
             };
             path.iter().map(replies).collect::<Value>()
@@ -477,15 +402,11 @@ fn text_of(event: Event) -> String {
             r#"{{"kind":"open_session","ncp_version":"0.5","session_id":"{}","network":{{"kind":"builtin","ref":"ncp.reference.lif"}}}}"#,
             SESSIONS[session]
         ),
-        Event::Request(Ask::Step, session) => format!(
-            r#"{{"kind":"step_request","session_id":"{}","advance_ms":10.0}}"#,
-            SESSIONS[session]
-        ),
+        Event::Request(Ask::Step, session) => {
+            format!(r#"{{"kind":"step_request","session_id":"{}","advance_ms":10.0}}"#, SESSIONS[session])
+        }
         Event::Request(Ask::Close, session) => {
-            format!(
-                r#"{{"kind":"close_session","session_id":"{}"}}"#,
-                SESSIONS[session]
-            )
+            format!(r#"{{"kind":"close_session","session_id":"{}"}}"#, SESSIONS[session])
         }
         Event::Torn | Event::Restart => r#"{"kind":"step_request","session_id":"a""#.to_owned(),
     }

@@ -84,10 +84,5 @@ pub fn run(property: &Property, harness: Enumerated, length: Option<usize>) -> O
         let choices = drawn.into_iter().filter_map(choice).collect();
         Counterexample { check, choices }
     });
-    Outcome {
-        inputs,
-        judged,
-        counterexample,
-        seconds: began.elapsed().as_secs_f64(),
-    }
+    Outcome { inputs, judged, counterexample, seconds: began.elapsed().as_secs_f64() }
 }

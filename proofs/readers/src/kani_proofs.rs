@@ -26,10 +26,7 @@ mod tests {
     #[test]
     fn every_property_is_a_proof_of_kani_that_runs() {
         let table: Vec<_> = PROPERTIES.iter().map(|p| (p.id, p.unwind)).collect();
-        let proofs: Vec<_> = PROOFS
-            .iter()
-            .map(|(id, unwind, _)| (*id, *unwind))
-            .collect();
+        let proofs: Vec<_> = PROOFS.iter().map(|(id, unwind, _)| (*id, *unwind)).collect();
         assert_eq!(proofs, table);
         for (_, _, proof) in PROOFS {
             for seed in 0..300 {

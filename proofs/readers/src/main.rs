@@ -76,8 +76,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
             "engine": "exhaustive", "version": env!("CARGO_PKG_VERSION"),
             "properties": properties, "broken": refuted, "trusted": TRUSTED, "not_proved": NOT_PROVED,
         });
-        fs::write(file, format!("{report:#}\n"))
-            .map_err(|error| Failure::Write(file.clone(), error))?;
+        fs::write(file, format!("{report:#}\n")).map_err(|error| Failure::Write(file.clone(), error))?;
     }
     is_shown.then_some(()).ok_or(Failure::NotShown)
 }
@@ -88,21 +87,16 @@ fn prove(property: &'static Property) -> Result<Value, Failure> {
     let outcome = exhaustive::run(property, harness.enumerate, None);
     let why = match &outcome.counterexample {
         Some(found) => format!("{}: {:?}", found.check, found.choices),
-        None => format!(
-            "{} inputs judged, {} left aside",
-            outcome.judged,
-            outcome.inputs.saturating_sub(outcome.judged)
-        ),
+        None => {
+            format!("{} inputs judged, {} left aside", outcome.judged, outcome.inputs.saturating_sub(outcome.judged))
+        }
     };
     let result = match &outcome.counterexample {
         Some(_) => "refuted",
         None if outcome.is_proved() => "proved",
         None => "failed",
     };
-    println!(
-        "{result:8} {}: {} inputs, {why}, {:.1} s",
-        property.id, outcome.inputs, outcome.seconds
-    );
+    println!("{result:8} {}: {} inputs, {why}, {:.1} s", property.id, outcome.inputs, outcome.seconds);
     Ok(json!({
         "id": property.id, "family": property.family.as_str(), "rules": property.rules,
         "sentence": property.sentence, "formal": property.statement, "bounds": property.bounds,
@@ -127,11 +121,7 @@ fn refute(broken: &'static Broken) -> Result<Value, Failure> {
         "inputs": outcome.inputs,
     });
     let found = outcome.counterexample.and_then(|found| {
-        let mut replay = Native::new(Replay {
-            choices: found.ways().into(),
-            length: LONGEST,
-            ..Replay::default()
-        });
+        let mut replay = Native::new(Replay { choices: found.ways().into(), length: LONGEST, ..Replay::default() });
         (sound.replay)(&mut replay);
         let is_kept = replay.failed.is_none() && !replay.reached.is_empty();
         let vector = vector(property, broken.id, &found.ways())?;
@@ -140,10 +130,7 @@ fn refute(broken: &'static Broken) -> Result<Value, Failure> {
     entry["refuted"] = json!(found.is_some());
     match found {
         Some((found, vector)) => {
-            println!(
-                "refuted  {} after {} inputs: {}",
-                broken.id, outcome.inputs, found.check
-            );
+            println!("refuted  {} after {} inputs: {}", broken.id, outcome.inputs, found.check);
             entry["counterexample"] = json!({ "check": found.check, "inputs": found.choices });
             entry["vector"] = vector;
         }

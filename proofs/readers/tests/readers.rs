@@ -77,23 +77,10 @@ mod broken_ones {
             assert!(is_shown(property, found.check), "{}: {found:?}", broken.id);
             let choices = found.ways();
             let case = vector(property, broken.id, &choices).unwrap();
-            for member in [
-                "id",
-                "title",
-                "requirements",
-                "roles",
-                "call",
-                "args",
-                "expect",
-                "why",
-            ] {
+            for member in ["id", "title", "requirements", "roles", "call", "args", "expect", "why"] {
                 assert!(!case[member].is_null(), "{}: {member}", broken.id);
             }
-            let mut sound = Native::new(Replay {
-                choices: choices.into(),
-                length: LONGEST,
-                ..Replay::default()
-            });
+            let mut sound = Native::new(Replay { choices: choices.into(), length: LONGEST, ..Replay::default() });
             (harness(property.id).unwrap().replay)(&mut sound);
             assert_eq!(sound.failed, None, "{}", broken.id);
             assert!(!sound.reached.is_empty(), "{}", broken.id);
@@ -105,9 +92,7 @@ mod broken_ones {
         let broken = BROKEN.iter().find(|b| b.id == "bulk_panics").unwrap();
         let property = PROPERTIES.iter().find(|p| p.id == broken.property).unwrap();
         let enumerate = broken::harness(broken.id, broken.property).unwrap();
-        let found = exhaustive::run(property, enumerate, None)
-            .counterexample
-            .unwrap();
+        let found = exhaustive::run(property, enumerate, None).counterexample.unwrap();
         assert_eq!(found.check, exhaustive::PANICS);
     }
 }
@@ -117,10 +102,7 @@ fn each_family_of_readers_has_five_broken_ones_and_names_its_rules() {
     let catalogue = Catalogue::load().unwrap();
     for property in PROPERTIES {
         let family = property.family.as_str();
-        assert!(
-            BROKEN.iter().filter(|b| b.id.starts_with(family)).count() >= 5,
-            "{family}"
-        );
+        assert!(BROKEN.iter().filter(|b| b.id.starts_with(family)).count() >= 5, "{family}");
         for rule in property.rules {
             assert!(catalogue.get(rule).is_some(), "{}: {rule}", property.id);
         }
@@ -139,11 +121,7 @@ fn the_classes_part_all_characters() {
         for class in alphabet {
             for member in class.members {
                 let first = class.members.first().unwrap().to_string();
-                assert_eq!(
-                    canonical(&member.to_string(), alphabet),
-                    first,
-                    "{member:?}"
-                );
+                assert_eq!(canonical(&member.to_string(), alphabet), first, "{member:?}");
             }
         }
         assert!(alphabet.is_sorted_by_key(|class| class.width));

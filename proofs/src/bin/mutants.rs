@@ -66,10 +66,7 @@ fn hold_all(options: &[&str]) {
             scope.spawn(|| {
                 while let Some((id, _)) = MUTANTS.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let answer = hold(id, options);
-                    println!(
-                        "{}",
-                        answer.unwrap_or_else(|why| json!({ "id": id, "said": why }))
-                    );
+                    println!("{}", answer.unwrap_or_else(|why| json!({ "id": id, "said": why })));
                 }
             });
         }
@@ -81,10 +78,7 @@ fn hold(id: &str, options: &[&str]) -> Result<Value, String> {
     let failed = |error: std::io::Error| format!("not held against anything: {error}");
     let program = std::env::current_exe().map_err(failed)?;
     let mut command = Command::new(program);
-    command
-        .args(["--one", id])
-        .args(options)
-        .stdout(Stdio::piped());
+    command.args(["--one", id]).args(options).stdout(Stdio::piped());
     let mut child = command.spawn().map_err(failed)?;
     end_in_time(&mut child).map_err(failed)?;
     let output = child.wait_with_output().map_err(failed)?;
@@ -117,11 +111,7 @@ fn by_numbers(id: &str, file: &str) -> Value {
     };
     // What production's numbers compute is said by one property, which samples do not widen.
     let is_number = file == "scalar.rs";
-    let wanted = || {
-        PROPERTIES
-            .iter()
-            .filter(|property| !is_number || property.id.starts_with("number/"))
-    };
+    let wanted = || PROPERTIES.iter().filter(|property| !is_number || property.id.starts_with("number/"));
     wanted()
         .find_map(|property| sampled(FEW, property))
         .or_else(|| wanted().find_map(enumerated))

@@ -46,10 +46,7 @@ impl Progress {
 
 /// Runs an engine in a thread beside. If one of its runs does not end, neither does the thread, and that run's
 /// inputs refute the kernel.
-pub(super) fn watched(
-    harness: &Harness,
-    engine: impl FnOnce(&Progress) -> Outcome + Send + 'static,
-) -> Outcome {
+pub(super) fn watched(harness: &Harness, engine: impl FnOnce(&Progress) -> Outcome + Send + 'static) -> Outcome {
     let began = Instant::now();
     let progress = Arc::new(Progress::default());
     let (tell, told) = mpsc::channel();
@@ -79,10 +76,7 @@ pub(super) fn watched(
             let mut outcome = Outcome::new(began);
             outcome.runs = now;
             outcome.verdict = Verdict::Refuted;
-            outcome.counterexample = Some(Counterexample {
-                check: ENDS.to_owned(),
-                inputs,
-            });
+            outcome.counterexample = Some(Counterexample { check: ENDS.to_owned(), inputs });
             return outcome;
         }
     }

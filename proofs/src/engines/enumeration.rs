@@ -13,18 +13,13 @@ use crate::properties::{Harness, Property, Values};
 pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
     let values = property.enumeration?;
     let copy = *harness;
-    Some(ends::watched(harness, move |progress| {
-        try_all(&copy, values, length, progress)
-    }))
+    Some(ends::watched(harness, move |progress| try_all(&copy, values, length, progress)))
 }
 
 fn try_all(harness: &Harness, values: Values, length: usize, progress: &Progress) -> Outcome {
     let began = Instant::now();
-    let mut native = Native::new(Source::Enumerate(Enumerate::new(
-        values.scalars,
-        values.seqs,
-        length.min(values.length),
-    )));
+    let mut native =
+        Native::new(Source::Enumerate(Enumerate::new(values.scalars, values.seqs, length.min(values.length))));
     let mut outcome = Outcome::new(began);
     loop {
         native.again();
@@ -38,10 +33,8 @@ fn try_all(harness: &Harness, values: Values, length: usize, progress: &Progress
             native.again();
             run_once(harness.native, &mut native);
             outcome.verdict = Verdict::Refuted;
-            outcome.counterexample = Some(Counterexample {
-                check: check.to_owned(),
-                inputs: std::mem::take(&mut native.drawn),
-            });
+            outcome.counterexample =
+                Some(Counterexample { check: check.to_owned(), inputs: std::mem::take(&mut native.drawn) });
             break;
         }
         if !native.draw.advance() {

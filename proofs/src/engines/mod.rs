@@ -108,10 +108,7 @@ impl Patience {
     /// For so long from now on.
     #[must_use]
     pub fn of(time: Duration) -> Self {
-        Self {
-            until: Instant::now() + time,
-            is_over: AtomicBool::new(false),
-        }
+        Self { until: Instant::now() + time, is_over: AtomicBool::new(false) }
     }
 
     /// Ends it.
@@ -164,10 +161,7 @@ pub fn compared(harness: &Harness, found: &Counterexample, length: usize) -> Opt
     if found.check == ENDS {
         return Some("the text has an answer, the kernel never gives one".to_owned());
     }
-    let mut replay = Replay {
-        length,
-        ..Replay::default()
-    };
+    let mut replay = Replay { length, ..Replay::default() };
     for (_, drawn) in &found.inputs {
         match *drawn {
             Drawn::Scalar(value) => replay.scalars.push_back(value),

@@ -249,12 +249,7 @@ impl Sample {
     /// A source of values from a seed, and of sequences of at most this length.
     #[must_use]
     pub const fn new(seed: u64, length: usize) -> Self {
-        Self {
-            state: seed,
-            length,
-            last: 1.0,
-            is_tame: seed % 2 == 1,
-        }
+        Self { state: seed, length, last: 1.0, is_tame: seed % 2 == 1 }
     }
 
     /// SplitMix64.
@@ -363,13 +358,7 @@ impl Enumerate {
     /// All combinations of these values, in sequences of at most this length.
     #[must_use]
     pub const fn new(scalars: &'static [f64], seqs: &'static [i64], length: usize) -> Self {
-        Self {
-            scalars,
-            seqs,
-            length,
-            digits: Vec::new(),
-            at: 0,
-        }
+        Self { scalars, seqs, length, digits: Vec::new(), at: 0 }
     }
 
     /// Begins the combination at hand anew.

@@ -12,9 +12,7 @@ use crate::properties::Harness;
 #[must_use]
 pub fn run(harness: &Harness, samples: u64, length: usize) -> Outcome {
     let copy = *harness;
-    ends::watched(harness, move |progress| {
-        try_samples(&copy, samples, length, progress)
-    })
+    ends::watched(harness, move |progress| try_samples(&copy, samples, length, progress))
 }
 
 fn try_samples(harness: &Harness, samples: u64, length: usize, progress: &Progress) -> Outcome {
@@ -34,10 +32,8 @@ fn try_samples(harness: &Harness, samples: u64, length: usize, progress: &Progre
             native.again();
             run_once(harness.native, &mut native);
             outcome.verdict = Verdict::Refuted;
-            outcome.counterexample = Some(Counterexample {
-                check: check.to_owned(),
-                inputs: std::mem::take(&mut native.drawn),
-            });
+            outcome.counterexample =
+                Some(Counterexample { check: check.to_owned(), inputs: std::mem::take(&mut native.drawn) });
             break;
         }
     }

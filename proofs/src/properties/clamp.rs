@@ -24,13 +24,7 @@ fn clamped<K: Kernel, P: Prover>(p: &mut P) -> Clamped<P> {
     let max = p.scalar("max");
     let mut after = before;
     let answer = K::bring_within(after.get_mut(..width).unwrap_or_default(), max);
-    Clamped {
-        before,
-        after,
-        width,
-        max,
-        answer,
-    }
+    Clamped { before, after, width, max, answer }
 }
 
 /// What comes back is not above the bound, for every double; and nothing comes back exactly for what
@@ -43,11 +37,7 @@ pub fn bound<K: Kernel, P: Prover>(p: &mut P) {
     p.exactly("usable exactly when finite", c.answer.is_some(), usable);
     let mut again = c.before;
     let is_usable = K::clamp(again.get_mut(..c.width).unwrap_or_default(), c.max);
-    let alike: Vec<_> = again
-        .iter()
-        .zip(&c.after)
-        .map(|(a, b)| p.same(*a, *b))
-        .collect();
+    let alike: Vec<_> = again.iter().zip(&c.after).map(|(a, b)| p.same(*a, *b)).collect();
     let alike = p.all(&alike);
     let same = p.truth(is_usable == c.answer.is_some());
     let alike = p.and(same, alike);
@@ -105,10 +95,7 @@ pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
         let larger = p.lt(largest, x.abs());
         largest = p.select(larger, x.abs(), largest);
     }
-    let base: Vec<P::S> = before
-        .iter()
-        .map(|x| p.select(overflows, x.div(largest), *x))
-        .collect();
+    let base: Vec<P::S> = before.iter().map(|x| p.select(overflows, x.div(largest), *x)).collect();
     let factor = aim.div(norm(p, &base));
     let scaled: Vec<P::S> = base.iter().map(|x| x.mul(factor)).collect();
     let length = norm(p, &scaled);
@@ -142,16 +129,9 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
     let mut other = [p.scalar("w")];
     let (velocity_before, other_before) = (velocity, other);
     let answer = {
-        let velocity = Channel {
-            data: velocity.get_mut(..width).unwrap_or_default(),
-            is_velocity: flags[0],
-            in_mps: flags[1],
-        };
-        let other = Channel {
-            data: other.as_mut_slice(),
-            is_velocity: false,
-            in_mps: other_in_mps,
-        };
+        let velocity =
+            Channel { data: velocity.get_mut(..width).unwrap_or_default(), is_velocity: flags[0], in_mps: flags[1] };
+        let other = Channel { data: other.as_mut_slice(), is_velocity: false, in_mps: other_in_mps };
         K::limit_tick([velocity, other].into_iter(), limit)
     };
     let before = velocity_before.get(..width).unwrap_or_default();
@@ -160,23 +140,14 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
         p.and(a, b)
     };
     let acts = p.truth(!is_faulty && (!is_enabled || (width == 3 && flags[0] && flags[1])));
-    let good = if is_enabled && (flags[1] || other_in_mps) {
-        positive(p, max)
-    } else {
-        p.truth(true)
-    };
+    let good = if is_enabled && (flags[1] || other_in_mps) { positive(p, max) } else { p.truth(true) };
     let says = p.all(&[finite, acts, good]);
-    p.exactly(
-        "usable exactly when it can be limited",
-        answer.is_ok(),
-        says,
-    );
+    p.exactly("usable exactly when it can be limited", answer.is_ok(), says);
     if let Ok(changed) = answer {
         let mut above = p.truth(false);
-        for (before, after, in_mps) in [
-            (before, velocity.get(..width).unwrap_or_default(), flags[1]),
-            (&other_before, &other, other_in_mps),
-        ] {
+        for (before, after, in_mps) in
+            [(before, velocity.get(..width).unwrap_or_default(), flags[1]), (&other_before, &other, other_in_mps)]
+        {
             if is_enabled && in_mps {
                 let after = norm(p, after);
                 let within = p.le(after, max);
@@ -200,9 +171,6 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
     let right = p.iff(said, infinite);
     let right = p.implies(good, right);
     p.check("not finite exactly when so", right);
-    let reasons = p.truth(matches!(
-        answer,
-        Ok(_) | Err(Reason::NotFinite | Reason::NoVelocity)
-    ));
+    let reasons = p.truth(matches!(answer, Ok(_) | Err(Reason::NotFinite | Reason::NoVelocity)));
     p.check("no other reason", reasons);
 }

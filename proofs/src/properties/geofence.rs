@@ -63,9 +63,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
     let position = p.vector("position");
     let mut ticks: [Option<[P::S; 3]>; 4] = [None; 4];
     for (tick, velocity) in ticks.iter_mut().enumerate().take(steps + 1) {
-        *velocity = p
-            .boolean(&format!("has_velocity_{tick}"))
-            .then(|| p.vector(&format!("v{tick}")));
+        *velocity = p.boolean(&format!("has_velocity_{tick}")).then(|| p.vector(&format!("v{tick}")));
     }
     let before = ticks;
     let (ttl, dt) = (p.scalar("ttl"), p.optional("dt"));
@@ -94,11 +92,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
         let seconds = time.div(p.number(1000.0));
         let [x, y, z] = from;
         let [u, v, w] = velocity;
-        Some([
-            x.add(u.mul(seconds)),
-            y.add(v.mul(seconds)),
-            z.add(w.mul(seconds)),
-        ])
+        Some([x.add(u.mul(seconds)), y.add(v.mul(seconds)), z.add(w.mul(seconds))])
     };
     // The part of [k·dt, (k + 1)·dt) before T.
     let share = |p: &mut P, tick: usize| {
@@ -160,8 +154,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
                 }
             }
             let changed = (0..=kept).filter_map(|tick| {
-                let (before, after) =
-                    (before.get(tick)?.as_ref()?, plan.ticks.get(tick)?.as_ref()?);
+                let (before, after) = (before.get(tick)?.as_ref()?, plan.ticks.get(tick)?.as_ref()?);
                 Some((*before, *after))
             });
             if decision == Decision::Passed {
@@ -193,18 +186,13 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
             p.check("without a velocity the reason is another", has_velocity);
         }
         Decision::Stopped(_) => {
-            let (inside, (enabled, faulty)) = (
-                super::words::inside(p, &position, radius),
-                limit_says(p, Some(radius)),
-            );
+            let (inside, (enabled, faulty)) = (super::words::inside(p, &position, radius), limit_says(p, Some(radius)));
             let outside = p.not(inside);
             let sound = p.not(faulty);
             let good = p.all(&[outside, enabled, sound]);
             p.check("stops only outside an enabled fence", good);
         }
-        Decision::Held(
-            Reason::NoPosition | Reason::StaleSensor | Reason::Estop | Reason::NotActive,
-        ) => {
+        Decision::Held(Reason::NoPosition | Reason::StaleSensor | Reason::Estop | Reason::NotActive) => {
             p.never("no other gate closes");
         }
         Decision::Held(Reason::BadHorizon) => {

@@ -18,11 +18,7 @@ fn mode<P: Prover>(p: &mut P) -> Mode {
 /// One command at gates in any state: the first gate of 7.3 that closes decides, ESTOP latches exactly by
 /// gates 1 and 4, and nothing but `active` passes. Gates 6 to 8 are the properties of clamp and fence.
 pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
-    let (speed, radius, timeout) = (
-        p.optional("speed"),
-        p.optional("radius"),
-        p.scalar("timeout"),
-    );
+    let (speed, radius, timeout) = (p.optional("speed"), p.optional("radius"), p.scalar("timeout"));
     let (has_velocity, has_position) = (p.boolean("binds_velocity"), p.boolean("binds_position"));
     let was_stopped = p.boolean("was_stopped");
     let mut gates = K::gates(speed, radius, timeout);
@@ -63,12 +59,7 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
     };
     let first = p.truth(was_stopped || mode == Mode::Estop);
     gate(p, "gate 1: ESTOP", Decision::Stopped(Reason::Estop), first);
-    gate(
-        p,
-        "gate 2: config",
-        Decision::Held(Reason::ConfigFault),
-        fault,
-    );
+    gate(p, "gate 2: config", Decision::Held(Reason::ConfigFault), fault);
     let stale = {
         let fresh = match last {
             Some(last) => fresh(p, now, last, timeout),
@@ -76,20 +67,10 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
         };
         p.not(fresh)
     };
-    gate(
-        p,
-        "gate 3: stale",
-        Decision::Held(Reason::StaleSensor),
-        stale,
-    );
+    gate(p, "gate 3: stale", Decision::Held(Reason::StaleSensor), stale);
     let missing = p.truth(position.is_none());
     let missing = p.and(fenced, missing);
-    gate(
-        p,
-        "gate 4: no position",
-        Decision::Held(Reason::NoPosition),
-        missing,
-    );
+    gate(p, "gate 4: no position", Decision::Held(Reason::NoPosition), missing);
     let outside = {
         let inside = match (&position, radius) {
             (Some(position), Some(radius)) => super::words::inside(p, position, radius),
@@ -101,12 +82,7 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
     let stops = Decision::Stopped(Reason::OutsideFence);
     let outside = gate(p, "gate 4: outside", stops, outside);
     let inactive = p.truth(mode != Mode::Active);
-    gate(
-        p,
-        "gate 5: only active moves",
-        Decision::Held(Reason::NotActive),
-        inactive,
-    );
+    gate(p, "gate 5: only active moves", Decision::Held(Reason::NotActive), inactive);
 
     let latched = p.or(first, outside);
     let is_stopped = K::gates_is_stopped(&gates);
@@ -116,8 +92,7 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
     let stopped = p.truth(K::gates_is_stopped(&gates) == (is_stopped || burst));
     p.check("a burst latches, and nothing else changes", stopped);
     K::gates_reset(&mut gates);
-    let reset =
-        p.truth(!K::gates_is_stopped(&gates) && K::gates_has_config_fault(&gates) == has_fault);
+    let reset = p.truth(!K::gates_is_stopped(&gates) && K::gates_has_config_fault(&gates) == has_fault);
     p.check("a reset clears the latch and not the fault", reset);
 }
 
@@ -137,13 +112,7 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
     if form > 1 {
         // A HOLD of the same seq.
         if let Some(seq) = last {
-            let answer = K::plant_command(
-                &mut plant,
-                Mode::Hold,
-                P::S::constant(0.0),
-                P::S::constant(0.0),
-                seq,
-            );
+            let answer = K::plant_command(&mut plant, Mode::Hold, P::S::constant(0.0), P::S::constant(0.0), seq);
             let held = p.truth(answer == Received::Held);
             p.check("a HOLD of the same seq takes effect", held);
         }
@@ -168,18 +137,10 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                 }
                 Mode::Active => {
                     let says = advances(p, last, seq);
-                    p.exactly(
-                        "only what advances counts",
-                        answer != Received::Dropped,
-                        says,
-                    );
+                    p.exactly("only what advances counts", answer != Received::Dropped, says);
                     let follows = p.truth(!stopped);
                     let follows = p.and(says, follows);
-                    p.exactly(
-                        "followed unless stopped",
-                        answer == Received::Accepted,
-                        follows,
-                    );
+                    p.exactly("followed unless stopped", answer == Received::Accepted, follows);
                     let right = p.truth(answer != Received::Held);
                     p.check("no active command is answered as a HOLD", right);
                     if answer != Received::Dropped {
@@ -226,11 +187,7 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                 let within = p.not(past_end);
                 p.all(&[lives, free, within])
             };
-            p.exactly(
-                "moves exactly while alive, free and before the end",
-                answer.is_some(),
-                goes_on,
-            );
+            p.exactly("moves exactly while alive, free and before the end", answer.is_some(), goes_on);
             if let Some(tick) = answer {
                 #[expect(clippy::cast_precision_loss)]
                 let (from, to) = (p.number(tick as f64), p.number(tick as f64 + 1.0));
@@ -387,34 +344,18 @@ pub fn horizon<K: Kernel, P: Prover>(p: &mut P) {
     let speed = p.boolean("has_speed").then(|| p.scalar("speed"));
     let mut answers = [Ok(false); 4];
     for (tick, answer) in answers.iter_mut().enumerate().take(steps + 1) {
-        let ways = [
-            Ok(false),
-            Ok(true),
-            Err(Reason::NotFinite),
-            Err(Reason::NoVelocity),
-        ];
+        let ways = [Ok(false), Ok(true), Err(Reason::NotFinite), Err(Reason::NoVelocity)];
         let way = p.choice(&format!("answer_{tick}"), ways.len());
         *answer = ways.get(way).copied().unwrap_or(Ok(false));
     }
     let (now, timeout) = (p.number(0.0), p.number(500.0));
-    let mut plan = Answers {
-        dt,
-        ttl: timeout,
-        steps,
-        answers,
-        asked: Vec::new(),
-        count: Asked::default(),
-    };
+    let mut plan = Answers { dt, ttl: timeout, steps, answers, asked: Vec::new(), count: Asked::default() };
     let mut gates = K::gates(speed, None, timeout);
     let decision = K::gates_govern(&mut gates, &mut plan, now, Some(now), None);
     plan.count.ends(p);
 
     let (enabled, faulty) = limit_says(p, speed);
-    p.exactly(
-        "a faulty limit holds",
-        decision == Decision::Held(Reason::ConfigFault),
-        faulty,
-    );
+    p.exactly("a faulty limit holds", decision == Decision::Held(Reason::ConfigFault), faulty);
     let sound = p.not(faulty);
     let has_time = match dt {
         Some(dt) => positive(p, dt),
@@ -424,19 +365,12 @@ pub fn horizon<K: Kernel, P: Prover>(p: &mut P) {
         let (none, with_steps) = (p.not(has_time), p.truth(steps > 0));
         p.all(&[sound, none, with_steps])
     };
-    p.exactly(
-        "a bad horizon holds",
-        decision == Decision::Held(Reason::BadHorizon),
-        is_bad,
-    );
+    p.exactly("a bad horizon holds", decision == Decision::Held(Reason::BadHorizon), is_bad);
 
     let first_bad = |answer: &Result<bool, Reason>| answer.is_err();
     let kept = answers.iter().skip(1).take(steps).position(first_bad);
     let kept = kept.unwrap_or(steps);
-    let changed = answers
-        .iter()
-        .take(kept + 1)
-        .any(|answer| *answer == Ok(true));
+    let changed = answers.iter().take(kept + 1).any(|answer| *answer == Ok(true));
     let says = match answers[0] {
         Err(reason) => Decision::Held(reason),
         Ok(_) if changed || kept < steps => Decision::Limited,
@@ -447,10 +381,7 @@ pub fn horizon<K: Kernel, P: Prover>(p: &mut P) {
     let is_held = answers[0].is_err();
     let right = p.truth(decision == says && (is_held || plan.steps == kept));
     let right = p.implies(good, right);
-    p.check(
-        "ticks are kept up to the first that is not to be used",
-        right,
-    );
+    p.check("ticks are kept up to the first that is not to be used", right);
     if matches!(decision, Decision::Passed | Decision::Limited) {
         for tick in 0..=plan.steps {
             let mut limits = plan.asked.iter().filter(|(asked, _)| *asked == tick);

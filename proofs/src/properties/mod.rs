@@ -29,13 +29,7 @@ pub enum Family {
 
 impl Family {
     /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::Watchdog,
-        Self::Geofence,
-        Self::Clamp,
-        Self::Latch,
-        Self::Number,
-    ];
+    pub const ALL: [Self; 5] = [Self::Watchdog, Self::Geofence, Self::Clamp, Self::Latch, Self::Number];
 
     /// Its name in reports and in the table of broken kernels.
     #[must_use]
@@ -88,19 +82,8 @@ pub struct Values {
 
 const ALL: usize = 6;
 const NONE: &[&str] = &[];
-const TIMES: &[f64] = &[
-    0.0,
-    0.25,
-    1.0,
-    -1.0,
-    250.0,
-    60_000.0,
-    60_000.5,
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    f64::MAX,
-];
+const TIMES: &[f64] =
+    &[0.0, 0.25, 1.0, -1.0, 250.0, 60_000.0, 60_000.5, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX];
 
 include!("table.rs");
 

@@ -75,11 +75,7 @@ pub fn operations<K: Kernel, P: Prover>(p: &mut P) {
     for (name, is, says) in [
         ("a < b", (numbers.lt)(a, b), b > a),
         ("a ≤ b", (numbers.le)(a, b), b >= a),
-        (
-            "a is finite",
-            (numbers.is_finite)(a),
-            (f64::MIN..=f64::MAX).contains(&a),
-        ),
+        ("a is finite", (numbers.is_finite)(a), (f64::MIN..=f64::MAX).contains(&a)),
     ] {
         let right = p.truth(is == says);
         p.check(name, right);

@@ -184,12 +184,7 @@ pub fn sequence<K: Kernel, P: Prover>(p: &mut P) {
 }
 
 /// The last seq after a HOLD that took effect: its own where it advances and is not 0.
-pub(super) fn after_hold<P: Prover>(
-    p: &mut P,
-    now: Option<P::Q>,
-    last: Option<P::Q>,
-    seq: P::Q,
-) -> Option<P::Q> {
+pub(super) fn after_hold<P: Prover>(p: &mut P, now: Option<P::Q>, last: Option<P::Q>, seq: P::Q) -> Option<P::Q> {
     let (advances, zero) = (super::words::advances(p, last, seq), p.seq_zero(seq));
     let stamped = p.not(zero);
     let moved = p.and(advances, stamped);

@@ -10,12 +10,9 @@ use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ncp_spec::safety::kernel::{Channel, Decision, Limit, Plan, Reason};
-use ncp_spec::safety::{
-    METRES, METRES_PER_SECOND, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL,
-};
+use ncp_spec::safety::{METRES, METRES_PER_SECOND, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL};
 use ncp_spec::wire::{
-    ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits,
-    SensorFrame,
+    ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame,
 };
 use serde_json::{Value, json};
 
@@ -71,12 +68,7 @@ pub struct Trace {
 ///
 /// # Errors
 /// There are no such traces, or no trace shows it.
-pub(super) fn case(
-    property: &str,
-    check: &str,
-    harness: &Harness,
-    inputs: &Inputs<'_>,
-) -> Result<Value, WhyNone> {
+pub(super) fn case(property: &str, check: &str, harness: &Harness, inputs: &Inputs<'_>) -> Result<Value, WhyNone> {
     let mut none = WhyNone::NoCall;
     for trace in traces(property, check, inputs).unwrap_or_default() {
         let Some(broken) = (harness.govern)(&trace) else {
@@ -108,11 +100,7 @@ fn shown(trace: &Trace, broken: &[Value]) -> Result<Value, WhyNone> {
     }
     if !differs {
         let is_alike = broken == expected;
-        return Err(if is_alike {
-            WhyNone::Alike
-        } else {
-            WhyNone::Rounding
-        });
+        return Err(if is_alike { WhyNone::Alike } else { WhyNone::Rounding });
     }
     Ok(json!({
         "roles": ["commander"],
@@ -140,14 +128,8 @@ fn alternatives(trace: &Trace, step: &Step, answer: &Value) -> Vec<Value> {
     if let (true, Step::Govern(command)) = (kept > 0, step) {
         let mut alone = command.clone();
         alone.ticks.truncate(1);
-        let alone = Trace {
-            steps: vec![Step::Govern(alone)],
-            ..trace.clone()
-        };
-        if answers(&alone)
-            .iter()
-            .any(|answer| answer["frame"]["mode"] == "active")
-        {
+        let alone = Trace { steps: vec![Step::Govern(alone)], ..trace.clone() };
+        if answers(&alone).iter().any(|answer| answer["frame"]["mode"] == "active") {
             allowed.push(shortened(0));
         }
     }
@@ -163,13 +145,9 @@ const APART: f64 = 1e-6;
 fn is_apart(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Object(a), Value::Object(b)) => {
-            a.len() != b.len()
-                || a.iter()
-                    .any(|(name, a)| b.get(name).is_none_or(|b| is_apart(a, b)))
+            a.len() != b.len() || a.iter().any(|(name, a)| b.get(name).is_none_or(|b| is_apart(a, b)))
         }
-        (Value::Array(a), Value::Array(b)) => {
-            a.len() != b.len() || a.iter().zip(b).any(|(a, b)| is_apart(a, b))
-        }
+        (Value::Array(a), Value::Array(b)) => a.len() != b.len() || a.iter().zip(b).any(|(a, b)| is_apart(a, b)),
         _ => match (double(a), double(b)) {
             (Some(a), Some(b)) => (a - b).abs() > APART * a.abs().max(b.abs()).max(1.0),
             _ => a != b,
@@ -227,12 +205,8 @@ pub fn answers(trace: &Trace) -> Vec<Value> {
 }
 
 fn declared(is_declared: bool, name: &'static str, unit: &'static str) -> Vec<ChannelSpec> {
-    let spec = ChannelSpec {
-        name: name.into(),
-        kind: ChannelKind::Vec3,
-        unit: Some(unit.into()),
-        ..ChannelSpec::default()
-    };
+    let spec =
+        ChannelSpec { name: name.into(), kind: ChannelKind::Vec3, unit: Some(unit.into()), ..ChannelSpec::default() };
     is_declared.then_some(spec).into_iter().collect()
 }
 
@@ -249,10 +223,7 @@ fn frame(mode: &Mode, channels: &ChannelMap, horizon: &[ChannelMap]) -> Value {
     let shown = |map: &ChannelMap| -> Value {
         let channels = map.iter().map(|(name, channel)| {
             let data: Vec<Value> = channel.data.iter().map(|x| number(*x)).collect();
-            (
-                name.to_string(),
-                json!({ "data": data, "unit": channel.unit }),
-            )
+            (name.to_string(), json!({ "data": data, "unit": channel.unit }))
         });
         channels.collect::<serde_json::Map<_, _>>().into()
     };
@@ -275,11 +246,8 @@ fn govern<K: Kernel>(trace: &Trace) -> Vec<Value> {
     }
     let steps = trace.steps.iter().map(|step| match step {
         Step::Govern(command) => {
-            let mut plan = Ticks::<K> {
-                command: (**command).clone(),
-                asked: Cell::new(0),
-                kernel: std::marker::PhantomData,
-            };
+            let mut plan =
+                Ticks::<K> { command: (**command).clone(), asked: Cell::new(0), kernel: std::marker::PhantomData };
             let (now, last, position) = (command.now, command.last, command.position);
             let decision = K::gates_govern(&mut gates, &mut plan, now, last, position);
             let mut ticks: Vec<ChannelMap> = plan.command.ticks.iter().map(channels).collect();
@@ -297,10 +265,7 @@ fn govern<K: Kernel>(trace: &Trace) -> Vec<Value> {
                     && negotiated
                     && first.get(VELOCITY_CHANNEL).is_none()
                 {
-                    first.insert(
-                        VELOCITY_CHANNEL,
-                        ChannelValue::new([0.0; 3], METRES_PER_SECOND),
-                    );
+                    first.insert(VELOCITY_CHANNEL, ChannelValue::new([0.0; 3], METRES_PER_SECOND));
                 }
             }
             let (first, horizon) = ticks.split_first().unzip();
@@ -362,9 +327,7 @@ impl<K: Kernel> Plan<f64> for Ticks<K> {
         self.ask();
         let tick = self.command.ticks.get(tick)?;
         let (_, data, unit) = tick.iter().find(|(name, ..)| *name == VELOCITY_CHANNEL)?;
-        (*unit == METRES_PER_SECOND)
-            .then(|| data.as_slice().try_into().ok())
-            .flatten()
+        (*unit == METRES_PER_SECOND).then(|| data.as_slice().try_into().ok()).flatten()
     }
     fn truncate(&mut self, steps: usize) {
         self.command.ticks.truncate(steps + 1);
@@ -386,17 +349,11 @@ impl Command {
     }
 
     fn at(position: [f64; 3]) -> Self {
-        Self {
-            position: Some(position),
-            ..Self::still()
-        }
+        Self { position: Some(position), ..Self::still() }
     }
 
     fn of(tick: Tick) -> Self {
-        Self {
-            ticks: vec![tick],
-            ..Self::still()
-        }
+        Self { ticks: vec![tick], ..Self::still() }
     }
 
     fn step(self) -> Step {
@@ -423,8 +380,7 @@ impl Command {
         let mut ticks = self.ticks.iter().map(tick);
         let first = ticks.next().unwrap_or_else(|| json!({}));
         let position = self.position.map(|axes| axes.map(number));
-        let place =
-            position.map(|data| json!({ POSITION_CHANNEL: { "data": data, "unit": METRES } }));
+        let place = position.map(|data| json!({ POSITION_CHANNEL: { "data": data, "unit": METRES } }));
         json!({
             "op": "govern",
             "command": {
@@ -440,19 +396,12 @@ impl Command {
 
 impl Trace {
     fn of(speed: Option<f64>, radius: Option<f64>, steps: Vec<Step>) -> Self {
-        Self {
-            speed,
-            radius,
-            timeout: 500.0,
-            binds: None,
-            steps,
-        }
+        Self { speed, radius, timeout: 500.0, binds: None, steps }
     }
 
     fn json(&self) -> Value {
         let spec = |declared: Vec<ChannelSpec>| -> Vec<Value> {
-            let spec =
-                |spec: ChannelSpec| json!({ "name": spec.name, "kind": "vec3", "unit": spec.unit });
+            let spec = |spec: ChannelSpec| json!({ "name": spec.name, "kind": "vec3", "unit": spec.unit });
             declared.into_iter().map(spec).collect()
         };
         let capabilities = self.binds.map(|[velocity, position]| {
@@ -487,15 +436,8 @@ fn velocity(data: [f64; 3]) -> Setpoint {
 fn traces(property: &str, check: &str, inputs: &Inputs<'_>) -> Option<Vec<Trace>> {
     Some(match property {
         "watchdog/deadline" if !check.starts_with("alive") => {
-            let command = Command {
-                now: inputs.double("now")?,
-                last: inputs.double("received"),
-                ..Command::still()
-            };
-            vec![Trace {
-                timeout: inputs.double("ttl")?,
-                ..Trace::of(None, None, vec![command.step()])
-            }]
+            let command = Command { now: inputs.double("now")?, last: inputs.double("received"), ..Command::still() };
+            vec![Trace { timeout: inputs.double("ttl")?, ..Trace::of(None, None, vec![command.step()]) }]
         }
         "geofence/inside" => {
             let position = inputs.vector("position")?;
@@ -522,35 +464,18 @@ fn traces(property: &str, check: &str, inputs: &Inputs<'_>) -> Option<Vec<Trace>
                 Ok(data) => vec![velocity(data)],
                 Err(data) => vec![velocity([0.0; 3]), (OTHER, data, METRES_PER_SECOND)],
             };
-            vec![Trace::of(
-                inputs.double("max"),
-                None,
-                vec![Command::of(tick).step()],
-            )]
+            vec![Trace::of(inputs.double("max"), None, vec![Command::of(tick).step()])]
         }
         "clamp/tick" => {
-            let [named, first, second] = ["is_named", "velocity_in_mps", "other_in_mps"]
-                .map(|name| inputs.choice(name) == Some(1));
+            let [named, first, second] =
+                ["is_named", "velocity_in_mps", "other_in_mps"].map(|name| inputs.choice(name) == Some(1));
             let unit = |in_mps| {
-                if in_mps {
-                    METRES_PER_SECOND
-                } else {
-                    OTHER_UNIT
-                }
+                if in_mps { METRES_PER_SECOND } else { OTHER_UNIT }
             };
             let width = inputs.choice("width")? + 2;
-            let data: Option<_> = (0..width)
-                .map(|axis| inputs.double(&format!("v_{axis}")))
-                .collect();
-            let name = if named {
-                VELOCITY_CHANNEL
-            } else {
-                "a_setpoint"
-            };
-            let tick = vec![
-                (name, data?, unit(first)),
-                (OTHER, vec![inputs.double("w")?], unit(second)),
-            ];
+            let data: Option<_> = (0..width).map(|axis| inputs.double(&format!("v_{axis}"))).collect();
+            let name = if named { VELOCITY_CHANNEL } else { "a_setpoint" };
+            let tick = vec![(name, data?, unit(first)), (OTHER, vec![inputs.double("w")?], unit(second))];
             let max = match inputs.choice("limit")? {
                 0 => None,
                 1 => inputs.double("max"),
@@ -579,11 +504,7 @@ fn projection(inputs: &Inputs<'_>) -> Option<Trace> {
         ..Command::at(inputs.vector("position")?)
     };
     let radius = inputs.double("radius");
-    Some(Trace::of(
-        inputs.double("max"),
-        radius,
-        vec![command.step()],
-    ))
+    Some(Trace::of(inputs.double("max"), radius, vec![command.step()]))
 }
 
 fn gates(inputs: &Inputs<'_>) -> Option<Vec<Trace>> {
@@ -592,25 +513,13 @@ fn gates(inputs: &Inputs<'_>) -> Option<Vec<Trace>> {
         0 => None,
         _ => Some(inputs.vector("position")?),
     };
-    let asked = Command {
-        mode,
-        now: inputs.double("now")?,
-        last: inputs.optional("last")?,
-        position,
-        ..Command::still()
-    };
+    let asked =
+        Command { mode, now: inputs.double("now")?, last: inputs.optional("last")?, position, ..Command::still() };
     // What comes after shows the latch: a command that nothing is wrong with.
-    let after = Command {
-        now: 0.0,
-        last: Some(0.0),
-        ..Command::still()
-    };
+    let after = Command { now: 0.0, last: Some(0.0), ..Command::still() };
     let is = |name| Some(inputs.choice(name)? == 1);
     let mut steps = vec![Step::NoteLink(is("was_stopped")?), asked.clone().step()];
-    steps.extend([
-        after.clone().step(),
-        Step::NoteLink(is("burst").unwrap_or(false)),
-    ]);
+    steps.extend([after.clone().step(), Step::NoteLink(is("burst").unwrap_or(false))]);
     steps.extend([after.clone().step(), Step::Reset, after.clone().step()]);
     let trace = Trace {
         timeout: inputs.double("timeout")?,
@@ -629,28 +538,18 @@ fn gates(inputs: &Inputs<'_>) -> Option<Vec<Trace>> {
 /// The events of the harness, each as it stands there.
 fn sequence(inputs: &Inputs<'_>) -> Trace {
     let home = [0.0; 3];
-    let command = |mode, last, position| Command {
-        mode,
-        ttl: 500.0,
-        now: 3.0,
-        last,
-        position,
-        ..Command::still()
-    };
-    let events = inputs
-        .choices("event")
-        .into_iter()
-        .map(|event| match event {
-            0 => command(Mode::Active, Some(3.0), Some(home)).step(),
-            1 => command(Mode::Active, Some(3.0), Some([11.0, 0.0, 0.0])).step(),
-            2 => command(Mode::Active, Some(3.0), None).step(),
-            3 => command(Mode::Active, None, Some(home)).step(),
-            4 => command(Mode::Hold, Some(3.0), Some(home)).step(),
-            5 => command(Mode::Estop, None, None).step(),
-            6 => Step::NoteLink(true),
-            7 => Step::NoteLink(false),
-            _ => Step::Reset,
-        });
+    let command = |mode, last, position| Command { mode, ttl: 500.0, now: 3.0, last, position, ..Command::still() };
+    let events = inputs.choices("event").into_iter().map(|event| match event {
+        0 => command(Mode::Active, Some(3.0), Some(home)).step(),
+        1 => command(Mode::Active, Some(3.0), Some([11.0, 0.0, 0.0])).step(),
+        2 => command(Mode::Active, Some(3.0), None).step(),
+        3 => command(Mode::Active, None, Some(home)).step(),
+        4 => command(Mode::Hold, Some(3.0), Some(home)).step(),
+        5 => command(Mode::Estop, None, None).step(),
+        6 => Step::NoteLink(true),
+        7 => Step::NoteLink(false),
+        _ => Step::Reset,
+    });
     let mut steps: Vec<Step> = events.collect();
     // The latch shows at the next command.
     steps.push(command(Mode::Active, Some(3.0), Some(home)).step());
@@ -684,12 +583,8 @@ mod tests {
     #[test]
     fn a_governor_may_cut_off_more_of_a_horizon_and_never_less() {
         let step = |x| vec![velocity([x, 0.0, 0.0])];
-        let command = Command {
-            ttl: 300.0,
-            dt: Some(100.0),
-            ticks: vec![step(1.0), step(1.0), step(100.0)],
-            ..Command::still()
-        };
+        let command =
+            Command { ttl: 300.0, dt: Some(100.0), ticks: vec![step(1.0), step(1.0), step(100.0)], ..Command::still() };
         let trace = Trace::of(None, Some(5.0), vec![command.step()]);
         let expected = answers(&trace);
         let kept = |answer: &Value| answer["frame"]["horizon"].as_array().unwrap().len();
@@ -706,10 +601,7 @@ mod tests {
 
     #[test]
     fn numbers_within_rounding_are_not_apart() {
-        assert!(!is_apart(
-            &json!([1.0, "-0"]),
-            &json!([1.000_000_000_1, 0.0])
-        ));
+        assert!(!is_apart(&json!([1.0, "-0"]), &json!([1.000_000_000_1, 0.0])));
         assert!(is_apart(&json!({ "x": 1.0 }), &json!({ "x": 1.001 })));
         assert!(is_apart(&json!("NaN"), &json!(0.0)));
     }

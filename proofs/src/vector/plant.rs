@@ -41,11 +41,7 @@ pub struct Command {
 ///
 /// # Errors
 /// There are no such traces, or no trace shows it.
-pub(super) fn case(
-    property: &str,
-    harness: &Harness,
-    inputs: &Inputs<'_>,
-) -> Result<Value, WhyNone> {
+pub(super) fn case(property: &str, harness: &Harness, inputs: &Inputs<'_>) -> Result<Value, WhyNone> {
     let mut none = WhyNone::NoCall;
     for steps in traces(property, inputs).unwrap_or_default() {
         let texts = steps.iter().map(Step::json).collect::<Option<Vec<_>>>();
@@ -77,19 +73,14 @@ pub fn answers(steps: &[Step]) -> Option<Vec<Value>> {
     let mut buffer = ActionBuffer::new();
     let steps = steps.iter().map(|step| match step {
         Step::Command(command) => {
-            buffer
-                .on_frame(command.text()?.as_bytes(), command.now)
-                .ok()?;
+            buffer.on_frame(command.text()?.as_bytes(), command.now).ok()?;
             Some(json!({}))
         }
         Step::Active(now) => {
             let channels = buffer.active(*now).map(|channels| {
                 let channels = channels.iter().map(|(name, channel)| {
                     let data: Vec<Value> = channel.data.iter().map(|x| number(*x)).collect();
-                    (
-                        name.to_string(),
-                        json!({ "data": data, "unit": channel.unit }),
-                    )
+                    (name.to_string(), json!({ "data": data, "unit": channel.unit }))
                 });
                 Value::from(channels.collect::<serde_json::Map<_, _>>())
             });
@@ -175,16 +166,7 @@ impl Step {
 
 /// Traces in which the plant has to decide as in a counterexample, by its inputs.
 fn traces(property: &str, inputs: &Inputs<'_>) -> Option<Vec<Vec<Step>>> {
-    let command = |mode, now, ttl, seq| {
-        Step::Command(Command {
-            mode,
-            now,
-            ttl,
-            seq,
-            dt: None,
-            steps: 0,
-        })
-    };
+    let command = |mode, now, ttl, seq| Step::Command(Command { mode, now, ttl, seq, dt: None, steps: 0 });
     Some(match property {
         "watchdog/order" => {
             let seq = inputs.seq("seq")?;
@@ -213,16 +195,7 @@ fn step(property: &str, inputs: &Inputs<'_>) -> Option<Vec<Vec<Step>>> {
         Some(dt) => (dt, inputs.choice("steps").unwrap_or(0)),
         None => (None, 0),
     };
-    let command = |mode, now, ttl, seq| {
-        Step::Command(Command {
-            mode,
-            now,
-            ttl,
-            seq,
-            dt,
-            steps,
-        })
-    };
+    let command = |mode, now, ttl, seq| Step::Command(Command { mode, now, ttl, seq, dt, steps });
     let state = inputs.choice("state")?;
     let last = inputs.seq("last");
     let mut base = Vec::new();
@@ -253,24 +226,14 @@ fn step(property: &str, inputs: &Inputs<'_>) -> Option<Vec<Vec<Step>>> {
         (Some(3), false) => return None,
         _ => base.push(Step::Reset),
     }
-    times.extend(
-        ["now", "received", "later"]
-            .iter()
-            .filter_map(|name| inputs.double(name)),
-    );
+    times.extend(["now", "received", "later"].iter().filter_map(|name| inputs.double(name)));
     // The state after it shows in what the plant does at some time, or with a further command.
     let mut traces: Vec<Vec<Step>> = Vec::new();
     let mut follow = |more: &[Step]| traces.push([&base[..], more].concat());
     for time in &times {
         follow(&[Step::Active(*time)]);
     }
-    let seqs = [
-        inputs.seq("seq"),
-        last,
-        last.map(|last| last.wrapping_add(1)),
-        Some(0),
-        Some(i64::MIN),
-    ];
+    let seqs = [inputs.seq("seq"), last, last.map(|last| last.wrapping_add(1)), Some(0), Some(i64::MIN)];
     for seq in seqs.into_iter().flatten() {
         for mode in [Mode::Active, Mode::Hold] {
             follow(&[command(mode, 1.0, 1000.0, seq), Step::Active(1.0)]);

@@ -54,10 +54,7 @@ impl Losses {
     }
 
     pub(super) fn add(&mut self, what: Lost) {
-        self.found.push(Loss {
-            path: self.path.clone(),
-            what,
-        });
+        self.found.push(Loss { path: self.path.clone(), what });
     }
 
     pub(super) fn into_found(self) -> Vec<Loss> {
@@ -68,14 +65,8 @@ impl Losses {
 impl FromProtoError {
     /// The same error, seen from the message that has the field.
     pub(super) fn inside(mut self, name: &str) -> Self {
-        if let Self::Kind { path, .. } | Self::Missing { path } | Self::EnumNumber { path, .. } =
-            &mut self
-        {
-            let joint = if path.is_empty() || path.starts_with('[') {
-                ""
-            } else {
-                "."
-            };
+        if let Self::Kind { path, .. } | Self::Missing { path } | Self::EnumNumber { path, .. } = &mut self {
+            let joint = if path.is_empty() || path.starts_with('[') { "" } else { "." };
             *path = format!("{name}{joint}{path}");
         }
         self
@@ -196,30 +187,18 @@ impl Field<f64> for Option<f64> {
 
 impl<T: Item<P>, P> Field<Vec<P>> for Vec<T> {
     fn to(&self, losses: &mut Losses) -> Vec<P> {
-        self.iter()
-            .enumerate()
-            .map(|(nth, item)| losses.item(nth, |losses| item.to(losses)))
-            .collect()
+        self.iter().enumerate().map(|(nth, item)| losses.item(nth, |losses| item.to(losses))).collect()
     }
 
     fn from(proto: Vec<P>) -> Result<Self, FromProtoError> {
         let items = proto.into_iter().enumerate();
-        items
-            .map(|(nth, item)| T::from(item).map_err(|error| error.inside(&format!("[{nth}]"))))
-            .collect()
+        items.map(|(nth, item)| T::from(item).map_err(|error| error.inside(&format!("[{nth}]")))).collect()
     }
 }
 
 impl<T: Field<P>, P> Field<BTreeMap<String, P>> for SortedMap<T> {
     fn to(&self, losses: &mut Losses) -> BTreeMap<String, P> {
-        self.iter()
-            .map(|(name, value)| {
-                (
-                    name.to_owned(),
-                    losses.member(name, |losses| value.to(losses)),
-                )
-            })
-            .collect()
+        self.iter().map(|(name, value)| (name.to_owned(), losses.member(name, |losses| value.to(losses)))).collect()
     }
 
     fn from(proto: BTreeMap<String, P>) -> Result<Self, FromProtoError> {
@@ -235,9 +214,7 @@ impl<T: Field<P>, P> Field<BTreeMap<String, P>> for SortedMap<T> {
 /// A step of a horizon is a plain map on JSON. [NCP-WIRE-051]
 impl Item<v0::SetpointStep> for ChannelMap {
     fn to(&self, losses: &mut Losses) -> v0::SetpointStep {
-        v0::SetpointStep {
-            channels: Field::to(self, losses),
-        }
+        v0::SetpointStep { channels: Field::to(self, losses) }
     }
 
     fn from(proto: v0::SetpointStep) -> Result<Self, FromProtoError> {

@@ -4,12 +4,11 @@
 //! names. The compiler checks that no field of either side is forgotten.
 
 use ncp_spec::wire::{
-    self, BulkObservation, Capabilities, ChannelKind, ChannelSpec, ChannelValue, CloseSession,
-    CommandFrame, ControlStatus, EntityBinding, EntityRef, EntityRole, Frame, Kind, LinkStatus,
-    Message, Mode, NetworkRef, NetworkRefKind, Observable, Observation, ObservationFrame,
-    OpenSession, RecordSpec, RecordTarget, Role, RunRequest, SafetyLimits, SensorFrame,
-    SessionClosed, SessionOpened, SimConfig, SimMode, SimProvenance, StepRequest, StimulusFrame,
-    StimulusKind, StimulusSpec, StimulusTarget,
+    self, BulkObservation, Capabilities, ChannelKind, ChannelSpec, ChannelValue, CloseSession, CommandFrame,
+    ControlStatus, EntityBinding, EntityRef, EntityRole, Frame, Kind, LinkStatus, Message, Mode, NetworkRef,
+    NetworkRefKind, Observable, Observation, ObservationFrame, OpenSession, RecordSpec, RecordTarget, Role, RunRequest,
+    SafetyLimits, SensorFrame, SessionClosed, SessionOpened, SimConfig, SimMode, SimProvenance, StepRequest,
+    StimulusFrame, StimulusKind, StimulusSpec, StimulusTarget,
 };
 use prost::Message as _;
 
@@ -224,32 +223,18 @@ impl Record for NetworkRef {
     type Proto = v0::NetworkRef;
 
     fn to(&self, losses: &mut Losses) -> v0::NetworkRef {
-        let Self {
-            kind,
-            reference,
-            model_name,
-            population_sizes,
-            params,
-        } = self;
+        let Self { kind, reference, model_name, population_sizes, params } = self;
         v0::NetworkRef {
             kind: losses.member("kind", |losses| Field::to(kind, losses)),
             r#ref: losses.member("ref", |losses| Field::to(reference, losses)),
             model_name: losses.member("model_name", |losses| Field::to(model_name, losses)),
-            population_sizes: losses.member("population_sizes", |losses| {
-                Field::to(population_sizes, losses)
-            }),
+            population_sizes: losses.member("population_sizes", |losses| Field::to(population_sizes, losses)),
             params: losses.member("params", |losses| Field::to(params, losses)),
         }
     }
 
     fn from(proto: v0::NetworkRef) -> Result<Self, FromProtoError> {
-        let v0::NetworkRef {
-            kind,
-            r#ref,
-            model_name,
-            population_sizes,
-            params,
-        } = proto;
+        let v0::NetworkRef { kind, r#ref, model_name, population_sizes, params } = proto;
         Ok(Self {
             kind: Field::from(kind).map_err(|error: FromProtoError| error.inside("kind"))?,
             reference: Field::from(r#ref)?,
@@ -305,11 +290,9 @@ impl Field<i32> for SimMode {
         match v0::SimMode::try_from(proto) {
             Ok(v0::SimMode::Stream) => Ok(Self::Stream),
             Ok(v0::SimMode::Batch) => Ok(Self::Batch),
-            Ok(v0::SimMode::Unspecified) | Err(_) => Err(FromProtoError::EnumNumber {
-                path: String::new(),
-                number: proto,
-                of: "SimMode",
-            }),
+            Ok(v0::SimMode::Unspecified) | Err(_) => {
+                Err(FromProtoError::EnumNumber { path: String::new(), number: proto, of: "SimMode" })
+            }
         }
     }
 }
@@ -318,39 +301,21 @@ fn expect_kind(expected: Kind, found: String) -> Result<(), FromProtoError> {
     if found == expected.as_str() {
         return Ok(());
     }
-    Err(FromProtoError::Kind {
-        path: "kind".to_owned(),
-        expected: expected.as_str(),
-        found,
-    })
+    Err(FromProtoError::Kind { path: "kind".to_owned(), expected: expected.as_str(), found })
 }
 
 // [NCP-WIRE-027]
 fn network_is_there(proto: v0::OpenSession) -> Result<v0::OpenSession, FromProtoError> {
-    if proto.network.is_some() {
-        Ok(proto)
-    } else {
-        Err(FromProtoError::Missing {
-            path: "network".to_owned(),
-        })
-    }
+    if proto.network.is_some() { Ok(proto) } else { Err(FromProtoError::Missing { path: "network".to_owned() }) }
 }
 
 fn fill_in_step(mut proto: v0::StepRequest) -> Result<v0::StepRequest, FromProtoError> {
-    fill_in(
-        proto.stimulus.as_mut(),
-        &proto.ncp_version,
-        &proto.session_id,
-    );
+    fill_in(proto.stimulus.as_mut(), &proto.ncp_version, &proto.session_id);
     Ok(proto)
 }
 
 fn fill_in_run(mut proto: v0::RunRequest) -> Result<v0::RunRequest, FromProtoError> {
-    fill_in(
-        proto.stimulus.as_mut(),
-        &proto.ncp_version,
-        &proto.session_id,
-    );
+    fill_in(proto.stimulus.as_mut(), &proto.ncp_version, &proto.session_id);
     Ok(proto)
 }
 

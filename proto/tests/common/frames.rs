@@ -18,19 +18,11 @@ pub(crate) fn frame(lossy: bool) -> impl Strategy<Value = (Kind, String)> {
     proptest::strategy::Union::new(frames.map(Strategy::boxed).collect::<Vec<_>>())
 }
 
-fn message(
-    contract: &Contract,
-    projected: &MessageProjection,
-    lossy: bool,
-    inside: bool,
-) -> BoxedStrategy<Value> {
+fn message(contract: &Contract, projected: &MessageProjection, lossy: bool, inside: bool) -> BoxedStrategy<Value> {
     let mut fields: BoxedStrategy<Map<String, Value>> = Just(Map::new()).boxed();
     for (name, field) in &projected.fields {
-        let left_out = inside
-            && projected
-                .inside_request
-                .as_ref()
-                .is_some_and(|inside| inside.may_be_absent.contains(name));
+        let left_out =
+            inside && projected.inside_request.as_ref().is_some_and(|inside| inside.may_be_absent.contains(name));
         let required = projected.required.contains(name) && !inside;
         let value = match &field.pinned {
             Some(pinned) => Just(pinned.clone()).boxed(),
@@ -38,11 +30,8 @@ fn message(
             None if left_out => continue,
             None => value(contract, field, lossy),
         };
-        let value = if required {
-            value.prop_map(Some).boxed()
-        } else {
-            proptest::option::weighted(0.8, value).boxed()
-        };
+        let value =
+            if required { value.prop_map(Some).boxed() } else { proptest::option::weighted(0.8, value).boxed() };
         let name = name.clone();
         fields = (fields, value)
             .prop_map(move |(mut fields, value)| {
@@ -59,9 +48,7 @@ fn value(contract: &Contract, field: &FieldProjection, lossy: bool) -> BoxedStra
         return "[a-zé神][a-z0-9é神]{0,5}".prop_map(Value::from).boxed();
     }
     if field.encoding.is_some() {
-        return select(&["", "TkNQQg==", "AAEC/w==", "////"][..])
-            .prop_map(Value::from)
-            .boxed();
+        return select(&["", "TkNQQg==", "AAEC/w==", "////"][..]).prop_map(Value::from).boxed();
     }
     let empty_is_unset = field.ty.nullable && !lossy;
     // Of the fields that hold a message only those of a request are optional.
@@ -69,20 +56,16 @@ fn value(contract: &Contract, field: &FieldProjection, lossy: bool) -> BoxedStra
         .prop_filter("reads back as unset", move |value| {
             !empty_is_unset || (*value != json!("") && value.as_f64() != Some(0.0))
         });
-    if field.ty.nullable {
-        prop_oneof![1 => Just(Value::Null), 3 => value].boxed()
-    } else {
-        value.boxed()
-    }
+    if field.ty.nullable { prop_oneof![1 => Just(Value::Null), 3 => value].boxed() } else { value.boxed() }
 }
 
 fn shape(contract: &Contract, shape_of: &Shape, lossy: bool, inside: bool) -> BoxedStrategy<Value> {
     const MOST: i64 = 9_007_199_254_740_991;
     let string = || prop_oneof![Just(String::new()), "[a-zA-Z /_é神🧠]{1,6}"];
     match shape_of {
-        Shape::Integer => prop_oneof![Just(0), Just(MOST), Just(-MOST), -MOST..=MOST, -9..9_i64]
-            .prop_map(Value::from)
-            .boxed(),
+        Shape::Integer => {
+            prop_oneof![Just(0), Just(MOST), Just(-MOST), -MOST..=MOST, -9..9_i64].prop_map(Value::from).boxed()
+        }
         Shape::Number => {
             let zero = if lossy { -0.0 } else { 0.0 };
             prop_oneof![
@@ -100,23 +83,17 @@ fn shape(contract: &Contract, shape_of: &Shape, lossy: bool, inside: bool) -> Bo
         Shape::Array(inner) => {
             // In an array a negative zero crosses.
             let negative_zero = matches!(**inner, Shape::Number);
-            vec(shape(contract, inner, lossy || negative_zero, false), 0..4)
-                .prop_map(Value::from)
-                .boxed()
+            vec(shape(contract, inner, lossy || negative_zero, false), 0..4).prop_map(Value::from).boxed()
         }
-        Shape::Map(inner) => {
-            proptest::collection::btree_map(string(), shape(contract, inner, lossy, false), 0..3)
-                .prop_map(|map| Value::Object(map.into_iter().collect()))
-                .boxed()
-        }
+        Shape::Map(inner) => proptest::collection::btree_map(string(), shape(contract, inner, lossy, false), 0..3)
+            .prop_map(|map| Value::Object(map.into_iter().collect()))
+            .boxed(),
         Shape::Named(name) => match contract.projection.enums.get(name) {
             Some(projected) => {
                 let known = select(projected.values.values().cloned().collect::<Vec<_>>());
                 let keeps = projected.unknown == Unknown::Keep;
                 if lossy && keeps {
-                    prop_oneof![4 => known, 1 => string()]
-                        .prop_map(Value::from)
-                        .boxed()
+                    prop_oneof![4 => known, 1 => string()].prop_map(Value::from).boxed()
                 } else {
                     known.prop_map(Value::from).boxed()
                 }

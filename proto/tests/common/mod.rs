@@ -52,9 +52,7 @@ pub(crate) fn changes() -> Vec<Change> {
     struct Table {
         change: Vec<Change>,
     }
-    toml::from_str::<Table>(include_str!("../breaking_changes.toml"))
-        .unwrap()
-        .change
+    toml::from_str::<Table>(include_str!("../breaking_changes.toml")).unwrap().change
 }
 
 impl Change {
@@ -82,18 +80,13 @@ impl Change {
 /// The proto as its canonical text, which compiles: a declaration a line, so that edits need no
 /// whitespace.
 pub(crate) fn plain_proto() -> String {
-    format!(
-        "syntax = \"proto3\";\npackage ncp.v0;\n{}",
-        ncp_spec::contract::canonical_text(PROTO_TEXT)
-    )
+    format!("syntax = \"proto3\";\npackage ncp.v0;\n{}", ncp_spec::contract::canonical_text(PROTO_TEXT))
 }
 
 /// The contract of a proto's and a projection's text.
 pub(crate) fn contract(proto: &str, projection: &str) -> Contract {
     let mut compiler = protox::Compiler::with_file_resolver(Text(proto.to_owned()));
-    compiler
-        .open_file("ncp.proto")
-        .unwrap_or_else(|error| panic!("{error}\n{proto}"));
+    compiler.open_file("ncp.proto").unwrap_or_else(|error| panic!("{error}\n{proto}"));
     Contract::new(&compiler.encode_file_descriptor_set(), projection).unwrap()
 }
 
@@ -106,22 +99,10 @@ impl FileResolver for Text {
 }
 
 fn edit(text: &str, edits: &[Edit]) -> String {
-    edits.iter().fold(
-        text.to_owned(),
-        |text,
-         Edit {
-             after,
-             replace,
-             with,
-         }| {
-            let start = text
-                .find(after)
-                .unwrap_or_else(|| panic!("no {after:?} to edit after"));
-            let at = text[start..]
-                .find(replace)
-                .unwrap_or_else(|| panic!("no {replace:?} after {after:?}"));
-            let (head, tail) = text.split_at(start + at);
-            format!("{head}{with}{}", &tail[replace.len()..])
-        },
-    )
+    edits.iter().fold(text.to_owned(), |text, Edit { after, replace, with }| {
+        let start = text.find(after).unwrap_or_else(|| panic!("no {after:?} to edit after"));
+        let at = text[start..].find(replace).unwrap_or_else(|| panic!("no {replace:?} after {after:?}"));
+        let (head, tail) = text.split_at(start + at);
+        format!("{head}{with}{}", &tail[replace.len()..])
+    })
 }

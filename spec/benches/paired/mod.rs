@@ -15,9 +15,7 @@ impl Bench {
 
     /// As the command line says.
     pub(crate) fn from_args() -> Self {
-        Self {
-            quick: !std::env::args().any(|arg| arg == "--bench"),
-        }
+        Self { quick: !std::env::args().any(|arg| arg == "--bench") }
     }
 
     /// Prints the time of `work` as a multiple of the time of `other`, whose name is `against`.
@@ -30,26 +28,18 @@ impl Bench {
         mut other: impl FnMut() -> U,
     ) {
         let calls = self.calls(&mut work).max(self.calls(&mut other));
-        let (work, other): (Vec<_>, Vec<_>) = (0..self.samples())
-            .map(|_| (sample(calls, &mut work), sample(calls, &mut other)))
-            .unzip();
+        let (work, other): (Vec<_>, Vec<_>) =
+            (0..self.samples()).map(|_| (sample(calls, &mut work), sample(calls, &mut other))).unzip();
         let (work, other) = (median(work), median(other));
         let (work_ns, other_ns) = (work * 1e9, other * 1e9);
-        println!(
-            "ratio  {name} vs {against}  {:.2} ({aim}); {work_ns:.0} ns against {other_ns:.0} ns",
-            work / other
-        );
+        println!("ratio  {name} vs {against}  {:.2} ({aim}); {work_ns:.0} ns against {other_ns:.0} ns", work / other);
     }
 
     /// The median time of one call, in seconds.
     #[allow(dead_code, reason = "not every bench has something to time alone")]
     pub(crate) fn time<T>(&self, mut work: impl FnMut() -> T) -> f64 {
         let calls = self.calls(&mut work);
-        median(
-            (0..self.samples())
-                .map(|_| sample(calls, &mut work))
-                .collect(),
-        )
+        median((0..self.samples()).map(|_| sample(calls, &mut work)).collect())
     }
 
     fn samples(&self) -> usize {

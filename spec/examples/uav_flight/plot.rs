@@ -58,14 +58,12 @@ const fn meaning(state: State) -> &'static str {
 /// Samples of one state, and the first of the next, so that the line has no gaps.
 fn runs(samples: &[Sample]) -> impl Iterator<Item = (State, &[Sample])> {
     let mut begin = 0;
-    samples
-        .chunk_by(|a, b| a.state == b.state)
-        .filter_map(move |run| {
-            let end = begin + run.len();
-            let with_next = samples.get(begin..(end + 1).min(samples.len()));
-            begin = end;
-            Some((run.first()?.state, with_next?))
-        })
+    samples.chunk_by(|a, b| a.state == b.state).filter_map(move |run| {
+        let end = begin + run.len();
+        let with_next = samples.get(begin..(end + 1).min(samples.len()));
+        begin = end;
+        Some((run.first()?.state, with_next?))
+    })
 }
 
 fn on_map(position: [f64; 3]) -> (f64, f64) {
@@ -84,18 +82,12 @@ impl Plot {
         self.line(format_args!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="'DejaVu Sans', Verdana, Helvetica, Arial, sans-serif" font-size="12" fill="{INK}">"#
         ));
-        self.line(format_args!(
-            r#"<title>A UAV flies to a target and through every safety gate</title>"#
-        ));
-        self.line(format_args!(
-            r##"<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>"##
-        ));
+        self.line(format_args!(r#"<title>A UAV flies to a target and through every safety gate</title>"#));
+        self.line(format_args!(r##"<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>"##));
     }
 
     fn text(&mut self, (x, y): (f64, f64), anchor: &str, style: &str, text: &str) {
-        self.line(format_args!(
-            r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}" {style}>{text}</text>"#
-        ));
+        self.line(format_args!(r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}" {style}>{text}</text>"#));
     }
 
     fn rule(&mut self, from: (f64, f64), to: (f64, f64), colour: &str, style: &str) {
@@ -118,41 +110,16 @@ impl Plot {
 
     fn map(&mut self, flight: &Flight) {
         let edge = SEEN_M * PX_A_METRE;
-        self.text(
-            (CENTRE.0 - edge, 34.0),
-            "start",
-            r#"font-size="17" font-weight="bold""#,
-            "The path, from above",
-        );
+        self.text((CENTRE.0 - edge, 34.0), "start", r#"font-size="17" font-weight="bold""#, "The path, from above");
         for metres in (-10..=10).step_by(5) {
             let at = f64::from(metres) * PX_A_METRE;
             let soft = format!(r#"fill="{SOFT}" font-size="11""#);
-            self.rule(
-                (CENTRE.0 + at, CENTRE.1 - edge),
-                (CENTRE.0 + at, CENTRE.1 + edge),
-                GRID,
-                "",
-            );
-            self.rule(
-                (CENTRE.0 - edge, CENTRE.1 + at),
-                (CENTRE.0 + edge, CENTRE.1 + at),
-                GRID,
-                "",
-            );
+            self.rule((CENTRE.0 + at, CENTRE.1 - edge), (CENTRE.0 + at, CENTRE.1 + edge), GRID, "");
+            self.rule((CENTRE.0 - edge, CENTRE.1 + at), (CENTRE.0 + edge, CENTRE.1 + at), GRID, "");
             let label = format!("{metres}").replace('-', "−");
-            self.text(
-                (CENTRE.0 + at, CENTRE.1 + edge + 15.0),
-                "middle",
-                &soft,
-                &label,
-            );
+            self.text((CENTRE.0 + at, CENTRE.1 + edge + 15.0), "middle", &soft, &label);
             let label = format!("{}", -metres).replace('-', "−");
-            self.text(
-                (CENTRE.0 - edge - 6.0, CENTRE.1 + at + 4.0),
-                "end",
-                &soft,
-                &label,
-            );
+            self.text((CENTRE.0 - edge - 6.0, CENTRE.1 + at + 4.0), "end", &soft, &label);
         }
         let soft = format!(r#"fill="{SOFT}""#);
         let corner = (CENTRE.0 + edge + 8.0, CENTRE.1 + edge + 4.0);
@@ -165,12 +132,7 @@ impl Plot {
             CENTRE.0, CENTRE.1
         ));
         let label = format!("fence, {RADIUS_M} m");
-        self.text(
-            on_map([-7.2, -7.6, 0.0]),
-            "end",
-            &format!(r#"fill="{FENCE}""#),
-            &label,
-        );
+        self.text(on_map([-7.2, -7.6, 0.0]), "end", &format!(r#"fill="{FENCE}""#), &label);
 
         for (state, run) in runs(&flight.samples) {
             let style = match state {
@@ -178,11 +140,7 @@ impl Plot {
                 State::Estop => r#"stroke-width="5""#,
                 _ => r#"stroke-width="2.8""#,
             };
-            self.path(
-                run.iter().map(|sample| on_map(sample.position)),
-                colour(state),
-                style,
-            );
+            self.path(run.iter().map(|sample| on_map(sample.position)), colour(state), style);
         }
         // Where it stood for a while, and in which scene first.
         let mut numbered = 0;
@@ -197,11 +155,7 @@ impl Plot {
                     r##"<circle cx="{x:.1}" cy="{y:.1}" r="4.5" fill="{}" stroke="#ffffff" stroke-width="1.5"/>"##,
                     colour(state)
                 ));
-                let scene = flight
-                    .scenes
-                    .iter()
-                    .filter(|(begin_s, _)| *begin_s <= first.t)
-                    .count();
+                let scene = flight.scenes.iter().filter(|(begin_s, _)| *begin_s <= first.t).count();
                 if scene > numbered {
                     numbered = scene;
                     let style = format!(r#"fill="{SOFT}" font-size="11" font-weight="bold""#);
@@ -229,12 +183,7 @@ impl Plot {
             self.text((edge + 8.0, y + 5.0), "start", bold, &label);
         } else {
             for (dx, dy) in [(6.0, 6.0), (6.0, -6.0)] {
-                self.rule(
-                    (x - dx, y - dy),
-                    (x + dx, y + dy),
-                    INK,
-                    r#"stroke-width="2.4" stroke-linecap="round""#,
-                );
+                self.rule((x - dx, y - dy), (x + dx, y + dy), INK, r#"stroke-width="2.4" stroke-linecap="round""#);
             }
             self.text((x, y - 13.0), "middle", bold, name);
         }
@@ -245,18 +194,9 @@ impl Plot {
             let (column, row) = ((at % 3) as f64, (at / 3) as f64);
             let x = CENTRE.0 - SEEN_M * PX_A_METRE + column * 195.0;
             let y = CENTRE.1 + SEEN_M * PX_A_METRE + 42.0 + row * 20.0;
-            let dash = if state == State::Carried {
-                r#"stroke-dasharray="2 6""#
-            } else {
-                ""
-            };
+            let dash = if state == State::Carried { r#"stroke-dasharray="2 6""# } else { "" };
             let style = format!(r#"stroke-width="4" stroke-linecap="round" {dash}"#);
-            self.rule(
-                (x + 2.0, y - 4.0),
-                (x + 24.0, y - 4.0),
-                colour(state),
-                &style,
-            );
+            self.rule((x + 2.0, y - 4.0), (x + 24.0, y - 4.0), colour(state), &style);
             self.text((x + 34.0, y), "start", "", meaning(state));
         }
     }
@@ -266,24 +206,9 @@ impl Plot {
         let x_of = |t: f64| LEFT + t / end_s * (RIGHT - LEFT);
         let soft = format!(r#"fill="{SOFT}" font-size="11""#);
 
-        let distance = Chart {
-            top: 70.0,
-            bottom: 290.0,
-            most: 12.0,
-            every: 2.0,
-        };
-        let speed = Chart {
-            top: 350.0,
-            bottom: 520.0,
-            most: 2.5,
-            every: 0.5,
-        };
-        self.text(
-            (LEFT, 34.0),
-            "start",
-            r#"font-size="17" font-weight="bold""#,
-            "The gates, over time",
-        );
+        let distance = Chart { top: 70.0, bottom: 290.0, most: 12.0, every: 2.0 };
+        let speed = Chart { top: 350.0, bottom: 520.0, most: 2.5, every: 0.5 };
+        self.text((LEFT, 34.0), "start", r#"font-size="17" font-weight="bold""#, "The gates, over time");
         self.axis(&distance, "distance from the origin, m");
         self.axis(&speed, "speed that the body follows, m/s");
 
@@ -302,35 +227,19 @@ impl Plot {
             self.text(place, "start", "", &format!("{}  {name}", at + 1));
         }
         for (chart, value, of) in [
-            (
-                &distance,
-                RADIUS_M,
-                (|s: &Sample| norm(s.position)) as fn(&Sample) -> f64,
-            ),
+            (&distance, RADIUS_M, (|s: &Sample| norm(s.position)) as fn(&Sample) -> f64),
             (&speed, MAX_SPEED_MPS, |s: &Sample| s.followed_mps),
         ] {
             let y = chart.y_of(value);
-            self.rule(
-                (LEFT, y),
-                (RIGHT, y),
-                FENCE,
-                r#"stroke-width="1.4" stroke-dasharray="7 5""#,
-            );
+            self.rule((LEFT, y), (RIGHT, y), FENCE, r#"stroke-width="1.4" stroke-dasharray="7 5""#);
             for (state, run) in runs(&flight.samples) {
-                let points = run
-                    .iter()
-                    .map(|sample| (x_of(sample.t), chart.y_of(of(sample))));
+                let points = run.iter().map(|sample| (x_of(sample.t), chart.y_of(of(sample))));
                 self.path(points, colour(state), r#"stroke-width="2""#);
             }
         }
         let red = format!(r#"fill="{FENCE}" font-size="11""#);
         self.text((RIGHT, distance.y_of(RADIUS_M) - 5.0), "end", &red, "fence");
-        self.text(
-            (RIGHT, speed.y_of(MAX_SPEED_MPS) - 5.0),
-            "end",
-            &red,
-            "limit",
-        );
+        self.text((RIGHT, speed.y_of(MAX_SPEED_MPS) - 5.0), "end", &red, "limit");
 
         self.text((LEFT, strip_top - 8.0), "start", "", "what the body does");
         for (state, run) in runs(&flight.samples) {
@@ -361,11 +270,7 @@ impl Plot {
         while value <= chart.most {
             let y = chart.y_of(value);
             self.rule((LEFT, y), (RIGHT, y), GRID, "");
-            let label = if chart.every < 1.0 {
-                format!("{value:.1}")
-            } else {
-                format!("{value:.0}")
-            };
+            let label = if chart.every < 1.0 { format!("{value:.1}") } else { format!("{value:.0}") };
             self.text((LEFT - 8.0, y + 4.0), "end", &soft, &label);
             value += chart.every;
         }

@@ -7,18 +7,14 @@ use std::rc::Rc;
 
 use ncp_spec::bus::{LocalBus, Subscription};
 use ncp_spec::control::{
-    ControlLoop, Controller, LoopConfig, MEASURED_VELOCITY_CHANNEL, ReflexConfig, ReflexController,
-    ReflexError,
+    ControlLoop, Controller, LoopConfig, MEASURED_VELOCITY_CHANNEL, ReflexConfig, ReflexController, ReflexError,
 };
 use ncp_spec::keys::Keys;
 use ncp_spec::resilience::{ActionBuffer, LinkMonitor, Received};
 use ncp_spec::safety::{
-    Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, Reason, SafetyGovernor,
-    VELOCITY_CHANNEL, kernel,
+    Decision, METRES, METRES_PER_SECOND, POSITION_CHANNEL, Reason, SafetyGovernor, VELOCITY_CHANNEL, kernel,
 };
-use ncp_spec::wire::{
-    ChannelMap, ChannelValue, CommandFrame, Frame, SafetyLimits, SensorFrame, decode_any,
-};
+use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, SafetyLimits, SensorFrame, decode_any};
 use serde_json::json;
 
 use super::{place, shown};
@@ -70,14 +66,8 @@ pub(crate) enum State {
 }
 
 impl State {
-    pub(crate) const ALL: [Self; 6] = [
-        Self::Active,
-        Self::Limited,
-        Self::Replay,
-        Self::Hold,
-        Self::Estop,
-        Self::Carried,
-    ];
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Active, Self::Limited, Self::Replay, Self::Hold, Self::Estop, Self::Carried];
 
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -169,17 +159,8 @@ struct Station {
 impl Orders {
     /// To a target in m, at no more than so many m/s an axis.
     pub(crate) fn new(target_m: [f64; 3], max_speed_mps: f64) -> Result<Self, ReflexError> {
-        let config = ReflexConfig {
-            target_m,
-            max_speed_mps,
-            ..ReflexConfig::default()
-        };
-        Ok(Self {
-            reflex: ReflexController::new(config)?,
-            target_m,
-            has_horizon: false,
-            asked_mps: 0.0,
-        })
+        let config = ReflexConfig { target_m, max_speed_mps, ..ReflexConfig::default() };
+        Ok(Self { reflex: ReflexController::new(config)?, target_m, has_horizon: false, asked_mps: 0.0 })
     }
 
     pub(crate) fn with_horizon(mut self) -> Self {
@@ -230,21 +211,14 @@ impl Flight {
         };
         let bus = LocalBus::new();
         let orders = Rc::new(RefCell::new(Orders::new(start, 0.0)?));
-        let pilot = Pilot {
-            orders: Rc::clone(&orders),
-        };
-        let config = LoopConfig {
-            period_ms: PERIOD_MS,
-        };
+        let pilot = Pilot { orders: Rc::clone(&orders) };
+        let config = LoopConfig { period_ms: PERIOD_MS };
         let governor = SafetyGovernor::new(&limits);
         let mut flight = Self {
             log: String::new(),
             samples: Vec::new(),
             scenes: Vec::new(),
-            marks: vec![Mark {
-                name: "start",
-                position: start,
-            }],
+            marks: vec![Mark { name: "start", position: start }],
             steps: 0,
             body: Body {
                 position: start,
@@ -299,11 +273,7 @@ impl Flight {
     /// Gives the commander new orders, and marks where they lead.
     pub(crate) fn order(&mut self, name: &'static str, orders: Orders) {
         let position = orders.target_m;
-        self.tell(
-            "operator",
-            "orders",
-            &format!("fly to {name} at {} m", place(position)),
-        );
+        self.tell("operator", "orders", &format!("fly to {name} at {} m", place(position)));
         self.marks.push(Mark { name, position });
         *self.orders.borrow_mut() = orders;
     }
@@ -317,33 +287,23 @@ impl Flight {
     /// Lets commands reach the body, or loses them.
     pub(crate) fn link(&mut self, is_linked: bool) {
         self.is_linked = is_linked;
-        let (event, detail) = if is_linked {
-            ("link back", "commands arrive again")
-        } else {
-            ("link lost", "no command arrives")
-        };
+        let (event, detail) =
+            if is_linked { ("link back", "commands arrive again") } else { ("link lost", "no command arrives") };
         self.tell("world", event, detail);
     }
 
     /// Lets the sensor speak, or freezes it.
     pub(crate) fn sensor(&mut self, is_sensing: bool) {
         self.is_sensing = is_sensing;
-        let (event, detail) = if is_sensing {
-            ("sensor back", "frames are sent again")
-        } else {
-            ("sensor silent", "no frame is sent")
-        };
+        let (event, detail) =
+            if is_sensing { ("sensor back", "frames are sent again") } else { ("sensor silent", "no frame is sent") };
         self.tell("world", event, detail);
     }
 
     /// A person takes the body in hand and carries it.
     pub(crate) fn carry(&mut self, to: [f64; 3]) -> Result<(), Box<dyn Error>> {
         self.carried = true;
-        self.tell(
-            "supervisor",
-            "carries",
-            &format!("by hand, to {} m", place(to)),
-        );
+        self.tell("supervisor", "carries", &format!("by hand, to {} m", place(to)));
         loop {
             let way = [0, 1, 2].map(|axis: usize| to[axis] - self.body.position[axis]);
             let left = kernel::norm(&way);
@@ -359,21 +319,13 @@ impl Flight {
 
     pub(crate) fn reset_governor(&mut self) {
         self.commander.looped.governor_mut().reset();
-        self.tell(
-            "supervisor",
-            "resets",
-            "the governor; the body is latched for itself",
-        );
+        self.tell("supervisor", "resets", "the governor; the body is latched for itself");
     }
 
     pub(crate) fn reset_body(&mut self) {
         self.body.buffer.reset();
         self.body.following = None;
-        self.tell(
-            "supervisor",
-            "resets",
-            "the body; nothing moves until a new command comes",
-        );
+        self.tell("supervisor", "resets", "the body; nothing moves until a new command comes");
     }
 
     /// Lets time pass.
@@ -386,11 +338,7 @@ impl Flight {
     }
 
     /// Lets time pass until something is so.
-    pub(crate) fn until(
-        &mut self,
-        what: &str,
-        is_so: impl Fn(&Self) -> bool,
-    ) -> Result<(), Box<dyn Error>> {
+    pub(crate) fn until(&mut self, what: &str, is_so: impl Fn(&Self) -> bool) -> Result<(), Box<dyn Error>> {
         let patience_s = self.now_s() + PATIENCE_S;
         while !is_so(self) {
             if self.now_s() > patience_s {
@@ -404,11 +352,7 @@ impl Flight {
     pub(crate) fn until_near(&mut self, target: [f64; 3]) -> Result<(), Box<dyn Error>> {
         let left = |f: &Self| distance(f.body.position, target);
         self.until("it arrived", |f| left(f) <= NEAR_M)?;
-        self.tell(
-            "body",
-            "arrives",
-            &format!("{:.2} m from its target", left(self)),
-        );
+        self.tell("body", "arrives", &format!("{:.2} m from its target", left(self)));
         Ok(())
     }
 
@@ -416,9 +360,7 @@ impl Flight {
     pub(crate) fn land(&mut self) {
         let count = |state| self.samples.iter().filter(|s| s.state == state).count();
         let seconds = |state| count(state) as f64 * PERIOD_MS / 1000.0;
-        let told: Vec<String> = State::ALL
-            .map(|state| format!("{} {:.1} s", state.name(), seconds(state)))
-            .to_vec();
+        let told: Vec<String> = State::ALL.map(|state| format!("{} {:.1} s", state.name(), seconds(state))).to_vec();
         let most = |of: &dyn Fn(&Sample) -> f64| self.samples.iter().map(of).fold(0.0, f64::max);
         let fastest = most(&|s| s.followed_mps);
         let commanded = most(&|s| match s.state {
@@ -426,13 +368,7 @@ impl Flight {
             State::Hold | State::Estop | State::Carried => 0.0,
         });
         let farthest = most(&|s| kernel::norm(&s.position));
-        let Station {
-            sensors,
-            commands,
-            statuses,
-            lost,
-            ..
-        } = self.station;
+        let Station { sensors, commands, statuses, lost, .. } = self.station;
         let _ = writeln!(
             self.log,
             "\n{:.1} s in the air: {}\n\
@@ -447,10 +383,7 @@ impl Flight {
     /// One JSON object a sample.
     pub(crate) fn trajectory(&self) -> String {
         let row = |sample: &Sample| {
-            let scene = self
-                .scenes
-                .iter()
-                .rposition(|(begin, _)| *begin <= sample.t);
+            let scene = self.scenes.iter().rposition(|(begin, _)| *begin <= sample.t);
             let rounded = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
             let row = json!({
                 "t": sample.t,
@@ -546,8 +479,7 @@ impl Flight {
             channels: sensed(self.body.position, self.body.velocity),
             ..SensorFrame::default()
         };
-        self.bus
-            .publish(&self.keys.sensor, frame.encode()?.as_bytes())?;
+        self.bus.publish(&self.keys.sensor, frame.encode()?.as_bytes())?;
         Ok(())
     }
 
@@ -559,10 +491,8 @@ impl Flight {
         }
         let tick = self.commander.looped.tick(now_s, 0.1);
         self.commander.decision = Some(tick.decision);
-        self.bus
-            .publish(&self.keys.command, tick.command.encode()?.as_bytes())?;
-        self.bus
-            .publish(&self.keys.observation, tick.status.encode()?.as_bytes())?;
+        self.bus.publish(&self.keys.command, tick.command.encode()?.as_bytes())?;
+        self.bus.publish(&self.keys.observation, tick.status.encode()?.as_bytes())?;
         self.tell_of_the_governor(tick.decision, speed(&tick.command.channels));
         Ok(())
     }
@@ -658,10 +588,7 @@ const fn why(reason: Reason) -> &'static str {
 fn sensed(position: [f64; 3], velocity: [f64; 3]) -> ChannelMap {
     ChannelMap::from_iter([
         (POSITION_CHANNEL, ChannelValue::new(position, METRES)),
-        (
-            MEASURED_VELOCITY_CHANNEL,
-            ChannelValue::new(velocity, METRES_PER_SECOND),
-        ),
+        (MEASURED_VELOCITY_CHANNEL, ChannelValue::new(velocity, METRES_PER_SECOND)),
     ])
 }
 
@@ -675,8 +602,7 @@ fn velocity_of(channels: &ChannelMap) -> [f64; 3] {
 
 fn vector(channels: &ChannelMap, name: &str) -> [f64; 3] {
     let data = channels.get(name).map(|channel| channel.data.as_slice());
-    data.and_then(|data| data.try_into().ok())
-        .unwrap_or_default()
+    data.and_then(|data| data.try_into().ok()).unwrap_or_default()
 }
 
 fn speed(channels: &ChannelMap) -> f64 {

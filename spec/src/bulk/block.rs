@@ -1,9 +1,7 @@
 //! Reading a block without copying it. `[NCP-BULK-021] [NCP-BULK-023] [NCP-BULK-024]`
 
 use super::column::read_all;
-use super::layout::{
-    ENTRY_LEN, Entry, Scratch, Span, directory_end, find_duplicate, read_directory,
-};
+use super::layout::{ENTRY_LEN, Entry, Scratch, Span, directory_end, find_duplicate, read_directory};
 use super::{BulkError, Column, ColumnData, Dtype, Element, Region};
 
 /// A checked block: a view of a buffer that keeps every rule of the format.
@@ -27,10 +25,7 @@ impl<'a> Block<'a> {
     /// The first rule that the buffer breaks, of NCP-BULK-001 to NCP-BULK-016. Entries
     /// are checked in order, then whether regions overlap, then the names.
     pub fn parse(bytes: &'a [u8]) -> Result<Self, BulkError> {
-        let block = Self {
-            bytes,
-            directory: read_directory(bytes)?,
-        };
+        let block = Self { bytes, directory: read_directory(bytes)? };
         for (column, raw) in block.directory.iter().enumerate() {
             let entry = Entry::read(raw, column)?;
             block.check_bounds(Region::Name(column), entry.name())?;
@@ -101,21 +96,12 @@ impl<'a> Block<'a> {
         let len = self.bytes.len() as u64;
         // [NCP-BULK-009] [NCP-BULK-011] [NCP-BULK-014]
         if span.end() > len {
-            return Err(BulkError::OutOfBounds {
-                region,
-                start: span.start,
-                end: span.end(),
-                len,
-            });
+            return Err(BulkError::OutOfBounds { region, start: span.start, end: span.end(), len });
         }
         let directory_end = directory_end(self.len()) as u64;
         // [NCP-BULK-012] [NCP-BULK-019]
         if span.len > 0 && span.start < directory_end {
-            return Err(BulkError::InDirectory {
-                region,
-                start: span.start,
-                directory_end,
-            });
+            return Err(BulkError::InDirectory { region, start: span.start, directory_end });
         }
         Ok(())
     }
@@ -123,10 +109,7 @@ impl<'a> Block<'a> {
     /// No two non-empty regions share a byte; header and directory were checked before.
     /// Bytes between regions are nobody's. [NCP-BULK-012] [NCP-BULK-020]
     fn check_disjoint(&self, scratch: &mut Scratch) -> Result<(), BulkError> {
-        let (names, data) = (
-            (0..self.len()).map(Region::Name),
-            (0..self.len()).map(Region::Data),
-        );
+        let (names, data) = ((0..self.len()).map(Region::Name), (0..self.len()).map(Region::Data));
         // Sorted by start, two neighbours overlap if any two regions do. A key is the
         // start over the region's number; a start fits 32 bits by its field.
         let starts = scratch.fill(names.chain(data).filter_map(|region| {
@@ -139,11 +122,7 @@ impl<'a> Block<'a> {
             if let (Some(a), Some(b)) = (self.span(first), self.span(second))
                 && b.start < a.end()
             {
-                return Err(BulkError::Overlap {
-                    first,
-                    second,
-                    at: b.start,
-                });
+                return Err(BulkError::Overlap { first, second, at: b.start });
             }
         }
         Ok(())
@@ -152,10 +131,8 @@ impl<'a> Block<'a> {
     /// Names are UTF-8 and distinct. [NCP-BULK-010] [NCP-BULK-013]
     fn check_names(&self, scratch: &mut Scratch) -> Result<(), BulkError> {
         for column in 0..self.len() {
-            str::from_utf8(self.name_bytes(column)).map_err(|error| BulkError::NameNotUtf8 {
-                column,
-                valid_up_to: error.valid_up_to(),
-            })?;
+            str::from_utf8(self.name_bytes(column))
+                .map_err(|error| BulkError::NameNotUtf8 { column, valid_up_to: error.valid_up_to() })?;
         }
         match find_duplicate(self.len(), scratch, |column| self.name_bytes(column)) {
             Some((first, second)) => Err(BulkError::DuplicateName { first, second }),
@@ -165,9 +142,7 @@ impl<'a> Block<'a> {
 
     /// The name of a column whose bounds have been checked.
     fn name_bytes(&self, column: usize) -> &'a [u8] {
-        self.span(Region::Name(column))
-            .and_then(|span| span.of(self.bytes))
-            .unwrap_or_default()
+        self.span(Region::Name(column)).and_then(|span| span.of(self.bytes)).unwrap_or_default()
     }
 
     fn span(&self, region: Region) -> Option<Span> {
@@ -274,10 +249,7 @@ impl<'a> ColumnView<'a> {
     /// A copy of the column.
     #[must_use]
     pub fn to_column(&self) -> Column {
-        Column {
-            name: self.name.to_owned(),
-            data: ColumnData::from_view(self),
-        }
+        Column { name: self.name.to_owned(), data: ColumnData::from_view(self) }
     }
 
     fn chunks<T: Element>(&self) -> Option<&'a [T::Raw]> {

@@ -96,10 +96,7 @@ impl Column {
     /// A column of these values.
     #[must_use]
     pub fn new(name: impl Into<String>, data: impl Into<ColumnData>) -> Self {
-        Self {
-            name: name.into(),
-            data: data.into(),
-        }
+        Self { name: name.into(), data: data.into() }
     }
 }
 
@@ -187,19 +184,13 @@ impl<'a> ColumnRef<'a> {
     /// A column of these values.
     #[must_use]
     pub fn new(name: &'a str, data: impl Into<DataRef<'a>>) -> Self {
-        Self {
-            name,
-            data: data.into(),
-        }
+        Self { name, data: data.into() }
     }
 }
 
 impl<'a> From<&'a Column> for ColumnRef<'a> {
     fn from(column: &'a Column) -> Self {
-        Self {
-            name: &column.name,
-            data: column.data.as_data_ref(),
-        }
+        Self { name: &column.name, data: column.data.as_data_ref() }
     }
 }
 
@@ -294,10 +285,7 @@ impl fmt::Debug for DataRef<'_> {
 
 /// Copies all values out of a column's bytes, aligned or not. [NCP-BULK-018] [NCP-BULK-023]
 pub(super) fn read_all<T: Element>(bytes: &[u8]) -> Vec<T> {
-    T::chunks(bytes)
-        .iter()
-        .map(|raw| T::from_le(*raw))
-        .collect()
+    T::chunks(bytes).iter().map(|raw| T::from_le(*raw)).collect()
 }
 
 /// Appends values to a block.

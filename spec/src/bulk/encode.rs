@@ -1,8 +1,7 @@
 //! Writing a block.
 
 use super::layout::{
-    DATA_ALIGN, Entry, MAX_BLOCK_LEN, MAX_COLUMNS, MAX_NAME_LEN, Scratch, directory_end,
-    find_duplicate, write_header,
+    DATA_ALIGN, Entry, MAX_BLOCK_LEN, MAX_COLUMNS, MAX_NAME_LEN, Scratch, directory_end, find_duplicate, write_header,
 };
 use super::{BulkError, ColumnRef};
 
@@ -24,18 +23,8 @@ where
     let to_ref = |column: &'c C| -> ColumnRef<'c> { column.into() };
     let refs = || columns.iter().map(to_ref);
 
-    let Extent {
-        columns: n_cols,
-        names,
-        data,
-        end,
-    } = Extent::of(refs())?;
-    let name = |column| -> &'c [u8] {
-        columns
-            .get(column)
-            .map(to_ref)
-            .map_or(&[], |column| column.name.as_bytes())
-    };
+    let Extent { columns: n_cols, names, data, end } = Extent::of(refs())?;
+    let name = |column| -> &'c [u8] { columns.get(column).map(to_ref).map_or(&[], |column| column.name.as_bytes()) };
     let mut scratch = Scratch::for_columns(columns.len());
     // [NCP-BULK-034]
     if let Some((first, second)) = find_duplicate(columns.len(), &mut scratch, name) {
@@ -50,13 +39,7 @@ where
         let name_len = column.name.len() as u16;
         let rows = column.data.len() as u32;
         data_off = data_off.next_multiple_of(DATA_ALIGN);
-        let entry = Entry {
-            name_off,
-            name_len,
-            dtype: column.data.dtype(),
-            rows,
-            data_off,
-        };
+        let entry = Entry { name_off, name_len, dtype: column.data.dtype(), rows, data_off };
         entry.write(&mut block);
         name_off = entry.name().end() as u32;
         data_off = entry.data().end() as u32;
@@ -83,9 +66,7 @@ struct Extent {
 }
 
 impl Extent {
-    fn of<'c>(
-        columns: impl ExactSizeIterator<Item = ColumnRef<'c>> + Clone,
-    ) -> Result<Self, BulkError> {
+    fn of<'c>(columns: impl ExactSizeIterator<Item = ColumnRef<'c>> + Clone) -> Result<Self, BulkError> {
         let n_cols = columns.len();
         if n_cols > MAX_COLUMNS {
             return Err(BulkError::TooManyColumns { columns: n_cols });
@@ -94,10 +75,7 @@ impl Extent {
         let mut data = names;
         for (column, ColumnRef { name, .. }) in columns.clone().enumerate() {
             if name.len() > MAX_NAME_LEN {
-                return Err(BulkError::NameTooLong {
-                    column,
-                    len: name.len(),
-                });
+                return Err(BulkError::NameTooLong { column, len: name.len() });
             }
             data += name.len() as u64;
         }
@@ -107,18 +85,10 @@ impl Extent {
             let len = data.len() as u64 * data.dtype().size() as u64;
             end = within_limit(u64::from(end.next_multiple_of(DATA_ALIGN)) + len)?;
         }
-        Ok(Self {
-            columns: n_cols as u16,
-            names: within_limit(names)?,
-            data: within_limit(data)?,
-            end,
-        })
+        Ok(Self { columns: n_cols as u16, names: within_limit(names)?, data: within_limit(data)?, end })
     }
 }
 
 fn within_limit(len: u64) -> Result<u32, BulkError> {
-    u32::try_from(len)
-        .ok()
-        .filter(|len| *len as usize <= MAX_BLOCK_LEN)
-        .ok_or(BulkError::TooLong { len })
+    u32::try_from(len).ok().filter(|len| *len as usize <= MAX_BLOCK_LEN).ok_or(BulkError::TooLong { len })
 }

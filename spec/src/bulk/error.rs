@@ -172,9 +172,7 @@ impl BulkError {
     #[must_use]
     pub fn code(&self) -> ErrorCode {
         match self {
-            Self::TooLong { .. } | Self::TooManyColumns { .. } | Self::NameTooLong { .. } => {
-                ErrorCode::Limit
-            }
+            Self::TooLong { .. } | Self::TooManyColumns { .. } | Self::NameTooLong { .. } => ErrorCode::Limit,
             _ => ErrorCode::Block,
         }
     }

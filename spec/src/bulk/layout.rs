@@ -24,9 +24,7 @@ const VERSION: u8 = 1;
 pub(super) fn read_directory(block: &[u8]) -> Result<&[[u8; ENTRY_LEN]], BulkError> {
     // [NCP-BULK-015] [NCP-BULK-025]
     if block.len() > MAX_BLOCK_LEN {
-        return Err(BulkError::TooLong {
-            len: block.len() as u64,
-        });
+        return Err(BulkError::TooLong { len: block.len() as u64 });
     }
     // [NCP-BULK-001]
     let Some((header, rest)) = block.split_first_chunk::<HEADER_LEN>() else {
@@ -50,10 +48,7 @@ pub(super) fn read_directory(block: &[u8]) -> Result<&[[u8; ENTRY_LEN]], BulkErr
     let stated = u32::from_le_bytes([t0, t1, t2, t3]);
     // [NCP-BULK-005]
     if usize::try_from(stated) != Ok(block.len()) {
-        return Err(BulkError::LengthMismatch {
-            stated,
-            len: block.len(),
-        });
+        return Err(BulkError::LengthMismatch { stated, len: block.len() });
     }
     let columns = usize::from(u16::from_le_bytes([c0, c1]));
     // [NCP-BULK-016] [NCP-BULK-017]
@@ -94,32 +89,12 @@ pub(super) struct Entry {
 impl Entry {
     /// Reads the entry of `column`; where it points to is not checked here.
     pub(super) fn read(raw: &[u8; ENTRY_LEN], column: usize) -> Result<Self, BulkError> {
-        let [
-            n0,
-            n1,
-            n2,
-            n3,
-            l0,
-            l1,
-            dtype,
-            pad,
-            r0,
-            r1,
-            r2,
-            r3,
-            d0,
-            d1,
-            d2,
-            d3,
-        ] = *raw;
+        let [n0, n1, n2, n3, l0, l1, dtype, pad, r0, r1, r2, r3, d0, d1, d2, d3] = *raw;
         // Every field is little-endian. [NCP-BULK-022] [NCP-BULK-007]
         let entry = Self {
             name_off: u32::from_le_bytes([n0, n1, n2, n3]),
             name_len: u16::from_le_bytes([l0, l1]),
-            dtype: Dtype::from_code(dtype).ok_or(BulkError::UnknownDtype {
-                column,
-                found: dtype,
-            })?,
+            dtype: Dtype::from_code(dtype).ok_or(BulkError::UnknownDtype { column, found: dtype })?,
             rows: u32::from_le_bytes([r0, r1, r2, r3]),
             data_off: u32::from_le_bytes([d0, d1, d2, d3]),
         };
@@ -141,20 +116,14 @@ impl Entry {
 
     /// Where the name lies.
     pub(super) fn name(&self) -> Span {
-        Span {
-            start: u64::from(self.name_off),
-            len: u64::from(self.name_len),
-        }
+        Span { start: u64::from(self.name_off), len: u64::from(self.name_len) }
     }
 
     /// Where the values lie.
     pub(super) fn data(&self) -> Span {
         // [NCP-BULK-011]: 32-bit rows times at most 8 bytes cannot overflow 64 bits.
         let len = u64::from(self.rows) * self.dtype.size() as u64;
-        Span {
-            start: u64::from(self.data_off),
-            len,
-        }
+        Span { start: u64::from(self.data_off), len }
     }
 }
 
@@ -191,24 +160,13 @@ impl Scratch {
 
     /// Room for two numbers a column.
     pub(super) fn for_columns(columns: usize) -> Self {
-        let heap = if columns > Self::INLINE_COLUMNS {
-            2 * columns
-        } else {
-            0
-        };
-        Self {
-            inline: [0; 2 * Self::INLINE_COLUMNS],
-            heap: vec![0; heap],
-        }
+        let heap = if columns > Self::INLINE_COLUMNS { 2 * columns } else { 0 };
+        Self { inline: [0; 2 * Self::INLINE_COLUMNS], heap: vec![0; heap] }
     }
 
     /// Fills the room with as many of `numbers` as it holds, and lends that part.
     pub(super) fn fill(&mut self, numbers: impl Iterator<Item = u64>) -> &mut [u64] {
-        let room = if self.heap.is_empty() {
-            &mut self.inline[..]
-        } else {
-            &mut self.heap
-        };
+        let room = if self.heap.is_empty() { &mut self.inline[..] } else { &mut self.heap };
         let mut filled = 0;
         for (slot, number) in room.iter_mut().zip(numbers) {
             *slot = number;
@@ -247,9 +205,7 @@ fn digest(name: &[u8]) -> u64 {
     const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
     let (words, rest) = name.as_chunks();
     let mut last = [0; 8];
-    last.iter_mut()
-        .zip(rest)
-        .for_each(|(slot, byte)| *slot = *byte);
+    last.iter_mut().zip(rest).for_each(|(slot, byte)| *slot = *byte);
     words.iter().chain([&last]).fold(0, |digest: u64, word| {
         let mixed = (digest ^ u64::from_le_bytes(*word)).wrapping_mul(ODD);
         mixed ^ (mixed >> 32)

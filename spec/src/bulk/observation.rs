@@ -17,20 +17,13 @@ pub type Arrays = (Vec<f64>, Vec<f64>, Vec<i64>);
 /// # Errors
 /// Two non-empty arrays of different length, or a block over the limit.
 pub fn pack(times: &[f64], values: &[f64], senders: &[i64]) -> Result<Vec<u8>, BulkError> {
-    check_rows([
-        (TIMES, times.len()),
-        (VALUES, values.len()),
-        (SENDERS, senders.len()),
-    ])?;
+    check_rows([(TIMES, times.len()), (VALUES, values.len()), (SENDERS, senders.len())])?;
     let columns = [
         ColumnRef::new(TIMES, times), // [NCP-OBS-001]
         ColumnRef::new(VALUES, values),
         ColumnRef::new(SENDERS, senders),
     ];
-    let present: Vec<_> = columns
-        .into_iter()
-        .filter(|column| !column.data.is_empty())
-        .collect(); // [NCP-OBS-002]
+    let present: Vec<_> = columns.into_iter().filter(|column| !column.data.is_empty()).collect(); // [NCP-OBS-002]
     encode(&present)
 }
 
@@ -40,11 +33,7 @@ pub fn pack(times: &[f64], values: &[f64], senders: &[i64]) -> Result<Vec<u8>, B
 /// # Errors
 /// As [`pack`].
 pub fn pack_observation(observation: &Observation) -> Result<Vec<u8>, BulkError> {
-    pack(
-        &observation.times,
-        &observation.values,
-        &observation.senders,
-    )
+    pack(&observation.times, &observation.values, &observation.senders)
 }
 
 /// Reads an observation's arrays out of a block; an absent column is an empty array,
@@ -63,11 +52,7 @@ pub fn unpack(block: &[u8]) -> Result<Arrays, BulkError> {
     let senders = find::<i64>(&block, SENDERS)?;
 
     let rows = |view: &Option<ColumnView<'_>>| view.as_ref().map_or(0, ColumnView::rows);
-    check_rows([
-        (TIMES, rows(&times)),
-        (VALUES, rows(&values)),
-        (SENDERS, rows(&senders)),
-    ])?;
+    check_rows([(TIMES, rows(&times)), (VALUES, rows(&values)), (SENDERS, rows(&senders))])?;
     Ok((copy(times), copy(values), copy(senders)))
 }
 
@@ -82,30 +67,17 @@ fn check_rows(arrays: [(&'static str, usize); 3]) -> Result<(), BulkError> {
         return Ok(());
     };
     match present.find(|(_, rows)| *rows != first_rows) {
-        Some((second, second_rows)) => Err(BulkError::RowsDiffer {
-            first,
-            first_rows,
-            second,
-            second_rows,
-        }),
+        Some((second, second_rows)) => Err(BulkError::RowsDiffer { first, first_rows, second, second_rows }),
         None => Ok(()),
     }
 }
 
 /// The column of this name, wherever it stands, if it has the type `T`. [NCP-OBS-008]
-fn find<'a, T: Element>(
-    block: &Block<'a>,
-    name: &'static str,
-) -> Result<Option<ColumnView<'a>>, BulkError> {
+fn find<'a, T: Element>(block: &Block<'a>, name: &'static str) -> Result<Option<ColumnView<'a>>, BulkError> {
     match block.find(name) {
         Some((column, view)) if view.dtype() != T::DTYPE => {
             // [NCP-OBS-006]
-            Err(BulkError::ColumnDtype {
-                column,
-                name,
-                expected: T::DTYPE,
-                found: view.dtype(),
-            })
+            Err(BulkError::ColumnDtype { column, name, expected: T::DTYPE, found: view.dtype() })
         }
         Some((_, view)) => Ok(Some(view)),
         None => Ok(None),

@@ -68,15 +68,7 @@ impl<C: Controller> ControlLoop<C> {
         if !is_duration(period_ms) {
             return Err(LoopError::Period { period_ms });
         }
-        Ok(Self {
-            controller,
-            governor,
-            link,
-            period_ms,
-            newest: None,
-            ticks: 0,
-            t: 0.0,
-        })
+        Ok(Self { controller, governor, link, period_ms, newest: None, ticks: 0, t: 0.0 })
     }
 
     /// Takes every sensor frame that arrives, at `now_s`. Keeps it if it is newer than the one that
@@ -86,11 +78,7 @@ impl<C: Controller> ControlLoop<C> {
             self.link.on_frame(frame.seq);
         }
         let is_newer = self.newest.as_ref().is_none_or(|(kept, _)| {
-            if frame.seq == 0 || kept.seq == 0 {
-                frame.t > kept.t
-            } else {
-                frame.seq > kept.seq
-            }
+            if frame.seq == 0 || kept.seq == 0 { frame.t > kept.t } else { frame.seq > kept.seq }
         });
         if is_newer {
             self.newest = Some((frame, now_s));
@@ -111,20 +99,14 @@ impl<C: Controller> ControlLoop<C> {
         command.seq = sensor.map_or(0, |frame| frame.seq); // [NCP-CTRL-013]
         // [NCP-CTRL-014] A ttl that is no number is no time, so it is raised like any that is too short.
         let least_ms = (2.0 * self.period_ms).min(f64::MAX);
-        command.ttl_ms = if command.ttl_ms.is_finite() {
-            command.ttl_ms.max(least_ms)
-        } else {
-            least_ms
-        };
+        command.ttl_ms = if command.ttl_ms.is_finite() { command.ttl_ms.max(least_ms) } else { least_ms };
         // What no frame holds is not to go out: a plant without the rest of a horizon holds sooner.
         command.horizon_dt_ms = command.horizon_dt_ms.filter(|dt_ms| dt_ms.is_finite());
         command.horizon.truncate(MAX_ITEMS);
         self.governor.note_link(self.link.burst()); // [NCP-CTRL-016]
         // [NCP-CTRL-015]
         let wanted = command.mode;
-        let decision = self
-            .governor
-            .govern(&mut command, now_s, sensor, last_sensor_s);
+        let decision = self.governor.govern(&mut command, now_s, sensor, last_sensor_s);
 
         // [NCP-CTRL-017]
         self.ticks = self.ticks.saturating_add(1);
@@ -138,11 +120,7 @@ impl<C: Controller> ControlLoop<C> {
             note: overran.then_some(Text::Borrowed("the tick before overran its period")), // [NCP-CTRL-019]
             ..ControlStatus::default()
         };
-        Tick {
-            command,
-            status,
-            decision,
-        }
+        Tick { command, status, decision }
     }
 
     /// The governor, for a supervisor's reset.

@@ -25,12 +25,7 @@ pub struct ReflexConfig {
 
 impl Default for ReflexConfig {
     fn default() -> Self {
-        Self {
-            target_m: [0.0; 3],
-            kp: 1.0,
-            kd: 0.3,
-            max_speed_mps: 1.5,
-        }
+        Self { target_m: [0.0; 3], kp: 1.0, kd: 0.3, max_speed_mps: 1.5 }
     }
 }
 
@@ -75,9 +70,7 @@ impl ReflexController {
             }
         }
         if !usable(config.max_speed_mps) {
-            return Err(ReflexError::MaxSpeed {
-                value: config.max_speed_mps,
-            });
+            return Err(ReflexError::MaxSpeed { value: config.max_speed_mps });
         }
         if !all_finite(&config.target_m) {
             return Err(ReflexError::Target);
@@ -90,9 +83,7 @@ impl Controller for ReflexController {
     fn step(&mut self, _now_s: f64, sensor: Option<&SensorFrame>) -> CommandFrame {
         let measured = |name| {
             let data = &sensor?.channels.get(name)?.data;
-            <[f64; 3]>::try_from(data.as_slice())
-                .ok()
-                .filter(|vector| all_finite(vector))
+            <[f64; 3]>::try_from(data.as_slice()).ok().filter(|vector| all_finite(vector))
         };
         let mut command = CommandFrame::default();
         let mut setpoint = [0.0; 3];
@@ -103,12 +94,7 @@ impl Controller for ReflexController {
             Some(position) => {
                 // [NCP-CTRL-004]
                 let velocity = measured(MEASURED_VELOCITY_CHANNEL).unwrap_or_default();
-                let ReflexConfig {
-                    target_m,
-                    kp,
-                    kd,
-                    max_speed_mps,
-                } = self.config;
+                let ReflexConfig { target_m, kp, kd, max_speed_mps } = self.config;
                 let axes = position.iter().zip(velocity).zip(target_m);
                 for (u, ((p, v), target)) in setpoint.iter_mut().zip(axes) {
                     let wanted = -kp * (p - target) - kd * v;
@@ -123,10 +109,7 @@ impl Controller for ReflexController {
                 }
             }
         }
-        command.channels.insert(
-            VELOCITY_CHANNEL,
-            ChannelValue::new(setpoint, METRES_PER_SECOND),
-        );
+        command.channels.insert(VELOCITY_CHANNEL, ChannelValue::new(setpoint, METRES_PER_SECOND));
         command
     }
 }

@@ -22,10 +22,7 @@ impl ActionBuffer {
     /// a stamp, and advances, a HOLD too. `[NCP-STRICT-004] [NCP-STRICT-005]`
     #[must_use]
     pub fn strict() -> Self {
-        Self {
-            is_strict: true,
-            ..Self::default()
-        }
+        Self { is_strict: true, ..Self::default() }
     }
 
     /// Takes a frame from the wire, received at `now_s`. One that is rejected changes nothing, an
@@ -34,11 +31,7 @@ impl ActionBuffer {
     /// # Errors
     /// The frame cannot be decoded. If it is an ESTOP for all that, it latches.
     pub fn on_frame(&mut self, frame: &[u8], now_s: f64) -> Result<Received, DecodeError> {
-        let decoded = if self.is_strict {
-            CommandFrame::decode_strict(frame)
-        } else {
-            CommandFrame::decode(frame)
-        };
+        let decoded = if self.is_strict { CommandFrame::decode_strict(frame) } else { CommandFrame::decode(frame) };
         match decoded {
             Ok(command) => Ok(self.on_command(command, now_s)),
             // [NCP-RES-022] [NCP-STRICT-010]
@@ -59,9 +52,7 @@ impl ActionBuffer {
                 return Received::Dropped;
             }
         }
-        let received = self
-            .plant
-            .on_command(command.mode, now_s, command.ttl_ms, command.seq);
+        let received = self.plant.on_command(command.mode, now_s, command.ttl_ms, command.seq);
         if received == Received::Accepted {
             self.command = command;
         }
@@ -70,12 +61,7 @@ impl ActionBuffer {
 
     /// The channels that the plant actuates at `now_s`, or none when it holds. `[NCP-RES-025]`
     pub fn active(&mut self, now_s: f64) -> Option<&ChannelMap> {
-        let CommandFrame {
-            channels,
-            horizon,
-            horizon_dt_ms,
-            ..
-        } = &self.command;
+        let CommandFrame { channels, horizon, horizon_dt_ms, .. } = &self.command;
         let tick = self.plant.active(now_s, *horizon_dt_ms, horizon.len())?;
         // [NCP-RES-028]
         match tick.checked_sub(1) {
@@ -104,10 +90,7 @@ impl ActionBuffer {
 /// the search, since what follows it cannot be told from its value.
 #[must_use]
 pub fn is_estop(frame: &[u8]) -> bool {
-    let mut scan = Scan {
-        bytes: frame,
-        at: 0,
-    };
+    let mut scan = Scan { bytes: frame, at: 0 };
     let (mut is_command, mut is_stop) = (false, false);
     scan.space();
     if !scan.eat(b'{') {
@@ -178,9 +161,7 @@ impl Scan<'_> {
             match rest.next() {
                 Some('u') => {
                     let digits: String = rest.by_ref().take(4).collect();
-                    let unit = u32::from_str_radix(&digits, 16)
-                        .ok()
-                        .and_then(char::from_u32);
+                    let unit = u32::from_str_radix(&digits, 16).ok().and_then(char::from_u32);
                     plain.push(unit.unwrap_or(char::REPLACEMENT_CHARACTER));
                 }
                 // No other escape stands for a letter of the words that are looked for.

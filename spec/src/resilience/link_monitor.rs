@@ -51,11 +51,7 @@ impl LinkMonitor {
     /// above `threshold`. `[NCP-RES-051] [NCP-RES-052]`
     #[must_use]
     pub fn new(ref_loss: f64, threshold: f64) -> Self {
-        let ref_loss = if ref_loss.is_finite() {
-            ref_loss.clamp(0.0, MAX_REF_LOSS)
-        } else {
-            DEFAULT_REF_LOSS
-        };
+        let ref_loss = if ref_loss.is_finite() { ref_loss.clamp(0.0, MAX_REF_LOSS) } else { DEFAULT_REF_LOSS };
         let usable = threshold.is_finite() && threshold > 0.0;
         Self {
             ref_loss,

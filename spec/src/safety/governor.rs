@@ -3,8 +3,8 @@
 use super::kernel::{self, Channel, Decision, Gates, Limit, Plan, Reason};
 use super::{METRES, METRES_PER_SECOND, POSITION_CHANNEL, VELOCITY_CHANNEL};
 use crate::wire::{
-    Capabilities, ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode,
-    SafetyLimits, SensorFrame, Text,
+    Capabilities, ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame,
+    Text,
 };
 
 /// Stands at the end of a control loop and lets a command pass only when it is safe.
@@ -22,15 +22,8 @@ impl SafetyGovernor {
     #[must_use]
     pub fn new(limits: &SafetyLimits) -> Self {
         Self {
-            gates: Gates::new(
-                limits.max_speed_mps,
-                limits.geofence_radius_m,
-                limits.command_timeout_ms,
-            ),
-            channels: Channels(vec![(
-                Text::Borrowed(VELOCITY_CHANNEL),
-                Some(Text::Borrowed(METRES_PER_SECOND)),
-            )]),
+            gates: Gates::new(limits.max_speed_mps, limits.geofence_radius_m, limits.command_timeout_ms),
+            channels: Channels(vec![(Text::Borrowed(VELOCITY_CHANNEL), Some(Text::Borrowed(METRES_PER_SECOND)))]),
         }
     }
 
@@ -49,22 +42,14 @@ impl SafetyGovernor {
             is_declared(sensor_channels, POSITION_CHANNEL, METRES),
         );
         let known = command_channels.iter();
-        governor.channels = Channels(
-            known
-                .map(|spec| (spec.name.clone(), spec.unit.clone()))
-                .collect(),
-        );
+        governor.channels = Channels(known.map(|spec| (spec.name.clone(), spec.unit.clone())).collect());
         governor
     }
 
     /// A governor for the channels and limits that a plant declares. `[NCP-SAFE-014]`
     #[must_use]
     pub fn from_capabilities(capabilities: &Capabilities) -> Self {
-        Self::negotiated(
-            &capabilities.safety,
-            &capabilities.sensor_channels,
-            &capabilities.command_channels,
-        )
+        Self::negotiated(&capabilities.safety, &capabilities.sensor_channels, &capabilities.command_channels)
     }
 
     /// Decides on a command, and makes of it what may be sent.
@@ -78,10 +63,7 @@ impl SafetyGovernor {
         sensor: Option<&SensorFrame>,
         last_sensor_s: Option<f64>,
     ) -> Decision {
-        let mut plan = Ticks {
-            command,
-            channels: &self.channels,
-        };
+        let mut plan = Ticks { command, channels: &self.channels };
         let position = || sensor.and_then(position_of);
         let decision = self.gates.govern(&mut plan, now_s, last_sensor_s, position);
         match decision {
@@ -135,10 +117,7 @@ impl Channels {
                 let zero = if name == VELOCITY_CHANNEL {
                     ChannelValue::new([0.0; 3], METRES_PER_SECOND)
                 } else {
-                    ChannelValue {
-                        data: vec![0.0],
-                        unit: unit.clone(),
-                    }
+                    ChannelValue { data: vec![0.0], unit: unit.clone() }
                 };
                 command.channels.insert(name.clone(), zero);
             }
@@ -148,12 +127,10 @@ impl Channels {
     /// The unit of a command's channel: the frame's, or the negotiated one where the frame does not
     /// say. `[NCP-SAFE-042]`
     fn unit_of<'a>(&'a self, name: &str, channel: &'a ChannelValue) -> Option<&'a str> {
-        channel.unit.as_deref().or_else(|| {
-            self.0
-                .iter()
-                .find(|(known, _)| known == name)
-                .and_then(|(_, unit)| unit.as_deref())
-        })
+        channel
+            .unit
+            .as_deref()
+            .or_else(|| self.0.iter().find(|(known, _)| known == name).and_then(|(_, unit)| unit.as_deref()))
     }
 }
 
@@ -183,11 +160,7 @@ impl Plan<f64> for Ticks<'_> {
     fn limit(&mut self, tick: usize, max_mps: Limit<f64>) -> Result<bool, Reason> {
         let tick = match tick.checked_sub(1) {
             None => &mut self.command.channels,
-            Some(step) => self
-                .command
-                .horizon
-                .get_mut(step)
-                .ok_or(Reason::NoVelocity)?,
+            Some(step) => self.command.horizon.get_mut(step).ok_or(Reason::NoVelocity)?,
         };
         let channels = tick.iter_mut().map(|(name, channel)| Channel {
             is_velocity: name == VELOCITY_CHANNEL,

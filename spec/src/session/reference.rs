@@ -3,8 +3,8 @@
 use super::backend::{BackendError, Opened, Simulation, SimulationBackend};
 use crate::safety::kernel::is_duration;
 use crate::wire::{
-    ChannelMap, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession, RecordTarget,
-    SortedMap, StimulusKind, Text,
+    ChannelMap, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession, RecordTarget, SortedMap,
+    StimulusKind, Text,
 };
 
 /// The most neurons of a session: a request is no way to fill a server's memory.
@@ -32,11 +32,7 @@ impl SimulationBackend for ReferenceBackend {
             .iter()
             .map(|population| (population.name.clone(), to_i64(population.neurons.len())))
             .collect();
-        Ok(Opened {
-            simulation: Box::new(network),
-            resolved,
-            seed: None,
-        })
+        Ok(Opened { simulation: Box::new(network), resolved, seed: None })
     }
 }
 
@@ -89,18 +85,11 @@ impl Record {
     fn new(port: Port, target: &RecordTarget, dt_ms: f64) -> Result<Self, BackendError> {
         let ratio = target.cadence_ms / dt_ms;
         if !is_duration(target.cadence_ms) || !is_duration(ratio) {
-            return Err(BackendError::Time {
-                name: "cadence_ms",
-                value_ms: target.cadence_ms,
-            });
+            return Err(BackendError::Time { name: "cadence_ms", value_ms: target.cadence_ms });
         }
         let whole = ratio.round();
         let is_whole = (ratio - whole).abs() <= 1e-9 * ratio;
-        Ok(Self {
-            port,
-            target: target.clone(),
-            every: if is_whole { whole } else { ratio },
-        })
+        Ok(Self { port, target: target.clone(), every: if is_whole { whole } else { ratio } })
     }
 
     /// Whether this step, counted from 1, reaches a multiple of the cadence that the one before did
@@ -117,29 +106,14 @@ impl Record {
 
     /// The most samples of `steps` steps, of a network whose neurons rest for `rest` steps after a spike.
     fn most_samples(&self, steps: f64, rest: f64) -> f64 {
-        let every = if self.is_of_spikes() {
-            1.0 + rest
-        } else {
-            self.every.max(1.0)
-        };
+        let every = if self.is_of_spikes() { 1.0 + rest } else { self.every.max(1.0) };
         (steps / every + 1.0).min(steps) * count(self.port.neurons.len())
     }
 }
 
 enum Model {
-    Lif {
-        propagator: f64,
-        gain: f64,
-        e_l: f64,
-        v_th: f64,
-        v_reset: f64,
-        i_e: f64,
-        t_ref: u64,
-    },
-    Rate {
-        propagator: f64,
-        mu: f64,
-    },
+    Lif { propagator: f64, gain: f64, e_l: f64, v_th: f64, v_reset: f64, i_e: f64, t_ref: u64 },
+    Rate { propagator: f64, mu: f64 },
 }
 
 impl Model {
@@ -163,38 +137,27 @@ impl Model {
                 });
             }
         };
-        let refuse = |name: &str, value| BackendError::Parameter {
-            name: name.to_owned(),
-            value,
-        };
+        let refuse = |name: &str, value| BackendError::Parameter { name: name.to_owned(), value };
         for (name, &value) in network.params.iter() {
             if !known.iter().any(|(known, _)| *known == name) {
                 return Err(refuse(name, value));
             }
         }
         let param = |name: &str| {
-            network.params.get(name).copied().or_else(|| {
-                known
-                    .iter()
-                    .find(|(known, _)| *known == name)
-                    .map(|(_, default)| *default)
-            })
+            network
+                .params
+                .get(name)
+                .copied()
+                .or_else(|| known.iter().find(|(known, _)| *known == name).map(|(_, default)| *default))
         };
         let positive = |name| {
             let value = param(name).unwrap_or(f64::NAN);
-            if is_duration(value) {
-                Ok(value)
-            } else {
-                Err(refuse(name, value))
-            }
+            if is_duration(value) { Ok(value) } else { Err(refuse(name, value)) }
         };
         let plain = |name| param(name).unwrap_or(0.0);
         if network.reference == "ncp.reference.rate" {
             let tau = positive("tau")?;
-            return Ok(Self::Rate {
-                propagator: (-dt_ms / tau).exp(),
-                mu: plain("mu"),
-            });
+            return Ok(Self::Rate { propagator: (-dt_ms / tau).exp(), mu: plain("mu") });
         }
         let (tau, c_m) = (positive("tau_m")?, positive("C_m")?);
         let t_ref = plain("t_ref");
@@ -244,18 +207,9 @@ impl Model {
                 neuron.refractory -= 1;
                 neuron.state = v_reset;
             }
-            Self::Lif {
-                propagator,
-                gain,
-                e_l,
-                v_th,
-                v_reset,
-                i_e,
-                t_ref,
-            } => {
-                neuron.state = e_l
-                    + (neuron.state - e_l) * propagator
-                    + (i_e + neuron.input) * gain * (1.0 - propagator);
+            Self::Lif { propagator, gain, e_l, v_th, v_reset, i_e, t_ref } => {
+                neuron.state =
+                    e_l + (neuron.state - e_l) * propagator + (i_e + neuron.input) * gain * (1.0 - propagator);
                 if neuron.state >= v_th {
                     neuron.spiked = true;
                     neuron.state = v_reset;
@@ -284,49 +238,25 @@ impl Network {
     fn build(request: &OpenSession) -> Result<Self, BackendError> {
         let dt_ms = request.sim.dt_ms;
         if !is_duration(dt_ms) {
-            return Err(BackendError::Time {
-                name: "dt_ms",
-                value_ms: dt_ms,
-            });
+            return Err(BackendError::Time { name: "dt_ms", value_ms: dt_ms });
         }
         if !is_duration(request.sim.chunk_ms) {
-            return Err(BackendError::Time {
-                name: "chunk_ms",
-                value_ms: request.sim.chunk_ms,
-            });
+            return Err(BackendError::Time { name: "chunk_ms", value_ms: request.sim.chunk_ms });
         }
         let model = Model::build(&request.network, dt_ms)?;
-        let rest = Neuron {
-            state: model.rest(),
-            refractory: 0,
-            input: 0.0,
-            spiked: false,
-        };
+        let rest = Neuron { state: model.rest(), refractory: 0, input: 0.0, spiked: false };
         let mut populations = Vec::new();
         let mut room = MAX_NEURONS;
         for (name, &size) in request.network.population_sizes.iter() {
             let neurons = usize::try_from(size)
                 .ok()
                 .filter(|_| size <= room)
-                .ok_or_else(|| BackendError::PopulationSize {
-                    name: name.to_owned(),
-                    size,
-                })?;
+                .ok_or_else(|| BackendError::PopulationSize { name: name.to_owned(), size })?;
             room -= size;
-            populations.push(Population {
-                name: name.to_owned().into(),
-                neurons: vec![rest; neurons],
-            });
+            populations.push(Population { name: name.to_owned().into(), neurons: vec![rest; neurons] });
         }
-        let mut network = Self {
-            model,
-            dt_ms,
-            steps: 0,
-            rest_ms: 0.0,
-            populations,
-            stimuli: Vec::new(),
-            records: Vec::new(),
-        };
+        let mut network =
+            Self { model, dt_ms, steps: 0, rest_ms: 0.0, populations, stimuli: Vec::new(), records: Vec::new() };
         for target in &request.stimulus.targets {
             if !network.model.takes(&target.kind) {
                 return Err(unsupported(&target.port, target.kind.as_str()));
@@ -353,10 +283,7 @@ impl Network {
             .enumerate()
             .find(named)
             .map(|(at, population)| (at, population.neurons.len()))
-            .ok_or_else(|| BackendError::UnknownTarget {
-                port: name.to_string(),
-                target: target.to_owned(),
-            })?;
+            .ok_or_else(|| BackendError::UnknownTarget { port: name.to_string(), target: target.to_owned() })?;
         let neurons = if ids.is_empty() {
             (0..neurons).collect()
         } else {
@@ -365,20 +292,12 @@ impl Network {
                     usize::try_from(id.saturating_sub(1))
                         .ok()
                         .filter(|&at| at < neurons)
-                        .ok_or_else(|| BackendError::UnknownNeuron {
-                            port: name.to_string(),
-                            id,
-                        })
+                        .ok_or_else(|| BackendError::UnknownNeuron { port: name.to_string(), id })
                 })
                 .collect::<Result<Vec<_>, _>>()?
         };
         let values = vec![0.0; neurons.len()];
-        Ok(Port {
-            name: name.clone(),
-            population,
-            neurons,
-            values,
-        })
+        Ok(Port { name: name.clone(), population, neurons, values })
     }
 
     /// What all ports together give each neuron.
@@ -425,19 +344,13 @@ impl Simulation for Network {
                 .stimuli
                 .iter()
                 .position(|port| port.name == name)
-                .ok_or_else(|| BackendError::UnknownPort {
-                    port: name.to_owned(),
-                })?;
+                .ok_or_else(|| BackendError::UnknownPort { port: name.to_owned() })?;
             let expected = self.stimuli.get(at).map_or(0, |port| port.neurons.len());
             let per_neuron = match value.data.as_slice() {
                 [one] => vec![*one; expected],
                 many if many.len() == expected => many.to_vec(),
                 many => {
-                    return Err(BackendError::StimulusWidth {
-                        port: name.to_owned(),
-                        expected,
-                        found: many.len(),
-                    });
+                    return Err(BackendError::StimulusWidth { port: name.to_owned(), expected, found: many.len() });
                 }
             };
             changed.push((at, per_neuron));
@@ -453,34 +366,15 @@ impl Simulation for Network {
 
     fn check_advance(&self, advance_ms: f64) -> Result<(), BackendError> {
         let steps = self.steps_of(advance_ms);
-        let neurons: f64 = self
-            .populations
-            .iter()
-            .map(|p| count(p.neurons.len()))
-            .sum();
-        let watched: f64 = self
-            .records
-            .iter()
-            .map(|r| count(r.port.neurons.len()))
-            .sum();
+        let neurons: f64 = self.populations.iter().map(|p| count(p.neurons.len())).sum();
+        let watched: f64 = self.records.iter().map(|r| count(r.port.neurons.len())).sum();
         let rest = self.model.rest_steps();
-        let samples: f64 = self
-            .records
-            .iter()
-            .map(|r| r.most_samples(steps, rest))
-            .sum();
+        let samples: f64 = self.records.iter().map(|r| r.most_samples(steps, rest)).sum();
         let can = advance_ms >= 0.0
             && steps <= MAX_STEPS
             && steps * (neurons + watched) <= MAX_WORK
             && samples <= MAX_SAMPLES;
-        if can {
-            Ok(())
-        } else {
-            Err(BackendError::Time {
-                name: "advance_ms",
-                value_ms: advance_ms,
-            })
-        }
+        if can { Ok(()) } else { Err(BackendError::Time { name: "advance_ms", value_ms: advance_ms }) }
     }
 
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
@@ -490,11 +384,8 @@ impl Simulation for Network {
         self.rest_ms = (self.rest_ms + advance_ms - steps * self.dt_ms).max(0.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
         let steps_now = steps as u64;
-        let mut observations: Vec<Observation> = self
-            .records
-            .iter()
-            .map(|record| empty_observation(&record.target))
-            .collect();
+        let mut observations: Vec<Observation> =
+            self.records.iter().map(|record| empty_observation(&record.target)).collect();
         for _ in 0..steps_now {
             for population in &mut self.populations {
                 for neuron in &mut population.neurons {
@@ -562,10 +453,7 @@ fn empty_observation(target: &RecordTarget) -> Observation {
 }
 
 fn unsupported(port: &str, what: &str) -> BackendError {
-    BackendError::Unsupported {
-        port: port.to_owned(),
-        what: what.to_owned(),
-    }
+    BackendError::Unsupported { port: port.to_owned(), what: what.to_owned() }
 }
 
 #[expect(clippy::cast_precision_loss)] // far below 2^53
@@ -582,16 +470,11 @@ mod tests {
     use super::*;
     use crate::session::SessionService;
     use crate::wire::{
-        ChannelValue, Frame, Message, RecordSpec, RunRequest, StimulusFrame, StimulusSpec,
-        StimulusTarget, decode_any,
+        ChannelValue, Frame, Message, RecordSpec, RunRequest, StimulusFrame, StimulusSpec, StimulusTarget, decode_any,
     };
 
     /// Neurons of `reference`, each observable recorded with its cadence in ms.
-    fn session(
-        reference: &'static str,
-        neurons: i64,
-        records: &[(Observable, f64)],
-    ) -> OpenSession {
+    fn session(reference: &'static str, neurons: i64, records: &[(Observable, f64)]) -> OpenSession {
         let targets = records
             .iter()
             .map(|(observable, cadence_ms)| RecordTarget {
@@ -611,11 +494,7 @@ mod tests {
             },
             record: RecordSpec { targets },
             stimulus: StimulusSpec {
-                targets: vec![StimulusTarget {
-                    port: "i".into(),
-                    target: "p".into(),
-                    ..StimulusTarget::default()
-                }],
+                targets: vec![StimulusTarget { port: "i".into(), target: "p".into(), ..StimulusTarget::default() }],
             },
             ..OpenSession::default()
         }
@@ -636,20 +515,14 @@ mod tests {
     fn a_cadence_that_is_no_multiple_of_dt_is_sampled_at_the_step_that_reaches_it() {
         let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.25)]));
         assert_eq!(times(&network.advance(1.0).unwrap(), "V_m"), [3, 5, 8, 10]);
-        assert_eq!(
-            times(&network.advance(1.0).unwrap(), "V_m"),
-            [13, 15, 18, 20]
-        );
+        assert_eq!(times(&network.advance(1.0).unwrap(), "V_m"), [13, 15, 18, 20]);
     }
 
     /// [NCP-SESS-053] Several multiples within one step are one sample.
     #[test]
     fn a_cadence_below_dt_samples_every_step() {
         let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.04)]));
-        assert_eq!(
-            times(&network.advance(0.5).unwrap(), "V_m"),
-            [1, 2, 3, 4, 5]
-        );
+        assert_eq!(times(&network.advance(0.5).unwrap(), "V_m"), [1, 2, 3, 4, 5]);
     }
 
     /// [NCP-SESS-053] 0.3 / 0.1 is not 3 in doubles; it is a multiple for all that.
@@ -664,13 +537,7 @@ mod tests {
     fn a_cadence_that_is_no_time_is_refused() {
         for cadence_ms in [0.0, -1.0, f64::NAN, f64::INFINITY, 5e-324, f64::MAX] {
             let request = session("ncp.reference.lif", 1, &[(Observable::Vm, cadence_ms)]);
-            let refused = matches!(
-                Network::build(&request),
-                Err(BackendError::Time {
-                    name: "cadence_ms",
-                    ..
-                })
-            );
+            let refused = matches!(Network::build(&request), Err(BackendError::Time { name: "cadence_ms", .. }));
             // The least double is a cadence; the largest is no number of steps.
             assert_eq!(refused, cadence_ms != 5e-324, "{cadence_ms}");
         }
@@ -694,16 +561,9 @@ mod tests {
                 ..RunRequest::default()
             };
             let reply = service.serve(run.encode().unwrap().as_bytes());
-            assert!(
-                matches!(decode_any(reply.as_bytes()), Ok(Message::Error(_))),
-                "{duration_ms}"
-            );
+            assert!(matches!(decode_any(reply.as_bytes()), Ok(Message::Error(_))), "{duration_ms}");
         }
-        let run = RunRequest {
-            session_id: "s".into(),
-            duration_ms: 5.0,
-            ..RunRequest::default()
-        };
+        let run = RunRequest { session_id: "s".into(), duration_ms: 5.0, ..RunRequest::default() };
         let reply = service.serve(run.encode().unwrap().as_bytes());
         let Ok(Message::ObservationFrame(frame)) = decode_any(reply.as_bytes()) else {
             panic!("{reply}");
@@ -726,20 +586,8 @@ mod tests {
 
         let busy = session("ncp.reference.rate", 100_000, &[]);
         assert!(
-            network(&OpenSession {
-                stimulus: StimulusSpec::default(),
-                ..busy.clone()
-            })
-            .check_advance(1_000.0)
-            .is_ok()
+            network(&OpenSession { stimulus: StimulusSpec::default(), ..busy.clone() }).check_advance(1_000.0).is_ok()
         );
-        assert!(
-            network(&OpenSession {
-                stimulus: StimulusSpec::default(),
-                ..busy
-            })
-            .check_advance(1_000.1)
-            .is_err()
-        );
+        assert!(network(&OpenSession { stimulus: StimulusSpec::default(), ..busy }).check_advance(1_000.1).is_err());
     }
 }

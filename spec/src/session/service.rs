@@ -6,9 +6,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::backend::{BackendError, Simulation, SimulationBackend};
 use crate::version::check_version;
 use crate::wire::{
-    ChannelMap, CloseSession, DecodeError, ErrorFrame, Kind, Message, ObservationFrame,
-    OpenSession, SessionClosed, SessionOpened, SimProvenance, StimulusFrame, Text, decode_any,
-    decode_any_strict,
+    ChannelMap, CloseSession, DecodeError, ErrorFrame, Kind, Message, ObservationFrame, OpenSession, SessionClosed,
+    SessionOpened, SimProvenance, StimulusFrame, Text, decode_any, decode_any_strict,
 };
 
 /// Serves sessions over one backend.
@@ -27,21 +26,13 @@ struct Session {
 impl<B: SimulationBackend> SessionService<B> {
     /// A service without sessions.
     pub const fn new(backend: B) -> Self {
-        Self {
-            backend,
-            sessions: BTreeMap::new(),
-            is_strict: false,
-        }
+        Self { backend, sessions: BTreeMap::new(), is_strict: false }
     }
 
     /// A service without sessions that keeps the strict profile (chapter 12.1): every request has a
     /// compatible version.
     pub const fn strict(backend: B) -> Self {
-        Self {
-            backend,
-            sessions: BTreeMap::new(),
-            is_strict: true,
-        }
+        Self { backend, sessions: BTreeMap::new(), is_strict: true }
     }
 
     /// The one reply to a request, whatever its bytes. `[NCP-SESS-020]`
@@ -64,10 +55,7 @@ impl<B: SimulationBackend> SessionService<B> {
             Err(error) => return failure(None, error), // [NCP-SESS-021]
         };
         if !comes_right(request.kind()) {
-            return failure(
-                None,
-                format_args!("this is not the key of {}", request.kind()),
-            );
+            return failure(None, format_args!("this is not the key of {}", request.kind()));
         }
         if self.is_strict
             && let Err(error) = decode_any_strict(frame)
@@ -95,22 +83,15 @@ impl<B: SimulationBackend> SessionService<B> {
     fn answer(&mut self, request: Message) -> Message {
         match request {
             Message::OpenSession(request) => Message::SessionOpened(self.open(&request)),
-            Message::StepRequest(request) => self.run(
-                &request.session_id,
-                request.advance_ms,
-                request.stimulus.as_ref(),
-            ),
-            Message::RunRequest(request) => self.run(
-                &request.session_id,
-                Some(request.duration_ms),
-                request.stimulus.as_ref(),
-            ),
+            Message::StepRequest(request) => {
+                self.run(&request.session_id, request.advance_ms, request.stimulus.as_ref())
+            }
+            Message::RunRequest(request) => {
+                self.run(&request.session_id, Some(request.duration_ms), request.stimulus.as_ref())
+            }
             Message::CloseSession(request) => Message::SessionClosed(self.close(&request)),
             // [NCP-SESS-022]
-            other => failure(
-                None,
-                format_args!("{} is no request", other.kind().as_str()),
-            ),
+            other => failure(None, format_args!("{} is no request", other.kind().as_str())),
         }
     }
 
@@ -129,11 +110,7 @@ impl<B: SimulationBackend> SessionService<B> {
             Ok(opened) => opened,
             Err(error) => return self.not_opened(request, error),
         };
-        let session = Session {
-            simulation: opened.simulation,
-            chunk_ms: request.sim.chunk_ms,
-            seq: 0,
-        };
+        let session = Session { simulation: opened.simulation, chunk_ms: request.sim.chunk_ms, seq: 0 };
         self.sessions.insert(request.session_id.clone(), session);
         let backend: Text = self.backend.name().to_owned().into();
         SessionOpened {
@@ -162,17 +139,9 @@ impl<B: SimulationBackend> SessionService<B> {
     }
 
     /// `[NCP-SESS-026] [NCP-SESS-027] [NCP-SESS-031] [NCP-SESS-035]`
-    fn run(
-        &mut self,
-        session_id: &Text,
-        advance_ms: Option<f64>,
-        stimulus: Option<&StimulusFrame>,
-    ) -> Message {
+    fn run(&mut self, session_id: &Text, advance_ms: Option<f64>, stimulus: Option<&StimulusFrame>) -> Message {
         let Some(session) = self.sessions.get_mut(session_id) else {
-            return failure(
-                Some(session_id),
-                format_args!("the session {session_id:?} is not open"),
-            );
+            return failure(Some(session_id), format_args!("the session {session_id:?} is not open"));
         };
         let advance_ms = advance_ms.unwrap_or(session.chunk_ms);
         // [NCP-SESS-032]
@@ -219,17 +188,12 @@ fn written(reply: &Message) -> String {
     reply.encode().unwrap_or_else(|error| {
         // The backend gave what no frame can hold. [NCP-SESS-037]
         let reply = failure(None, error);
-        reply
-            .encode()
-            .unwrap_or_else(|_| r#"{"kind":"error","error":"no reply"}"#.to_owned())
+        reply.encode().unwrap_or_else(|_| r#"{"kind":"error","error":"no reply"}"#.to_owned())
     })
 }
 
 fn failure(session_id: Option<&Text>, error: impl std::fmt::Display) -> Message {
-    Message::Error(ErrorFrame {
-        error: error.to_string().into(),
-        session_id: session_id.cloned(),
-    })
+    Message::Error(ErrorFrame { error: error.to_string().into(), session_id: session_id.cloned() })
 }
 
 /// Runs what a backend does; its panic costs the request and no more. `[NCP-SESS-037]`

@@ -51,11 +51,7 @@ impl DecodeError {
 
     #[cold]
     pub(crate) fn new(problem: DecodeProblem, offset: usize) -> Self {
-        Self(Box::new(Details {
-            problem,
-            path: Path::default(),
-            offset: Some(offset),
-        }))
+        Self(Box::new(Details { problem, path: Path::default(), offset: Some(offset) }))
     }
 
     /// The same error, seen from the object that has `name` as a member.
@@ -77,21 +73,13 @@ impl From<Breach> for DecodeError {
     #[cold]
     fn from(breach: Breach) -> Self {
         let path = Path(breach.field.to_owned());
-        Self(Box::new(Details {
-            problem: breach.rule.into(),
-            path,
-            offset: None,
-        }))
+        Self(Box::new(Details { problem: breach.rule.into(), path, offset: None }))
     }
 }
 
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Details {
-            problem,
-            path,
-            offset,
-        } = &*self.0;
+        let Details { problem, path, offset } = &*self.0;
         if !path.0.is_empty() {
             write!(f, "{}: ", path.0)?;
         }
@@ -214,9 +202,7 @@ impl DecodeProblem {
             | Self::Repeated
             | Self::LoneSurrogate
             | Self::NumberTooLarge => ErrorCode::Malformed,
-            Self::TooLong { .. } | Self::TooDeep | Self::TooManyEntries | Self::TooManyItems => {
-                ErrorCode::Limit
-            }
+            Self::TooLong { .. } | Self::TooDeep | Self::TooManyEntries | Self::TooManyItems => ErrorCode::Limit,
             Self::WrongType { .. } | Self::Null { .. } | Self::IntegerSpelling => ErrorCode::Type,
             Self::KindMissing | Self::KindUnknown(_) | Self::KindOther { .. } => ErrorCode::Kind,
             Self::Missing => ErrorCode::Missing,
@@ -279,10 +265,7 @@ impl EncodeError {
 impl From<Breach> for EncodeError {
     #[cold]
     fn from(breach: Breach) -> Self {
-        Self(Box::new((
-            breach.rule.into(),
-            Path(breach.field.to_owned()),
-        )))
+        Self(Box::new((breach.rule.into(), Path(breach.field.to_owned()))))
     }
 }
 
@@ -334,9 +317,7 @@ impl EncodeProblem {
         match self {
             Self::NonFinite(_) => ErrorCode::NonFinite,
             Self::IntegerRange(_) => ErrorCode::Value,
-            Self::TooManyEntries(_) | Self::TooManyItems(_) | Self::TooLong { .. } => {
-                ErrorCode::Limit
-            }
+            Self::TooManyEntries(_) | Self::TooManyItems(_) | Self::TooLong { .. } => ErrorCode::Limit,
             Self::Rule(rule) => rule.code(),
         }
     }
@@ -375,10 +356,7 @@ impl Rule {
     #[must_use]
     pub const fn code(self) -> ErrorCode {
         match self {
-            Self::SessionId(_)
-            | Self::StimulusSession
-            | Self::StimulusVersion
-            | Self::Unstamped => ErrorCode::Value,
+            Self::SessionId(_) | Self::StimulusSession | Self::StimulusVersion | Self::Unstamped => ErrorCode::Value,
             Self::Version => ErrorCode::Version,
             Self::Pin { .. } => ErrorCode::Provenance,
         }
@@ -398,20 +376,12 @@ struct Path(String);
 
 impl Path {
     fn prepend_member(&mut self, name: &str) {
-        let joint = if self.0.is_empty() || self.0.starts_with('[') {
-            ""
-        } else {
-            "."
-        };
+        let joint = if self.0.is_empty() || self.0.starts_with('[') { "" } else { "." };
         self.0 = format!("{}{joint}{}", shown(name), self.0);
     }
 
     fn prepend_item(&mut self, nth: usize) {
-        let joint = if self.0.is_empty() || self.0.starts_with('[') {
-            ""
-        } else {
-            "."
-        };
+        let joint = if self.0.is_empty() || self.0.starts_with('[') { "" } else { "." };
         self.0 = format!("[{nth}]{joint}{}", self.0);
     }
 }
@@ -445,10 +415,7 @@ mod tests {
 
     #[test]
     fn an_error_of_a_message_says_the_field() {
-        let command = CommandFrame {
-            t: f64::NAN,
-            ..CommandFrame::default()
-        };
+        let command = CommandFrame { t: f64::NAN, ..CommandFrame::default() };
         let error = command.encode().unwrap_err();
         assert_eq!(error.path(), "t");
         assert_eq!(error.to_string(), "t: JSON has no NaN");

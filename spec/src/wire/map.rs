@@ -29,9 +29,7 @@ impl<V> SortedMap<V> {
     /// An empty map; it allocates nothing.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            entries: Vec::new(),
-        }
+        Self { entries: Vec::new() }
     }
 
     /// The number of entries.
@@ -70,10 +68,7 @@ impl<V> SortedMap<V> {
     pub fn insert(&mut self, name: impl Into<Text>, value: V) -> Option<V> {
         let name = name.into();
         match self.find(&name) {
-            Ok(at) => self
-                .entries
-                .get_mut(at)
-                .map(|entry| std::mem::replace(&mut entry.1, value)),
+            Ok(at) => self.entries.get_mut(at).map(|entry| std::mem::replace(&mut entry.1, value)),
             Err(at) => {
                 self.entries.insert(at, (name, value));
                 None
@@ -109,25 +104,19 @@ impl<V> SortedMap<V> {
 
     /// Names and values in the order of the names.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &V)> {
-        self.entries
-            .iter()
-            .map(|(name, value)| (name.borrow(), value))
+        self.entries.iter().map(|(name, value)| (name.borrow(), value))
     }
 
     /// Names and values in the order of the names, to change the values.
     pub fn iter_mut(&mut self) -> impl ExactSizeIterator<Item = (&str, &mut V)> {
-        self.entries
-            .iter_mut()
-            .map(|(name, value)| (&**name, value))
+        self.entries.iter_mut().map(|(name, value)| (&**name, value))
     }
 
     /// A map of entries in any order, or the first name that occurs twice.
     pub(crate) fn from_entries(mut entries: Vec<(Text, V)>) -> Result<Self, Text> {
         if !entries.is_sorted_by(|a, b| a.0 < b.0) {
             entries.sort_unstable_by(|a, b| a.0.cmp(&b.0));
-            let repeat = entries
-                .windows(2)
-                .find(|pair| matches!(pair, [a, b] if a.0 == b.0));
+            let repeat = entries.windows(2).find(|pair| matches!(pair, [a, b] if a.0 == b.0));
             if let Some([(name, _), _]) = repeat {
                 return Err(name.clone());
             }
@@ -136,8 +125,7 @@ impl<V> SortedMap<V> {
     }
 
     fn find(&self, name: &str) -> Result<usize, usize> {
-        self.entries
-            .binary_search_by(|(known, _)| known.as_ref().cmp(name))
+        self.entries.binary_search_by(|(known, _)| known.as_ref().cmp(name))
     }
 }
 
@@ -162,10 +150,7 @@ impl<V> Index<&str> for SortedMap<V> {
     /// # Panics
     ///
     /// When the name has no value.
-    #[expect(
-        clippy::expect_used,
-        reason = "the trait leaves no other way, and the docs say so"
-    )]
+    #[expect(clippy::expect_used, reason = "the trait leaves no other way, and the docs say so")]
     fn index(&self, name: &str) -> &V {
         self.get(name).expect("no entry of that name")
     }
@@ -208,28 +193,14 @@ mod tests {
     #[test]
     fn names_are_sorted_by_code_points_and_not_by_utf16_units() {
         let map = SortedMap::from_iter([("\u{1f600}", 1), ("\u{ff5e}", 2), ("b", 3), ("B", 4)]);
-        assert_eq!(
-            map.keys().collect::<Vec<_>>(),
-            ["B", "b", "\u{ff5e}", "\u{1f600}"]
-        );
+        assert_eq!(map.keys().collect::<Vec<_>>(), ["B", "b", "\u{ff5e}", "\u{1f600}"]);
     }
 
     #[test]
     fn entries_with_one_name_twice_make_no_map() {
-        let entries = |names: &[&'static str]| {
-            names
-                .iter()
-                .map(|n| (Text::Borrowed(*n), ()))
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(
-            SortedMap::from_entries(entries(&["b", "a", "b"])),
-            Err(Text::Borrowed("b"))
-        );
-        assert_eq!(
-            SortedMap::from_entries(entries(&["a", "a"])),
-            Err(Text::Borrowed("a"))
-        );
+        let entries = |names: &[&'static str]| names.iter().map(|n| (Text::Borrowed(*n), ())).collect::<Vec<_>>();
+        assert_eq!(SortedMap::from_entries(entries(&["b", "a", "b"])), Err(Text::Borrowed("b")));
+        assert_eq!(SortedMap::from_entries(entries(&["a", "a"])), Err(Text::Borrowed("a")));
         let map = SortedMap::from_entries(entries(&["b", "c", "a"])).unwrap();
         assert_eq!(map.keys().collect::<Vec<_>>(), ["a", "b", "c"]);
     }

@@ -3,9 +3,7 @@
 //! `Default` is what a program gets that builds a message. What a receiver reads for an absent field
 //! is the same, but where the declaration says `absent`.
 
-use super::enums::{
-    ChannelKind, EntityRole, Mode, NetworkRefKind, Observable, Role, SimMode, StimulusKind,
-};
+use super::enums::{ChannelKind, EntityRole, Mode, NetworkRefKind, Observable, Role, SimMode, StimulusKind};
 use super::error::{Breach, DecodeError, DecodeProblem, EncodeError, Rule};
 use super::json::{LeftOut, Purpose, Reader, Writer};
 use super::record::record;
@@ -39,18 +37,12 @@ record! {
 impl ChannelValue {
     /// Components in a unit.
     pub fn new(data: impl Into<Vec<f64>>, unit: impl Into<Text>) -> Self {
-        Self {
-            data: data.into(),
-            unit: Some(unit.into()),
-        }
+        Self { data: data.into(), unit: Some(unit.into()) }
     }
 
     /// Components in the negotiated unit.
     pub fn without_unit(data: impl Into<Vec<f64>>) -> Self {
-        Self {
-            data: data.into(),
-            unit: None,
-        }
+        Self { data: data.into(), unit: None }
     }
 }
 
@@ -482,21 +474,9 @@ impl ErrorFrame {
         message: "ErrorFrame",
         kind: Some(Kind::Error),
         fields: &[
-            Field {
-                name: "kind",
-                json: JsonType::String,
-                required: true,
-            },
-            Field {
-                name: "error",
-                json: JsonType::String,
-                required: true,
-            },
-            Field {
-                name: "session_id",
-                json: <Option<Text>>::JSON,
-                required: false,
-            },
+            Field { name: "kind", json: JsonType::String, required: true },
+            Field { name: "error", json: JsonType::String, required: true },
+            Field { name: "session_id", json: <Option<Text>>::JSON, required: false },
         ],
     };
 
@@ -522,10 +502,7 @@ impl ErrorFrame {
         // [NCP-WIRE-101] Nor is there one for a program that builds the frame without it.
         let missing = || r.error(DecodeProblem::Missing).inside("error");
         let error = error.ok_or_else(missing)?;
-        Ok(Self {
-            error,
-            session_id: session_id.flatten(),
-        })
+        Ok(Self { error, session_id: session_id.flatten() })
     }
 
     // [NCP-WIRE-102]
@@ -623,10 +600,7 @@ impl Rules for CommandFrame {
     /// `[NCP-STRICT-004]`
     fn check_stamp(&self) -> Result<(), Breach> {
         if self.seq < 1 {
-            return Err(Breach {
-                field: "seq",
-                rule: Rule::Unstamped,
-            });
+            return Err(Breach { field: "seq", rule: Rule::Unstamped });
         }
         Ok(())
     }
@@ -645,16 +619,8 @@ impl Rules for SessionOpened {
             return Ok(());
         };
         // [NCP-PROV-003] [NCP-PROV-004]
-        check_pin(
-            "provenance.calibrated_posterior",
-            provenance.calibrated_posterior,
-            false,
-        )?;
-        check_pin(
-            "provenance.is_simulation_output",
-            provenance.is_simulation_output,
-            true,
-        )
+        check_pin("provenance.calibrated_posterior", provenance.calibrated_posterior, false)?;
+        check_pin("provenance.is_simulation_output", provenance.is_simulation_output, true)
     }
 }
 
@@ -666,12 +632,7 @@ impl Rules for StimulusFrame {
 
 impl Rules for StepRequest {
     fn inherit(&mut self, left_out: LeftOut) {
-        inherit(
-            self.stimulus.as_mut(),
-            left_out,
-            &self.ncp_version,
-            &self.session_id,
-        );
+        inherit(self.stimulus.as_mut(), left_out, &self.ncp_version, &self.session_id);
     }
 
     fn check(&self) -> Result<(), Breach> {
@@ -682,12 +643,7 @@ impl Rules for StepRequest {
 
 impl Rules for RunRequest {
     fn inherit(&mut self, left_out: LeftOut) {
-        inherit(
-            self.stimulus.as_mut(),
-            left_out,
-            &self.ncp_version,
-            &self.session_id,
-        );
+        inherit(self.stimulus.as_mut(), left_out, &self.ncp_version, &self.session_id);
     }
 
     fn check(&self) -> Result<(), Breach> {
@@ -721,31 +677,16 @@ impl Rules for SessionClosed {
 fn check_session_id(id: &str) -> Result<(), Breach> {
     match segment_problem(id) {
         None => Ok(()),
-        Some(problem) => Err(Breach {
-            field: "session_id",
-            rule: Rule::SessionId(problem),
-        }),
+        Some(problem) => Err(Breach { field: "session_id", rule: Rule::SessionId(problem) }),
     }
 }
 
 fn check_pin(field: &'static str, value: bool, pinned: bool) -> Result<(), Breach> {
-    if value == pinned {
-        Ok(())
-    } else {
-        Err(Breach {
-            field,
-            rule: Rule::Pin { pinned },
-        })
-    }
+    if value == pinned { Ok(()) } else { Err(Breach { field, rule: Rule::Pin { pinned } }) }
 }
 
 // [NCP-WIRE-035]
-fn inherit(
-    stimulus: Option<&mut StimulusFrame>,
-    left_out: LeftOut,
-    ncp_version: &Text,
-    session_id: &Text,
-) {
+fn inherit(stimulus: Option<&mut StimulusFrame>, left_out: LeftOut, ncp_version: &Text, session_id: &Text) {
     let Some(stimulus) = stimulus else { return };
     if left_out.ncp_version {
         stimulus.ncp_version.clone_from(ncp_version);
@@ -755,25 +696,15 @@ fn inherit(
     }
 }
 
-fn check_stimulus(
-    stimulus: Option<&StimulusFrame>,
-    ncp_version: &str,
-    session_id: &str,
-) -> Result<(), Breach> {
+fn check_stimulus(stimulus: Option<&StimulusFrame>, ncp_version: &str, session_id: &str) -> Result<(), Breach> {
     let Some(stimulus) = stimulus else {
         return Ok(());
     };
     if stimulus.session_id != session_id {
-        return Err(Breach {
-            field: "stimulus.session_id",
-            rule: Rule::StimulusSession,
-        }); // [NCP-WIRE-037]
+        return Err(Breach { field: "stimulus.session_id", rule: Rule::StimulusSession }); // [NCP-WIRE-037]
     }
     if stimulus.ncp_version != ncp_version {
-        return Err(Breach {
-            field: "stimulus.ncp_version",
-            rule: Rule::StimulusVersion,
-        }); // [NCP-WIRE-038]
+        return Err(Breach { field: "stimulus.ncp_version", rule: Rule::StimulusVersion }); // [NCP-WIRE-038]
     }
     Ok(())
 }

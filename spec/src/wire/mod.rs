@@ -35,21 +35,15 @@ mod value;
 
 use std::fmt;
 
-pub use enums::{
-    ChannelKind, EntityRole, Mode, NetworkRefKind, Observable, Role, SimMode, StimulusKind,
-    UnknownName,
-};
+pub use enums::{ChannelKind, EntityRole, Mode, NetworkRefKind, Observable, Role, SimMode, StimulusKind, UnknownName};
 pub use error::{DecodeError, DecodeProblem, EncodeError, EncodeProblem, Rule};
-pub use limits::{
-    MAX_ENTRIES, MAX_FRAME_BYTES, MAX_INTEGER, MAX_ITEMS, MAX_LEVELS, MAX_OBSERVATION_BYTES,
-};
+pub use limits::{MAX_ENTRIES, MAX_FRAME_BYTES, MAX_INTEGER, MAX_ITEMS, MAX_LEVELS, MAX_OBSERVATION_BYTES};
 pub use map::SortedMap;
 pub use messages::{
-    BulkObservation, Capabilities, ChannelMap, ChannelSpec, ChannelValue, CloseSession,
-    CommandFrame, ControlStatus, EntityBinding, EntityRef, ErrorFrame, LinkStatus, NetworkRef,
-    Observation, ObservationFrame, OpenSession, RecordSpec, RecordTarget, RunRequest, SafetyLimits,
-    SensorFrame, SessionClosed, SessionOpened, SimConfig, SimProvenance, StepRequest,
-    StimulusFrame, StimulusSpec, StimulusTarget,
+    BulkObservation, Capabilities, ChannelMap, ChannelSpec, ChannelValue, CloseSession, CommandFrame, ControlStatus,
+    EntityBinding, EntityRef, ErrorFrame, LinkStatus, NetworkRef, Observation, ObservationFrame, OpenSession,
+    RecordSpec, RecordTarget, RunRequest, SafetyLimits, SensorFrame, SessionClosed, SessionOpened, SimConfig,
+    SimProvenance, StepRequest, StimulusFrame, StimulusSpec, StimulusTarget,
 };
 pub use table::{Field, JsonType, Table};
 pub use text::Text;
@@ -301,10 +295,7 @@ impl Kind {
     /// Whether a frame of this kind is a request of the control plane.
     #[must_use]
     pub const fn is_request(self) -> bool {
-        matches!(
-            self,
-            Self::OpenSession | Self::StepRequest | Self::RunRequest | Self::CloseSession
-        )
+        matches!(self, Self::OpenSession | Self::StepRequest | Self::RunRequest | Self::CloseSession)
     }
 
     /// The most bytes that a frame of this kind may have.
@@ -320,10 +311,7 @@ impl Kind {
     fn check_len(self, len: usize) -> Result<(), DecodeError> {
         let limit = self.max_bytes();
         if len > limit {
-            return Err(DecodeError::new(
-                DecodeProblem::TooLong { len, limit },
-                limit,
-            ));
+            return Err(DecodeError::new(DecodeProblem::TooLong { len, limit }, limit));
         }
         Ok(())
     }
@@ -363,9 +351,8 @@ fn kind_of(frame: &[u8]) -> Result<Kind, DecodeError> {
         if r.name()? == "kind" {
             let at = r.at();
             let name = r.string().map_err(|e| e.inside("kind"))?;
-            return Kind::parse(&name).ok_or_else(|| {
-                DecodeError::new(DecodeProblem::kind_unknown(&name), at).inside("kind")
-            });
+            return Kind::parse(&name)
+                .ok_or_else(|| DecodeError::new(DecodeProblem::kind_unknown(&name), at).inside("kind"));
         }
         r.skip_value()?;
         more = r.next_member()?;

@@ -91,9 +91,7 @@ impl Value for Vec<u8> {
     fn read(r: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let at = r.at();
         let text = r.string()?;
-        BASE64
-            .decode(&*text)
-            .map_err(|_| DecodeError::new(DecodeProblem::NotBase64, at))
+        BASE64.decode(&*text).map_err(|_| DecodeError::new(DecodeProblem::NotBase64, at))
     }
 
     fn write(&self, w: &mut Writer) -> Result<(), EncodeError> {

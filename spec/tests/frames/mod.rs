@@ -1,8 +1,8 @@
 //! Frames of every kind, drawn at random from the tables of the messages.
 
 use ncp_spec::wire::{
-    ChannelKind, EntityRole, JsonType, Kind, MAX_INTEGER, Mode, NESTED, NetworkRefKind, Observable,
-    Role, SimMode, StimulusKind, Table,
+    ChannelKind, EntityRole, JsonType, Kind, MAX_INTEGER, Mode, NESTED, NetworkRefKind, Observable, Role, SimMode,
+    StimulusKind, Table,
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -10,12 +10,12 @@ use serde_json::{Map, Value, json};
 
 /// A frame as its encoder would write it: every field, in order, maps sorted.
 pub(crate) fn frame() -> impl Strategy<Value = (Kind, Value)> {
-    proptest::sample::select(&Kind::ALL[..])
-        .prop_flat_map(|kind| (Just(kind), object(kind.table())))
-        .prop_map(|(kind, mut frame)| {
+    proptest::sample::select(&Kind::ALL[..]).prop_flat_map(|kind| (Just(kind), object(kind.table()))).prop_map(
+        |(kind, mut frame)| {
             pin(kind, &mut frame);
             (kind, frame)
-        })
+        },
+    )
 }
 
 /// How a text may differ from the one that an encoder writes, with the same meaning.
@@ -63,9 +63,7 @@ fn object(table: Table) -> BoxedStrategy<Value> {
     fields
         .prop_map(move |fields| {
             // An error frame leaves out what others write as null.
-            let written = fields
-                .into_iter()
-                .filter(|(_, value)| !(is_error && value.is_null()));
+            let written = fields.into_iter().filter(|(_, value)| !(is_error && value.is_null()));
             Value::Object(written.collect())
         })
         .boxed()
@@ -74,14 +72,9 @@ fn object(table: Table) -> BoxedStrategy<Value> {
 fn value(json: JsonType) -> BoxedStrategy<Value> {
     match json {
         JsonType::Number => double().prop_map(|d| json!(d)).boxed(),
-        JsonType::Integer => prop_oneof![
-            -9i64..9,
-            -MAX_INTEGER..=MAX_INTEGER,
-            Just(MAX_INTEGER),
-            Just(-MAX_INTEGER),
-        ]
-        .prop_map(Value::from)
-        .boxed(),
+        JsonType::Integer => prop_oneof![-9i64..9, -MAX_INTEGER..=MAX_INTEGER, Just(MAX_INTEGER), Just(-MAX_INTEGER),]
+            .prop_map(Value::from)
+            .boxed(),
         JsonType::String => text().prop_map(Value::from).boxed(),
         JsonType::Boolean => any::<bool>().prop_map(Value::from).boxed(),
         JsonType::Enum(name) => wire_string(name).prop_map(Value::from).boxed(),
@@ -94,9 +87,7 @@ fn value(json: JsonType) -> BoxedStrategy<Value> {
         JsonType::Map(of) => proptest::collection::btree_map(text(), value(*of), 0..4)
             .prop_map(|entries| Value::Object(Map::from_iter(entries)))
             .boxed(),
-        JsonType::Optional(inner) => {
-            prop_oneof![1 => Just(Value::Null), 3 => value(*inner)].boxed()
-        }
+        JsonType::Optional(inner) => prop_oneof![1 => Just(Value::Null), 3 => value(*inner)].boxed(),
     }
 }
 
@@ -119,8 +110,7 @@ fn wire_string(name: &str) -> BoxedStrategy<String> {
             }
         };
     }
-    let known: Vec<String> =
-        known!(Observable StimulusKind NetworkRefKind EntityRole ChannelKind Role Mode SimMode);
+    let known: Vec<String> = known!(Observable StimulusKind NetworkRefKind EntityRole ChannelKind Role Mode SimMode);
     let known = proptest::sample::select(known);
     if matches!(name, "Mode" | "SimMode") {
         return known.boxed();
@@ -142,10 +132,7 @@ fn pin(kind: Kind, frame: &mut Value) {
             frame["provenance"]["is_simulation_output"] = json!(true);
         }
         Kind::StepRequest | Kind::RunRequest if frame["stimulus"].is_object() => {
-            (
-                frame["stimulus"]["ncp_version"],
-                frame["stimulus"]["session_id"],
-            ) = header;
+            (frame["stimulus"]["ncp_version"], frame["stimulus"]["session_id"]) = header;
         }
         _ => {}
     }

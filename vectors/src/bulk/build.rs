@@ -55,41 +55,20 @@ impl Values {
 
     fn bytes(&self) -> Vec<u8> {
         match self {
-            Self::F32(values) => values
-                .iter()
-                .flat_map(|value| value.to_le_bytes())
-                .collect(),
-            Self::F64(values) => values
-                .iter()
-                .flat_map(|value| value.to_le_bytes())
-                .collect(),
-            Self::I32(values) => values
-                .iter()
-                .flat_map(|value| value.to_le_bytes())
-                .collect(),
-            Self::I64(values) => values
-                .iter()
-                .flat_map(|value| value.to_le_bytes())
-                .collect(),
+            Self::F32(values) => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
+            Self::F64(values) => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
+            Self::I32(values) => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
+            Self::I64(values) => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
         }
     }
 
     /// As the peer protocol writes them.
     pub(super) fn json(&self) -> Json {
         match self {
-            Self::F32(values) => values
-                .iter()
-                .map(|value| number(f64::from(*value)))
-                .collect(),
+            Self::F32(values) => values.iter().map(|value| number(f64::from(*value))).collect(),
             Self::F64(values) => values.iter().map(|value| number(*value)).collect(),
-            Self::I32(values) => values
-                .iter()
-                .map(|value| Json::literal(value.to_string()))
-                .collect(),
-            Self::I64(values) => values
-                .iter()
-                .map(|value| Json::string(value.to_string()))
-                .collect(),
+            Self::I32(values) => values.iter().map(|value| Json::literal(value.to_string())).collect(),
+            Self::I64(values) => values.iter().map(|value| Json::string(value.to_string())).collect(),
         }
     }
 }
@@ -109,31 +88,19 @@ pub(super) fn number(value: f64) -> Json {
 }
 
 pub(super) fn f32s(name: &str, values: impl Into<Vec<f32>>) -> Column {
-    Column {
-        name: name.to_owned(),
-        values: Values::F32(values.into()),
-    }
+    Column { name: name.to_owned(), values: Values::F32(values.into()) }
 }
 
 pub(super) fn f64s(name: &str, values: impl Into<Vec<f64>>) -> Column {
-    Column {
-        name: name.to_owned(),
-        values: Values::F64(values.into()),
-    }
+    Column { name: name.to_owned(), values: Values::F64(values.into()) }
 }
 
 pub(super) fn i32s(name: &str, values: impl Into<Vec<i32>>) -> Column {
-    Column {
-        name: name.to_owned(),
-        values: Values::I32(values.into()),
-    }
+    Column { name: name.to_owned(), values: Values::I32(values.into()) }
 }
 
 pub(super) fn i64s(name: &str, values: impl Into<Vec<i64>>) -> Column {
-    Column {
-        name: name.to_owned(),
-        values: Values::I64(values.into()),
-    }
+    Column { name: name.to_owned(), values: Values::I64(values.into()) }
 }
 
 /// Columns and where each part of them stands.
@@ -160,21 +127,9 @@ impl Block {
             end = at + bytes;
             at
         };
-        let names = columns
-            .iter()
-            .map(|column| place(column.name.len(), 1))
-            .collect();
-        let data = columns
-            .iter()
-            .map(|column| place(column.values.bytes().len(), 8))
-            .collect();
-        Self {
-            columns,
-            names,
-            data,
-            len: end,
-            fill: 0,
-        }
+        let names = columns.iter().map(|column| place(column.name.len(), 1)).collect();
+        let data = columns.iter().map(|column| place(column.values.bytes().len(), 8)).collect();
+        Self { columns, names, data, len: end, fill: 0 }
     }
 
     /// The same columns with their parts elsewhere.
@@ -216,12 +171,7 @@ impl Block {
             ];
             put(&mut bytes, HEADER + ENTRY * nth, &entry.concat());
         }
-        let header = [
-            b"NCPB",
-            &[1, 0][..],
-            &le16(self.columns.len()),
-            &le32(self.len),
-        ];
+        let header = [b"NCPB", &[1, 0][..], &le16(self.columns.len()), &le32(self.len)];
         put(&mut bytes, 0, &header.concat());
         bytes
     }
@@ -293,19 +243,12 @@ mod tests {
     #[test]
     fn the_golden_block_is_the_one_that_the_text_prints() {
         let chapter = include_str!("../../../spec/text/05-observations-and-bulk.md");
-        let dump = chapter
-            .split("```")
-            .find(|part| part.trim_start().starts_with("00  4e 43"))
-            .unwrap();
+        let dump = chapter.split("```").find(|part| part.trim_start().starts_with("00  4e 43")).unwrap();
         let mut printed = Vec::new();
         for line in dump.trim().lines() {
             let (_, bytes) = line.split_once("  ").unwrap();
             let bytes = bytes.split("   ").next().unwrap();
-            printed.extend(
-                bytes
-                    .split_whitespace()
-                    .map_while(|hex| u8::from_str_radix(hex, 16).ok()),
-            );
+            printed.extend(bytes.split_whitespace().map_while(|hex| u8::from_str_radix(hex, 16).ok()));
         }
         assert_eq!(printed.len(), 104);
         assert_eq!(golden().bytes(), printed);

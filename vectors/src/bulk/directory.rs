@@ -11,12 +11,7 @@ pub(super) fn file() -> File {
     cases.extend(data());
     cases.extend(empty_regions());
     cases.extend(name_bytes());
-    File::new(
-        "bulk",
-        "directory",
-        "The directory of a BulkBlock: types, names, and where the data lies.",
-        cases,
-    )
+    File::new("bulk", "directory", "The directory of a BulkBlock: types, names, and where the data lies.", cases)
 }
 
 const LARGEST: usize = u32::MAX as usize;
@@ -32,9 +27,7 @@ fn dtypes() -> Vec<Case> {
                     &["NCP-BULK-007"],
                     &golden.entry(nth, Part::Dtype, dtype),
                 )
-                .title(format!(
-                    "A block whose column {nth} has the dtype {dtype} is rejected."
-                ))
+                .title(format!("A block whose column {nth} has the dtype {dtype} is rejected."))
                 .flags(&["unchecked-header"])
                 .because("The dtypes are 1 to 4."),
             );
@@ -42,26 +35,16 @@ fn dtypes() -> Vec<Case> {
     }
     let empty = Block::new([f64s("times", [])]);
     cases.push(
-        rejected(
-            "dtype/0-of-empty-column",
-            &["NCP-BULK-007"],
-            &empty.entry(0, Part::Dtype, 0),
-        )
-        .title("A block whose column without rows has the dtype 0 is rejected.")
-        .flags(&["unchecked-header"])
-        .because("The dtypes are 1 to 4, for a column without rows as well."),
+        rejected("dtype/0-of-empty-column", &["NCP-BULK-007"], &empty.entry(0, Part::Dtype, 0))
+            .title("A block whose column without rows has the dtype 0 is rejected.")
+            .flags(&["unchecked-header"])
+            .because("The dtypes are 1 to 4, for a column without rows as well."),
     );
     cases.extend([1, 128, 255].into_iter().map(|pad| {
-        rejected(
-            format!("pad/{pad}"),
-            &["NCP-BULK-008"],
-            &golden.entry(0, Part::Pad, pad),
-        )
-        .title(format!(
-            "A block whose pad byte is {pad} should be rejected."
-        ))
-        .flags(&["unchecked-header"])
-        .because("The pad byte is 0.")
+        rejected(format!("pad/{pad}"), &["NCP-BULK-008"], &golden.entry(0, Part::Pad, pad))
+            .title(format!("A block whose pad byte is {pad} should be rejected."))
+            .flags(&["unchecked-header"])
+            .because("The pad byte is 0.")
     }));
     cases
 }
@@ -79,59 +62,21 @@ fn data_last() -> Block {
 fn names() -> Vec<Case> {
     let block = names_last();
     let outside = [
-        (
-            "length-by-1",
-            block.entry(1, Part::NameLen, 7),
-            "one byte beyond the end",
-        ),
-        (
-            "length-largest",
-            block.entry(1, Part::NameLen, 65535),
-            "65,529 bytes beyond the end",
-        ),
-        (
-            "offset-by-1",
-            block.entry(1, Part::NameOff, 66),
-            "one byte beyond the end, from an offset within",
-        ),
-        (
-            "offset-at-the-end",
-            block.entry(1, Part::NameOff, 71),
-            "from the end on",
-        ),
-        (
-            "offset-beyond-the-end",
-            block.entry(1, Part::NameOff, 72),
-            "from beyond the end on",
-        ),
-        (
-            "offset-largest",
-            block.entry(1, Part::NameOff, LARGEST),
-            "from the offset 2^32 - 1 on",
-        ),
-        (
-            "offset-wraps-to-header",
-            block.entry(1, Part::NameOff, LARGEST - 5),
-            "so far that 32 bits wrap to 0",
-        ),
-        (
-            "offset-wraps-past-0",
-            block.entry(1, Part::NameOff, LARGEST - 1),
-            "so far that 32 bits wrap to 4",
-        ),
-        (
-            "offset-sign-bit",
-            block.entry(1, Part::NameOff, 1 << 31 | 65),
-            "from an offset with the sign bit set",
-        ),
+        ("length-by-1", block.entry(1, Part::NameLen, 7), "one byte beyond the end"),
+        ("length-largest", block.entry(1, Part::NameLen, 65535), "65,529 bytes beyond the end"),
+        ("offset-by-1", block.entry(1, Part::NameOff, 66), "one byte beyond the end, from an offset within"),
+        ("offset-at-the-end", block.entry(1, Part::NameOff, 71), "from the end on"),
+        ("offset-beyond-the-end", block.entry(1, Part::NameOff, 72), "from beyond the end on"),
+        ("offset-largest", block.entry(1, Part::NameOff, LARGEST), "from the offset 2^32 - 1 on"),
+        ("offset-wraps-to-header", block.entry(1, Part::NameOff, LARGEST - 5), "so far that 32 bits wrap to 0"),
+        ("offset-wraps-past-0", block.entry(1, Part::NameOff, LARGEST - 1), "so far that 32 bits wrap to 4"),
+        ("offset-sign-bit", block.entry(1, Part::NameOff, 1 << 31 | 65), "from an offset with the sign bit set"),
     ];
     let mut cases: Vec<Case> = outside
         .into_iter()
         .map(|(what, bytes, says)| {
             rejected(format!("name/{what}"), &["NCP-BULK-009"], &bytes)
-                .title(format!(
-                    "A block in which a name reaches {says} is rejected."
-                ))
+                .title(format!("A block in which a name reaches {says} is rejected."))
                 .flags(&[if what.contains("wraps") || what.contains("largest") {
                     "wrapping-offsets"
                 } else {
@@ -150,52 +95,34 @@ fn names() -> Vec<Case> {
     );
     let golden = golden();
     cases.push(
-        rejected(
-            "name/empty-beyond-the-end",
-            &["NCP-BULK-014"],
-            &with_name(&golden, 105, 0),
-        )
-        .title("A block in which an empty name begins beyond the end should be rejected.")
-        .flags(&["trusted-lengths"])
-        .because("An empty region begins beyond the buffer's end."),
+        rejected("name/empty-beyond-the-end", &["NCP-BULK-014"], &with_name(&golden, 105, 0))
+            .title("A block in which an empty name begins beyond the end should be rejected.")
+            .flags(&["trusted-lengths"])
+            .because("An empty region begins beyond the buffer's end."),
     );
     cases.push(
-        rejected(
-            "name/repeated",
-            &["NCP-BULK-013"],
-            &Block::new([f64s("times", [1.5]), i64s("times", [7])]).bytes(),
-        )
-        .title("A block of two columns of one name should be rejected.")
-        .flags(&["duplicate-columns"])
-        .because("Two columns have the same name."),
+        rejected("name/repeated", &["NCP-BULK-013"], &Block::new([f64s("times", [1.5]), i64s("times", [7])]).bytes())
+            .title("A block of two columns of one name should be rejected.")
+            .flags(&["duplicate-columns"])
+            .because("Two columns have the same name."),
     );
     let twice = Block::new([f64s("a", [1.5]), f64s("a", [2.5])]);
     cases.push(
-        decode(
-            "name/repeated-keeps-both",
-            &["NCP-BULK-021"],
-            &twice.bytes(),
-        )
-        .shows_or_refuses(object! { "columns" => twice.columns() })
-        .title("A block of two columns of one name is rejected, or read as both of them.")
-        .flags(&["duplicate-columns"])
-        .because(
-            "A decoder that takes the block gives the columns of the directory, and it has two.",
-        ),
+        decode("name/repeated-keeps-both", &["NCP-BULK-021"], &twice.bytes())
+            .shows_or_refuses(object! { "columns" => twice.columns() })
+            .title("A block of two columns of one name is rejected, or read as both of them.")
+            .flags(&["duplicate-columns"])
+            .because("A decoder that takes the block gives the columns of the directory, and it has two."),
     );
     for (what, name, says) in [
         ("of-300-bytes", "n".repeat(300), "a name of 300 bytes"),
         ("with-nul", "a\0b".to_owned(), "a name that holds U+0000"),
     ] {
         cases.push(
-            read(
-                format!("name/{what}"),
-                &["NCP-BULK-021"],
-                &Block::new([f64s(&name, [1.5])]),
-            )
-            .title(format!("A column of {says} is read with that name."))
-            .flags(&["cut-names"])
-            .because("A name is its name_len bytes of UTF-8, whichever they are."),
+            read(format!("name/{what}"), &["NCP-BULK-021"], &Block::new([f64s(&name, [1.5])]))
+                .title(format!("A column of {says} is read with that name."))
+                .flags(&["cut-names"])
+                .because("A name is its name_len bytes of UTF-8, whichever they are."),
         );
     }
     cases
@@ -214,36 +141,16 @@ fn data() -> Vec<Case> {
     let len = block.len;
     let narrow = Block::new([f64s("times", [1.5]), f32s("values", [2.5])]);
     let outside = [
-        (
-            "rows-by-1",
-            block.entry(1, Part::Rows, 2),
-            "one row beyond the end",
-        ),
-        (
-            "rows-largest",
-            block.entry(1, Part::Rows, LARGEST),
-            "2^32 - 1 rows of 8 bytes",
-        ),
-        (
-            "rows-wrap-to-0",
-            block.entry(1, Part::Rows, 1 << 29),
-            "so many rows of 8 bytes that 32 bits wrap to 0",
-        ),
+        ("rows-by-1", block.entry(1, Part::Rows, 2), "one row beyond the end"),
+        ("rows-largest", block.entry(1, Part::Rows, LARGEST), "2^32 - 1 rows of 8 bytes"),
+        ("rows-wrap-to-0", block.entry(1, Part::Rows, 1 << 29), "so many rows of 8 bytes that 32 bits wrap to 0"),
         (
             "rows-wrap-to-1",
             block.entry(1, Part::Rows, (1 << 29) + 1),
             "so many rows of 8 bytes that 32 bits wrap to one row",
         ),
-        (
-            "rows-sign-bit",
-            block.entry(1, Part::Rows, 1 << 31 | 1),
-            "a count of rows with the sign bit set",
-        ),
-        (
-            "narrow-rows-by-1",
-            narrow.entry(1, Part::Rows, 2),
-            "one row of 4 bytes beyond the end",
-        ),
+        ("rows-sign-bit", block.entry(1, Part::Rows, 1 << 31 | 1), "a count of rows with the sign bit set"),
+        ("narrow-rows-by-1", narrow.entry(1, Part::Rows, 2), "one row of 4 bytes beyond the end"),
         (
             "narrow-rows-wrap-to-0",
             narrow.entry(1, Part::Rows, 1 << 30),
@@ -254,49 +161,19 @@ fn data() -> Vec<Case> {
             narrow.entry(1, Part::Rows, (1 << 30) + 1),
             "so many rows of 4 bytes that 32 bits wrap to one row",
         ),
-        (
-            "wider-dtype",
-            narrow.entry(1, Part::Dtype, 2),
-            "four bytes beyond the end, since its dtype is wider",
-        ),
-        (
-            "offset-by-1",
-            block.entry(1, Part::DataOff, len - 7),
-            "one byte beyond the end",
-        ),
-        (
-            "offset-at-the-end",
-            block.entry(1, Part::DataOff, len),
-            "from the end on",
-        ),
-        (
-            "offset-beyond-the-end",
-            block.entry(1, Part::DataOff, len + 1),
-            "from beyond the end on",
-        ),
-        (
-            "offset-largest",
-            block.entry(1, Part::DataOff, LARGEST),
-            "from the offset 2^32 - 1 on",
-        ),
-        (
-            "offset-wraps-to-0",
-            block.entry(1, Part::DataOff, LARGEST - 7),
-            "so far that 32 bits wrap to 0",
-        ),
-        (
-            "offset-sign-bit",
-            block.entry(1, Part::DataOff, 1 << 31 | (len - 8)),
-            "from an offset with the sign bit set",
-        ),
+        ("wider-dtype", narrow.entry(1, Part::Dtype, 2), "four bytes beyond the end, since its dtype is wider"),
+        ("offset-by-1", block.entry(1, Part::DataOff, len - 7), "one byte beyond the end"),
+        ("offset-at-the-end", block.entry(1, Part::DataOff, len), "from the end on"),
+        ("offset-beyond-the-end", block.entry(1, Part::DataOff, len + 1), "from beyond the end on"),
+        ("offset-largest", block.entry(1, Part::DataOff, LARGEST), "from the offset 2^32 - 1 on"),
+        ("offset-wraps-to-0", block.entry(1, Part::DataOff, LARGEST - 7), "so far that 32 bits wrap to 0"),
+        ("offset-sign-bit", block.entry(1, Part::DataOff, 1 << 31 | (len - 8)), "from an offset with the sign bit set"),
     ];
     let mut cases: Vec<Case> = outside
         .into_iter()
         .map(|(what, bytes, says)| {
             rejected(format!("data/{what}"), &["NCP-BULK-011"], &bytes)
-                .title(format!(
-                    "A block in which a column's data reaches {says} is rejected."
-                ))
+                .title(format!("A block in which a column's data reaches {says} is rejected."))
                 .flags(&[if what.contains("wrap") || what.contains("largest") {
                     "wrapping-offsets"
                 } else {
@@ -305,17 +182,16 @@ fn data() -> Vec<Case> {
                 .because("The data does not lie wholly within the buffer.")
         })
         .collect();
-    let rows = [
-        ("memory-of-f64", LARGEST, 2),
-        ("memory-of-f32", LARGEST, 1),
-        ("memory-of-i64", 1 << 27, 4),
-    ];
+    let rows = [("memory-of-f64", LARGEST, 2), ("memory-of-f32", LARGEST, 1), ("memory-of-i64", 1 << 27, 4)];
     cases.extend(rows.into_iter().map(|(what, count, dtype)| {
         let empty = Block::new([f64s("times", [])]);
         let mut bytes = empty.entry(0, Part::Rows, count);
         bytes[18] = dtype;
         rejected(format!("data/{what}"), &["NCP-BULK-024", "NCP-BULK-011"], &bytes)
-            .title(format!("A block of {} bytes that claims {count} rows is rejected, before anything is allocated for them.", bytes.len()))
+            .title(format!(
+                "A block of {} bytes that claims {count} rows is rejected, before anything is allocated for them.",
+                bytes.len()
+            ))
             .flags(&["allocation-by-claim"])
             .because("The data does not lie within the buffer, and what is allocated must not exceed the block.")
     }));
@@ -325,9 +201,7 @@ fn data() -> Vec<Case> {
 fn empty_regions() -> Vec<Case> {
     let block = Block::new([f64s("times", [1.5]), f64s("values", [])]);
     let len = block.len;
-    let at_the_end = block
-        .clone()
-        .laid_out(&block.names, &[block.data[0], len], len);
+    let at_the_end = block.clone().laid_out(&block.names, &[block.data[0], len], len);
     vec![
         read("empty/at-the-end", &["NCP-BULK-019"], &at_the_end)
             .title("A column without rows whose data begins at the block's end is read.")
@@ -348,43 +222,23 @@ fn empty_regions() -> Vec<Case> {
 fn name_bytes() -> Vec<Case> {
     let table: [(&str, &[u8], &str); 9] = [
         ("ff", b"\xffimes", "the byte FF"),
-        (
-            "lone-continuation",
-            b"\x80imes",
-            "a continuation byte alone",
-        ),
+        ("lone-continuation", b"\x80imes", "a continuation byte alone"),
         ("latin-1", b"tim\xe9s", "an e acute in Latin-1"),
-        (
-            "truncated",
-            b"time\xc3",
-            "two bytes of which the second is missing",
-        ),
-        (
-            "cut-into-the-next",
-            b"tim\xe2\x82",
-            "three bytes of which the third is missing",
-        ),
+        ("truncated", b"time\xc3", "two bytes of which the second is missing"),
+        ("cut-into-the-next", b"tim\xe2\x82", "three bytes of which the third is missing"),
         ("overlong", b"\xc0\x80mes", "U+0000 in two bytes"),
         ("surrogate", b"\xed\xa0\x80es", "the surrogate U+D800"),
         ("beyond-unicode", b"\xf4\x90\x80\x80s", "U+110000"),
-        (
-            "utf-16",
-            b"t\0\xd8\0s",
-            "a byte that UTF-8 does not have there",
-        ),
+        ("utf-16", b"t\0\xd8\0s", "a byte that UTF-8 does not have there"),
     ];
     let golden = golden();
     table
         .into_iter()
         .map(|(what, name, says)| {
-            rejected(
-                format!("utf-8/{what}"),
-                &["NCP-BULK-010"],
-                &golden.patched(0x2c, name),
-            )
-            .title(format!("A block with a name that has {says} is rejected."))
-            .flags(&["invalid-utf8"])
-            .because("The name is not well-formed UTF-8.")
+            rejected(format!("utf-8/{what}"), &["NCP-BULK-010"], &golden.patched(0x2c, name))
+                .title(format!("A block with a name that has {says} is rejected."))
+                .flags(&["invalid-utf8"])
+                .because("The name is not well-formed UTF-8.")
         })
         .collect()
 }

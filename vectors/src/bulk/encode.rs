@@ -10,25 +10,16 @@ use crate::template::Text;
 
 pub(super) fn file() -> File {
     let mut cases = vec![
-        encode(
-            "golden",
-            &["NCP-BULK-035", "NCP-BULK-032"],
-            golden().columns(),
-        )
-        .gives_bytes(&golden().bytes())
-        .title("The columns of the golden block are written as its 104 bytes.")
-        .flags(&["byte-order"])
-        .because("The text prints the bytes."),
+        encode("golden", &["NCP-BULK-035", "NCP-BULK-032"], golden().columns())
+            .gives_bytes(&golden().bytes())
+            .title("The columns of the golden block are written as its 104 bytes.")
+            .flags(&["byte-order"])
+            .because("The text prints the bytes."),
     ];
     cases.extend(round_trips());
     cases.extend(alignment());
     cases.extend(refused());
-    File::new(
-        "bulk",
-        "encode",
-        "What an encoder of BulkBlocks writes, and what it refuses.",
-        cases,
-    )
+    File::new("bulk", "encode", "What an encoder of BulkBlocks writes, and what it refuses.", cases)
 }
 
 fn encode(what: impl Into<String>, rules: &[&'static str], columns: Json) -> Case {
@@ -40,16 +31,10 @@ fn round_trips() -> Vec<Case> {
         .into_iter()
         .map(|(what, column, says)| (what.to_owned(), vec![column], format!("A column of {says}")))
         .collect();
-    let many: Vec<Column> = (0..20)
-        .map(|nth| f64s(&format!("column {nth}"), [f64::from(nth)]))
-        .collect();
+    let many: Vec<Column> = (0..20).map(|nth| f64s(&format!("column {nth}"), [f64::from(nth)])).collect();
     let long: Vec<f64> = (0..1000).map(|nth| f64::from(nth) * 0.1).collect();
     table.extend([
-        (
-            "no-columns".to_owned(),
-            vec![],
-            "No column at all".to_owned(),
-        ),
+        ("no-columns".to_owned(), vec![], "No column at all".to_owned()),
         (
             "no-rows".to_owned(),
             vec![f32s("a", []), f64s("b", []), i32s("c", []), i64s("d", [])],
@@ -62,55 +47,29 @@ fn round_trips() -> Vec<Case> {
         ),
         (
             "each-dtype".to_owned(),
-            vec![
-                f32s("a", [1.5]),
-                f64s("b", [2.5]),
-                i32s("c", [3]),
-                i64s("d", [4]),
-            ],
+            vec![f32s("a", [1.5]), f64s("b", [2.5]), i32s("c", [3]), i64s("d", [4])],
             "A column of each dtype".to_owned(),
         ),
         (
             "other-lengths".to_owned(),
-            vec![
-                f64s("a", [1.5]),
-                f64s("b", [2.5, 3.5, 4.5]),
-                i32s("c", [5, 6]),
-            ],
+            vec![f64s("a", [1.5]), f64s("b", [2.5, 3.5, 4.5]), i32s("c", [5, 6])],
             "Columns of different lengths".to_owned(),
         ),
         (
             "unsorted".to_owned(),
-            vec![
-                f64s("z", [1.5]),
-                f64s("a", [2.5]),
-                f64s("9", [3.5]),
-                f64s("10", [4.5]),
-            ],
+            vec![f64s("z", [1.5]), f64s("a", [2.5]), f64s("9", [3.5]), f64s("10", [4.5])],
             "Columns whose names are not sorted".to_owned(),
         ),
         (
             "names".to_owned(),
-            vec![
-                f64s("caf\u{e9}", [1.5]),
-                f64s("\u{1f9e0}", [2.5]),
-                f64s("__proto__", [3.5]),
-            ],
+            vec![f64s("caf\u{e9}", [1.5]), f64s("\u{1f9e0}", [2.5]), f64s("__proto__", [3.5])],
             "Columns whose names are not in ASCII".to_owned(),
         ),
         ("many".to_owned(), many, "Twenty columns".to_owned()),
-        (
-            "long".to_owned(),
-            vec![f64s("a", long)],
-            "A column of a thousand rows".to_owned(),
-        ),
+        ("long".to_owned(), vec![f64s("a", long)], "A column of a thousand rows".to_owned()),
         (
             "odd-bytes".to_owned(),
-            vec![
-                f32s("abc", [1.5]),
-                i32s("d", [1, 2, 3]),
-                f64s("efghi", [2.5]),
-            ],
+            vec![f32s("abc", [1.5]), i32s("d", [1, 2, 3]), f64s("efghi", [2.5])],
             "Columns of which no part ends at a multiple of eight".to_owned(),
         ),
     ]);
@@ -127,44 +86,30 @@ fn round_trips() -> Vec<Case> {
         .collect();
     let long_name = named(Text::repeat("x", 65535));
     cases.push(
-        encode(
-            "round-trip/longest-name",
-            &["NCP-BULK-030"],
-            long_name.clone(),
-        )
-        .gives_columns(long_name)
-        .title("A column with a name of 65,535 bytes is written as a block that holds just that.")
-        .flags(&["low-limits"])
-        .because("The field name_len has 16 bits, so the name fits."),
+        encode("round-trip/longest-name", &["NCP-BULK-030"], long_name.clone())
+            .gives_columns(long_name)
+            .title("A column with a name of 65,535 bytes is written as a block that holds just that.")
+            .flags(&["low-limits"])
+            .because("The field name_len has 16 bits, so the name fits."),
     );
     cases
 }
 
 fn alignment() -> Vec<Case> {
     let table = [
-        (
-            "names-of-three-bytes",
-            vec![f64s("abc", [1.5]), f64s("d", [2.5])],
-        ),
+        ("names-of-three-bytes", vec![f64s("abc", [1.5]), f64s("d", [2.5])]),
         ("odd-f32", vec![f32s("a", [1.5]), f64s("b", [2.5])]),
-        (
-            "odd-i32",
-            vec![i32s("a", [1, 2, 3]), i64s("b", [4]), f32s("c", [5.5])],
-        ),
+        ("odd-i32", vec![i32s("a", [1, 2, 3]), i64s("b", [4]), f32s("c", [5.5])]),
     ];
     table
         .into_iter()
         .map(|(what, columns)| {
             let block = Block::new(columns);
-            encode(
-                format!("alignment/{what}"),
-                &["NCP-BULK-033"],
-                block.columns(),
-            )
-            .gives_bytes(&block.bytes())
-            .title("A column's data should begin at the next multiple of eight, behind zeros.")
-            .flags(&["alignment"])
-            .because("Then a reader can use the values where they lie.")
+            encode(format!("alignment/{what}"), &["NCP-BULK-033"], block.columns())
+                .gives_bytes(&block.bytes())
+                .title("A column's data should begin at the next multiple of eight, behind zeros.")
+                .flags(&["alignment"])
+                .because("Then a reader can use the values where they lie.")
         })
         .collect()
 }
@@ -185,29 +130,19 @@ fn refused() -> Vec<Case> {
         ("name-of-131072-bytes", 131_072, "twice what 16 bits hold"),
     ] {
         cases.push(
-            encode(
-                format!("refused/{what}"),
-                &["NCP-BULK-031"],
-                named(Text::repeat("x", bytes)),
-            )
-            .rejects("block")
-            .title(format!("A name of {bytes} bytes, {says}, is refused."))
-            .flags(&["L21", "truncated-counts"])
-            .because(
-                "The field name_len has 16 bits, and a length that does not fit is an error, never cut.",
-            ),
+            encode(format!("refused/{what}"), &["NCP-BULK-031"], named(Text::repeat("x", bytes)))
+                .rejects("block")
+                .title(format!("A name of {bytes} bytes, {says}, is refused."))
+                .flags(&["L21", "truncated-counts"])
+                .because("The field name_len has 16 bits, and a length that does not fit is an error, never cut."),
         );
     }
     cases.push(
-        encode(
-            "refused/name-of-32769-characters",
-            &["NCP-BULK-031"],
-            named(Text::repeat("\u{e9}", 32_769)),
-        )
-        .rejects("block")
-        .title("A name of 65,538 bytes in 32,769 characters is refused.")
-        .flags(&["L21", "bytes-not-characters"])
-        .because("The field name_len counts bytes."),
+        encode("refused/name-of-32769-characters", &["NCP-BULK-031"], named(Text::repeat("\u{e9}", 32_769)))
+            .rejects("block")
+            .title("A name of 65,538 bytes in 32,769 characters is refused.")
+            .flags(&["L21", "bytes-not-characters"])
+            .because("The field name_len counts bytes."),
     );
     let twice = columns_json(&[f64s("times", [1.5]), f64s("times", [2.5])]);
     cases.push(

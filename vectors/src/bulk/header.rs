@@ -24,12 +24,7 @@ pub(super) fn file() -> File {
     cases.extend(directory_size());
     cases.extend(many_columns());
     cases.extend(sizes());
-    File::new(
-        "bulk",
-        "header",
-        "The header of a BulkBlock, field by field, and the length of the block.",
-        cases,
-    )
+    File::new("bulk", "header", "The header of a BulkBlock, field by field, and the length of the block.", cases)
 }
 
 fn short() -> Vec<Case> {
@@ -37,14 +32,10 @@ fn short() -> Vec<Case> {
     [0, 1, 4, 11]
         .into_iter()
         .map(|length| {
-            rejected(
-                format!("short/{length}"),
-                &["NCP-BULK-001"],
-                &block[..length],
-            )
-            .title(format!("A block of {length} bytes is rejected."))
-            .flags(&["truncated-input"])
-            .because("The header alone has 12 bytes.")
+            rejected(format!("short/{length}"), &["NCP-BULK-001"], &block[..length])
+                .title(format!("A block of {length} bytes is rejected."))
+                .flags(&["truncated-input"])
+                .because("The header alone has 12 bytes.")
         })
         .collect()
 }
@@ -62,38 +53,23 @@ fn magic_version_flags() -> Vec<Case> {
         ("zeros", b"\0\0\0\0"),
     ];
     cases.extend(magics.into_iter().map(|(what, magic)| {
-        rejected(
-            format!("magic/{what}"),
-            &["NCP-BULK-002"],
-            &golden.patched(0, magic),
-        )
-        .title(format!(
-            "A block that begins with {} is rejected.",
-            String::from_utf8_lossy(magic).escape_default()
-        ))
-        .flags(&["unchecked-header"])
-        .because("The magic is `NCPB`, all four letters.")
+        rejected(format!("magic/{what}"), &["NCP-BULK-002"], &golden.patched(0, magic))
+            .title(format!("A block that begins with {} is rejected.", String::from_utf8_lossy(magic).escape_default()))
+            .flags(&["unchecked-header"])
+            .because("The magic is `NCPB`, all four letters.")
     }));
     cases.extend([0, 2, 3, 0x81, 255].into_iter().map(|version| {
-        rejected(
-            format!("version/{version}"),
-            &["NCP-BULK-003"],
-            &golden.patched(4, &[version]),
-        )
-        .title(format!("A block of version {version} is rejected."))
-        .flags(&["unchecked-header"])
-        .because("The version is 1.")
+        rejected(format!("version/{version}"), &["NCP-BULK-003"], &golden.patched(4, &[version]))
+            .title(format!("A block of version {version} is rejected."))
+            .flags(&["unchecked-header"])
+            .because("The version is 1.")
     }));
     let bits = (0..8).map(|bit| 1 << bit).chain([255]);
     cases.extend(bits.map(|flags: u8| {
-        rejected(
-            format!("flags/{flags}"),
-            &["NCP-BULK-004"],
-            &golden.patched(5, &[flags]),
-        )
-        .title(format!("A block with the flags {flags:#04x} is rejected."))
-        .flags(&["unchecked-header"])
-        .because("No flag has a meaning, so none may be set.")
+        rejected(format!("flags/{flags}"), &["NCP-BULK-004"], &golden.patched(5, &[flags]))
+            .title(format!("A block with the flags {flags:#04x} is rejected."))
+            .flags(&["unchecked-header"])
+            .because("No flag has a meaning, so none may be set.")
     }));
     cases
 }
@@ -109,47 +85,27 @@ fn lengths() -> Vec<Case> {
         ("header", HEADER, "12, the header's"),
         ("half", len / 2, "half of what the buffer has"),
         ("largest", u32::MAX as usize, "2^32 - 1"),
-        (
-            "sign-bit",
-            len | 1 << 31,
-            "the buffer's with the sign bit set",
-        ),
-        (
-            "other-byte-order",
-            (len as u32).swap_bytes() as usize,
-            "the buffer's in the other byte order",
-        ),
+        ("sign-bit", len | 1 << 31, "the buffer's with the sign bit set"),
+        ("other-byte-order", (len as u32).swap_bytes() as usize, "the buffer's in the other byte order"),
     ];
     let mut cases: Vec<Case> = claims
         .into_iter()
         .map(|(what, claim, says)| {
-            rejected(
-                format!("total-len/{what}"),
-                &["NCP-BULK-005"],
-                &golden.patched(8, &le32(claim)),
-            )
-            .title(format!("A block whose total_len is {says} is rejected."))
-            .flags(&["trusted-lengths"])
-            .because("The field total_len is the length of the buffer, no more and no less.")
+            rejected(format!("total-len/{what}"), &["NCP-BULK-005"], &golden.patched(8, &le32(claim)))
+                .title(format!("A block whose total_len is {says} is rejected."))
+                .flags(&["trusted-lengths"])
+                .because("The field total_len is the length of the buffer, no more and no less.")
         })
         .collect();
-    for (what, extra) in [
-        ("byte", &b"\0"[..]),
-        ("eight-bytes", &[0; 8]),
-        ("second-block", &golden.bytes()),
-    ] {
+    for (what, extra) in [("byte", &b"\0"[..]), ("eight-bytes", &[0; 8]), ("second-block", &golden.bytes())] {
         cases.push(
-            rejected(
-                format!("trailing/{what}"),
-                &["NCP-BULK-005"],
-                &[&golden.bytes(), extra].concat(),
-            )
-            .title(format!(
-                "A block that is followed by {} bytes that total_len does not count is rejected.",
-                extra.len()
-            ))
-            .flags(&["trailing-input"])
-            .because("The field total_len is not the length of the buffer."),
+            rejected(format!("trailing/{what}"), &["NCP-BULK-005"], &[&golden.bytes(), extra].concat())
+                .title(format!(
+                    "A block that is followed by {} bytes that total_len does not count is rejected.",
+                    extra.len()
+                ))
+                .flags(&["trailing-input"])
+                .because("The field total_len is not the length of the buffer."),
         );
     }
     let cuts = [
@@ -163,16 +119,10 @@ fn lengths() -> Vec<Case> {
         (103, "last-byte"),
     ];
     cases.extend(cuts.into_iter().map(|(at, what)| {
-        rejected(
-            format!("truncated/{what}"),
-            &["NCP-BULK-005"],
-            &golden.bytes()[..at],
-        )
-        .title(format!(
-            "A block of which only the first {at} of 104 bytes are there is rejected."
-        ))
-        .flags(&["truncated-input"])
-        .because("The field total_len is not the length of the buffer.")
+        rejected(format!("truncated/{what}"), &["NCP-BULK-005"], &golden.bytes()[..at])
+            .title(format!("A block of which only the first {at} of 104 bytes are there is rejected."))
+            .flags(&["truncated-input"])
+            .because("The field total_len is not the length of the buffer.")
     }));
     cases
 }
@@ -201,9 +151,7 @@ fn directory_size() -> Vec<Case> {
                 entry[6] = 1;
             }
             rejected(format!("directory/{what}"), &["NCP-BULK-006"], &bytes)
-                .title(format!(
-                    "A block of {len} bytes that claims {n_cols} columns is rejected."
-                ))
+                .title(format!("A block of {len} bytes that claims {n_cols} columns is rejected."))
                 .flags(&["trusted-lengths"])
                 .because("The directory takes 16 bytes a column behind the header.")
         })
@@ -212,13 +160,7 @@ fn directory_size() -> Vec<Case> {
 
 /// 4,096 columns and one more, none of them with a row.
 fn many_columns() -> Vec<Case> {
-    let columns = |count: usize| {
-        Block::new(
-            (0..count)
-                .map(|nth| f32s(&short_name(nth), []))
-                .collect::<Vec<_>>(),
-        )
-    };
+    let columns = |count: usize| Block::new((0..count).map(|nth| f32s(&short_name(nth), [])).collect::<Vec<_>>());
     vec![
         decode("columns/4096", &["NCP-BULK-017"], &columns(4096).bytes())
             .accepts()
@@ -235,11 +177,7 @@ fn many_columns() -> Vec<Case> {
 
 /// A different name of two letters for each of 4,096 columns, and of three from there on.
 pub(super) fn short_name(nth: usize) -> String {
-    let letters: Vec<char> = ('0'..='9')
-        .chain('A'..='Z')
-        .chain('a'..='z')
-        .chain(['-', '_'])
-        .collect();
+    let letters: Vec<char> = ('0'..='9').chain('A'..='Z').chain('a'..='z').chain(['-', '_']).collect();
     let letter = |n: usize| letters.get(n % letters.len()).copied().unwrap_or('0');
     let mut name = String::from_iter([letter(nth / 64), letter(nth)]);
     if nth >= 4096 {
@@ -276,15 +214,8 @@ fn sizes() -> [Case; 3] {
 /// A block without columns, in whose bytes behind the header nothing lies. Every byte of the header
 /// has to be ASCII, so that the block can be a template.
 fn empty(len: usize) -> Text {
-    let header: String = [b"NCPB", &[1, 0][..], &le16(0), &le32(len)]
-        .concat()
-        .into_iter()
-        .map(char::from)
-        .collect();
-    Text::Base64(Box::new(Text::concat([
-        header.into(),
-        Text::repeat("x", len - HEADER),
-    ])))
+    let header: String = [b"NCPB", &[1, 0][..], &le16(0), &le32(len)].concat().into_iter().map(char::from).collect();
+    Text::Base64(Box::new(Text::concat([header.into(), Text::repeat("x", len - HEADER)])))
 }
 
 #[cfg(test)]

@@ -16,14 +16,7 @@ use crate::template::Text;
 use build::Block;
 
 pub(crate) fn files() -> Vec<File> {
-    vec![
-        header::file(),
-        directory::file(),
-        overlap::file(),
-        values::file(),
-        encode::file(),
-        observation::file(),
-    ]
+    vec![header::file(), directory::file(), overlap::file(), values::file(), encode::file(), observation::file()]
 }
 
 /// The roles that read blocks.
@@ -31,8 +24,7 @@ const READERS: &[Role] = &[Commander, Observer];
 
 /// A `bulk.decode` that still lacks its answer.
 fn decode(what: impl Into<String>, rules: &[&'static str], bytes: &[u8]) -> Case {
-    Case::new(what, rules, READERS)
-        .call("bulk.decode", object! { "block" => Text::base64_of(bytes) })
+    Case::new(what, rules, READERS).call("bulk.decode", object! { "block" => Text::base64_of(bytes) })
 }
 
 /// A block that is rejected.

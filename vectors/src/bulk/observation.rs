@@ -13,12 +13,7 @@ pub(super) fn file() -> File {
     cases.extend(not_packed());
     cases.extend(unpacked());
     cases.extend(not_unpacked());
-    File::new(
-        "bulk",
-        "observation",
-        "Observations packed in BulkBlocks, and taken out of them.",
-        cases,
-    )
+    File::new("bulk", "observation", "Observations packed in BulkBlocks, and taken out of them.", cases)
 }
 
 /// An observation: times, values, senders.
@@ -29,11 +24,7 @@ struct Samples {
 }
 
 fn samples(times: &[f64], values: &[f64], senders: &[i64]) -> Samples {
-    Samples {
-        times: times.to_vec(),
-        values: values.to_vec(),
-        senders: senders.to_vec(),
-    }
+    Samples { times: times.to_vec(), values: values.to_vec(), senders: senders.to_vec() }
 }
 
 impl Samples {
@@ -64,60 +55,28 @@ impl Samples {
 /// Observations that can be packed, and what is special about them.
 fn fitting() -> Vec<(&'static str, Samples, &'static str)> {
     vec![
-        (
-            "all-three",
-            samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9]),
-            "with all three arrays",
-        ),
-        (
-            "times-and-values",
-            samples(&[0.1, 0.2], &[-65.0, -64.5], &[]),
-            "without senders",
-        ),
-        (
-            "times-and-senders",
-            samples(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]),
-            "without values",
-        ),
+        ("all-three", samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9]), "with all three arrays"),
+        ("times-and-values", samples(&[0.1, 0.2], &[-65.0, -64.5], &[]), "without senders"),
+        ("times-and-senders", samples(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]), "without values"),
         ("times-alone", samples(&[1.5], &[], &[]), "with times alone"),
-        (
-            "values-alone",
-            samples(&[], &[1.5, 2.5], &[]),
-            "with values alone",
-        ),
-        (
-            "senders-alone",
-            samples(&[], &[], &[1, 2]),
-            "with senders alone",
-        ),
+        ("values-alone", samples(&[], &[1.5, 2.5], &[]), "with values alone"),
+        ("senders-alone", samples(&[], &[], &[1, 2]), "with senders alone"),
         (
             "special",
-            samples(
-                &[0.0, -0.0, 5e-324],
-                &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY],
-                &[0, -1, 1],
-            ),
+            samples(&[0.0, -0.0, 5e-324], &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY], &[0, -1, 1]),
             "with zeros, a NaN and infinities",
         ),
-        (
-            "large-senders",
-            samples(&[], &[], &[i64::MAX, i64::MIN, (1 << 53) + 1]),
-            "with senders beyond 2^53",
-        ),
+        ("large-senders", samples(&[], &[], &[i64::MAX, i64::MIN, (1 << 53) + 1]), "with senders beyond 2^53"),
     ]
 }
 
 fn packed() -> Vec<Case> {
     let mut cases = vec![
-        pack(
-            "golden",
-            &["NCP-BULK-035", "NCP-OBS-001"],
-            &samples(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]),
-        )
-        .gives_bytes(&golden().bytes())
-        .title("The times and senders of the golden block are packed as its 104 bytes.")
-        .flags(&["byte-order"])
-        .because("The text prints the bytes."),
+        pack("golden", &["NCP-BULK-035", "NCP-OBS-001"], &samples(&[1.5, 2.5, 9.0], &[], &[7, 7, 9]))
+            .gives_bytes(&golden().bytes())
+            .title("The times and senders of the golden block are packed as its 104 bytes.")
+            .flags(&["byte-order"])
+            .because("The text prints the bytes."),
     ];
     cases.push(
         pack("empty", &["NCP-OBS-002"], &samples(&[], &[], &[]))
@@ -128,16 +87,10 @@ fn packed() -> Vec<Case> {
     );
     cases.extend(fitting().into_iter().map(|(what, samples, says)| {
         let has_empty = samples.columns().len() < 3;
-        let rules: &[_] = if has_empty {
-            &["NCP-OBS-001", "NCP-OBS-002"]
-        } else {
-            &["NCP-OBS-001"]
-        };
+        let rules: &[_] = if has_empty { &["NCP-OBS-001", "NCP-OBS-002"] } else { &["NCP-OBS-001"] };
         pack(what, rules, &samples)
             .gives_columns(columns_json(&samples.columns()))
-            .title(format!(
-                "An observation {says} is packed as the columns of what is not empty."
-            ))
+            .title(format!("An observation {says} is packed as the columns of what is not empty."))
             .flags(&["lossy-blocks"])
             .because("Times, values and senders in this order, and no column for an empty array.")
     }));
@@ -147,31 +100,11 @@ fn packed() -> Vec<Case> {
 /// Arrays that differ in length.
 fn uneven() -> Vec<(&'static str, Samples, &'static str)> {
     vec![
-        (
-            "fewer-values",
-            samples(&[0.1, 0.2], &[-65.0], &[7, 9]),
-            "fewer values than times",
-        ),
-        (
-            "more-values",
-            samples(&[0.1], &[-65.0, -64.5], &[]),
-            "more values than times",
-        ),
-        (
-            "fewer-senders",
-            samples(&[0.1, 0.2], &[], &[7]),
-            "fewer senders than times",
-        ),
-        (
-            "more-senders",
-            samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9, 11]),
-            "more senders than times and values",
-        ),
-        (
-            "values-and-senders",
-            samples(&[], &[-65.0, -64.5], &[7]),
-            "no times, and fewer senders than values",
-        ),
+        ("fewer-values", samples(&[0.1, 0.2], &[-65.0], &[7, 9]), "fewer values than times"),
+        ("more-values", samples(&[0.1], &[-65.0, -64.5], &[]), "more values than times"),
+        ("fewer-senders", samples(&[0.1, 0.2], &[], &[7]), "fewer senders than times"),
+        ("more-senders", samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9, 11]), "more senders than times and values"),
+        ("values-and-senders", samples(&[], &[-65.0, -64.5], &[7]), "no times, and fewer senders than values"),
     ]
 }
 
@@ -199,11 +132,8 @@ fn unpacked() -> Vec<Case> {
                 .because("A column that is not there is an empty array, and every value is given exactly.")
         })
         .collect();
-    let (times, values, senders) = (
-        || f64s("times", [0.1, 0.2]),
-        || f64s("values", [-65.0, -64.5]),
-        || i64s("senders", [7, 9]),
-    );
+    let (times, values, senders) =
+        (|| f64s("times", [0.1, 0.2]), || f64s("values", [-65.0, -64.5]), || i64s("senders", [7, 9]));
     let whole = samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9]);
     let orders = [
         ("senders-first", [senders(), times(), values()]),
@@ -211,15 +141,11 @@ fn unpacked() -> Vec<Case> {
         ("values-first", [values(), times(), senders()]),
     ];
     cases.extend(orders.into_iter().map(|(what, columns)| {
-        unpack(
-            format!("order/{what}"),
-            &["NCP-OBS-008"],
-            &Block::new(columns).bytes(),
-        )
-        .gives(whole.json())
-        .title("The columns of an observation may stand in any order.")
-        .flags(&["fixed-layout"])
-        .because("Columns are known by their names.")
+        unpack(format!("order/{what}"), &["NCP-OBS-008"], &Block::new(columns).bytes())
+            .gives(whole.json())
+            .title("The columns of an observation may stand in any order.")
+            .flags(&["fixed-layout"])
+            .because("Columns are known by their names.")
     }));
     cases.push(
         unpack("no-columns", &["NCP-OBS-005"], &Block::new([]).bytes())
@@ -230,15 +156,11 @@ fn unpacked() -> Vec<Case> {
     );
     let some_empty = Block::new([times(), f64s("values", []), senders()]);
     cases.push(
-        unpack(
-            "empty-column",
-            &["NCP-OBS-004", "NCP-BULK-019"],
-            &some_empty.bytes(),
-        )
-        .gives(samples(&[0.1, 0.2], &[], &[7, 9]).json())
-        .title("A block with a column without rows beside others that have some is unpacked.")
-        .flags(&["empty-blocks"])
-        .because("Only columns that are not empty have to agree in length."),
+        unpack("empty-column", &["NCP-OBS-004", "NCP-BULK-019"], &some_empty.bytes())
+            .gives(samples(&[0.1, 0.2], &[], &[7, 9]).json())
+            .title("A block with a column without rows beside others that have some is unpacked.")
+            .flags(&["empty-blocks"])
+            .because("Only columns that are not empty have to agree in length."),
     );
     let more = Block::new([times(), f64s("weights", [1.0, 2.0, 3.0]), senders()]);
     cases.push(
@@ -263,77 +185,33 @@ fn not_unpacked() -> Vec<Case> {
     let mut cases: Vec<Case> = uneven()
         .into_iter()
         .map(|(what, samples, says)| {
-            unpack(
-                format!("refused/{what}"),
-                &["NCP-OBS-004"],
-                &Block::new(samples.columns()).bytes(),
-            )
-            .rejects("block")
-            .title(format!("A block with {says} is not unpacked."))
-            .flags(&["uneven-arrays"])
-            .because("The columns that are not empty differ in length.")
+            unpack(format!("refused/{what}"), &["NCP-OBS-004"], &Block::new(samples.columns()).bytes())
+                .rejects("block")
+                .title(format!("A block with {says} is not unpacked."))
+                .flags(&["uneven-arrays"])
+                .because("The columns that are not empty differ in length.")
         })
         .collect();
     let dtypes = [
-        (
-            "times-f32",
-            vec![f32s("times", [0.5]), i64s("senders", [7])],
-            "`times` of f32",
-        ),
-        (
-            "values-i64",
-            vec![f64s("times", [0.5]), i64s("values", [7])],
-            "`values` of i64",
-        ),
-        (
-            "senders-i32",
-            vec![f64s("times", [0.5]), i32s("senders", [7])],
-            "`senders` of i32",
-        ),
-        (
-            "senders-f64",
-            vec![f64s("times", [0.5]), f64s("senders", [7.0])],
-            "`senders` of f64",
-        ),
+        ("times-f32", vec![f32s("times", [0.5]), i64s("senders", [7])], "`times` of f32"),
+        ("values-i64", vec![f64s("times", [0.5]), i64s("values", [7])], "`values` of i64"),
+        ("senders-i32", vec![f64s("times", [0.5]), i32s("senders", [7])], "`senders` of i32"),
+        ("senders-f64", vec![f64s("times", [0.5]), f64s("senders", [7.0])], "`senders` of f64"),
     ];
     cases.extend(dtypes.into_iter().map(|(what, columns, says)| {
-        unpack(
-            format!("refused/{what}"),
-            &["NCP-OBS-006"],
-            &Block::new(columns).bytes(),
-        )
-        .rejects("block")
-        .title(format!("A block with {says} should not be unpacked."))
-        .flags(&["unchecked-dtypes"])
-        .because("The three columns are packed as f64, f64 and i64.")
+        unpack(format!("refused/{what}"), &["NCP-OBS-006"], &Block::new(columns).bytes())
+            .rejects("block")
+            .title(format!("A block with {says} should not be unpacked."))
+            .flags(&["unchecked-dtypes"])
+            .because("The three columns are packed as f64, f64 and i64.")
     }));
     let golden = golden();
     let alone = Block::new([f64s("times", [0.1])]);
     let broken = [
-        (
-            "magic",
-            golden.patched(0, b"ncpb"),
-            "NCP-BULK-002",
-            "with another magic",
-        ),
-        (
-            "total-len",
-            golden.patched(8, &[105]),
-            "NCP-BULK-005",
-            "whose total_len is one too many",
-        ),
-        (
-            "overlap",
-            golden.entry(1, Part::DataOff, 0x38),
-            "NCP-BULK-012",
-            "whose columns share their bytes",
-        ),
-        (
-            "rows",
-            alone.entry(0, Part::Rows, 2),
-            "NCP-BULK-011",
-            "whose only column reaches beyond the end",
-        ),
+        ("magic", golden.patched(0, b"ncpb"), "NCP-BULK-002", "with another magic"),
+        ("total-len", golden.patched(8, &[105]), "NCP-BULK-005", "whose total_len is one too many"),
+        ("overlap", golden.entry(1, Part::DataOff, 0x38), "NCP-BULK-012", "whose columns share their bytes"),
+        ("rows", alone.entry(0, Part::Rows, 2), "NCP-BULK-011", "whose only column reaches beyond the end"),
     ];
     cases.extend(broken.into_iter().map(|(what, bytes, rule, says)| {
         unpack(format!("refused/{what}"), &[rule], &bytes)
@@ -350,8 +228,6 @@ fn pack(what: &str, rules: &[&'static str], samples: &Samples) -> Case {
 }
 
 fn unpack(what: impl Into<String>, rules: &[&'static str], bytes: &[u8]) -> Case {
-    Case::new(format!("unpack/{}", what.into()), rules, READERS).call(
-        "observation.unpack",
-        object! { "block" => Text::base64_of(bytes) },
-    )
+    Case::new(format!("unpack/{}", what.into()), rules, READERS)
+        .call("observation.unpack", object! { "block" => Text::base64_of(bytes) })
 }

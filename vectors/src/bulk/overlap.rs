@@ -35,10 +35,7 @@ fn shared() -> Vec<Case> {
     let table: Vec<(&str, Vec<u8>, &str)> = vec![
         (
             "data-data/first-and-third",
-            three
-                .clone()
-                .laid_out(&[60, 62, 64], &[72, 80, 72], 88)
-                .bytes(),
+            three.clone().laid_out(&[60, 62, 64], &[72, 80, 72], 88).bytes(),
             "the data of the first of three columns and of the third",
         ),
         (
@@ -46,11 +43,7 @@ fn shared() -> Vec<Case> {
             three.laid_out(&[60, 62, 60], &[72, 80, 88], 96).bytes(),
             "the names of the first of three columns and of the third",
         ),
-        (
-            "data-data/same",
-            at([48, 56], [64, 64]),
-            "the data of two columns at the same place",
-        ),
+        ("data-data/same", at([48, 56], [64, 64]), "the data of two columns at the same place"),
         (
             "data-data/same-of-other-dtype",
             integers.clone().laid_out(&[44, 46], &[48, 48], 56).bytes(),
@@ -66,121 +59,45 @@ fn shared() -> Vec<Case> {
             at([48, 56], [80, 65]),
             "the first byte of one column's data and the last of another's",
         ),
-        (
-            "data-data/by-one-row",
-            at([48, 56], [64, 72]),
-            "the last row of one column and the first of another",
-        ),
-        (
-            "data-data/within",
-            one_row(1, &at([48, 56], [64, 68])),
-            "the data of one column within another's",
-        ),
-        (
-            "data-data/around",
-            one_row(0, &at([48, 56], [68, 64])),
-            "the data of one column around another's",
-        ),
+        ("data-data/by-one-row", at([48, 56], [64, 72]), "the last row of one column and the first of another"),
+        ("data-data/within", one_row(1, &at([48, 56], [64, 68])), "the data of one column within another's"),
+        ("data-data/around", one_row(0, &at([48, 56], [68, 64])), "the data of one column around another's"),
         (
             "data-data/same-beginning",
             one_row(1, &at([48, 56], [64, 64])),
             "the data of one column at the beginning of another's",
         ),
-        (
-            "data-data/same-end",
-            one_row(1, &at([48, 56], [64, 72])),
-            "the data of one column at the end of another's",
-        ),
+        ("data-data/same-end", one_row(1, &at([48, 56], [64, 72])), "the data of one column at the end of another's"),
         (
             "data-data/narrow-within-wide",
             narrow.clone().laid_out(&[44, 46], &[48, 52], 64).bytes(),
             "four bytes within the data of another column",
         ),
-        (
-            "name-name/same",
-            at([48, 48], [64, 88]),
-            "the names of two columns at the same place",
-        ),
-        (
-            "name-name/by-one-byte",
-            at([48, 49], [64, 88]),
-            "the last byte of one name and the first of another",
-        ),
-        (
-            "name-name/within",
-            name_in_name.laid_out(&[44, 45], &[48, 56], 64).bytes(),
-            "one name within another",
-        ),
-        (
-            "name-data/first-byte",
-            at([48, 63], [64, 88]),
-            "a name's last byte and the first of another column's data",
-        ),
-        (
-            "name-data/last-byte",
-            at([79, 56], [64, 88]),
-            "a name's first byte and the last of its column's own data",
-        ),
-        (
-            "name-data/other-column",
-            at([48, 66], [64, 88]),
-            "a name within another column's data",
-        ),
-        (
-            "name-header/magic",
-            at([0, 56], [64, 88]),
-            "a name and the magic",
-        ),
-        (
-            "name-header/last-byte",
-            at([11, 56], [64, 88]),
-            "a name's first byte and the header's last",
-        ),
-        (
-            "name-directory/first-entry",
-            at([12, 56], [64, 88]),
-            "a name and its own directory entry",
-        ),
-        (
-            "name-directory/last-byte",
-            at([43, 56], [64, 88]),
-            "a name's first byte and the directory's last",
-        ),
-        (
-            "data-header/magic",
-            at([48, 56], [0, 88]),
-            "a column's data and the header",
-        ),
+        ("name-name/same", at([48, 48], [64, 88]), "the names of two columns at the same place"),
+        ("name-name/by-one-byte", at([48, 49], [64, 88]), "the last byte of one name and the first of another"),
+        ("name-name/within", name_in_name.laid_out(&[44, 45], &[48, 56], 64).bytes(), "one name within another"),
+        ("name-data/first-byte", at([48, 63], [64, 88]), "a name's last byte and the first of another column's data"),
+        ("name-data/last-byte", at([79, 56], [64, 88]), "a name's first byte and the last of its column's own data"),
+        ("name-data/other-column", at([48, 66], [64, 88]), "a name within another column's data"),
+        ("name-header/magic", at([0, 56], [64, 88]), "a name and the magic"),
+        ("name-header/last-byte", at([11, 56], [64, 88]), "a name's first byte and the header's last"),
+        ("name-directory/first-entry", at([12, 56], [64, 88]), "a name and its own directory entry"),
+        ("name-directory/last-byte", at([43, 56], [64, 88]), "a name's first byte and the directory's last"),
+        ("data-header/magic", at([48, 56], [0, 88]), "a column's data and the header"),
         (
             "data-header/last-byte",
             one_row(0, &at([48, 56], [11, 88])),
             "a column's data from the header's last byte on",
         ),
-        (
-            "data-directory/first-entry",
-            at([48, 56], [12, 88]),
-            "a column's data and its own directory entry",
-        ),
-        (
-            "data-directory/last-entry",
-            at([48, 56], [28, 88]),
-            "a column's data and the entry of another column",
-        ),
+        ("data-directory/first-entry", at([48, 56], [12, 88]), "a column's data and its own directory entry"),
+        ("data-directory/last-entry", at([48, 56], [28, 88]), "a column's data and the entry of another column"),
         (
             "data-directory/last-byte",
             one_row(0, &at([52, 56], [43, 88])),
             "a column's data from the directory's last byte on",
         ),
-        (
-            "data-name/before",
-            one_row(0, &at([48, 56], [45, 88])),
-            "a column's data around its own name",
-        ),
-        (
-            "data-name/other-column",
-            one_row(0, &at([48, 56], [50, 88])),
-            "a column's data and another column's name",
-        ),
+        ("data-name/before", one_row(0, &at([48, 56], [45, 88])), "a column's data around its own name"),
+        ("data-name/other-column", one_row(0, &at([48, 56], [50, 88])), "a column's data and another column's name"),
     ];
     table
         .into_iter()
@@ -196,9 +113,7 @@ fn shared() -> Vec<Case> {
 /// Only the last two of many columns share bytes.
 fn among_many() -> Vec<Case> {
     let block = |count: usize| {
-        let columns: Vec<_> = (0..count)
-            .map(|nth| f64s(&short_name(nth), [1.5]))
-            .collect();
+        let columns: Vec<_> = (0..count).map(|nth| f64s(&short_name(nth), [1.5])).collect();
         Block::new(columns)
     };
     let mut cases = Vec::new();
@@ -208,24 +123,14 @@ fn among_many() -> Vec<Case> {
         data[count - 1] = data[count - 2];
         names[count - 1] = names[count - 2];
         for (part, bytes) in [
-            (
-                "data",
-                block
-                    .clone()
-                    .laid_out(&block.names, &data, block.len)
-                    .bytes(),
-            ),
-            (
-                "name",
-                block
-                    .clone()
-                    .laid_out(&names, &block.data, block.len)
-                    .bytes(),
-            ),
+            ("data", block.clone().laid_out(&block.names, &data, block.len).bytes()),
+            ("name", block.clone().laid_out(&names, &block.data, block.len).bytes()),
         ] {
             cases.push(
                 rejected(format!("last-two-of/{count}-columns/{part}"), &["NCP-BULK-012"], &bytes)
-                    .title(format!("A block of {count} columns in which only the {part} of the last two share bytes is rejected."))
+                    .title(format!(
+                        "A block of {count} columns in which only the {part} of the last two share bytes is rejected."
+                    ))
                     .flags(&["L01", "overlapping-regions"])
                     .because("No two regions may share a byte, however many columns come before them."),
             );
@@ -242,9 +147,7 @@ fn amplified() -> Vec<Case> {
         let block = Block::new(columns);
         let begin = block.len.next_multiple_of(8);
         let len = begin + 8 * rows;
-        let block = block
-            .clone()
-            .laid_out(&block.names, &vec![begin; count], len);
+        let block = block.clone().laid_out(&block.names, &vec![begin; count], len);
         let mut bytes = block.bytes();
         for nth in 0..count {
             let at = 12 + 16 * nth + 8;
@@ -257,25 +160,23 @@ fn amplified() -> Vec<Case> {
         .map(|(count, rows)| {
             let bytes = shared(count, rows);
             rejected(format!("amplified/{count}-columns"), &["NCP-BULK-012", "NCP-BULK-024"], &bytes)
-                .title(format!("A block of {} bytes in which {count} columns share {rows} doubles is rejected.", bytes.len()))
+                .title(format!(
+                    "A block of {} bytes in which {count} columns share {rows} doubles is rejected.",
+                    bytes.len()
+                ))
                 .flags(&["L01", "amplification"])
-                .because(format!("Copied, the columns would take {} bytes; that is what the rule against overlaps is for.", 8 * count * rows))
+                .because(format!(
+                    "Copied, the columns would take {} bytes; that is what the rule against overlaps is for.",
+                    8 * count * rows
+                ))
         })
         .collect()
 }
 
 /// Regions that share nothing.
 fn apart() -> Vec<Case> {
-    let touching = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [3.5, 4.5])]).laid_out(
-        &[44, 46],
-        &[48, 64],
-        80,
-    );
-    let three = Block::new([i32s("a", [1]), i32s("b", [2]), i32s("c", [3])]).laid_out(
-        &[60, 61, 62],
-        &[71, 63, 67],
-        75,
-    );
+    let touching = Block::new([f64s("ab", [1.5, 2.5]), f64s("cd", [3.5, 4.5])]).laid_out(&[44, 46], &[48, 64], 80);
+    let three = Block::new([i32s("a", [1]), i32s("b", [2]), i32s("c", [3])]).laid_out(&[60, 61, 62], &[71, 63, 67], 75);
     let mut cases = vec![
         read("apart/touching", &["NCP-BULK-018", "NCP-BULK-012"], &touching)
             .title("A block whose regions follow each other without a gap is read.")
@@ -302,33 +203,18 @@ fn apart() -> Vec<Case> {
         ("own-name", None, 57, "its own name"),
     ] {
         let says = format!("with a column without rows whose data begins within {says}");
-        cases.extend(lenient(
-            &format!("empty-within-{what}"),
-            advice,
-            &place(at),
-            &says,
-        ));
+        cases.extend(lenient(&format!("empty-within-{what}"), advice, &place(at), &says));
     }
     let unnamed = Block::new([f64s("", [1.5, 2.5]), f64s("cd", [3.5])]);
     for (what, advice, at, says) in [
-        (
-            "behind-the-directory",
-            Some("NCP-BULK-027"),
-            44,
-            "behind the directory",
-        ),
+        ("behind-the-directory", Some("NCP-BULK-027"), 44, "behind the directory"),
         ("header", None, 0, "within the header"),
         ("data", None, 70, "within its own data"),
         ("end", None, 96, "at the block's end"),
     ] {
         let place = unnamed.clone().laid_out(&[at, 56], &[64, 88], 96);
         let says = format!("with a column of an empty name that begins {says}");
-        cases.extend(lenient(
-            &format!("empty-name-{what}"),
-            advice,
-            &place,
-            &says,
-        ));
+        cases.extend(lenient(&format!("empty-name-{what}"), advice, &place, &says));
     }
     cases
 }

@@ -12,12 +12,7 @@ pub(super) fn file() -> File {
     cases.extend(layouts());
     cases.extend(names());
     cases.extend(empty());
-    File::new(
-        "bulk",
-        "values",
-        "The values of a BulkBlock: every dtype, every place, every order.",
-        cases,
-    )
+    File::new("bulk", "values", "The values of a BulkBlock: every dtype, every place, every order.", cases)
 }
 
 /// Columns with the values that a careless reader changes.
@@ -26,16 +21,7 @@ pub(super) fn extreme_columns() -> Vec<(&'static str, Column, &'static str)> {
         ("f32-plain", f32s("v", [1.5, -2.25, 0.1]), "f32 values"),
         (
             "f32-extremes",
-            f32s(
-                "v",
-                [
-                    f32::MAX,
-                    f32::MIN,
-                    f32::MIN_POSITIVE,
-                    f32::from_bits(1),
-                    -f32::from_bits(1),
-                ],
-            ),
+            f32s("v", [f32::MAX, f32::MIN, f32::MIN_POSITIVE, f32::from_bits(1), -f32::from_bits(1)]),
             "the extreme f32 values",
         ),
         (
@@ -43,19 +29,8 @@ pub(super) fn extreme_columns() -> Vec<(&'static str, Column, &'static str)> {
             f32s("v", [0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN]),
             "both f32 zeros, both infinities and a NaN",
         ),
-        (
-            "f64-plain",
-            f64s("v", [1.5, -2.25, 0.1, 0.300_000_000_000_000_04]),
-            "f64 values",
-        ),
-        (
-            "f64-extremes",
-            f64s(
-                "v",
-                [f64::MAX, f64::MIN, f64::MIN_POSITIVE, 5e-324, -5e-324],
-            ),
-            "the extreme f64 values",
-        ),
+        ("f64-plain", f64s("v", [1.5, -2.25, 0.1, 0.300_000_000_000_000_04]), "f64 values"),
+        ("f64-extremes", f64s("v", [f64::MAX, f64::MIN, f64::MIN_POSITIVE, 5e-324, -5e-324]), "the extreme f64 values"),
         (
             "f64-special",
             f64s("v", [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN]),
@@ -63,28 +38,13 @@ pub(super) fn extreme_columns() -> Vec<(&'static str, Column, &'static str)> {
         ),
         (
             "f64-integers",
-            f64s(
-                "v",
-                [9_007_199_254_740_991.0, 9_007_199_254_740_992.0, 1e300],
-            ),
+            f64s("v", [9_007_199_254_740_991.0, 9_007_199_254_740_992.0, 1e300]),
             "f64 values that are whole numbers",
         ),
         ("i32-plain", i32s("v", [0, 1, -1, 256, -256]), "i32 values"),
-        (
-            "i32-extremes",
-            i32s("v", [i32::MAX, i32::MIN]),
-            "the extreme i32 values",
-        ),
-        (
-            "i64-plain",
-            i64s("v", [0, 1, -1, 1 << 32, -(1 << 32)]),
-            "i64 values",
-        ),
-        (
-            "i64-extremes",
-            i64s("v", [i64::MAX, i64::MIN]),
-            "the extreme i64 values",
-        ),
+        ("i32-extremes", i32s("v", [i32::MAX, i32::MIN]), "the extreme i32 values"),
+        ("i64-plain", i64s("v", [0, 1, -1, 1 << 32, -(1 << 32)]), "i64 values"),
+        ("i64-extremes", i64s("v", [i64::MAX, i64::MIN]), "the extreme i64 values"),
         (
             "i64-beyond-doubles",
             i64s("v", [(1 << 53) - 1, 1 << 53, (1 << 53) + 1, -(1 << 53) - 1]),
@@ -106,22 +66,11 @@ fn extremes() -> Vec<Case> {
             };
             read(
                 what,
-                &[
-                    rule,
-                    if rule == "NCP-BULK-022" {
-                        "NCP-BULK-023"
-                    } else {
-                        "NCP-BULK-022"
-                    },
-                ],
+                &[rule, if rule == "NCP-BULK-022" { "NCP-BULK-023" } else { "NCP-BULK-022" }],
                 &Block::new([column]),
             )
             .title(format!("A column of {says} is read exactly."))
-            .flags(&[if what.starts_with('i') {
-                "narrow-integers"
-            } else {
-                "lossy-doubles"
-            }])
+            .flags(&[if what.starts_with('i') { "narrow-integers" } else { "lossy-doubles" }])
             .because("Every value is given exactly, a NaN as a NaN, and both zeros apart.")
         })
         .collect()
@@ -129,12 +78,7 @@ fn extremes() -> Vec<Case> {
 
 /// NaNs of other bits than the usual ones.
 fn bits() -> Vec<Case> {
-    let doubles = [
-        0x7ff8_0000_0000_0000_u64,
-        0xfff8_0000_0000_0000,
-        0x7ff0_0000_0000_0001,
-        0x7fff_ffff_ffff_ffff,
-    ];
+    let doubles = [0x7ff8_0000_0000_0000_u64, 0xfff8_0000_0000_0000, 0x7ff0_0000_0000_0001, 0x7fff_ffff_ffff_ffff];
     let singles = [0x7fc0_0000_u32, 0xffc0_0000, 0x7f80_0001, 0x7fff_ffff];
     let f64s = f64s("v", doubles.map(f64::from_bits));
     let f32s = f32s("v", [0.0; 4]);
@@ -162,12 +106,7 @@ fn bits() -> Vec<Case> {
 }
 
 fn unaligned() -> Vec<Case> {
-    let columns = [
-        f32s("v", [1.5, -2.25]),
-        f64s("v", [1.5, -2.25]),
-        i32s("v", [1, -2]),
-        i64s("v", [1, -2]),
-    ];
+    let columns = [f32s("v", [1.5, -2.25]), f64s("v", [1.5, -2.25]), i32s("v", [1, -2]), i64s("v", [1, -2])];
     let mut cases = Vec::new();
     for column in columns {
         let dtype = column.values.dtype();
@@ -179,16 +118,10 @@ fn unaligned() -> Vec<Case> {
             let at = 32 + shift;
             let block = Block::new([column.clone()]).laid_out(&[28], &[at], at + 2 * width);
             cases.push(
-                read(
-                    format!("unaligned/{dtype}-at-{at}"),
-                    &["NCP-BULK-018"],
-                    &block,
-                )
-                .title(format!(
-                    "A column of {dtype} that begins at the offset {at} is read."
-                ))
-                .flags(&["alignment"])
-                .because("A column may begin at any offset."),
+                read(format!("unaligned/{dtype}-at-{at}"), &["NCP-BULK-018"], &block)
+                    .title(format!("A column of {dtype} that begins at the offset {at} is read."))
+                    .flags(&["alignment"])
+                    .because("A column may begin at any offset."),
             );
         }
     }
@@ -227,9 +160,7 @@ fn layouts() -> Vec<Case> {
         (
             "gap-of-ff",
             "NCP-BULK-020",
-            Block::new(columns())
-                .laid_out(&[61, 64, 70], &[72, 96, 120], 124)
-                .filled(0xff),
+            Block::new(columns()).laid_out(&[61, 64, 70], &[72, 96, 120], 124).filled(0xff),
             "with gaps that are full of FF",
         ),
         (
@@ -251,7 +182,9 @@ fn layouts() -> Vec<Case> {
             read(format!("layout/{what}"), &[rule], &block)
                 .title(format!("A block {says} is read, in the order of the directory."))
                 .flags(&["fixed-layout"])
-                .because("A decoder goes by the directory: any offset, any order, and bytes between that belong to nothing.")
+                .because(
+                    "A decoder goes by the directory: any offset, any order, and bytes between that belong to nothing.",
+                )
         })
         .collect();
     let behind = [
@@ -266,16 +199,13 @@ fn layouts() -> Vec<Case> {
             "whose names lie between the columns",
         ),
     ];
-    cases.extend(behind.into_iter().map(|(what, block, says)| {
-        read_if_at_all(format!("layout/{what}"), &block, says).flags(&["fixed-layout"])
-    }));
-    let unsorted = Block::new([
-        f64s("z", [1.5]),
-        f64s("a", [2.5]),
-        f64s("m", [3.5]),
-        f64s("10", [4.5]),
-        f64s("9", [5.5]),
-    ]);
+    cases.extend(
+        behind
+            .into_iter()
+            .map(|(what, block, says)| read_if_at_all(format!("layout/{what}"), &block, says).flags(&["fixed-layout"])),
+    );
+    let unsorted =
+        Block::new([f64s("z", [1.5]), f64s("a", [2.5]), f64s("m", [3.5]), f64s("10", [4.5]), f64s("9", [5.5])]);
     cases.push(
         read("layout/unsorted-names", &["NCP-BULK-021"], &unsorted)
             .title("The columns of a block are given in the order of the directory, not of their names.")
@@ -297,16 +227,10 @@ fn names() -> Vec<Case> {
     table
         .into_iter()
         .map(|(what, name, says)| {
-            read(
-                format!("name/{what}"),
-                &["NCP-BULK-010"],
-                &Block::new([f64s(name, [1.5])]),
-            )
-            .title(format!(
-                "A column whose name {says} is read under that name."
-            ))
-            .flags(&["changed-segments"])
-            .because("A name is well-formed UTF-8, and nothing more is asked of it.")
+            read(format!("name/{what}"), &["NCP-BULK-010"], &Block::new([f64s(name, [1.5])]))
+                .title(format!("A column whose name {says} is read under that name."))
+                .flags(&["changed-segments"])
+                .because("A name is well-formed UTF-8, and nothing more is asked of it.")
         })
         .collect()
 }
@@ -317,14 +241,10 @@ fn empty() -> Vec<Case> {
         .into_iter()
         .map(|column| {
             let dtype = column.values.dtype();
-            read(
-                format!("empty/{dtype}"),
-                &["NCP-BULK-019"],
-                &Block::new([column]),
-            )
-            .title(format!("A column of {dtype} without rows is read."))
-            .flags(&["empty-blocks"])
-            .because("A column may have no rows.")
+            read(format!("empty/{dtype}"), &["NCP-BULK-019"], &Block::new([column]))
+                .title(format!("A column of {dtype} without rows is read."))
+                .flags(&["empty-blocks"])
+                .because("A column may have no rows.")
         })
         .collect();
     let among = Block::new([f64s("a", [1.5]), f64s("b", []), f64s("c", [2.5])]);

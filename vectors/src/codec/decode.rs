@@ -15,10 +15,7 @@ pub(super) fn file() -> File {
 }
 
 fn case(path: String, rules: &[&'static str], codec: Json, rates: &[(&str, f64)]) -> Case {
-    let rates = rates
-        .iter()
-        .map(|(name, rate)| ((*name).to_owned(), num(*rate)))
-        .collect();
+    let rates = rates.iter().map(|(name, rate)| ((*name).to_owned(), num(*rate))).collect();
     Case::new(path, rules, &[Role::Commander]).call(
         "codec.decode",
         object! { "codec" => codec, "rates" => Json::Object(rates), "t" => num(2.5), "seq" => int(42), "frame_id" => "world", "mode" => "active" },
@@ -26,10 +23,7 @@ fn case(path: String, rules: &[&'static str], codec: Json, rates: &[(&str, f64)]
 }
 
 fn channels(of: Vec<(&str, Vec<f64>)>) -> Json {
-    let channels = of
-        .into_iter()
-        .map(|(name, data)| (name.to_owned(), object! { "data" => nums(&data) }))
-        .collect();
+    let channels = of.into_iter().map(|(name, data)| (name.to_owned(), object! { "data" => nums(&data) })).collect();
     object! { "command" => object! { "channels" => Json::Object(channels) } }
 }
 
@@ -41,9 +35,7 @@ fn velocity(rates: [Option<f64>; 3]) -> Json {
 
 /// And the unit of the table, which only the cases of that rule ask for.
 fn in_metres_a_second(expected: Json) -> Json {
-    expected.edit(&["command", "channels", "velocity_setpoint"], |channel| {
-        channel.with("unit", "m/s".into())
-    })
+    expected.edit(&["command", "channels", "velocity_setpoint"], |channel| channel.with("unit", "m/s".into()))
 }
 
 fn uav() -> Vec<Case> {
@@ -77,11 +69,7 @@ fn uav() -> Vec<Case> {
             }
         };
         let expected = velocity(data.map(Some));
-        let expected = if rules[0] == "NCP-CODEC-020" {
-            in_metres_a_second(expected)
-        } else {
-            expected
-        };
+        let expected = if rules[0] == "NCP-CODEC-020" { in_metres_a_second(expected) } else { expected };
         cases.push(
             case(format!("uav/{name}"), rules, "uav".into(), &rates)
                 .shows(expected)
@@ -91,63 +79,37 @@ fn uav() -> Vec<Case> {
     }
     for (at, missing) in names.into_iter().enumerate() {
         let of = |name: &&'static str| *name != missing;
-        let rates: Vec<(&str, f64)> = names
-            .into_iter()
-            .filter(of)
-            .map(|name| (name, 200.0))
-            .collect();
+        let rates: Vec<(&str, f64)> = names.into_iter().filter(of).map(|name| (name, 200.0)).collect();
         let mut expected = [Some(200.0); 3];
         if let Some(rate) = expected.get_mut(at) {
             *rate = None;
         }
         cases.push(
-            case(
-                format!("uav/absent/{missing}"),
-                &["NCP-CODEC-006"],
-                "uav".into(),
-                &rates,
-            )
-            .shows(velocity(expected))
-            .title(format!(
-                "The UAV codec decodes an absent `{missing}` to 0 m/s."
-            ))
-            .because("An absent population gives the middle of the value range."),
+            case(format!("uav/absent/{missing}"), &["NCP-CODEC-006"], "uav".into(), &rates)
+                .shows(velocity(expected))
+                .title(format!("The UAV codec decodes an absent `{missing}` to 0 m/s."))
+                .because("An absent population gives the middle of the value range."),
         );
         for value in STRANGE {
-            let rates: Vec<(&str, f64)> = names
-                .into_iter()
-                .map(|name| (name, if name == missing { value } else { 150.0 }))
-                .collect();
+            let rates: Vec<(&str, f64)> =
+                names.into_iter().map(|name| (name, if name == missing { value } else { 150.0 })).collect();
             let mut expected = [Some(150.0); 3];
             if let Some(rate) = expected.get_mut(at) {
                 *rate = None;
             }
             cases.push(
-                case(
-                    format!("uav/{missing}/{}", name_of(value)),
-                    &["NCP-CODEC-006"],
-                    "uav".into(),
-                    &rates,
-                )
-                .shows_or_refuses(velocity(expected))
-                .title(format!(
-                    "The UAV codec decodes a `{missing}` of {} to 0 m/s.",
-                    name_of(value)
-                ))
-                .because("A rate that is not finite gives the middle of the value range."),
+                case(format!("uav/{missing}/{}", name_of(value)), &["NCP-CODEC-006"], "uav".into(), &rates)
+                    .shows_or_refuses(velocity(expected))
+                    .title(format!("The UAV codec decodes a `{missing}` of {} to 0 m/s.", name_of(value)))
+                    .because("A rate that is not finite gives the middle of the value range."),
             );
         }
     }
     cases.push(
-        case(
-            "uav/absent/all".to_owned(),
-            &["NCP-CODEC-006"],
-            "uav".into(),
-            &[],
-        )
-        .shows(velocity([None; 3]))
-        .title("The UAV codec decodes no rates to standing still.")
-        .because("An absent population gives the middle of the value range."),
+        case("uav/absent/all".to_owned(), &["NCP-CODEC-006"], "uav".into(), &[])
+            .shows(velocity([None; 3]))
+            .title("The UAV codec decodes no rates to standing still.")
+            .because("An absent population gives the middle of the value range."),
     );
     cases.push(
         case(
@@ -169,11 +131,7 @@ fn ranges() -> Vec<Case> {
         for share in SHARES {
             for value in [[-1.0, 1.0], [2.0, 6.0]] {
                 let r = share.of(rate);
-                let mapping = Mapping {
-                    value,
-                    rate,
-                    ..PLAIN
-                };
+                let mapping = Mapping { value, rate, ..PLAIN };
                 let rule = share.decides("NCP-CODEC-003", "NCP-CODEC-004");
                 cases.push(
                     case(format!("range/{name}/{}/to-{}-{}", share.name, value[0], value[1]).replace("--", "-minus-"), &[rule], codec(&[], &[mapping]), &[("p", r)])
@@ -186,24 +144,13 @@ fn ranges() -> Vec<Case> {
     }
     for (name, r) in [("quarter", 0.5), ("above", -2.0)] {
         let (value, rate) = ([2.0, 6.0], [1.0, -1.0]);
-        let mapping = Mapping {
-            value,
-            rate,
-            ..PLAIN
-        };
+        let mapping = Mapping { value, rate, ..PLAIN };
         cases.push(
-            case(
-                format!("downwards/{name}"),
-                &["NCP-CODEC-012"],
-                codec(&[], &[mapping]),
-                &[("p", r)],
-            )
-            .shows(channels(vec![("x", vec![map(r, rate, value)])]))
-            .title(format!(
-                "{r} Hz in 1 \u{2026} -1 should be decoded as by any other range ({name})."
-            ))
-            .flags(&["degenerate-range"])
-            .because("A source range that runs downwards should be mapped like every other."),
+            case(format!("downwards/{name}"), &["NCP-CODEC-012"], codec(&[], &[mapping]), &[("p", r)])
+                .shows(channels(vec![("x", vec![map(r, rate, value)])]))
+                .title(format!("{r} Hz in 1 \u{2026} -1 should be decoded as by any other range ({name})."))
+                .flags(&["degenerate-range"])
+                .because("A source range that runs downwards should be mapped like every other."),
         );
     }
     for (name, rate) in [
@@ -213,23 +160,10 @@ fn ranges() -> Vec<Case> {
         ("infinite", [0.0, f64::INFINITY]),
     ] {
         for r in [0.0, 50.0, 500.0] {
-            let mapping = Mapping {
-                value: [2.0, 6.0],
-                rate,
-                ..PLAIN
-            };
-            let case = case(
-                format!("degenerate/{name}/{r}"),
-                &["NCP-CODEC-007"],
-                codec(&[], &[mapping]),
-                &[("p", r)],
-            )
-            .title(format!(
-                "A rate range without a finite length ({name}) decodes {r} Hz to the middle value."
-            ))
-            .because(
-                "A source range that is degenerate gives the middle of the target range, here 4.",
-            );
+            let mapping = Mapping { value: [2.0, 6.0], rate, ..PLAIN };
+            let case = case(format!("degenerate/{name}/{r}"), &["NCP-CODEC-007"], codec(&[], &[mapping]), &[("p", r)])
+                .title(format!("A rate range without a finite length ({name}) decodes {r} Hz to the middle value."))
+                .because("A source range that is degenerate gives the middle of the target range, here 4.");
             let expected = channels(vec![("x", vec![4.0])]);
             cases.push(if rate.iter().all(|end| end.is_finite()) {
                 case.shows(expected)
@@ -243,12 +177,7 @@ fn ranges() -> Vec<Case> {
 
 fn mappings() -> Vec<Case> {
     let mut cases = Vec::new();
-    let mapping = |channel, component, population| Mapping {
-        channel,
-        component,
-        population,
-        ..PLAIN
-    };
+    let mapping = |channel, component, population| Mapping { channel, component, population, ..PLAIN };
     let table: Vec<(&str, &'static str, &str, Vec<Mapping>, Json)> = vec![
         (
             "gap",
@@ -331,44 +260,24 @@ fn mappings() -> Vec<Case> {
     }
     // What no mapping names is 0, and not the middle of another's range.
     for (name, value) in [("positive", [2.0, 6.0]), ("negative", [-8.0, -4.0])] {
-        let far = Mapping {
-            component: 2,
-            value,
-            ..PLAIN
-        };
+        let far = Mapping { component: 2, value, ..PLAIN };
         cases.push(
-            case(
-                format!("mapping/gap-{name}"),
-                &["NCP-CODEC-010"],
-                codec(&[], &[far]),
-                &[("p", 100.0)],
-            )
-            .shows(channels(vec![(
-                "x",
-                vec![0.0, 0.0, f64::midpoint(value[0], value[1])],
-            )]))
-            .title(format!(
-                "A component that no mapping names is 0, also below one whose value range is {name}."
-            ))
-            .because("A component of a decoded channel that no mapping names, below one that a mapping names, is 0."),
+            case(format!("mapping/gap-{name}"), &["NCP-CODEC-010"], codec(&[], &[far]), &[("p", 100.0)])
+                .shows(channels(vec![("x", vec![0.0, 0.0, f64::midpoint(value[0], value[1])])]))
+                .title(format!("A component that no mapping names is 0, also below one whose value range is {name}."))
+                .because(
+                    "A component of a decoded channel that no mapping names, below one that a mapping names, is 0.",
+                ),
         );
     }
     cases.extend(units());
     // The middle is the range's, not 0.
-    let high = Mapping {
-        value: [2.0, 6.0],
-        ..PLAIN
-    };
+    let high = Mapping { value: [2.0, 6.0], ..PLAIN };
     cases.push(
-        case(
-            "mapping/absent-asymmetric".to_owned(),
-            &["NCP-CODEC-006"],
-            codec(&[], &[high]),
-            &[],
-        )
-        .shows(channels(vec![("x", vec![4.0])]))
-        .title("An absent population is the middle of a value range that does not hold 0.")
-        .because("An absent population gives the middle of the value range."),
+        case("mapping/absent-asymmetric".to_owned(), &["NCP-CODEC-006"], codec(&[], &[high]), &[])
+            .shows(channels(vec![("x", vec![4.0])]))
+            .title("An absent population is the middle of a value range that does not hold 0.")
+            .because("An absent population gives the middle of the value range."),
     );
     let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => Json::Array(vec![high.json().with("unit", "rad/s".into())]) };
     cases.push(
@@ -384,30 +293,10 @@ fn mappings() -> Vec<Case> {
 fn units() -> Vec<Case> {
     let table: [(&str, &str, &[Option<&str>], &str); 5] = [
         ("first", "the first names", &[Some("rad/s"), None], "rad/s"),
-        (
-            "second",
-            "the second alone names",
-            &[None, Some("rad/s")],
-            "rad/s",
-        ),
-        (
-            "same",
-            "both name",
-            &[Some("rad/s"), Some("rad/s")],
-            "rad/s",
-        ),
-        (
-            "two",
-            "the first of two names",
-            &[Some("rad/s"), Some("deg/s")],
-            "rad/s",
-        ),
-        (
-            "three",
-            "the first of two after one without names",
-            &[None, Some("deg/s"), Some("rad/s")],
-            "deg/s",
-        ),
+        ("second", "the second alone names", &[None, Some("rad/s")], "rad/s"),
+        ("same", "both name", &[Some("rad/s"), Some("rad/s")], "rad/s"),
+        ("two", "the first of two names", &[Some("rad/s"), Some("deg/s")], "rad/s"),
+        ("three", "the first of two after one without names", &[None, Some("deg/s"), Some("rad/s")], "deg/s"),
     ];
     let one = |(name, words, units, expected): (&str, &str, &[Option<&str>], &str)| {
         let decoders: Json = (0_u32..)
@@ -435,16 +324,11 @@ fn heads() -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |path: String, t: f64, seq: i64, frame_id: &str, mode: &str, title: String| {
         let args = object! { "codec" => "uav", "rates" => object! { "vel_x" => num(100.0) }, "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
-        let command =
-            object! { "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
-        let case = Case::new(
-            format!("head/{path}"),
-            &["NCP-CODEC-009"],
-            &[Role::Commander],
-        )
-        .call("codec.decode", args)
-        .title(title)
-        .because("Decoding builds the command with the given `t`, `seq`, `frame_id` and mode.");
+        let command = object! { "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
+        let case = Case::new(format!("head/{path}"), &["NCP-CODEC-009"], &[Role::Commander])
+            .call("codec.decode", args)
+            .title(title)
+            .because("Decoding builds the command with the given `t`, `seq`, `frame_id` and mode.");
         let expected = object! { "command" => command };
         cases.push(if t.is_finite() {
             case.shows(expected)
@@ -453,14 +337,7 @@ fn heads() -> Vec<Case> {
         });
     };
     for mode in ["init", "active", "hold", "estop"] {
-        add(
-            format!("mode-{mode}"),
-            2.5,
-            42,
-            "world",
-            mode,
-            format!("Decoding builds a command in mode `{mode}`."),
-        );
+        add(format!("mode-{mode}"), 2.5, 42, "world", mode, format!("Decoding builds a command in mode `{mode}`."));
     }
     for seq in [0, 1, -3, 9_007_199_254_740_991] {
         add(
@@ -472,17 +349,7 @@ fn heads() -> Vec<Case> {
             format!("Decoding builds a command of seq {seq}."),
         );
     }
-    for t in [
-        0.0,
-        -0.0,
-        -1.5,
-        1e9,
-        1e308,
-        5e-324,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ] {
+    for t in [0.0, -0.0, -1.5, 1e9, 1e308, 5e-324, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         add(
             format!("t/{}", name_of(t)),
             t,
@@ -492,11 +359,7 @@ fn heads() -> Vec<Case> {
             format!("Decoding builds a command of the time {}.", name_of(t)),
         );
     }
-    for (name, frame_id) in [
-        ("body", "body"),
-        ("empty", ""),
-        ("unusual", "map/odom \u{e9}"),
-    ] {
+    for (name, frame_id) in [("body", "body"), ("empty", ""), ("unusual", "map/odom \u{e9}")] {
         add(
             format!("frame-id/{name}"),
             2.5,

@@ -15,33 +15,22 @@ pub(super) fn file() -> File {
 }
 
 fn sensor(channels: &[(&str, &[f64])]) -> Json {
-    let value =
-        |(name, data): &(&str, &[f64])| ((*name).to_owned(), object! { "data" => nums(data) });
+    let value = |(name, data): &(&str, &[f64])| ((*name).to_owned(), object! { "data" => nums(data) });
     object! { "seq" => 3_u32, "t" => num(1.0), "channels" => Json::Object(channels.iter().map(value).collect()) }
 }
 
 fn case(path: String, rules: &[&'static str], codec: Json, sensor: Json) -> Case {
-    Case::new(path, rules, &[Role::Commander]).call(
-        "codec.encode",
-        object! { "codec" => codec, "sensor" => sensor },
-    )
+    Case::new(path, rules, &[Role::Commander]).call("codec.encode", object! { "codec" => codec, "sensor" => sensor })
 }
 
 fn rates(of: &[(&str, f64)]) -> Json {
-    let rates = of
-        .iter()
-        .map(|(name, rate)| ((*name).to_owned(), num(*rate)))
-        .collect();
+    let rates = of.iter().map(|(name, rate)| ((*name).to_owned(), num(*rate))).collect();
     object! { "rates" => exactly(Json::Object(rates)) }
 }
 
 fn err(data: [f64; 3]) -> Json {
     let rate = |x| map(x, [-2.0, 2.0], [0.0, 200.0]);
-    rates(&[
-        ("err_x", rate(data[0])),
-        ("err_y", rate(data[1])),
-        ("err_z", rate(data[2])),
-    ])
+    rates(&[("err_x", rate(data[0])), ("err_y", rate(data[1])), ("err_z", rate(data[2]))])
 }
 
 fn uav() -> Vec<Case> {
@@ -87,11 +76,18 @@ fn uav() -> Vec<Case> {
                 *x = value;
             }
             cases.push(
-                case(format!("uav/component-{at}/{}", name_of(value)), &["NCP-CODEC-005"], "uav".into(), sensor(&[("pose_error", &data)]))
-                    .shows_or_refuses(err(data))
-                    .title(format!("The UAV codec encodes a component {at} of {} as the middle rate.", name_of(value)))
-                    .flags(&["L06"])
-                    .because("A sample that is not finite gives the middle of the rate range; the others are encoded as ever."),
+                case(
+                    format!("uav/component-{at}/{}", name_of(value)),
+                    &["NCP-CODEC-005"],
+                    "uav".into(),
+                    sensor(&[("pose_error", &data)]),
+                )
+                .shows_or_refuses(err(data))
+                .title(format!("The UAV codec encodes a component {at} of {} as the middle rate.", name_of(value)))
+                .flags(&["L06"])
+                .because(
+                    "A sample that is not finite gives the middle of the rate range; the others are encoded as ever.",
+                ),
             );
         }
     }
@@ -104,11 +100,7 @@ fn ranges() -> Vec<Case> {
         for share in SHARES {
             for rate in [[0.0, 200.0], [10.0, 30.0], [-50.0, 50.0], [200.0, 0.0]] {
                 let x = share.of(value);
-                let mapping = Mapping {
-                    value,
-                    rate,
-                    ..PLAIN
-                };
+                let mapping = Mapping { value, rate, ..PLAIN };
                 let rule = share.decides("NCP-CODEC-001", "NCP-CODEC-002");
                 cases.push(
                     case(format!("range/{name}/{}/to-{}-{}", share.name, rate[0], rate[1]).replace("--", "-minus-"), &[rule], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
@@ -121,34 +113,28 @@ fn ranges() -> Vec<Case> {
     }
     for (name, x) in [("quarter", 0.5), ("above", -2.0)] {
         let (value, rate) = ([1.0, -1.0], [10.0, 30.0]);
-        let mapping = Mapping {
-            value,
-            rate,
-            ..PLAIN
-        };
+        let mapping = Mapping { value, rate, ..PLAIN };
         cases.push(
-            case(
-                format!("downwards/{name}"),
-                &["NCP-CODEC-012"],
-                codec(&[mapping], &[]),
-                sensor(&[("x", &[x])]),
-            )
-            .shows(rates(&[("p", map(x, value, rate))]))
-            .title(format!(
-                "{x} in 1 \u{2026} -1 should be encoded as by any other range ({name})."
-            ))
-            .flags(&["degenerate-range"])
-            .because("A source range that runs downwards should be mapped like every other."),
+            case(format!("downwards/{name}"), &["NCP-CODEC-012"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .shows(rates(&[("p", map(x, value, rate))]))
+                .title(format!("{x} in 1 \u{2026} -1 should be encoded as by any other range ({name})."))
+                .flags(&["degenerate-range"])
+                .because("A source range that runs downwards should be mapped like every other."),
         );
     }
     // A mapping without ranges has the defaults.
     let bare = object! { "encoders" => Json::Array(vec![object! { "channel" => "x", "component" => 0_u32, "population" => "p" }]), "decoders" => Json::Array(Vec::new()) };
     for x in [-1.0, 0.0, 0.5, 1.0, 2.0] {
         cases.push(
-            case(format!("defaults/{}", name_of(x)), &["NCP-CODEC-001", "NCP-CODEC-002"], bare.clone(), sensor(&[("x", &[x])]))
-                .shows(rates(&[("p", map(x, [-1.0, 1.0], [0.0, 200.0]))]))
-                .title(format!("A mapping without ranges encodes {x} from \u{2212}1 \u{2026} 1 to 0 \u{2026} 200 Hz."))
-                .because("The defaults are \u{2212}1 \u{2026} 1 and 0 \u{2026} 200 Hz."),
+            case(
+                format!("defaults/{}", name_of(x)),
+                &["NCP-CODEC-001", "NCP-CODEC-002"],
+                bare.clone(),
+                sensor(&[("x", &[x])]),
+            )
+            .shows(rates(&[("p", map(x, [-1.0, 1.0], [0.0, 200.0]))]))
+            .title(format!("A mapping without ranges encodes {x} from \u{2212}1 \u{2026} 1 to 0 \u{2026} 200 Hz."))
+            .because("The defaults are \u{2212}1 \u{2026} 1 and 0 \u{2026} 200 Hz."),
         );
     }
     // Ranges without length.
@@ -162,14 +148,15 @@ fn ranges() -> Vec<Case> {
         ("infinite-high", [0.0, f64::INFINITY]),
     ] {
         for x in [0.0, 1.0, -5.0] {
-            let mapping = Mapping {
-                value,
-                rate: [20.0, 60.0],
-                ..PLAIN
-            };
-            let case = case(format!("degenerate/{name}/{}", name_of(x)), &["NCP-CODEC-007"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
-                .title(format!("A value range without a finite length ({name}) encodes {x} as the middle rate."))
-                .because("A source range that is degenerate gives the middle of the target range, here 40 Hz.");
+            let mapping = Mapping { value, rate: [20.0, 60.0], ..PLAIN };
+            let case = case(
+                format!("degenerate/{name}/{}", name_of(x)),
+                &["NCP-CODEC-007"],
+                codec(&[mapping], &[]),
+                sensor(&[("x", &[x])]),
+            )
+            .title(format!("A value range without a finite length ({name}) encodes {x} as the middle rate."))
+            .because("A source range that is degenerate gives the middle of the target range, here 40 Hz.");
             let expected = rates(&[("p", 40.0)]);
             cases.push(if value.iter().all(|end| end.is_finite()) {
                 case.shows(expected)
@@ -185,42 +172,12 @@ fn missing() -> Vec<Case> {
     let middle = || rates(&[("err_x", 100.0), ("err_y", 100.0), ("err_z", 100.0)]);
     let table: [(&str, &str, Json, Json); 8] = [
         ("no-frame", "no sensor frame", Json::Null, middle()),
-        (
-            "no-channels",
-            "a frame without channels",
-            sensor(&[]),
-            middle(),
-        ),
-        (
-            "other-channel",
-            "a frame with another channel",
-            sensor(&[("pose_position", &[2.0, 2.0, 2.0])]),
-            middle(),
-        ),
-        (
-            "other-case",
-            "a channel in another case",
-            sensor(&[("Pose_Error", &[2.0, 2.0, 2.0])]),
-            middle(),
-        ),
-        (
-            "empty",
-            "an empty channel",
-            sensor(&[("pose_error", &[])]),
-            middle(),
-        ),
-        (
-            "one-component",
-            "one component",
-            sensor(&[("pose_error", &[2.0])]),
-            err([2.0, 0.0, 0.0]),
-        ),
-        (
-            "two-components",
-            "two components",
-            sensor(&[("pose_error", &[2.0, -2.0])]),
-            err([2.0, -2.0, 0.0]),
-        ),
+        ("no-channels", "a frame without channels", sensor(&[]), middle()),
+        ("other-channel", "a frame with another channel", sensor(&[("pose_position", &[2.0, 2.0, 2.0])]), middle()),
+        ("other-case", "a channel in another case", sensor(&[("Pose_Error", &[2.0, 2.0, 2.0])]), middle()),
+        ("empty", "an empty channel", sensor(&[("pose_error", &[])]), middle()),
+        ("one-component", "one component", sensor(&[("pose_error", &[2.0])]), err([2.0, 0.0, 0.0])),
+        ("two-components", "two components", sensor(&[("pose_error", &[2.0, -2.0])]), err([2.0, -2.0, 0.0])),
         (
             "four-components",
             "a component more than is mapped",
@@ -243,17 +200,15 @@ fn missing() -> Vec<Case> {
         ("negative", [-8.0, -4.0], [-50.0, 0.0]),
         ("inverted", [1.0, -1.0], [0.0, 80.0]),
     ] {
-        let mapping = Mapping {
-            value,
-            rate,
-            ..PLAIN
-        };
+        let mapping = Mapping { value, rate, ..PLAIN };
         cases.push(
             case(format!("missing/{name}"), &["NCP-CODEC-005"], codec(&[mapping], &[]), sensor(&[]))
                 .shows(rates(&[("p", f64::midpoint(rate[0], rate[1]))]))
                 .title(format!("An absent channel gives the middle of the rate range, also of one that is {name}."))
                 .flags(&["L06"])
-                .because("An absent channel gives the middle of the rate range, neither 0 nor the rate of the value 0."),
+                .because(
+                    "An absent channel gives the middle of the rate range, neither 0 nor the rate of the value 0.",
+                ),
         );
     }
     cases
@@ -262,16 +217,8 @@ fn missing() -> Vec<Case> {
 fn mappings() -> Vec<Case> {
     let mut cases = Vec::new();
     for component in [4096_u32, 4097, 65_536, 4_294_967_295] {
-        let far = Mapping {
-            component,
-            population: "far",
-            ..PLAIN
-        };
-        let near = Mapping {
-            component: 1,
-            population: "near",
-            ..PLAIN
-        };
+        let far = Mapping { component, population: "far", ..PLAIN };
+        let near = Mapping { component: 1, population: "near", ..PLAIN };
         let with = |middle: bool| {
             let mut all = vec![("near", 150.0)];
             if middle {
@@ -286,46 +233,18 @@ fn mappings() -> Vec<Case> {
                 .because("A mapping with a component of 4,096 or more is ignored; that its population rests at the middle is as good."),
         );
     }
-    let last = Mapping {
-        component: 4095,
-        ..PLAIN
-    };
+    let last = Mapping { component: 4095, ..PLAIN };
     cases.push(
-        case(
-            "ignored/not-4095".to_owned(),
-            &["NCP-CODEC-005"],
-            codec(&[last], &[]),
-            sensor(&[("x", &[0.0])]),
-        )
-        .shows(rates(&[("p", 100.0)]))
-        .title("A mapping of component 4,095 is not ignored.")
-        .because("A missing component gives the middle of the rate range."),
+        case("ignored/not-4095".to_owned(), &["NCP-CODEC-005"], codec(&[last], &[]), sensor(&[("x", &[0.0])]))
+            .shows(rates(&[("p", 100.0)]))
+            .title("A mapping of component 4,095 is not ignored.")
+            .because("A missing component gives the middle of the rate range."),
     );
     let many = [
-        Mapping {
-            channel: "a",
-            population: "a0",
-            ..PLAIN
-        },
-        Mapping {
-            channel: "a",
-            component: 1,
-            population: "a1",
-            ..PLAIN
-        },
-        Mapping {
-            channel: "b",
-            population: "b0",
-            value: [0.0, 4.0],
-            rate: [0.0, 80.0],
-            ..PLAIN
-        },
-        Mapping {
-            channel: "a",
-            population: "again",
-            rate: [0.0, 100.0],
-            ..PLAIN
-        },
+        Mapping { channel: "a", population: "a0", ..PLAIN },
+        Mapping { channel: "a", component: 1, population: "a1", ..PLAIN },
+        Mapping { channel: "b", population: "b0", value: [0.0, 4.0], rate: [0.0, 80.0], ..PLAIN },
+        Mapping { channel: "a", population: "again", rate: [0.0, 100.0], ..PLAIN },
     ];
     cases.push(
         case(
@@ -334,25 +253,15 @@ fn mappings() -> Vec<Case> {
             codec(&many, &[]),
             sensor(&[("a", &[0.5, -0.5]), ("b", &[1.0])]),
         )
-        .shows(rates(&[
-            ("a0", 150.0),
-            ("a1", 50.0),
-            ("b0", 20.0),
-            ("again", 75.0),
-        ]))
+        .shows(rates(&[("a0", 150.0), ("a1", 50.0), ("b0", 20.0), ("again", 75.0)]))
         .title("Each mapping has its own channel, component and ranges.")
         .because("The encoder maps each mapping's value by that mapping's ranges."),
     );
     cases.push(
-        case(
-            "none".to_owned(),
-            &["NCP-CODEC-001"],
-            codec(&[], &[]),
-            sensor(&[("a", &[0.5])]),
-        )
-        .shows(rates(&[]))
-        .title("A codec without mappings gives no rates.")
-        .because("Each mapping gives one rate; there are none."),
+        case("none".to_owned(), &["NCP-CODEC-001"], codec(&[], &[]), sensor(&[("a", &[0.5])]))
+            .shows(rates(&[]))
+            .title("A codec without mappings gives no rates.")
+            .because("Each mapping gives one rate; there are none."),
     );
     cases
 }

@@ -21,13 +21,7 @@ struct Mapping {
     rate: [f64; 2],
 }
 
-const PLAIN: Mapping = Mapping {
-    channel: "x",
-    component: 0,
-    population: "p",
-    value: [-1.0, 1.0],
-    rate: [0.0, 200.0],
-};
+const PLAIN: Mapping = Mapping { channel: "x", component: 0, population: "p", value: [-1.0, 1.0], rate: [0.0, 200.0] };
 
 impl Mapping {
     fn json(&self) -> Json {
@@ -96,38 +90,16 @@ impl Share {
 
     /// The rule of the map within the range, that of the clamp outside of it.
     fn decides(self, map: &'static str, clamp: &'static str) -> &'static str {
-        if (0.0..=1.0).contains(&self.share) {
-            map
-        } else {
-            clamp
-        }
+        if (0.0..=1.0).contains(&self.share) { map } else { clamp }
     }
 }
 
 /// Places within a range and outside of it.
 const SHARES: [Share; 6] = [
-    Share {
-        name: "low",
-        share: 0.0,
-    },
-    Share {
-        name: "quarter",
-        share: 0.25,
-    },
-    Share {
-        name: "middle",
-        share: 0.5,
-    },
-    Share {
-        name: "high",
-        share: 1.0,
-    },
-    Share {
-        name: "below",
-        share: -0.5,
-    },
-    Share {
-        name: "above",
-        share: 1.5,
-    },
+    Share { name: "low", share: 0.0 },
+    Share { name: "quarter", share: 0.25 },
+    Share { name: "middle", share: 0.5 },
+    Share { name: "high", share: 1.0 },
+    Share { name: "below", share: -0.5 },
+    Share { name: "above", share: 1.5 },
 ];

@@ -13,13 +13,9 @@ pub(crate) fn files() -> Vec<File> {
 
 /// The fields of a sensor frame with a position and perhaps a velocity.
 fn sensor(seq: i64, t: f64, position: &[f64], velocity: Option<&[f64]>) -> Json {
-    let mut channels =
-        object! { "pose_position" => object! { "data" => nums(position), "unit" => "m" } };
+    let mut channels = object! { "pose_position" => object! { "data" => nums(position), "unit" => "m" } };
     if let Some(velocity) = velocity {
-        channels = channels.with(
-            "pose_velocity",
-            object! { "data" => nums(velocity), "unit" => "m/s" },
-        );
+        channels = channels.with("pose_velocity", object! { "data" => nums(velocity), "unit" => "m/s" });
     }
     object! { "seq" => int(seq), "t" => num(t), "channels" => channels }
 }
@@ -47,9 +43,4 @@ struct Gains {
     max_speed: f64,
 }
 
-const DEFAULT: Gains = Gains {
-    target: [0.0; 3],
-    kp: 1.0,
-    kd: 0.3,
-    max_speed: 1.5,
-};
+const DEFAULT: Gains = Gains { target: [0.0; 3], kp: 1.0, kd: 0.3, max_speed: 1.5 };

@@ -14,10 +14,7 @@ pub(super) fn file() -> File {
 }
 
 fn case(path: String, rules: &[&'static str], config: Json, sensor: Json) -> Case {
-    Case::new(path, rules, &[Role::Commander]).call(
-        "reflex.step",
-        object! { "config" => config, "sensor" => sensor },
-    )
+    Case::new(path, rules, &[Role::Commander]).call("reflex.step", object! { "config" => config, "sensor" => sensor })
 }
 
 fn config(gains: Gains) -> Json {
@@ -55,39 +52,10 @@ fn laws() -> Vec<Case> {
     ];
     let gains: [(&str, Gains); 5] = [
         ("defaults", DEFAULT),
-        (
-            "target",
-            Gains {
-                target: [1.0, 2.0, -1.0],
-                ..DEFAULT
-            },
-        ),
-        (
-            "stiff",
-            Gains {
-                kp: 4.0,
-                kd: 0.125,
-                max_speed: 10.0,
-                ..DEFAULT
-            },
-        ),
-        (
-            "damped",
-            Gains {
-                kp: 0.25,
-                kd: 2.0,
-                max_speed: 0.5,
-                target: [-0.5, 0.0, 0.5],
-            },
-        ),
-        (
-            "no-gain",
-            Gains {
-                kp: 0.0,
-                kd: 0.0,
-                ..DEFAULT
-            },
-        ),
+        ("target", Gains { target: [1.0, 2.0, -1.0], ..DEFAULT }),
+        ("stiff", Gains { kp: 4.0, kd: 0.125, max_speed: 10.0, ..DEFAULT }),
+        ("damped", Gains { kp: 0.25, kd: 2.0, max_speed: 0.5, target: [-0.5, 0.0, 0.5] }),
+        ("no-gain", Gains { kp: 0.0, kd: 0.0, ..DEFAULT }),
     ];
     for (place, position, moving) in places {
         for (name, gains) in gains {
@@ -99,11 +67,7 @@ fn laws() -> Vec<Case> {
                 sensor(1, 0.0, &position, Some(&moving)),
             );
             // A gain of 0 may be refused.
-            let case = if name == "no-gain" {
-                case.shows_or_refuses(commands(&u))
-            } else {
-                case.shows(commands(&u))
-            };
+            let case = if name == "no-gain" { case.shows_or_refuses(commands(&u)) } else { case.shows(commands(&u)) };
             cases.push(
                 case.title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
                     .because("The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each axis, each clamped to \u{b1}max_speed."),
@@ -131,32 +95,10 @@ fn laws() -> Vec<Case> {
     }
     // One given, the others by default.
     for (name, given, gains) in [
-        (
-            "target",
-            object! { "target" => nums(&[1.0, 0.0, 0.0]) },
-            Gains {
-                target: [1.0, 0.0, 0.0],
-                ..DEFAULT
-            },
-        ),
-        (
-            "kp",
-            object! { "kp" => num(0.5) },
-            Gains { kp: 0.5, ..DEFAULT },
-        ),
-        (
-            "kd",
-            object! { "kd" => num(1.0) },
-            Gains { kd: 1.0, ..DEFAULT },
-        ),
-        (
-            "max-speed",
-            object! { "max_speed" => num(0.25) },
-            Gains {
-                max_speed: 0.25,
-                ..DEFAULT
-            },
-        ),
+        ("target", object! { "target" => nums(&[1.0, 0.0, 0.0]) }, Gains { target: [1.0, 0.0, 0.0], ..DEFAULT }),
+        ("kp", object! { "kp" => num(0.5) }, Gains { kp: 0.5, ..DEFAULT }),
+        ("kd", object! { "kd" => num(1.0) }, Gains { kd: 1.0, ..DEFAULT }),
+        ("max-speed", object! { "max_speed" => num(0.25) }, Gains { max_speed: 0.25, ..DEFAULT }),
     ] {
         cases.push(
             case(
@@ -177,42 +119,14 @@ fn unusable() -> Vec<Case> {
     let with = |name: &str, data: &[f64]| object! { "seq" => 1_u32, "t" => num(0.0), "channels" => object! { name => object! { "data" => nums(data), "unit" => "m" } } };
     let table: [(&str, &str, Json); 9] = [
         ("no-frame", "no sensor frame", Json::Null),
-        (
-            "no-channels",
-            "a frame without channels",
-            object! { "seq" => 1_u32, "channels" => Json::object() },
-        ),
-        (
-            "other-channel",
-            "another channel only",
-            with("imu_accel", &[1.0, 1.0, 1.0]),
-        ),
-        (
-            "other-name",
-            "a position under another name",
-            with("position", &[1.0, 1.0, 1.0]),
-        ),
+        ("no-channels", "a frame without channels", object! { "seq" => 1_u32, "channels" => Json::object() }),
+        ("other-channel", "another channel only", with("imu_accel", &[1.0, 1.0, 1.0])),
+        ("other-name", "a position under another name", with("position", &[1.0, 1.0, 1.0])),
         ("empty", "an empty position", with("pose_position", &[])),
-        (
-            "one-wide",
-            "a position 1 wide",
-            with("pose_position", &[1.0]),
-        ),
-        (
-            "two-wide",
-            "a position 2 wide",
-            with("pose_position", &[1.0, 1.0]),
-        ),
-        (
-            "four-wide",
-            "a position 4 wide",
-            with("pose_position", &[1.0, 1.0, 1.0, 1.0]),
-        ),
-        (
-            "velocity-only",
-            "a velocity only",
-            with("pose_velocity", &[1.0, 1.0, 1.0]),
-        ),
+        ("one-wide", "a position 1 wide", with("pose_position", &[1.0])),
+        ("two-wide", "a position 2 wide", with("pose_position", &[1.0, 1.0])),
+        ("four-wide", "a position 4 wide", with("pose_position", &[1.0, 1.0, 1.0, 1.0])),
+        ("velocity-only", "a velocity only", with("pose_velocity", &[1.0, 1.0, 1.0])),
     ];
     let mut cases: Vec<Case> = table
         .into_iter()
@@ -231,16 +145,32 @@ fn unusable() -> Vec<Case> {
                 *x = value;
             }
             cases.push(
-                case(format!("position/{at}/{}", name_of(value)), &["NCP-CTRL-003"], Json::object(), sensor(1, 0.0, &data, Some(&[0.0; 3])))
-                    .shows_or_refuses(holds())
-                    .title(format!("With a position whose component {at} is {}, the reflex controller commands a HOLD.", name_of(value)))
-                    .because("A position that is not finite is not usable."),
+                case(
+                    format!("position/{at}/{}", name_of(value)),
+                    &["NCP-CTRL-003"],
+                    Json::object(),
+                    sensor(1, 0.0, &data, Some(&[0.0; 3])),
+                )
+                .shows_or_refuses(holds())
+                .title(format!(
+                    "With a position whose component {at} is {}, the reflex controller commands a HOLD.",
+                    name_of(value)
+                ))
+                .because("A position that is not finite is not usable."),
             );
             cases.push(
-                case(format!("velocity/{at}/{}", name_of(value)), &["NCP-CTRL-004"], Json::object(), sensor(1, 0.0, &[0.5, 0.25, -0.5], Some(&data)))
-                    .shows_or_refuses(damps_nothing(&[-0.5, -0.25, 0.5]))
-                    .title(format!("With a velocity whose component {at} is {}, the reflex controller damps nothing, or holds.", name_of(value)))
-                    .because("With a `pose_velocity` that is not usable it damps nothing or commands a HOLD."),
+                case(
+                    format!("velocity/{at}/{}", name_of(value)),
+                    &["NCP-CTRL-004"],
+                    Json::object(),
+                    sensor(1, 0.0, &[0.5, 0.25, -0.5], Some(&data)),
+                )
+                .shows_or_refuses(damps_nothing(&[-0.5, -0.25, 0.5]))
+                .title(format!(
+                    "With a velocity whose component {at} is {}, the reflex controller damps nothing, or holds.",
+                    name_of(value)
+                ))
+                .because("With a `pose_velocity` that is not usable it damps nothing or commands a HOLD."),
             );
         }
     }
@@ -252,24 +182,13 @@ fn unusable() -> Vec<Case> {
         ("far", [100.0, -100.0, 0.5]),
     ] {
         cases.push(
-            case(
-                format!("velocity/absent/{name}"),
-                &["NCP-CTRL-004"],
-                Json::object(),
-                sensor(1, 0.0, &position, None),
-            )
-            .shows(damps_nothing(&law(DEFAULT, position, [0.0; 3])))
-            .title(format!(
-                "Without a velocity, the reflex controller damps nothing, or holds ({name})."
-            ))
-            .because("Without a `pose_velocity` it damps nothing or commands a HOLD."),
+            case(format!("velocity/absent/{name}"), &["NCP-CTRL-004"], Json::object(), sensor(1, 0.0, &position, None))
+                .shows(damps_nothing(&law(DEFAULT, position, [0.0; 3])))
+                .title(format!("Without a velocity, the reflex controller damps nothing, or holds ({name})."))
+                .because("Without a `pose_velocity` it damps nothing or commands a HOLD."),
         );
     }
-    for (name, data) in [
-        ("empty", &[][..]),
-        ("two-wide", &[5.0, 5.0]),
-        ("four-wide", &[5.0, 5.0, 5.0, 5.0]),
-    ] {
+    for (name, data) in [("empty", &[][..]), ("two-wide", &[5.0, 5.0]), ("four-wide", &[5.0, 5.0, 5.0, 5.0])] {
         cases.push(
             case(
                 format!("velocity/{name}"),
@@ -283,9 +202,7 @@ fn unusable() -> Vec<Case> {
                 name.replace('-', " ")
             ))
             .flags(&["L11"])
-            .because(
-                "With a `pose_velocity` that is not usable it damps nothing or commands a HOLD.",
-            ),
+            .because("With a `pose_velocity` that is not usable it damps nothing or commands a HOLD."),
         );
     }
     cases
@@ -298,10 +215,17 @@ fn configs() -> Vec<Case> {
     for name in ["kp", "kd", "max_speed"] {
         for value in strange.into_iter().chain([-1.0, -0.25, -1e308]) {
             cases.push(
-                case(format!("refused/{}/{}", name.replace('_', "-"), name_of(value)), &["NCP-CTRL-005"], object! { name => num(value) }, ask())
-                    .rejects("value")
-                    .title(format!("A reflex controller with a {name} of {} is refused.", name_of(value)))
-                    .because("A gain or a max_speed that is not finite or is negative is refused when the controller is built."),
+                case(
+                    format!("refused/{}/{}", name.replace('_', "-"), name_of(value)),
+                    &["NCP-CTRL-005"],
+                    object! { name => num(value) },
+                    ask(),
+                )
+                .rejects("value")
+                .title(format!("A reflex controller with a {name} of {} is refused.", name_of(value)))
+                .because(
+                    "A gain or a max_speed that is not finite or is negative is refused when the controller is built.",
+                ),
             );
         }
     }
@@ -327,43 +251,18 @@ fn configs() -> Vec<Case> {
             );
         }
     }
-    for (name, value) in [
-        ("kp", 5e-324),
-        ("kd", 5e-324),
-        ("max_speed", 1e308),
-        ("kp", -0.0),
-        ("kd", -0.0),
-    ] {
+    for (name, value) in [("kp", 5e-324), ("kd", 5e-324), ("max_speed", 1e308), ("kp", -0.0), ("kd", -0.0)] {
         let gains = match name {
-            "kp" => Gains {
-                kp: value,
-                ..DEFAULT
-            },
-            "kd" => Gains {
-                kd: value,
-                ..DEFAULT
-            },
-            _ => Gains {
-                max_speed: value,
-                ..DEFAULT
-            },
+            "kp" => Gains { kp: value, ..DEFAULT },
+            "kd" => Gains { kd: value, ..DEFAULT },
+            _ => Gains { max_speed: value, ..DEFAULT },
         };
-        let case = case(
-            format!("odd/{}/{}", name.replace('_', "-"), name_of(value)),
-            &["NCP-CTRL-001"],
-            config(gains),
-            ask(),
-        )
-        .title(format!(
-            "A reflex controller with a {name} of {value} is one."
-        ))
-        .because("It is finite and not negative.");
+        let case =
+            case(format!("odd/{}/{}", name.replace('_', "-"), name_of(value)), &["NCP-CTRL-001"], config(gains), ask())
+                .title(format!("A reflex controller with a {name} of {value} is one."))
+                .because("It is finite and not negative.");
         let expected = commands(&law(gains, [0.5, 0.0, 0.0], [0.0; 3]));
-        cases.push(if value == 0.0 {
-            case.shows_or_refuses(expected)
-        } else {
-            case.shows(expected)
-        });
+        cases.push(if value == 0.0 { case.shows_or_refuses(expected) } else { case.shows(expected) });
     }
     cases
 }

@@ -36,18 +36,12 @@ fn arrives_at(seq: i64, t: f64, position: &[f64], now: f64) -> Step {
 
 /// A tick of which only the command is looked at.
 fn commands(now: f64, command: Json) -> Step {
-    (
-        object! { "op" => "tick", "now_s" => num(now) },
-        object! { "command" => command },
-    )
+    (object! { "op" => "tick", "now_s" => num(now) }, object! { "command" => command })
 }
 
 /// A tick of which only the status is looked at.
 fn says(now: f64, status: Json) -> Step {
-    (
-        object! { "op" => "tick", "now_s" => num(now) },
-        object! { "status" => status },
-    )
+    (object! { "op" => "tick", "now_s" => num(now) }, object! { "status" => status })
 }
 
 /// The command that follows from the frame of that seq, which its position tells from all others.
@@ -57,10 +51,7 @@ fn moves(seq: i64, now: f64) -> Step {
 }
 
 fn moves_by(data: &[f64], now: f64) -> Step {
-    commands(
-        now,
-        object! { "mode" => "active", "channels" => velocity(data) },
-    )
+    commands(now, object! { "mode" => "active", "channels" => velocity(data) })
 }
 
 /// A command of that seq, whatever else it says.
@@ -75,10 +66,7 @@ fn pauses(now: f64) -> Step {
 
 /// The governor's HOLD.
 fn holds(now: f64) -> Step {
-    commands(
-        now,
-        object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) },
-    )
+    commands(now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) })
 }
 
 /// The governor's ESTOP.
@@ -91,23 +79,14 @@ fn stops(now: f64) -> Step {
 
 /// A HOLD of the controller itself.
 fn waits(now: f64) -> Step {
-    commands(
-        now,
-        object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) },
-    )
+    commands(now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) })
 }
 
 fn reset() -> Step {
     (object! { "op" => "reset" }, no_result())
 }
 
-fn run(
-    path: impl Into<String>,
-    rules: &[&'static str],
-    period: f64,
-    limits: Json,
-    trace: Vec<Step>,
-) -> Case {
+fn run(path: impl Into<String>, rules: &[&'static str], period: f64, limits: Json, trace: Vec<Step>) -> Case {
     run_with(path, rules, period, limits, Json::object(), trace)
 }
 
@@ -130,14 +109,7 @@ const NEWEST: &str = "The loop keeps the newest sensor frame by `seq`, or by `t`
 fn newest() -> Vec<Case> {
     let mut cases = Vec::new();
     // Three frames in every order, with a tick after each.
-    let orders = [
-        [1, 2, 3],
-        [1, 3, 2],
-        [2, 1, 3],
-        [2, 3, 1],
-        [3, 1, 2],
-        [3, 2, 1],
-    ];
+    let orders = [[1, 2, 3], [1, 3, 2], [2, 1, 3], [2, 3, 1], [3, 1, 2], [3, 2, 1]];
     for order in orders {
         let mut trace = Vec::new();
         let mut newest = 0;
@@ -148,16 +120,10 @@ fn newest() -> Vec<Case> {
         }
         let name = order.map(|seq| seq.to_string()).join("-");
         cases.push(
-            run(
-                format!("newest/by-seq/{name}"),
-                &["NCP-CTRL-011"],
-                50.0,
-                Json::object(),
-                trace,
-            )
-            .title(format!("Frames in the order {name} are used newest first."))
-            .flags(&["last-to-arrive"])
-            .because(NEWEST),
+            run(format!("newest/by-seq/{name}"), &["NCP-CTRL-011"], 50.0, Json::object(), trace)
+                .title(format!("Frames in the order {name} are used newest first."))
+                .flags(&["last-to-arrive"])
+                .because(NEWEST),
         );
         // The same by time, unstamped.
         let mut trace = Vec::new();
@@ -166,27 +132,14 @@ fn newest() -> Vec<Case> {
             let now = 1.0 + f64::from(nth) / 16.0;
             let rank = u32::try_from(rank).unwrap_or_default();
             newest = newest.max(rank);
-            trace.push(arrives_at(
-                0,
-                f64::from(rank),
-                &[f64::from(rank) / 16.0, 0.0, 0.0],
-                now,
-            ));
+            trace.push(arrives_at(0, f64::from(rank), &[f64::from(rank) / 16.0, 0.0, 0.0], now));
             trace.push(moves_by(&[-f64::from(newest) / 16.0, 0.0, 0.0], now));
         }
         cases.push(
-            run(
-                format!("newest/by-t/{name}"),
-                &["NCP-CTRL-011"],
-                50.0,
-                Json::object(),
-                trace,
-            )
-            .title(format!(
-                "Unstamped frames of the times {name} are used newest first."
-            ))
-            .flags(&["last-to-arrive"])
-            .because(NEWEST),
+            run(format!("newest/by-t/{name}"), &["NCP-CTRL-011"], 50.0, Json::object(), trace)
+                .title(format!("Unstamped frames of the times {name} are used newest first."))
+                .flags(&["last-to-arrive"])
+                .because(NEWEST),
         );
     }
     let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
@@ -207,12 +160,7 @@ fn newest() -> Vec<Case> {
             "echo-of-the-newest",
             &["NCP-CTRL-013", "NCP-CTRL-011"],
             "Of several frames between two ticks, the seq of the newest is echoed.",
-            vec![
-                arrives(11, 1.0),
-                arrives(12, 1.0),
-                arrives(13, 1.0),
-                echoes(13, 1.0625),
-            ],
+            vec![arrives(11, 1.0), arrives(12, 1.0), arrives(13, 1.0), echoes(13, 1.0625)],
         ),
         (
             "echo-unstamped",
@@ -229,47 +177,25 @@ fn newest() -> Vec<Case> {
             "echo-held",
             &["NCP-CTRL-013", "NCP-SAFE-070"],
             "A tick whose command the governor holds echoes the seq too.",
-            vec![
-                arrives(7, 1.0),
-                echoes(7, 1.0),
-                commands(9.0, object! { "mode" => "hold", "seq" => int(7) }),
-            ],
+            vec![arrives(7, 1.0), echoes(7, 1.0), commands(9.0, object! { "mode" => "hold", "seq" => int(7) })],
         ),
         (
             "several-between",
             &["NCP-CTRL-011"],
             "Of several frames between two ticks the newest is used.",
-            vec![
-                arrives(1, 1.0),
-                arrives(2, 1.0),
-                arrives(3, 1.0),
-                moves(3, 1.0625),
-            ],
+            vec![arrives(1, 1.0), arrives(2, 1.0), arrives(3, 1.0), moves(3, 1.0625)],
         ),
         (
             "duplicate-renews-nothing",
             &["NCP-CTRL-012"],
             "A duplicate does not renew the sensor's time.",
-            vec![
-                arrives(1, 1.0),
-                moves(1, 1.0),
-                arrives(1, 1.375),
-                moves(1, 1.5),
-                pauses(1.5625),
-            ],
+            vec![arrives(1, 1.0), moves(1, 1.0), arrives(1, 1.375), moves(1, 1.5), pauses(1.5625)],
         ),
         (
             "older-renews-nothing",
             &["NCP-CTRL-012", "NCP-CTRL-011"],
             "An older frame does not renew the sensor's time.",
-            vec![
-                arrives(5, 1.0),
-                moves(5, 1.0),
-                arrives(4, 1.375),
-                arrives(3, 1.4375),
-                moves(5, 1.5),
-                pauses(1.5625),
-            ],
+            vec![arrives(5, 1.0), moves(5, 1.0), arrives(4, 1.375), arrives(3, 1.4375), moves(5, 1.5), pauses(1.5625)],
         ),
         (
             "unstamped-older-renews-nothing",
@@ -368,25 +294,14 @@ fn gates() -> Vec<Case> {
             &["NCP-CTRL-015", "NCP-SAFE-033"],
             "A stale sensor holds.",
             Json::object(),
-            vec![
-                arrives(1, 1.0),
-                moves(1, 1.0),
-                moves(1, 1.5),
-                holds(1.5625),
-                holds(9.0),
-            ],
+            vec![arrives(1, 1.0), moves(1, 1.0), moves(1, 1.5), holds(1.5625), holds(9.0)],
         ),
         (
             "stale-timeout",
             &["NCP-CTRL-015", "NCP-SAFE-033"],
             "A shorter timeout holds sooner.",
             slow_timeout,
-            vec![
-                arrives(1, 1.0),
-                moves(1, 1.0),
-                moves(1, 1.125),
-                holds(1.1875),
-            ],
+            vec![arrives(1, 1.0), moves(1, 1.0), moves(1, 1.125), holds(1.1875)],
         ),
         (
             "clock-backward",
@@ -400,14 +315,7 @@ fn gates() -> Vec<Case> {
             &["NCP-CTRL-015", "NCP-SAFE-043"],
             "A position outside the fence stops, and goes on stopping.",
             fence(),
-            vec![
-                arrives(1, 1.0),
-                moves(1, 1.0),
-                out(),
-                stops(1.25),
-                arrives(3, 1.375),
-                stops(1.375),
-            ],
+            vec![arrives(1, 1.0), moves(1, 1.0), out(), stops(1.25), arrives(3, 1.375), stops(1.375)],
         ),
         (
             "outside-reset",
@@ -430,36 +338,21 @@ fn gates() -> Vec<Case> {
             &["NCP-CTRL-015", "NCP-SAFE-043"],
             "After a reset, and still outside, the loop stops again.",
             fence(),
-            vec![
-                out(),
-                stops(1.25),
-                reset(),
-                arrives_at(3, 0.375, &[3.0, 4.0, 1.0], 1.3125),
-                stops(1.3125),
-            ],
+            vec![out(), stops(1.25), reset(), arrives_at(3, 0.375, &[3.0, 4.0, 1.0], 1.3125), stops(1.3125)],
         ),
         (
             "config-fault",
             &["NCP-CTRL-015", "NCP-SAFE-017"],
             "Limits that are none hold for good.",
             speed(-1.0),
-            vec![
-                arrives(1, 1.0),
-                holds(1.0),
-                reset(),
-                arrives(2, 1.125),
-                holds(1.125),
-            ],
+            vec![arrives(1, 1.0), holds(1.0), reset(), arrives(2, 1.125), holds(1.125)],
         ),
         (
             "speed-clamp",
             &["NCP-CTRL-015", "NCP-SAFE-060"],
             "The controller's velocity obeys the governor's limit.",
             speed(1.0),
-            vec![
-                arrives_at(1, 1.0, &[0.9, -1.2, 0.0], 1.0),
-                moves_by(&[-0.6, 0.8, 0.0], 1.0),
-            ],
+            vec![arrives_at(1, 1.0, &[0.9, -1.2, 0.0], 1.0), moves_by(&[-0.6, 0.8, 0.0], 1.0)],
         ),
         (
             "speed-clamp-saturated",
@@ -483,10 +376,7 @@ fn gates() -> Vec<Case> {
             &["NCP-CTRL-015", "NCP-SAFE-021"],
             "Inside the fence the loop moves.",
             fence(),
-            vec![
-                arrives_at(1, 1.0, &[1.0, -1.0, 1.0], 1.0),
-                moves_by(&[-1.0, 1.0, -1.0], 1.0),
-            ],
+            vec![arrives_at(1, 1.0, &[1.0, -1.0, 1.0], 1.0), moves_by(&[-1.0, 1.0, -1.0], 1.0)],
         ),
     ];
     table
@@ -501,9 +391,7 @@ fn gates() -> Vec<Case> {
 
 fn ttls() -> Vec<Case> {
     let mut cases = Vec::new();
-    for period in [
-        1.0, 20.0, 50.0, 100.0, 125.0, 150.0, 250.0, 500.0, 1000.0, 20_000.0,
-    ] {
+    for period in [1.0, 20.0, 50.0, 100.0, 125.0, 150.0, 250.0, 500.0, 1000.0, 20_000.0] {
         let command = object! { "mode" => "active", "ttl_ms" => within(2.0 * period, f64::MAX) };
         cases.push(
             run(
@@ -511,16 +399,9 @@ fn ttls() -> Vec<Case> {
                 &["NCP-CTRL-014"],
                 period,
                 Json::object(),
-                vec![
-                    arrives(8, 1.0),
-                    commands(1.0, command.clone()),
-                    commands(1.125, command),
-                ],
+                vec![arrives(8, 1.0), commands(1.0, command.clone()), commands(1.125, command)],
             )
-            .title(format!(
-                "With a period of {period} ms a command lasts {} ms or more.",
-                2.0 * period
-            ))
+            .title(format!("With a period of {period} ms a command lasts {} ms or more.", 2.0 * period))
             .flags(&["short-ttl"])
             .because("The loop raises `ttl_ms` to at least two periods."),
         );
@@ -536,9 +417,7 @@ fn ttls() -> Vec<Case> {
                 Json::object(),
                 vec![arrives(8, 1.0), commands(1.0, command)],
             )
-            .title(format!(
-                "With a period of {period} ms a command keeps its own ttl, which is longer."
-            ))
+            .title(format!("With a period of {period} ms a command keeps its own ttl, which is longer."))
             .flags(&["short-ttl"])
             .because("The loop raises `ttl_ms` to at least two periods; it never lowers it."),
         );
@@ -546,25 +425,13 @@ fn ttls() -> Vec<Case> {
     // Outward at 1.5 m/s from 4 m: the fence is 0.67 s away.
     let fence = || object! { "geofence_radius_m" => num(5.0) };
     let outward = || object! { "target" => crate::trace::nums(&[100.0, 0.0, 0.0]) };
-    for (period, leaves) in [
-        (50.0, false),
-        (100.0, false),
-        (250.0, false),
-        (400.0, true),
-        (500.0, true),
-        (1000.0, true),
-    ] {
+    for (period, leaves) in
+        [(50.0, false), (100.0, false), (250.0, false), (400.0, true), (500.0, true), (1000.0, true)]
+    {
         let at = || arrives_at(1, 1.0, &[4.0, 0.0, 0.0], 1.0);
-        let answer = if leaves {
-            holds(1.0)
-        } else {
-            moves_by(&[1.5, 0.0, 0.0], 1.0)
-        };
-        let rules: &[&'static str] = if leaves {
-            &["NCP-CTRL-014", "NCP-SAFE-051"]
-        } else {
-            &["NCP-CTRL-015", "NCP-SAFE-054"]
-        };
+        let answer = if leaves { holds(1.0) } else { moves_by(&[1.5, 0.0, 0.0], 1.0) };
+        let rules: &[&'static str] =
+            if leaves { &["NCP-CTRL-014", "NCP-SAFE-051"] } else { &["NCP-CTRL-015", "NCP-SAFE-054"] };
         cases.push(
             run_with(format!("ttl/look-ahead/period-{period}"), rules, period, fence(), outward(), vec![at(), answer])
                 .title(format!("With a period of {period} ms, the governor looks as far ahead as the ttl that is sent."))
@@ -577,13 +444,7 @@ fn ttls() -> Vec<Case> {
 
 fn links() -> Vec<Case> {
     let mut cases = Vec::new();
-    let gap = |seq: i64| {
-        vec![
-            arrives(1, 1.0),
-            moves(1, 1.0),
-            arrives_at(seq, 100.0, &[0.5, 0.0, 0.0], 1.125),
-        ]
-    };
+    let gap = |seq: i64| vec![arrives(1, 1.0), moves(1, 1.0), arrives_at(seq, 100.0, &[0.5, 0.0, 0.0], 1.125)];
     let mut lossy = gap(30);
     lossy.extend([stops(1.125), stops(1.25)]);
     let mut again = lossy.clone();
@@ -597,12 +458,7 @@ fn links() -> Vec<Case> {
     few.push(moves_by(&[-0.5, 0.0, 0.0], 1.125));
     let mut recovered = lossy.clone();
     recovered.extend((31..=140).map(|seq| {
-        arrives_at(
-            seq,
-            100.0 + f64::from(u32::try_from(seq).unwrap_or_default()),
-            &[0.5, 0.0, 0.0],
-            1.375,
-        )
+        arrives_at(seq, 100.0 + f64::from(u32::try_from(seq).unwrap_or_default()), &[0.5, 0.0, 0.0], 1.375)
     }));
     recovered.push(stops(1.375));
     recovered.push(reset());
@@ -622,70 +478,24 @@ fn links() -> Vec<Case> {
             })
             .collect()
     };
-    let duplicated: Vec<Step> = (0..40)
-        .map(|_| arrives(1, 1.0))
-        .chain([moves(1, 1.0)])
-        .collect();
-    let shuffled: Vec<Step> = [1, 4, 3, 2, 7, 6, 5]
-        .into_iter()
-        .map(|seq| arrives(seq, 1.0))
-        .chain([moves(7, 1.0)])
-        .collect();
+    let duplicated: Vec<Step> = (0..40).map(|_| arrives(1, 1.0)).chain([moves(1, 1.0)]).collect();
+    let shuffled: Vec<Step> =
+        [1, 4, 3, 2, 7, 6, 5].into_iter().map(|seq| arrives(seq, 1.0)).chain([moves(7, 1.0)]).collect();
     let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
-        (
-            "burst",
-            &["NCP-CTRL-016", "NCP-SAFE-006"],
-            "A burst of losses stops the plant at the next tick.",
-            lossy,
-        ),
-        (
-            "burst-after-reset",
-            &["NCP-CTRL-016"],
-            "A burst after a reset leads back to ESTOP.",
-            again,
-        ),
+        ("burst", &["NCP-CTRL-016", "NCP-SAFE-006"], "A burst of losses stops the plant at the next tick.", lossy),
+        ("burst-after-reset", &["NCP-CTRL-016"], "A burst after a reset leads back to ESTOP.", again),
         (
             "burst-clears",
             &["NCP-RES-049", "NCP-CTRL-016", "NCP-SAFE-008"],
             "After the burst and a reset the loop goes on.",
             recovered,
         ),
-        (
-            "few-losses",
-            &["NCP-SAFE-007"],
-            "Two lost frames are no burst.",
-            few,
-        ),
-        (
-            "fast-sensor",
-            &["NCP-RES-053"],
-            "A sensor faster than the loop is no loss.",
-            fast(12),
-        ),
-        (
-            "fast-sensor-of-four",
-            &["NCP-RES-053"],
-            "A sensor four times as fast as the loop is no loss.",
-            fast(4),
-        ),
-        (
-            "fast-sensor-of-two",
-            &["NCP-RES-053"],
-            "A sensor twice as fast as the loop is no loss.",
-            fast(2),
-        ),
-        (
-            "duplicates",
-            &["NCP-RES-042", "NCP-RES-053"],
-            "Duplicates are no loss.",
-            duplicated,
-        ),
-        (
-            "shuffled",
-            &["NCP-RES-041", "NCP-RES-053"],
-            "Frames out of order are no loss.",
-            shuffled,
-        ),
+        ("few-losses", &["NCP-SAFE-007"], "Two lost frames are no burst.", few),
+        ("fast-sensor", &["NCP-RES-053"], "A sensor faster than the loop is no loss.", fast(12)),
+        ("fast-sensor-of-four", &["NCP-RES-053"], "A sensor four times as fast as the loop is no loss.", fast(4)),
+        ("fast-sensor-of-two", &["NCP-RES-053"], "A sensor twice as fast as the loop is no loss.", fast(2)),
+        ("duplicates", &["NCP-RES-042", "NCP-RES-053"], "Duplicates are no loss.", duplicated),
+        ("shuffled", &["NCP-RES-041", "NCP-RES-053"], "Frames out of order are no loss.", shuffled),
     ];
     cases.extend(table.into_iter().map(|(name, rules, title, trace)| {
         run(format!("link/{name}"), rules, 50.0, Json::object(), trace)
@@ -711,44 +521,15 @@ fn happenings() -> Vec<Happening> {
     vec![
         ("active", "passes", free(), vec![arrives(7, 1.0)], 1.0),
         ("held", "holds, as the sensor is stale", free(), seen(), 9.0),
-        (
-            "held-clock",
-            "holds, as the clock went back",
-            free(),
-            seen(),
-            0.5,
-        ),
-        (
-            "held-limits",
-            "holds, as the limits are none",
-            wrong,
-            vec![arrives(7, 1.0)],
-            1.0,
-        ),
-        (
-            "stopped",
-            "stops, as the body is outside",
-            fence(),
-            vec![arrives(1, 1.0), out()],
-            1.25,
-        ),
-        (
-            "stopped-by-burst",
-            "stops, as frames were lost",
-            free(),
-            vec![arrives(1, 1.0), lost()],
-            1.25,
-        ),
+        ("held-clock", "holds, as the clock went back", free(), seen(), 0.5),
+        ("held-limits", "holds, as the limits are none", wrong, vec![arrives(7, 1.0)], 1.0),
+        ("stopped", "stops, as the body is outside", fence(), vec![arrives(1, 1.0), out()], 1.25),
+        ("stopped-by-burst", "stops, as frames were lost", free(), vec![arrives(1, 1.0), lost()], 1.25),
         (
             "stopped-still",
             "stops, as it is latched",
             fence(),
-            vec![
-                arrives(1, 1.0),
-                out(),
-                commands(1.25, Json::object()),
-                arrives(3, 1.375),
-            ],
+            vec![arrives(1, 1.0), out(), commands(1.25, Json::object()), arrives(3, 1.375)],
             1.375,
         ),
     ]
@@ -794,9 +575,24 @@ fn safety() -> Vec<Case> {
         .into_iter()
         .map(|(name, words, limits, mut trace, now)| {
             let (rule, ok, is, why) = match mode_of(name) {
-                "active" => ("NCP-CTRL-018", true, " is", "`safety_ok` is true when the governor passed an active command unchanged."),
-                "hold" => ("NCP-CTRL-021", false, ", should not be", "`safety_ok` should be false when the governor turned an active command into a HOLD."),
-                _ => ("NCP-CTRL-018", false, ", is not", "`safety_ok` is false when the governor turned an active command into an ESTOP."),
+                "active" => (
+                    "NCP-CTRL-018",
+                    true,
+                    " is",
+                    "`safety_ok` is true when the governor passed an active command unchanged.",
+                ),
+                "hold" => (
+                    "NCP-CTRL-021",
+                    false,
+                    ", should not be",
+                    "`safety_ok` should be false when the governor turned an active command into a HOLD.",
+                ),
+                _ => (
+                    "NCP-CTRL-018",
+                    false,
+                    ", is not",
+                    "`safety_ok` is false when the governor turned an active command into an ESTOP.",
+                ),
             };
             trace.push(says(now, object! { "safety_ok" => ok }));
             run(format!("status/safety/{name}"), &[rule], 50.0, limits, trace)
@@ -811,26 +607,14 @@ fn counters() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, with_sensor) in [("moving", true), ("waiting", false)] {
         let from = |first: i64| {
-            let mut trace = if with_sensor {
-                vec![arrives(7, 1.0)]
-            } else {
-                Vec::new()
-            };
-            trace.extend((0..4_u32).map(|nth| {
-                says(
-                    1.0 + f64::from(nth) / 16.0,
-                    object! { "seq" => int(first + i64::from(nth)) },
-                )
-            }));
+            let mut trace = if with_sensor { vec![arrives(7, 1.0)] } else { Vec::new() };
+            trace.extend(
+                (0..4_u32)
+                    .map(|nth| says(1.0 + f64::from(nth) / 16.0, object! { "seq" => int(first + i64::from(nth)) })),
+            );
             trace
         };
-        let case = run(
-            format!("status/counter/{name}"),
-            &["NCP-CTRL-017"],
-            50.0,
-            Json::object(),
-            from(0),
-        );
+        let case = run(format!("status/counter/{name}"), &["NCP-CTRL-017"], 50.0, Json::object(), from(0));
         let results = |first| steps(from(first).into_iter().map(|(_, result)| result).collect());
         cases.push(
             case.shows(any(vec![results(1), results(0)]))
@@ -842,39 +626,34 @@ fn counters() -> Vec<Case> {
 }
 
 fn periods() -> Vec<Case> {
-    let mut cases: Vec<Case> = [
-        0.0,
-        -0.0,
-        -50.0,
-        -5e-324,
-        -1e308,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ]
-    .into_iter()
-    .map(|period| {
-        run(
-            format!("period/{}", name_of(period)),
-            &["NCP-CTRL-010"],
-            period,
+    let mut cases: Vec<Case> = [0.0, -0.0, -50.0, -5e-324, -1e308, f64::NAN, f64::INFINITY, f64::NEG_INFINITY]
+        .into_iter()
+        .map(|period| {
+            run(
+                format!("period/{}", name_of(period)),
+                &["NCP-CTRL-010"],
+                period,
+                Json::object(),
+                vec![arrives(1, 1.0), moves(1, 1.0)],
+            )
+            .rejects("value")
+            .title(format!("A loop with a period of {} ms does not start.", name_of(period)))
+            .because("The loop refuses to start without a finite, positive period.")
+        })
+        .collect();
+    let refused = [("kp", f64::NAN), ("kd", -1.0), ("max_speed", f64::INFINITY)];
+    cases.extend(refused.into_iter().map(|(name, value)| {
+        run_with(
+            format!("config/{}", name.replace('_', "-")),
+            &["NCP-CTRL-005"],
+            50.0,
             Json::object(),
+            object! { name => num(value) },
             vec![arrives(1, 1.0), moves(1, 1.0)],
         )
         .rejects("value")
-        .title(format!(
-            "A loop with a period of {} ms does not start.",
-            name_of(period)
-        ))
-        .because("The loop refuses to start without a finite, positive period.")
-    })
-    .collect();
-    let refused = [("kp", f64::NAN), ("kd", -1.0), ("max_speed", f64::INFINITY)];
-    cases.extend(refused.into_iter().map(|(name, value)| {
-        run_with(format!("config/{}", name.replace('_', "-")), &["NCP-CTRL-005"], 50.0, Json::object(), object! { name => num(value) }, vec![arrives(1, 1.0), moves(1, 1.0)])
-            .rejects("value")
-            .title(format!("A loop whose controller has a {name} of {} does not start.", name_of(value)))
-            .because("A gain or a max_speed that is not finite or is negative is refused when the controller is built.")
+        .title(format!("A loop whose controller has a {name} of {} does not start.", name_of(value)))
+        .because("A gain or a max_speed that is not finite or is negative is refused when the controller is built.")
     }));
     cases
 }

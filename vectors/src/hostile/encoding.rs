@@ -16,8 +16,7 @@ pub(super) fn file() -> File {
     }
     cases.extend(strings());
     cases.extend(in_known_strings());
-    let about =
-        "Frames that are not UTF-8, byte order marks, and strings with every width of character.";
+    let about = "Frames that are not UTF-8, byte order marks, and strings with every width of character.";
     File::new("hostile", "encoding", about, cases)
 }
 
@@ -28,36 +27,12 @@ const NOT_UTF8: &[(&str, &[u8], &str)] = &[
     ("lone-continuation", b"\x80", "a continuation byte alone"),
     ("two-continuations", b"\xbf\x80", "two continuation bytes"),
     ("latin-1", b"caf\xe9", "an e acute in Latin-1"),
-    (
-        "truncated-2",
-        b"\xc3",
-        "two bytes of which the second is missing",
-    ),
-    (
-        "truncated-3",
-        b"\xe2\x82",
-        "three bytes of which the third is missing",
-    ),
-    (
-        "truncated-4",
-        b"\xf0\x9f\x98",
-        "four bytes of which the fourth is missing",
-    ),
-    (
-        "bad-continuation-2",
-        b"\xc3\x28",
-        "two bytes of which the second is a bracket",
-    ),
-    (
-        "bad-continuation-3",
-        b"\xe2\x28\xa1",
-        "three bytes of which the second is a bracket",
-    ),
-    (
-        "bad-continuation-4",
-        b"\xf0\x9f\x28\x80",
-        "four bytes of which the third is a bracket",
-    ),
+    ("truncated-2", b"\xc3", "two bytes of which the second is missing"),
+    ("truncated-3", b"\xe2\x82", "three bytes of which the third is missing"),
+    ("truncated-4", b"\xf0\x9f\x98", "four bytes of which the fourth is missing"),
+    ("bad-continuation-2", b"\xc3\x28", "two bytes of which the second is a bracket"),
+    ("bad-continuation-3", b"\xe2\x28\xa1", "three bytes of which the second is a bracket"),
+    ("bad-continuation-4", b"\xf0\x9f\x28\x80", "four bytes of which the third is a bracket"),
     ("overlong-nul", b"\xc0\x80", "U+0000 in two bytes"),
     ("overlong-slash", b"\xc0\xaf", "a slash in two bytes"),
     ("overlong-quote", b"\xc0\xa2", "a quote in two bytes"),
@@ -65,34 +40,14 @@ const NOT_UTF8: &[(&str, &[u8], &str)] = &[
     ("overlong-3", b"\xe0\x80\xaf", "a slash in three bytes"),
     ("overlong-3-last", b"\xe0\x9f\xbf", "U+07FF in three bytes"),
     ("overlong-4", b"\xf0\x80\x80\xaf", "a slash in four bytes"),
-    (
-        "overlong-4-last",
-        b"\xf0\x8f\xbf\xbf",
-        "U+FFFF in four bytes",
-    ),
+    ("overlong-4-last", b"\xf0\x8f\xbf\xbf", "U+FFFF in four bytes"),
     ("surrogate-high", b"\xed\xa0\x80", "the surrogate U+D800"),
     ("surrogate-low", b"\xed\xbf\xbf", "the surrogate U+DFFF"),
-    (
-        "surrogate-pair",
-        b"\xed\xa0\xbd\xed\xb8\x80",
-        "U+1F600 as two surrogates of three bytes (CESU-8)",
-    ),
+    ("surrogate-pair", b"\xed\xa0\xbd\xed\xb8\x80", "U+1F600 as two surrogates of three bytes (CESU-8)"),
     ("beyond-unicode", b"\xf4\x90\x80\x80", "U+110000"),
-    (
-        "lead-f5",
-        b"\xf5\x80\x80\x80",
-        "four bytes that begin with F5",
-    ),
-    (
-        "five-bytes",
-        b"\xf8\x88\x80\x80\x80",
-        "a sequence of five bytes",
-    ),
-    (
-        "six-bytes",
-        b"\xfc\x84\x80\x80\x80\x80",
-        "a sequence of six bytes",
-    ),
+    ("lead-f5", b"\xf5\x80\x80\x80", "four bytes that begin with F5"),
+    ("five-bytes", b"\xf8\x88\x80\x80\x80", "a sequence of five bytes"),
+    ("six-bytes", b"\xfc\x84\x80\x80\x80\x80", "a sequence of six bytes"),
 ];
 
 fn not_utf8(kind: &str) -> Vec<Case> {
@@ -118,18 +73,14 @@ fn not_utf8(kind: &str) -> Vec<Case> {
             format!("{} with {says} within a string is rejected.", a(kind)),
         ));
     }
-    for (what, bytes, says) in NOT_UTF8
-        .iter()
-        .filter(|(what, ..)| matches!(*what, "ff" | "overlong-slash" | "surrogate-high"))
+    for (what, bytes, says) in
+        NOT_UTF8.iter().filter(|(what, ..)| matches!(*what, "ff" | "overlong-slash" | "surrogate-high"))
     {
         let (before, after) = around(r#""no%vel":1"#);
         cases.push(reject(
             format!("name/{what}"),
             &[&before, *bytes, &after].concat(),
-            format!(
-                "{} with {says} within a member's name is rejected.",
-                a(kind)
-            ),
+            format!("{} with {says} within a member's name is rejected.", a(kind)),
         ));
     }
     cases
@@ -140,29 +91,11 @@ fn other_encodings(kind: &str) -> Vec<Case> {
     let units: Vec<u16> = text.encode_utf16().collect();
     let little: Vec<u8> = units.iter().flat_map(|unit| unit.to_le_bytes()).collect();
     let big: Vec<u8> = units.iter().flat_map(|unit| unit.to_be_bytes()).collect();
-    let wide: Vec<u8> = text
-        .chars()
-        .flat_map(|c| u32::from(c).to_le_bytes())
-        .collect();
+    let wide: Vec<u8> = text.chars().flat_map(|c| u32::from(c).to_le_bytes()).collect();
     let table = [
-        (
-            "utf-16-le",
-            little.clone(),
-            "NCP-WIRE-002",
-            "in UTF-16, little-endian",
-        ),
-        (
-            "utf-16-be",
-            big.clone(),
-            "NCP-WIRE-002",
-            "in UTF-16, big-endian",
-        ),
-        (
-            "utf-32-le",
-            wide,
-            "NCP-WIRE-002",
-            "in UTF-32, little-endian",
-        ),
+        ("utf-16-le", little.clone(), "NCP-WIRE-002", "in UTF-16, little-endian"),
+        ("utf-16-be", big.clone(), "NCP-WIRE-002", "in UTF-16, big-endian"),
+        ("utf-32-le", wide, "NCP-WIRE-002", "in UTF-32, little-endian"),
         (
             "utf-16-le-marked",
             [b"\xff\xfe".to_vec(), little].concat(),
@@ -195,48 +128,18 @@ fn other_encodings(kind: &str) -> Vec<Case> {
 fn marks(kind: &str) -> Vec<Case> {
     let frame = minimal(kind).text();
     let table = [
-        (
-            "mark",
-            format!("\u{feff}{frame}"),
-            "NCP-WIRE-006",
-            "behind a byte order mark",
-        ),
-        (
-            "mark-and-space",
-            format!("\u{feff} {frame}"),
-            "NCP-WIRE-006",
-            "behind a byte order mark and a space",
-        ),
-        (
-            "two-marks",
-            format!("\u{feff}\u{feff}{frame}"),
-            "NCP-WIRE-006",
-            "behind two byte order marks",
-        ),
-        (
-            "space-and-mark",
-            format!(" \u{feff}{frame}"),
-            "NCP-WIRE-002",
-            "behind a space and U+FEFF",
-        ),
-        (
-            "mark-at-end",
-            format!("{frame}\u{feff}"),
-            "NCP-WIRE-004",
-            "before U+FEFF",
-        ),
+        ("mark", format!("\u{feff}{frame}"), "NCP-WIRE-006", "behind a byte order mark"),
+        ("mark-and-space", format!("\u{feff} {frame}"), "NCP-WIRE-006", "behind a byte order mark and a space"),
+        ("two-marks", format!("\u{feff}\u{feff}{frame}"), "NCP-WIRE-006", "behind two byte order marks"),
+        ("space-and-mark", format!(" \u{feff}{frame}"), "NCP-WIRE-002", "behind a space and U+FEFF"),
+        ("mark-at-end", format!("{frame}\u{feff}"), "NCP-WIRE-004", "before U+FEFF"),
     ];
     let mut cases = Vec::new();
     for (what, text, rule, says) in table {
         let advises = rule == "NCP-WIRE-006";
-        let is = if advises {
-            "should be rejected"
-        } else {
-            "is rejected"
-        };
+        let is = if advises { "should be rejected" } else { "is rejected" };
         let case = |how: &str, rules: &[&'static str]| {
-            Case::new(format!("{kind}/{what}{how}"), rules, readers(kind))
-                .flags(&["byte-order-mark"])
+            Case::new(format!("{kind}/{what}{how}"), rules, readers(kind)).flags(&["byte-order-mark"])
         };
         let because = if advises {
             "A mark is no part of the grammar, though RFC 8259 lets a reader ignore one."
@@ -262,10 +165,7 @@ fn marks(kind: &str) -> Vec<Case> {
             let read = meaning(kind, &minimal(kind)).text();
             cases.push(
                 case("-if-at-all", &[READ])
-                    .title(format!(
-                        "{} {says} is rejected, or read as the frame behind the mark.",
-                        a(kind)
-                    ))
+                    .title(format!("{} {says} is rejected, or read as the frame behind the mark.", a(kind)))
                     .decode_bytes(kind, text.as_bytes())
                     .means_or_rejects(read)
                     .because("Who skips a mark reads the frame behind it, and nothing else."),
@@ -284,26 +184,15 @@ fn strings() -> Vec<Case> {
             "the first and last characters of each width of UTF-8",
         ),
         ("mark-within", "a\u{feff}b", "U+FEFF"),
-        (
-            "separators",
-            "\u{2028}\u{2029}\u{85}",
-            "line separators that JSON does not count as such",
-        ),
-        (
-            "bidirectional",
-            "\u{202e}abc\u{2066}",
-            "marks that turn the direction of writing",
-        ),
+        ("separators", "\u{2028}\u{2029}\u{85}", "line separators that JSON does not count as such"),
+        ("bidirectional", "\u{202e}abc\u{2066}", "marks that turn the direction of writing"),
     ];
     let mut cases = Vec::new();
     for kind in CARRIERS {
         for (what, string, says) in table {
             let value = explicit(kind).and("novel", Json::string(string));
             let name = explicit(kind).and(string, Json::Null);
-            for (place, frame, of) in [
-                ("value", value, "a string with"),
-                ("name", name, "a member's name with"),
-            ] {
+            for (place, frame, of) in [("value", value, "a string with"), ("name", name, "a member's name with")] {
                 cases.push(
                     Case::new(format!("{kind}/{place}/accepted-{what}"), &["NCP-WIRE-026"], readers(kind))
                         .title(format!("{} with {of} {says} is read.", a(kind)))
@@ -320,11 +209,8 @@ fn strings() -> Vec<Case> {
 
 /// Strings of known fields, in every spelling.
 fn in_known_strings() -> Vec<Case> {
-    let fields: [(&str, &[&str]); 3] = [
-        ("sensor_frame", &["frame_id"]),
-        ("command_frame", &["frame_id"]),
-        ("open_session", &["network", "ref"]),
-    ];
+    let fields: [(&str, &[&str]); 3] =
+        [("sensor_frame", &["frame_id"]), ("command_frame", &["frame_id"]), ("open_session", &["network", "ref"])];
     let table = [
         ("escape-letter", r"\u0041", "A", "a letter as an escape"),
         (
@@ -333,87 +219,27 @@ fn in_known_strings() -> Vec<Case> {
             "\u{e9}\u{e9}",
             "an e acute as an escape in hexadecimal digits of either case",
         ),
-        (
-            "escape-short",
-            r#"\"\\\/\b\f\n\r\t"#,
-            "\"\\/\u{8}\u{c}\n\r\t",
-            "each of the short escapes",
-        ),
+        ("escape-short", r#"\"\\\/\b\f\n\r\t"#, "\"\\/\u{8}\u{c}\n\r\t", "each of the short escapes"),
         ("escape-nul", r"a\u0000b", "a\0b", "U+0000 as an escape"),
-        (
-            "escape-control",
-            r"\u0001\u001f\u007f",
-            "\u{1}\u{1f}\u{7f}",
-            "control characters as escapes",
-        ),
-        (
-            "escape-pair",
-            r"\ud83d\ude00",
-            "\u{1f600}",
-            "a character beyond the BMP as two escapes",
-        ),
+        ("escape-control", r"\u0001\u001f\u007f", "\u{1}\u{1f}\u{7f}", "control characters as escapes"),
+        ("escape-pair", r"\ud83d\ude00", "\u{1f600}", "a character beyond the BMP as two escapes"),
         (
             "escape-pair-upper-case",
             r"\uD83D\uDE00",
             "\u{1f600}",
             "a character beyond the BMP as two escapes in upper case",
         ),
-        (
-            "escape-last-pair",
-            r"\udbff\udfff",
-            "\u{10ffff}",
-            "U+10FFFF as two escapes",
-        ),
-        (
-            "escape-noncharacter",
-            r"\uffff\ufffe",
-            "\u{ffff}\u{fffe}",
-            "noncharacters as escapes",
-        ),
-        (
-            "escaped-backslash-u",
-            r"\\u0041",
-            "\\u0041",
-            "an escaped backslash before what looks like an escape",
-        ),
+        ("escape-last-pair", r"\udbff\udfff", "\u{10ffff}", "U+10FFFF as two escapes"),
+        ("escape-noncharacter", r"\uffff\ufffe", "\u{ffff}\u{fffe}", "noncharacters as escapes"),
+        ("escaped-backslash-u", r"\\u0041", "\\u0041", "an escaped backslash before what looks like an escape"),
         ("raw-delete", "\u{7f}", "\u{7f}", "U+007F as it is"),
         ("raw-separator", "\u{2028}", "\u{2028}", "U+2028 as it is"),
-        (
-            "raw-widths",
-            "\u{e9}\u{20ac}\u{1f600}",
-            "\u{e9}\u{20ac}\u{1f600}",
-            "characters of two, three and four bytes",
-        ),
-        (
-            "decomposed",
-            "e\u{301}",
-            "e\u{301}",
-            "a letter and its accent, not composed",
-        ),
-        (
-            "mark-first",
-            "\u{feff}a",
-            "\u{feff}a",
-            "U+FEFF as its first character",
-        ),
-        (
-            "replacement",
-            "\u{fffd}",
-            "\u{fffd}",
-            "the replacement character itself",
-        ),
-        (
-            "slashes",
-            "</script>",
-            "</script>",
-            "a slash without an escape",
-        ),
-        (
-            "json-within",
-            r#"{\"kind\":\"command_frame\"}"#,
-            "{\"kind\":\"command_frame\"}",
-            "a frame",
-        ),
+        ("raw-widths", "\u{e9}\u{20ac}\u{1f600}", "\u{e9}\u{20ac}\u{1f600}", "characters of two, three and four bytes"),
+        ("decomposed", "e\u{301}", "e\u{301}", "a letter and its accent, not composed"),
+        ("mark-first", "\u{feff}a", "\u{feff}a", "U+FEFF as its first character"),
+        ("replacement", "\u{fffd}", "\u{fffd}", "the replacement character itself"),
+        ("slashes", "</script>", "</script>", "a slash without an escape"),
+        ("json-within", r#"{\"kind\":\"command_frame\"}"#, "{\"kind\":\"command_frame\"}", "a frame"),
     ];
     let mut cases = Vec::new();
     for (kind, path) in fields {

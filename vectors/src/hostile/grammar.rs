@@ -35,22 +35,11 @@ pub(super) fn token_file() -> File {
     for kind in CARRIERS {
         cases.extend(numbers(kind, "novel", &all));
     }
-    for (kind, field) in [
-        ("sensor_frame", "t"),
-        ("command_frame", "ttl_ms"),
-        ("run_request", "duration_ms"),
-    ] {
+    for (kind, field) in [("sensor_frame", "t"), ("command_frame", "ttl_ms"), ("run_request", "duration_ms")] {
         cases.extend(numbers(kind, field, &all[..16]));
     }
     // In an integer field only spellings that a general routine would take for an integer.
-    let integers = [
-        "plus",
-        "leading-zero",
-        "minus-leading-zero",
-        "hexadecimal",
-        "underscore",
-        "suffix-n",
-    ];
+    let integers = ["plus", "leading-zero", "minus-leading-zero", "hexadecimal", "underscore", "suffix-n"];
     for (kind, field) in [("sensor_frame", "seq"), ("command_frame", "seq")] {
         cases.extend(numbers(kind, field, &integers));
     }
@@ -71,27 +60,11 @@ fn no_object(kind: &str) -> Vec<Case> {
         ("zero", "0".to_owned(), "a number"),
         ("fraction", "-1.5e3".to_owned(), "a number"),
         ("string", format!("\"{kind}\""), "a string"),
-        (
-            "frame-as-string",
-            Json::string(&frame).text(),
-            "a string that holds the frame",
-        ),
+        ("frame-as-string", Json::string(&frame).text(), "a string that holds the frame"),
         ("empty-array", "[]".to_owned(), "an empty array"),
-        (
-            "frame-in-array",
-            format!("[{frame}]"),
-            "an array that holds the frame",
-        ),
-        (
-            "positional",
-            format!("[\"0.5\",\"{kind}\",\"s1\"]"),
-            "an array of the fields' values",
-        ),
-        (
-            "pairs",
-            format!("[[\"kind\",\"{kind}\"],[\"session_id\",\"s1\"]]"),
-            "an array of names and values",
-        ),
+        ("frame-in-array", format!("[{frame}]"), "an array that holds the frame"),
+        ("positional", format!("[\"0.5\",\"{kind}\",\"s1\"]"), "an array of the fields' values"),
+        ("pairs", format!("[[\"kind\",\"{kind}\"],[\"session_id\",\"s1\"]]"), "an array of names and values"),
     ];
     let mut cases: Vec<Case> = others
         .into_iter()
@@ -128,10 +101,7 @@ fn no_object(kind: &str) -> Vec<Case> {
 }
 
 fn truncated(kind: &str) -> Vec<Case> {
-    let frame = with_raw(
-        &minimal(kind).text(),
-        r#""n":{"a":[1.5,true,null,"x\u0041"]}"#,
-    );
+    let frame = with_raw(&minimal(kind).text(), r#""n":{"a":[1.5,true,null,"x\u0041"]}"#);
     let after = |mark: &str| frame.find(mark).map(|at| at + mark.len());
     let cuts = [
         ("brace", Some(1), "after its first brace"),
@@ -139,16 +109,8 @@ fn truncated(kind: &str) -> Vec<Case> {
         ("name", after("{\"kind\""), "after a member's name"),
         ("colon", after("{\"kind\":"), "after a colon"),
         ("within-string", after("{\"kind\":\"c"), "within a string"),
-        (
-            "value",
-            after(&format!("{{\"kind\":\"{kind}\"")),
-            "after a value",
-        ),
-        (
-            "comma",
-            after(&format!("{{\"kind\":\"{kind}\",")),
-            "after a comma",
-        ),
+        ("value", after(&format!("{{\"kind\":\"{kind}\"")), "after a value"),
+        ("comma", after(&format!("{{\"kind\":\"{kind}\",")), "after a comma"),
         ("nested-brace", after("\"n\":{"), "after a nested brace"),
         ("bracket", after("\"a\":["), "after a bracket"),
         ("within-number", after("[1."), "within a number"),
@@ -163,17 +125,8 @@ fn truncated(kind: &str) -> Vec<Case> {
         .filter_map(|(what, at, says)| {
             let text = &frame[..at?];
             let title = format!("{} that is cut off {says} is rejected.", a(kind));
-            let case = rejected(
-                kind,
-                &format!("truncated/{what}"),
-                &["NCP-WIRE-002"],
-                text,
-                title,
-            );
-            Some(
-                case.flags(&["truncated-input"])
-                    .because("What is cut off is no object by the grammar."),
-            )
+            let case = rejected(kind, &format!("truncated/{what}"), &["NCP-WIRE-002"], text, title);
+            Some(case.flags(&["truncated-input"]).because("What is cut off is no object by the grammar."))
         })
         .collect()
 }
@@ -188,18 +141,10 @@ fn around(kind: &str) -> Vec<Case> {
         ("letter", "x", "a letter"),
         ("null", "null", "null"),
         ("second-frame", frame.as_str(), "a second frame"),
-        (
-            "second-frame-on-a-line",
-            on_a_line.as_str(),
-            "a second frame on a line of its own",
-        ),
+        ("second-frame-on-a-line", on_a_line.as_str(), "a second frame on a line of its own"),
         ("empty-object", " {}", "an empty object"),
         ("nul", "\0", "U+0000"),
-        (
-            "nul-and-more",
-            "\0{\"mode\":\"active\"}",
-            "U+0000 and another object",
-        ),
+        ("nul-and-more", "\0{\"mode\":\"active\"}", "U+0000 and another object"),
         ("comment", "// frame", "a comment"),
         ("block-comment", "/* frame */", "a block comment"),
         ("no-break-space", "\u{a0}", "U+00A0"),
@@ -222,27 +167,15 @@ fn around(kind: &str) -> Vec<Case> {
     let behind = behind.into_iter().map(|(what, text, says)| {
         let rule = ["NCP-WIRE-004"];
         let title = format!("{} that is followed by {says} is rejected.", a(kind));
-        rejected(
-            kind,
-            &format!("behind/{what}"),
-            &rule,
-            format!("{frame}{text}"),
-            title,
-        )
-        .flags(&["trailing-input"])
-        .because("Only JSON white space may follow the object.")
+        rejected(kind, &format!("behind/{what}"), &rule, format!("{frame}{text}"), title)
+            .flags(&["trailing-input"])
+            .because("Only JSON white space may follow the object.")
     });
     let before = before.into_iter().map(|(what, text, says)| {
         let title = format!("{} behind {says} is rejected.", a(kind));
-        rejected(
-            kind,
-            &format!("before/{what}"),
-            &["NCP-WIRE-002"],
-            format!("{text}{frame}"),
-            title,
-        )
-        .flags(&["leading-input"])
-        .because("Only JSON white space may stand before the object.")
+        rejected(kind, &format!("before/{what}"), &["NCP-WIRE-002"], format!("{text}{frame}"), title)
+            .flags(&["leading-input"])
+            .because("Only JSON white space may stand before the object.")
     });
     behind.chain(before).collect()
 }
@@ -250,172 +183,59 @@ fn around(kind: &str) -> Vec<Case> {
 /// Breaks of the grammar between tokens.
 fn within(kind: &str) -> Vec<Case> {
     let frame = minimal(kind).text();
-    let body = frame
-        .trim_start_matches('{')
-        .trim_end_matches('}')
-        .to_owned();
+    let body = frame.trim_start_matches('{').trim_end_matches('}').to_owned();
     let table = [
         ("trailing-comma", format!("{{{body},}}"), "a trailing comma"),
         ("leading-comma", format!("{{,{body}}}"), "a leading comma"),
-        (
-            "two-commas",
-            format!("{{{body},,\"n\":1}}"),
-            "two commas side by side",
-        ),
+        ("two-commas", format!("{{{body},,\"n\":1}}"), "two commas side by side"),
         ("no-comma", format!("{{{body} \"n\":1}}"), "a comma missing"),
-        (
-            "semicolon",
-            format!("{{{body};\"n\":1}}"),
-            "a semicolon for a comma",
-        ),
+        ("semicolon", format!("{{{body};\"n\":1}}"), "a semicolon for a comma"),
         ("no-colon", with_raw(&frame, "\"n\" 1"), "a colon missing"),
-        (
-            "two-colons",
-            with_raw(&frame, "\"n\"::1"),
-            "two colons side by side",
-        ),
-        (
-            "equals",
-            with_raw(&frame, "\"n\"=1"),
-            "an equals sign for a colon",
-        ),
-        (
-            "arrow",
-            with_raw(&frame, "\"n\"=>1"),
-            "an arrow for a colon",
-        ),
+        ("two-colons", with_raw(&frame, "\"n\"::1"), "two colons side by side"),
+        ("equals", with_raw(&frame, "\"n\"=1"), "an equals sign for a colon"),
+        ("arrow", with_raw(&frame, "\"n\"=>1"), "an arrow for a colon"),
         ("no-value", with_raw(&frame, "\"n\":"), "a value missing"),
         ("no-name", with_raw(&frame, ":1"), "a name missing"),
-        (
-            "name-alone",
-            with_raw(&frame, "\"n\""),
-            "a name without a value",
-        ),
-        (
-            "number-name",
-            with_raw(&frame, "1:1"),
-            "a number for a name",
-        ),
+        ("name-alone", with_raw(&frame, "\"n\""), "a name without a value"),
+        ("number-name", with_raw(&frame, "1:1"), "a number for a name"),
         ("null-name", with_raw(&frame, "null:1"), "null for a name"),
-        (
-            "bare-name",
-            with_raw(&frame, "n:1"),
-            "a name without quotes",
-        ),
-        (
-            "single-quoted-name",
-            with_raw(&frame, "'n':1"),
-            "a name in single quotes",
-        ),
-        (
-            "single-quoted-value",
-            with_raw(&frame, "\"n\":'x'"),
-            "a value in single quotes",
-        ),
-        (
-            "back-quoted-value",
-            with_raw(&frame, "\"n\":`x`"),
-            "a value in back quotes",
-        ),
+        ("bare-name", with_raw(&frame, "n:1"), "a name without quotes"),
+        ("single-quoted-name", with_raw(&frame, "'n':1"), "a name in single quotes"),
+        ("single-quoted-value", with_raw(&frame, "\"n\":'x'"), "a value in single quotes"),
+        ("back-quoted-value", with_raw(&frame, "\"n\":`x`"), "a value in back quotes"),
         ("comment", with_raw(&frame, "\"n\":1/* one */"), "a comment"),
-        (
-            "line-comment",
-            with_raw(&frame, "\"n\":1// one\n"),
-            "a comment to the end of its line",
-        ),
-        (
-            "hash-comment",
-            with_raw(&frame, "\"n\":1# one\n"),
-            "a comment behind a hash",
-        ),
-        (
-            "array-trailing-comma",
-            with_raw(&frame, "\"n\":[1,]"),
-            "a trailing comma in an array",
-        ),
-        (
-            "array-leading-comma",
-            with_raw(&frame, "\"n\":[,1]"),
-            "a leading comma in an array",
-        ),
-        (
-            "array-two-commas",
-            with_raw(&frame, "\"n\":[1,,2]"),
-            "a hole in an array",
-        ),
-        (
-            "array-no-comma",
-            with_raw(&frame, "\"n\":[1 2]"),
-            "a comma missing in an array",
-        ),
-        (
-            "array-open",
-            with_raw(&frame, "\"n\":[1"),
-            "an array that is not closed",
-        ),
-        (
-            "array-closed-by-brace",
-            with_raw(&frame, "\"n\":[1}"),
-            "an array that a brace closes",
-        ),
-        (
-            "object-closed-by-bracket",
-            with_raw(&frame, "\"n\":{\"a\":1]"),
-            "an object that a bracket closes",
-        ),
-        (
-            "array-with-pair",
-            with_raw(&frame, "\"n\":[\"a\":1]"),
-            "a name and a value in an array",
-        ),
+        ("line-comment", with_raw(&frame, "\"n\":1// one\n"), "a comment to the end of its line"),
+        ("hash-comment", with_raw(&frame, "\"n\":1# one\n"), "a comment behind a hash"),
+        ("array-trailing-comma", with_raw(&frame, "\"n\":[1,]"), "a trailing comma in an array"),
+        ("array-leading-comma", with_raw(&frame, "\"n\":[,1]"), "a leading comma in an array"),
+        ("array-two-commas", with_raw(&frame, "\"n\":[1,,2]"), "a hole in an array"),
+        ("array-no-comma", with_raw(&frame, "\"n\":[1 2]"), "a comma missing in an array"),
+        ("array-open", with_raw(&frame, "\"n\":[1"), "an array that is not closed"),
+        ("array-closed-by-brace", with_raw(&frame, "\"n\":[1}"), "an array that a brace closes"),
+        ("object-closed-by-bracket", with_raw(&frame, "\"n\":{\"a\":1]"), "an object that a bracket closes"),
+        ("array-with-pair", with_raw(&frame, "\"n\":[\"a\":1]"), "a name and a value in an array"),
         ("tuple", with_raw(&frame, "\"n\":(1,2)"), "a tuple"),
-        (
-            "two-values",
-            with_raw(&frame, "\"n\":1 2"),
-            "two values of one member",
-        ),
-        (
-            "two-strings",
-            with_raw(&frame, "\"n\":\"a\"\"b\""),
-            "two strings side by side",
-        ),
-        (
-            "vertical-tab",
-            with_raw(&frame, "\"n\":\u{b}1"),
-            "U+000B between two tokens",
-        ),
-        (
-            "form-feed",
-            with_raw(&frame, "\"n\":\u{c}1"),
-            "U+000C between two tokens",
-        ),
-        (
-            "no-break-space",
-            with_raw(&frame, "\"n\":\u{a0}1"),
-            "U+00A0 between two tokens",
-        ),
-        (
-            "line-separator",
-            with_raw(&frame, "\"n\":\u{2028}1"),
-            "U+2028 between two tokens",
-        ),
-        (
-            "nul",
-            with_raw(&frame, "\"n\":\u{0}1"),
-            "U+0000 between two tokens",
-        ),
-        (
-            "mark",
-            with_raw(&frame, "\"n\":\u{feff}1"),
-            "U+FEFF between two tokens",
-        ),
+        ("two-values", with_raw(&frame, "\"n\":1 2"), "two values of one member"),
+        ("two-strings", with_raw(&frame, "\"n\":\"a\"\"b\""), "two strings side by side"),
+        ("vertical-tab", with_raw(&frame, "\"n\":\u{b}1"), "U+000B between two tokens"),
+        ("form-feed", with_raw(&frame, "\"n\":\u{c}1"), "U+000C between two tokens"),
+        ("no-break-space", with_raw(&frame, "\"n\":\u{a0}1"), "U+00A0 between two tokens"),
+        ("line-separator", with_raw(&frame, "\"n\":\u{2028}1"), "U+2028 between two tokens"),
+        ("nul", with_raw(&frame, "\"n\":\u{0}1"), "U+0000 between two tokens"),
+        ("mark", with_raw(&frame, "\"n\":\u{feff}1"), "U+FEFF between two tokens"),
     ];
     table
         .into_iter()
         .map(|(what, text, says)| {
-            rejected(kind, &format!("within/{what}"), &["NCP-WIRE-002"], text, format!("{} with {says} is rejected.", a(kind)))
-                .flags(&["lenient-grammar"])
-                .because("The grammar of RFC 8259 does not allow it, in ignored members as little as in others.")
+            rejected(
+                kind,
+                &format!("within/{what}"),
+                &["NCP-WIRE-002"],
+                text,
+                format!("{} with {says} is rejected.", a(kind)),
+            )
+            .flags(&["lenient-grammar"])
+            .because("The grammar of RFC 8259 does not allow it, in ignored members as little as in others.")
         })
         .collect()
 }
@@ -426,42 +246,20 @@ fn white_space(kind: &str) -> Vec<Case> {
         // No string of an explicit frame holds any of these characters.
         let spread = ["{", "}", "[", "]", ":", ","]
             .iter()
-            .fold(frame.clone(), |text, token| {
-                text.replace(token, &format!("{space}{token}{space}"))
-            });
+            .fold(frame.clone(), |text, token| text.replace(token, &format!("{space}{token}{space}")));
         spread.trim_matches(' ').to_owned()
     };
     let table = [
         ("space-before", format!(" {frame}"), "a space before it"),
         ("tab-before", format!("\t{frame}"), "a tab before it"),
-        (
-            "line-feed-before",
-            format!("\n{frame}"),
-            "a line feed before it",
-        ),
-        (
-            "carriage-return-before",
-            format!("\r{frame}"),
-            "a carriage return before it",
-        ),
+        ("line-feed-before", format!("\n{frame}"), "a line feed before it"),
+        ("carriage-return-before", format!("\r{frame}"), "a carriage return before it"),
         ("space-behind", format!("{frame} "), "a space behind it"),
         ("tab-behind", format!("{frame}\t"), "a tab behind it"),
-        (
-            "line-feed-behind",
-            format!("{frame}\n"),
-            "a line feed behind it",
-        ),
-        (
-            "carriage-return-and-line-feed-behind",
-            format!("{frame}\r\n"),
-            "a carriage return and a line feed behind it",
-        ),
+        ("line-feed-behind", format!("{frame}\n"), "a line feed behind it"),
+        ("carriage-return-and-line-feed-behind", format!("{frame}\r\n"), "a carriage return and a line feed behind it"),
         ("spaces-between", between(" "), "spaces between its tokens"),
-        (
-            "all-between",
-            between(" \t\n\r"),
-            "every kind of white space between its tokens",
-        ),
+        ("all-between", between(" \t\n\r"), "every kind of white space between its tokens"),
         (
             "much-around",
             format!("{}{frame}{}", " ".repeat(1000), "\n".repeat(1000)),
@@ -510,19 +308,13 @@ fn literals_in(kind: &str, member: &str, names: &[&str]) -> Vec<Case> {
         .map(|(what, literal)| {
             let text = with_raw(&minimal(kind).text(), &format!("\"{member}\":{literal}"));
             let title = format!("{} whose `{member}` is {literal} is rejected.", a(kind));
-            rejected(
-                kind,
-                &format!("{member}/literal-{what}"),
-                &["NCP-WIRE-002"],
-                text,
-                title,
-            )
-            .flags(&[if what.contains("inf") || what.contains("nan") {
-                "non-finite-literals"
-            } else {
-                "lenient-grammar"
-            }])
-            .because("JSON has the literals true, false and null, in these letters, and no others.")
+            rejected(kind, &format!("{member}/literal-{what}"), &["NCP-WIRE-002"], text, title)
+                .flags(&[if what.contains("inf") || what.contains("nan") {
+                    "non-finite-literals"
+                } else {
+                    "lenient-grammar"
+                }])
+                .because("JSON has the literals true, false and null, in these letters, and no others.")
         })
         .collect()
 }
@@ -546,19 +338,11 @@ fn strings(kind: &str) -> Vec<Case> {
         ("escape-braces", r"\u{41}", "an escape in braces"),
         ("escape-three-digits", r"\u041", "an escape of three digits"),
         ("escape-no-digits", r"\u", "an escape without digits"),
-        (
-            "escape-bad-digit",
-            r"\u00G1",
-            "an escape with a letter that is no digit",
-        ),
+        ("escape-bad-digit", r"\u00G1", "an escape with a letter that is no digit"),
         ("escape-signed", r"\u+041", "an escape with a sign"),
         ("escape-space", r"\u 041", "an escape with a space"),
         ("escape-line-feed", "\\\n", "an escaped line feed"),
-        (
-            "escape-second-half-short",
-            r"\ud83d\ude0",
-            "a second half of a pair that has three digits",
-        ),
+        ("escape-second-half-short", r"\ud83d\ude0", "a second half of a pair that has three digits"),
     ];
     let frame = minimal(kind).text();
     let mut cases: Vec<Case> = table
@@ -570,10 +354,7 @@ fn strings(kind: &str) -> Vec<Case> {
                 .because("The grammar has eight short escapes and `\\u` with four digits, and control characters only as escapes.")
         })
         .collect();
-    let names = [
-        ("name-raw-nul", "no\0vel", "U+0000 as it is"),
-        ("name-bad-escape", r"no\xvel", "the escape `\\x`"),
-    ];
+    let names = [("name-raw-nul", "no\0vel", "U+0000 as it is"), ("name-bad-escape", r"no\xvel", "the escape `\\x`")];
     cases.extend(names.into_iter().map(|(what, name, says)| {
         let text = with_raw(&frame, &format!("\"{name}\":1"));
         rejected(
@@ -581,10 +362,7 @@ fn strings(kind: &str) -> Vec<Case> {
             &format!("string/{what}"),
             &["NCP-WIRE-002"],
             text,
-            format!(
-                "{} with a member's name that has {says} is rejected.",
-                a(kind)
-            ),
+            format!("{} with a member's name that has {says} is rejected.", a(kind)),
         )
         .flags(&["lenient-strings"])
         .because("A name is a string, and the grammar of strings holds for it.")
@@ -596,53 +374,27 @@ fn surrogates(kind: &str) -> Vec<Case> {
     let table = [
         ("high", r"\ud800", "a first half alone"),
         ("low", r"\udc00", "a second half alone"),
-        (
-            "high-and-letter",
-            r"\ud83dA",
-            "a first half before a letter",
-        ),
-        (
-            "high-and-escape",
-            r"\ud83d\u0041",
-            "a first half before another escape",
-        ),
+        ("high-and-letter", r"\ud83dA", "a first half before a letter"),
+        ("high-and-escape", r"\ud83d\u0041", "a first half before another escape"),
         ("two-high", r"\ud83d\ud83d", "two first halves"),
-        (
-            "swapped",
-            r"\ude00\ud83d",
-            "the halves of a pair in the wrong order",
-        ),
-        (
-            "pair-and-low",
-            r"\ud83d\ude00\ude00",
-            "a pair and a second half",
-        ),
+        ("swapped", r"\ude00\ud83d", "the halves of a pair in the wrong order"),
+        ("pair-and-low", r"\ud83d\ude00\ude00", "a pair and a second half"),
     ];
     let mut cases = Vec::new();
     for (what, string, says) in table {
-        for (place, member) in [
-            ("value", format!("\"novel\":\"{string}\"")),
-            ("name", format!("\"{string}\":1")),
-        ] {
+        for (place, member) in [("value", format!("\"novel\":\"{string}\"")), ("name", format!("\"{string}\":1"))] {
             if place == "name" && !matches!(what, "high" | "low") {
                 continue;
             }
             let text = with_raw(&minimal(kind).text(), &member);
-            let of = if place == "name" {
-                "a member's name"
-            } else {
-                "a string"
-            };
+            let of = if place == "name" { "a member's name" } else { "a string" };
             cases.push(
                 rejected(
                     kind,
                     &format!("surrogate/{place}-{what}"),
                     &["NCP-WIRE-008"],
                     text,
-                    format!(
-                        "{} with {says} as an escape in {of} should be rejected.",
-                        a(kind)
-                    ),
+                    format!("{} with {says} as an escape in {of} should be rejected.", a(kind)),
                 )
                 .flags(&["lone-surrogates"])
                 .because("A surrogate without its partner has no UTF-8 form."),
@@ -692,21 +444,10 @@ fn numbers(kind: &str, member: &str, names: &[&str]) -> Vec<Case> {
         .map(|(what, number)| {
             let frame = minimal(kind).without(member).text();
             let text = with_raw(&frame, &format!("\"{member}\":{number}"));
-            let title = format!(
-                "{} whose `{member}` is spelled `{number}` is rejected.",
-                a(kind)
-            );
-            rejected(
-                kind,
-                &format!("{member}/number-{what}"),
-                &["NCP-WIRE-002"],
-                text,
-                title,
-            )
-            .flags(&["lenient-numbers"])
-            .because(
-                "The grammar spells a number `-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?`.",
-            )
+            let title = format!("{} whose `{member}` is spelled `{number}` is rejected.", a(kind));
+            rejected(kind, &format!("{member}/number-{what}"), &["NCP-WIRE-002"], text, title)
+                .flags(&["lenient-numbers"])
+                .because("The grammar spells a number `-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][+-]?[0-9]+)?`.")
         })
         .collect()
 }
@@ -727,11 +468,7 @@ mod tests {
         for kind in CARRIERS {
             let text = explicit(kind).text();
             let strings = text.split('"').skip(1).step_by(2);
-            assert!(
-                strings
-                    .into_iter()
-                    .all(|s| !s.contains(['{', '}', '[', ']', ':', ',']))
-            );
+            assert!(strings.into_iter().all(|s| !s.contains(['{', '}', '[', ']', ':', ','])));
         }
     }
 }

@@ -32,10 +32,7 @@ pub(super) fn file() -> File {
 /// Frames of 1 MiB and of a byte more.
 fn sizes() -> Vec<Case> {
     let mut cases = Vec::new();
-    let kinds = tables()
-        .messages
-        .iter()
-        .filter_map(|message| message.kind.as_deref());
+    let kinds = tables().messages.iter().filter_map(|message| message.kind.as_deref());
     for kind in kinds.filter(|kind| *kind != "observation_frame") {
         cases.push(
             too_large(kind, "padded", padded(&minimal(kind).text(), MIB + 1, "x"))
@@ -45,46 +42,26 @@ fn sizes() -> Vec<Case> {
     for kind in ANY {
         let frame = explicit(kind).text();
         cases.push(
-            too_large(
-                kind,
-                "padded-with-two-bytes",
-                padded(&minimal(kind).text(), MIB + 1, "\u{e9}"),
-            )
-            .flags(&["bytes-not-characters"])
-            .title(format!(
-                "{} of 1 MiB and a byte is rejected, though it has half as many characters.",
-                a(kind)
-            )),
+            too_large(kind, "padded-with-two-bytes", padded(&minimal(kind).text(), MIB + 1, "\u{e9}"))
+                .flags(&["bytes-not-characters"])
+                .title(format!("{} of 1 MiB and a byte is rejected, though it has half as many characters.", a(kind))),
         );
         cases.push(
-            too_large(kind, "white-space", spaced(&minimal(kind).text(), MIB + 1)).title(format!(
-                "{} of 1 MiB and a byte, most of it white space, is rejected.",
-                a(kind)
-            )),
+            too_large(kind, "white-space", spaced(&minimal(kind).text(), MIB + 1))
+                .title(format!("{} of 1 MiB and a byte, most of it white space, is rejected.", a(kind))),
         );
         for (what, side) in [("before", Side::Before), ("after", Side::After)] {
             let text = outside(&minimal(kind).text(), MIB + 1, side);
             cases.push(
-                too_large(kind, &format!("white-space-{what}"), text)
-                    .flags(&["bytes-outside-the-object"])
-                    .title(format!(
-                        "{} of 1 MiB and a byte, most of it white space {what} the object, is rejected.",
-                        a(kind)
-                    )),
+                too_large(kind, &format!("white-space-{what}"), text).flags(&["bytes-outside-the-object"]).title(
+                    format!("{} of 1 MiB and a byte, most of it white space {what} the object, is rejected.", a(kind)),
+                ),
             );
         }
         let table = [
             ("padded", padded(&frame, MIB, "x"), "of exactly 1 MiB"),
-            (
-                "padded-with-two-bytes",
-                padded(&frame, MIB, "\u{e9}"),
-                "of exactly 1 MiB in half as many characters",
-            ),
-            (
-                "white-space",
-                spaced(&frame, MIB),
-                "of exactly 1 MiB, most of it white space,",
-            ),
+            ("padded-with-two-bytes", padded(&frame, MIB, "\u{e9}"), "of exactly 1 MiB in half as many characters"),
+            ("white-space", spaced(&frame, MIB), "of exactly 1 MiB, most of it white space,"),
             (
                 "white-space-before",
                 outside(&frame, MIB, Side::Before),
@@ -103,7 +80,9 @@ fn sizes() -> Vec<Case> {
                     .flags(&["low-limits"])
                     .decode(kind, text)
                     .means(meaning(kind, &explicit(kind)).text())
-                    .because("A frame at the limit is read; its bytes count, white space and ignored members included."),
+                    .because(
+                        "A frame at the limit is read; its bytes count, white space and ignored members included.",
+                    ),
             );
         }
     }
@@ -115,47 +94,34 @@ fn observation_sizes() -> Vec<Case> {
     let kind = "observation_frame";
     let frame = explicit(kind).text();
     let read = |what: &str, text: Text| {
-        Case::new(
-            format!("{kind}/size/{what}"),
-            &["NCP-WIRE-063"],
-            readers(kind),
-        )
-        .flags(&["low-limits"])
-        .decode(kind, text)
-        .means(meaning(kind, &explicit(kind)).text())
-        .because("An `observation_frame` may have 64 MiB.")
+        Case::new(format!("{kind}/size/{what}"), &["NCP-WIRE-063"], readers(kind))
+            .flags(&["low-limits"])
+            .decode(kind, text)
+            .means(meaning(kind, &explicit(kind)).text())
+            .because("An `observation_frame` may have 64 MiB.")
     };
     vec![
-        read("beyond-1-mib", padded(&frame, MIB + 1, "x"))
-            .title("An `observation_frame` of 1 MiB and a byte is read."),
+        read("beyond-1-mib", padded(&frame, MIB + 1, "x")).title("An `observation_frame` of 1 MiB and a byte is read."),
         read("white-space-beyond-1-mib", spaced(&frame, 2 * MIB))
             .title("An `observation_frame` of 2 MiB, most of it white space, is read."),
         read("at-limit", padded(&frame, OBSERVATION, "x"))
             .flags(&["slow"])
             .title("An `observation_frame` of exactly 64 MiB is read."),
-        Case::new(
-            format!("{kind}/size/beyond-limit"),
-            &["NCP-WIRE-062"],
-            readers(kind),
-        )
-        .title("An `observation_frame` of 64 MiB and a byte is rejected.")
-        .flags(&["missing-limits", "slow"])
-        .decode(kind, padded(&minimal(kind).text(), OBSERVATION + 1, "x"))
-        .rejects("limit")
-        .because("An `observation_frame` may have 64 MiB, and this one has a byte more."),
+        Case::new(format!("{kind}/size/beyond-limit"), &["NCP-WIRE-062"], readers(kind))
+            .title("An `observation_frame` of 64 MiB and a byte is rejected.")
+            .flags(&["missing-limits", "slow"])
+            .decode(kind, padded(&minimal(kind).text(), OBSERVATION + 1, "x"))
+            .rejects("limit")
+            .because("An `observation_frame` may have 64 MiB, and this one has a byte more."),
     ]
 }
 
 fn too_large(kind: &str, what: &str, text: Text) -> Case {
-    Case::new(
-        format!("{kind}/size/{what}-beyond-limit"),
-        &["NCP-WIRE-060"],
-        readers(kind),
-    )
-    .flags(&["missing-limits"])
-    .decode(kind, text)
-    .rejects("limit")
-    .because("Every kind but `observation_frame` may have 1 MiB, and this frame has a byte more.")
+    Case::new(format!("{kind}/size/{what}-beyond-limit"), &["NCP-WIRE-060"], readers(kind))
+        .flags(&["missing-limits"])
+        .decode(kind, text)
+        .rejects("limit")
+        .because("Every kind but `observation_frame` may have 1 MiB, and this frame has a byte more.")
 }
 
 /// Levels of arrays and objects within an unknown member; the frame itself is the first level.
@@ -177,62 +143,45 @@ fn depths() -> Vec<Case> {
         let kinds = [("arrays", "[", "]"), ("objects", "{\"a\":", "}")];
         for (what, open, close) in kinds {
             cases.push(
-                Case::new(
-                    format!("{kind}/depth/{what}-at-limit"),
-                    &["NCP-WIRE-065"],
-                    readers(kind),
-                )
-                .title(format!("{} of 64 levels of {what} is read.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, nest(&explicit(kind), open, close, LEVELS))
-                .means(meaning(kind, &explicit(kind)).text())
-                .because("The frame itself is the first level, and the unknown member has 63."),
+                Case::new(format!("{kind}/depth/{what}-at-limit"), &["NCP-WIRE-065"], readers(kind))
+                    .title(format!("{} of 64 levels of {what} is read.", a(kind)))
+                    .flags(&["low-limits"])
+                    .decode(kind, nest(&explicit(kind), open, close, LEVELS))
+                    .means(meaning(kind, &explicit(kind)).text())
+                    .because("The frame itself is the first level, and the unknown member has 63."),
             );
-            for (name, levels) in [
-                ("beyond-limit", LEVELS + 1),
-                ("far-beyond-limit", 1000),
-                ("to-the-stack", 100_000),
-            ] {
+            for (name, levels) in [("beyond-limit", LEVELS + 1), ("far-beyond-limit", 1000), ("to-the-stack", 100_000)]
+            {
                 cases.push(
                     Case::new(format!("{kind}/depth/{what}-{name}"), &["NCP-WIRE-064"], readers(kind))
                         .title(format!("{} of {levels} levels of {what} is rejected.", a(kind)))
                         .flags(&[if levels > 1000 { "stack-overflow" } else { "missing-limits" }])
                         .decode(kind, nest(&minimal(kind), open, close, levels))
                         .rejects("limit")
-                        .because("A frame may have 64 levels, in ignored members too; beyond, an error and never a crash."),
+                        .because(
+                            "A frame may have 64 levels, in ignored members too; beyond, an error and never a crash.",
+                        ),
                 );
             }
         }
         let read = |what: &str, text: Text, says: &str| {
-            Case::new(
-                format!("{kind}/depth/{what}"),
-                &["NCP-WIRE-065"],
-                readers(kind),
-            )
-            .title(format!("{} with {says} is read.", a(kind)))
-            .flags(&["low-limits"])
-            .decode(kind, text)
-            .means(meaning(kind, &explicit(kind)).text())
-            .because("Levels are nested objects and arrays, at most 64 at a time.")
+            Case::new(format!("{kind}/depth/{what}"), &["NCP-WIRE-065"], readers(kind))
+                .title(format!("{} with {says} is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, text)
+                .means(meaning(kind, &explicit(kind)).text())
+                .because("Levels are nested objects and arrays, at most 64 at a time.")
         };
         let frame = explicit(kind).text();
         let open_frame = frame.strip_suffix('}').unwrap_or(&frame);
         cases.push(read(
             "brackets-in-a-string",
-            Text::concat([
-                format!("{open_frame},\"novel\":\"").into(),
-                Text::repeat("[", 1000),
-                "\"}".into(),
-            ]),
+            Text::concat([format!("{open_frame},\"novel\":\"").into(), Text::repeat("[", 1000), "\"}".into()]),
             "a thousand brackets within a string",
         ));
         cases.push(read(
             "side-by-side",
-            Text::concat([
-                format!("{open_frame},\"novel\":[").into(),
-                Text::repeat("[[]],", 1000),
-                "[]]}".into(),
-            ]),
+            Text::concat([format!("{open_frame},\"novel\":[").into(), Text::repeat("[[]],", 1000), "[]]}".into()]),
             "a thousand nested arrays side by side",
         ));
         cases.push(read(
@@ -265,60 +214,31 @@ fn maps() -> Vec<Case> {
         ("open_session", &["stimulus", "targets", "0", "params"], "1"),
     ];
     // At the limit, one for each role is enough: the entries have to be written out.
-    const READ: [&str; 4] = [
-        "sensor_frame/channels",
-        "command_frame/channels",
-        "open_session/network-params",
-        "observation_frame/records",
-    ];
+    const READ: [&str; 4] =
+        ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
     let mut cases = Vec::new();
     for (kind, path, value) in places {
-        let entries = |count: usize| {
-            Json::Object(
-                (0..count)
-                    .map(|nth| (base_36(nth), Json::literal(value)))
-                    .collect(),
-            )
-        };
-        let place = path
-            .iter()
-            .filter(|part| **part != "0")
-            .copied()
-            .collect::<Vec<_>>()
-            .join("-");
+        let entries = |count: usize| Json::Object((0..count).map(|nth| (base_36(nth), Json::literal(value))).collect());
+        let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
         let member = path.join(".").replace(".0", "[0]");
         let frame = set(minimal(kind), path, entries(ENTRIES + 1));
         cases.push(
-            Case::new(
-                format!("{kind}/map/{place}-beyond-limit"),
-                &["NCP-WIRE-066"],
-                readers(kind),
-            )
-            .title(format!(
-                "{} with 4,097 entries in `{member}` is rejected.",
-                a(kind)
-            ))
-            .flags(&["missing-limits"])
-            .decode(kind, frame.text())
-            .rejects("limit")
-            .because("A map of the tables may have 4,096 entries."),
+            Case::new(format!("{kind}/map/{place}-beyond-limit"), &["NCP-WIRE-066"], readers(kind))
+                .title(format!("{} with 4,097 entries in `{member}` is rejected.", a(kind)))
+                .flags(&["missing-limits"])
+                .decode(kind, frame.text())
+                .rejects("limit")
+                .because("A map of the tables may have 4,096 entries."),
         );
         if READ.contains(&format!("{kind}/{place}").as_str()) {
             let text = set(explicit(kind), path, entries(ENTRIES)).text();
             cases.push(
-                Case::new(
-                    format!("{kind}/map/{place}-at-limit"),
-                    &["NCP-WIRE-068"],
-                    readers(kind),
-                )
-                .title(format!(
-                    "{} with 4,096 entries in `{member}` is read.",
-                    a(kind)
-                ))
-                .flags(&["low-limits"])
-                .decode(kind, text.clone())
-                .means(text)
-                .because("A map may have 4,096 entries; what each leaves out has its default."),
+                Case::new(format!("{kind}/map/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
+                    .title(format!("{} with 4,096 entries in `{member}` is read.", a(kind)))
+                    .flags(&["low-limits"])
+                    .decode(kind, text.clone())
+                    .means(text)
+                    .because("A map may have 4,096 entries; what each leaves out has its default."),
             );
         }
     }
@@ -337,63 +257,29 @@ fn arrays() -> Vec<Case> {
         ("capabilities", &["command_channels"], &spec),
         ("open_session", &["bindings"], &binding),
         ("open_session", &["record", "targets"], &record),
-        (
-            "open_session",
-            &["record", "targets", "0", "recordables"],
-            "\"x\"",
-        ),
+        ("open_session", &["record", "targets", "0", "recordables"], "\"x\""),
         ("open_session", &["stimulus", "targets"], &stimulus),
     ];
     let mut cases = Vec::new();
     for (kind, path, item) in places {
-        let place = path
-            .iter()
-            .filter(|part| **part != "0")
-            .copied()
-            .collect::<Vec<_>>()
-            .join("-");
+        let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
         let member = path.join(".").replace(".0", "[0]");
         cases.push(
-            Case::new(
-                format!("{kind}/array/{place}-beyond-limit"),
-                &["NCP-WIRE-067"],
-                readers(kind),
-            )
-            .title(format!(
-                "{} with 4,097 items in `{member}` is rejected.",
-                a(kind)
-            ))
-            .flags(&["missing-limits"])
-            .decode(
-                kind,
-                list(
-                    &set(minimal(kind), path, Json::literal(MARK)).text(),
-                    item,
-                    ENTRIES + 1,
-                ),
-            )
-            .rejects("limit")
-            .because("An array of the tables whose items are no numbers may have 4,096 items."),
+            Case::new(format!("{kind}/array/{place}-beyond-limit"), &["NCP-WIRE-067"], readers(kind))
+                .title(format!("{} with 4,097 items in `{member}` is rejected.", a(kind)))
+                .flags(&["missing-limits"])
+                .decode(kind, list(&set(minimal(kind), path, Json::literal(MARK)).text(), item, ENTRIES + 1))
+                .rejects("limit")
+                .because("An array of the tables whose items are no numbers may have 4,096 items."),
         );
-        let text = list(
-            &set(explicit(kind), path, Json::literal(MARK)).text(),
-            item,
-            ENTRIES,
-        );
+        let text = list(&set(explicit(kind), path, Json::literal(MARK)).text(), item, ENTRIES);
         cases.push(
-            Case::new(
-                format!("{kind}/array/{place}-at-limit"),
-                &["NCP-WIRE-068"],
-                readers(kind),
-            )
-            .title(format!(
-                "{} with 4,096 items in `{member}` is read.",
-                a(kind)
-            ))
-            .flags(&["low-limits"])
-            .decode(kind, text.clone())
-            .means(text)
-            .because("An array may have 4,096 items."),
+            Case::new(format!("{kind}/array/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
+                .title(format!("{} with 4,096 items in `{member}` is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, text.clone())
+                .means(text)
+                .because("An array may have 4,096 items."),
         );
     }
     cases
@@ -405,68 +291,27 @@ fn numeric_arrays() -> Vec<Case> {
         ("sensor_frame", &["channels", "a", "data"], "0.25", 5_000),
         ("sensor_frame", &["channels", "b", "data"], "0.25", 200_000),
         ("command_frame", &["channels", "a", "data"], "-1.5", 5_000),
-        (
-            "command_frame",
-            &["horizon", "0", "a", "data"],
-            "-1.5",
-            5_000,
-        ),
+        ("command_frame", &["horizon", "0", "a", "data"], "-1.5", 5_000),
         ("stimulus_frame", &["values", "a", "data"], "100", 5_000),
-        (
-            "observation_frame",
-            &["records", "a", "times"],
-            "0.1",
-            400_000,
-        ),
-        (
-            "observation_frame",
-            &["records", "a", "values"],
-            "-65.0",
-            5_000,
-        ),
-        (
-            "observation_frame",
-            &["records", "a", "senders"],
-            "7",
-            5_000,
-        ),
-        (
-            "open_session",
-            &["record", "targets", "0", "ids"],
-            "7",
-            5_000,
-        ),
+        ("observation_frame", &["records", "a", "times"], "0.1", 400_000),
+        ("observation_frame", &["records", "a", "values"], "-65.0", 5_000),
+        ("observation_frame", &["records", "a", "senders"], "7", 5_000),
+        ("open_session", &["record", "targets", "0", "ids"], "7", 5_000),
     ];
     places
         .into_iter()
         .map(|(kind, path, item, count)| {
-            let place = path
-                .iter()
-                .filter(|part| !matches!(**part, "0" | "a"))
-                .copied()
-                .collect::<Vec<_>>()
-                .join("-");
+            let place = path.iter().filter(|part| !matches!(**part, "0" | "a")).copied().collect::<Vec<_>>().join("-");
             let member = path.join(".").replace(".0", "[0]");
             let frame = set(explicit(kind), path, Json::literal(MARK));
             let text = list(&frame.text(), item, count);
-            let rules: &[_] = if count > 300_000 {
-                &["NCP-WIRE-069", "NCP-WIRE-063"]
-            } else {
-                &["NCP-WIRE-069"]
-            };
-            Case::new(
-                format!("{kind}/numbers/{place}-{count}"),
-                rules,
-                readers(kind),
-            )
-            .title(format!(
-                "{} with {count} numbers in `{member}` is read.",
-                a(kind)
-            ))
-            .flags(&["low-limits"])
-            .decode(kind, text.clone())
-            .means(text)
-            .because("Nothing but the bytes of the frame limits a numeric array.")
+            let rules: &[_] = if count > 300_000 { &["NCP-WIRE-069", "NCP-WIRE-063"] } else { &["NCP-WIRE-069"] };
+            Case::new(format!("{kind}/numbers/{place}-{count}"), rules, readers(kind))
+                .title(format!("{} with {count} numbers in `{member}` is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, text.clone())
+                .means(text)
+                .because("Nothing but the bytes of the frame limits a numeric array.")
         })
         .collect()
 }
@@ -519,21 +364,13 @@ fn padded(frame: &str, total: usize, unit: &str) -> Text {
     let before = format!("{open},\"pad\":\"");
     let room = total - before.len() - 2;
     let rest = "x".repeat(room % unit.len());
-    Text::concat([
-        before.into(),
-        Text::repeat(unit, room / unit.len()),
-        format!("{rest}\"}}").into(),
-    ])
+    Text::concat([before.into(), Text::repeat(unit, room / unit.len()), format!("{rest}\"}}").into()])
 }
 
 /// The frame with so much white space before its last brace that the whole has `total` bytes.
 fn spaced(frame: &str, total: usize) -> Text {
     let open = frame.strip_suffix('}').unwrap_or(frame);
-    Text::concat([
-        open.into(),
-        Text::repeat(" ", total - frame.len()),
-        "}".into(),
-    ])
+    Text::concat([open.into(), Text::repeat(" ", total - frame.len()), "}".into()])
 }
 
 /// A side of the object.
@@ -562,10 +399,7 @@ fn set(frame: Json, path: &[&str], value: Json) -> Json {
         _ => ground(name, rest),
     };
     match rest {
-        ["0", rest @ ..] => frame.with(
-            name,
-            Json::Array(vec![set(ground(name, rest), rest, value)]),
-        ),
+        ["0", rest @ ..] => frame.with(name, Json::Array(vec![set(ground(name, rest), rest, value)])),
         rest => frame.with(name, set(inner, rest, value)),
     }
 }
@@ -620,27 +454,14 @@ mod tests {
 
     #[test]
     fn a_list_has_the_items_that_it_should_have() {
-        assert_eq!(
-            expanded(&list("{\"a\":%ITEMS%}", "0", 3)),
-            "{\"a\":[0,0,0]}"
-        );
+        assert_eq!(expanded(&list("{\"a\":%ITEMS%}", "0", 3)), "{\"a\":[0,0,0]}");
     }
 
     #[test]
     fn a_value_is_set_wherever_the_path_leads() {
-        let frame = set(
-            minimal("command_frame"),
-            &["horizon", "0", "a", "data"],
-            Json::literal("7"),
-        );
-        assert_eq!(
-            frame.text(),
-            r#"{"kind":"command_frame","horizon":[{"a":{"data":7}}]}"#
-        );
-        assert_eq!(
-            set(Json::object(), &["a"], Json::Null).text(),
-            r#"{"a":null}"#
-        );
+        let frame = set(minimal("command_frame"), &["horizon", "0", "a", "data"], Json::literal("7"));
+        assert_eq!(frame.text(), r#"{"kind":"command_frame","horizon":[{"a":{"data":7}}]}"#);
+        assert_eq!(set(Json::object(), &["a"], Json::Null).text(), r#"{"a":null}"#);
     }
 
     #[test]

@@ -9,12 +9,7 @@ use crate::roles::readers;
 use crate::template::Text;
 
 pub(crate) fn files() -> Vec<File> {
-    vec![
-        encoding::file(),
-        grammar::structure_file(),
-        grammar::token_file(),
-        limits::file(),
-    ]
+    vec![encoding::file(), grammar::structure_file(), grammar::token_file(), limits::file()]
 }
 
 /// Kinds that between them every role reads: where nothing but the bytes matters, one of each.
@@ -29,15 +24,6 @@ fn with_raw(frame: &str, member: &str) -> String {
 }
 
 /// A case that rejects a text.
-fn rejected(
-    kind: &str,
-    what: &str,
-    rules: &[&'static str],
-    text: impl Into<Text>,
-    title: String,
-) -> Case {
-    Case::new(format!("{kind}/{what}"), rules, readers(kind))
-        .title(title)
-        .decode(kind, text)
-        .rejects("malformed")
+fn rejected(kind: &str, what: &str, rules: &[&'static str], text: impl Into<Text>, title: String) -> Case {
+    Case::new(format!("{kind}/{what}"), rules, readers(kind)).title(title).decode(kind, text).rejects("malformed")
 }

@@ -13,26 +13,13 @@ pub(super) fn files() -> Vec<File> {
     }
     let mut realms = Vec::new();
     // Between them every role builds these.
-    for builder in BUILDERS
-        .iter()
-        .filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"))
-    {
+    for builder in BUILDERS.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob")) {
         realms.extend(builder.realms());
     }
     vec![
         File::new("keys", "build", "The keys and globs of section 3.2.", built),
-        File::new(
-            "keys",
-            "segments",
-            "Session ids and stream names that the builders accept and refuse.",
-            segments,
-        ),
-        File::new(
-            "keys",
-            "realms",
-            "Realms, which are checked segment by segment.",
-            realms,
-        ),
+        File::new("keys", "segments", "Session ids and stream names that the builders accept and refuse.", segments),
+        File::new("keys", "realms", "Realms, which are checked segment by segment.", realms),
     ]
 }
 
@@ -124,16 +111,8 @@ impl Builder {
         let realms = [
             ("default-realm", None, "in the default realm"),
             ("realm", Some("lab"), "in the realm `lab`"),
-            (
-                "realm-of-two",
-                Some("engram/ncp"),
-                "in the realm `engram/ncp`",
-            ),
-            (
-                "realm-of-five",
-                Some("a/b/c/d/e"),
-                "in the realm `a/b/c/d/e`",
-            ),
+            ("realm-of-two", Some("engram/ncp"), "in the realm `engram/ncp`"),
+            ("realm-of-five", Some("a/b/c/d/e"), "in the realm `a/b/c/d/e`"),
         ];
         let mut cases = Vec::new();
         for (what, realm, says) in realms {
@@ -145,10 +124,7 @@ impl Builder {
             };
             cases.push(
                 self.case(what, rules)
-                    .title(format!(
-                        "The `{}` key {says} is built as the table says.",
-                        self.key
-                    ))
+                    .title(format!("The `{}` key {says} is built as the table says.", self.key))
                     .flags(&["wrong-key"])
                     .call("key.build", self.args(realm, "uav3", None))
                     .gives(object! { "key" => self.expected(realm, "uav3", None) })
@@ -164,9 +140,7 @@ impl Builder {
                         .flags(&["wrong-key"])
                         .call("key.build", self.args(realm, "uav3", Some("front")))
                         .gives(object! { "key" => self.expected(realm, "uav3", Some("front")) })
-                        .because(
-                            "The row of the key in section 3.2: a named stream has one chunk more.",
-                        ),
+                        .because("The row of the key in section 3.2: a named stream has one chunk more."),
                 );
             }
         }
@@ -202,35 +176,23 @@ impl Builder {
                 "sensor" => (segments::refused(), segments::accepted()),
                 _ => (segments::refused_sample(), segments::accepted_sample()),
             };
-            cases.extend(refused.iter().map(|segment| {
-                self.refuses(
-                    "session",
-                    "session id",
-                    segment,
-                    self.args(REALM, &segment.text, None),
-                )
-            }));
+            cases.extend(
+                refused.iter().map(|segment| {
+                    self.refuses("session", "session id", segment, self.args(REALM, &segment.text, None))
+                }),
+            );
             cases.extend(self.reported("session", "session id", |id| self.args(REALM, id, None)));
             cases.extend(accepted.iter().map(|segment| {
                 let expected = self.expected(REALM, &segment.text, None);
-                self.accepts(
-                    "session",
-                    "session id",
-                    segment,
-                    self.args(REALM, &segment.text, None),
-                    expected,
-                )
+                self.accepts("session", "session id", segment, self.args(REALM, &segment.text, None), expected)
             }));
         }
         if self.key == "sensor" {
-            cases.extend(segments::discouraged().iter().map(|segment| {
-                self.refuses(
-                    "session",
-                    "session id",
-                    segment,
-                    self.args(REALM, &segment.text, None),
-                )
-            }));
+            cases.extend(
+                segments::discouraged().iter().map(|segment| {
+                    self.refuses("session", "session id", segment, self.args(REALM, &segment.text, None))
+                }),
+            );
         }
         if self.takes_name {
             let (refused, accepted) = match self.key {
@@ -238,25 +200,12 @@ impl Builder {
                 _ => (segments::refused_sample(), segments::accepted_sample()),
             };
             cases.extend(refused.iter().map(|segment| {
-                self.refuses(
-                    "name",
-                    "stream name",
-                    segment,
-                    self.args(REALM, "uav3", Some(&segment.text)),
-                )
+                self.refuses("name", "stream name", segment, self.args(REALM, "uav3", Some(&segment.text)))
             }));
-            cases.extend(self.reported("name", "stream name", |name| {
-                self.args(REALM, "uav3", Some(name))
-            }));
+            cases.extend(self.reported("name", "stream name", |name| self.args(REALM, "uav3", Some(name))));
             cases.extend(accepted.iter().map(|segment| {
                 let expected = self.expected(REALM, "uav3", Some(&segment.text));
-                self.accepts(
-                    "name",
-                    "stream name",
-                    segment,
-                    self.args(REALM, "uav3", Some(&segment.text)),
-                    expected,
-                )
+                self.accepts("name", "stream name", segment, self.args(REALM, "uav3", Some(&segment.text)), expected)
             }));
         }
         cases
@@ -273,98 +222,33 @@ impl Builder {
         let mut cases = Vec::new();
         // A slash separates the segments of a realm; those that follow make empty ones of it.
         let has_slash = |segment: &&Segment| segment.text.contains('/');
-        cases.extend(
-            refused
-                .iter()
-                .filter(|segment| !has_slash(segment))
-                .map(|segment| {
-                    self.refuses(
-                        "realm",
-                        "realm",
-                        segment,
-                        self.args(Some(&segment.text), "uav3", None),
-                    )
-                    .flags(&["L22"])
-                }),
-        );
+        cases.extend(refused.iter().filter(|segment| !has_slash(segment)).map(|segment| {
+            self.refuses("realm", "realm", segment, self.args(Some(&segment.text), "uav3", None)).flags(&["L22"])
+        }));
         if is_whole {
-            cases.extend(segments::discouraged().iter().map(|segment| {
-                self.refuses(
-                    "realm",
-                    "realm",
-                    segment,
-                    self.args(Some(&segment.text), "uav3", None),
-                )
-            }));
+            cases.extend(
+                segments::discouraged().iter().map(|segment| {
+                    self.refuses("realm", "realm", segment, self.args(Some(&segment.text), "uav3", None))
+                }),
+            );
         }
         cases.extend(accepted.iter().map(|segment| {
             let expected = self.expected(Some(&segment.text), "uav3", None);
-            self.accepts(
-                "realm",
-                "realm",
-                segment,
-                self.args(Some(&segment.text), "uav3", None),
-                expected,
-            )
+            self.accepts("realm", "realm", segment, self.args(Some(&segment.text), "uav3", None), expected)
         }));
         let parts = [
             ("slash-first", "/a", "begins with a slash", "NCP-KEY-010"),
             ("slash-last", "a/", "ends with a slash", "NCP-KEY-010"),
-            (
-                "slash-twice",
-                "a//b",
-                "holds two slashes side by side",
-                "NCP-KEY-010",
-            ),
+            ("slash-twice", "a//b", "holds two slashes side by side", "NCP-KEY-010"),
             ("slash-alone", "/", "is a slash", "NCP-KEY-010"),
-            (
-                "second-star",
-                "a/*",
-                "has the second segment `*`",
-                "NCP-KEY-011",
-            ),
-            (
-                "second-double-star",
-                "a/**",
-                "has the second segment `**`",
-                "NCP-KEY-011",
-            ),
-            (
-                "second-dollar",
-                "a/b$*/c",
-                "has a second segment with `$*`",
-                "NCP-KEY-011",
-            ),
-            (
-                "second-space",
-                "a/ /c",
-                "has the second segment U+0020",
-                "NCP-KEY-012",
-            ),
-            (
-                "second-at",
-                "a/@b",
-                "has a second segment that begins with `@`",
-                "NCP-KEY-013",
-            ),
-            (
-                "second-dot-dot",
-                "a/../c",
-                "has the second segment `..`",
-                "NCP-KEY-014",
-            ),
-            (
-                "second-dot",
-                "a/./c",
-                "has the second segment `.`",
-                "NCP-KEY-014",
-            ),
-            (
-                "last-nul",
-                "a/b\u{0}",
-                "has a second segment that ends with U+0000",
-                "NCP-KEY-015",
-            ),
+            ("second-star", "a/*", "has the second segment `*`", "NCP-KEY-011"),
+            ("second-double-star", "a/**", "has the second segment `**`", "NCP-KEY-011"),
+            ("second-dollar", "a/b$*/c", "has a second segment with `$*`", "NCP-KEY-011"),
+            ("second-space", "a/ /c", "has the second segment U+0020", "NCP-KEY-012"),
+            ("second-at", "a/@b", "has a second segment that begins with `@`", "NCP-KEY-013"),
+            ("second-dot-dot", "a/../c", "has the second segment `..`", "NCP-KEY-014"),
+            ("second-dot", "a/./c", "has the second segment `.`", "NCP-KEY-014"),
+            ("last-nul", "a/b\u{0}", "has a second segment that ends with U+0000", "NCP-KEY-015"),
         ];
         let shown = if is_whole { parts.len() } else { 3 };
         for (what, realm, says, rule) in parts.into_iter().take(shown) {
@@ -375,10 +259,7 @@ impl Builder {
             };
             cases.push(
                 self.case(&format!("realm/{what}"), &rules)
-                    .title(format!(
-                        "The `{}` key is not built in a realm that {says}.",
-                        self.key
-                    ))
+                    .title(format!("The `{}` key is not built in a realm that {says}.", self.key))
                     .flags(&["L22"])
                     .call("key.build", self.args(Some(realm), "uav3", None))
                     .rejects("key")
@@ -398,15 +279,12 @@ impl Builder {
             );
             let realm = format!("a/{}", "b".repeat(257));
             cases.push(
-                self.case(
-                    "realm/second-of-257-bytes",
-                    &["NCP-KEY-017", "NCP-KEY-018", "NCP-KEY-019"],
-                )
-                .title("The `rpc` key is not built in a realm whose second segment has 257 bytes.")
-                .flags(&["segment-length", "L22"])
-                .call("key.build", self.args(Some(&realm), "uav3", None))
-                .rejects("key")
-                .because("A realm is checked segment by segment."),
+                self.case("realm/second-of-257-bytes", &["NCP-KEY-017", "NCP-KEY-018", "NCP-KEY-019"])
+                    .title("The `rpc` key is not built in a realm whose second segment has 257 bytes.")
+                    .flags(&["segment-length", "L22"])
+                    .call("key.build", self.args(Some(&realm), "uav3", None))
+                    .rejects("key")
+                    .because("A realm is checked segment by segment."),
             );
         }
         cases
@@ -421,11 +299,7 @@ impl Builder {
                 rules.push("NCP-KEY-018");
             }
         }
-        let verb = if segment.rule == "NCP-KEY-016" {
-            "should not be"
-        } else {
-            "is not"
-        };
+        let verb = if segment.rule == "NCP-KEY-016" { "should not be" } else { "is not" };
         self.case(&format!("{part}/refused/{}", segment.name), &rules)
             .title(format!("The `{}` key {verb} built with a {says} that {}.", self.key, segment.says))
             .flags(&[segment.flag, "L24"])
@@ -434,23 +308,13 @@ impl Builder {
             .because("Section 3.3 refuses such a segment, with an error and not with a crash or another key.")
     }
 
-    fn accepts(
-        &self,
-        part: &str,
-        says: &str,
-        segment: &Segment,
-        args: Json,
-        expected: String,
-    ) -> Case {
+    fn accepts(&self, part: &str, says: &str, segment: &Segment, args: Json, expected: String) -> Case {
         let rules = match segment.flag {
             "changed-segments" => ["NCP-KEY-007", segment.rule],
             _ => [segment.rule, "NCP-KEY-007"],
         };
         self.case(&format!("{part}/accepted/{}", segment.name), &rules)
-            .title(format!(
-                "The `{}` key is built with a {says} that {}, unchanged.",
-                self.key, segment.says
-            ))
+            .title(format!("The `{}` key is built with a {says} that {}, unchanged.", self.key, segment.says))
             .flags(&[segment.flag])
             .call("key.build", args)
             .gives(object! { "key" => expected })
@@ -473,11 +337,7 @@ impl Builder {
     }
 
     fn expected(&self, realm: Option<&str>, session: &str, name: Option<&str>) -> String {
-        let mut key = format!(
-            "{}/{}",
-            realm.unwrap_or("ncp"),
-            self.rest.replacen("{id}", session, 1)
-        );
+        let mut key = format!("{}/{}", realm.unwrap_or("ncp"), self.rest.replacen("{id}", session, 1));
         if let Some(name) = name {
             key.push('/');
             key.push_str(name);

@@ -9,55 +9,31 @@ use crate::json::object;
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
-    for Pattern {
-        rule,
-        pattern,
-        covers,
-        others,
-        hidden,
-    } in PATTERNS
-    {
+    for Pattern { rule, pattern, covers, others, hidden } in PATTERNS {
         let covered = covers.iter().map(|key| (key, true, *rule));
         let others = others.iter().map(|key| (key, false, *rule));
         let hidden = hidden.iter().map(|key| (key, false, "NCP-KEY-034"));
-        cases.extend(
-            covered
-                .chain(others)
-                .chain(hidden)
-                .map(|(key, matches, rule)| {
-                    let flag = match rule {
-                        "NCP-KEY-034" | "NCP-KEY-035" => "hidden-segment",
-                        "NCP-KEY-030" => "literal-patterns",
-                        "NCP-KEY-033" => "partial-wildcards",
-                        _ => "wildcards",
-                    };
-                    let verb = if matches { "covers" } else { "does not cover" };
-                    Case::new(
-                        format!("{}/{}", slug(pattern), slug(key)),
-                        &[rule],
-                        &[Observer],
-                    )
-                    .title(format!("`{pattern}` {verb} `{key}`."))
-                    .flags(&[flag])
-                    .call(
-                        "key.match",
-                        object! { "pattern" => *pattern, "key" => *key },
-                    )
-                    .gives(object! { "matches" => matches })
-                    .because(why(rule))
-                }),
-        );
+        cases.extend(covered.chain(others).chain(hidden).map(|(key, matches, rule)| {
+            let flag = match rule {
+                "NCP-KEY-034" | "NCP-KEY-035" => "hidden-segment",
+                "NCP-KEY-030" => "literal-patterns",
+                "NCP-KEY-033" => "partial-wildcards",
+                _ => "wildcards",
+            };
+            let verb = if matches { "covers" } else { "does not cover" };
+            Case::new(format!("{}/{}", slug(pattern), slug(key)), &[rule], &[Observer])
+                .title(format!("`{pattern}` {verb} `{key}`."))
+                .flags(&[flag])
+                .call("key.match", object! { "pattern" => *pattern, "key" => *key })
+                .gives(object! { "matches" => matches })
+                .because(why(rule))
+        }));
     }
     let invalid = INVALID.iter().map(|(what, pattern, key)| {
         Case::new(format!("invalid/{what}"), &["NCP-KEY-036"], &[Observer])
-            .title(format!(
-                "Whether `{pattern}` covers `{key}` should be answered with an error."
-            ))
+            .title(format!("Whether `{pattern}` covers `{key}` should be answered with an error."))
             .flags(&["invalid-expressions"])
-            .call(
-                "key.match",
-                object! { "pattern" => *pattern, "key" => *key },
-            )
+            .call("key.match", object! { "pattern" => *pattern, "key" => *key })
             .rejects("key")
             .because("One of the two is not a valid key expression.")
     });
@@ -116,13 +92,7 @@ const fn pattern(
     others: &'static [&'static str],
     hidden: &'static [&'static str],
 ) -> Pattern {
-    Pattern {
-        rule,
-        pattern,
-        covers,
-        others,
-        hidden,
-    }
+    Pattern { rule, pattern, covers, others, hidden }
 }
 
 const PATTERNS: &[Pattern] = &[
@@ -130,61 +100,23 @@ const PATTERNS: &[Pattern] = &[
         "NCP-KEY-030",
         "ncp/rpc",
         &["ncp/rpc"],
-        &[
-            "ncp",
-            "rpc",
-            "ncp/rpc/x",
-            "x/ncp/rpc",
-            "ncp/RPC",
-            "ncp/rp",
-            "ncp/rpcs",
-            "ncp/session/rpc",
-        ],
+        &["ncp", "rpc", "ncp/rpc/x", "x/ncp/rpc", "ncp/RPC", "ncp/rp", "ncp/rpcs", "ncp/session/rpc"],
         &[],
     ),
     pattern(
         "NCP-KEY-030",
         "ncp/session/uav3/sensor",
         &["ncp/session/uav3/sensor"],
-        &[
-            "ncp/session/uav3/sensor/front",
-            "ncp/session/uav3",
-            "ncp/session/uav33/sensor",
-            "ncp/session/Uav3/sensor",
-        ],
+        &["ncp/session/uav3/sensor/front", "ncp/session/uav3", "ncp/session/uav33/sensor", "ncp/session/Uav3/sensor"],
         &[],
     ),
-    pattern(
-        "NCP-KEY-030",
-        "ncp/caf\u{e9}",
-        &["ncp/caf\u{e9}"],
-        &["ncp/cafe\u{301}", "ncp/cafe"],
-        &[],
-    ),
+    pattern("NCP-KEY-030", "ncp/caf\u{e9}", &["ncp/caf\u{e9}"], &["ncp/cafe\u{301}", "ncp/cafe"], &[]),
     pattern("NCP-KEY-030", "a.b/c", &["a.b/c"], &["axb/c", "ab/c"], &[]),
-    pattern(
-        "NCP-KEY-030",
-        "a+b/(c)/[d]/e|f^",
-        &["a+b/(c)/[d]/e|f^"],
-        &["aab/(c)/[d]/e|f^", "a+b/c/d/e"],
-        &[],
-    ),
+    pattern("NCP-KEY-030", "a+b/(c)/[d]/e|f^", &["a+b/(c)/[d]/e|f^"], &["aab/(c)/[d]/e|f^", "a+b/c/d/e"], &[]),
     pattern("NCP-KEY-030", "a\\d/b", &["a\\d/b"], &["a1/b", "ad/b"], &[]),
     pattern("NCP-KEY-030", "%2A/a", &["%2A/a"], &["b/a"], &[]),
-    pattern(
-        "NCP-KEY-031",
-        "*",
-        &["ncp", "a", "a.b", "\u{1f681}"],
-        &["ncp/rpc"],
-        &["@ncp"],
-    ),
-    pattern(
-        "NCP-KEY-031",
-        "*/*",
-        &["ncp/rpc", "a/a"],
-        &["ncp", "a/b/c"],
-        &["@a/b", "a/@b"],
-    ),
+    pattern("NCP-KEY-031", "*", &["ncp", "a", "a.b", "\u{1f681}"], &["ncp/rpc"], &["@ncp"]),
+    pattern("NCP-KEY-031", "*/*", &["ncp/rpc", "a/a"], &["ncp", "a/b/c"], &["@a/b", "a/@b"]),
     pattern(
         "NCP-KEY-031",
         "ncp/*",
@@ -192,13 +124,7 @@ const PATTERNS: &[Pattern] = &[
         &["ncp", "ncp/a/b", "engram/rpc"],
         &["ncp/@rpc"],
     ),
-    pattern(
-        "NCP-KEY-031",
-        "*/rpc",
-        &["ncp/rpc", "rpc/rpc"],
-        &["rpc", "a/ncp/rpc", "ncp/rpcs"],
-        &[],
-    ),
+    pattern("NCP-KEY-031", "*/rpc", &["ncp/rpc", "rpc/rpc"], &["rpc", "a/ncp/rpc", "ncp/rpcs"], &[]),
     pattern(
         "NCP-KEY-031",
         "ncp/session/*/sensor",
@@ -208,35 +134,12 @@ const PATTERNS: &[Pattern] = &[
             "ncp/session/\u{e9}/sensor",
             "ncp/session/sensor/sensor",
         ],
-        &[
-            "ncp/session/sensor",
-            "ncp/session/a/b/sensor",
-            "ncp/session/a/command",
-            "ncp/session/a/sensor/front",
-        ],
+        &["ncp/session/sensor", "ncp/session/a/b/sensor", "ncp/session/a/command", "ncp/session/a/sensor/front"],
         &["ncp/session/@a/sensor"],
     ),
-    pattern(
-        "NCP-KEY-031",
-        "ncp/session/*",
-        &["ncp/session/a"],
-        &["ncp/session", "ncp/session/a/sensor"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-031",
-        "ncp/*/*/sensor",
-        &["ncp/session/a/sensor"],
-        &["ncp/a/sensor", "ncp/a/b/c/sensor"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-032",
-        "**",
-        &["ncp", "ncp/rpc", "a/b/c/d/e/f/g/h"],
-        &[],
-        &["@ncp", "ncp/@rpc", "@a/b"],
-    ),
+    pattern("NCP-KEY-031", "ncp/session/*", &["ncp/session/a"], &["ncp/session", "ncp/session/a/sensor"], &[]),
+    pattern("NCP-KEY-031", "ncp/*/*/sensor", &["ncp/session/a/sensor"], &["ncp/a/sensor", "ncp/a/b/c/sensor"], &[]),
+    pattern("NCP-KEY-032", "**", &["ncp", "ncp/rpc", "a/b/c/d/e/f/g/h"], &[], &["@ncp", "ncp/@rpc", "@a/b"]),
     pattern(
         "NCP-KEY-032",
         "ncp/**",
@@ -247,12 +150,7 @@ const PATTERNS: &[Pattern] = &[
     pattern(
         "NCP-KEY-032",
         "**/sensor",
-        &[
-            "sensor",
-            "a/sensor",
-            "ncp/session/a/sensor",
-            "sensor/sensor",
-        ],
+        &["sensor", "a/sensor", "ncp/session/a/sensor", "sensor/sensor"],
         &["sensor/front", "ncp/sensors", "ncp"],
         &["@a/sensor"],
     ),
@@ -273,11 +171,7 @@ const PATTERNS: &[Pattern] = &[
     pattern(
         "NCP-KEY-032",
         "ncp/session/a/sensor/**",
-        &[
-            "ncp/session/a/sensor",
-            "ncp/session/a/sensor/front",
-            "ncp/session/a/sensor/front/left",
-        ],
+        &["ncp/session/a/sensor", "ncp/session/a/sensor/front", "ncp/session/a/sensor/front/left"],
         &[
             "ncp/session/a/command",
             "ncp/session/a",
@@ -297,11 +191,7 @@ const PATTERNS: &[Pattern] = &[
     pattern(
         "NCP-KEY-032",
         "ncp/session/a/**",
-        &[
-            "ncp/session/a",
-            "ncp/session/a/observation",
-            "ncp/session/a/command/gimbal",
-        ],
+        &["ncp/session/a", "ncp/session/a/observation", "ncp/session/a/command/gimbal"],
         &["ncp/session/b", "ncp/session", "ncp/session/aa"],
         &[],
     ),
@@ -315,11 +205,7 @@ const PATTERNS: &[Pattern] = &[
     pattern(
         "NCP-KEY-032",
         "ncp/**/sensor/**",
-        &[
-            "ncp/sensor",
-            "ncp/session/a/sensor/x",
-            "ncp/a/sensor/sensor/b",
-        ],
+        &["ncp/sensor", "ncp/session/a/sensor/x", "ncp/a/sensor/sensor/b"],
         &["ncp", "ncp/session/a", "session/a/sensor"],
         &[],
     ),
@@ -337,196 +223,50 @@ const PATTERNS: &[Pattern] = &[
         &["a/x/b/c", "a/b", "b/c"],
         &[],
     ),
-    pattern(
-        "NCP-KEY-032",
-        "a/**/b/**/c",
-        &["a/b/c", "a/b/b/c", "a/x/b/y/c"],
-        &["a/c", "a/b", "a/c/b", "a/x/c"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-032",
-        "*/**",
-        &["a", "a/b", "a/b/c"],
-        &[],
-        &["@a", "@a/b", "a/@b"],
-    ),
+    pattern("NCP-KEY-032", "a/**/b/**/c", &["a/b/c", "a/b/b/c", "a/x/b/y/c"], &["a/c", "a/b", "a/c/b", "a/x/c"], &[]),
+    pattern("NCP-KEY-032", "*/**", &["a", "a/b", "a/b/c"], &[], &["@a", "@a/b", "a/@b"]),
     pattern(
         "NCP-KEY-032",
         "ncp/session/*/**",
-        &[
-            "ncp/session/a",
-            "ncp/session/a/sensor",
-            "ncp/session/a/sensor/front",
-        ],
+        &["ncp/session/a", "ncp/session/a/sensor", "ncp/session/a/sensor/front"],
         &["ncp/a/b"],
         &[],
     ),
-    pattern(
-        "NCP-KEY-031",
-        "ncp/session/*/**",
-        &[],
-        &["ncp/session"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-032",
-        "ncp/*/**/sensor",
-        &["ncp/a/sensor", "ncp/a/b/c/sensor"],
-        &["ncp/a"],
-        &[],
-    ),
+    pattern("NCP-KEY-031", "ncp/session/*/**", &[], &["ncp/session"], &[]),
+    pattern("NCP-KEY-032", "ncp/*/**/sensor", &["ncp/a/sensor", "ncp/a/b/c/sensor"], &["ncp/a"], &[]),
     pattern("NCP-KEY-031", "ncp/*/**/sensor", &[], &["ncp/sensor"], &[]),
-    pattern(
-        "NCP-KEY-032",
-        "**/sensor/*",
-        &["sensor/front", "a/b/sensor/front"],
-        &["a/b"],
-        &["a/sensor/@front"],
-    ),
-    pattern(
-        "NCP-KEY-031",
-        "**/sensor/*",
-        &[],
-        &["a/sensor", "a/sensor/front/left"],
-        &[],
-    ),
+    pattern("NCP-KEY-032", "**/sensor/*", &["sensor/front", "a/b/sensor/front"], &["a/b"], &["a/sensor/@front"]),
+    pattern("NCP-KEY-031", "**/sensor/*", &[], &["a/sensor", "a/sensor/front/left"], &[]),
     pattern(
         "NCP-KEY-033",
         "ncp/session/uav$*/sensor",
-        &[
-            "ncp/session/uav/sensor",
-            "ncp/session/uav3/sensor",
-            "ncp/session/uav-33/sensor",
-        ],
-        &[
-            "ncp/session/ua/sensor",
-            "ncp/session/xuav/sensor",
-            "ncp/session/uav/3/sensor",
-        ],
+        &["ncp/session/uav/sensor", "ncp/session/uav3/sensor", "ncp/session/uav-33/sensor"],
+        &["ncp/session/ua/sensor", "ncp/session/xuav/sensor", "ncp/session/uav/3/sensor"],
         &[],
     ),
     pattern(
         "NCP-KEY-033",
         "ncp/session/$*3/sensor",
-        &[
-            "ncp/session/3/sensor",
-            "ncp/session/uav3/sensor",
-            "ncp/session/33/sensor",
-        ],
-        &[
-            "ncp/session/uav3x/sensor",
-            "ncp/session/uav/sensor",
-            "ncp/session/a/3/sensor",
-        ],
+        &["ncp/session/3/sensor", "ncp/session/uav3/sensor", "ncp/session/33/sensor"],
+        &["ncp/session/uav3x/sensor", "ncp/session/uav/sensor", "ncp/session/a/3/sensor"],
         &[],
     ),
-    pattern(
-        "NCP-KEY-033",
-        "u$*3",
-        &["u3", "uav3", "u33"],
-        &["u", "3", "u3x", "xu3", "u/3"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "a$*a",
-        &["aa", "aba", "aaa"],
-        &["a", "ab"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "ab$*ba",
-        &["abba", "abxba"],
-        &["aba", "ab"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "a$*b$*c",
-        &["abc", "axbyc", "abcbc", "abbcc"],
-        &["acb", "ab", "abcd", "a/b/c"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "$*av$*",
-        &["av", "uav", "avx", "uav3"],
-        &["ua", "a", "uv", "ua/v"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "a$*/**",
-        &["a", "ab", "ab/c"],
-        &["b", "ba/c"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "a/b$*",
-        &["a/b", "a/bc"],
-        &["a/b/c", "a/bc/d", "a"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "\u{e9}$*",
-        &["\u{e9}", "\u{e9}a", "\u{e9}\u{1f681}"],
-        &["e", "e\u{301}"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-033",
-        "ncp/$*x",
-        &["ncp/x", "ncp/a@x"],
-        &[],
-        &["ncp/@x", "ncp/@ax"],
-    ),
+    pattern("NCP-KEY-033", "u$*3", &["u3", "uav3", "u33"], &["u", "3", "u3x", "xu3", "u/3"], &[]),
+    pattern("NCP-KEY-033", "a$*a", &["aa", "aba", "aaa"], &["a", "ab"], &[]),
+    pattern("NCP-KEY-033", "ab$*ba", &["abba", "abxba"], &["aba", "ab"], &[]),
+    pattern("NCP-KEY-033", "a$*b$*c", &["abc", "axbyc", "abcbc", "abbcc"], &["acb", "ab", "abcd", "a/b/c"], &[]),
+    pattern("NCP-KEY-033", "$*av$*", &["av", "uav", "avx", "uav3"], &["ua", "a", "uv", "ua/v"], &[]),
+    pattern("NCP-KEY-033", "a$*/**", &["a", "ab", "ab/c"], &["b", "ba/c"], &[]),
+    pattern("NCP-KEY-033", "a/b$*", &["a/b", "a/bc"], &["a/b/c", "a/bc/d", "a"], &[]),
+    pattern("NCP-KEY-033", "\u{e9}$*", &["\u{e9}", "\u{e9}a", "\u{e9}\u{1f681}"], &["e", "e\u{301}"], &[]),
+    pattern("NCP-KEY-033", "ncp/$*x", &["ncp/x", "ncp/a@x"], &[], &["ncp/@x", "ncp/@ax"]),
     pattern("NCP-KEY-035", "@a", &["@a"], &["@b", "a", "@"], &[]),
-    pattern(
-        "NCP-KEY-035",
-        "@a/*",
-        &["@a/b"],
-        &["@b/b", "a/b"],
-        &["@a/@b"],
-    ),
-    pattern(
-        "NCP-KEY-035",
-        "@a/**",
-        &["@a", "@a/b", "@a/b/c"],
-        &["@b/b"],
-        &["@a/@b"],
-    ),
-    pattern(
-        "NCP-KEY-035",
-        "ncp/@a/**",
-        &["ncp/@a", "ncp/@a/b"],
-        &["ncp/a", "ncp/b/@a"],
-        &[],
-    ),
-    pattern(
-        "NCP-KEY-035",
-        "**/@a",
-        &["@a", "b/@a", "b/c/@a"],
-        &["b/@b", "b"],
-        &["@b/@a"],
-    ),
-    pattern(
-        "NCP-KEY-035",
-        "**/@a/**",
-        &["@a", "b/@a/c"],
-        &["b/@b/c"],
-        &["@b/@a/c"],
-    ),
-    pattern(
-        "NCP-KEY-035",
-        "ncp/*/@a",
-        &["ncp/b/@a"],
-        &["ncp/b/@b"],
-        &["ncp/@b/@a"],
-    ),
+    pattern("NCP-KEY-035", "@a/*", &["@a/b"], &["@b/b", "a/b"], &["@a/@b"]),
+    pattern("NCP-KEY-035", "@a/**", &["@a", "@a/b", "@a/b/c"], &["@b/b"], &["@a/@b"]),
+    pattern("NCP-KEY-035", "ncp/@a/**", &["ncp/@a", "ncp/@a/b"], &["ncp/a", "ncp/b/@a"], &[]),
+    pattern("NCP-KEY-035", "**/@a", &["@a", "b/@a", "b/c/@a"], &["b/@b", "b"], &["@b/@a"]),
+    pattern("NCP-KEY-035", "**/@a/**", &["@a", "b/@a/c"], &["b/@b/c"], &["@b/@a/c"]),
+    pattern("NCP-KEY-035", "ncp/*/@a", &["ncp/b/@a"], &["ncp/b/@b"], &["ncp/@b/@a"]),
     pattern("NCP-KEY-031", "ncp/*/@a", &[], &["ncp/@a"], &[]),
 ];
 
@@ -560,14 +300,7 @@ mod tests {
 
     #[test]
     fn zenoh_covers_the_same_keys() {
-        for Pattern {
-            pattern,
-            covers,
-            others,
-            hidden,
-            ..
-        } in PATTERNS
-        {
+        for Pattern { pattern, covers, others, hidden, .. } in PATTERNS {
             let expression = keyexpr::new(*pattern).unwrap();
             let covered = |key: &str| expression.intersects(keyexpr::new(key).unwrap());
             for key in *covers {
@@ -582,10 +315,7 @@ mod tests {
     #[test]
     fn zenoh_finds_the_same_expressions_invalid() {
         for (what, pattern, key) in INVALID {
-            assert!(
-                keyexpr::new(*pattern).is_err() || keyexpr::new(*key).is_err(),
-                "{what}"
-            );
+            assert!(keyexpr::new(*pattern).is_err() || keyexpr::new(*key).is_err(), "{what}");
         }
     }
 }

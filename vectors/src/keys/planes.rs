@@ -8,18 +8,16 @@ pub(super) fn file() -> File {
     let cases = PLANES.iter().map(|plane| {
         let Plane { name, congestion, priority, express, rule, roles } = plane;
         Case::new(*name, &[rule], roles)
-            .title(format!("The {name} plane has congestion control `{congestion}`, priority `{priority}` and is{} express.", if *express { "" } else { " not" }))
+            .title(format!(
+                "The {name} plane has congestion control `{congestion}`, priority `{priority}` and is{} express.",
+                if *express { "" } else { " not" }
+            ))
             .flags(&["wrong-qos"])
             .call("plane.qos", object! { "plane" => *name })
             .gives(object! { "congestion" => *congestion, "priority" => *priority, "express" => *express })
             .because("The row of the plane in section 3.1.")
     });
-    File::new(
-        "keys",
-        "planes",
-        "The quality of service of the four planes.",
-        cases.collect(),
-    )
+    File::new("keys", "planes", "The quality of service of the four planes.", cases.collect())
 }
 
 struct Plane {

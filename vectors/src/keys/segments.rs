@@ -17,20 +17,8 @@ pub(crate) struct Segment {
 
 /// Every way in which a segment can be wrong, one at a time.
 pub(crate) fn refused() -> Vec<Segment> {
-    let mut all = vec![segment(
-        "empty",
-        "",
-        "is empty",
-        "NCP-KEY-010",
-        "empty-segment",
-    )];
-    let forbidden = [
-        ('/', "slash"),
-        ('*', "star"),
-        ('$', "dollar"),
-        ('#', "hash"),
-        ('?', "question-mark"),
-    ];
+    let mut all = vec![segment("empty", "", "is empty", "NCP-KEY-010", "empty-segment")];
+    let forbidden = [('/', "slash"), ('*', "star"), ('$', "dollar"), ('#', "hash"), ('?', "question-mark")];
     let spaces = [
         (' ', "space"),
         ('\t', "tab"),
@@ -46,21 +34,13 @@ pub(crate) fn refused() -> Vec<Segment> {
         all.extend(everywhere(c, name, "NCP-KEY-012", "white-space-segment"));
     }
     all.extend([
-        segment(
-            "at-first",
-            "@a",
-            "begins with `@`",
-            "NCP-KEY-013",
-            "hidden-segment",
-        ),
+        segment("at-first", "@a", "begins with `@`", "NCP-KEY-013", "hidden-segment"),
         segment("at-alone", "@", "is `@`", "NCP-KEY-013", "hidden-segment"),
         segment("at-twice", "@@", "is `@@`", "NCP-KEY-013", "hidden-segment"),
         segment("dot", ".", "is `.`", "NCP-KEY-014", "dot-segment"),
         segment("dot-dot", "..", "is `..`", "NCP-KEY-014", "dot-segment"),
     ]);
-    let controls = ('\0'..' ')
-        .chain(['\u{7f}'])
-        .filter(|c| !spaces.iter().any(|(space, _)| space == c));
+    let controls = ('\0'..' ').chain(['\u{7f}']).filter(|c| !spaces.iter().any(|(space, _)| space == c));
     all.extend(controls.map(|c| {
         let code = u32::from(c);
         segment(
@@ -72,27 +52,9 @@ pub(crate) fn refused() -> Vec<Segment> {
         )
     }));
     all.extend([
-        segment(
-            "nul-first",
-            "\0a",
-            "begins with U+0000",
-            "NCP-KEY-015",
-            "control-characters",
-        ),
-        segment(
-            "nul-last",
-            "a\0",
-            "ends with U+0000",
-            "NCP-KEY-015",
-            "control-characters",
-        ),
-        segment(
-            "bytes-257",
-            "a".repeat(257),
-            "has 257 bytes",
-            "NCP-KEY-017",
-            "segment-length",
-        ),
+        segment("nul-first", "\0a", "begins with U+0000", "NCP-KEY-015", "control-characters"),
+        segment("nul-last", "a\0", "ends with U+0000", "NCP-KEY-015", "control-characters"),
+        segment("bytes-257", "a".repeat(257), "has 257 bytes", "NCP-KEY-017", "segment-length"),
         segment(
             "bytes-257-of-129-characters",
             "\u{e9}".repeat(128) + "a",
@@ -124,10 +86,7 @@ pub(crate) fn refused_sample() -> Vec<Segment> {
         "control-00",
         "bytes-257",
     ];
-    refused()
-        .into_iter()
-        .filter(|segment| SAMPLE.contains(&segment.name.as_str()))
-        .collect()
+    refused().into_iter().filter(|segment| SAMPLE.contains(&segment.name.as_str())).collect()
 }
 
 /// Control characters that a builder should refuse.
@@ -136,13 +95,7 @@ pub(crate) fn discouraged() -> Vec<Segment> {
         .into_iter()
         .map(|(c, code)| {
             let says = format!("holds the control character U+00{}", code.to_uppercase());
-            segment(
-                format!("control-{code}"),
-                format!("a{c}b"),
-                says,
-                "NCP-KEY-016",
-                "control-characters",
-            )
+            segment(format!("control-{code}"), format!("a{c}b"), says, "NCP-KEY-016", "control-characters")
         })
         .collect()
 }
@@ -153,117 +106,34 @@ pub(crate) fn accepted() -> Vec<Segment> {
         ("one-letter", "a", "is one letter", "over-strict"),
         ("capitals", "UAV3", "is in capitals", "changed-segments"),
         ("digits", "007", "is made of digits", "changed-segments"),
-        (
-            "punctuation",
-            "-_~!'()+,:;=&%^|",
-            "is punctuation",
-            "over-strict",
-        ),
+        ("punctuation", "-_~!'()+,:;=&%^|", "is punctuation", "over-strict"),
         ("brackets", "{a}[b]<c>", "holds brackets", "over-strict"),
-        (
-            "quotes",
-            "a\"b\\c`",
-            "holds quotes and a backslash",
-            "raw-names",
-        ),
-        (
-            "percent-escape",
-            "%2F%2a",
-            "holds what looks like percent escapes",
-            "changed-segments",
-        ),
+        ("quotes", "a\"b\\c`", "holds quotes and a backslash", "raw-names"),
+        ("percent-escape", "%2F%2a", "holds what looks like percent escapes", "changed-segments"),
         ("dots-within", "a.b..c", "holds dots", "dot-segment"),
         ("three-dots", "...", "is three dots", "dot-segment"),
         ("dot-first", ".a", "begins with a dot", "dot-segment"),
         ("at-inside", "a@b", "holds `@` inside", "hidden-segment"),
         ("at-last", "a@", "ends with `@`", "hidden-segment"),
         ("latin", "caf\u{e9}", "is not in ASCII", "changed-segments"),
-        (
-            "decomposed",
-            "cafe\u{301}",
-            "is not in a composed normal form",
-            "changed-segments",
-        ),
-        (
-            "cyrillic",
-            "\u{434}\u{440}\u{43e}\u{43d}",
-            "is Cyrillic",
-            "changed-segments",
-        ),
-        (
-            "han",
-            "\u{65e0}\u{4eba}\u{673a}",
-            "is Han",
-            "changed-segments",
-        ),
-        (
-            "right-to-left",
-            "\u{5e2}\u{5d1}",
-            "is Hebrew",
-            "changed-segments",
-        ),
-        (
-            "emoji",
-            "\u{1f681}",
-            "is a character beyond the BMP",
-            "changed-segments",
-        ),
-        (
-            "no-break-space",
-            "a\u{a0}b",
-            "holds U+00A0, which is no ASCII white space",
-            "white-space-segment",
-        ),
-        (
-            "em-space",
-            "\u{2003}",
-            "is U+2003, which is no ASCII white space",
-            "white-space-segment",
-        ),
-        (
-            "line-separator",
-            "a\u{2028}b",
-            "holds U+2028, which is no ASCII white space",
-            "white-space-segment",
-        ),
-        (
-            "zero-width-space",
-            "a\u{200b}",
-            "ends with U+200B",
-            "changed-segments",
-        ),
-        (
-            "full-width-star",
-            "\u{ff0a}",
-            "is a full-width star",
-            "wildcard-injection",
-        ),
-        (
-            "full-width-at",
-            "\u{ff20}a",
-            "begins with a full-width at sign",
-            "hidden-segment",
-        ),
+        ("decomposed", "cafe\u{301}", "is not in a composed normal form", "changed-segments"),
+        ("cyrillic", "\u{434}\u{440}\u{43e}\u{43d}", "is Cyrillic", "changed-segments"),
+        ("han", "\u{65e0}\u{4eba}\u{673a}", "is Han", "changed-segments"),
+        ("right-to-left", "\u{5e2}\u{5d1}", "is Hebrew", "changed-segments"),
+        ("emoji", "\u{1f681}", "is a character beyond the BMP", "changed-segments"),
+        ("no-break-space", "a\u{a0}b", "holds U+00A0, which is no ASCII white space", "white-space-segment"),
+        ("em-space", "\u{2003}", "is U+2003, which is no ASCII white space", "white-space-segment"),
+        ("line-separator", "a\u{2028}b", "holds U+2028, which is no ASCII white space", "white-space-segment"),
+        ("zero-width-space", "a\u{200b}", "ends with U+200B", "changed-segments"),
+        ("full-width-star", "\u{ff0a}", "is a full-width star", "wildcard-injection"),
+        ("full-width-at", "\u{ff20}a", "begins with a full-width at sign", "hidden-segment"),
         ("keyword", "session", "is `session`", "over-strict"),
-        (
-            "prototype",
-            "__proto__",
-            "is `__proto__`",
-            "prototype-names",
-        ),
+        ("prototype", "__proto__", "is `__proto__`", "prototype-names"),
     ];
-    let mut all: Vec<Segment> = table
-        .into_iter()
-        .map(|(name, text, says, flag)| segment(name, text, says, "NCP-KEY-020", flag))
-        .collect();
+    let mut all: Vec<Segment> =
+        table.into_iter().map(|(name, text, says, flag)| segment(name, text, says, "NCP-KEY-020", flag)).collect();
     all.extend([
-        segment(
-            "bytes-256",
-            "a".repeat(256),
-            "has 256 bytes",
-            "NCP-KEY-020",
-            "segment-length",
-        ),
+        segment("bytes-256", "a".repeat(256), "has 256 bytes", "NCP-KEY-020", "segment-length"),
         segment(
             "bytes-256-of-128-characters",
             "\u{e9}".repeat(128),
@@ -284,55 +154,19 @@ pub(crate) fn accepted() -> Vec<Segment> {
 
 /// A few of them.
 pub(crate) fn accepted_sample() -> Vec<Segment> {
-    const SAMPLE: [&str; 5] = [
-        "three-dots",
-        "at-inside",
-        "decomposed",
-        "no-break-space",
-        "bytes-256-of-128-characters",
-    ];
-    accepted()
-        .into_iter()
-        .filter(|segment| SAMPLE.contains(&segment.name.as_str()))
-        .collect()
+    const SAMPLE: [&str; 5] =
+        ["three-dots", "at-inside", "decomposed", "no-break-space", "bytes-256-of-128-characters"];
+    accepted().into_iter().filter(|segment| SAMPLE.contains(&segment.name.as_str())).collect()
 }
 
 /// A forbidden character at every position.
 fn everywhere(c: char, name: &str, rule: &'static str, flag: &'static str) -> [Segment; 4] {
-    let shown = if c.is_control() || c == ' ' {
-        format!("U+{:04X}", u32::from(c))
-    } else {
-        format!("`{c}`")
-    };
+    let shown = if c.is_control() || c == ' ' { format!("U+{:04X}", u32::from(c)) } else { format!("`{c}`") };
     [
-        segment(
-            format!("{name}-first"),
-            format!("{c}a"),
-            format!("begins with {shown}"),
-            rule,
-            flag,
-        ),
-        segment(
-            format!("{name}-inside"),
-            format!("a{c}b"),
-            format!("holds {shown} inside"),
-            rule,
-            flag,
-        ),
-        segment(
-            format!("{name}-last"),
-            format!("a{c}"),
-            format!("ends with {shown}"),
-            rule,
-            flag,
-        ),
-        segment(
-            format!("{name}-alone"),
-            c.to_string(),
-            format!("is {shown}"),
-            rule,
-            flag,
-        ),
+        segment(format!("{name}-first"), format!("{c}a"), format!("begins with {shown}"), rule, flag),
+        segment(format!("{name}-inside"), format!("a{c}b"), format!("holds {shown} inside"), rule, flag),
+        segment(format!("{name}-last"), format!("a{c}"), format!("ends with {shown}"), rule, flag),
+        segment(format!("{name}-alone"), c.to_string(), format!("is {shown}"), rule, flag),
     ]
 }
 
@@ -343,13 +177,7 @@ fn segment(
     rule: &'static str,
     flag: &'static str,
 ) -> Segment {
-    Segment {
-        name: name.into(),
-        text: text.into(),
-        says: says.into(),
-        rule,
-        flag,
-    }
+    Segment { name: name.into(), text: text.into(), says: says.into(), rule, flag }
 }
 
 #[cfg(test)]

@@ -49,29 +49,17 @@ fn modes() -> Vec<Case> {
     ];
     for mode in ["hold", "init", "estop"] {
         cases.push(
-            case(
-                format!("mode/{mode}/first"),
-                &["NCP-SAFE-001"],
-                &[of(mode, 1, 1.0), ask(1.0), ask(1.125)],
-            )
-            .title(format!("A first command in mode `{mode}` moves nothing."))
-            .because("A plant does not move on a command whose mode is not `active`."),
+            case(format!("mode/{mode}/first"), &["NCP-SAFE-001"], &[of(mode, 1, 1.0), ask(1.0), ask(1.125)])
+                .title(format!("A first command in mode `{mode}` moves nothing."))
+                .because("A plant does not move on a command whose mode is not `active`."),
         );
         cases.push(
             case(
                 format!("mode/{mode}/second"),
                 &["NCP-SAFE-001", "NCP-RES-025"],
-                &[
-                    go(1, 1.0),
-                    ask(1.0),
-                    of(mode, 2, 1.0625),
-                    ask(1.0625),
-                    ask(1.125),
-                ],
+                &[go(1, 1.0), ask(1.0), of(mode, 2, 1.0625), ask(1.0625), ask(1.125)],
             )
-            .title(format!(
-                "A command in mode `{mode}` ends the active one before it."
-            ))
+            .title(format!("A command in mode `{mode}` ends the active one before it."))
             .because("`active` is none while the last command is not in mode `active`."),
         );
     }
@@ -80,25 +68,10 @@ fn modes() -> Vec<Case> {
             ("seq-zero", "without a stamp", Vec::new(), 0),
             ("negative", "of a negative seq", Vec::new(), -3),
             ("large", "of a large seq", Vec::new(), 9_007_199_254_740_991),
-            (
-                "after-expiry",
-                "after a command that expired",
-                vec![go(1, 0.5)],
-                2,
-            ),
-            (
-                "after-reset",
-                "after a reset",
-                vec![go(1, 0.5), Event::Reset],
-                1,
-            ),
+            ("after-expiry", "after a command that expired", vec![go(1, 0.5)], 2),
+            ("after-reset", "after a reset", vec![go(1, 0.5), Event::Reset], 1),
             ("after-hold", "after a HOLD", vec![of("hold", 1, 0.9375)], 2),
-            (
-                "after-no-ttl",
-                "after a command without a ttl",
-                vec![Event::Command(active(1).ttl(0.0), 0.9375)],
-                2,
-            ),
+            ("after-no-ttl", "after a command without a ttl", vec![Event::Command(active(1).ttl(0.0), 0.9375)], 2),
             ("twice", "that comes twice", vec![of(mode, 1, 0.9375)], 1),
         ] {
             let mut events = before;
@@ -130,19 +103,9 @@ fn modes() -> Vec<Case> {
             case(
                 format!("mode/unknown/{name}"),
                 &["NCP-SAFE-001"],
-                &[
-                    Event::Text {
-                        text: text(1),
-                        now: 1.0,
-                        stops: false,
-                    },
-                    ask(1.0),
-                    ask(1.125),
-                ],
+                &[Event::Text { text: text(1), now: 1.0, stops: false }, ask(1.0), ask(1.125)],
             )
-            .title(format!(
-                "A command in the unknown mode ({name}) moves nothing."
-            ))
+            .title(format!("A command in the unknown mode ({name}) moves nothing."))
             .flags(&["unknown-mode-moves"])
             .because("An unknown mode reads as `hold`, and only `active` moves."),
         );
@@ -155,13 +118,7 @@ fn modes() -> Vec<Case> {
         ("emergency", "emergency_stop"),
     ] {
         // A hold of a newer seq, from which the next command leads back.
-        let trace = [
-            go(1, 1.0),
-            Event::Command(active(2).mode(mode), 1.0625),
-            ask(1.0625),
-            go(3, 1.125),
-            ask(1.125),
-        ];
+        let trace = [go(1, 1.0), Event::Command(active(2).mode(mode), 1.0625), ask(1.0625), go(3, 1.125), ask(1.125)];
         cases.push(
             case(format!("mode/not-estop/{name}"), &["NCP-RES-023", "NCP-SAFE-001", "NCP-RES-025"], &trace)
                 .title(format!("A mode that only looks like ESTOP ({name}) is a HOLD and no latch."))
@@ -173,14 +130,7 @@ fn modes() -> Vec<Case> {
         case(
             "mode/absent",
             &["NCP-SAFE-001"],
-            &[
-                Event::Text {
-                    text: with_mode(1, None),
-                    now: 1.0,
-                    stops: false,
-                },
-                ask(1.0),
-            ],
+            &[Event::Text { text: with_mode(1, None), now: 1.0, stops: false }, ask(1.0)],
         )
         .title("A command without a mode moves nothing.")
         .flags(&["absent-mode-moves"])
@@ -198,13 +148,7 @@ fn holds() -> Vec<Case> {
                 "equal-seq",
                 &["NCP-RES-023"],
                 "of the same seq as the active command takes effect",
-                vec![
-                    go(5, 1.0),
-                    ask(1.0),
-                    of(mode, 5, 1.0625),
-                    ask(1.0625),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), ask(1.0), of(mode, 5, 1.0625), ask(1.0625), ask(1.125)],
             ),
             (
                 "newer-seq",
@@ -222,37 +166,19 @@ fn holds() -> Vec<Case> {
                 "equal-then-next",
                 &["NCP-RES-023", "NCP-RES-026"],
                 "of the same seq ends with the next active command",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 5, 1.0625),
-                    ask(1.0625),
-                    go(6, 1.125),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), of(mode, 5, 1.0625), ask(1.0625), go(6, 1.125), ask(1.125)],
             ),
             (
                 "zero-then-next",
                 &["NCP-RES-023", "NCP-RES-026"],
                 "without a stamp ends with the next active command",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 0, 1.0625),
-                    ask(1.0625),
-                    go(6, 1.125),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), of(mode, 0, 1.0625), ask(1.0625), go(6, 1.125), ask(1.125)],
             ),
             (
                 "newer-then-next",
                 &["NCP-RES-023", "NCP-RES-026"],
                 "of a newer seq ends with an active command that is newer still",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 8, 1.0625),
-                    ask(1.0625),
-                    go(9, 1.125),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), of(mode, 8, 1.0625), ask(1.0625), go(9, 1.125), ask(1.125)],
             ),
             (
                 "equal-then-duplicate",
@@ -270,39 +196,19 @@ fn holds() -> Vec<Case> {
                 "zero-then-older",
                 &["NCP-RES-023", "NCP-RES-020"],
                 "without a stamp is not undone by an older active command",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 0, 1.0625),
-                    go(3, 1.0625),
-                    ask(1.0625),
-                    go(1, 1.0625),
-                    ask(1.0625),
-                ],
+                vec![go(5, 1.0), of(mode, 0, 1.0625), go(3, 1.0625), ask(1.0625), go(1, 1.0625), ask(1.0625)],
             ),
             (
                 "newer-then-reordered",
                 &["NCP-RES-020", "NCP-RES-023"],
                 "of a newer seq is not undone by an active command that it overtook",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 8, 1.0625),
-                    go(7, 1.0625),
-                    ask(1.0625),
-                    go(6, 1.125),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), of(mode, 8, 1.0625), go(7, 1.0625), ask(1.0625), go(6, 1.125), ask(1.125)],
             ),
             (
                 "older-then-next",
                 &["NCP-RES-020", "NCP-RES-026"],
                 "of an older seq keeps no newer active command from moving",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 3, 1.0625),
-                    ask(1.0625),
-                    go(6, 1.125),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), of(mode, 3, 1.0625), ask(1.0625), go(6, 1.125), ask(1.125)],
             ),
             (
                 "older-refreshes-nothing",
@@ -314,12 +220,7 @@ fn holds() -> Vec<Case> {
                 "older-of-a-minute-refreshes-nothing",
                 &["NCP-RES-024", "NCP-RES-009"],
                 "of an older seq and a ttl of a minute refreshes no deadline",
-                vec![
-                    go(5, 1.0),
-                    Event::Command(active(4).mode(mode).ttl(60_000.0), 1.0625),
-                    ask(1.3125),
-                    ask(10.0),
-                ],
+                vec![go(5, 1.0), Event::Command(active(4).mode(mode).ttl(60_000.0), 1.0625), ask(1.3125), ask(10.0)],
             ),
             (
                 "negative-refreshes-nothing",
@@ -331,13 +232,7 @@ fn holds() -> Vec<Case> {
                 "newer-refreshes-nothing",
                 &["NCP-RES-024", "NCP-RES-025"],
                 "of a newer seq refreshes no deadline",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 6, 1.1875),
-                    ask(1.1875),
-                    ask(1.375),
-                    ask(1.4375),
-                ],
+                vec![go(5, 1.0), of(mode, 6, 1.1875), ask(1.1875), ask(1.375), ask(1.4375)],
             ),
             (
                 "zero-of-a-negative-stream",
@@ -361,26 +256,13 @@ fn holds() -> Vec<Case> {
                 "zero-of-a-long-ttl",
                 &["NCP-RES-023"],
                 "without a stamp ends a command of a minute",
-                vec![
-                    Event::Command(active(5).ttl(60_000.0), 1.0),
-                    ask(10.0),
-                    of(mode, 0, 10.0),
-                    ask(10.0),
-                    ask(20.0),
-                ],
+                vec![Event::Command(active(5).ttl(60_000.0), 1.0), ask(10.0), of(mode, 0, 10.0), ask(10.0), ask(20.0)],
             ),
             (
                 "older-moves-nothing-back",
                 &["NCP-RES-020", "NCP-RES-009"],
                 "of an older seq does not move the stream back",
-                vec![
-                    go(10, 1.0),
-                    of(mode, 3, 1.0625),
-                    go(5, 1.0625),
-                    ask(1.0625),
-                    ask(1.125),
-                    ask(1.3125),
-                ],
+                vec![go(10, 1.0), of(mode, 3, 1.0625), go(5, 1.0625), ask(1.0625), ask(1.125), ask(1.3125)],
             ),
             (
                 "older-moves-no-expired-stream-back",
@@ -416,12 +298,7 @@ fn holds() -> Vec<Case> {
                 "long-ttl",
                 &["NCP-SAFE-001", "NCP-RES-024"],
                 "with a ttl of a minute moves nothing for a minute",
-                vec![
-                    go(5, 1.0),
-                    Event::Command(active(6).mode(mode).ttl(60_000.0), 1.0625),
-                    ask(1.0625),
-                    ask(10.0),
-                ],
+                vec![go(5, 1.0), Event::Command(active(6).mode(mode).ttl(60_000.0), 1.0625), ask(1.0625), ask(10.0)],
             ),
             (
                 "no-ttl",
@@ -439,14 +316,7 @@ fn holds() -> Vec<Case> {
                 "twice",
                 &["NCP-RES-023"],
                 "twice is as good as once",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 5, 1.0625),
-                    of(mode, 5, 1.0625),
-                    ask(1.0625),
-                    go(6, 1.125),
-                    ask(1.125),
-                ],
+                vec![go(5, 1.0), of(mode, 5, 1.0625), of(mode, 5, 1.0625), ask(1.0625), go(6, 1.125), ask(1.125)],
             ),
             (
                 "with-horizon",
@@ -464,15 +334,7 @@ fn holds() -> Vec<Case> {
                 "persists",
                 &["NCP-RES-010", "NCP-RES-023"],
                 "holds for good when nothing else comes",
-                vec![
-                    go(5, 1.0),
-                    of(mode, 5, 1.0625),
-                    ask(1.0625),
-                    ask(1.125),
-                    ask(1.25),
-                    ask(10.0),
-                    ask(1.0625),
-                ],
+                vec![go(5, 1.0), of(mode, 5, 1.0625), ask(1.0625), ask(1.125), ask(1.25), ask(10.0), ask(1.0625)],
             ),
             (
                 "before-any",
@@ -509,13 +371,7 @@ fn holds_without_a_clock() -> Vec<Case> {
                 case(
                     format!("hold/clock-{}/{name}", name_of(value)),
                     &["NCP-RES-023"],
-                    &[
-                        go(5, 1.0),
-                        ask(1.0),
-                        of("hold", seq, value),
-                        ask(1.0625),
-                        ask(1.125),
-                    ],
+                    &[go(5, 1.0), ask(1.0), of("hold", seq, value), ask(1.0625), ask(1.125)],
                 )
                 .title(format!(
                     "A HOLD ({name} seq) takes effect, though the clock reads {} when it comes.",
@@ -541,29 +397,15 @@ fn seqs() -> Vec<Case> {
         ("unstamped-twice", 0, 0),
         ("wrapped", 9_007_199_254_740_991, 1),
     ] {
-        let flags: &[&'static str] = if second == 0 {
-            &["L08", "revived-command"]
-        } else {
-            &["revived-command"]
-        };
-        let other = |now| {
-            Event::Command(
-                super::model::Command {
-                    value: 77.0,
-                    ..active(second)
-                },
-                now,
-            )
-        };
+        let flags: &[&'static str] = if second == 0 { &["L08", "revived-command"] } else { &["revived-command"] };
+        let other = |now| Event::Command(super::model::Command { value: 77.0, ..active(second) }, now);
         cases.push(
             case(
                 format!("drop/{name}/channels"),
                 &["NCP-RES-020"],
                 &[go(first, 1.0), other(1.0625), ask(1.0625), ask(1.125)],
             )
-            .title(format!(
-                "A command of seq {second} after one of {first} does not replace it."
-            ))
+            .title(format!("A command of seq {second} after one of {first} does not replace it."))
             .flags(flags)
             .because("The buffer drops a command that does not advance."),
         );
@@ -573,17 +415,19 @@ fn seqs() -> Vec<Case> {
                 &["NCP-RES-009", "NCP-RES-020"],
                 &[go(first, 1.0), other(1.1875), ask(1.25), ask(1.3125)],
             )
-            .title(format!(
-                "A command of seq {second} after one of {first} does not prolong it."
-            ))
+            .title(format!("A command of seq {second} after one of {first} does not prolong it."))
             .flags(flags)
             .because("A command that does not advance does not refresh the deadline."),
         );
         cases.push(
-            case(format!("drop/{name}/revival"), &["NCP-RES-010", "NCP-RES-020"], &[go(first, 1.0), ask(1.5), other(1.5), ask(1.5)])
-                .title(format!("A command of seq {second} after one of {first} does not revive a plant that expired."))
-                .flags(flags)
-                .because("A hold persists until an advancing command."),
+            case(
+                format!("drop/{name}/revival"),
+                &["NCP-RES-010", "NCP-RES-020"],
+                &[go(first, 1.0), ask(1.5), other(1.5), ask(1.5)],
+            )
+            .title(format!("A command of seq {second} after one of {first} does not revive a plant that expired."))
+            .flags(flags)
+            .because("A hold persists until an advancing command."),
         );
     }
     for (name, first, second) in [
@@ -597,22 +441,11 @@ fn seqs() -> Vec<Case> {
             case(
                 format!("replace/{name}"),
                 &["NCP-RES-026"],
-                &[
-                    go(first, 1.0),
-                    ask(1.0),
-                    go(second, 1.125),
-                    ask(1.125),
-                    ask(1.375),
-                    ask(1.4375),
-                ],
+                &[go(first, 1.0), ask(1.0), go(second, 1.125), ask(1.125), ask(1.375), ask(1.4375)],
             )
-            .title(format!(
-                "A command of seq {second} after one of {first} replaces it, and its ttl counts."
-            ))
+            .title(format!("A command of seq {second} after one of {first} replaces it, and its ttl counts."))
             .flags(&["over-strict"])
-            .because(
-                "A command advances when its seq is greater than that of the last that advanced.",
-            ),
+            .because("A command advances when its seq is greater than that of the last that advanced."),
         );
     }
     let events: Vec<Event> = [3, 1, 2, 5, 4, 5, 6, 2]
@@ -646,67 +479,31 @@ fn resets() -> Vec<Case> {
             "estop",
             &["NCP-RES-031", "NCP-RES-030"],
             "A reset clears ESTOP and revives nothing.",
-            vec![
-                go(5, 1.0),
-                of("estop", 6, 1.0625),
-                ask(1.0625),
-                reset(),
-                ask(1.0625),
-                ask(1.125),
-            ],
+            vec![go(5, 1.0), of("estop", 6, 1.0625), ask(1.0625), reset(), ask(1.0625), ask(1.125)],
         ),
         (
             "estop-then-new",
             &["NCP-RES-030", "NCP-RES-021"],
             "After a reset of ESTOP, a new command moves the plant.",
-            vec![
-                go(5, 1.0),
-                of("estop", 6, 1.0625),
-                go(7, 1.0625),
-                ask(1.0625),
-                reset(),
-                go(8, 1.125),
-                ask(1.125),
-            ],
+            vec![go(5, 1.0), of("estop", 6, 1.0625), go(7, 1.0625), ask(1.0625), reset(), go(8, 1.125), ask(1.125)],
         ),
         (
             "estop-then-lower",
             &["NCP-RES-030"],
             "After a reset, a seq that begins again moves the plant.",
-            vec![
-                go(500, 1.0),
-                of("estop", 501, 1.0625),
-                reset(),
-                go(1, 1.125),
-                ask(1.125),
-                go(2, 1.1875),
-                ask(1.1875),
-            ],
+            vec![go(500, 1.0), of("estop", 501, 1.0625), reset(), go(1, 1.125), ask(1.125), go(2, 1.1875), ask(1.1875)],
         ),
         (
             "command-while-latched",
             &["NCP-RES-031", "NCP-RES-025"],
             "A command that came while ESTOP was latched does not move after the reset.",
-            vec![
-                of("estop", 1, 1.0),
-                go(2, 1.0),
-                ask(1.0),
-                reset(),
-                ask(1.0),
-                ask(1.125),
-            ],
+            vec![of("estop", 1, 1.0), go(2, 1.0), ask(1.0), reset(), ask(1.0), ask(1.125)],
         ),
         (
             "hold",
             &["NCP-RES-030"],
             "A reset forgets the seq of a HOLD.",
-            vec![
-                go(5, 1.0),
-                of("hold", 50, 1.0625),
-                reset(),
-                go(6, 1.125),
-                ask(1.125),
-            ],
+            vec![go(5, 1.0), of("hold", 50, 1.0625), reset(), go(6, 1.125), ask(1.125)],
         ),
         (
             "same-seq",
@@ -718,12 +515,7 @@ fn resets() -> Vec<Case> {
             "much-lower",
             &["NCP-RES-030"],
             "After a reset, a much lower seq advances.",
-            vec![
-                go(9_007_199_254_740_991, 1.0),
-                reset(),
-                go(3, 1.125),
-                ask(1.125),
-            ],
+            vec![go(9_007_199_254_740_991, 1.0), reset(), go(3, 1.125), ask(1.125)],
         ),
         (
             "unstamped",
@@ -766,23 +558,9 @@ fn resets() -> Vec<Case> {
             "restart-unstamped",
             &["NCP-RES-032"],
             "A sender that stops stamping is held until the reset.",
-            vec![
-                go(100, 1.0),
-                go(0, 1.5),
-                ask(1.5),
-                go(0, 1.5625),
-                ask(1.5625),
-                reset(),
-                go(0, 1.625),
-                ask(1.625),
-            ],
+            vec![go(100, 1.0), go(0, 1.5), ask(1.5), go(0, 1.5625), ask(1.5625), reset(), go(0, 1.625), ask(1.625)],
         ),
-        (
-            "twice",
-            &["NCP-RES-031"],
-            "Two resets revive nothing.",
-            vec![go(5, 1.0), reset(), reset(), ask(1.0)],
-        ),
+        ("twice", &["NCP-RES-031"], "Two resets revive nothing.", vec![go(5, 1.0), reset(), reset(), ask(1.0)]),
         (
             "first",
             &["NCP-RES-031"],
@@ -794,10 +572,7 @@ fn resets() -> Vec<Case> {
             &["NCP-RES-031", "NCP-RES-030"],
             "A reset forgets the horizon too.",
             vec![
-                Event::Command(
-                    active(5).ttl(1000.0).then(Some(125.0), &[51.0, 52.0, 53.0]),
-                    1.0,
-                ),
+                Event::Command(active(5).ttl(1000.0).then(Some(125.0), &[51.0, 52.0, 53.0]), 1.0),
                 ask(1.125),
                 reset(),
                 ask(1.25),
@@ -841,10 +616,16 @@ fn deadlines() -> Vec<Case> {
                 "NCP-RES-002"
             };
             cases.push(
-                case(format!("deadline/ttl-{}/after-{age}-s", name_of(ttl)), &[rule, "NCP-RES-025"], &[Event::Command(active(1).ttl(ttl), 4.0), ask(4.0 + age)])
-                    .title(format!("The buffer keeps a command of {ttl} ms for the enforced ttl, and is asked after {age} s."))
-                    .flags(if ttl > 60_000.0 { &["L02"] } else { &["off-by-a-boundary"] })
-                    .because("`active` is none whenever the deadline rules of 8.1 hold the plant."),
+                case(
+                    format!("deadline/ttl-{}/after-{age}-s", name_of(ttl)),
+                    &[rule, "NCP-RES-025"],
+                    &[Event::Command(active(1).ttl(ttl), 4.0), ask(4.0 + age)],
+                )
+                .title(format!(
+                    "The buffer keeps a command of {ttl} ms for the enforced ttl, and is asked after {age} s."
+                ))
+                .flags(if ttl > 60_000.0 { &["L02"] } else { &["off-by-a-boundary"] })
+                .because("`active` is none whenever the deadline rules of 8.1 hold the plant."),
             );
         }
     }
@@ -864,9 +645,7 @@ fn deadlines() -> Vec<Case> {
                     ask(1.1875),
                 ],
             )
-            .title(format!(
-                "A newer command of {ttl} ms ends the one before it, until the next."
-            ))
+            .title(format!("A newer command of {ttl} ms ends the one before it, until the next."))
             .flags(&["ttl-without-time"])
             .because("The plant keeps the newest command, and holds on one whose `ttl_ms` is not positive."),
         );
@@ -890,14 +669,10 @@ fn deadlines() -> Vec<Case> {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let name = name_of(value);
         cases.push(
-            case(
-                format!("clock/{name}/asked-once"),
-                &["NCP-RES-007"],
-                &[go(1, 1.0), ask(value)],
-            )
-            .title(format!("The buffer holds when the clock reads {name}."))
-            .flags(&["non-finite-clock"])
-            .because("A plant holds when now is not finite."),
+            case(format!("clock/{name}/asked-once"), &["NCP-RES-007"], &[go(1, 1.0), ask(value)])
+                .title(format!("The buffer holds when the clock reads {name}."))
+                .flags(&["non-finite-clock"])
+                .because("A plant holds when now is not finite."),
         );
         cases.push(
             case(
@@ -905,9 +680,7 @@ fn deadlines() -> Vec<Case> {
                 &["NCP-RES-010", "NCP-RES-007"],
                 &[go(1, 1.0), ask(value), ask(1.125), go(2, 1.125), ask(1.125)],
             )
-            .title(format!(
-                "The buffer holds when the clock reads {name}, and until the next command."
-            ))
+            .title(format!("The buffer holds when the clock reads {name}, and until the next command."))
             .flags(&["non-finite-clock"])
             .because("A plant holds when now is not finite, and the hold persists."),
         );
@@ -917,40 +690,16 @@ fn deadlines() -> Vec<Case> {
                 &["NCP-RES-007"],
                 &[go(1, value), ask(1.0), go(2, 1.125), ask(1.125)],
             )
-            .title(format!(
-                "The buffer holds on a command that came when the clock read {name}."
-            ))
+            .title(format!("The buffer holds on a command that came when the clock read {name}."))
             .flags(&["non-finite-clock"])
             .because("A plant holds when the time of receipt is not finite."),
         );
     }
     for (name, events) in [
-        (
-            "before-receipt",
-            vec![
-                go(1, 100.0),
-                ask(99.0),
-                ask(100.0),
-                go(2, 100.0),
-                ask(100.0),
-            ],
-        ),
+        ("before-receipt", vec![go(1, 100.0), ask(99.0), ask(100.0), go(2, 100.0), ask(100.0)]),
         ("far-back", vec![go(1, 1e6), ask(0.0), ask(1e6)]),
-        (
-            "expired-then-back",
-            vec![go(1, 1.0), ask(2.0), ask(1.125), ask(1.0)],
-        ),
-        (
-            "back-and-next",
-            vec![
-                go(1, 100.0),
-                ask(50.0),
-                go(2, 50.0),
-                ask(50.0),
-                ask(50.25),
-                ask(50.5),
-            ],
-        ),
+        ("expired-then-back", vec![go(1, 1.0), ask(2.0), ask(1.125), ask(1.0)]),
+        ("back-and-next", vec![go(1, 100.0), ask(50.0), go(2, 50.0), ask(50.0), ask(50.25), ask(50.5)]),
     ] {
         cases.push(
             case(format!("clock/{name}"), &["NCP-RES-008", "NCP-RES-010"], &events)
@@ -964,10 +713,14 @@ fn deadlines() -> Vec<Case> {
         let mut command = active(1);
         command.t = t;
         cases.push(
-            case(format!("senders-clock/{}", name_of(t)), &["NCP-RES-001"], &[Event::Command(command, 1.0), ask(1.25), ask(1.3125)])
-                .title(format!("A command's own time of {t} s says nothing about its age."))
-                .flags(&["L25"])
-                .because("A plant enforces the ttl on its own clock, from the moment at which it received the command."),
+            case(
+                format!("senders-clock/{}", name_of(t)),
+                &["NCP-RES-001"],
+                &[Event::Command(command, 1.0), ask(1.25), ask(1.3125)],
+            )
+            .title(format!("A command's own time of {t} s says nothing about its age."))
+            .flags(&["L25"])
+            .because("A plant enforces the ttl on its own clock, from the moment at which it received the command."),
         );
     }
     cases
@@ -983,67 +736,23 @@ fn malformed() -> Vec<Case> {
         ("truncated", Json::string(base.text().trim_end_matches('}'))),
         ("trailing", Json::string(base.text() + "x")),
         ("two-objects", Json::string(base.text() + &base.text())),
-        (
-            "seq-text",
-            Json::string(base.clone().with("seq", "2".into()).text()),
-        ),
-        (
-            "seq-fraction",
-            Json::string(base.clone().with("seq", Json::literal("2.0")).text()),
-        ),
-        (
-            "seq-huge",
-            Json::string(
-                base.clone()
-                    .with("seq", Json::literal("9007199254740992"))
-                    .text(),
-            ),
-        ),
-        (
-            "seq-null",
-            Json::string(base.clone().with("seq", Json::Null).text()),
-        ),
-        (
-            "ttl-text",
-            Json::string(base.clone().with("ttl_ms", "250".into()).text()),
-        ),
-        (
-            "ttl-overflow",
-            Json::string(base.clone().with("ttl_ms", Json::literal("1e309")).text()),
-        ),
-        (
-            "ttl-infinity",
-            Json::string(
-                base.clone()
-                    .with("ttl_ms", Json::literal("Infinity"))
-                    .text(),
-            ),
-        ),
-        (
-            "channels-array",
-            Json::string(
-                base.clone()
-                    .with("channels", Json::Array(Vec::new()))
-                    .text(),
-            ),
-        ),
+        ("seq-text", Json::string(base.clone().with("seq", "2".into()).text())),
+        ("seq-fraction", Json::string(base.clone().with("seq", Json::literal("2.0")).text())),
+        ("seq-huge", Json::string(base.clone().with("seq", Json::literal("9007199254740992")).text())),
+        ("seq-null", Json::string(base.clone().with("seq", Json::Null).text())),
+        ("ttl-text", Json::string(base.clone().with("ttl_ms", "250".into()).text())),
+        ("ttl-overflow", Json::string(base.clone().with("ttl_ms", Json::literal("1e309")).text())),
+        ("ttl-infinity", Json::string(base.clone().with("ttl_ms", Json::literal("Infinity")).text())),
+        ("channels-array", Json::string(base.clone().with("channels", Json::Array(Vec::new())).text())),
         (
             "data-text",
-            Json::string(
-                base.clone()
-                    .edit(&["channels", "velocity_setpoint", "data"], |_| {
-                        "fast".into()
-                    })
-                    .text(),
-            ),
+            Json::string(base.clone().edit(&["channels", "velocity_setpoint", "data"], |_| "fast".into()).text()),
         ),
         (
             "data-overflow",
             Json::string(
                 base.clone()
-                    .edit(&["channels", "velocity_setpoint", "data"], |_| {
-                        Json::Array(vec![Json::literal("1e400")])
-                    })
+                    .edit(&["channels", "velocity_setpoint", "data"], |_| Json::Array(vec![Json::literal("1e400")]))
                     .text(),
             ),
         ),
@@ -1051,47 +760,23 @@ fn malformed() -> Vec<Case> {
             "data-nan",
             Json::string(
                 base.clone()
-                    .edit(&["channels", "velocity_setpoint", "data"], |_| {
-                        Json::Array(vec![Json::literal("NaN")])
-                    })
+                    .edit(&["channels", "velocity_setpoint", "data"], |_| Json::Array(vec![Json::literal("NaN")]))
                     .text(),
             ),
         ),
         (
             "data-null",
             Json::string(
-                base.clone()
-                    .edit(&["channels", "velocity_setpoint", "data"], |_| {
-                        Json::Array(vec![Json::Null])
-                    })
-                    .text(),
+                base.clone().edit(&["channels", "velocity_setpoint", "data"], |_| Json::Array(vec![Json::Null])).text(),
             ),
         ),
-        (
-            "mode-number",
-            Json::string(base.clone().with("mode", Json::literal("1")).text()),
-        ),
-        (
-            "mode-null",
-            Json::string(base.clone().with("mode", Json::Null).text()),
-        ),
-        (
-            "repeated-mode",
-            Json::string(base.clone().and("mode", "active".into()).text()),
-        ),
-        (
-            "repeated-ttl",
-            Json::string(base.clone().and("ttl_ms", Json::literal("60000.0")).text()),
-        ),
+        ("mode-number", Json::string(base.clone().with("mode", Json::literal("1")).text())),
+        ("mode-null", Json::string(base.clone().with("mode", Json::Null).text())),
+        ("repeated-mode", Json::string(base.clone().and("mode", "active".into()).text())),
+        ("repeated-ttl", Json::string(base.clone().and("ttl_ms", Json::literal("60000.0")).text())),
         ("no-kind", Json::string(base.clone().without("kind").text())),
-        (
-            "other-kind",
-            Json::string(base.clone().with("kind", "sensor_frame".into()).text()),
-        ),
-        (
-            "unknown-kind",
-            Json::string(base.clone().with("kind", "command".into()).text()),
-        ),
+        ("other-kind", Json::string(base.clone().with("kind", "sensor_frame".into()).text())),
+        ("unknown-kind", Json::string(base.clone().with("kind", "command".into()).text())),
     ];
     let mut cases = Vec::new();
     let moving = |x: f64| object! { "channels" => object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]) } } };
@@ -1102,16 +787,8 @@ fn malformed() -> Vec<Case> {
         } else {
             "NCP-RES-006"
         };
-        let (args, _) = buffer(&[
-            Event::Text {
-                text: text.clone(),
-                now: 1.0,
-                stops: false,
-            },
-            ask(1.0),
-            go(3, 1.125),
-            ask(1.125),
-        ]);
+        let (args, _) =
+            buffer(&[Event::Text { text: text.clone(), now: 1.0, stops: false }, ask(1.0), go(3, 1.125), ask(1.125)]);
         cases.push(
             Case::new(format!("malformed/{name}/first"), &[rule], &[Role::Body])
                 .call("buffer.run", args)
@@ -1122,11 +799,7 @@ fn malformed() -> Vec<Case> {
         );
         let (args, _) = buffer(&[
             go(1, 1.0),
-            Event::Text {
-                text,
-                now: 1.125,
-                stops: false,
-            },
+            Event::Text { text, now: 1.125, stops: false },
             ask(1.125),
             ask(1.3125),
             go(3, 1.375),
@@ -1154,22 +827,10 @@ fn channels() -> Vec<Case> {
             "several channels",
             object! { "velocity_setpoint" => value(&[1.0, 2.0, 3.0], Some("m/s")), "gripper" => value(&[0.5], None), "light" => value(&[900.0], Some("lm")) },
         ),
-        (
-            "wide",
-            "a wide channel",
-            object! { "motors" => value(&[0.125; 16], None) },
-        ),
-        (
-            "empty-data",
-            "a channel without components",
-            object! { "gripper" => value(&[], None) },
-        ),
+        ("wide", "a wide channel", object! { "motors" => value(&[0.125; 16], None) }),
+        ("empty-data", "a channel without components", object! { "gripper" => value(&[], None) }),
         ("none", "no channels", Json::object()),
-        (
-            "odd-numbers",
-            "odd numbers",
-            object! { "velocity_setpoint" => value(&[-0.0, 5e-324, 1e308], Some("m/s")) },
-        ),
+        ("odd-numbers", "odd numbers", object! { "velocity_setpoint" => value(&[-0.0, 5e-324, 1e308], Some("m/s")) }),
         (
             "odd-names",
             "odd names",
@@ -1180,28 +841,12 @@ fn channels() -> Vec<Case> {
         .into_iter()
         .map(|(name, words, channels)| {
             // In a frame the negative zero is a number like any other.
-            let text = base
-                .clone()
-                .with("channels", channels.clone())
-                .text()
-                .replace("\"-0\"", "-0.0");
-            let (args, _) = buffer(&[
-                Event::Text {
-                    text: Json::string(text),
-                    now: 1.0,
-                    stops: false,
-                },
-                ask(1.125),
-            ]);
+            let text = base.clone().with("channels", channels.clone()).text().replace("\"-0\"", "-0.0");
+            let (args, _) = buffer(&[Event::Text { text: Json::string(text), now: 1.0, stops: false }, ask(1.125)]);
             Case::new(format!("channels/{name}"), &["NCP-RES-026"], &[Role::Body])
                 .call("buffer.run", args)
-                .shows(steps(vec![
-                    no_result(),
-                    object! { "channels" => crate::trace::exactly(channels) },
-                ]))
-                .title(format!(
-                    "A command with {words} is followed in all of them."
-                ))
+                .shows(steps(vec![no_result(), object! { "channels" => crate::trace::exactly(channels) }]))
+                .title(format!("A command with {words} is followed in all of them."))
                 .because("Without a horizon, `active` is the channels of tick 0.")
         })
         .collect()

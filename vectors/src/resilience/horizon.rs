@@ -26,10 +26,7 @@ fn ticks() -> Vec<Case> {
                     continue;
                 }
                 let (name, age) = match quarter % 4 {
-                    3 => (
-                        "just-before",
-                        step * (f64::from(quarter / 4 + 1) - 1.0 / 1024.0),
-                    ),
+                    3 => ("just-before", step * (f64::from(quarter / 4 + 1) - 1.0 / 1024.0)),
                     2 => ("middle", step * f64::from(quarter) / 4.0),
                     _ => ("start", step * f64::from(quarter / 4)),
                 };
@@ -38,11 +35,7 @@ fn ticks() -> Vec<Case> {
                 }
                 let tick = quarter / 4;
                 let command = active(1).ttl(60_000.0).then(Some(dt), &values);
-                let rule = if tick > count {
-                    "NCP-RES-029"
-                } else {
-                    "NCP-RES-028"
-                };
+                let rule = if tick > count { "NCP-RES-029" } else { "NCP-RES-028" };
                 cases.push(
                     case(format!("tick/{dt}-ms/{count}-steps/tick-{tick}/{name}"), &[rule, "NCP-RES-025"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
                         .title(format!("Of a horizon of {count} steps of {dt} ms, the plant follows tick {tick} after {} ms, or none behind its end.", age * 1000.0))
@@ -83,20 +76,32 @@ fn lengths_of_a_tick() -> Vec<Case> {
     ] {
         let command = active(1).then(Some(dt), &[10.0, 20.0]);
         cases.push(
-            case(format!("odd-length/{name}"), &["NCP-RES-028", "NCP-RES-029"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
-                .title(format!("A tick of {dt} ms is a tick ({}).", name.replace('-', " ")))
-                .flags(&["overflowing-tick"])
-                .because("The tick is \u{230a}(now \u{2212} received) / dt\u{230b}, also where that is beyond every integer."),
+            case(
+                format!("odd-length/{name}"),
+                &["NCP-RES-028", "NCP-RES-029"],
+                &[Event::Command(command, 4.0), Event::Ask(4.0 + age)],
+            )
+            .title(format!("A tick of {dt} ms is a tick ({}).", name.replace('-', " ")))
+            .flags(&["overflowing-tick"])
+            .because(
+                "The tick is \u{230a}(now \u{2212} received) / dt\u{230b}, also where that is beyond every integer.",
+            ),
         );
     }
     // Without a horizon the length does not matter.
     for dt in [0.0, 10.0, 62.5, -1.0, 1e308] {
         for age in [0.125, 0.25] {
             cases.push(
-                case(format!("no-horizon/dt-{}/after-{age}-s", name_of(dt)), &["NCP-RES-026"], &[Event::Command(active(1).then(Some(dt), &[]), 4.0), Event::Ask(4.0 + age)])
-                    .title(format!("Without a horizon, a tick of {dt} ms changes nothing: the plant follows tick 0 after {age} s."))
-                    .flags(&["wrong-tick"])
-                    .because("Without a horizon, `active` is the channels of tick 0."),
+                case(
+                    format!("no-horizon/dt-{}/after-{age}-s", name_of(dt)),
+                    &["NCP-RES-026"],
+                    &[Event::Command(active(1).then(Some(dt), &[]), 4.0), Event::Ask(4.0 + age)],
+                )
+                .title(format!(
+                    "Without a horizon, a tick of {dt} ms changes nothing: the plant follows tick 0 after {age} s."
+                ))
+                .flags(&["wrong-tick"])
+                .because("Without a horizon, `active` is the channels of tick 0."),
             );
         }
     }
@@ -105,39 +110,20 @@ fn lengths_of_a_tick() -> Vec<Case> {
 
 fn traces() -> Vec<Case> {
     let ask = Event::Ask;
-    let plan = |seq: i64, ttl: f64| {
-        active(seq)
-            .ttl(ttl)
-            .then(Some(125.0), &[101.0, 102.0, 103.0])
-    };
+    let plan = |seq: i64, ttl: f64| active(seq).ttl(ttl).then(Some(125.0), &[101.0, 102.0, 103.0]);
     let at = Event::Command;
     let table: Vec<(&str, &[&'static str], &str, Vec<Event>)> = vec![
         (
             "whole-replay",
             &["NCP-RES-028", "NCP-RES-029"],
             "A plant replays a horizon to its end and then holds.",
-            vec![
-                at(plan(1, 1000.0), 2.0),
-                ask(2.0),
-                ask(2.125),
-                ask(2.25),
-                ask(2.375),
-                ask(2.5),
-                ask(2.625),
-            ],
+            vec![at(plan(1, 1000.0), 2.0), ask(2.0), ask(2.125), ask(2.25), ask(2.375), ask(2.5), ask(2.625)],
         ),
         (
             "ttl-ends-replay",
             &["NCP-RES-002", "NCP-RES-025"],
             "The ttl ends a replay before the horizon does.",
-            vec![
-                at(plan(1, 250.0), 2.0),
-                ask(2.0),
-                ask(2.125),
-                ask(2.25),
-                ask(2.3125),
-                ask(2.375),
-            ],
+            vec![at(plan(1, 250.0), 2.0), ask(2.0), ask(2.125), ask(2.25), ask(2.3125), ask(2.375)],
         ),
         (
             "ttl-at-a-tick",
@@ -149,14 +135,7 @@ fn traces() -> Vec<Case> {
             "new-command-restarts",
             &["NCP-RES-028"],
             "A newer command begins its own replay.",
-            vec![
-                at(plan(1, 1000.0), 2.0),
-                ask(2.125),
-                at(plan(2, 1000.0), 2.25),
-                ask(2.25),
-                ask(2.375),
-                ask(2.5),
-            ],
+            vec![at(plan(1, 1000.0), 2.0), ask(2.125), at(plan(2, 1000.0), 2.25), ask(2.25), ask(2.375), ask(2.5)],
         ),
         (
             "duplicate-restarts-nothing",
@@ -176,49 +155,25 @@ fn traces() -> Vec<Case> {
             "older-restarts-nothing",
             &["NCP-RES-020", "NCP-RES-028"],
             "An older command does not disturb the replay.",
-            vec![
-                at(plan(5, 1000.0), 2.0),
-                at(active(4), 2.125),
-                ask(2.125),
-                ask(2.25),
-            ],
+            vec![at(plan(5, 1000.0), 2.0), at(active(4), 2.125), ask(2.125), ask(2.25)],
         ),
         (
             "hold-ends-replay",
             &["NCP-RES-023", "NCP-RES-025"],
             "A HOLD ends a replay.",
-            vec![
-                at(plan(1, 1000.0), 2.0),
-                ask(2.125),
-                at(active(1).mode("hold"), 2.125),
-                ask(2.125),
-                ask(2.25),
-            ],
+            vec![at(plan(1, 1000.0), 2.0), ask(2.125), at(active(1).mode("hold"), 2.125), ask(2.125), ask(2.25)],
         ),
         (
             "reset-ends-replay",
             &["NCP-RES-031"],
             "A reset ends a replay.",
-            vec![
-                at(plan(1, 1000.0), 2.0),
-                ask(2.125),
-                Event::Reset,
-                ask(2.125),
-                ask(2.25),
-            ],
+            vec![at(plan(1, 1000.0), 2.0), ask(2.125), Event::Reset, ask(2.125), ask(2.25)],
         ),
         (
             "plain-after-replay",
             &["NCP-RES-026"],
             "A command without a horizon replaces one with a horizon.",
-            vec![
-                at(plan(1, 1000.0), 2.0),
-                ask(2.125),
-                at(active(2), 2.125),
-                ask(2.125),
-                ask(2.375),
-                ask(2.4375),
-            ],
+            vec![at(plan(1, 1000.0), 2.0), ask(2.125), at(active(2), 2.125), ask(2.125), ask(2.375), ask(2.4375)],
         ),
         (
             "sparse-questions",
@@ -230,12 +185,13 @@ fn traces() -> Vec<Case> {
             "many-questions",
             &["NCP-RES-028"],
             "Asking often does not hasten the replay.",
-            (0..16_u32)
-                .map(|nth| ask(2.0 + f64::from(nth) / 64.0))
-                .fold(vec![at(plan(1, 1000.0), 2.0)], |mut all, event| {
+            (0..16_u32).map(|nth| ask(2.0 + f64::from(nth) / 64.0)).fold(
+                vec![at(plan(1, 1000.0), 2.0)],
+                |mut all, event| {
                     all.push(event);
                     all
-                }),
+                },
+            ),
         ),
         (
             "clock-backward",
@@ -247,14 +203,7 @@ fn traces() -> Vec<Case> {
             "past-the-end-then-back",
             &["NCP-RES-010", "NCP-RES-029"],
             "A clock that steps back does not bring a replay back that has ended.",
-            vec![
-                at(plan(1, 60_000.0), 2.0),
-                ask(2.375),
-                ask(2.5),
-                ask(2.25),
-                ask(2.375),
-                ask(2.0),
-            ],
+            vec![at(plan(1, 60_000.0), 2.0), ask(2.375), ask(2.5), ask(2.25), ask(2.375), ask(2.0)],
         ),
         (
             "past-the-end-then-back-to-tick-0",
@@ -303,25 +252,14 @@ fn traces() -> Vec<Case> {
             "past-the-end-with-ttl",
             &["NCP-RES-029"],
             "Behind its horizon the plant holds, though the ttl has not ended.",
-            vec![
-                at(plan(1, 60_000.0), 2.0),
-                ask(2.5),
-                ask(3.0),
-                ask(30.0),
-                ask(62.0),
-            ],
+            vec![at(plan(1, 60_000.0), 2.0), ask(2.5), ask(3.0), ask(30.0), ask(62.0)],
         ),
         (
             "capped-ttl",
             &["NCP-RES-004"],
             "A replay ends after a minute, whatever the ttl.",
             vec![
-                at(
-                    active(1)
-                        .ttl(1e9)
-                        .then(Some(30_000.0), &[101.0, 102.0, 103.0]),
-                    2.0,
-                ),
+                at(active(1).ttl(1e9).then(Some(30_000.0), &[101.0, 102.0, 103.0]), 2.0),
                 ask(32.0),
                 ask(62.0),
                 ask(62.5),
@@ -349,10 +287,8 @@ fn traces() -> Vec<Case> {
 pub(super) fn lengths() -> File {
     let mut cases = Vec::new();
     let of = |path: String, rules: &[&'static str], ttl: f64, dt: f64| {
-        Case::new(path, rules, &[Role::Commander, Role::Body]).call(
-            "horizon.max_len",
-            object! { "ttl_ms" => num(ttl), "dt_ms" => num(dt) },
-        )
+        Case::new(path, rules, &[Role::Commander, Role::Body])
+            .call("horizon.max_len", object! { "ttl_ms" => num(ttl), "dt_ms" => num(dt) })
     };
     let exact: [(f64, f64, i64); 22] = [
         (1000.0, 100.0, 10),
@@ -380,40 +316,20 @@ pub(super) fn lengths() -> File {
     ];
     for (ttl, dt, len) in exact {
         cases.push(
-            of(
-                format!("len/{}-by-{}", name_of(ttl), name_of(dt)),
-                &["NCP-RES-033"],
-                ttl,
-                dt,
-            )
-            .shows(object! { "len" => int(len) })
-            .title(format!(
-                "A ttl of {ttl} ms has room for {len} ticks of {dt} ms."
-            ))
-            .because("`max_horizon_len` is \u{230a}ttl / dt\u{230b}."),
+            of(format!("len/{}-by-{}", name_of(ttl), name_of(dt)), &["NCP-RES-033"], ttl, dt)
+                .shows(object! { "len" => int(len) })
+                .title(format!("A ttl of {ttl} ms has room for {len} ticks of {dt} ms."))
+                .because("`max_horizon_len` is \u{230a}ttl / dt\u{230b}."),
         );
     }
     // Beyond what a frame may have, the cap is advice; beyond a minute, the enforced ttl may count.
-    for (ttl, dt, full) in [
-        (60_000.0, 1.0, 60_000.0),
-        (4097.0, 1.0, 4097.0),
-        (60_000.0, 0.5, 120_000.0),
-    ] {
+    for (ttl, dt, full) in [(60_000.0, 1.0, 60_000.0), (4097.0, 1.0, 4097.0), (60_000.0, 0.5, 120_000.0)] {
         cases.push(
-            of(
-                format!("long/{}-by-{}", name_of(ttl), name_of(dt)),
-                &["NCP-RES-033"],
-                ttl,
-                dt,
-            )
-            .shows(object! { "len" => any(vec![num(4096.0), num(full)]) })
-            .title(format!(
-                "A ttl of {ttl} ms and ticks of {dt} ms give 4,096, or all of them."
-            ))
-            .flags(&["L27"])
-            .because(
-                "`max_horizon_len` is \u{230a}ttl / dt\u{230b}, and should be capped at 4,096.",
-            ),
+            of(format!("long/{}-by-{}", name_of(ttl), name_of(dt)), &["NCP-RES-033"], ttl, dt)
+                .shows(object! { "len" => any(vec![num(4096.0), num(full)]) })
+                .title(format!("A ttl of {ttl} ms and ticks of {dt} ms give 4,096, or all of them."))
+                .flags(&["L27"])
+                .because("`max_horizon_len` is \u{230a}ttl / dt\u{230b}, and should be capped at 4,096."),
         );
         cases.push(
             of(format!("cap/{}-by-{}", name_of(ttl), name_of(dt)), &["NCP-RES-034"], ttl, dt)
@@ -439,9 +355,7 @@ pub(super) fn lengths() -> File {
         cases.push(
             of(format!("saturated-cap/{name}"), &["NCP-RES-034"], ttl, dt)
                 .shows(object! { "len" => int(4096) })
-                .title(format!(
-                    "A ttl of {ttl} ms and ticks of {dt} ms should give 4,096."
-                ))
+                .title(format!("A ttl of {ttl} ms and ticks of {dt} ms should give 4,096."))
                 .flags(&["L27"])
                 .because("`max_horizon_len` should be capped at 4,096."),
         );
@@ -450,40 +364,22 @@ pub(super) fn lengths() -> File {
         cases.push(
             of(format!("beyond-a-minute/{ttl}"), &["NCP-RES-033"], ttl, 1000.0)
                 .shows(object! { "len" => any(vec![num(ttl / 1000.0), num(60.0)]) })
-                .title(format!("A ttl of {ttl} ms has room for {} ticks of a second, or for the 60 of the enforced ttl.", ttl / 1000.0))
+                .title(format!(
+                    "A ttl of {ttl} ms has room for {} ticks of a second, or for the 60 of the enforced ttl.",
+                    ttl / 1000.0
+                ))
                 .because("`max_horizon_len` is \u{230a}ttl / dt\u{230b}; a plant enforces 60 s of the ttl."),
         );
     }
-    let bad = [
-        0.0,
-        -0.0,
-        -1.0,
-        -5e-324,
-        -1e308,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ];
+    let bad = [0.0, -0.0, -1.0, -5e-324, -1e308, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     for value in bad {
-        for (which, ttl, dt) in [
-            ("ttl", value, 50.0),
-            ("dt", 200.0, value),
-            ("both", value, value),
-        ] {
+        for (which, ttl, dt) in [("ttl", value, 50.0), ("dt", 200.0, value), ("both", value, value)] {
             cases.push(
-                of(
-                    format!("none/{which}/{}", name_of(value)),
-                    &["NCP-RES-033"],
-                    ttl,
-                    dt,
-                )
-                .shows(object! { "len" => int(0) })
-                .title(format!(
-                    "There is no room for ticks when {which} is {}.",
-                    name_of(value)
-                ))
-                .flags(&["L27"])
-                .because("`max_horizon_len` is 0 when either is not finite or not positive."),
+                of(format!("none/{which}/{}", name_of(value)), &["NCP-RES-033"], ttl, dt)
+                    .shows(object! { "len" => int(0) })
+                    .title(format!("There is no room for ticks when {which} is {}.", name_of(value)))
+                    .flags(&["L27"])
+                    .because("`max_horizon_len` is 0 when either is not finite or not positive."),
             );
         }
     }

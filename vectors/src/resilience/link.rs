@@ -12,7 +12,8 @@ pub(super) fn file() -> File {
     cases.extend(bursts());
     cases.extend(parameters());
     cases.extend(extremes());
-    let about = "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
+    let about =
+        "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
     File::new("resilience", "link", about, cases)
 }
 
@@ -45,13 +46,7 @@ impl Monitor {
         let mut sums = Vec::new();
         for delivery_first in [false, true] {
             for late in [-ref_loss, -1.0, 0.0] {
-                sums.push((
-                    Reading {
-                        delivery_first,
-                        late,
-                    },
-                    0.0,
-                ));
+                sums.push((Reading { delivery_first, late }, 0.0));
             }
         }
         Self {
@@ -121,20 +116,9 @@ impl Monitor {
             "loss_rate" => num(rate),
         };
         // Then it may be that of the frame that arrived last.
-        let report = if self.in_order {
-            report
-        } else {
-            report.without("last_seq")
-        };
-        let above = |margin: f64| {
-            self.sums
-                .iter()
-                .all(|(_, sum)| *sum > self.threshold + margin)
-        };
-        let below = self
-            .sums
-            .iter()
-            .all(|(_, sum)| *sum < self.threshold - 1e-6);
+        let report = if self.in_order { report } else { report.without("last_seq") };
+        let above = |margin: f64| self.sums.iter().all(|(_, sum)| *sum > self.threshold + margin);
+        let below = self.sums.iter().all(|(_, sum)| *sum < self.threshold - 1e-6);
         if above(1e-6) {
             report.with("burst", Json::Bool(true))
         } else if below {
@@ -148,10 +132,7 @@ impl Monitor {
 const BOTH: [Role; 2] = [Role::Commander, Role::Body];
 
 fn args(ref_loss: Option<f64>, threshold: Option<f64>, seqs: &[i64]) -> Json {
-    let frames: Json = seqs
-        .iter()
-        .map(|seq| object! { "op" => "frame", "seq" => int(*seq) })
-        .collect();
+    let frames: Json = seqs.iter().map(|seq| object! { "op" => "frame", "seq" => int(*seq) }).collect();
     object! { "ref_loss" => ref_loss.map(num), "threshold" => threshold.map(num), "steps" => frames }
 }
 
@@ -169,19 +150,13 @@ fn case(
         let report = |seq: &i64| {
             monitor.frame(*seq);
             let report = monitor.report();
-            if asks_for_rate {
-                report
-            } else {
-                report.without("loss_rate")
-            }
+            if asks_for_rate { report } else { report.without("loss_rate") }
         };
         steps(seqs.iter().map(report).collect())
     };
     let mut patterns = vec![reports(false), reports(true)];
     patterns.dedup();
-    Case::new(path, rules, &BOTH)
-        .call("link.run", args(given.0, given.1, seqs))
-        .shows(any(patterns))
+    Case::new(path, rules, &BOTH).call("link.run", args(given.0, given.1, seqs)).shows(any(patterns))
 }
 
 fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {
@@ -190,102 +165,37 @@ fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {
 
 fn counts() -> Vec<Case> {
     let table: Vec<(&str, &[&'static str], &str, Vec<i64>)> = vec![
-        (
-            "one-frame",
-            &["NCP-RES-044"],
-            "One frame is no loss.",
-            vec![1],
-        ),
+        ("one-frame", &["NCP-RES-044"], "One frame is no loss.", vec![1]),
         (
             "first-is-late-start",
             &["NCP-RES-044", "NCP-RES-040"],
             "What came before the first frame is no loss.",
             vec![1000, 1001],
         ),
-        (
-            "from-zero",
-            &["NCP-RES-044"],
-            "A stream may begin at 0.",
-            vec![0, 1, 2],
-        ),
-        (
-            "negative",
-            &["NCP-RES-040", "NCP-RES-044"],
-            "A stream may begin below 0.",
-            vec![-5, -4, -1, 0, 2],
-        ),
-        (
-            "in-order",
-            &["NCP-RES-044", "NCP-RES-040"],
-            "Frames in order lose nothing.",
-            (1..=20).collect(),
-        ),
-        (
-            "one-gap",
-            &["NCP-RES-040"],
-            "One missing frame is one lost.",
-            vec![1, 2, 4, 5],
-        ),
-        (
-            "gap-of-three",
-            &["NCP-RES-040"],
-            "A gap of three is three lost.",
-            vec![1, 5, 6],
-        ),
-        (
-            "two-gaps",
-            &["NCP-RES-040"],
-            "Gaps add up.",
-            vec![1, 3, 4, 6, 8],
-        ),
-        (
-            "every-second",
-            &["NCP-RES-040", "NCP-RES-044"],
-            "Half of the frames are lost.",
-            vec![1, 3, 5, 7, 9],
-        ),
-        (
-            "late",
-            &["NCP-RES-041"],
-            "A late frame is taken back from the lost.",
-            vec![1, 2, 4, 3, 5],
-        ),
+        ("from-zero", &["NCP-RES-044"], "A stream may begin at 0.", vec![0, 1, 2]),
+        ("negative", &["NCP-RES-040", "NCP-RES-044"], "A stream may begin below 0.", vec![-5, -4, -1, 0, 2]),
+        ("in-order", &["NCP-RES-044", "NCP-RES-040"], "Frames in order lose nothing.", (1..=20).collect()),
+        ("one-gap", &["NCP-RES-040"], "One missing frame is one lost.", vec![1, 2, 4, 5]),
+        ("gap-of-three", &["NCP-RES-040"], "A gap of three is three lost.", vec![1, 5, 6]),
+        ("two-gaps", &["NCP-RES-040"], "Gaps add up.", vec![1, 3, 4, 6, 8]),
+        ("every-second", &["NCP-RES-040", "NCP-RES-044"], "Half of the frames are lost.", vec![1, 3, 5, 7, 9]),
+        ("late", &["NCP-RES-041"], "A late frame is taken back from the lost.", vec![1, 2, 4, 3, 5]),
         (
             "late-twice",
             &["NCP-RES-042", "NCP-RES-041"],
             "A late frame that comes twice is taken back once.",
             vec![1, 3, 2, 2, 4],
         ),
-        (
-            "two-late",
-            &["NCP-RES-041"],
-            "Late frames may come in any order.",
-            vec![1, 5, 3, 2, 4, 6],
-        ),
+        ("two-late", &["NCP-RES-041"], "Late frames may come in any order.", vec![1, 5, 3, 2, 4, 6]),
         (
             "reversed",
             &["NCP-RES-041", "NCP-RES-043"],
             "A reversed burst is no loss in the end.",
             vec![1, 6, 5, 4, 3, 2, 7],
         ),
-        (
-            "swapped-pairs",
-            &["NCP-RES-041", "NCP-RES-043"],
-            "Swapped pairs lose nothing.",
-            vec![1, 3, 2, 5, 4, 7, 6, 8],
-        ),
-        (
-            "duplicate",
-            &["NCP-RES-042"],
-            "A duplicate changes nothing.",
-            vec![1, 2, 2, 3, 3, 3, 4],
-        ),
-        (
-            "duplicate-first",
-            &["NCP-RES-042"],
-            "A duplicate of the first frame changes nothing.",
-            vec![5, 5, 5, 6],
-        ),
+        ("swapped-pairs", &["NCP-RES-041", "NCP-RES-043"], "Swapped pairs lose nothing.", vec![1, 3, 2, 5, 4, 7, 6, 8]),
+        ("duplicate", &["NCP-RES-042"], "A duplicate changes nothing.", vec![1, 2, 2, 3, 3, 3, 4]),
+        ("duplicate-first", &["NCP-RES-042"], "A duplicate of the first frame changes nothing.", vec![5, 5, 5, 6]),
         (
             "old-duplicate",
             &["NCP-RES-042", "NCP-RES-043"],
@@ -298,18 +208,8 @@ fn counts() -> Vec<Case> {
             "A frame from before the first is no loss taken back.",
             vec![10, 3, 9, 11],
         ),
-        (
-            "duplicate-after-gap",
-            &["NCP-RES-042"],
-            "A duplicate after a gap takes nothing back.",
-            vec![1, 5, 5, 1, 6],
-        ),
-        (
-            "restart",
-            &["NCP-RES-043"],
-            "A stream that begins again moves nothing back.",
-            vec![50, 51, 52, 1, 2, 3, 53],
-        ),
+        ("duplicate-after-gap", &["NCP-RES-042"], "A duplicate after a gap takes nothing back.", vec![1, 5, 5, 1, 6]),
+        ("restart", &["NCP-RES-043"], "A stream that begins again moves nothing back.", vec![50, 51, 52, 1, 2, 3, 53]),
         (
             "late-before-first-gap",
             &["NCP-RES-041", "NCP-RES-042"],
@@ -322,36 +222,16 @@ fn counts() -> Vec<Case> {
             "When all that was missing comes late, the loss rate is 0.",
             vec![1, 10, 2, 3, 4, 5, 6, 7, 8, 9],
         ),
-        (
-            "rate-half",
-            &["NCP-RES-044"],
-            "One lost of two expected is a half.",
-            vec![1, 3],
-        ),
-        (
-            "rate-large",
-            &["NCP-RES-044", "NCP-RES-045"],
-            "Ninety-eight lost of a hundred expected.",
-            vec![1, 100],
-        ),
+        ("rate-half", &["NCP-RES-044"], "One lost of two expected is a half.", vec![1, 3]),
+        ("rate-large", &["NCP-RES-044", "NCP-RES-045"], "Ninety-eight lost of a hundred expected.", vec![1, 100]),
         (
             "rate-negative-seqs",
             &["NCP-RES-045", "NCP-RES-044"],
             "The loss rate of a stream from below 0 to above stays within 0 and 1.",
             vec![-50, 50, 0, -1, 51],
         ),
-        (
-            "zero-is-a-seq",
-            &["NCP-RES-040"],
-            "0 is a seq like any other.",
-            vec![-1, 0, 1],
-        ),
-        (
-            "duplicates-only",
-            &["NCP-RES-042", "NCP-RES-045"],
-            "Nothing but duplicates is no loss.",
-            vec![7; 12],
-        ),
+        ("zero-is-a-seq", &["NCP-RES-040"], "0 is a seq like any other.", vec![-1, 0, 1]),
+        ("duplicates-only", &["NCP-RES-042", "NCP-RES-045"], "Nothing but duplicates is no loss.", vec![7; 12]),
     ];
     let mut cases: Vec<Case> = table
         .into_iter()
@@ -371,7 +251,9 @@ fn counts() -> Vec<Case> {
             usual(&format!("order/{nth:02}"), &["NCP-RES-041", "NCP-RES-040", "NCP-RES-043"], &seqs)
                 .title(format!("The frames {seqs:?} lose nothing in the end, in this order."))
                 .flags(&["wrong-loss"])
-                .because("A late frame is taken back from `lost` and counted as received, and expected only moves forward."),
+                .because(
+                    "A late frame is taken back from `lost` and counted as received, and expected only moves forward.",
+                ),
         );
     }
     // Every subset of four frames that may be lost.
@@ -381,14 +263,10 @@ fn counts() -> Vec<Case> {
             .chain([6, 7])
             .collect();
         cases.push(
-            usual(
-                &format!("lost/{mask:04b}"),
-                &["NCP-RES-040", "NCP-RES-044"],
-                &seqs,
-            )
-            .title(format!("Of the frames 1 to 7, {seqs:?} arrive."))
-            .flags(&["wrong-loss"])
-            .because("Each seq between expected and the seq of an arriving frame is lost."),
+            usual(&format!("lost/{mask:04b}"), &["NCP-RES-040", "NCP-RES-044"], &seqs)
+                .title(format!("Of the frames 1 to 7, {seqs:?} arrive."))
+                .flags(&["wrong-loss"])
+                .because("Each seq between expected and the seq of an arriving frame is lost."),
         );
         cases.push(
             usual(&format!("rate/{mask:04b}"), &["NCP-RES-044"], &seqs)
@@ -403,18 +281,8 @@ fn counts() -> Vec<Case> {
 /// The `last_seq`, which is advice once an older frame has arrived behind the newest.
 fn last_seqs() -> Vec<Case> {
     let table: [(&str, &'static str, &[i64], &str); 5] = [
-        (
-            "in-order",
-            "NCP-RES-054",
-            &[3, 4, 7, 7, 9],
-            "`last_seq` is the highest seq, which arrived last.",
-        ),
-        (
-            "late",
-            "NCP-RES-055",
-            &[1, 5, 3, 2, 6, 4],
-            "`last_seq` should stay the highest seq when late frames arrive.",
-        ),
+        ("in-order", "NCP-RES-054", &[3, 4, 7, 7, 9], "`last_seq` is the highest seq, which arrived last."),
+        ("late", "NCP-RES-055", &[1, 5, 3, 2, 6, 4], "`last_seq` should stay the highest seq when late frames arrive."),
         (
             "duplicate",
             "NCP-RES-055",
@@ -427,12 +295,7 @@ fn last_seqs() -> Vec<Case> {
             &[10, 3, 9],
             "`last_seq` should stay the highest seq when frames from before the first arrive.",
         ),
-        (
-            "below-zero",
-            "NCP-RES-055",
-            &[-9, -2, -3, -9],
-            "`last_seq` should stay the highest seq below 0 too.",
-        ),
+        ("below-zero", "NCP-RES-055", &[-9, -2, -3, -9], "`last_seq` should stay the highest seq below 0 too."),
     ];
     let case = |(name, rule, seqs, title): (&str, &'static str, &[i64], &str)| {
         let highest = seqs.iter().scan(i64::MIN, |highest, seq| {
@@ -444,9 +307,7 @@ fn last_seqs() -> Vec<Case> {
             .shows(steps(highest.collect()))
             .title(title)
             .flags(&["wrong-loss"])
-            .because(
-                "`last_seq` is the highest seq seen, and should be so whatever arrived after it.",
-            )
+            .because("`last_seq` is the highest seq seen, and should be so whatever arrived after it.")
     };
     table.into_iter().map(case).collect()
 }
@@ -471,16 +332,14 @@ fn orders() -> Vec<Vec<i64>> {
 fn bursts() -> Vec<Case> {
     let mut cases = Vec::new();
     for gap in [1, 2, 3, 4, 5, 6, 7, 10, 11, 20, 100, 255, 256, 257, 1000] {
-        let rule = if gap > 256 {
-            "NCP-RES-050"
-        } else {
-            "NCP-RES-046"
-        };
+        let rule = if gap > 256 { "NCP-RES-050" } else { "NCP-RES-046" };
         cases.push(
             usual(&format!("burst/gap-{gap}"), &[rule, "NCP-RES-040"], &[1, 2, 3 + gap, 4 + gap])
                 .title(format!("A gap of {gap} raises the burst as the detector says."))
                 .flags(&["burst-detector"])
-                .because("A missing seq adds 0.95 and a delivery takes 0.05 off; the burst is on while the sum is above 5."),
+                .because(
+                    "A missing seq adds 0.95 and a delivery takes 0.05 off; the burst is on while the sum is above 5.",
+                ),
         );
     }
     // After the largest burst the sum is 10, and 0.05 comes off with each frame.
@@ -493,23 +352,17 @@ fn bursts() -> Vec<Case> {
     );
     let twice: Vec<i64> = [1, 500].into_iter().chain(1000..1110).collect();
     cases.push(
-        usual(
-            "burst/clears-after-two",
-            &["NCP-RES-049", "NCP-RES-046"],
-            &twice,
-        )
-        .title("Two bursts one upon the other clear as fast as one.")
-        .flags(&["burst-detector"])
-        .because("The sum does not exceed twice the threshold."),
+        usual("burst/clears-after-two", &["NCP-RES-049", "NCP-RES-046"], &twice)
+            .title("Two bursts one upon the other clear as fast as one.")
+            .flags(&["burst-detector"])
+            .because("The sum does not exceed twice the threshold."),
     );
     let spread: Vec<i64> = (0..60).map(|at| at + at / 20).collect();
     cases.push(
         usual("burst/usual-loss", &["NCP-RES-046"], &spread)
             .title("A loss of one in twenty is usual and no burst.")
             .flags(&["burst-detector"])
-            .because(
-                "At the reference loss what the missing seqs add the deliveries take off again.",
-            ),
+            .because("At the reference loss what the missing seqs add the deliveries take off again."),
     );
     let usual_loss: Vec<i64> = (0..300).map(|at| at + at / 20).collect();
     cases.push(
@@ -540,29 +393,21 @@ fn bursts() -> Vec<Case> {
             .shows(steps(vec![entry(false), entry(false), entry(true)]))
             .title("A sum of exactly the threshold is no burst, and one more loss is.")
             .flags(&["burst-detector"])
-            .because(
-                "The burst is true exactly while the sum is above the threshold; 5 is not above 5.",
-            ),
+            .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5."),
     );
     let after_good: Vec<i64> = (1..=60).chain([67, 68]).collect();
     cases.push(
         usual("burst/after-a-good-link", &["NCP-RES-046"], &after_good)
             .title("Sixty deliveries do not make up for a gap of six.")
             .flags(&["burst-detector"])
-            .because(
-                "The sum stays within 0 and twice the threshold, so deliveries save up nothing.",
-            ),
+            .because("The sum stays within 0 and twice the threshold, so deliveries save up nothing."),
     );
     let duplicates: Vec<i64> = [1, 20].into_iter().chain([20; 100]).collect();
     cases.push(
-        usual(
-            "burst/duplicates-clear-nothing",
-            &["NCP-RES-042", "NCP-RES-046"],
-            &duplicates,
-        )
-        .title("Duplicates do not clear a burst.")
-        .flags(&["burst-detector"])
-        .because("A duplicate changes nothing, the detector included."),
+        usual("burst/duplicates-clear-nothing", &["NCP-RES-042", "NCP-RES-046"], &duplicates)
+            .title("Duplicates do not clear a burst.")
+            .flags(&["burst-detector"])
+            .because("A duplicate changes nothing, the detector included."),
     );
     let fast: Vec<i64> = (1..=200).collect();
     cases.push(
@@ -574,10 +419,7 @@ fn bursts() -> Vec<Case> {
     // With a tiny step, only the bound on the updates of one gap keeps the sum low.
     for gap in [1000, 100_000, 1_000_000_000] {
         let seqs = [1, 2 + gap];
-        let entries = vec![
-            no_result(),
-            object! { "lost" => int(gap), "burst" => false },
-        ];
+        let entries = vec![no_result(), object! { "lost" => int(gap), "burst" => false }];
         cases.push(
             Case::new(format!("burst/bounded-{gap}"), &["NCP-RES-047"], &BOTH)
                 .call("link.run", args(Some(0.99), Some(4.0), &seqs))
@@ -622,9 +464,7 @@ fn parameters() -> Vec<Case> {
                     "A reference loss of {} counts as {meant}, under a threshold of {threshold}.",
                     name_of(ref_loss)
                 ))
-                .because(
-                    "`ref_loss` is clamped to 0 \u{2026} 0.99, and is 0.05 when it is not finite.",
-                ),
+                .because("`ref_loss` is clamped to 0 \u{2026} 0.99, and is 0.05 when it is not finite."),
             );
         }
     }
@@ -639,10 +479,7 @@ fn parameters() -> Vec<Case> {
                 (0.05, 5.0),
                 &clearing,
             )
-            .title(format!(
-                "Under a reference loss of {} a burst clears as fast as under 0.05.",
-                name_of(ref_loss)
-            ))
+            .title(format!("Under a reference loss of {} a burst clears as fast as under 0.05.", name_of(ref_loss)))
             .flags(&["burst-detector"])
             .because("`ref_loss` is 0.05 when it is not finite, and each delivery takes it off."),
         );
@@ -671,10 +508,7 @@ fn parameters() -> Vec<Case> {
                 (0.05, meant),
                 &gap,
             )
-            .title(format!(
-                "A threshold of {} counts as {meant}.",
-                name_of(threshold)
-            ))
+            .title(format!("A threshold of {} counts as {meant}.", name_of(threshold)))
             .because("A threshold that is not finite or not positive is 5."),
         );
     }
@@ -706,7 +540,10 @@ fn extremes() -> Vec<Case> {
             Case::new(format!("extreme/{name}"), &["NCP-RES-050", "NCP-RES-045"], &BOTH)
                 .call("link.run", args(None, None, &seqs))
                 .shows(steps(vec![entry(first), big]))
-                .title(format!("A gap from {first} to the other end overflows nothing and is a burst ({}).", name.replace('-', " ")))
+                .title(format!(
+                    "A gap from {first} to the other end overflows nothing and is a burst ({}).",
+                    name.replace('-', " ")
+                ))
                 .flags(&["L09"])
                 .because("A gap between any two seqs does not overflow: counts saturate, and the burst still trips."),
         );
@@ -715,27 +552,15 @@ fn extremes() -> Vec<Case> {
         let last = seqs.last().copied().unwrap_or_default();
         let after = || object! { "loss_rate" => within(0.999, 1.0), "burst" => true };
         cases.push(
-            Case::new(
-                format!("extreme/{name}/and-back"),
-                &["NCP-RES-043", "NCP-RES-050"],
-                &BOTH,
-            )
-            .call("link.run", args(None, None, &back))
-            .shows(steps(vec![
-                entry(first),
-                after().with("last_seq", int(last)),
-                after(),
-                after(),
-                after(),
-            ]))
-            .title(format!(
-                "After a gap from {first} to the other end, nothing leads back ({}).",
-                name.replace('-', " ")
-            ))
-            .flags(&["L09"])
-            .because(
-                "The expected seq only moves forward, and a seq from before stays late or a duplicate.",
-            ),
+            Case::new(format!("extreme/{name}/and-back"), &["NCP-RES-043", "NCP-RES-050"], &BOTH)
+                .call("link.run", args(None, None, &back))
+                .shows(steps(vec![entry(first), after().with("last_seq", int(last)), after(), after(), after()]))
+                .title(format!(
+                    "After a gap from {first} to the other end, nothing leads back ({}).",
+                    name.replace('-', " ")
+                ))
+                .flags(&["L09"])
+                .because("The expected seq only moves forward, and a seq from before stays late or a duplicate."),
         );
     }
     for last in [most, most - 1] {
@@ -745,9 +570,7 @@ fn extremes() -> Vec<Case> {
                 &["NCP-RES-043", "NCP-RES-050"],
                 &[last - 2, last - 1, last, last, last - 1],
             )
-            .title(format!(
-                "Frames up to the seq {last} are counted like any others."
-            ))
+            .title(format!("Frames up to the seq {last} are counted like any others."))
             .flags(&["L09"])
             .because("Nothing overflows at the largest seq of the wire."),
         );

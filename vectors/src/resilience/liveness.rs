@@ -8,13 +8,7 @@ pub(super) fn files() -> Vec<File> {
     vec![of_watchdog(), of_buffer()]
 }
 
-const EVENTS: [(&str, char); 5] = [
-    ("command", 'c'),
-    ("duplicate", 'd'),
-    ("wait", 'w'),
-    ("back", 'b'),
-    ("reset", 'r'),
-];
+const EVENTS: [(&str, char); 5] = [("command", 'c'), ("duplicate", 'd'), ("wait", 'w'), ("back", 'b'), ("reset", 'r')];
 
 /// Sequences of four of these, each with what it begins with.
 fn sequences<const N: usize>() -> Vec<Vec<usize>> {
@@ -37,11 +31,7 @@ fn sequences<const N: usize>() -> Vec<Vec<usize>> {
 fn of_watchdog() -> File {
     let mut cases = Vec::new();
     for sequence in sequences::<5>() {
-        let letters: String = sequence
-            .iter()
-            .filter_map(|at| EVENTS.get(*at))
-            .map(|(_, letter)| *letter)
-            .collect();
+        let letters: String = sequence.iter().filter_map(|at| EVENTS.get(*at)).map(|(_, letter)| *letter).collect();
         // What comes before the first command only waits.
         if !letters.starts_with('c') {
             continue;
@@ -63,15 +53,8 @@ fn of_watchdog() -> File {
         }
         events.push(Event::Ask(now));
         let (args, pattern) = watchdog(&events);
-        let rules = rules(
-            &letters,
-            &[
-                ('b', "NCP-RES-008"),
-                ('d', "NCP-RES-009"),
-                ('r', "NCP-RES-011"),
-                ('w', "NCP-RES-002"),
-            ],
-        );
+        let rules =
+            rules(&letters, &[('b', "NCP-RES-008"), ('d', "NCP-RES-009"), ('r', "NCP-RES-011"), ('w', "NCP-RES-002")]);
         cases.push(
             Case::new(letters.clone(), &rules, &[Role::Body])
                 .call("watchdog.run", args)
@@ -85,22 +68,12 @@ fn of_watchdog() -> File {
     File::new("resilience", "liveness", about, cases)
 }
 
-const MODES: [(&str, char); 5] = [
-    ("active", 'a'),
-    ("hold", 'h'),
-    ("estop", 'e'),
-    ("older", 'o'),
-    ("reset", 'r'),
-];
+const MODES: [(&str, char); 5] = [("active", 'a'), ("hold", 'h'), ("estop", 'e'), ("older", 'o'), ("reset", 'r')];
 
 fn of_buffer() -> File {
     let mut cases = Vec::new();
     for sequence in sequences::<5>() {
-        let letters: String = sequence
-            .iter()
-            .filter_map(|at| MODES.get(*at))
-            .map(|(_, letter)| *letter)
-            .collect();
+        let letters: String = sequence.iter().filter_map(|at| MODES.get(*at)).map(|(_, letter)| *letter).collect();
         // A plant that has never moved shows little.
         if !letters.starts_with('a') {
             continue;
@@ -151,11 +124,7 @@ fn of_buffer() -> File {
 
 /// The rules of the events that occur, the least usual one first.
 fn rules(letters: &str, of: &[(char, &'static str)]) -> Vec<&'static str> {
-    let mut rules: Vec<_> = of
-        .iter()
-        .filter(|(letter, _)| letters.contains(*letter))
-        .map(|(_, rule)| *rule)
-        .collect();
+    let mut rules: Vec<_> = of.iter().filter(|(letter, _)| letters.contains(*letter)).map(|(_, rule)| *rule).collect();
     rules.push("NCP-RES-010");
     rules
 }

@@ -12,14 +12,8 @@ use crate::case::{Case, File, Role};
 use model::{Event, active, buffer};
 
 pub(crate) fn files() -> Vec<File> {
-    let mut files = vec![
-        watchdog::file(),
-        buffer::file(),
-        estop::file(),
-        horizon::replay(),
-        horizon::lengths(),
-        link::file(),
-    ];
+    let mut files =
+        vec![watchdog::file(), buffer::file(), estop::file(), horizon::replay(), horizon::lengths(), link::file()];
     files.extend(liveness::files());
     files
 }
@@ -27,9 +21,7 @@ pub(crate) fn files() -> Vec<File> {
 /// What becomes of an action buffer that sees these events.
 fn buffer_case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Case {
     let (args, pattern) = buffer(events);
-    Case::new(path, rules, &[Role::Body])
-        .call("buffer.run", args)
-        .shows(pattern)
+    Case::new(path, rules, &[Role::Body]).call("buffer.run", args).shows(pattern)
 }
 
 /// A command that moves the plant.

@@ -21,20 +21,9 @@ pub(super) struct Command {
 
 /// A command of a quarter of a second that commands its own seq.
 pub(super) fn active(seq: i64) -> Command {
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "seqs are small, and a value is only to be told from others"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "seqs are small, and a value is only to be told from others")]
     let value = seq as f64;
-    Command {
-        seq,
-        mode: "active",
-        ttl: 250.0,
-        value,
-        horizon: Vec::new(),
-        dt: None,
-        t: 3.0,
-    }
+    Command { seq, mode: "active", ttl: 250.0, value, horizon: Vec::new(), dt: None, t: 3.0 }
 }
 
 impl Command {
@@ -56,7 +45,8 @@ impl Command {
 
     /// The frame as it travels.
     pub(super) fn json(&self) -> Json {
-        let channels = |x: f64| object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]), "unit" => "m/s" } };
+        let channels =
+            |x: f64| object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]), "unit" => "m/s" } };
         object! {
             "ncp_version" => "0.5",
             "kind" => "command_frame",
@@ -151,10 +141,7 @@ impl Plant {
 
     /// Another command frame by the watchdog's call, which has no mode.
     pub(super) fn reset(&mut self) {
-        *self = Self {
-            clock: self.clock,
-            ..Self::default()
-        };
+        *self = Self { clock: self.clock, ..Self::default() };
     }
 
     /// Whether and on what the plant acts at `now`.
@@ -165,8 +152,7 @@ impl Plant {
         };
         let ttl = command.ttl.min(60_000.0);
         let clocks = now.is_finite() && received.is_finite() && received <= now;
-        let alive =
-            command.ttl.is_finite() && ttl > 0.0 && clocks && (now - received) * 1000.0 <= ttl;
+        let alive = command.ttl.is_finite() && ttl > 0.0 && clocks && (now - received) * 1000.0 <= ttl;
         if !alive {
             self.held = None;
             return Answer::Hold;
@@ -213,17 +199,13 @@ pub(super) fn buffer(events: &[Event]) -> (Json, Json) {
         match event {
             Event::Command(command, now) => {
                 plant.command(command, *now);
-                args.push(
-                    object! { "op" => "command", "text" => command.text(), "now_s" => num(*now) },
-                );
+                args.push(object! { "op" => "command", "text" => command.text(), "now_s" => num(*now) });
                 results.push(no_result());
             }
             Event::Text { text, now, stops } => {
                 plant.read(*now);
                 plant.latched |= stops;
-                args.push(
-                    object! { "op" => "command", "text" => text.clone(), "now_s" => num(*now) },
-                );
+                args.push(object! { "op" => "command", "text" => text.clone(), "now_s" => num(*now) });
                 results.push(no_result());
             }
             Event::Ask(now) => {
@@ -234,10 +216,7 @@ pub(super) fn buffer(events: &[Event]) -> (Json, Json) {
                     Answer::Move(x) => vec![moving(x)],
                     Answer::Either(x) => vec![moving(x), Json::Null],
                 };
-                results.push(any(channels
-                    .into_iter()
-                    .map(|channels| object! { "channels" => channels })
-                    .collect()));
+                results.push(any(channels.into_iter().map(|channels| object! { "channels" => channels }).collect()));
             }
             Event::Reset => {
                 plant.reset();

@@ -10,22 +10,22 @@ pub(super) fn file() -> File {
     cases.extend(clocks());
     cases.extend(seqs());
     cases.extend(traces());
-    let about = "The watchdog: ttls up to exactly their end, ttls and clocks that are none, and seqs that do not advance.";
+    let about =
+        "The watchdog: ttls up to exactly their end, ttls and clocks that are none, and seqs that do not advance.";
     File::new("resilience", "watchdog", about, cases)
 }
 
 fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
     let (args, pattern) = watchdog(events);
-    Case::new(path, rules, &[Role::Body])
-        .call("watchdog.run", args)
-        .shows(pattern)
+    Case::new(path, rules, &[Role::Body]).call("watchdog.run", args).shows(pattern)
 }
 
 fn command(seq: i64, ttl: f64, now: f64) -> Event {
     Event::Command(active(seq).ttl(ttl), now)
 }
 
-const DEADLINE: &str = "The plant holds once now \u{2212} received is more than min(ttl, 60 s), and not when it is exactly that.";
+const DEADLINE: &str =
+    "The plant holds once now \u{2212} received is more than min(ttl, 60 s), and not when it is exactly that.";
 
 fn boundaries() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -44,12 +44,7 @@ fn boundaries() -> Vec<Case> {
                 ("at-once", 0.0, "NCP-RES-003", "moves"),
                 ("half", exact / 2.0, "NCP-RES-003", "moves"),
                 ("exact", exact, "NCP-RES-003", "moves"),
-                (
-                    "just-past",
-                    exact * (1.0 + 1.0 / 1024.0),
-                    "NCP-RES-002",
-                    "holds",
-                ),
+                ("just-past", exact * (1.0 + 1.0 / 1024.0), "NCP-RES-002", "holds"),
                 ("double", exact * 2.0, "NCP-RES-002", "holds"),
             ] {
                 if start > 0.0 && !matches!(name, "exact" | "just-past") {
@@ -72,21 +67,8 @@ fn boundaries() -> Vec<Case> {
         }
     }
     // Beyond a minute.
-    for ttl in [
-        60_000.5,
-        61_000.0,
-        120_000.0,
-        3_600_000.0,
-        1e9,
-        1e308,
-        f64::MAX,
-    ] {
-        for (age, is) in [
-            (60.0, "moves"),
-            (60.0625, "holds"),
-            (61.0, "holds"),
-            (3600.0, "holds"),
-        ] {
+    for ttl in [60_000.5, 61_000.0, 120_000.0, 3_600_000.0, 1e9, 1e308, f64::MAX] {
+        for (age, is) in [(60.0, "moves"), (60.0625, "holds"), (61.0, "holds"), (3600.0, "holds")] {
             cases.push(
                 case(
                     format!("capped/{}/after-{age}-s", name_of(ttl)),
@@ -104,32 +86,15 @@ fn boundaries() -> Vec<Case> {
 
 fn ttls() -> Vec<Case> {
     let mut cases = Vec::new();
-    for ttl in [
-        0.0,
-        -0.0,
-        -1.0,
-        -5e-324,
-        -250.0,
-        -1e308,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ] {
-        let flags: &[&'static str] = if ttl.is_finite() {
-            &["ttl-without-time"]
-        } else {
-            &["L12"]
-        };
+    for ttl in [0.0, -0.0, -1.0, -5e-324, -250.0, -1e308, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let flags: &[&'static str] = if ttl.is_finite() { &["ttl-without-time"] } else { &["L12"] };
         cases.push(
             case(
                 format!("no-ttl/{}/at-once", name_of(ttl)),
                 &["NCP-RES-005"],
                 &[command(1, ttl, 1.0), Event::Ask(1.0)],
             )
-            .title(format!(
-                "A plant holds on a ttl of {} at the moment of its receipt.",
-                name_of(ttl)
-            ))
+            .title(format!("A plant holds on a ttl of {} at the moment of its receipt.", name_of(ttl)))
             .flags(flags)
             .because("A plant holds on a command whose `ttl_ms` is not finite or not positive."),
         );
@@ -151,10 +116,7 @@ fn ttls() -> Vec<Case> {
                     Event::Ask(1.25),
                 ],
             )
-            .title(format!(
-                "A newer command with a ttl of {} ends the one before, until the next.",
-                name_of(ttl)
-            ))
+            .title(format!("A newer command with a ttl of {} ends the one before, until the next.", name_of(ttl)))
             .flags(flags)
             .because("The plant acts on the last command that advanced, and that one has no time."),
         );
@@ -173,23 +135,13 @@ fn ttls() -> Vec<Case> {
 
 fn clocks() -> Vec<Case> {
     let mut cases = vec![
-        case(
-            "before-any/once".to_owned(),
-            &["NCP-RES-006"],
-            &[Event::Ask(0.0)],
-        )
-        .title("A plant holds before the first command.")
-        .because("A plant holds before the first command."),
+        case("before-any/once".to_owned(), &["NCP-RES-006"], &[Event::Ask(0.0)])
+            .title("A plant holds before the first command.")
+            .because("A plant holds before the first command."),
         case(
             "before-any/many".to_owned(),
             &["NCP-RES-006"],
-            &[
-                Event::Ask(0.0),
-                Event::Ask(5.0),
-                Event::Ask(1e9),
-                Event::Reset,
-                Event::Ask(1e9),
-            ],
+            &[Event::Ask(0.0), Event::Ask(5.0), Event::Ask(1e9), Event::Reset, Event::Ask(1e9)],
         )
         .title("A plant holds before the first command, however long it waits.")
         .because("A plant holds before the first command."),
@@ -198,14 +150,10 @@ fn clocks() -> Vec<Case> {
     for now in strange {
         let name = name_of(now);
         cases.push(
-            case(
-                format!("now/{name}"),
-                &["NCP-RES-007"],
-                &[command(1, 250.0, 1.0), Event::Ask(now)],
-            )
-            .title(format!("A plant holds when its clock reads {name}."))
-            .flags(&["non-finite-clock"])
-            .because("A plant holds when now is not finite."),
+            case(format!("now/{name}"), &["NCP-RES-007"], &[command(1, 250.0, 1.0), Event::Ask(now)])
+                .title(format!("A plant holds when its clock reads {name}."))
+                .flags(&["non-finite-clock"])
+                .because("A plant holds when now is not finite."),
         );
         cases.push(
             case(
@@ -220,9 +168,7 @@ fn clocks() -> Vec<Case> {
                     Event::Ask(1.25),
                 ],
             )
-            .title(format!(
-                "The hold for a clock that reads {name} persists until the next command."
-            ))
+            .title(format!("The hold for a clock that reads {name} persists until the next command."))
             .flags(&["non-finite-clock", "reviving-hold"])
             .because("A hold persists until an advancing command."),
         );
@@ -230,30 +176,17 @@ fn clocks() -> Vec<Case> {
             case(
                 format!("received/{name}"),
                 &["NCP-RES-007"],
-                &[
-                    command(1, 250.0, now),
-                    Event::Ask(1.0),
-                    command(2, 250.0, 1.0),
-                    Event::Ask(1.125),
-                ],
+                &[command(1, 250.0, now), Event::Ask(1.0), command(2, 250.0, 1.0), Event::Ask(1.125)],
             )
-            .title(format!(
-                "A plant holds on a command that came when its clock read {name}."
-            ))
+            .title(format!("A plant holds on a command that came when its clock read {name}."))
             .flags(&["non-finite-clock"])
             .because("A plant holds when the time of receipt is not finite."),
         );
         cases.push(
-            case(
-                format!("both/{name}"),
-                &["NCP-RES-007"],
-                &[command(1, 250.0, now), Event::Ask(now)],
-            )
-            .title(format!(
-                "A plant holds when both of its clock readings are {name}."
-            ))
-            .flags(&["non-finite-clock"])
-            .because("A plant holds when now or the time of receipt is not finite."),
+            case(format!("both/{name}"), &["NCP-RES-007"], &[command(1, 250.0, now), Event::Ask(now)])
+                .title(format!("A plant holds when both of its clock readings are {name}."))
+                .flags(&["non-finite-clock"])
+                .because("A plant holds when now or the time of receipt is not finite."),
         );
     }
     for back in [5e-324, 0.001, 0.125, 1.0, 60.0, 1e6, 1e308] {
@@ -270,9 +203,7 @@ fn clocks() -> Vec<Case> {
                 &["NCP-RES-008"],
                 &[command(1, 250.0, received), Event::Ask(now)],
             )
-            .title(format!(
-                "A plant holds when its clock reads {back} s less than at the receipt."
-            ))
+            .title(format!("A plant holds when its clock reads {back} s less than at the receipt."))
             .flags(&["L14"])
             .because("A plant holds when now is less than the time of receipt."),
         );
@@ -284,22 +215,14 @@ fn clocks() -> Vec<Case> {
         );
     }
     cases.push(
-        case(
-            "huge-clock".to_owned(),
-            &["NCP-RES-003"],
-            &[command(1, 250.0, 1e308), Event::Ask(1e308)],
-        )
-        .title("A clock that reads 1e308 s twice is a clock.")
-        .because("Both readings are finite, and their difference is 0."),
+        case("huge-clock".to_owned(), &["NCP-RES-003"], &[command(1, 250.0, 1e308), Event::Ask(1e308)])
+            .title("A clock that reads 1e308 s twice is a clock.")
+            .because("Both readings are finite, and their difference is 0."),
     );
     cases.push(
-        case(
-            "overflowing-age".to_owned(),
-            &["NCP-RES-002"],
-            &[command(1, 250.0, 0.0), Event::Ask(1e308)],
-        )
-        .title("An age that overflows in milliseconds is past every ttl.")
-        .because(DEADLINE),
+        case("overflowing-age".to_owned(), &["NCP-RES-002"], &[command(1, 250.0, 0.0), Event::Ask(1e308)])
+            .title("An age that overflows in milliseconds is past every ttl.")
+            .because(DEADLINE),
     );
     cases
 }
@@ -316,52 +239,22 @@ fn seqs() -> Vec<Case> {
         (0, -1, "below-zero"),
         (-3, -3, "negative-twice"),
         (9_007_199_254_740_991, 1, "after-the-largest"),
-        (
-            9_007_199_254_740_991,
-            -9_007_199_254_740_991,
-            "from-end-to-end",
-        ),
+        (9_007_199_254_740_991, -9_007_199_254_740_991, "from-end-to-end"),
     ] {
-        let flags: &[&'static str] = if second == 0 {
-            &["L08", "refreshed-deadline"]
-        } else {
-            &["refreshed-deadline"]
-        };
+        let flags: &[&'static str] = if second == 0 { &["L08", "refreshed-deadline"] } else { &["refreshed-deadline"] };
         for (when, events) in [
             (
                 "before-the-end",
-                vec![
-                    command(first, 250.0, 1.0),
-                    command(second, 250.0, 1.125),
-                    Event::Ask(1.25),
-                    Event::Ask(1.3125),
-                ],
+                vec![command(first, 250.0, 1.0), command(second, 250.0, 1.125), Event::Ask(1.25), Event::Ask(1.3125)],
             ),
             (
                 "after-the-end",
-                vec![
-                    command(first, 250.0, 1.0),
-                    Event::Ask(1.5),
-                    command(second, 250.0, 1.5),
-                    Event::Ask(1.5),
-                ],
+                vec![command(first, 250.0, 1.0), Event::Ask(1.5), command(second, 250.0, 1.5), Event::Ask(1.5)],
             ),
-            (
-                "unasked",
-                vec![
-                    command(first, 250.0, 1.0),
-                    command(second, 250.0, 1.5),
-                    Event::Ask(1.5),
-                ],
-            ),
+            ("unasked", vec![command(first, 250.0, 1.0), command(second, 250.0, 1.5), Event::Ask(1.5)]),
             (
                 "longer",
-                vec![
-                    command(first, 250.0, 1.0),
-                    command(second, 60_000.0, 1.0),
-                    Event::Ask(1.25),
-                    Event::Ask(1.5),
-                ],
+                vec![command(first, 250.0, 1.0), command(second, 60_000.0, 1.0), Event::Ask(1.25), Event::Ask(1.5)],
             ),
         ] {
             cases.push(
@@ -382,11 +275,7 @@ fn seqs() -> Vec<Case> {
         (-5, -4, "negative"),
         (-1, 0, "to-zero"),
         (1, 9_007_199_254_740_991, "to-the-largest"),
-        (
-            -9_007_199_254_740_991,
-            9_007_199_254_740_991,
-            "from-end-to-end",
-        ),
+        (-9_007_199_254_740_991, 9_007_199_254_740_991, "from-end-to-end"),
     ] {
         cases.push(
             case(format!("advance/{name}"), &["NCP-RES-003"], &[command(first, 250.0, 1.0), command(second, 250.0, 1.25), Event::Ask(1.5), Event::Ask(1.5625)])
@@ -413,67 +302,31 @@ fn traces() -> Vec<Case> {
             "expired-then-duplicate",
             &["NCP-RES-009", "NCP-RES-010"],
             "A duplicate revives no plant that expired.",
-            vec![
-                slow(1, 1.0),
-                ask(1.5),
-                slow(1, 1.5),
-                ask(1.5),
-                slow(1, 1.75),
-                ask(1.75),
-            ],
+            vec![slow(1, 1.0), ask(1.5), slow(1, 1.5), ask(1.5), slow(1, 1.75), ask(1.75)],
         ),
         (
             "expired-then-next",
             &["NCP-RES-010"],
             "The next command revives a plant that expired.",
-            vec![
-                slow(1, 1.0),
-                ask(1.5),
-                slow(2, 1.5),
-                ask(1.5),
-                ask(1.75),
-                ask(1.8125),
-            ],
+            vec![slow(1, 1.0), ask(1.5), slow(2, 1.5), ask(1.5), ask(1.75), ask(1.8125)],
         ),
         (
             "reset",
             &["NCP-RES-011"],
             "A reset holds a plant that was moving.",
-            vec![
-                slow(1, 1.0),
-                ask(1.125),
-                reset(),
-                ask(1.125),
-                ask(1.0),
-                ask(1.25),
-            ],
+            vec![slow(1, 1.0), ask(1.125), reset(), ask(1.125), ask(1.0), ask(1.25)],
         ),
         (
             "reset-then-same",
             &["NCP-RES-012"],
             "After a reset, a command of the same seq advances.",
-            vec![
-                slow(5, 1.0),
-                ask(1.125),
-                reset(),
-                slow(5, 1.125),
-                ask(1.125),
-                ask(1.375),
-                ask(1.4375),
-            ],
+            vec![slow(5, 1.0), ask(1.125), reset(), slow(5, 1.125), ask(1.125), ask(1.375), ask(1.4375)],
         ),
         (
             "reset-then-lower",
             &["NCP-RES-012"],
             "After a reset, a command of a lower seq advances.",
-            vec![
-                slow(5, 1.0),
-                reset(),
-                slow(1, 1.125),
-                ask(1.25),
-                slow(2, 1.375),
-                ask(1.625),
-            ],
+            vec![slow(5, 1.0), reset(), slow(1, 1.125), ask(1.25), slow(2, 1.375), ask(1.625)],
         ),
         (
             "reset-then-negative",
@@ -529,61 +382,31 @@ fn traces() -> Vec<Case> {
             "reordered",
             &["NCP-RES-009"],
             "Of a reordered pair only the newer counts.",
-            vec![
-                slow(1, 1.0),
-                slow(3, 1.125),
-                slow(2, 1.25),
-                ask(1.375),
-                ask(1.4375),
-            ],
+            vec![slow(1, 1.0), slow(3, 1.125), slow(2, 1.25), ask(1.375), ask(1.4375)],
         ),
         (
             "shorter-ttl",
             &["NCP-RES-002"],
             "A newer command with a shorter ttl ends sooner.",
-            vec![
-                command(1, 1000.0, 1.0),
-                command(2, 125.0, 1.0625),
-                ask(1.1875),
-                ask(1.25),
-            ],
+            vec![command(1, 1000.0, 1.0), command(2, 125.0, 1.0625), ask(1.1875), ask(1.25)],
         ),
         (
             "longer-ttl",
             &["NCP-RES-003"],
             "A newer command with a longer ttl lasts longer.",
-            vec![
-                command(1, 125.0, 1.0),
-                command(2, 1000.0, 1.0625),
-                ask(1.25),
-                ask(2.0625),
-                ask(2.125),
-            ],
+            vec![command(1, 125.0, 1.0), command(2, 1000.0, 1.0625), ask(1.25), ask(2.0625), ask(2.125)],
         ),
         (
             "clock-back-then-command",
             &["NCP-RES-008", "NCP-RES-010"],
             "A command that comes after the clock stepped back counts from there.",
-            vec![
-                slow(1, 100.0),
-                ask(50.0),
-                slow(2, 50.0),
-                ask(50.0),
-                ask(50.25),
-                ask(50.5),
-            ],
+            vec![slow(1, 100.0), ask(50.0), slow(2, 50.0), ask(50.0), ask(50.25), ask(50.5)],
         ),
         (
             "capped-then-renewed",
             &["NCP-RES-004"],
             "A command of an hour is renewed by the next, and else ends after a minute.",
-            vec![
-                command(1, 3.6e6, 0.0),
-                ask(60.0),
-                command(2, 3.6e6, 60.0),
-                ask(120.0),
-                ask(120.5),
-            ],
+            vec![command(1, 3.6e6, 0.0), ask(60.0), command(2, 3.6e6, 60.0), ask(120.0), ask(120.5)],
         ),
     ];
     table

@@ -2,8 +2,8 @@
 
 use super::model::Command;
 use super::model::{
-    Capabilities, Limits, M, MPS, POSITION, Sensor, Spec, Step, Trace, VELOCITY, channel, govern,
-    scalar, vec3, velocity,
+    Capabilities, Limits, M, MPS, POSITION, Sensor, Spec, Step, Trace, VELOCITY, channel, govern, scalar, vec3,
+    velocity,
 };
 use super::{case, good, near};
 use crate::case::{Case, File};
@@ -27,26 +27,10 @@ fn twice() -> Vec<Step> {
 }
 
 const DECOYS: [(&str, Spec, Spec); 4] = [
-    (
-        "imu-and-gripper",
-        vec3("imu_accel", Some("m/s2")),
-        scalar("gripper", None),
-    ),
-    (
-        "metres-and-speeds",
-        vec3("goal_position", Some(M)),
-        vec3("tow_velocity", Some(MPS)),
-    ),
-    (
-        "scalars",
-        scalar("battery", Some("V")),
-        scalar("light", Some("lm")),
-    ),
-    (
-        "alike",
-        vec3("pose_position_raw", Some(M)),
-        vec3("velocity_setpoint_raw", Some(MPS)),
-    ),
+    ("imu-and-gripper", vec3("imu_accel", Some("m/s2")), scalar("gripper", None)),
+    ("metres-and-speeds", vec3("goal_position", Some(M)), vec3("tow_velocity", Some(MPS))),
+    ("scalars", scalar("battery", Some("V")), scalar("light", Some("lm"))),
+    ("alike", vec3("pose_position_raw", Some(M)), vec3("velocity_setpoint_raw", Some(MPS))),
 ];
 
 /// Other channels before, after and around the canonical ones.
@@ -64,31 +48,13 @@ fn order() -> Vec<Case> {
                 commands: arrange(command, vec3(VELOCITY, Some(MPS))),
             };
             let decoy = channel(sensor.name, &[0.0; 3], sensor.unit);
-            let sensed =
-                |at: &[f64]| Sensor::of(vec![decoy.clone(), channel(POSITION, at, Some(M))]);
-            let fast = Command::of(vec![
-                channel(command.name, &[0.25, 0.0, 0.0], command.unit),
-                velocity(&[30.0, 40.0, 0.0]),
-            ]);
+            let sensed = |at: &[f64]| Sensor::of(vec![decoy.clone(), channel(POSITION, at, Some(M))]);
+            let fast =
+                Command::of(vec![channel(command.name, &[0.25, 0.0, 0.0], command.unit), velocity(&[30.0, 40.0, 0.0])]);
             for (what, rule, limits, step) in [
-                (
-                    "speed",
-                    "NCP-SAFE-011",
-                    Limits::speed(2.0),
-                    govern(fast.clone(), sensed(&[0.0; 3])),
-                ),
-                (
-                    "fence-inside",
-                    "NCP-SAFE-010",
-                    Limits::fence(5.0),
-                    govern(good(), sensed(&[1.0, 2.0, 2.0])),
-                ),
-                (
-                    "fence-outside",
-                    "NCP-SAFE-010",
-                    Limits::fence(5.0),
-                    govern(good(), sensed(&[9.0, 0.0, 0.0])),
-                ),
+                ("speed", "NCP-SAFE-011", Limits::speed(2.0), govern(fast.clone(), sensed(&[0.0; 3]))),
+                ("fence-inside", "NCP-SAFE-010", Limits::fence(5.0), govern(good(), sensed(&[1.0, 2.0, 2.0]))),
+                ("fence-outside", "NCP-SAFE-010", Limits::fence(5.0), govern(good(), sensed(&[9.0, 0.0, 0.0]))),
             ] {
                 cases.push(
                     case(format!("by-name/{name}/{place}/{what}"), &[rule], &Trace::negotiated(limits, capabilities.clone(), vec![step]))
@@ -108,26 +74,12 @@ fn undeclared() -> Vec<Case> {
     let fence = Limits::fence(5.0);
     let speed = Limits::speed(2.0);
     let both = Limits::both(2.0, 5.0);
-    let nothing = || Capabilities {
-        sensors: Vec::new(),
-        commands: Vec::new(),
-    };
-    let only_sensor = || Capabilities {
-        sensors: vec![vec3(POSITION, Some(M))],
-        commands: Vec::new(),
-    };
-    let only_command = || Capabilities {
-        sensors: Vec::new(),
-        commands: vec![vec3(VELOCITY, Some(MPS))],
-    };
-    let swapped = || Capabilities {
-        sensors: vec![vec3(VELOCITY, Some(MPS))],
-        commands: vec![vec3(POSITION, Some(M))],
-    };
-    let renamed = || Capabilities {
-        sensors: vec![vec3("position", Some(M))],
-        commands: vec![vec3("velocity", Some(MPS))],
-    };
+    let nothing = || Capabilities { sensors: Vec::new(), commands: Vec::new() };
+    let only_sensor = || Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: Vec::new() };
+    let only_command = || Capabilities { sensors: Vec::new(), commands: vec![vec3(VELOCITY, Some(MPS))] };
+    let swapped = || Capabilities { sensors: vec![vec3(VELOCITY, Some(MPS))], commands: vec![vec3(POSITION, Some(M))] };
+    let renamed =
+        || Capabilities { sensors: vec![vec3("position", Some(M))], commands: vec![vec3("velocity", Some(MPS))] };
     let cased = || Capabilities {
         sensors: vec![vec3("POSE_POSITION", Some(M))],
         commands: vec![vec3("VELOCITY_SETPOINT", Some(MPS))],
@@ -163,26 +115,15 @@ fn undeclared() -> Vec<Case> {
         (
             "fence-only",
             fence,
-            Capabilities {
-                sensors: vec![vec3(POSITION, Some(M))],
-                commands: vec![vec3(VELOCITY, Some(MPS))],
-            },
+            Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: vec![vec3(VELOCITY, Some(MPS))] },
         ),
         ("speed-only", speed, only_command()),
     ] {
         cases.push(
-            case(
-                format!("not-needed/{name}"),
-                &["NCP-SAFE-012"],
-                &Trace::negotiated(limits, capabilities, twice()),
-            )
-            .title(format!(
-                "A limit that is disabled needs no declared channel ({name})."
-            ))
-            .flags(&["over-strict"])
-            .because(
-                "A limit that is absent or 0 is disabled, and only an enabled one can be a fault.",
-            ),
+            case(format!("not-needed/{name}"), &["NCP-SAFE-012"], &Trace::negotiated(limits, capabilities, twice()))
+                .title(format!("A limit that is disabled needs no declared channel ({name})."))
+                .flags(&["over-strict"])
+                .because("A limit that is absent or 0 is disabled, and only an enabled one can be a fault."),
         );
     }
     cases
@@ -203,10 +144,8 @@ fn units() -> Vec<Case> {
         Some("m/s"),
         Some(" m"),
     ] {
-        let capabilities = Capabilities {
-            sensors: vec![vec3(POSITION, unit)],
-            commands: vec![vec3(VELOCITY, Some(MPS))],
-        };
+        let capabilities =
+            Capabilities { sensors: vec![vec3(POSITION, unit)], commands: vec![vec3(VELOCITY, Some(MPS))] };
         let name = unit_name(unit);
         cases.push(
             case(format!("unit/position/{name}"), &["NCP-SAFE-015", "NCP-SAFE-018"], &Trace::negotiated(Limits::fence(5.0), capabilities, twice()))
@@ -227,10 +166,8 @@ fn units() -> Vec<Case> {
         Some("m s-1"),
         Some("m/s "),
     ] {
-        let capabilities = Capabilities {
-            sensors: vec![vec3(POSITION, Some(M))],
-            commands: vec![vec3(VELOCITY, unit)],
-        };
+        let capabilities =
+            Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: vec![vec3(VELOCITY, unit)] };
         let name = unit_name(unit);
         cases.push(
             case(format!("unit/velocity/{name}"), &["NCP-SAFE-015", "NCP-SAFE-018"], &Trace::negotiated(Limits::speed(2.0), capabilities, twice()))
@@ -257,14 +194,7 @@ fn unit_name(unit: Option<&str>) -> String {
 /// Limits that are no limits.
 fn values() -> Vec<Case> {
     let mut cases = Vec::new();
-    let bad = [
-        -1.0,
-        -5e-324,
-        -1e308,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ];
+    let bad = [-1.0, -5e-324, -1e308, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     for value in bad {
         let name = crate::trace::name_of(value);
         for (which, limits) in [
@@ -289,15 +219,10 @@ fn values() -> Vec<Case> {
             case(
                 format!("value/fence/{name}"),
                 &["NCP-SAFE-045"],
-                &Trace::new(
-                    Limits::fence(value),
-                    vec![govern(command.clone(), Sensor::at(&[0.0; 3]))],
-                ),
+                &Trace::new(Limits::fence(value), vec![govern(command.clone(), Sensor::at(&[0.0; 3]))]),
             )
             .title(format!("A fence of {name} m contains its centre."))
-            .because(
-                "The limit is finite and positive, so it is enabled, and 0 is not more than it.",
-            ),
+            .because("The limit is finite and positive, so it is enabled, and 0 is not more than it."),
         );
         cases.push(
             case(
@@ -305,9 +230,7 @@ fn values() -> Vec<Case> {
                 &["NCP-SAFE-062"],
                 &Trace::new(Limits::speed(value), vec![govern(command, near())]),
             )
-            .title(format!(
-                "A speed limit of {name} m/s lets a plant stand still."
-            ))
+            .title(format!("A speed limit of {name} m/s lets a plant stand still."))
             .because("The limit is finite and positive, so it is enabled, and 0 is not above it."),
         );
     }
@@ -318,15 +241,10 @@ fn values() -> Vec<Case> {
             case(
                 format!("value/speed-bounds/{name}"),
                 &["NCP-SAFE-060"],
-                &Trace::new(
-                    Limits::speed(value),
-                    vec![govern(Command::moving(&[3.0, 4.0, 0.0]), near())],
-                ),
+                &Trace::new(Limits::speed(value), vec![govern(Command::moving(&[3.0, 4.0, 0.0]), near())]),
             )
             .shows(steps(vec![slow]))
-            .title(format!(
-                "A speed limit of {name} m/s leaves next to nothing of 5 m/s."
-            ))
+            .title(format!("A speed limit of {name} m/s leaves next to nothing of 5 m/s."))
             .because("The velocity is scaled so that its norm is not above the limit."),
         );
         cases.push(
@@ -341,9 +259,7 @@ fn values() -> Vec<Case> {
                     ],
                 ),
             )
-            .title(format!(
-                "A fence of {name} m has everything but its centre outside."
-            ))
+            .title(format!("A fence of {name} m has everything but its centre outside."))
             .because("ESTOP is latched when the norm of the position is more than the radius."),
         );
     }
@@ -359,54 +275,14 @@ fn resets() -> Vec<Case> {
     let (position, velocity) = (vec3(POSITION, Some(M)), vec3(VELOCITY, Some(MPS)));
     let (speed, fence) = (Limits::speed(2.0), Limits::fence(5.0));
     let table: [(&str, &str, Limits, Option<Capabilities>); 10] = [
-        (
-            "negative-speed",
-            "a negative speed limit",
-            Limits::speed(-1.0),
-            None,
-        ),
-        (
-            "negative-fence",
-            "a negative radius",
-            Limits::fence(-1.0),
-            None,
-        ),
-        (
-            "nan-speed",
-            "a speed limit of NaN",
-            Limits::speed(f64::NAN),
-            None,
-        ),
-        (
-            "nan-fence",
-            "a radius of NaN",
-            Limits::fence(f64::NAN),
-            None,
-        ),
-        (
-            "infinite-speed",
-            "an infinite speed limit",
-            Limits::speed(f64::INFINITY),
-            None,
-        ),
-        (
-            "infinite-fence",
-            "an infinite radius",
-            Limits::fence(f64::INFINITY),
-            None,
-        ),
-        (
-            "no-velocity",
-            "an undeclared velocity",
-            speed,
-            Some(negotiated(Some(position), None)),
-        ),
-        (
-            "no-position",
-            "an undeclared position",
-            fence,
-            Some(negotiated(None, Some(velocity))),
-        ),
+        ("negative-speed", "a negative speed limit", Limits::speed(-1.0), None),
+        ("negative-fence", "a negative radius", Limits::fence(-1.0), None),
+        ("nan-speed", "a speed limit of NaN", Limits::speed(f64::NAN), None),
+        ("nan-fence", "a radius of NaN", Limits::fence(f64::NAN), None),
+        ("infinite-speed", "an infinite speed limit", Limits::speed(f64::INFINITY), None),
+        ("infinite-fence", "an infinite radius", Limits::fence(f64::INFINITY), None),
+        ("no-velocity", "an undeclared velocity", speed, Some(negotiated(Some(position), None))),
+        ("no-position", "an undeclared position", fence, Some(negotiated(None, Some(velocity)))),
         (
             "knots",
             "a velocity declared in knots",
@@ -429,56 +305,29 @@ fn resets() -> Vec<Case> {
             Step::Reset,
             govern(good().seq(9), near()),
         ];
-        let trace = Trace {
-            limits,
-            capabilities,
-            steps,
-        };
-        case(
-            format!("reset/{name}"),
-            &["NCP-SAFE-009", "NCP-SAFE-018"],
-            &trace,
-        )
-        .title(format!(
-            "A reset does not end the config fail-closed for {words}."
-        ))
-        .because("The governor's reset does not clear a config fail-closed.")
+        let trace = Trace { limits, capabilities, steps };
+        case(format!("reset/{name}"), &["NCP-SAFE-009", "NCP-SAFE-018"], &trace)
+            .title(format!("A reset does not end the config fail-closed for {words}."))
+            .because("The governor's reset does not clear a config fail-closed.")
     };
     table.into_iter().map(one).collect()
 }
 
 /// Declared widths, which the text only advises about.
 fn widths() -> Vec<Case> {
-    let wide = |name, kind, unit, size| Spec {
-        name,
-        kind,
-        unit: Some(unit),
-        size,
-    };
+    let wide = |name, kind, unit, size| Spec { name, kind, unit: Some(unit), size };
     let mut cases = Vec::new();
-    for (kind, size) in [
-        ("scalar", None),
-        ("quat", None),
-        ("array", Some(2)),
-        ("array", Some(4)),
-        ("array", Some(0)),
-    ] {
+    for (kind, size) in [("scalar", None), ("quat", None), ("array", Some(2)), ("array", Some(4)), ("array", Some(0))] {
         let name = size.map_or(kind.to_owned(), |size: i64| format!("{kind}-{size}"));
-        let position = Capabilities {
-            sensors: vec![wide(POSITION, kind, M, size)],
-            commands: vec![vec3(VELOCITY, Some(MPS))],
-        };
-        let velocity = Capabilities {
-            sensors: vec![vec3(POSITION, Some(M))],
-            commands: vec![wide(VELOCITY, kind, MPS, size)],
-        };
-        for (which, limits, capabilities) in [
-            ("position", Limits::fence(5.0), position),
-            ("velocity", Limits::speed(2.0), velocity),
-        ] {
+        let position =
+            Capabilities { sensors: vec![wide(POSITION, kind, M, size)], commands: vec![vec3(VELOCITY, Some(MPS))] };
+        let velocity =
+            Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: vec![wide(VELOCITY, kind, MPS, size)] };
+        for (which, limits, capabilities) in
+            [("position", Limits::fence(5.0), position), ("velocity", Limits::speed(2.0), velocity)]
+        {
             let trace = Trace::negotiated(limits, capabilities, vec![govern(good(), near())]);
-            let hold =
-                object! { "frame" => object! { "mode" => "hold", "channels" => anything() } };
+            let hold = object! { "frame" => object! { "mode" => "hold", "channels" => anything() } };
             cases.push(
                 case(format!("width/{which}/{name}"), &["NCP-SAFE-016"], &trace)
                     .shows(steps(vec![hold]))
@@ -493,11 +342,7 @@ fn widths() -> Vec<Case> {
             sensors: vec![wide(POSITION, kind, M, Some(3))],
             commands: vec![wide(VELOCITY, kind, MPS, Some(3))],
         };
-        let trace = Trace::negotiated(
-            Limits::both(2.0, 5.0),
-            capabilities,
-            vec![govern(good(), near())],
-        );
+        let trace = Trace::negotiated(Limits::both(2.0, 5.0), capabilities, vec![govern(good(), near())]);
         cases.push(
             case(format!("width/both/{name}"), &["NCP-SAFE-021"], &trace)
                 .title(format!("Limits on channels declared as {kind} of size 3 let a command pass that keeps them."))

@@ -1,8 +1,6 @@
 //! Where the measured position lies.
 
-use super::model::{
-    Capabilities, Channel, Command, Limits, M, POSITION, Sensor, Trace, channel, govern, velocity,
-};
+use super::model::{Capabilities, Channel, Command, Limits, M, POSITION, Sensor, Trace, channel, govern, velocity};
 use super::{case, near};
 use crate::case::{Case, File};
 use crate::trace::name_of;
@@ -32,19 +30,10 @@ fn places() -> Vec<Case> {
         ([1.0, 4.0, 8.0], 9.0),
         ([0.0, 0.0, 1.0], 1.0),
     ];
-    let signs: [[f64; 3]; 4] = [
-        [1.0, 1.0, 1.0],
-        [-1.0, 1.0, 1.0],
-        [1.0, -1.0, -1.0],
-        [-1.0, -1.0, -1.0],
-    ];
+    let signs: [[f64; 3]; 4] = [[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, -1.0, -1.0]];
     for (vector, radius) in vectors {
         for (octant, sign) in signs.into_iter().enumerate() {
-            let place = [
-                vector[0] * sign[0],
-                vector[1] * sign[1],
-                vector[2] * sign[2],
-            ];
+            let place = [vector[0] * sign[0], vector[1] * sign[1], vector[2] * sign[2]];
             for (name, scale, rule) in [
                 ("on", 1.0, "NCP-SAFE-045"),
                 ("inside", 1.0 - 1.0 / 1024.0, "NCP-SAFE-045"),
@@ -52,16 +41,12 @@ fn places() -> Vec<Case> {
             ] {
                 // Inside once a vector: what decides is the boundary.
                 let repeats = vector[0] == 0.0 && octant % 2 == 1;
-                if repeats || name == "inside" && octant > 0 || name == "outside" && octant % 2 == 1
-                {
+                if repeats || name == "inside" && octant > 0 || name == "outside" && octant % 2 == 1 {
                     continue;
                 }
                 let at = place.map(|x| if x == 0.0 { 0.0 } else { x * scale });
                 let limits = Limits::fence(radius);
-                let steps = vec![
-                    govern(still(), Sensor::at(&at)),
-                    govern(still(), Sensor::at(&[0.0; 3])),
-                ];
+                let steps = vec![govern(still(), Sensor::at(&at)), govern(still(), Sensor::at(&[0.0; 3]))];
                 cases.push(
                     case(format!("{name}/{}-{}-{}/octant-{octant}", vector[0], vector[1], vector[2]), &[rule], &Trace::new(limits, steps))
                         .title(format!("A position {name} the fence of {radius} m, at ({}, {}, {}), is told from the others.", at[0], at[1], at[2]))
@@ -73,22 +58,10 @@ fn places() -> Vec<Case> {
     }
     let shapes: [(&str, [f64; 3], &str); 6] = [
         ("above", [0.0, 0.0, 5.5], "a cylinder would contain it"),
-        (
-            "below",
-            [0.0, 0.0, -5.5],
-            "a cylinder or a floor at 0 would contain it",
-        ),
+        ("below", [0.0, 0.0, -5.5], "a cylinder or a floor at 0 would contain it"),
         ("corner", [4.0, 4.0, 4.0], "a box would contain it"),
-        (
-            "edge",
-            [4.5, 0.0, 4.5],
-            "a box or a cylinder would contain it",
-        ),
-        (
-            "low-corner",
-            [-4.9, -4.9, -4.9],
-            "a box would contain it, and so would a limit on the largest component",
-        ),
+        ("edge", [4.5, 0.0, 4.5], "a box or a cylinder would contain it"),
+        ("low-corner", [-4.9, -4.9, -4.9], "a box would contain it, and so would a limit on the largest component"),
         ("far", [1e6, 0.0, 0.0], "nothing would contain it"),
     ];
     for (name, at, why) in shapes {
@@ -102,10 +75,7 @@ fn places() -> Vec<Case> {
                     vec![govern(still(), Sensor::at(&at))],
                 ),
             )
-            .title(format!(
-                "The fence is a sphere: ({}, {}, {}) is outside 5 m, though {why}.",
-                at[0], at[1], at[2]
-            ))
+            .title(format!("The fence is a sphere: ({}, {}, {}) is outside 5 m, though {why}.", at[0], at[1], at[2]))
             .flags(&["L28"])
             .because("It is a sphere, not a cylinder or a polygon."),
         );
@@ -117,10 +87,14 @@ fn places() -> Vec<Case> {
         ("negative", [-2.8, -2.8, 2.8]),
     ] {
         cases.push(
-            case(format!("shape/inside-{name}"), &["NCP-SAFE-021", "NCP-SAFE-045"], &Trace::new(Limits::fence(5.0), vec![govern(still(), Sensor::at(&at))]))
-                .title(format!("The fence is a ball: ({}, {}, {}) is inside 5 m.", at[0], at[1], at[2]))
-                .flags(&["L28"])
-                .because("The norm is not more than the radius: a taxicab norm or the sum of components would be."),
+            case(
+                format!("shape/inside-{name}"),
+                &["NCP-SAFE-021", "NCP-SAFE-045"],
+                &Trace::new(Limits::fence(5.0), vec![govern(still(), Sensor::at(&at))]),
+            )
+            .title(format!("The fence is a ball: ({}, {}, {}) is inside 5 m.", at[0], at[1], at[2]))
+            .flags(&["L28"])
+            .because("The norm is not more than the radius: a taxicab norm or the sum of components would be."),
         );
     }
     cases
@@ -132,20 +106,8 @@ fn channels() -> Vec<Case> {
     let other = |data: &[f64]| channel("imu_accel", data, Some("m/s2"));
     #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &'static str, &str, Vec<Channel>, &[&'static str]); 19] = [
-        (
-            "no-channels",
-            "NCP-SAFE-040",
-            "has no channels",
-            Vec::new(),
-            &["L03"],
-        ),
-        (
-            "another-channel",
-            "NCP-SAFE-040",
-            "has another channel only",
-            vec![other(&[0.0; 3])],
-            &["L03"],
-        ),
+        ("no-channels", "NCP-SAFE-040", "has no channels", Vec::new(), &["L03"]),
+        ("another-channel", "NCP-SAFE-040", "has another channel only", vec![other(&[0.0; 3])], &["L03"]),
         (
             "another-name",
             "NCP-SAFE-040",
@@ -160,13 +122,7 @@ fn channels() -> Vec<Case> {
             vec![channel("Pose_Position", &[0.0; 3], Some(M))],
             &["first-channel"],
         ),
-        (
-            "empty",
-            "NCP-SAFE-040",
-            "has an empty position",
-            vec![position(&[], Some(M))],
-            &["L03"],
-        ),
+        ("empty", "NCP-SAFE-040", "has an empty position", vec![position(&[], Some(M))], &["L03"]),
         (
             "empty-without-unit",
             "NCP-SAFE-040",
@@ -174,20 +130,8 @@ fn channels() -> Vec<Case> {
             vec![position(&[], None)],
             &["L03"],
         ),
-        (
-            "one-wide",
-            "NCP-SAFE-040",
-            "has a position 1 wide",
-            vec![position(&[1.0], Some(M))],
-            &["L11"],
-        ),
-        (
-            "two-wide",
-            "NCP-SAFE-040",
-            "has a position 2 wide",
-            vec![position(&[1.0, 2.0], Some(M))],
-            &["L11"],
-        ),
+        ("one-wide", "NCP-SAFE-040", "has a position 1 wide", vec![position(&[1.0], Some(M))], &["L11"]),
+        ("two-wide", "NCP-SAFE-040", "has a position 2 wide", vec![position(&[1.0, 2.0], Some(M))], &["L11"]),
         (
             "four-wide",
             "NCP-SAFE-040",
@@ -195,13 +139,7 @@ fn channels() -> Vec<Case> {
             vec![position(&[1.0, 2.0, 2.0, 0.0], Some(M))],
             &["L11"],
         ),
-        (
-            "six-wide",
-            "NCP-SAFE-040",
-            "has a position 6 wide",
-            vec![position(&[0.0; 6], Some(M))],
-            &["L11"],
-        ),
+        ("six-wide", "NCP-SAFE-040", "has a position 6 wide", vec![position(&[0.0; 6], Some(M))], &["L11"]),
         (
             "two-wide-outside",
             "NCP-SAFE-040",
@@ -216,13 +154,7 @@ fn channels() -> Vec<Case> {
             vec![position(&[90.0, 0.0, 0.0, 0.0], Some(M))],
             &["L11"],
         ),
-        (
-            "feet",
-            "NCP-SAFE-041",
-            "has a position in feet",
-            vec![position(&[1.0, 0.0, 0.0], Some("ft"))],
-            &["L10"],
-        ),
+        ("feet", "NCP-SAFE-041", "has a position in feet", vec![position(&[1.0, 0.0, 0.0], Some("ft"))], &["L10"]),
         (
             "kilometres",
             "NCP-SAFE-041",
@@ -268,10 +200,7 @@ fn channels() -> Vec<Case> {
     ];
     let mut cases = Vec::new();
     for (name, rule, words, channels, flags) in table {
-        let steps = vec![
-            govern(still(), Sensor::of(channels)),
-            govern(still(), near()),
-        ];
+        let steps = vec![govern(still(), Sensor::of(channels)), govern(still(), near())];
         cases.push(
             case(format!("channel/{name}"), &[rule], &Trace::new(Limits::fence(5.0), steps))
                 .title(format!("A command is held, and nothing latched, when the sensor frame {words}."))
@@ -279,12 +208,7 @@ fn channels() -> Vec<Case> {
                 .because("The governor holds when the position is missing, empty, not 3 wide or in another unit; what is no position is not the origin."),
         );
     }
-    let no_frame = super::model::Step::Govern {
-        command: still(),
-        now: 10.25,
-        sensor: None,
-        last: Some(10.0),
-    };
+    let no_frame = super::model::Step::Govern { command: still(), now: 10.25, sensor: None, last: Some(10.0) };
     cases.push(
         case(
             "channel/no-frame",
@@ -296,17 +220,12 @@ fn channels() -> Vec<Case> {
         .because("The governor holds when the geofence is enabled and there is no position."),
     );
     // The position is found by its name, wherever it stands.
-    for (name, before) in [
-        ("after-one", vec![other(&[0.0; 3])]),
-        (
-            "after-two",
-            vec![channel("a", &[0.0; 3], Some(M)), other(&[9.0; 3])],
-        ),
-    ] {
-        for (place, at, rule) in [
-            ("inside", [1.0, 2.0, 2.0], "NCP-SAFE-010"),
-            ("outside", [6.0, 0.0, 0.0], "NCP-SAFE-010"),
-        ] {
+    for (name, before) in
+        [("after-one", vec![other(&[0.0; 3])]), ("after-two", vec![channel("a", &[0.0; 3], Some(M)), other(&[9.0; 3])])]
+    {
+        for (place, at, rule) in
+            [("inside", [1.0, 2.0, 2.0], "NCP-SAFE-010"), ("outside", [6.0, 0.0, 0.0], "NCP-SAFE-010")]
+        {
             let mut channels = before.clone();
             channels.push(position(&at, Some(M)));
             cases.push(
@@ -317,10 +236,8 @@ fn channels() -> Vec<Case> {
             );
         }
     }
-    for (place, at, rule) in [
-        ("inside", [1.0, 2.0, 2.0], "NCP-SAFE-042"),
-        ("outside", [6.0, 0.0, 0.0], "NCP-SAFE-042"),
-    ] {
+    for (place, at, rule) in [("inside", [1.0, 2.0, 2.0], "NCP-SAFE-042"), ("outside", [6.0, 0.0, 0.0], "NCP-SAFE-042")]
+    {
         let sensor = Sensor::of(vec![position(&at, None)]);
         let steps = vec![govern(still(), sensor)];
         cases.push(
@@ -329,9 +246,7 @@ fn channels() -> Vec<Case> {
                 &[rule],
                 &Trace::negotiated(Limits::fence(5.0), Capabilities::canonical(&[]), steps),
             )
-            .title(format!(
-                "A position without a unit is read in the negotiated one, {place} the fence."
-            ))
+            .title(format!("A position without a unit is read in the negotiated one, {place} the fence."))
             .flags(&["L10"])
             .because("The governor reads a channel without a unit in the negotiated one, here m."),
         );
@@ -356,10 +271,8 @@ fn moved() -> Vec<Case> {
                 ("just-outside", 0.5, 5.25, "NCP-SAFE-043"),
                 ("across", 4.0, -4.0, "NCP-SAFE-045"),
             ] {
-                let steps = vec![
-                    govern(still(), Sensor::at(&place(first))),
-                    govern(still(), Sensor::at(&place(second))),
-                ];
+                let steps =
+                    vec![govern(still(), Sensor::at(&place(first))), govern(still(), Sensor::at(&place(second)))];
                 cases.push(
                     case(
                         format!("moved/{axis}-{side}/{name}"),
@@ -383,18 +296,12 @@ fn off() -> Vec<Case> {
     let table: [(&str, Option<f64>); 2] = [("absent", None), ("zero", Some(0.0))];
     let mut cases = Vec::new();
     for (name, fence) in table {
-        let limits = Limits {
-            fence,
-            ..Limits::NONE
-        };
+        let limits = Limits { fence, ..Limits::NONE };
         for (what, sensor) in [
             ("far", Sensor::at(&[1e6, 0.0, 0.0])),
             ("no-position", Sensor::of(Vec::new())),
             ("two-wide", Sensor::at(&[1.0, 2.0])),
-            (
-                "feet",
-                Sensor::of(vec![channel(POSITION, &[1.0; 3], Some("ft"))]),
-            ),
+            ("feet", Sensor::of(vec![channel(POSITION, &[1.0; 3], Some("ft"))])),
         ] {
             let command = Command::of(vec![velocity(&[100.0, 0.0, 0.0])]);
             cases.push(
@@ -403,19 +310,14 @@ fn off() -> Vec<Case> {
                     &["NCP-SAFE-012"],
                     &Trace::new(limits, vec![govern(command, sensor)]),
                 )
-                .title(format!(
-                    "A fence that is {name} closes on nothing ({what})."
-                ))
+                .title(format!("A fence that is {name} closes on nothing ({what})."))
                 .flags(&["L13"])
                 .because("A limit that is absent or 0 is disabled."),
             );
         }
     }
     for tilt in [0.0, 0.5, 1.5, 1e308] {
-        let limits = Limits {
-            tilt: Some(tilt),
-            ..Limits::both(2.0, 5.0)
-        };
+        let limits = Limits { tilt: Some(tilt), ..Limits::both(2.0, 5.0) };
         cases.push(
             case(
                 format!("tilt/{}", name_of(tilt)),
@@ -423,11 +325,7 @@ fn off() -> Vec<Case> {
                 &Trace::new(
                     limits,
                     vec![govern(
-                        Command::moving(&[1.0, 0.0, 0.0]).and(channel(
-                            "attitude",
-                            &[1.5, 0.0, 0.0],
-                            Some("rad"),
-                        )),
+                        Command::moving(&[1.0, 0.0, 0.0]).and(channel("attitude", &[1.5, 0.0, 0.0], Some("rad"))),
                         near(),
                     )],
                 ),

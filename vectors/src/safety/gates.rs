@@ -1,9 +1,6 @@
 //! Every mode at every gate, and violations of two and three gates at once.
 
-use super::model::{
-    Capabilities, Channel, Command, Limits, Outcome, POSITION, Sensor, Step, Trace, VELOCITY,
-    govern,
-};
+use super::model::{Capabilities, Channel, Command, Limits, Outcome, POSITION, Sensor, Step, Trace, VELOCITY, govern};
 use super::{case, good, near};
 use crate::case::{Case, File};
 use crate::json::object;
@@ -47,18 +44,9 @@ impl Setup {
     /// The steps before, the command, and a good command after it.
     fn trace(self) -> Trace {
         let mut steps = self.before;
-        steps.push(Step::Govern {
-            command: self.command,
-            now: 10.25,
-            sensor: Some(self.sensor),
-            last: self.last,
-        });
+        steps.push(Step::Govern { command: self.command, now: 10.25, sensor: Some(self.sensor), last: self.last });
         steps.push(govern(good().seq(9), near()));
-        Trace {
-            limits: self.limits,
-            capabilities: self.capabilities,
-            steps,
-        }
+        Trace { limits: self.limits, capabilities: self.capabilities, steps }
     }
 }
 
@@ -73,13 +61,8 @@ struct Violation {
     apply: fn(&mut Setup),
 }
 
-const NOTHING: Violation = Violation {
-    name: "nothing",
-    words: "nothing else is wrong",
-    rule: "NCP-SAFE-021",
-    slot: 0,
-    apply: |_| {},
-};
+const NOTHING: Violation =
+    Violation { name: "nothing", words: "nothing else is wrong", rule: "NCP-SAFE-021", slot: 0, apply: |_| {} };
 
 const VIOLATIONS: &[Violation] = &[
     Violation {
@@ -95,9 +78,7 @@ const VIOLATIONS: &[Violation] = &[
         rule: "NCP-SAFE-004",
         slot: 1,
         apply: |setup| {
-            setup
-                .before
-                .push(govern(good().seq(6).mode("estop"), near()));
+            setup.before.push(govern(good().seq(6).mode("estop"), near()));
         },
     },
     Violation {
@@ -106,9 +87,7 @@ const VIOLATIONS: &[Violation] = &[
         rule: "NCP-SAFE-043",
         slot: 1,
         apply: |setup| {
-            setup
-                .before
-                .push(govern(good().seq(6), Sensor::at(&[0.0, 0.0, -6.0])));
+            setup.before.push(govern(good().seq(6), Sensor::at(&[0.0, 0.0, -6.0])));
         },
     },
     Violation {
@@ -156,10 +135,7 @@ const VIOLATIONS: &[Violation] = &[
         rule: "NCP-SAFE-040",
         slot: 4,
         apply: |setup| {
-            setup
-                .sensor
-                .channels
-                .retain(|channel| channel.name != POSITION);
+            setup.sensor.channels.retain(|channel| channel.name != POSITION);
         },
     },
     Violation {
@@ -182,12 +158,7 @@ const VIOLATIONS: &[Violation] = &[
         rule: "NCP-SAFE-051",
         slot: 5,
         apply: |setup| {
-            if let Some(channel) = setup
-                .command
-                .channels
-                .iter_mut()
-                .find(|c| c.name == VELOCITY)
-            {
+            if let Some(channel) = setup.command.channels.iter_mut().find(|c| c.name == VELOCITY) {
                 channel.data = vec![40.0, 0.0, 0.0];
             }
         },
@@ -231,11 +202,7 @@ fn other_channel() -> Channel {
 
 /// A violation under each mode.
 fn in_every_mode(violation: &Violation) -> Vec<Case> {
-    let modes: &[&'static str] = if violation.slot == 7 {
-        &[]
-    } else {
-        &["active", "hold", "init", "estop"]
-    };
+    let modes: &[&'static str] = if violation.slot == 7 { &[] } else { &["active", "hold", "init", "estop"] };
     let mode_case = |mode: &&'static str| {
         let mode = *mode;
         let mut setup = Setup::new();
@@ -274,15 +241,11 @@ fn modes() -> Vec<Case> {
         let hold = object! { "frame" => object! { "mode" => "hold" } };
         let name = mode.to_lowercase().replace(' ', "-space");
         cases.push(
-            case(
-                format!("mode/unknown/{name}"),
-                &["NCP-SAFE-002"],
-                &trace,
-            )
-            .shows_or_refuses(steps(vec![any(vec![hold, refused()])]))
-            .title(format!("A command in the unknown mode `{mode}` becomes a HOLD frame."))
-            .flags(&["unknown-mode-moves"])
-            .because("An unknown mode reads as `hold`, and the governor answers it with a HOLD frame."),
+            case(format!("mode/unknown/{name}"), &["NCP-SAFE-002"], &trace)
+                .shows_or_refuses(steps(vec![any(vec![hold, refused()])]))
+                .title(format!("A command in the unknown mode `{mode}` becomes a HOLD frame."))
+                .flags(&["unknown-mode-moves"])
+                .because("An unknown mode reads as `hold`, and the governor answers it with a HOLD frame."),
         );
     }
     for mode in ["hold", "init"] {
@@ -345,19 +308,16 @@ fn together() -> Vec<Case> {
         case(format!("order/{}", names.join("_and_")), &rules, &trace)
             .title(format!("When {}, the command becomes {decided}.", words.join(" and ")))
             .flags(&["gate-order"])
-            .because("The first gate of section 7.3 that closes decides the frame, and a gate behind it latches nothing.")
+            .because(
+                "The first gate of section 7.3 that closes decides the frame, and a gate behind it latches nothing.",
+            )
     };
     sets.into_iter().map(case_of).collect()
 }
 
 fn is_telling(set: &[&Violation]) -> bool {
-    let excluded = set
-        .iter()
-        .enumerate()
-        .any(|(at, one)| set.iter().skip(at + 1).any(|other| one.slot == other.slot));
-    let latches = |violation: &&Violation| {
-        matches!(violation.name, "outside" | "estop") || violation.slot == 1
-    };
+    let excluded = set.iter().enumerate().any(|(at, one)| set.iter().skip(at + 1).any(|other| one.slot == other.slot));
+    let latches = |violation: &&Violation| matches!(violation.name, "outside" | "estop") || violation.slot == 1;
     // What is wrong with the mode or the velocity is all one to a latched governor: one of them is enough.
     let behind = set.iter().filter(|violation| violation.slot >= 5).count();
     let stops = set.iter().filter(|violation| latches(violation)).count();
@@ -371,11 +331,7 @@ fn outcome(trace: &Trace) -> &'static str {
     }
     let outcomes = trace.outcomes();
     let at = outcomes.len().saturating_sub(2);
-    match outcomes
-        .get(at)
-        .and_then(Option::as_ref)
-        .and_then(|outcomes| outcomes.first())
-    {
+    match outcomes.get(at).and_then(Option::as_ref).and_then(|outcomes| outcomes.first()) {
         Some(Outcome::Estop) => "an ESTOP frame",
         Some(Outcome::Hold) => "a HOLD frame",
         _ => "what may be sent",

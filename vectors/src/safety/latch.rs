@@ -168,59 +168,22 @@ fn faults() -> Vec<Case> {
 
 /// Holds that end by themselves.
 fn holds() -> Vec<Case> {
-    let far = Step::Govern {
-        command: good().seq(2),
-        now: 11.0,
-        sensor: Some(near()),
-        last: Some(10.0),
-    };
-    let back = Step::Govern {
-        command: good().seq(2),
-        now: 9.75,
-        sensor: Some(near()),
-        last: Some(10.0),
-    };
-    let out = govern(
-        super::model::Command::moving(&[40.0, 0.0, 0.0]).seq(2),
-        near(),
-    );
+    let far = Step::Govern { command: good().seq(2), now: 11.0, sensor: Some(near()), last: Some(10.0) };
+    let back = Step::Govern { command: good().seq(2), now: 9.75, sensor: Some(near()), last: Some(10.0) };
+    let out = govern(super::model::Command::moving(&[40.0, 0.0, 0.0]).seq(2), near());
     let lost = govern(good().seq(2), Sensor::of(Vec::new()));
     let table: [(&str, &str, &'static str, Step); 5] = [
         ("stale", "a stale sensor", "NCP-SAFE-033", far),
-        (
-            "clock",
-            "a clock that stepped backward",
-            "NCP-SAFE-035",
-            back,
-        ),
-        (
-            "projection",
-            "a velocity that leads out of the fence",
-            "NCP-SAFE-051",
-            out,
-        ),
-        (
-            "position",
-            "a frame without a position",
-            "NCP-SAFE-040",
-            lost,
-        ),
-        (
-            "mode",
-            "a command in mode `hold`",
-            "NCP-SAFE-002",
-            govern(good().seq(2).mode("hold"), near()),
-        ),
+        ("clock", "a clock that stepped backward", "NCP-SAFE-035", back),
+        ("projection", "a velocity that leads out of the fence", "NCP-SAFE-051", out),
+        ("position", "a frame without a position", "NCP-SAFE-040", lost),
+        ("mode", "a command in mode `hold`", "NCP-SAFE-002", govern(good().seq(2).mode("hold"), near())),
     ];
     let mut cases = Vec::new();
     for (name, words, rule, step) in table {
         let first = || govern(good().seq(1), near());
         for (when, what, before) in [
-            (
-                "twice",
-                "Two HOLDs in a row end",
-                vec![first(), step.clone(), step.clone()],
-            ),
+            ("twice", "Two HOLDs in a row end", vec![first(), step.clone(), step.clone()]),
             ("once", "One HOLD ends", vec![first(), step.clone()]),
             ("at-first", "A HOLD for the first command ends", vec![step]),
         ] {
@@ -228,13 +191,9 @@ fn holds() -> Vec<Case> {
             steps.push(govern(good().seq(3), near()));
             steps.push(govern(good().seq(4), near()));
             cases.push(
-                case(
-                    format!("hold/{name}/{when}"),
-                    &["NCP-SAFE-022", rule],
-                    &Trace::new(Limits::fence(5.0), steps),
-                )
-                .title(format!("{what} with the next good command, after {words}."))
-                .because("A HOLD ends by itself with the first command that passes all gates."),
+                case(format!("hold/{name}/{when}"), &["NCP-SAFE-022", rule], &Trace::new(Limits::fence(5.0), steps))
+                    .title(format!("{what} with the next good command, after {words}."))
+                    .because("A HOLD ends by itself with the first command that passes all gates."),
             );
         }
     }

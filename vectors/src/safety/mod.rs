@@ -31,11 +31,7 @@ pub(crate) fn files() -> Vec<File> {
 /// A case of `governor.run` whose answers are the model's.
 fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
     let case = Case::new(path, rules, &[Role::Commander]).call("governor.run", trace.args());
-    if trace.has_writable_limits() {
-        case.shows(trace.pattern())
-    } else {
-        case.shows_or_refuses(trace.pattern())
-    }
+    if trace.has_writable_limits() { case.shows(trace.pattern()) } else { case.shows_or_refuses(trace.pattern()) }
 }
 
 /// A command that passes every gate.

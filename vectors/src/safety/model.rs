@@ -21,33 +21,18 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    pub(super) const NONE: Self = Self {
-        speed: None,
-        fence: None,
-        timeout: 500.0,
-        tilt: None,
-    };
+    pub(super) const NONE: Self = Self { speed: None, fence: None, timeout: 500.0, tilt: None };
 
     pub(super) const fn speed(speed: f64) -> Self {
-        Self {
-            speed: Some(speed),
-            ..Self::NONE
-        }
+        Self { speed: Some(speed), ..Self::NONE }
     }
 
     pub(super) const fn fence(fence: f64) -> Self {
-        Self {
-            fence: Some(fence),
-            ..Self::NONE
-        }
+        Self { fence: Some(fence), ..Self::NONE }
     }
 
     pub(super) const fn both(speed: f64, fence: f64) -> Self {
-        Self {
-            speed: Some(speed),
-            fence: Some(fence),
-            ..Self::NONE
-        }
+        Self { speed: Some(speed), fence: Some(fence), ..Self::NONE }
     }
 
     fn json(self) -> Json {
@@ -69,11 +54,7 @@ pub(super) struct Channel {
 }
 
 pub(super) fn channel(name: &'static str, data: &[f64], unit: Option<&'static str>) -> Channel {
-    Channel {
-        name,
-        data: data.to_vec(),
-        unit,
-    }
+    Channel { name, data: data.to_vec(), unit }
 }
 
 pub(super) fn velocity(data: &[f64]) -> Channel {
@@ -103,16 +84,7 @@ pub(super) struct Command {
 
 impl Command {
     pub(super) fn of(channels: Vec<Channel>) -> Self {
-        Self {
-            seq: 7,
-            t: 1.5,
-            frame_id: "world",
-            mode: "active",
-            ttl: 250.0,
-            channels,
-            horizon: Vec::new(),
-            dt: None,
-        }
+        Self { seq: 7, t: 1.5, frame_id: "world", mode: "active", ttl: 250.0, channels, horizon: Vec::new(), dt: None }
     }
 
     /// With that velocity and nothing else.
@@ -158,13 +130,7 @@ impl Command {
             "channels" => channels_json(&self.channels),
         };
         if !self.horizon.is_empty() {
-            fields = fields.and(
-                "horizon",
-                self.horizon
-                    .iter()
-                    .map(|step| channels_json(step))
-                    .collect(),
-            );
+            fields = fields.and("horizon", self.horizon.iter().map(|step| channels_json(step)).collect());
         }
         match self.dt {
             Some(dt) => fields.and("horizon_dt_ms", num(dt)),
@@ -219,21 +185,11 @@ pub(super) struct Spec {
 }
 
 pub(super) const fn vec3(name: &'static str, unit: Option<&'static str>) -> Spec {
-    Spec {
-        name,
-        kind: "vec3",
-        unit,
-        size: None,
-    }
+    Spec { name, kind: "vec3", unit, size: None }
 }
 
 pub(super) const fn scalar(name: &'static str, unit: Option<&'static str>) -> Spec {
-    Spec {
-        name,
-        kind: "scalar",
-        unit,
-        size: None,
-    }
+    Spec { name, kind: "scalar", unit, size: None }
 }
 
 impl Spec {
@@ -254,10 +210,7 @@ impl Capabilities {
     pub(super) fn canonical(more: &[Spec]) -> Self {
         let mut commands = vec![vec3(VELOCITY, Some(MPS))];
         commands.extend_from_slice(more);
-        Self {
-            sensors: vec![vec3(POSITION, Some(M))],
-            commands,
-        }
+        Self { sensors: vec![vec3(POSITION, Some(M))], commands }
     }
 
     fn json(&self) -> Json {
@@ -271,35 +224,20 @@ impl Capabilities {
 /// One step of a trace.
 #[derive(Debug, Clone)]
 pub(super) enum Step {
-    Govern {
-        command: Command,
-        now: f64,
-        sensor: Option<Sensor>,
-        last: Option<f64>,
-    },
+    Govern { command: Command, now: f64, sensor: Option<Sensor>, last: Option<f64> },
     Link(bool),
     Reset,
 }
 
 /// A command with a fresh sensor: a quarter of a second old.
 pub(super) fn govern(command: Command, sensor: Sensor) -> Step {
-    Step::Govern {
-        command,
-        now: 10.25,
-        sensor: Some(sensor),
-        last: Some(10.0),
-    }
+    Step::Govern { command, now: 10.25, sensor: Some(sensor), last: Some(10.0) }
 }
 
 impl Step {
     fn json(&self) -> Json {
         match self {
-            Self::Govern {
-                command,
-                now,
-                sensor,
-                last,
-            } => object! {
+            Self::Govern { command, now, sensor, last } => object! {
                 "op" => "govern",
                 "command" => command.json(),
                 "now_s" => num(*now),
@@ -322,19 +260,11 @@ pub(super) struct Trace {
 
 impl Trace {
     pub(super) fn new(limits: Limits, steps: Vec<Step>) -> Self {
-        Self {
-            limits,
-            capabilities: None,
-            steps,
-        }
+        Self { limits, capabilities: None, steps }
     }
 
     pub(super) fn negotiated(limits: Limits, capabilities: Capabilities, steps: Vec<Step>) -> Self {
-        Self {
-            limits,
-            capabilities: Some(capabilities),
-            steps,
-        }
+        Self { limits, capabilities: Some(capabilities), steps }
     }
 
     /// The arguments of `governor.run`.
@@ -392,13 +322,7 @@ impl Trace {
         // After a sensor that a JSON text cannot hold, nobody knows whether ESTOP was latched.
         let mut is_known = true;
         for (step, outcomes) in self.steps.iter().zip(self.outcomes_by(reading)) {
-            let (
-                Step::Govern {
-                    command, sensor, ..
-                },
-                Some(outcomes),
-            ) = (step, outcomes)
-            else {
+            let (Step::Govern { command, sensor, .. }, Some(outcomes)) = (step, outcomes) else {
                 is_known |= matches!(step, Step::Reset);
                 entries.push(Json::object());
                 continue;
@@ -411,10 +335,8 @@ impl Trace {
                 || sensor.as_ref().is_some_and(|sensor| !sensor.is_writable())
                 || !self.has_writable_limits();
             is_known = sensor.as_ref().is_none_or(Sensor::is_writable);
-            let mut patterns: Vec<Json> = outcomes
-                .iter()
-                .map(|outcome| object! { "frame" => outcome.pattern(command, &governor) })
-                .collect();
+            let mut patterns: Vec<Json> =
+                outcomes.iter().map(|outcome| object! { "frame" => outcome.pattern(command, &governor) }).collect();
             if may_refuse {
                 patterns.push(refused());
             }
@@ -429,10 +351,7 @@ impl Trace {
 pub(super) enum Outcome {
     Estop,
     Hold,
-    Pass {
-        channels: Vec<Channel>,
-        horizon: Vec<Vec<Channel>>,
-    },
+    Pass { channels: Vec<Channel>, horizon: Vec<Vec<Channel>> },
 }
 
 impl Outcome {
@@ -444,9 +363,7 @@ impl Outcome {
                 let unit = match channel.unit {
                     Some(unit) => unit.into(),
                     // Left out as it was, or written down as it is read.
-                    None => any(std::iter::once(Json::Null)
-                        .chain(governor.unit(channel).map(Json::from))
-                        .collect()),
+                    None => any(std::iter::once(Json::Null).chain(governor.unit(channel).map(Json::from)).collect()),
                 };
                 let value = object! { "data" => nums(&channel.data), "unit" => unit };
                 (channel.name.to_owned(), value)
@@ -456,10 +373,9 @@ impl Outcome {
         let (channels, horizon) = match self {
             Self::Estop => return object! { "mode" => "estop" },
             Self::Hold => return object! { "mode" => "hold" },
-            Self::Pass { channels, horizon } => (
-                passed(channels),
-                horizon.iter().map(|step| passed(step)).collect::<Json>(),
-            ),
+            Self::Pass { channels, horizon } => {
+                (passed(channels), horizon.iter().map(|step| passed(step)).collect::<Json>())
+            }
         };
         object! {
             "mode" => "active",
@@ -498,26 +414,16 @@ struct Governor<'a> {
 
 impl<'a> Governor<'a> {
     fn new(limits: Limits, capabilities: Option<&'a Capabilities>, reading: Reading) -> Self {
-        let broken =
-            |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
+        let broken = |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
         let declared = |specs: &[Spec], name: &str, unit: &str| {
-            specs
-                .iter()
-                .any(|spec| spec.name == name && spec.unit == Some(unit))
+            specs.iter().any(|spec| spec.name == name && spec.unit == Some(unit))
         };
         let unbound = capabilities.is_some_and(|capabilities| {
             enabled(limits.fence).is_some() && !declared(&capabilities.sensors, POSITION, M)
-                || enabled(limits.speed).is_some()
-                    && !declared(&capabilities.commands, VELOCITY, MPS)
+                || enabled(limits.speed).is_some() && !declared(&capabilities.commands, VELOCITY, MPS)
         });
         let fault = broken(limits.speed) || broken(limits.fence) || unbound;
-        Self {
-            reading,
-            limits,
-            capabilities,
-            fault,
-            latched: false,
-        }
+        Self { reading, limits, capabilities, fault, latched: false }
     }
 
     fn step(&mut self, step: &Step) -> Option<Vec<Outcome>> {
@@ -530,23 +436,12 @@ impl<'a> Governor<'a> {
                 self.latched = false;
                 None
             }
-            Step::Govern {
-                command,
-                now,
-                sensor,
-                last,
-            } => Some(self.govern(command, *now, sensor.as_ref(), *last)),
+            Step::Govern { command, now, sensor, last } => Some(self.govern(command, *now, sensor.as_ref(), *last)),
         }
     }
 
     /// The gates of section 7.3, in their order.
-    fn govern(
-        &mut self,
-        command: &Command,
-        now: f64,
-        sensor: Option<&Sensor>,
-        last: Option<f64>,
-    ) -> Vec<Outcome> {
+    fn govern(&mut self, command: &Command, now: f64, sensor: Option<&Sensor>, last: Option<f64>) -> Vec<Outcome> {
         self.latched |= command.mode == "estop";
         if self.latched {
             return vec![Outcome::Estop];
@@ -564,8 +459,7 @@ impl<'a> Governor<'a> {
         }
         let mut place = None;
         if let Some(radius) = enabled(self.limits.fence) {
-            let found =
-                sensor.and_then(|sensor| sensor.channels.iter().find(|c| c.name == POSITION));
+            let found = sensor.and_then(|sensor| sensor.channels.iter().find(|c| c.name == POSITION));
             let usable = found.filter(|c| c.unit.is_none_or(|unit| unit == M) && c.data.len() == 3);
             let Some(position) = usable else {
                 return vec![Outcome::Hold];
@@ -600,13 +494,10 @@ impl<'a> Governor<'a> {
             }
         }
         let wide = |channels: &[Channel], name: &str| {
-            channels
-                .iter()
-                .any(|channel| channel.name == name && channel.data.len() != 3)
+            channels.iter().any(|channel| channel.name == name && channel.data.len() != 3)
         };
         // A velocity or a position that is not 3 wide may be held for, though no limit needs it.
-        let odd = wide(&channels, VELOCITY)
-            || sensor.is_some_and(|sensor| wide(&sensor.channels, POSITION));
+        let odd = wide(&channels, VELOCITY) || sensor.is_some_and(|sensor| wide(&sensor.channels, POSITION));
         let mut outcomes = match place {
             Some((place, radius)) => self.project(command, &channels, &horizon, &place, radius),
             None => vec![Outcome::Pass { channels, horizon }],
@@ -622,13 +513,7 @@ impl<'a> Governor<'a> {
     /// The unit in which a channel is read: its own, or else the negotiated one.
     fn unit<'c>(&'c self, channel: &'c Channel) -> Option<&'c str> {
         channel.unit.or_else(|| match self.capabilities {
-            Some(capabilities) => {
-                capabilities
-                    .commands
-                    .iter()
-                    .find(|spec| spec.name == channel.name)?
-                    .unit
-            }
+            Some(capabilities) => capabilities.commands.iter().find(|spec| spec.name == channel.name)?.unit,
             None => (channel.name == VELOCITY).then_some(MPS),
         })
     }
@@ -636,8 +521,7 @@ impl<'a> Governor<'a> {
     /// The velocity that the plant would follow.
     fn velocity(&self, channels: &[Channel]) -> Option<Vec<f64>> {
         let channel = channels.iter().find(|channel| channel.name == VELOCITY)?;
-        let usable =
-            self.unit(channel) == Some(MPS) && channel.data.len() == 3 && finite(&channel.data);
+        let usable = self.unit(channel) == Some(MPS) && channel.data.len() == 3 && finite(&channel.data);
         usable.then(|| channel.data.clone())
     }
 
@@ -673,27 +557,16 @@ impl<'a> Governor<'a> {
         let Some(first) = self.velocity(channels) else {
             return vec![Outcome::Hold];
         };
-        let ttl = if command.ttl.is_finite() && command.ttl > 0.0 {
-            command.ttl.min(60_000.0)
-        } else {
-            0.0
-        };
+        let ttl = if command.ttl.is_finite() && command.ttl > 0.0 { command.ttl.min(60_000.0) } else { 0.0 };
         let after = |from: &[f64], velocity: &[f64], ms: f64| -> Vec<f64> {
-            from.iter()
-                .zip(velocity)
-                .map(|(p, v)| p + v * (ms / 1000.0))
-                .collect()
+            from.iter().zip(velocity).map(|(p, v)| p + v * (ms / 1000.0)).collect()
         };
         let pass = |kept: usize| Outcome::Pass {
             channels: channels.to_vec(),
             horizon: horizon.get(..kept).unwrap_or_default().to_vec(),
         };
         // What comes of a governor that drops the horizon whole.
-        let without = if inside(&after(place, &first, ttl), radius) {
-            pass(0)
-        } else {
-            Outcome::Hold
-        };
+        let without = if inside(&after(place, &first, ttl), radius) { pass(0) } else { Outcome::Hold };
         let Some(dt) = command.dt.filter(|_| !command.horizon.is_empty()) else {
             return vec![without];
         };
@@ -701,10 +574,7 @@ impl<'a> Governor<'a> {
         let mut start = 0.0;
         let mut kept = 0;
         let mut unusable = false;
-        for (tick, step) in std::iter::once(channels)
-            .chain(horizon.iter().map(Vec::as_slice))
-            .enumerate()
-        {
+        for (tick, step) in std::iter::once(channels).chain(horizon.iter().map(Vec::as_slice)).enumerate() {
             let Some(velocity) = self.velocity(step) else {
                 unusable = true;
                 break;
@@ -722,12 +592,8 @@ impl<'a> Governor<'a> {
         }
         // Where even the boldest horizon stays inside, nobody has a reason to shorten it.
         #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
-        let reach =
-            enabled(self.limits.speed).map(|most| most * dt / 1000.0 * (horizon.len() + 2) as f64);
-        if kept > 0
-            && kept == horizon.len()
-            && reach.is_some_and(|reach| norm(place) + reach < radius)
-        {
+        let reach = enabled(self.limits.speed).map(|most| most * dt / 1000.0 * (horizon.len() + 2) as f64);
+        if kept > 0 && kept == horizon.len() && reach.is_some_and(|reach| norm(place) + reach < radius) {
             return vec![pass(kept)];
         }
         let mut outcomes: Vec<_> = (1..=kept).rev().map(pass).collect();

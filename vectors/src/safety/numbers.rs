@@ -1,8 +1,6 @@
 //! Strange numbers in every numeric position of a command and a sensor frame.
 
-use super::model::{
-    Command, Limits, M, MPS, POSITION, Sensor, Trace, VELOCITY, channel, govern, velocity,
-};
+use super::model::{Command, Limits, M, MPS, POSITION, Sensor, Trace, VELOCITY, channel, govern, velocity};
 use super::{case, good, near};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -40,24 +38,24 @@ fn commands() -> Vec<Case> {
     for (with, limits) in limits {
         for value in STRANGE {
             for at in 0..3 {
-                let steps = vec![
-                    govern(Command::moving(&put(at, value)), near()),
-                    govern(good().seq(8), near()),
-                ];
+                let steps = vec![govern(Command::moving(&put(at, value)), near()), govern(good().seq(8), near())];
                 cases.push(
-                    case(format!("velocity/{at}/{}/{with}", name_of(value)), &["NCP-SAFE-064"], &Trace::new(limits, steps))
-                        .title(format!("A velocity whose component {at} is {} is held, with {}.", name_of(value), with.replace('-', " ")))
-                        .flags(&["non-finite-command"])
-                        .because("The governor holds when any channel of tick 0 has a component that is not finite."),
+                    case(
+                        format!("velocity/{at}/{}/{with}", name_of(value)),
+                        &["NCP-SAFE-064"],
+                        &Trace::new(limits, steps),
+                    )
+                    .title(format!(
+                        "A velocity whose component {at} is {} is held, with {}.",
+                        name_of(value),
+                        with.replace('-', " ")
+                    ))
+                    .flags(&["non-finite-command"])
+                    .because("The governor holds when any channel of tick 0 has a component that is not finite."),
                 );
             }
-            for (name, unit) in [
-                ("gripper", None),
-                ("body_rates", Some("rad/s")),
-                ("tow_velocity", Some(MPS)),
-            ] {
-                let command =
-                    Command::moving(&[0.5, 0.0, 0.0]).and(channel(name, &[0.5, value], unit));
+            for (name, unit) in [("gripper", None), ("body_rates", Some("rad/s")), ("tow_velocity", Some(MPS))] {
+                let command = Command::moving(&[0.5, 0.0, 0.0]).and(channel(name, &[0.5, value], unit));
                 cases.push(
                     case(format!("{}/{}/{with}", name.replace('_', "-"), name_of(value)), &["NCP-SAFE-064"], &Trace::new(limits, vec![govern(command, near()), govern(good().seq(8), near())]))
                         .title(format!("A command whose channel {name} holds {} is held, with {}.", name_of(value), with.replace('-', " ")))
@@ -69,44 +67,45 @@ fn commands() -> Vec<Case> {
         for value in ODD {
             for at in 0..3 {
                 cases.push(
-                    case(format!("velocity/{at}/{}/{with}", name_of(value)), &["NCP-SAFE-021"], &Trace::new(limits, vec![govern(Command::moving(&put(at, value)), near())]))
-                        .title(format!("A velocity whose component {at} is {} passes, with {}.", name_of(value), with.replace('-', " ")))
-                        .flags(&["over-strict"])
-                        .because("A negative zero and a subnormal number are finite; nothing closes on them."),
+                    case(
+                        format!("velocity/{at}/{}/{with}", name_of(value)),
+                        &["NCP-SAFE-021"],
+                        &Trace::new(limits, vec![govern(Command::moving(&put(at, value)), near())]),
+                    )
+                    .title(format!(
+                        "A velocity whose component {at} is {} passes, with {}.",
+                        name_of(value),
+                        with.replace('-', " ")
+                    ))
+                    .flags(&["over-strict"])
+                    .because("A negative zero and a subnormal number are finite; nothing closes on them."),
                 );
             }
         }
-        let command = Command::moving(&[0.5, 0.0, 0.0]).and(channel(
-            "thrust",
-            &[1e308, -1e308, f64::MAX],
-            Some("N"),
-        ));
+        let command = Command::moving(&[0.5, 0.0, 0.0]).and(channel("thrust", &[1e308, -1e308, f64::MAX], Some("N")));
         cases.push(
-            case(
-                format!("other/huge/{with}"),
-                &["NCP-SAFE-021"],
-                &Trace::new(limits, vec![govern(command, near())]),
-            )
-            .title(format!(
-                "A channel in another unit with huge finite numbers passes, with {}.",
-                with.replace('-', " ")
-            ))
-            .flags(&["over-strict"])
-            .because("1e308 is finite, and no limit acts on that channel."),
+            case(format!("other/huge/{with}"), &["NCP-SAFE-021"], &Trace::new(limits, vec![govern(command, near())]))
+                .title(format!(
+                    "A channel in another unit with huge finite numbers passes, with {}.",
+                    with.replace('-', " ")
+                ))
+                .flags(&["over-strict"])
+                .because("1e308 is finite, and no limit acts on that channel."),
         );
     }
     // Huge velocities against the fence.
     for value in [1e308, -1e308, f64::MAX, 1e200] {
         for at in 0..3 {
-            let steps = vec![
-                govern(Command::moving(&put(at, value)), near()),
-                govern(good().seq(8), near()),
-            ];
+            let steps = vec![govern(Command::moving(&put(at, value)), near()), govern(good().seq(8), near())];
             cases.push(
-                case(format!("velocity/{at}/{}/fence", name_of(value)), &["NCP-SAFE-051"], &Trace::new(Limits::fence(5.0), steps))
-                    .title(format!("A velocity whose component {at} is {value} leads out of the fence and is held."))
-                    .flags(&["overflowing-norm"])
-                    .because("The end of tick 0 lies outside the fence, or cannot be computed; nothing latches."),
+                case(
+                    format!("velocity/{at}/{}/fence", name_of(value)),
+                    &["NCP-SAFE-051"],
+                    &Trace::new(Limits::fence(5.0), steps),
+                )
+                .title(format!("A velocity whose component {at} is {value} leads out of the fence and is held."))
+                .flags(&["overflowing-norm"])
+                .because("The end of tick 0 lies outside the fence, or cannot be computed; nothing latches."),
             );
         }
     }
@@ -119,40 +118,27 @@ fn positions() -> Vec<Case> {
     let still = || Command::moving(&[0.0; 3]);
     for at in 0..3 {
         for value in STRANGE {
-            let steps = vec![
-                govern(still(), Sensor::at(&put(at, value))),
-                govern(still().seq(8), near()),
-            ];
+            let steps = vec![govern(still(), Sensor::at(&put(at, value))), govern(still().seq(8), near())];
             cases.push(
                 case(
                     format!("position/{at}/{}", name_of(value)),
                     &["NCP-SAFE-044", "NCP-SAFE-005"],
                     &Trace::new(Limits::fence(5.0), steps),
                 )
-                .title(format!(
-                    "A position whose component {at} is {} latches ESTOP.",
-                    name_of(value)
-                ))
+                .title(format!("A position whose component {at} is {} latches ESTOP.", name_of(value)))
                 .flags(&["non-finite-position"])
-                .because(
-                    "The governor latches ESTOP when a component of the position is not finite.",
-                ),
+                .because("The governor latches ESTOP when a component of the position is not finite."),
             );
         }
         for value in [1e308, -1e308, f64::MAX, 1e200, -1e160] {
-            let steps = vec![
-                govern(still(), Sensor::at(&put(at, value))),
-                govern(still().seq(8), near()),
-            ];
+            let steps = vec![govern(still(), Sensor::at(&put(at, value))), govern(still().seq(8), near())];
             cases.push(
                 case(
                     format!("position/{at}/{}", name_of(value)),
                     &["NCP-SAFE-043", "NCP-SAFE-044", "NCP-SAFE-005"],
                     &Trace::new(Limits::fence(5.0), steps),
                 )
-                .title(format!(
-                    "A position whose component {at} is {value} latches ESTOP."
-                ))
+                .title(format!("A position whose component {at} is {value} latches ESTOP."))
                 .flags(&["overflowing-norm"])
                 .because("Its norm is more than the radius, or overflows: both latch."),
             );
@@ -162,15 +148,9 @@ fn positions() -> Vec<Case> {
                 case(
                     format!("position/{at}/{}", name_of(value)),
                     &["NCP-SAFE-045"],
-                    &Trace::new(
-                        Limits::fence(5.0),
-                        vec![govern(still(), Sensor::at(&put(at, value)))],
-                    ),
+                    &Trace::new(Limits::fence(5.0), vec![govern(still(), Sensor::at(&put(at, value)))]),
                 )
-                .title(format!(
-                    "A position whose component {at} is {} is inside.",
-                    name_of(value)
-                ))
+                .title(format!("A position whose component {at} is {} is inside.", name_of(value)))
                 .flags(&["over-strict"])
                 .because("The norm is not more than the radius."),
             );
@@ -182,14 +162,9 @@ fn positions() -> Vec<Case> {
             case(
                 format!("position/no-fence/{}", name_of(value)),
                 &["NCP-SAFE-012"],
-                &Trace::new(
-                    Limits::NONE,
-                    vec![govern(good(), Sensor::at(&put(0, value)))],
-                ),
+                &Trace::new(Limits::NONE, vec![govern(good(), Sensor::at(&put(0, value)))]),
             )
-            .title(format!(
-                "Without a fence, a position of {value} closes nothing."
-            ))
+            .title(format!("Without a fence, a position of {value} closes nothing."))
             .flags(&["over-strict"])
             .because("A limit that is absent is disabled."),
         );
@@ -201,10 +176,7 @@ fn positions() -> Vec<Case> {
         case(
             "position/other-channel/huge",
             &["NCP-SAFE-010"],
-            &Trace::new(
-                Limits::fence(5.0),
-                vec![govern(good(), Sensor::of(channels))],
-            ),
+            &Trace::new(Limits::fence(5.0), vec![govern(good(), Sensor::of(channels))]),
         )
         .title("Huge numbers in another sensor channel latch nothing.")
         .flags(&["first-channel"])
@@ -217,33 +189,20 @@ fn positions() -> Vec<Case> {
 fn beside() -> Vec<Case> {
     let mut cases = Vec::new();
     // A plant does nothing with such a ttl; a governor may pass it or hold.
-    for ttl in [
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        0.0,
-        -0.0,
-        -1.0,
-        5e-324,
-        1e308,
-    ] {
+    for ttl in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, -1.0, 5e-324, 1e308] {
         for (with, limits) in [("no-limit", Limits::NONE), ("fence", Limits::fence(5.0))] {
             let command = Command::of(vec![velocity(&[0.0625, 0.0, 0.0])]).ttl(ttl);
             let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[0.0; 3]))]);
             let frame = |mode: &str, x: f64| object! { "frame" => object! { "mode" => mode, "seq" => crate::trace::int(7), "channels" => object! { VELOCITY => object! { "data" => crate::trace::nums(&[x, 0.0, 0.0]) } } } };
             let allowed: Vec<Json> = vec![frame("active", 0.0625), frame("hold", 0.0), refused()];
             let usable = ttl == 5e-324 || ttl == 1e308;
-            let case = case(
-                format!("ttl/{}/{with}", name_of(ttl)),
-                &["NCP-SAFE-021"],
-                &trace,
-            )
-            .title(format!(
-                "A command with a ttl of {} is answered, with {}.",
-                name_of(ttl),
-                with.replace('-', " ")
-            ))
-            .flags(&["L12"]);
+            let case = case(format!("ttl/{}/{with}", name_of(ttl)), &["NCP-SAFE-021"], &trace)
+                .title(format!(
+                    "A command with a ttl of {} is answered, with {}.",
+                    name_of(ttl),
+                    with.replace('-', " ")
+                ))
+                .flags(&["L12"]);
             cases.push(if usable {
                 case.because("No gate closes on a ttl that is finite and positive, and the projection ends at 60 s.")
             } else {
@@ -266,37 +225,19 @@ fn beside() -> Vec<Case> {
             .because("`t` is the sender's and is compared with nothing."),
         );
     }
-    for (name, now, last) in [
-        ("subnormal", 5e-324, 0.0),
-        ("huge", 1e308, 1e308),
-        ("minus-zero", 0.0, -0.0),
-    ] {
-        let step = super::model::Step::Govern {
-            command: good(),
-            now,
-            sensor: Some(near()),
-            last: Some(last),
-        };
+    for (name, now, last) in [("subnormal", 5e-324, 0.0), ("huge", 1e308, 1e308), ("minus-zero", 0.0, -0.0)] {
+        let step = super::model::Step::Govern { command: good(), now, sensor: Some(near()), last: Some(last) };
         cases.push(
             case(format!("clock/{name}"), &["NCP-SAFE-034"], &Trace::new(Limits::NONE, vec![step]))
                 .title(format!("A clock that reads {now} s, {} s after the sensor, is a clock.", now - last))
                 .because("Both are finite, now is not less than last, and the age is not more than the timeout."),
         );
     }
-    let step = super::model::Step::Govern {
-        command: good(),
-        now: 1e308,
-        sensor: Some(near()),
-        last: Some(0.0),
-    };
+    let step = super::model::Step::Govern { command: good(), now: 1e308, sensor: Some(near()), last: Some(0.0) };
     cases.push(
-        case(
-            "clock/overflow",
-            &["NCP-SAFE-033"],
-            &Trace::new(Limits::NONE, vec![step]),
-        )
-        .title("A sensor 1e308 s old is stale, though its age in milliseconds overflows.")
-        .because("The age is more than the timeout."),
+        case("clock/overflow", &["NCP-SAFE-033"], &Trace::new(Limits::NONE, vec![step]))
+            .title("A sensor 1e308 s old is stale, though its age in milliseconds overflows.")
+            .because("The age is more than the timeout."),
     );
     cases
 }

@@ -1,9 +1,7 @@
 //! Where a command leads within its ttl.
 
 use super::case;
-use super::model::{
-    Capabilities, Command, Limits, MPS, Sensor, Trace, VELOCITY, channel, govern, vec3, velocity,
-};
+use super::model::{Capabilities, Command, Limits, MPS, Sensor, Trace, VELOCITY, channel, govern, vec3, velocity};
 use crate::case::{Case, File};
 use crate::trace::name_of;
 
@@ -27,10 +25,7 @@ fn one(path: String, rules: &[&'static str], limits: Limits, command: Command, a
         rules,
         &Trace::new(
             limits,
-            vec![
-                govern(command, Sensor::at(at)),
-                govern(Command::moving(&[0.0; 3]), Sensor::at(&[0.0; 3])),
-            ],
+            vec![govern(command, Sensor::at(at)), govern(Command::moving(&[0.0; 3]), Sensor::at(&[0.0; 3]))],
         ),
     )
 }
@@ -40,26 +35,16 @@ fn without_horizon() -> Vec<Case> {
     let mut cases = Vec::new();
     let axes: [(&str, usize); 3] = [("x", 0), ("y", 1), ("z", 2)];
     // A way of 2 m from 3 m out: exactly to the fence.
-    for (ttl, speed) in [
-        (250.0, 8.0),
-        (500.0, 4.0),
-        (1000.0, 2.0),
-        (125.0, 16.0),
-        (2000.0, 1.0),
-        (60_000.0, 1.0 / 30.0),
-    ] {
+    for (ttl, speed) in
+        [(250.0, 8.0), (500.0, 4.0), (1000.0, 2.0), (125.0, 16.0), (2000.0, 1.0), (60_000.0, 1.0 / 30.0)]
+    {
         for (axis, at) in axes {
             for sign in [1.0, -1.0] {
-                for (name, factor, rule) in [
-                    ("to-the-fence", 1.0, "NCP-SAFE-021"),
-                    ("beyond", 1.0 + 1.0 / 1024.0, "NCP-SAFE-051"),
-                ] {
+                for (name, factor, rule) in
+                    [("to-the-fence", 1.0, "NCP-SAFE-021"), ("beyond", 1.0 + 1.0 / 1024.0, "NCP-SAFE-051")]
+                {
                     // 60 s at 1/30 m/s is no sum of doubles: half the way and twice the way.
-                    let factor = if ttl > 10_000.0 {
-                        if factor > 1.0 { 2.0 } else { 0.5 }
-                    } else {
-                        factor
-                    };
+                    let factor = if ttl > 10_000.0 { if factor > 1.0 { 2.0 } else { 0.5 } } else { factor };
                     if ttl > 10_000.0 && at > 0 || sign < 0.0 && ttl > 500.0 {
                         continue;
                     }
@@ -120,22 +105,8 @@ fn without_horizon() -> Vec<Case> {
             "NCP-SAFE-021",
             "Still on the fence, the command passes",
         ),
-        (
-            "tangent",
-            [5.0, 0.0, 0.0],
-            [0.0, 4.0, 0.0],
-            250.0,
-            "NCP-SAFE-051",
-            "Along the tangent, the end is outside",
-        ),
-        (
-            "up",
-            [0.0, 0.0, 4.0],
-            [0.0, 0.0, 8.0],
-            250.0,
-            "NCP-SAFE-051",
-            "Straight up, the end is outside",
-        ),
+        ("tangent", [5.0, 0.0, 0.0], [0.0, 4.0, 0.0], 250.0, "NCP-SAFE-051", "Along the tangent, the end is outside"),
+        ("up", [0.0, 0.0, 4.0], [0.0, 0.0, 8.0], 250.0, "NCP-SAFE-051", "Straight up, the end is outside"),
         (
             "to-a-corner",
             [0.0, 0.0, 0.0],
@@ -177,35 +148,47 @@ fn without_horizon() -> Vec<Case> {
         (30_000.0, 0.25, "NCP-SAFE-051", "is held"),
     ] {
         cases.push(
-            one(format!("enforced/{}-ms/{speed}", name_of(ttl)), &[rule, "NCP-SAFE-053", "NCP-SAFE-054"], Limits::fence(FENCE), Command::moving(&[speed, 0.0, 0.0]).ttl(ttl), &[0.0; 3])
-                .title(format!("{speed} m/s with a ttl of {ttl} ms is projected for at most 60 s: the command {ends}."))
-                .flags(&["L02"])
-                .because("T is the enforced ttl, min(ttl_ms, 60 s)."),
+            one(
+                format!("enforced/{}-ms/{speed}", name_of(ttl)),
+                &[rule, "NCP-SAFE-053", "NCP-SAFE-054"],
+                Limits::fence(FENCE),
+                Command::moving(&[speed, 0.0, 0.0]).ttl(ttl),
+                &[0.0; 3],
+            )
+            .title(format!("{speed} m/s with a ttl of {ttl} ms is projected for at most 60 s: the command {ends}."))
+            .flags(&["L02"])
+            .because("T is the enforced ttl, min(ttl_ms, 60 s)."),
         );
     }
     // A length of ticks without ticks says nothing.
     for dt in [-500.0, 0.0, 125.0, 10_000.0] {
         let command = Command::moving(&[-4.0, 0.0, 0.0]).then(dt, &[]);
         cases.push(
-            one(format!("no-ticks/dt-{}", name_of(dt)), &["NCP-SAFE-021", "NCP-SAFE-054"], Limits::fence(FENCE), command, &[4.0, 0.0, 0.0])
-                .title(format!("From 4 m out inward, a command without a horizon passes whose horizon_dt_ms is {dt}."))
-                .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
+            one(
+                format!("no-ticks/dt-{}", name_of(dt)),
+                &["NCP-SAFE-021", "NCP-SAFE-054"],
+                Limits::fence(FENCE),
+                command,
+                &[4.0, 0.0, 0.0],
+            )
+            .title(format!("From 4 m out inward, a command without a horizon passes whose horizon_dt_ms is {dt}."))
+            .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
         );
     }
     // The velocity is clamped before it is projected.
-    for (speed, rule, ends) in [
-        (4.0, "NCP-SAFE-021", "passes"),
-        (16.0, "NCP-SAFE-051", "is held"),
-    ] {
-        let rules: &[&'static str] = if rule == "NCP-SAFE-021" {
-            &["NCP-SAFE-060", "NCP-SAFE-054"]
-        } else {
-            &["NCP-SAFE-051", "NCP-SAFE-054"]
-        };
+    for (speed, rule, ends) in [(4.0, "NCP-SAFE-021", "passes"), (16.0, "NCP-SAFE-051", "is held")] {
+        let rules: &[&'static str] =
+            if rule == "NCP-SAFE-021" { &["NCP-SAFE-060", "NCP-SAFE-054"] } else { &["NCP-SAFE-051", "NCP-SAFE-054"] };
         cases.push(
-            one(format!("clamped/{speed}"), rules, Limits::both(speed, FENCE), Command::moving(&[80.0, 0.0, 0.0]), &[3.0, 0.0, 0.0])
-                .title(format!("80 m/s under a limit of {speed} m/s is projected with {speed} m/s: the command {ends}."))
-                .because("The look ahead takes the clamped velocities."),
+            one(
+                format!("clamped/{speed}"),
+                rules,
+                Limits::both(speed, FENCE),
+                Command::moving(&[80.0, 0.0, 0.0]),
+                &[3.0, 0.0, 0.0],
+            )
+            .title(format!("80 m/s under a limit of {speed} m/s is projected with {speed} m/s: the command {ends}."))
+            .because("The look ahead takes the clamped velocities."),
         );
     }
     cases
@@ -215,28 +198,12 @@ fn without_horizon() -> Vec<Case> {
 fn velocities() -> Vec<Case> {
     let other = channel("gripper", &[1.0], None);
     let table: [(&str, &str, Command); 7] = [
-        (
-            "absent",
-            "has no velocity",
-            Command::of(vec![other.clone()]),
-        ),
+        ("absent", "has no velocity", Command::of(vec![other.clone()])),
         ("no-channels", "has no channels", Command::of(Vec::new())),
         ("empty", "has an empty velocity", Command::moving(&[])),
-        (
-            "two-wide",
-            "has a velocity 2 wide",
-            Command::moving(&[1.0, 0.0]),
-        ),
-        (
-            "four-wide",
-            "has a velocity 4 wide",
-            Command::moving(&[1.0, 0.0, 0.0, 0.0]),
-        ),
-        (
-            "knots",
-            "has a velocity in knots",
-            Command::of(vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))]),
-        ),
+        ("two-wide", "has a velocity 2 wide", Command::moving(&[1.0, 0.0])),
+        ("four-wide", "has a velocity 4 wide", Command::moving(&[1.0, 0.0, 0.0, 0.0])),
+        ("knots", "has a velocity in knots", Command::of(vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))])),
         (
             "another-name",
             "has a velocity under another name",
@@ -249,7 +216,9 @@ fn velocities() -> Vec<Case> {
             one(format!("velocity/{name}"), &["NCP-SAFE-052"], Limits::fence(FENCE), command, &[1.0, 2.0, 2.0])
                 .title(format!("Within a fence, a command is held that {words}."))
                 .flags(&["L11", "L10"])
-                .because("With the geofence enabled, the governor holds when the command has no usable velocity to project.")
+                .because(
+                    "With the geofence enabled, the governor holds when the command has no usable velocity to project.",
+                )
         })
         .collect()
 }
@@ -261,16 +230,10 @@ fn with_horizon() -> Vec<Case> {
     for steps in 1..=8_usize {
         for ttl in [250.0_f64, 1000.0, 5000.0] {
             let ticks = vec![[4.0, 0.0, 0.0]; steps];
-            let command = Command::moving(&[4.0, 0.0, 0.0])
-                .then(250.0, &ticks)
-                .ttl(ttl);
+            let command = Command::moving(&[4.0, 0.0, 0.0]).then(250.0, &ticks).ttl(ttl);
             #[expect(clippy::cast_precision_loss, reason = "at most 8 steps")]
             let way = ((steps + 1) as f64).min(ttl / 250.0);
-            let rule = if way > 5.0 {
-                "NCP-SAFE-050"
-            } else {
-                "NCP-SAFE-054"
-            };
+            let rule = if way > 5.0 { "NCP-SAFE-050" } else { "NCP-SAFE-054" };
             cases.push(
                 one(format!("ahead/{steps}-steps/ttl-{ttl}"), &[rule], Limits::fence(FENCE), command, &[0.0; 3])
                     .title(format!("From the origin, {} ticks of 1 m each under a ttl of {ttl} ms end inside 5 m.", steps + 1))
@@ -283,9 +246,7 @@ fn with_horizon() -> Vec<Case> {
     for steps in 1..=6_usize {
         for at in [[0.0, 0.0, 0.0], [1.0, 2.0, 2.0], [-3.0, 0.0, 0.0]] {
             let ticks = vec![[0.5, 0.5, 0.0]; steps];
-            let command = Command::moving(&[0.5, 0.5, 0.0])
-                .then(62.5, &ticks)
-                .ttl(500.0);
+            let command = Command::moving(&[0.5, 0.5, 0.0]).then(62.5, &ticks).ttl(500.0);
             cases.push(
                 one(format!("inside/{steps}-steps/from-{}-{}-{}", at[0], at[1], at[2]).replace("--", "-minus-"), &["NCP-SAFE-021"], Limits::both(1.0, FENCE), command, &at)
                     .title(format!("A horizon of {steps} steps that cannot reach the fence, from ({}, {}, {}), passes whole.", at[0], at[1], at[2]))
@@ -301,38 +262,14 @@ fn with_horizon() -> Vec<Case> {
 fn steps_without_velocity() -> Vec<Case> {
     let slow = [0.25, 0.0, 0.0];
     let table = [
-        (
-            "absent",
-            "has no velocity",
-            vec![channel("gripper", &[1.0], None)],
-        ),
+        ("absent", "has no velocity", vec![channel("gripper", &[1.0], None)]),
         ("no-channels", "has no channels", Vec::new()),
         ("empty", "has an empty velocity", vec![velocity(&[])]),
-        (
-            "two-wide",
-            "has a velocity 2 wide",
-            vec![velocity(&[0.25, 0.0])],
-        ),
-        (
-            "four-wide",
-            "has a velocity 4 wide",
-            vec![velocity(&[0.25, 0.0, 0.0, 0.0])],
-        ),
-        (
-            "knots",
-            "has a velocity in knots",
-            vec![channel(VELOCITY, &slow, Some("kn"))],
-        ),
-        (
-            "kilometres-an-hour",
-            "has a velocity in km/h",
-            vec![channel(VELOCITY, &slow, Some("km/h"))],
-        ),
-        (
-            "another-name",
-            "has a velocity under another name",
-            vec![channel("velocity", &slow, Some(MPS))],
-        ),
+        ("two-wide", "has a velocity 2 wide", vec![velocity(&[0.25, 0.0])]),
+        ("four-wide", "has a velocity 4 wide", vec![velocity(&[0.25, 0.0, 0.0, 0.0])]),
+        ("knots", "has a velocity in knots", vec![channel(VELOCITY, &slow, Some("kn"))]),
+        ("kilometres-an-hour", "has a velocity in km/h", vec![channel(VELOCITY, &slow, Some("km/h"))]),
+        ("another-name", "has a velocity under another name", vec![channel("velocity", &slow, Some(MPS))]),
     ];
     let mut cases = Vec::new();
     for (name, words, step) in table {
@@ -369,12 +306,7 @@ fn clamped_horizons() -> Vec<Case> {
     let table: [(&str, &str, [f64; 3], [f64; 3]); 3] = [
         ("tick-0", "tick 0 is too fast", fast, still),
         ("step", "step 1 is too fast", still, fast),
-        (
-            "both",
-            "tick 0 is too fast and step 1 goes back",
-            fast,
-            back,
-        ),
+        ("both", "tick 0 is too fast and step 1 goes back", fast, back),
     ];
     let one = |(name, words, tick, step): (&str, &str, [f64; 3], [f64; 3])| {
         let command = Command::moving(&tick).then(250.0, &[step]).ttl(500.0);
@@ -442,45 +374,35 @@ fn horizons() -> Vec<Case> {
             &["NCP-SAFE-051"],
             "Tick 0 of a horizon that leads out is held",
             [4.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0])
-                .then(250.0, &[[-8.0, 0.0, 0.0]])
-                .ttl(1000.0),
+            Command::moving(&[8.0, 0.0, 0.0]).then(250.0, &[[-8.0, 0.0, 0.0]]).ttl(1000.0),
         ),
         (
             "first-step-leaves-tick-0-stays",
             &["NCP-SAFE-050", "NCP-SAFE-053"],
             "A horizon whose first step leads out is truncated to nothing, and tick 0 stays inside for the ttl",
             [4.0, 0.0, 0.0],
-            Command::moving(&[0.0, 0.5, 0.0])
-                .then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]])
-                .ttl(1000.0),
+            Command::moving(&[0.0, 0.5, 0.0]).then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]]).ttl(1000.0),
         ),
         (
             "first-step-leaves-tick-0-leaves",
             &["NCP-SAFE-053", "NCP-SAFE-050", "NCP-SAFE-054"],
             "A horizon truncated to nothing is held when tick 0 for the whole ttl leads out",
             [4.0, 0.0, 0.0],
-            Command::moving(&[2.0, 0.0, 0.0])
-                .then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]])
-                .ttl(1000.0),
+            Command::moving(&[2.0, 0.0, 0.0]).then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]]).ttl(1000.0),
         ),
         (
             "truncated-to-nothing-at-the-minute",
             &["NCP-SAFE-053", "NCP-SAFE-050", "NCP-SAFE-054"],
             "A horizon truncated to nothing is held when tick 0 for a minute leads out",
             [0.0, 0.0, 0.0],
-            Command::moving(&[0.25, 0.0, 0.0])
-                .then(1000.0, &[[40.0, 0.0, 0.0]])
-                .ttl(1e9),
+            Command::moving(&[0.25, 0.0, 0.0]).then(1000.0, &[[40.0, 0.0, 0.0]]).ttl(1e9),
         ),
         (
             "returns",
             &["NCP-SAFE-054"],
             "A horizon that goes out to the fence and back stays inside",
             [3.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0])
-                .then(250.0, &[[-8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]])
-                .ttl(1000.0),
+            Command::moving(&[8.0, 0.0, 0.0]).then(250.0, &[[-8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]]).ttl(1000.0),
         ),
         (
             "returns-too-late",
@@ -488,10 +410,7 @@ fn horizons() -> Vec<Case> {
             "A horizon that comes back only after it was outside is truncated where it leaves",
             [3.0, 0.0, 0.0],
             Command::moving(&[4.0, 0.0, 0.0])
-                .then(
-                    250.0,
-                    &[[4.0, 0.0, 0.0], [4.0, 0.0, 0.0], [-16.0, 0.0, 0.0]],
-                )
+                .then(250.0, &[[4.0, 0.0, 0.0], [4.0, 0.0, 0.0], [-16.0, 0.0, 0.0]])
                 .ttl(250.0 * 4.0),
         ),
         (
@@ -499,45 +418,35 @@ fn horizons() -> Vec<Case> {
             &["NCP-SAFE-054"],
             "A step behind the end of the ttl moves nothing",
             [0.0, 0.0, 0.0],
-            Command::moving(&[4.0, 0.0, 0.0])
-                .then(250.0, &[[4.0, 0.0, 0.0], [400.0, 0.0, 0.0]])
-                .ttl(500.0),
+            Command::moving(&[4.0, 0.0, 0.0]).then(250.0, &[[4.0, 0.0, 0.0], [400.0, 0.0, 0.0]]).ttl(500.0),
         ),
         (
             "leaves-in-a-part-of-a-tick",
             &["NCP-SAFE-050", "NCP-SAFE-054"],
             "A step is projected for the part of its tick before the end of the ttl, which leads out here",
             [4.0, 0.0, 0.0],
-            Command::moving(&[0.0, 0.0, 0.0])
-                .then(250.0, &[[16.0, 0.0, 0.0]])
-                .ttl(375.0),
+            Command::moving(&[0.0, 0.0, 0.0]).then(250.0, &[[16.0, 0.0, 0.0]]).ttl(375.0),
         ),
         (
             "stays-in-a-part-of-a-tick",
             &["NCP-SAFE-054"],
             "A step is projected for the part of its tick before the end of the ttl, which stays inside here",
             [4.0, 0.0, 0.0],
-            Command::moving(&[0.0, 0.0, 0.0])
-                .then(250.0, &[[8.0, 0.0, 0.0]])
-                .ttl(375.0),
+            Command::moving(&[0.0, 0.0, 0.0]).then(250.0, &[[8.0, 0.0, 0.0]]).ttl(375.0),
         ),
         (
             "tick-longer-than-ttl",
             &["NCP-SAFE-021", "NCP-SAFE-054"],
             "Of a tick longer than the ttl only the ttl counts",
             [4.0, 0.0, 0.0],
-            Command::moving(&[4.0, 0.0, 0.0])
-                .then(10_000.0, &[[400.0, 0.0, 0.0]])
-                .ttl(250.0),
+            Command::moving(&[4.0, 0.0, 0.0]).then(10_000.0, &[[400.0, 0.0, 0.0]]).ttl(250.0),
         ),
         (
             "tick-longer-than-ttl-leaves",
             &["NCP-SAFE-051", "NCP-SAFE-054"],
             "A tick longer than the ttl that leads out within the ttl is held",
             [4.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0])
-                .then(10_000.0, &[[0.0, 0.0, 0.0]])
-                .ttl(250.0),
+            Command::moving(&[8.0, 0.0, 0.0]).then(10_000.0, &[[0.0, 0.0, 0.0]]).ttl(250.0),
         ),
         (
             "diagonal",
@@ -545,15 +454,7 @@ fn horizons() -> Vec<Case> {
             "A horizon in three dimensions is truncated by the norm",
             [0.0, 0.0, 0.0],
             Command::moving(&[8.0, 0.0, 0.0])
-                .then(
-                    250.0,
-                    &[
-                        [0.0, 8.0, 0.0],
-                        [0.0, 0.0, 8.0],
-                        [8.0, 0.0, 0.0],
-                        [0.0, 8.0, 8.0],
-                    ],
-                )
+                .then(250.0, &[[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [8.0, 0.0, 0.0], [0.0, 8.0, 8.0]])
                 .ttl(5000.0),
         ),
         (
@@ -562,10 +463,7 @@ fn horizons() -> Vec<Case> {
             "A horizon that turns in time stays inside",
             [0.0, 0.0, 0.0],
             Command::moving(&[8.0, 0.0, 0.0])
-                .then(
-                    250.0,
-                    &[[0.0, 8.0, 0.0], [-8.0, 0.0, 0.0], [0.0, -8.0, 0.0]],
-                )
+                .then(250.0, &[[0.0, 8.0, 0.0], [-8.0, 0.0, 0.0], [0.0, -8.0, 0.0]])
                 .ttl(1000.0),
         ),
         (
@@ -582,18 +480,14 @@ fn horizons() -> Vec<Case> {
             &["NCP-SAFE-054"],
             "A horizon whose last step ends exactly on the fence stays inside",
             [0.0, 0.0, 0.0],
-            Command::moving(&[12.0, 0.0, 0.0])
-                .then(250.0, &[[0.0, 16.0, 0.0]])
-                .ttl(500.0),
+            Command::moving(&[12.0, 0.0, 0.0]).then(250.0, &[[0.0, 16.0, 0.0]]).ttl(500.0),
         ),
         (
             "just-past-the-fence",
             &["NCP-SAFE-050", "NCP-SAFE-054"],
             "A horizon whose last step ends just outside is truncated",
             [0.0, 0.0, 0.0],
-            Command::moving(&[12.0, 0.0, 0.0])
-                .then(250.0, &[[0.0, 16.125, 0.0]])
-                .ttl(500.0),
+            Command::moving(&[12.0, 0.0, 0.0]).then(250.0, &[[0.0, 16.125, 0.0]]).ttl(500.0),
         ),
     ];
     let mut cases: Vec<Case> = table
@@ -606,10 +500,7 @@ fn horizons() -> Vec<Case> {
         })
         .collect();
     // A unit that the frame leaves out is the negotiated one.
-    for (name, speed, rule) in [
-        ("stays", 8.0, "NCP-SAFE-042"),
-        ("leaves", 8.5, "NCP-SAFE-042"),
-    ] {
+    for (name, speed, rule) in [("stays", 8.0, "NCP-SAFE-042"), ("leaves", 8.5, "NCP-SAFE-042")] {
         let mut command = Command::moving(&[speed, 0.0, 0.0]);
         command.channels = vec![channel(VELOCITY, &[speed, 0.0, 0.0], None)];
         let trace = Trace::negotiated(
@@ -618,16 +509,10 @@ fn horizons() -> Vec<Case> {
             vec![govern(command, Sensor::at(&[3.0, 0.0, 0.0]))],
         );
         cases.push(
-            case(
-                format!("negotiated-unit/{name}"),
-                &[rule, "NCP-SAFE-054"],
-                &trace,
-            )
-            .title(format!(
-                "A velocity of {speed} without a unit is projected in the negotiated m/s."
-            ))
-            .flags(&["L10"])
-            .because("The governor reads a channel without a unit in the negotiated one."),
+            case(format!("negotiated-unit/{name}"), &[rule, "NCP-SAFE-054"], &trace)
+                .title(format!("A velocity of {speed} without a unit is projected in the negotiated m/s."))
+                .flags(&["L10"])
+                .because("The governor reads a channel without a unit in the negotiated one."),
         );
     }
     // Other channels lead nowhere.

@@ -1,8 +1,7 @@
 //! The speed limit.
 
 use super::model::{
-    Capabilities, Channel, Command, Limits, MPS, Trace, VELOCITY, channel, govern, scalar, vec3,
-    velocity,
+    Capabilities, Channel, Command, Limits, MPS, Trace, VELOCITY, channel, govern, scalar, vec3, velocity,
 };
 use super::{case, near};
 use crate::case::{Case, File};
@@ -17,16 +16,13 @@ pub(super) fn file() -> File {
     cases.extend(channels());
     cases.extend(horizons());
     cases.extend(off());
-    let about = "The speed limit: vectors above, at and below it, those that cannot be scaled, further channels and horizons.";
+    let about =
+        "The speed limit: vectors above, at and below it, those that cannot be scaled, further channels and horizons.";
     File::new("safety", "speed", about, cases)
 }
 
 fn one(path: String, rules: &[&'static str], limits: Limits, command: Command) -> Case {
-    case(
-        path,
-        rules,
-        &Trace::new(limits, vec![govern(command, near())]),
-    )
+    case(path, rules, &Trace::new(limits, vec![govern(command, near())]))
 }
 
 const CLAMP: &str = "A velocity whose norm is above the limit is scaled to it, direction kept; one whose norm is not above it is unchanged.";
@@ -51,22 +47,10 @@ fn vectors() -> Vec<Case> {
             ("far-below", norm * 16.0, &["NCP-SAFE-062"][..]),
             ("very-far-below", norm * 1024.0, &["NCP-SAFE-062"][..]),
             ("next-to-nothing", norm * 1e9, &["NCP-SAFE-062"][..]),
-            (
-                "just-below",
-                norm * (1.0 + 1.0 / 1024.0),
-                &["NCP-SAFE-062"][..],
-            ),
-            (
-                "just-above",
-                norm * (1.0 - 1.0 / 1024.0),
-                &["NCP-SAFE-060", "NCP-SAFE-061"][..],
-            ),
+            ("just-below", norm * (1.0 + 1.0 / 1024.0), &["NCP-SAFE-062"][..]),
+            ("just-above", norm * (1.0 - 1.0 / 1024.0), &["NCP-SAFE-060", "NCP-SAFE-061"][..]),
             ("above", norm / 2.0, &["NCP-SAFE-060", "NCP-SAFE-061"][..]),
-            (
-                "far-above",
-                norm / 1024.0,
-                &["NCP-SAFE-061", "NCP-SAFE-060"][..],
-            ),
+            ("far-above", norm / 1024.0, &["NCP-SAFE-061", "NCP-SAFE-060"][..]),
         ] {
             let path = format!("vector/{}-{}-{}/{name}", vector[0], vector[1], vector[2])
                 .replace("--", "-minus-")
@@ -86,24 +70,14 @@ fn vectors() -> Vec<Case> {
         }
     }
     cases.push(
-        one(
-            "vector/still".to_owned(),
-            &["NCP-SAFE-062"],
-            Limits::speed(1.0),
-            Command::moving(&[0.0, 0.0, 0.0]),
-        )
-        .title("A velocity of 0 passes as it is.")
-        .because("Its norm is not above the limit; scaling it would divide by 0."),
+        one("vector/still".to_owned(), &["NCP-SAFE-062"], Limits::speed(1.0), Command::moving(&[0.0, 0.0, 0.0]))
+            .title("A velocity of 0 passes as it is.")
+            .because("Its norm is not above the limit; scaling it would divide by 0."),
     );
     cases.push(
-        one(
-            "vector/tiny".to_owned(),
-            &["NCP-SAFE-062"],
-            Limits::speed(1.0),
-            Command::moving(&[5e-324, -5e-324, 0.0]),
-        )
-        .title("A subnormal velocity passes.")
-        .because("Its norm is not above the limit."),
+        one("vector/tiny".to_owned(), &["NCP-SAFE-062"], Limits::speed(1.0), Command::moving(&[5e-324, -5e-324, 0.0]))
+            .title("A subnormal velocity passes.")
+            .because("Its norm is not above the limit."),
     );
     cases
 }
@@ -136,9 +110,7 @@ fn never_above() -> Vec<Case> {
                 cases.push(
                     case(format!("{group}/{limit:.1}/{speed}"), &[rule], &trace)
                         .shows(steps(vec![object! { "frame" => frame }]))
-                        .title(format!(
-                            "{speed} times the limit of {limit:.1} m/s along x {words}."
-                        ))
+                        .title(format!("{speed} times the limit of {limit:.1} m/s along x {words}."))
                         .flags(&["overflowing-norm"])
                         .because(why),
                 );
@@ -157,11 +129,7 @@ fn huge() -> Vec<Case> {
         ("largest", [f64::MAX, 0.0, 0.0], [1.0, 0.0, 0.0]),
         ("minus-largest", [0.0, -f64::MAX, 0.0], [0.0, -1.0, 0.0]),
         ("two-axes", [1e308, 1e308, 0.0], [r, r, 0.0]),
-        (
-            "three-axes",
-            [f64::MAX, f64::MAX, -f64::MAX],
-            [third, third, -third],
-        ),
+        ("three-axes", [f64::MAX, f64::MAX, -f64::MAX], [third, third, -third]),
         ("squares-overflow", [1e200, 0.0, 0.0], [1.0, 0.0, 0.0]),
         ("three-four", [3e200, 4e200, 0.0], [0.6, 0.8, 0.0]),
         ("mixed", [1e308, 1.0, 0.0], [1.0, 0.0, 0.0]),
@@ -175,26 +143,16 @@ fn huge() -> Vec<Case> {
                 object! { "frame" => object! { "mode" => mode, "channels" => object! { VELOCITY => object! { "data" => nums(data) } } } }
             };
             let scaled = direction.map(|x| x * limit);
-            let allowed = any(vec![
-                frame("active", &scaled),
-                frame("active", &[0.0; 3]),
-                frame("hold", &[0.0; 3]),
-            ]);
+            let allowed = any(vec![frame("active", &scaled), frame("active", &[0.0; 3]), frame("hold", &[0.0; 3])]);
             cases.push(
-                case(
-                    format!("huge/{name}/limit-{limit}"),
-                    &["NCP-SAFE-060", "NCP-SAFE-061"],
-                    &trace,
-                )
-                .shows(steps(vec![allowed]))
-                .title(format!(
-                    "A velocity of ({}, {}, {}) m/s is scaled to {limit} m/s, or moves nothing.",
-                    v[0], v[1], v[2]
-                ))
-                .flags(&["overflowing-norm"])
-                .because(
-                    "A norm that overflows a double is above every limit; what is sent obeys it.",
-                ),
+                case(format!("huge/{name}/limit-{limit}"), &["NCP-SAFE-060", "NCP-SAFE-061"], &trace)
+                    .shows(steps(vec![allowed]))
+                    .title(format!(
+                        "A velocity of ({}, {}, {}) m/s is scaled to {limit} m/s, or moves nothing.",
+                        v[0], v[1], v[2]
+                    ))
+                    .flags(&["overflowing-norm"])
+                    .because("A norm that overflows a double is above every limit; what is sent obeys it."),
             );
         }
     }
@@ -203,76 +161,25 @@ fn huge() -> Vec<Case> {
 
 /// Velocities that the limit cannot act on.
 fn unusable() -> Vec<Case> {
-    let in_unit =
-        |unit: Option<&'static str>| Command::of(vec![channel(VELOCITY, &[0.5, 0.0, 0.0], unit)]);
+    let in_unit = |unit: Option<&'static str>| Command::of(vec![channel(VELOCITY, &[0.5, 0.0, 0.0], unit)]);
     let table: Vec<(&str, &str, Command, &[&'static str])> = vec![
-        (
-            "absent",
-            "is absent",
-            Command::of(vec![channel("gripper", &[1.0], None)]),
-            &[],
-        ),
-        (
-            "no-channels",
-            "is absent, like every other channel",
-            Command::of(Vec::new()),
-            &[],
-        ),
+        ("absent", "is absent", Command::of(vec![channel("gripper", &[1.0], None)]), &[]),
+        ("no-channels", "is absent, like every other channel", Command::of(Vec::new()), &[]),
         ("empty", "is empty", Command::moving(&[]), &["L11"]),
         ("one-wide", "is 1 wide", Command::moving(&[0.5]), &["L11"]),
-        (
-            "two-wide",
-            "is 2 wide",
-            Command::moving(&[0.5, 0.0]),
-            &["L11"],
-        ),
-        (
-            "four-wide",
-            "is 4 wide",
-            Command::moving(&[0.5, 0.0, 0.0, 0.0]),
-            &["L11"],
-        ),
-        (
-            "six-wide",
-            "is 6 wide",
-            Command::moving(&[0.5, 0.0, 0.0, 0.0, 0.0, 0.0]),
-            &["L11"],
-        ),
+        ("two-wide", "is 2 wide", Command::moving(&[0.5, 0.0]), &["L11"]),
+        ("four-wide", "is 4 wide", Command::moving(&[0.5, 0.0, 0.0, 0.0]), &["L11"]),
+        ("six-wide", "is 6 wide", Command::moving(&[0.5, 0.0, 0.0, 0.0, 0.0, 0.0]), &["L11"]),
         ("knots", "is in knots", in_unit(Some("kn")), &["L10"]),
-        (
-            "kilometres-an-hour",
-            "is in km/h",
-            in_unit(Some("km/h")),
-            &["L10"],
-        ),
+        ("kilometres-an-hour", "is in km/h", in_unit(Some("km/h")), &["L10"]),
         ("metres", "is in m", in_unit(Some("m")), &["L10"]),
-        (
-            "centimetres-a-second",
-            "is in cm/s",
-            in_unit(Some("cm/s")),
-            &["L10"],
-        ),
-        (
-            "feet-a-second",
-            "is in ft/s",
-            in_unit(Some("ft/s")),
-            &["L10"],
-        ),
+        ("centimetres-a-second", "is in cm/s", in_unit(Some("cm/s")), &["L10"]),
+        ("feet-a-second", "is in ft/s", in_unit(Some("ft/s")), &["L10"]),
         ("miles-an-hour", "is in mph", in_unit(Some("mph")), &["L10"]),
-        (
-            "metres-a-second-squared",
-            "is in m/s2",
-            in_unit(Some("m/s2")),
-            &["L10"],
-        ),
+        ("metres-a-second-squared", "is in m/s2", in_unit(Some("m/s2")), &["L10"]),
         ("capitals", "is in `M/S`", in_unit(Some("M/S")), &["L10"]),
         ("spelled-out", "is in `mps`", in_unit(Some("mps")), &["L10"]),
-        (
-            "empty-unit",
-            "has the empty text for a unit",
-            in_unit(Some("")),
-            &["L10"],
-        ),
+        ("empty-unit", "has the empty text for a unit", in_unit(Some("")), &["L10"]),
         (
             "another-name",
             "has another name",
@@ -282,11 +189,7 @@ fn unusable() -> Vec<Case> {
         (
             "another-case",
             "has a name in another case",
-            Command::of(vec![channel(
-                "Velocity_Setpoint",
-                &[0.5, 0.0, 0.0],
-                Some(MPS),
-            )]),
+            Command::of(vec![channel("Velocity_Setpoint", &[0.5, 0.0, 0.0], Some(MPS))]),
             &["first-channel"],
         ),
     ];
@@ -306,37 +209,30 @@ fn unusable() -> Vec<Case> {
 fn channels() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, more) in [
-        (
-            "tow",
-            channel("tow_velocity", &[0.0, 30.0, 40.0], Some(MPS)),
-        ),
-        (
-            "sorted-first",
-            channel("a_velocity", &[-30.0, 0.0, 40.0], Some(MPS)),
-        ),
-        (
-            "sorted-last",
-            channel("z_velocity", &[20.0, 30.0, 60.0], Some(MPS)),
-        ),
+        ("tow", channel("tow_velocity", &[0.0, 30.0, 40.0], Some(MPS))),
+        ("sorted-first", channel("a_velocity", &[-30.0, 0.0, 40.0], Some(MPS))),
+        ("sorted-last", channel("z_velocity", &[20.0, 30.0, 60.0], Some(MPS))),
     ] {
         for (order, commands) in [
             ("before", [more.clone(), velocity(&[1.0, 0.0, 0.0])]),
             ("after", [velocity(&[3.0, 4.0, 0.0]), more.clone()]),
         ] {
             cases.push(
-                one(format!("channel/{name}/{order}"), &["NCP-SAFE-065"], Limits::speed(2.0), Command::of(commands.to_vec()))
-                    .title(format!("A second channel in m/s ({name}, {order} the velocity) obeys the speed limit too."))
-                    .flags(&["first-channel"])
-                    .because("The governor applies the limit to every channel of the command in `m/s`."),
+                one(
+                    format!("channel/{name}/{order}"),
+                    &["NCP-SAFE-065"],
+                    Limits::speed(2.0),
+                    Command::of(commands.to_vec()),
+                )
+                .title(format!("A second channel in m/s ({name}, {order} the velocity) obeys the speed limit too."))
+                .flags(&["first-channel"])
+                .because("The governor applies the limit to every channel of the command in `m/s`."),
             );
         }
     }
     // By its negotiated unit.
     let extra = vec3("tow_velocity", Some(MPS));
-    let commands = vec![
-        velocity(&[1.0, 0.0, 0.0]),
-        channel("tow_velocity", &[0.0, 30.0, 40.0], None),
-    ];
+    let commands = vec![velocity(&[1.0, 0.0, 0.0]), channel("tow_velocity", &[0.0, 30.0, 40.0], None)];
     cases.push(
         case(
             "channel/negotiated-unit",
@@ -354,10 +250,17 @@ fn channels() -> Vec<Case> {
     for unit in ["rad/s", "m", "lm", "m/s2", "km/h", "rpm"] {
         let more = channel("other", &[300.0, 400.0, 500.0], Some(unit));
         cases.push(
-            one(format!("channel/unit-{}", unit.replace('/', "-per-")), &["NCP-SAFE-021"], Limits::speed(2.0), Command::moving(&[2.0, 0.0, 0.0]).and(more))
-                .title(format!("A channel in {unit} is left as it is."))
-                .flags(&["over-strict"])
-                .because("The speed limit acts on channels in `m/s`, and a command passes unchanged that nothing else changes."),
+            one(
+                format!("channel/unit-{}", unit.replace('/', "-per-")),
+                &["NCP-SAFE-021"],
+                Limits::speed(2.0),
+                Command::moving(&[2.0, 0.0, 0.0]).and(more),
+            )
+            .title(format!("A channel in {unit} is left as it is."))
+            .flags(&["over-strict"])
+            .because(
+                "The speed limit acts on channels in `m/s`, and a command passes unchanged that nothing else changes.",
+            ),
         );
         let more = channel("other", &[300.0, 400.0, 500.0], Some(unit));
         cases.push(
@@ -367,9 +270,7 @@ fn channels() -> Vec<Case> {
                 Limits::speed(2.0),
                 Command::moving(&[3.0, 4.0, 0.0]).and(more),
             )
-            .title(format!(
-                "While the velocity is scaled, a channel in {unit} is left as it is."
-            ))
+            .title(format!("While the velocity is scaled, a channel in {unit} is left as it is."))
             .because("The speed limit acts on channels in `m/s` only."),
         );
     }
@@ -383,23 +284,18 @@ fn channels() -> Vec<Case> {
         );
         let frame = object! { "frame" => object! { "channels" => object! { "climb" => object! { "data" => std::iter::once(within(-2.0 - 1e-9, 2.0 + 1e-9)).collect::<crate::json::Json>() } } } };
         cases.push(
-            case(
-                format!("channel/scalar/{}", name_of(value)),
-                &["NCP-SAFE-065"],
-                &trace,
-            )
-            .shows(steps(vec![frame]))
-            .title(format!(
-                "A scalar channel of {value} m/s obeys the speed limit too."
-            ))
-            .flags(&["first-channel"])
-            .because("The governor applies the limit to every channel of the command in `m/s`."),
+            case(format!("channel/scalar/{}", name_of(value)), &["NCP-SAFE-065"], &trace)
+                .shows(steps(vec![frame]))
+                .title(format!("A scalar channel of {value} m/s obeys the speed limit too."))
+                .flags(&["first-channel"])
+                .because("The governor applies the limit to every channel of the command in `m/s`."),
         );
     }
     cases
 }
 
-const TRUNCATES_OR_HOLDS: &str = "The governor truncates the horizon before a step that has a component that is not finite, or holds.";
+const TRUNCATES_OR_HOLDS: &str =
+    "The governor truncates the horizon before a step that has a component that is not finite, or holds.";
 
 /// The limit on every step.
 fn horizons() -> Vec<Case> {
@@ -420,7 +316,9 @@ fn horizons() -> Vec<Case> {
         };
         cases.push(
             one(format!("horizon/clamped-{mask:04b}"), &[rule], Limits::speed(2.0), command)
-                .title(format!("Of tick 0 and three steps, those that are too fast (bits {mask:04b}, tick 0 last) are scaled."))
+                .title(format!(
+                    "Of tick 0 and three steps, those that are too fast (bits {mask:04b}, tick 0 last) are scaled."
+                ))
                 .flags(&["unclamped-horizon"])
                 .because("The governor applies the speed limit to every step of the horizon."),
         );
@@ -430,10 +328,7 @@ fn horizons() -> Vec<Case> {
         ("absent", vec![channel("gripper", &[1.0], None)]),
         ("empty", vec![velocity(&[])]),
         ("two-wide", vec![velocity(&[1.0, 0.0])]),
-        (
-            "knots",
-            vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))],
-        ),
+        ("knots", vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))]),
         ("nan", vec![velocity(&[f64::NAN, 0.0, 0.0])]),
         ("infinity", vec![velocity(&[0.0, f64::INFINITY, 0.0])]),
     ];
@@ -444,16 +339,16 @@ fn horizons() -> Vec<Case> {
                 place.clone_from(&step);
             }
             let (or_held, why) = if command.is_writable() {
-                (
-                    "",
-                    "The governor truncates the horizon before a step that cannot be clamped.",
-                )
+                ("", "The governor truncates the horizon before a step that cannot be clamped.")
             } else {
                 (", or the command is held", TRUNCATES_OR_HOLDS)
             };
             cases.push(
                 one(format!("horizon/{name}-at-{}", at + 1), &["NCP-SAFE-067"], Limits::speed(2.0), command)
-                    .title(format!("A horizon is truncated before step {}, whose velocity cannot be clamped ({name}){or_held}.", at + 1))
+                    .title(format!(
+                        "A horizon is truncated before step {}, whose velocity cannot be clamped ({name}){or_held}.",
+                        at + 1
+                    ))
                     .flags(&["unclamped-horizon"])
                     .because(why),
             );
@@ -492,17 +387,10 @@ fn horizons() -> Vec<Case> {
         let mut command = Command::moving(&slow);
         command.dt = Some(dt);
         cases.push(
-            one(
-                format!("no-horizon/dt-{}", name_of(dt)),
-                &["NCP-SAFE-021"],
-                Limits::speed(2.0),
-                command,
-            )
-            .title(format!(
-                "A command without a horizon passes, though its tick has the length {dt}."
-            ))
-            .flags(&["over-strict"])
-            .because("Only a command with a horizon is held for the length of its tick."),
+            one(format!("no-horizon/dt-{}", name_of(dt)), &["NCP-SAFE-021"], Limits::speed(2.0), command)
+                .title(format!("A command without a horizon passes, though its tick has the length {dt}."))
+                .flags(&["over-strict"])
+                .because("Only a command with a horizon is held for the length of its tick."),
         );
     }
     cases
@@ -527,11 +415,9 @@ fn other_channels_of_steps() -> Vec<Case> {
     ];
     for (name, unit, value) in strange {
         for place in 0..2 {
-            for (limit, limits) in [
-                ("no-limit", Limits::NONE),
-                ("speed-limit", Limits::speed(2.0)),
-                ("fence", Limits::fence(5.0)),
-            ] {
+            for (limit, limits) in
+                [("no-limit", Limits::NONE), ("speed-limit", Limits::speed(2.0)), ("fence", Limits::fence(5.0))]
+            {
                 let command = with(place, channel(name, &[0.5, value], unit));
                 cases.push(
                     one(
@@ -562,10 +448,7 @@ fn other_channels_of_steps() -> Vec<Case> {
                 Limits::speed(2.0),
                 with(place, tow(Some(MPS))),
             )
-            .title(format!(
-                "A second channel in m/s obeys the speed limit in step {} of a horizon too.",
-                place + 1
-            ))
+            .title(format!("A second channel in m/s obeys the speed limit in step {} of a horizon too.", place + 1))
             .flags(&["unclamped-horizon"])
             .because("The governor applies the limit to every channel in `m/s`, and to every step of the horizon."),
         );
@@ -594,45 +477,24 @@ fn off() -> Vec<Case> {
     for (name, speed) in [("absent", None), ("zero", Some(0.0))] {
         for (what, command) in [
             ("fast", Command::moving(&[3e5, 4e5, 0.0])),
-            (
-                "no-velocity",
-                Command::of(vec![channel("gripper", &[1.0], None)]),
-            ),
+            ("no-velocity", Command::of(vec![channel("gripper", &[1.0], None)])),
             ("two-wide", Command::moving(&[3.0, 4.0])),
-            (
-                "knots",
-                Command::of(vec![channel(VELOCITY, &[3.0, 4.0, 0.0], Some("kn"))]),
-            ),
+            ("knots", Command::of(vec![channel(VELOCITY, &[3.0, 4.0, 0.0], Some("kn"))])),
         ] {
-            let limits = Limits {
-                speed,
-                ..Limits::NONE
-            };
+            let limits = Limits { speed, ..Limits::NONE };
             cases.push(
-                one(
-                    format!("off/{name}/{what}"),
-                    &["NCP-SAFE-012"],
-                    limits,
-                    command,
-                )
-                .title(format!(
-                    "A speed limit that is {name} changes nothing ({what})."
-                ))
-                .flags(&["L13"])
-                .because("A limit that is absent or 0 is disabled."),
+                one(format!("off/{name}/{what}"), &["NCP-SAFE-012"], limits, command)
+                    .title(format!("A speed limit that is {name} changes nothing ({what})."))
+                    .flags(&["L13"])
+                    .because("A limit that is absent or 0 is disabled."),
             );
         }
     }
     // Neither reading of a negative zero is wrong; what is sent is.
-    for (name, limits) in [
-        ("speed", Limits::speed(-0.0)),
-        ("fence", Limits::fence(-0.0)),
-    ] {
-        let trace = Trace::new(
-            limits,
-            vec![govern(Command::moving(&[1.0, 0.0, 0.0]), near())],
-        );
-        let data = |x: f64| object! { "channels" => object! { VELOCITY => object! { "data" => nums(&[x, 0.0, 0.0]) } } };
+    for (name, limits) in [("speed", Limits::speed(-0.0)), ("fence", Limits::fence(-0.0))] {
+        let trace = Trace::new(limits, vec![govern(Command::moving(&[1.0, 0.0, 0.0]), near())]);
+        let data =
+            |x: f64| object! { "channels" => object! { VELOCITY => object! { "data" => nums(&[x, 0.0, 0.0]) } } };
         let frames = vec![
             object! { "frame" => data(1.0).and("mode", "active".into()) },
             object! { "frame" => data(0.0).and("mode", "hold".into()) },
@@ -641,10 +503,7 @@ fn off() -> Vec<Case> {
         cases.push(
             case(format!("off/minus-zero/{name}"), &["NCP-SAFE-012"], &trace)
                 .shows_or_refuses(steps(vec![any(frames)]))
-                .title(format!(
-                    "A {name} limit of {} is disabled, or held for.",
-                    num(-0.0).text().replace('"', "")
-                ))
+                .title(format!("A {name} limit of {} is disabled, or held for.", num(-0.0).text().replace('"', "")))
                 .because("0 is disabled, and the negative zero is equal to it."),
         );
     }

@@ -4,8 +4,7 @@
 //! kept, or at the horizon. That the frame is a HOLD or an ESTOP is asked elsewhere.
 
 use super::model::{
-    Capabilities, Channel, Command, Limits, MPS, Sensor, Step, Trace, VELOCITY, channel, govern,
-    scalar, vec3, velocity,
+    Capabilities, Channel, Command, Limits, MPS, Sensor, Step, Trace, VELOCITY, channel, govern, scalar, vec3, velocity,
 };
 use super::near;
 use crate::case::{Case, File, Role};
@@ -18,8 +17,7 @@ pub(super) fn file() -> File {
         cases.extend(channels(way));
         cases.extend(kept(way));
     }
-    let about =
-        "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
+    let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
     File::new("safety", "zeroing", about, cases)
 }
 
@@ -50,14 +48,7 @@ const WAYS: &[Way] = &[
         name: "stale",
         frame: "HOLD",
         limits: FENCE,
-        steps: |command| {
-            vec![Step::Govern {
-                command,
-                now: 20.0,
-                sensor: Some(near()),
-                last: Some(10.0),
-            }]
-        },
+        steps: |command| vec![Step::Govern { command, now: 20.0, sensor: Some(near()), last: Some(10.0) }],
     },
     Way {
         name: "no-position",
@@ -82,11 +73,7 @@ const WAYS: &[Way] = &[
         frame: "HOLD",
         limits: Limits::NONE,
         steps: |command| {
-            let mut command = if command.horizon.is_empty() {
-                command.then(0.0, &[[0.0; 3]])
-            } else {
-                command
-            };
+            let mut command = if command.horizon.is_empty() { command.then(0.0, &[[0.0; 3]]) } else { command };
             command.dt = None;
             vec![govern(command, near())]
         },
@@ -117,11 +104,7 @@ const WAYS: &[Way] = &[
             let mut before = Command::moving(&[9.0, 9.0, 9.0]).seq(2).ttl(777.0);
             before.t = 99.0;
             before.frame_id = "other";
-            vec![
-                govern(before.clone().mode("estop"), near()),
-                govern(before.seq(3), near()),
-                govern(command, near()),
-            ]
+            vec![govern(before.clone().mode("estop"), near()), govern(before.seq(3), near()), govern(command, near())]
         },
     },
 ];
@@ -135,11 +118,7 @@ fn case(
     command: Command,
     part: Json,
 ) -> Case {
-    let trace = Trace {
-        limits: way.limits,
-        capabilities,
-        steps: (way.steps)(command),
-    };
+    let trace = Trace { limits: way.limits, capabilities, steps: (way.steps)(command) };
     let is_writable = |step: &Step| match step {
         Step::Govern { command, .. } => command.is_writable(),
         _ => true,
@@ -152,17 +131,11 @@ fn case(
     if let Some(last) = entries.last_mut() {
         *last = any(frames);
     }
-    Case::new(path, &[rule], &[Role::Commander])
-        .call("governor.run", trace.args())
-        .shows(steps(entries))
+    Case::new(path, &[rule], &[Role::Commander]).call("governor.run", trace.args()).shows(steps(entries))
 }
 
 fn negotiated() -> Capabilities {
-    Capabilities::canonical(&[
-        scalar("gripper", None),
-        vec3("body_rates", Some("rad/s")),
-        scalar("light", Some("lm")),
-    ])
+    Capabilities::canonical(&[scalar("gripper", None), vec3("body_rates", Some("rad/s")), scalar("light", Some("lm"))])
 }
 
 /// What a case of the channels looks at.
@@ -249,19 +222,13 @@ fn channels(way: &Way) -> Vec<Case> {
             "others",
             Part::Zeros,
             "channels that were not negotiated is zero in them too",
-            vec![
-                channel("winch", &[4.0, 5.0, 6.0], Some("N")),
-                channel("flaps", &[1.0, 1.0, 1.0], None),
-            ],
+            vec![channel("winch", &[4.0, 5.0, 6.0], Some("N")), channel("flaps", &[1.0, 1.0, 1.0], None)],
         ),
         (
             "negative",
             Part::Zeros,
             "negative and huge values is zero",
-            vec![
-                velocity(&[-1.0, -1e308, 5e-324]),
-                channel("gripper", &[-0.0, 1e308, -2.0], None),
-            ],
+            vec![velocity(&[-1.0, -1e308, 5e-324]), channel("gripper", &[-0.0, 1e308, -2.0], None)],
         ),
         (
             "usual",
@@ -288,48 +255,24 @@ fn channels(way: &Way) -> Vec<Case> {
             "units",
             Part::Shape,
             "channels in other units than the negotiated ones keeps the units",
-            vec![
-                channel(VELOCITY, &[1.0, 2.0, 3.0], Some("kn")),
-                channel("light", &[1.0], Some("cd")),
-            ],
+            vec![channel(VELOCITY, &[1.0, 2.0, 3.0], Some("kn")), channel("light", &[1.0], Some("cd"))],
         ),
         (
             "unknown",
             Part::Shape,
             "channels that were not negotiated keeps their widths and units",
-            vec![
-                channel("winch", &[4.0, 5.0], Some("N")),
-                channel("flaps", &[1.0], None),
-            ],
+            vec![channel("winch", &[4.0, 5.0], Some("N")), channel("flaps", &[1.0], None)],
         ),
-        (
-            "some",
-            Part::Added,
-            "the velocity alone has the other negotiated channels",
-            vec![velocity(&[1.0, 2.0, 3.0])],
-        ),
-        (
-            "none",
-            Part::Added,
-            "no channels has all negotiated ones",
-            Vec::new(),
-        ),
-        (
-            "no-velocity",
-            Part::Added,
-            "no velocity has one of three zeros",
-            vec![channel("gripper", &[0.5], None)],
-        ),
+        ("some", Part::Added, "the velocity alone has the other negotiated channels", vec![velocity(&[1.0, 2.0, 3.0])]),
+        ("none", Part::Added, "no channels has all negotiated ones", Vec::new()),
+        ("no-velocity", Part::Added, "no velocity has one of three zeros", vec![channel("gripper", &[0.5], None)]),
     ];
     let one = |(name, part, words, channels): (&str, Part, &str, Vec<Channel>)| {
         let pattern = part.pattern(&channels);
         let command = Command::of(channels);
         let path = format!("channels/{name}/{}", way.name);
         case(path, part.rule(), way, Some(negotiated()), command, pattern)
-            .title(format!(
-                "The {} frame ({}) of a command with {words}.",
-                way.frame, way.name
-            ))
+            .title(format!("The {} frame ({}) of a command with {words}.", way.frame, way.name))
             .flags(&["moving-hold"])
             .because(part.why())
     };
@@ -394,13 +337,7 @@ fn kept(way: &Way) -> Vec<Case> {
     }
     let nothing = || object! { "horizon" => Json::Array(Vec::new()) };
     let horizon = base().then(100.0, &[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
-    add(
-        "horizon".to_owned(),
-        "NCP-SAFE-074",
-        "of a command with a horizon has none".to_owned(),
-        horizon,
-        nothing(),
-    );
+    add("horizon".to_owned(), "NCP-SAFE-074", "of a command with a horizon has none".to_owned(), horizon, nothing());
     let mut other = base();
     other.horizon = vec![vec![channel("tow", &[1.0], Some(MPS))]];
     other.dt = Some(10.0);
@@ -422,11 +359,7 @@ mod tests {
     #[test]
     fn every_way_leads_to_the_frame_of_its_name() {
         for way in WAYS {
-            let expected = if way.frame == "HOLD" {
-                Outcome::Hold
-            } else {
-                Outcome::Estop
-            };
+            let expected = if way.frame == "HOLD" { Outcome::Hold } else { Outcome::Estop };
             for command in [
                 Command::moving(&[1.0, 2.0, 3.0]),
                 Command::moving(&[-1.0, -1e308, 5e-324]),

@@ -1,8 +1,8 @@
 //! What a server answers from `open_session` to `close_session`.
 
 use super::{
-    Open, case, close, closed, error, not_closed, not_opened, observation, observed, opened,
-    record, recorded, run, step, stimulus,
+    Open, case, close, closed, error, not_closed, not_opened, observation, observed, opened, record, recorded, run,
+    step, stimulus,
 };
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -122,11 +122,7 @@ fn lives() -> Vec<Case> {
             "step-before-open",
             &["NCP-SESS-026"],
             "A step before the session is opened is an error.",
-            vec![
-                (step("a", None, None), error()),
-                open("a"),
-                steps("a", 10.0),
-            ],
+            vec![(step("a", None, None), error()), open("a"), steps("a", 10.0)],
         ),
         (
             "run-before-open",
@@ -144,31 +140,19 @@ fn lives() -> Vec<Case> {
             "close-after-step",
             &["NCP-SESS-028"],
             "A session is closed after a step.",
-            vec![
-                open("a"),
-                (step("a", None, None), observation("a")),
-                (close("a"), closed("a")),
-            ],
+            vec![open("a"), (step("a", None, None), observation("a")), (close("a"), closed("a"))],
         ),
         (
             "close-after-run",
             &["NCP-SESS-028"],
             "A session is closed after a run.",
-            vec![
-                open("a"),
-                (run("a", 25.0), observation("a")),
-                (close("a"), closed("a")),
-            ],
+            vec![open("a"), (run("a", 25.0), observation("a")), (close("a"), closed("a"))],
         ),
         (
             "step-after-close",
             &["NCP-SESS-028", "NCP-SESS-026"],
             "A step after the session is closed is an error.",
-            vec![
-                open("a"),
-                (close("a"), anything()),
-                (step("a", None, None), error()),
-            ],
+            vec![open("a"), (close("a"), anything()), (step("a", None, None), error())],
         ),
         (
             "run-after-close",
@@ -197,11 +181,7 @@ fn lives() -> Vec<Case> {
             "close-twice",
             &["NCP-SESS-029", "NCP-SESS-028"],
             "To close a session a second time is refused.",
-            vec![
-                open("a"),
-                (close("a"), anything()),
-                (close("a"), not_closed("a")),
-            ],
+            vec![open("a"), (close("a"), anything()), (close("a"), not_closed("a"))],
         ),
         (
             "two-apart",
@@ -218,12 +198,7 @@ fn lives() -> Vec<Case> {
             "two-apart-by-runs",
             &["NCP-SESS-035"],
             "A run of one session takes no time of another.",
-            vec![
-                open("a"),
-                open("b"),
-                (run("b", 100.0), observation("b")),
-                (run("a", 5.0), observed("a", 5.0)),
-            ],
+            vec![open("a"), open("b"), (run("b", 100.0), observation("b")), (run("a", 5.0), observed("a", 5.0))],
         ),
         (
             "two-apart-from-the-start",
@@ -240,47 +215,25 @@ fn lives() -> Vec<Case> {
             "close-one-of-two",
             &["NCP-SESS-035"],
             "To close one session leaves the other open.",
-            vec![
-                open("a"),
-                open("b"),
-                (close("a"), anything()),
-                steps("b", 10.0),
-            ],
+            vec![open("a"), open("b"), (close("a"), anything()), steps("b", 10.0)],
         ),
         (
             "close-one-of-three",
             &["NCP-SESS-035"],
             "To close one session leaves the others open.",
-            vec![
-                open("a"),
-                open("b"),
-                open("c"),
-                (close("b"), anything()),
-                steps("a", 10.0),
-                steps("c", 10.0),
-            ],
+            vec![open("a"), open("b"), open("c"), (close("b"), anything()), steps("a", 10.0), steps("c", 10.0)],
         ),
         (
             "failure-apart",
             &["NCP-SESS-035", "NCP-SESS-026"],
             "A request for a session that is not open costs no other.",
-            vec![
-                open("a"),
-                (step("b", None, None), error()),
-                (close("b"), not_closed("b")),
-                steps("a", 10.0),
-            ],
+            vec![open("a"), (step("b", None, None), error()), (close("b"), not_closed("b")), steps("a", 10.0)],
         ),
         (
             "ids-alike",
             &["NCP-SESS-035"],
             "Session ids are compared by their letters.",
-            vec![
-                open("a"),
-                (step("A", None, None), error()),
-                (step("aa", None, None), error()),
-                steps("a", 10.0),
-            ],
+            vec![open("a"), (step("A", None, None), error()), (step("aa", None, None), error()), steps("a", 10.0)],
         ),
         (
             "in-order",
@@ -298,12 +251,7 @@ fn lives() -> Vec<Case> {
             "other-hash",
             &["NCP-SESS-025"],
             "Another contract hash is no reason to refuse.",
-            vec![
-                open("b"),
-                (close("b"), anything()),
-                (with_hash.text(), opened("a")),
-                steps("a", 10.0),
-            ],
+            vec![open("b"), (close("b"), anything()), (with_hash.text(), opened("a")), steps("a", 10.0)],
         ),
     ];
     let mut cases: Vec<Case> = table
@@ -321,11 +269,7 @@ fn lives() -> Vec<Case> {
         case(
             "life/step-of-zero".to_owned(),
             &["NCP-SESS-033"],
-            vec![
-                open("a"),
-                (step("a", Some(0.0), None), for_nothing),
-                steps("a", 10.0),
-            ],
+            vec![open("a"), (step("a", Some(0.0), None), for_nothing), steps("a", 10.0)],
         )
         .title("A step of 0 ms takes no time.")
         .because("`sim_time_ms` is the time that the session has run; a step of 0 ms runs nothing or is refused."),
@@ -343,25 +287,14 @@ fn lives() -> Vec<Case> {
                 &["NCP-SESS-025"],
                 // The session before shows that the network is offered at all; it is closed, so that
                 // a server that holds one session at a time has room.
-                vec![
-                    open("b"),
-                    (close("b"), anything()),
-                    (request, opened("a")),
-                    steps("a", 10.0),
-                ],
+                vec![open("b"), (close("b"), anything()), (request, opened("a")), steps("a", 10.0)],
             )
-            .title(format!(
-                "A contract hash that does not match ({name}) opens a session all the same."
-            ))
+            .title(format!("A contract hash that does not match ({name}) opens a session all the same."))
             .because("A server does not refuse an `open_session` for its contract hash alone."),
         );
     }
-    let counted = |seq: i64| {
-        (
-            step("a", None, None),
-            text_of(object! { "kind" => "observation_frame", "seq" => int(seq) }),
-        )
-    };
+    let counted =
+        |seq: i64| (step("a", None, None), text_of(object! { "kind" => "observation_frame", "seq" => int(seq) }));
     let from = |first: i64| {
         let frames = (first..first + 4).map(counted);
         std::iter::once(open("a")).chain(frames).collect::<Vec<_>>()
@@ -369,25 +302,16 @@ fn lives() -> Vec<Case> {
     // Where the count begins is the server's affair.
     let begun = case("seq/rises".to_owned(), &["NCP-SESS-034"], from(1));
     let answers = |first| super::replies(from(first).into_iter().map(|(_, reply)| reply).collect());
-    let without = super::replies(
-        std::iter::once(not_opened("a"))
-            .chain((0..4).map(|_| error()))
-            .collect(),
-    );
+    let without = super::replies(std::iter::once(not_opened("a")).chain((0..4).map(|_| error())).collect());
     cases.push(
         begun
             .shows(any(vec![answers(0), answers(1), without]))
             .title("The seq of the observation frames of a session should rise by one with each.")
-            .because(
-                "The `seq` of the observation frames of a session should rise by one with each.",
-            ),
+            .because("The `seq` of the observation frames of a session should rise by one with each."),
     );
     let mixed = |first: i64| {
         let counted = |id: &str, seq: i64| {
-            (
-                step(id, None, None),
-                text_of(object! { "kind" => "observation_frame", "seq" => int(seq) }),
-            )
+            (step(id, None, None), text_of(object! { "kind" => "observation_frame", "seq" => int(seq) }))
         };
         vec![
             open("a"),
@@ -398,29 +322,15 @@ fn lives() -> Vec<Case> {
             counted("a", first + 1),
         ]
     };
-    let answers =
-        |first| super::replies(mixed(first).into_iter().map(|(_, reply)| reply).collect());
-    let without = super::replies(
-        ["a", "b"]
-            .into_iter()
-            .map(not_opened)
-            .chain((0..4).map(|_| error()))
-            .collect(),
-    );
+    let answers = |first| super::replies(mixed(first).into_iter().map(|(_, reply)| reply).collect());
+    let without = super::replies(["a", "b"].into_iter().map(not_opened).chain((0..4).map(|_| error())).collect());
     let mut expected = vec![answers(0), answers(1), without];
-    expected.extend(
-        [0, 1]
-            .map(mixed)
-            .iter()
-            .flat_map(|trace| super::within_capacities(trace)),
-    );
+    expected.extend([0, 1].map(mixed).iter().flat_map(|trace| super::within_capacities(trace)));
     cases.push(
         case("seq/apart".to_owned(), &["NCP-SESS-034"], mixed(1))
             .shows(any(expected))
             .title("The seq of one session should not rise with the frames of another.")
-            .because(
-                "The `seq` of the observation frames of a session should rise by one with each.",
-            ),
+            .because("The `seq` of the observation frames of a session should rise by one with each."),
     );
     // Whether a stimulus for a port that the session lacks fails is the server's affair.
     let stray = |reply: Json, time: f64| {
@@ -430,30 +340,15 @@ fn lives() -> Vec<Case> {
             (step("a", Some(5.0), None), observed("a", time)),
         ]
     };
-    let answers = |trace: Vec<(String, Json)>| {
-        super::replies(trace.into_iter().map(|(_, reply)| reply).collect())
-    };
+    let answers = |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
     let without = super::replies(vec![not_opened("a"), error(), error()]);
     cases.push(
-        case(
-            "life/failure-in-the-simulator".to_owned(),
-            &["NCP-SESS-037"],
-            stray(error(), 5.0),
-        )
-        .shows(any(vec![
-            answers(stray(error(), 5.0)),
-            answers(stray(observed("a", 5.0), 10.0)),
-            without,
-        ]))
-        .title("A stimulus for a port that the session lacks costs at most its request.")
-        .because("A request that fails within the simulator costs that request only."),
+        case("life/failure-in-the-simulator".to_owned(), &["NCP-SESS-037"], stray(error(), 5.0))
+            .shows(any(vec![answers(stray(error(), 5.0)), answers(stray(observed("a", 5.0), 10.0)), without]))
+            .title("A stimulus for a port that the session lacks costs at most its request.")
+            .because("A request that fails within the simulator costs that request only."),
     );
-    let again = vec![
-        open("a"),
-        steps("a", 10.0),
-        (Open::lif("a").text(), not_opened("a")),
-        steps("a", 20.0),
-    ];
+    let again = vec![open("a"), steps("a", 10.0), (Open::lif("a").text(), not_opened("a")), steps("a", 20.0)];
     cases.push(
         case("twice/refused".to_owned(), &["NCP-SESS-030"], again)
             .title("To open a session that is open should be refused, and leave it as it is.")
@@ -473,10 +368,7 @@ fn durations() -> Vec<Case> {
         );
     };
     for chunk in [1.0, 5.0, 20.0, 25.0] {
-        let open = Open {
-            chunk,
-            ..Open::lif("a")
-        };
+        let open = Open { chunk, ..Open::lif("a") };
         push(
             format!("chunk/{chunk}"),
             format!("A step without a time takes the session's chunk of {chunk} ms."),
@@ -487,10 +379,7 @@ fn durations() -> Vec<Case> {
         push(
             format!("advance/{time}"),
             format!("A step of {time} ms takes {time} ms."),
-            vec![
-                open("a"),
-                (step("a", Some(time), None), observed("a", time)),
-            ],
+            vec![open("a"), (step("a", Some(time), None), observed("a", time))],
         );
     }
     for time in [1.0, 2.0, 5.0, 15.0, 25.0, 50.0, 100.0] {
@@ -526,10 +415,7 @@ fn refused() -> Vec<Case> {
 
 /// Bytes that are no request.
 fn malformed() -> Vec<Case> {
-    let long = format!(
-        "{{\"kind\":\"step_request\",\"session_id\":\"a\",\"x\":{}}}",
-        "[".repeat(500)
-    );
+    let long = format!("{{\"kind\":\"step_request\",\"session_id\":\"a\",\"x\":{}}}", "[".repeat(500));
     let table: [(&str, &'static str, &str, String); 24] = [
         ("empty", "NCP-SESS-021", "Nothing", String::new()),
         ("space", "NCP-SESS-021", "White space", "  ".to_owned()),
@@ -537,36 +423,16 @@ fn malformed() -> Vec<Case> {
         ("number", "NCP-SESS-021", "A number", "42".to_owned()),
         ("null", "NCP-SESS-021", "A null", "null".to_owned()),
         ("array", "NCP-SESS-021", "An array", "[]".to_owned()),
-        (
-            "empty-object",
-            "NCP-SESS-021",
-            "An empty object",
-            "{}".to_owned(),
-        ),
+        ("empty-object", "NCP-SESS-021", "An empty object", "{}".to_owned()),
         (
             "truncated",
             "NCP-SESS-021",
             "A request that is cut off",
             step("a", None, None).trim_end_matches('}').to_owned(),
         ),
-        (
-            "trailing",
-            "NCP-SESS-021",
-            "A request with a tail",
-            step("a", None, None) + " x",
-        ),
-        (
-            "two",
-            "NCP-SESS-021",
-            "Two requests in one",
-            step("a", None, None) + &step("a", None, None),
-        ),
-        (
-            "no-kind",
-            "NCP-SESS-021",
-            "A request without a kind",
-            r#"{"session_id":"a"}"#.to_owned(),
-        ),
+        ("trailing", "NCP-SESS-021", "A request with a tail", step("a", None, None) + " x"),
+        ("two", "NCP-SESS-021", "Two requests in one", step("a", None, None) + &step("a", None, None)),
+        ("no-kind", "NCP-SESS-021", "A request without a kind", r#"{"session_id":"a"}"#.to_owned()),
         (
             "unknown-kind",
             "NCP-SESS-021",
@@ -579,12 +445,7 @@ fn malformed() -> Vec<Case> {
             "A request whose kind is a number",
             r#"{"kind":3,"session_id":"a"}"#.to_owned(),
         ),
-        (
-            "no-session",
-            "NCP-SESS-021",
-            "A step without a session",
-            r#"{"kind":"step_request"}"#.to_owned(),
-        ),
+        ("no-session", "NCP-SESS-021", "A step without a session", r#"{"kind":"step_request"}"#.to_owned()),
         (
             "session-null",
             "NCP-SESS-021",
@@ -634,12 +495,7 @@ fn malformed() -> Vec<Case> {
             "A reply",
             r#"{"ncp_version":"0.5","kind":"session_opened","session_id":"a"}"#.to_owned(),
         ),
-        (
-            "error",
-            "NCP-SESS-022",
-            "An error frame",
-            r#"{"kind":"error","error":"no"}"#.to_owned(),
-        ),
+        ("error", "NCP-SESS-022", "An error frame", r#"{"kind":"error","error":"no"}"#.to_owned()),
     ];
     table
         .into_iter()
@@ -659,12 +515,10 @@ fn malformed() -> Vec<Case> {
 
 fn versions() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (nth, version) in [
-        "0.4", "0.6", "1.0", "0", "5.0", "0.50", "", "latest", "0.5.0", "v0.5", "0.5 ", "+0.5",
-        "0.x",
-    ]
-    .into_iter()
-    .enumerate()
+    for (nth, version) in
+        ["0.4", "0.6", "1.0", "0", "5.0", "0.50", "", "latest", "0.5.0", "v0.5", "0.5 ", "+0.5", "0.x"]
+            .into_iter()
+            .enumerate()
     {
         // One that is no version at all, a server may take for a frame that is broken.
         let well_formed = ["0.4", "0.6", "1.0", "0", "5.0", "0.50"].contains(&version);
@@ -672,10 +526,7 @@ fn versions() -> Vec<Case> {
             true => not_opened("a"),
             false => any(vec![not_opened("a"), error()]),
         };
-        let request = Open::lif("a")
-            .json()
-            .with("ncp_version", version.into())
-            .text();
+        let request = Open::lif("a").json().with("ncp_version", version.into()).text();
         cases.push(
             case(format!("version/{nth:02}"), &["NCP-SESS-023"], vec![(request.clone(), refusal())])
                 .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} is refused."))
@@ -690,17 +541,15 @@ fn versions() -> Vec<Case> {
             continue;
         }
         // A server that opens the session after all breaks another rule.
-        let trace = vec![
-            (request, refusal()),
-            (step("a", None, None), error()),
-            (close("a"), not_closed("a")),
-        ];
+        let trace = vec![(request, refusal()), (step("a", None, None), error()), (close("a"), not_closed("a"))];
         let refuses = super::replies(trace.iter().map(|(_, reply)| reply.clone()).collect());
         let opens = super::replies(vec![opened("a"), anything(), anything()]);
         cases.push(
             case(format!("version/{nth:02}/leaves-nothing"), &["NCP-SESS-024"], trace)
                 .shows(any(vec![refuses, opens]))
-                .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} that is refused leaves no session."))
+                .title(format!(
+                    "An `open_session` of the version \u{ab}{version}\u{bb} that is refused leaves no session."
+                ))
                 .flags(&["lenient-versions"])
                 .because("A server does not open a session that it answered with `ok` false."),
         );
@@ -712,22 +561,15 @@ fn versions() -> Vec<Case> {
 fn times() -> Vec<Case> {
     let mut cases = Vec::new();
     for time in [-1.0, -0.001, -1e308, -5e-324] {
-        for (name, request) in [
-            ("step", step("a", Some(time), None)),
-            ("run", run("a", time)),
-        ] {
+        for (name, request) in [("step", step("a", Some(time), None)), ("run", run("a", time))] {
             cases.push(
                 case(
                     format!("time/{name}/{}", name_of(time)),
                     &["NCP-SESS-032", "NCP-SESS-033"],
                     vec![open("a"), (request, error()), steps("a", 10.0)],
                 )
-                .title(format!(
-                    "A {name} of {time} ms is an error, and time stands still."
-                ))
-                .because(
-                    "A server answers a step or a run whose time is negative with an error frame.",
-                ),
+                .title(format!("A {name} of {time} ms is an error, and time stands still."))
+                .because("A server answers a step or a run whose time is negative with an error frame."),
             );
         }
     }
@@ -739,13 +581,16 @@ fn times() -> Vec<Case> {
         ("text", "\"10\""),
         ("boolean", "true"),
     ] {
-        let request = format!(
-            r#"{{"ncp_version":"0.5","kind":"step_request","session_id":"a","advance_ms":{literal}}}"#
-        );
+        let request =
+            format!(r#"{{"ncp_version":"0.5","kind":"step_request","session_id":"a","advance_ms":{literal}}}"#);
         cases.push(
-            case(format!("time/literal/{name}"), &["NCP-SESS-021", "NCP-SESS-032"], vec![open("a"), (request, error()), steps("a", 10.0)])
-                .title(format!("A step of {literal} is an error, and time stands still."))
-                .because("A step whose time is not finite, or is no number, is answered with an error frame."),
+            case(
+                format!("time/literal/{name}"),
+                &["NCP-SESS-021", "NCP-SESS-032"],
+                vec![open("a"), (request, error()), steps("a", 10.0)],
+            )
+            .title(format!("A step of {literal} is an error, and time stands still."))
+            .because("A step whose time is not finite, or is no number, is answered with an error frame."),
         );
     }
     cases
@@ -758,27 +603,10 @@ fn failures() -> Vec<Case> {
         stimuli: vec![stimulus("in", kind)],
         ..open
     };
-    let rate = driven(
-        Open {
-            params: vec![("mu", 1.7e308)],
-            ..Open::rate("a")
-        },
-        "rate",
-        "rate_inject",
-    );
-    let membrane = driven(
-        Open {
-            params: vec![("C_m", 1.0)],
-            ..Open::lif("a")
-        },
-        "V_m",
-        "current_pA",
-    );
+    let rate = driven(Open { params: vec![("mu", 1.7e308)], ..Open::rate("a") }, "rate", "rate_inject");
+    let membrane = driven(Open { params: vec![("C_m", 1.0)], ..Open::lif("a") }, "V_m", "current_pA");
     // With the second input, either network stays where it began.
-    let table = [
-        ("rate", rate, 1.7e308, -1.7e308, 0.0),
-        ("membrane", membrane, -1.7e308, 0.0, -70.0),
-    ];
+    let table = [("rate", rate, 1.7e308, -1.7e308, 0.0), ("membrane", membrane, -1.7e308, 0.0, -70.0)];
     let mut cases = Vec::new();
     for (what, a, too_much, rest, state) in table {
         let open = || (a.text(), opened("a"));
@@ -787,10 +615,7 @@ fn failures() -> Vec<Case> {
         let after = |from: u32, to: u32| {
             let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
             let values = vec![state; times.len()];
-            recorded(
-                "a",
-                object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } },
-            )
+            recorded("a", object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } })
         };
         let mut push = |name: &str, rules: &[&'static str], title: String, trace, why: &str| {
             cases.push(
@@ -803,39 +628,22 @@ fn failures() -> Vec<Case> {
         push(
             "",
             &["NCP-SESS-037"],
-            format!(
-                "A step whose {what} leaves the doubles is an error, and costs no other session."
-            ),
-            vec![
-                open(),
-                (Open::lif("b").text(), opened("b")),
-                fails(),
-                steps("b", 10.0),
-            ],
+            format!("A step whose {what} leaves the doubles is an error, and costs no other session."),
+            vec![open(), (Open::lif("b").text(), opened("b")), fails(), steps("b", 10.0)],
             "A request that fails within the simulator costs that request only, and is answered with an error frame; no frame can hold an infinity.",
         );
         push(
             "/goes-on",
             &["NCP-SESS-037", "NCP-SESS-057"],
-            format!(
-                "After a step whose {what} leaves the doubles, the session goes on from where it was."
-            ),
+            format!("After a step whose {what} leaves the doubles, the session goes on from where it was."),
             vec![open(), fails(), (by(5.0, rest), after(0, 5))],
             "A request that fails costs that request only: network and time are as they were before it.",
         );
         push(
             "/goes-on-later",
             &["NCP-SESS-037", "NCP-SESS-057"],
-            format!(
-                "A step whose {what} leaves the doubles undoes nothing of the steps before it."
-            ),
-            vec![
-                open(),
-                (by(3.0, rest), after(0, 3)),
-                fails(),
-                fails(),
-                (by(5.0, rest), after(3, 8)),
-            ],
+            format!("A step whose {what} leaves the doubles undoes nothing of the steps before it."),
+            vec![open(), (by(3.0, rest), after(0, 3)), fails(), fails(), (by(5.0, rest), after(3, 8))],
             "A request that fails costs that request only: network and time are as they were before it.",
         );
         push(

@@ -42,18 +42,11 @@ impl Open {
     }
 
     pub(crate) fn rate(id: &'static str) -> Self {
-        Self {
-            network: "ncp.reference.rate",
-            ..Self::lif(id)
-        }
+        Self { network: "ncp.reference.rate", ..Self::lif(id) }
     }
 
     fn json(&self) -> Json {
-        let params = self
-            .params
-            .iter()
-            .map(|(name, value)| ((*name).to_owned(), num(*value)))
-            .collect();
+        let params = self.params.iter().map(|(name, value)| ((*name).to_owned(), num(*value))).collect();
         let mut sizes = object! { "pop" => self.size };
         if let Some(other) = self.other {
             sizes = sizes.with("other", other.into());
@@ -88,19 +81,22 @@ pub(crate) fn stimulus(port: &str, kind: &str) -> Json {
 }
 
 pub(crate) fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -> String {
-    let mut request =
-        object! { "ncp_version" => "0.5", "kind" => "step_request", "session_id" => id };
+    let mut request = object! { "ncp_version" => "0.5", "kind" => "step_request", "session_id" => id };
     if let Some(advance) = advance {
         request = request.with("advance_ms", num(advance));
     }
     if let Some((port, value)) = value {
-        request = request.with("stimulus", object! { "values" => object! { port => object! { "data" => Json::Array(vec![num(value)]) } } });
+        request = request.with(
+            "stimulus",
+            object! { "values" => object! { port => object! { "data" => Json::Array(vec![num(value)]) } } },
+        );
     }
     request.text()
 }
 
 pub(crate) fn run(id: &str, duration: f64) -> String {
-    object! { "ncp_version" => "0.5", "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }.text()
+    object! { "ncp_version" => "0.5", "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }
+        .text()
 }
 
 pub(crate) fn close(id: &str) -> String {
@@ -144,10 +140,7 @@ pub(crate) fn closed(id: &str) -> Json {
 }
 
 fn not_closed(id: &str) -> Json {
-    any(vec![
-        text_of(object! { "kind" => "session_closed", "session_id" => id, "ok" => false }),
-        error(),
-    ])
+    any(vec![text_of(object! { "kind" => "session_closed", "session_id" => id, "ok" => false }), error()])
 }
 
 fn replies(of: Vec<Json>) -> Json {
@@ -159,25 +152,17 @@ fn reference(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -
     let mut expected = within_capacities(&trace);
     let (requests, answers): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
     expected.insert(0, replies(answers));
-    asking(path, rules, requests)
-        .shows(any(expected))
-        .needs(REFERENCE_NETWORKS)
+    asking(path, rules, requests).shows(any(expected)).needs(REFERENCE_NETWORKS)
 }
 
 fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {
-    Case::new(path, rules, &[Role::Server]).call(
-        "session.run",
-        object! { "requests" => requests.into_iter().collect::<Json>() },
-    )
+    Case::new(path, rules, &[Role::Server])
+        .call("session.run", object! { "requests" => requests.into_iter().collect::<Json>() })
 }
 
 /// The session that a request is about.
 fn id_of(request: &str) -> &str {
-    request
-        .split("\"session_id\":\"")
-        .nth(1)
-        .and_then(|rest| rest.split('"').next())
-        .unwrap_or_default()
+    request.split("\"session_id\":\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default()
 }
 
 /// Whether a request is well-formed and of a kind.
@@ -206,9 +191,7 @@ fn opens(reply: &Json) -> bool {
 /// The answers to a trace of servers that hold fewer sessions open than it asks for, one at least.
 pub(crate) fn within_capacities(trace: &[(String, Json)]) -> Vec<Json> {
     let (_, most) = within(usize::MAX, trace);
-    (1..most)
-        .map(|capacity| replies(within(capacity, trace).0))
-        .collect()
+    (1..most).map(|capacity| replies(within(capacity, trace).0)).collect()
 }
 
 /// The answers of a server that holds so many sessions open and no more, and how many it held.
@@ -217,11 +200,7 @@ fn within(capacity: usize, trace: &[(String, Json)]) -> (Vec<Json>, usize) {
     let answers = trace.iter().map(|(request, reply)| {
         let id = id_of(request);
         if opens(reply) {
-            let (to, from) = if open.len() < capacity {
-                (&mut open, &mut refused)
-            } else {
-                (&mut refused, &mut open)
-            };
+            let (to, from) = if open.len() < capacity { (&mut open, &mut refused) } else { (&mut refused, &mut open) };
             from.retain(|other| *other != id);
             to.push(id);
             most = most.max(open.len());
@@ -242,9 +221,7 @@ fn within(capacity: usize, trace: &[(String, Json)]) -> (Vec<Json>, usize) {
 pub(crate) fn case(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
     let mut expected = within_capacities(&trace);
     if trace.iter().any(|(_, reply)| opens(reply)) {
-        let without = trace
-            .iter()
-            .map(|(request, reply)| without_session(request).unwrap_or_else(|| reply.clone()));
+        let without = trace.iter().map(|(request, reply)| without_session(request).unwrap_or_else(|| reply.clone()));
         expected.push(replies(without.collect()));
     }
     let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();

@@ -19,7 +19,8 @@ pub(super) fn file() -> File {
     File::new("session", "reference", about, cases)
 }
 
-const WHY: &str = "Section 4.4: exact propagation on the grid of `dt_ms`; asked of servers that claim the reference networks.";
+const WHY: &str =
+    "Section 4.4: exact propagation on the grid of `dt_ms`; asked of servers that claim the reference networks.";
 
 /// A leaky integrate-and-fire neuron, as section 4.4 writes it.
 struct Lif {
@@ -36,17 +37,10 @@ struct Lif {
 impl Lif {
     fn new(params: &[(&str, f64)], dt: f64) -> Self {
         let param = |name: &str, default: f64| {
-            params
-                .iter()
-                .find(|(known, _)| *known == name)
-                .map_or(default, |(_, value)| *value)
+            params.iter().find(|(known, _)| *known == name).map_or(default, |(_, value)| *value)
         };
         let tau = param("tau_m", 10.0);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a handful of steps"
-        )]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of steps")]
         let refractory = (param("t_ref", 2.0) / dt).round() as u32;
         Self {
             v: param("E_L", -70.0),
@@ -67,9 +61,7 @@ impl Lif {
             self.v = self.v_reset;
             return false;
         }
-        self.v = self.e_l
-            + (self.v - self.e_l) * self.propagator
-            + current * self.gain * (1.0 - self.propagator);
+        self.v = self.e_l + (self.v - self.e_l) * self.propagator + current * self.gain * (1.0 - self.propagator);
         let spikes = self.v >= self.v_th;
         if spikes {
             self.v = self.v_reset;
@@ -90,12 +82,7 @@ fn sent(times: &[f64], senders: &[u32]) -> Json {
 }
 
 /// A neuron run by the model: times and potentials at each step, and the times of its spikes.
-fn simulate(
-    params: &[(&str, f64)],
-    dt: f64,
-    steps: u32,
-    current: f64,
-) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+fn simulate(params: &[(&str, f64)], dt: f64, steps: u32, current: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let mut neuron = Lif::new(params, dt);
     let (mut times, mut values, mut spikes) = (Vec::new(), Vec::new(), Vec::new());
     for nth in 1..=steps {
@@ -125,23 +112,12 @@ fn networks() -> Vec<(&'static str, Params)> {
         // No whole number of steps, and never half of one.
         ("rest-rounded-up", vec![("t_ref", 0.8), ("I_e", 600.0)]),
         ("rest-rounded-down", vec![("t_ref", 1.2), ("I_e", 600.0)]),
-        (
-            "other-levels",
-            vec![
-                ("E_L", -65.0),
-                ("V_th", -50.0),
-                ("V_reset", -75.0),
-                ("I_e", 450.0),
-            ],
-        ),
+        ("other-levels", vec![("E_L", -65.0), ("V_th", -50.0), ("V_reset", -75.0), ("I_e", 450.0)]),
     ]
 }
 
 fn current(params: &[(&str, f64)]) -> f64 {
-    params
-        .iter()
-        .find(|(name, _)| *name == "I_e")
-        .map_or(0.0, |(_, value)| *value)
+    params.iter().find(|(name, _)| *name == "I_e").map_or(0.0, |(_, value)| *value)
 }
 
 fn potentials() -> Vec<Case> {
@@ -149,25 +125,15 @@ fn potentials() -> Vec<Case> {
     for (name, params) in networks() {
         for (dt, steps) in [(1.0, 20_u32), (0.5, 40), (0.25, 80)] {
             let (times, values, _) = simulate(&params, dt, steps, current(&params));
-            let open = Open {
-                params: params.clone(),
-                records: vec![record("v", "V_m", dt)],
-                dt,
-                ..Open::lif("a")
-            };
+            let open = Open { params: params.clone(), records: vec![record("v", "V_m", dt)], dt, ..Open::lif("a") };
             let observed = recorded("a", object! { "v" => samples(&times, Some(&values)) });
             cases.push(
                 reference(
                     format!("potential/{name}/dt-{dt}"),
                     &["NCP-SESS-050"],
-                    vec![
-                        (open.text(), opened("a")),
-                        (step("a", Some(20.0), None), observed),
-                    ],
+                    vec![(open.text(), opened("a")), (step("a", Some(20.0), None), observed)],
                 )
-                .title(format!(
-                    "The potential of a neuron ({name}) over 20 ms in steps of {dt} ms."
-                ))
+                .title(format!("The potential of a neuron ({name}) over 20 ms in steps of {dt} ms."))
                 .because(WHY),
             );
         }
@@ -180,36 +146,22 @@ fn thresholds() -> Vec<Case> {
     // At rest on the threshold; and driven to it in a single step that forgets the one before.
     let at_rest = vec![("E_L", 0.0), ("V_th", 0.0), ("V_reset", -10.0)];
     let tau = 1.0 / 1024.0;
-    let driven = vec![
-        ("tau_m", tau),
-        ("C_m", 1.0),
-        ("I_e", 15.0 * 1024.0),
-        ("E_L", 0.0),
-        ("V_th", 15.0),
-        ("V_reset", -10.0),
-    ];
+    let driven =
+        vec![("tau_m", tau), ("C_m", 1.0), ("I_e", 15.0 * 1024.0), ("E_L", 0.0), ("V_th", 15.0), ("V_reset", -10.0)];
     let mut cases = Vec::new();
     for (name, params) in [("at-rest", at_rest), ("driven", driven)] {
         let (times, values, spikes) = simulate(&params, 1.0, 10, current(&params));
-        for (what, observable, expected) in [
-            ("spikes", "spikes", samples(&spikes, None)),
-            ("potential", "V_m", samples(&times, Some(&values))),
-        ] {
-            let open = Open {
-                params: params.clone(),
-                records: vec![record("out", observable, 1.0)],
-                ..Open::lif("a")
-            };
+        for (what, observable, expected) in
+            [("spikes", "spikes", samples(&spikes, None)), ("potential", "V_m", samples(&times, Some(&values)))]
+        {
+            let open = Open { params: params.clone(), records: vec![record("out", observable, 1.0)], ..Open::lif("a") };
             cases.push(
                 reference(
                     format!("threshold/{name}/{what}"),
                     &["NCP-SESS-050"],
                     vec![
                         (open.text(), opened("a")),
-                        (
-                            step("a", Some(10.0), None),
-                            recorded("a", object! { "out" => expected }),
-                        ),
+                        (step("a", Some(10.0), None), recorded("a", object! { "out" => expected })),
                     ],
                 )
                 .title(format!(
@@ -228,26 +180,15 @@ fn spikes() -> Vec<Case> {
     for (name, params) in networks() {
         for (dt, steps) in [(1.0, 60_u32), (0.5, 120), (0.125, 480)] {
             let (_, _, spikes) = simulate(&params, dt, steps, current(&params));
-            let open = Open {
-                params: params.clone(),
-                records: vec![record("s", "spikes", 1.0)],
-                dt,
-                ..Open::lif("a")
-            };
+            let open = Open { params: params.clone(), records: vec![record("s", "spikes", 1.0)], dt, ..Open::lif("a") };
             let observed = recorded("a", object! { "s" => samples(&spikes, None) });
             cases.push(
                 reference(
                     format!("spikes/{name}/dt-{dt}"),
                     &["NCP-SESS-050"],
-                    vec![
-                        (open.text(), opened("a")),
-                        (step("a", Some(60.0), None), observed),
-                    ],
+                    vec![(open.text(), opened("a")), (step("a", Some(60.0), None), observed)],
                 )
-                .title(format!(
-                    "A neuron ({name}) spikes {} times in 60 ms in steps of {dt} ms.",
-                    spikes.len()
-                ))
+                .title(format!("A neuron ({name}) spikes {} times in 60 ms in steps of {dt} ms.", spikes.len()))
                 .because(WHY),
             );
         }
@@ -299,14 +240,9 @@ fn rates() -> Vec<Case> {
                 reference(
                     format!("rate/{name}/dt-{dt}"),
                     &["NCP-SESS-051"],
-                    vec![
-                        (open.text(), opened("a")),
-                        (step("a", Some(20.0), drive), observed),
-                    ],
+                    vec![(open.text(), opened("a")), (step("a", Some(20.0), drive), observed)],
                 )
-                .title(format!(
-                    "A rate neuron ({name}) under the input {input} in steps of {dt} ms."
-                ))
+                .title(format!("A rate neuron ({name}) under the input {input} in steps of {dt} ms."))
                 .because(WHY),
             );
         }
@@ -347,14 +283,14 @@ fn stimuli() -> Vec<Case> {
                     potentials.push(neuron.v);
                 }
                 let observed = recorded("a", object! { "v" => samples(&times, Some(&potentials)) });
-                trace.push((
-                    step("a", Some(chunk), value.map(|value| ("in", value))),
-                    observed,
-                ));
+                trace.push((step("a", Some(chunk), value.map(|value| ("in", value))), observed));
             }
             cases.push(
                 reference(format!("stimulus/{name}/chunk-{chunk}"), &["NCP-SESS-054", "NCP-SESS-050"], trace)
-                    .title(format!("A current that {} acts from the first step of its request in steps of {chunk} ms.", if name == "none" { "never comes".to_owned() } else { name.replace('-', " ") }))
+                    .title(format!(
+                        "A current that {} acts from the first step of its request in steps of {chunk} ms.",
+                        if name == "none" { "never comes".to_owned() } else { name.replace('-', " ") }
+                    ))
                     .because(WHY),
             );
         }
@@ -373,84 +309,33 @@ fn stimuli() -> Vec<Case> {
     let trace = vec![
         (open("a").text(), opened("a")),
         (open("b").text(), opened("b")),
-        (
-            step("a", None, Some(("in", 200.0))),
-            recorded("a", after(200.0)),
-        ),
+        (step("a", None, Some(("in", 200.0))), recorded("a", after(200.0))),
         (step("b", None, None), recorded("b", after(0.0))),
     ];
     cases.push(
-        reference(
-            "stimulus/apart".to_owned(),
-            &["NCP-SESS-035", "NCP-SESS-054"],
-            trace,
-        )
-        .title("A current into one session does not reach another.")
-        .because("What is done to one session changes no other."),
+        reference("stimulus/apart".to_owned(), &["NCP-SESS-035", "NCP-SESS-054"], trace)
+            .title("A current into one session does not reach another.")
+            .because("What is done to one session changes no other."),
     );
     cases
 }
 
 /// Which neurons a stimulus reaches: two of a population of three, or one population of two.
 fn reach() -> Vec<Case> {
-    let after = |current: f64| {
-        simulate(&[], 1.0, 5, current)
-            .1
-            .last()
-            .copied()
-            .unwrap_or_default()
-    };
+    let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
     let drive = |target: &str, ids: &[u32]| {
         object! { "port" => "in", "target" => target, "kind" => "current_pA", "ids" => ids.iter().copied().collect::<Json>() }
     };
-    let of = |target: &str, port: &str| {
-        record(port, "V_m", 5.0)
-            .with("target", target.into())
-            .with("port", port.into())
-    };
+    let of =
+        |target: &str, port: &str| record(port, "V_m", 5.0).with("target", target.into()).with("port", port.into());
     #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, &str, &[u32], [bool; 3], bool); 6] = [
         ("all", "all of its population", "pop", &[], [true; 3], false),
-        (
-            "other",
-            "no neuron of another population",
-            "other",
-            &[],
-            [false; 3],
-            true,
-        ),
-        (
-            "first",
-            "the neuron that it names",
-            "pop",
-            &[1],
-            [true, false, false],
-            false,
-        ),
-        (
-            "last",
-            "the neuron that it names",
-            "pop",
-            &[3],
-            [false, false, true],
-            false,
-        ),
-        (
-            "two",
-            "the neurons that it names",
-            "pop",
-            &[1, 3],
-            [true, false, true],
-            false,
-        ),
-        (
-            "other-id",
-            "the neuron that it names, in its population",
-            "other",
-            &[1],
-            [false; 3],
-            true,
-        ),
+        ("other", "no neuron of another population", "other", &[], [false; 3], true),
+        ("first", "the neuron that it names", "pop", &[1], [true, false, false], false),
+        ("last", "the neuron that it names", "pop", &[3], [false, false, true], false),
+        ("two", "the neurons that it names", "pop", &[1, 3], [true, false, true], false),
+        ("other-id", "the neuron that it names, in its population", "other", &[1], [false; 3], true),
     ];
     table
         .into_iter()
@@ -482,42 +367,21 @@ fn reach() -> Vec<Case> {
 
 /// In which unit observations are.
 fn units() -> Vec<Case> {
-    let lif = Open {
-        records: vec![record("v", "V_m", 1.0)],
-        ..Open::lif("a")
-    };
-    let rate = Open {
-        records: vec![record("r", "rate", 1.0)],
-        ..Open::rate("a")
-    };
+    let lif = Open { records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
+    let rate = Open { records: vec![record("r", "rate", 1.0)], ..Open::rate("a") };
     [
-        (
-            "potential",
-            "in mV",
-            lif,
-            object! { "v" => object! { "unit" => "mV" } },
-        ),
-        (
-            "rate",
-            "in Hz",
-            rate,
-            object! { "r" => object! { "unit" => "Hz" } },
-        ),
+        ("potential", "in mV", lif, object! { "v" => object! { "unit" => "mV" } }),
+        ("rate", "in Hz", rate, object! { "r" => object! { "unit" => "Hz" } }),
     ]
     .into_iter()
     .map(|(name, words, open, records)| {
         reference(
             format!("unit/{name}"),
             &["NCP-SESS-056"],
-            vec![
-                (open.text(), opened("a")),
-                (step("a", Some(5.0), None), recorded("a", records)),
-            ],
+            vec![(open.text(), opened("a")), (step("a", Some(5.0), None), recorded("a", records))],
         )
         .title(format!("An observation ({name}) is {words}."))
-        .because(
-            "An observation carries the unit of its observable, `V_m` in `mV` and `rate` in `Hz`.",
-        )
+        .because("An observation carries the unit of its observable, `V_m` in `mV` and `rate` in `Hz`.")
     })
     .collect()
 }
@@ -525,36 +389,20 @@ fn units() -> Vec<Case> {
 /// Which ports come back.
 fn ports() -> Vec<Case> {
     use crate::trace::exactly;
-    let driven = |records: Vec<Json>| Open {
-        params: vec![("I_e", 500.0)],
-        records,
-        ..Open::lif("a")
-    };
+    let driven = |records: Vec<Json>| Open { params: vec![("I_e", 500.0)], records, ..Open::lif("a") };
     // What is in the observations is the affair of other cases.
     let some = Json::object;
     let mut cases = Vec::new();
     for (name, records, expected) in [
         ("none", Vec::new(), Json::object()),
-        (
-            "one",
-            vec![record("v", "V_m", 1.0)],
-            object! { "v" => some() },
-        ),
-        (
-            "two",
-            vec![record("v", "V_m", 1.0), record("s", "spikes", 1.0)],
-            object! { "v" => some(), "s" => some() },
-        ),
+        ("one", vec![record("v", "V_m", 1.0)], object! { "v" => some() }),
+        ("two", vec![record("v", "V_m", 1.0), record("s", "spikes", 1.0)], object! { "v" => some(), "s" => some() }),
         (
             "two-of-one-kind",
             vec![record("v", "V_m", 1.0), record("w", "V_m", 1.0)],
             object! { "v" => some(), "w" => some() },
         ),
-        (
-            "odd-name",
-            vec![record("the port/1", "V_m", 1.0)],
-            object! { "the port/1" => some() },
-        ),
+        ("odd-name", vec![record("the port/1", "V_m", 1.0)], object! { "the port/1" => some() }),
     ] {
         cases.push(
             reference(format!("port/{name}"), &["NCP-SESS-038"], vec![(driven(records).text(), opened("a")), (step("a", None, None), recorded("a", exactly(expected)))])
@@ -566,24 +414,14 @@ fn ports() -> Vec<Case> {
     let times = [1.0, 2.0, 3.0];
     for ids in [&[1_u32][..], &[2], &[3], &[1, 3], &[]] {
         let target = record("v", "V_m", 1.0).with("ids", ids.iter().copied().collect());
-        let open = Open {
-            size: 3,
-            ..driven(vec![target])
-        };
+        let open = Open { size: 3, ..driven(vec![target]) };
         let named = if ids.is_empty() { &[1, 2, 3] } else { ids };
         let senders: Vec<u32> = times.iter().flat_map(|_| named.iter().copied()).collect();
-        let at: Vec<f64> = times
-            .iter()
-            .flat_map(|time| named.iter().map(|_| *time))
-            .collect();
+        let at: Vec<f64> = times.iter().flat_map(|time| named.iter().map(|_| *time)).collect();
         let name = if ids.is_empty() {
             "all".to_owned()
         } else {
-            named
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
-                .join("-and-")
+            named.iter().map(ToString::to_string).collect::<Vec<_>>().join("-and-")
         };
         cases.push(
             reference(
@@ -591,10 +429,7 @@ fn ports() -> Vec<Case> {
                 &["NCP-SESS-052"],
                 vec![
                     (open.text(), opened("a")),
-                    (
-                        step("a", Some(3.0), None),
-                        recorded("a", object! { "v" => sent(&at, &senders) }),
-                    ),
+                    (step("a", Some(3.0), None), recorded("a", object! { "v" => sent(&at, &senders) })),
                 ],
             )
             .title(format!(
@@ -608,10 +443,7 @@ fn ports() -> Vec<Case> {
             .because("A neuron's id is its position within its population, from 1."),
         );
     }
-    let of_spikes = Open {
-        size: 2,
-        ..driven(vec![record("s", "spikes", 1.0)])
-    };
+    let of_spikes = Open { size: 2, ..driven(vec![record("s", "spikes", 1.0)]) };
     let (_, _, spikes) = simulate(&[("I_e", 500.0)], 1.0, 40, 500.0);
     let twice: Vec<f64> = spikes.iter().flat_map(|time| [*time, *time]).collect();
     let senders: Vec<u32> = spikes.iter().flat_map(|_| [1, 2]).collect();
@@ -621,10 +453,7 @@ fn ports() -> Vec<Case> {
             &["NCP-SESS-052"],
             vec![
                 (of_spikes.text(), opened("a")),
-                (
-                    step("a", Some(40.0), None),
-                    recorded("a", object! { "s" => sent(&twice, &senders) }),
-                ),
+                (step("a", Some(40.0), None), recorded("a", object! { "s" => sent(&twice, &senders) })),
             ],
         )
         .title("The spikes of two neurons come by their ids.")
@@ -644,22 +473,11 @@ fn cadences() -> Vec<Case> {
             .collect()
     };
     let open = |dt: f64, cadence: f64| {
-        let open = Open {
-            records: vec![record("v", "V_m", cadence)],
-            dt,
-            ..Open::lif("a")
-        };
+        let open = Open { records: vec![record("v", "V_m", cadence)], dt, ..Open::lif("a") };
         (open.text(), opened("a"))
     };
     let mut cases = Vec::new();
-    for (dt, cadence) in [
-        (1.0, 1.0),
-        (1.0, 2.0),
-        (0.5, 1.0),
-        (0.25, 5.0),
-        (1.0, 5.0),
-        (1.0, 7.0),
-    ] {
+    for (dt, cadence) in [(1.0, 1.0), (1.0, 2.0), (0.5, 1.0), (0.25, 5.0), (1.0, 5.0), (1.0, 7.0)] {
         cases.push(
             reference(
                 format!("cadence/{cadence}-by-{dt}"),
@@ -674,16 +492,9 @@ fn cadences() -> Vec<Case> {
         let mut trace = vec![open(1.0, cadence)];
         trace.extend((0..4_u32).map(|nth| {
             let from = f64::from(nth) * advance;
-            (
-                step("a", Some(advance), None),
-                at(&multiples(cadence, from, from + advance)),
-            )
+            (step("a", Some(advance), None), at(&multiples(cadence, from, from + advance)))
         }));
-        let name = if cadence == 2.0 {
-            "over-requests".to_owned()
-        } else {
-            format!("over-requests-of-{advance}")
-        };
+        let name = if cadence == 2.0 { "over-requests".to_owned() } else { format!("over-requests-of-{advance}") };
         cases.push(
             reference(format!("cadence/{name}"), &["NCP-SESS-053"], trace)
                 .title("A port is sampled at multiples of its cadence since the session opened, not since the request.")

@@ -8,10 +8,7 @@ use crate::roles::{a, readers};
 use crate::text::tables;
 
 pub(super) fn file() -> File {
-    let kinds = tables()
-        .messages
-        .iter()
-        .filter_map(|message| message.kind.as_deref());
+    let kinds = tables().messages.iter().filter_map(|message| message.kind.as_deref());
     let mut cases = Vec::new();
     for kind in kinds {
         if kind == "error" {
@@ -47,9 +44,7 @@ fn stamped_by(frame: Json, seq: i64) -> Json {
 }
 
 fn accepts(case: Case, kind: &str, frame: &Json) -> Case {
-    case.decode(kind, frame.text())
-        .means(meaning(kind, frame).text())
-        .strictly()
+    case.decode(kind, frame.text()).means(meaning(kind, frame).text()).strictly()
 }
 
 fn rejects(case: Case, kind: &str, frame: &Json, code: &str) -> Case {
@@ -70,28 +65,28 @@ fn versions(kind: &str) -> Vec<Case> {
             .flags(&["over-strict"])
             .because("Of the fields with a default the profile asks for the version alone, and for a command's seq."),
         accepts(case(kind, "version/of-an-unknown-member", &["NCP-STRICT-012"]), kind, &roomy)
-            .title(format!("A strict receiver looks at the version of {} itself, not at one in an unknown member.", a(kind)))
+            .title(format!(
+                "A strict receiver looks at the version of {} itself, not at one in an unknown member.",
+                a(kind)
+            ))
             .flags(&["over-strict"])
             .because("Members that the tables do not list are ignored."),
-        rejects(case(kind, "version/absent", &["NCP-STRICT-002"]), kind, &frame.clone().without("ncp_version"), "missing")
-            .title(format!("{} without a version is rejected by a strict receiver.", a(kind)))
-            .flags(&["L07"])
-            .because("A strict receiver rejects a frame without `ncp_version`, on every plane."),
+        rejects(
+            case(kind, "version/absent", &["NCP-STRICT-002"]),
+            kind,
+            &frame.clone().without("ncp_version"),
+            "missing",
+        )
+        .title(format!("{} without a version is rejected by a strict receiver.", a(kind)))
+        .flags(&["L07"])
+        .because("A strict receiver rejects a frame without `ncp_version`, on every plane."),
     ];
     cases.extend(INCOMPATIBLE.map(|(what, version)| {
         let other = frame.clone().with("ncp_version", version.into());
-        rejects(
-            case(kind, &format!("version/{what}"), &["NCP-STRICT-003"]),
-            kind,
-            &other,
-            "version",
-        )
-        .title(format!(
-            "{} of the version `{version}` is rejected by a strict receiver.",
-            a(kind)
-        ))
-        .flags(&["L07"])
-        .because("The version guard of chapter 2 does not hold that version compatible with 0.5.")
+        rejects(case(kind, &format!("version/{what}"), &["NCP-STRICT-003"]), kind, &other, "version")
+            .title(format!("{} of the version `{version}` is rejected by a strict receiver.", a(kind)))
+            .flags(&["L07"])
+            .because("The version guard of chapter 2 does not hold that version compatible with 0.5.")
     }));
     cases
 }
@@ -102,59 +97,40 @@ fn almost_versions() -> Vec<Case> {
     for kind in crate::roles::ANY {
         let bare = good(kind).without("ncp_version");
         let near = [
-            (
-                "other-name",
-                bare.clone().and("version", "0.5".into()),
-                "under another name",
-            ),
-            (
-                "upper-case",
-                bare.clone().and("NCP_VERSION", "0.5".into()),
-                "under a name in capitals",
-            ),
+            ("other-name", bare.clone().and("version", "0.5".into()), "under another name"),
+            ("upper-case", bare.clone().and("NCP_VERSION", "0.5".into()), "under a name in capitals"),
             (
                 "nested",
-                bare.clone()
-                    .and("header", object! { "ncp_version" => "0.5" }),
+                bare.clone().and("header", object! { "ncp_version" => "0.5" }),
                 "within a member that is ignored",
             ),
         ];
         for (what, frame, says) in near {
             cases.push(
-                rejects(
-                    case(kind, &format!("almost/{what}"), &["NCP-STRICT-002"]),
-                    kind,
-                    &frame,
-                    "missing",
-                )
-                .title(format!(
-                    "{} with its version {says} is rejected by a strict receiver.",
-                    a(kind)
-                ))
-                .flags(&["L07"])
-                .because("The frame itself has no `ncp_version`."),
+                rejects(case(kind, &format!("almost/{what}"), &["NCP-STRICT-002"]), kind, &frame, "missing")
+                    .title(format!("{} with its version {says} is rejected by a strict receiver.", a(kind)))
+                    .flags(&["L07"])
+                    .because("The frame itself has no `ncp_version`."),
             );
         }
         let frame = good(kind);
         let escaped = frame.text().replacen("ncp_version", "ncp_versio\\u006e", 1);
         cases.push(
             case(kind, "almost/escaped", &["NCP-STRICT-012"])
-                .title(format!("{} whose member `ncp_version` is spelled with an escape is read by a strict receiver.", a(kind)))
+                .title(format!(
+                    "{} whose member `ncp_version` is spelled with an escape is read by a strict receiver.",
+                    a(kind)
+                ))
                 .flags(&["raw-names"])
                 .decode(kind, escaped)
                 .means(meaning(kind, &frame).text())
                 .strictly()
                 .because("Two member names are the same when they are equal after their escapes are resolved."),
         );
-        let last = bare
-            .and("novel", Json::Null)
-            .and("ncp_version", "0.5".into());
+        let last = bare.and("novel", Json::Null).and("ncp_version", "0.5".into());
         cases.push(
             accepts(case(kind, "almost/last", &["NCP-STRICT-012"]), kind, &last)
-                .title(format!(
-                    "{} whose version is its last member is read by a strict receiver.",
-                    a(kind)
-                ))
+                .title(format!("{} whose version is its last member is read by a strict receiver.", a(kind)))
                 .flags(&["over-strict"])
                 .because("The order of members does not count."),
         );
@@ -169,9 +145,7 @@ fn errors() -> Vec<Case> {
     [("bare", frame), ("with-session", about)]
         .map(|(what, frame)| {
             accepts(case("error", what, &["NCP-STRICT-012"]), "error", &frame)
-                .title(format!(
-                    "An error frame ({what}) is read by a strict receiver without a version."
-                ))
+                .title(format!("An error frame ({what}) is read by a strict receiver without a version."))
                 .flags(&["over-strict"])
                 .because("The error frame has no version, so these rules let it through.")
         })
@@ -186,38 +160,31 @@ fn stimuli() -> Vec<Case> {
         let versioned = values.clone().with("ncp_version", "0.5".into());
         let frame = good(kind).with("stimulus", values);
         cases.push(
-            accepts(
-                case(kind, "stimulus/without-version", &["NCP-STRICT-012"]),
-                kind,
-                &frame,
-            )
-            .title(format!(
-                "A stimulus frame without a version within {} is read by a strict receiver.",
-                a(kind).to_lowercase()
-            ))
-            .flags(&["over-strict", "nested-stimulus"])
-            .because(
-                "A stimulus frame within a request may still leave its version to the request.",
-            ),
+            accepts(case(kind, "stimulus/without-version", &["NCP-STRICT-012"]), kind, &frame)
+                .title(format!(
+                    "A stimulus frame without a version within {} is read by a strict receiver.",
+                    a(kind).to_lowercase()
+                ))
+                .flags(&["over-strict", "nested-stimulus"])
+                .because("A stimulus frame within a request may still leave its version to the request."),
         );
         let frame = good(kind).with("stimulus", versioned);
         cases.push(
-            accepts(
-                case(kind, "stimulus/with-version", &["NCP-STRICT-012"]),
-                kind,
-                &frame,
-            )
-            .title(format!(
-                "A stimulus frame with the version of {} is read by a strict receiver.",
-                a(kind).to_lowercase()
-            ))
-            .flags(&["over-strict", "nested-stimulus"])
-            .because("Its version is the request's."),
+            accepts(case(kind, "stimulus/with-version", &["NCP-STRICT-012"]), kind, &frame)
+                .title(format!(
+                    "A stimulus frame with the version of {} is read by a strict receiver.",
+                    a(kind).to_lowercase()
+                ))
+                .flags(&["over-strict", "nested-stimulus"])
+                .because("Its version is the request's."),
         );
         let frame = frame.without("ncp_version");
         cases.push(
             rejects(case(kind, "stimulus/alone-with-version", &["NCP-STRICT-002"]), kind, &frame, "missing")
-                .title(format!("{} without a version is rejected by a strict receiver, though its stimulus frame has one.", a(kind)))
+                .title(format!(
+                    "{} without a version is rejected by a strict receiver, though its stimulus frame has one.",
+                    a(kind)
+                ))
                 .flags(&["L07", "nested-stimulus"])
                 .because("A stimulus frame may leave its version to the request, not the other way round."),
         );
@@ -246,12 +213,7 @@ fn command(mode: Option<&str>, seq: Option<i64>) -> Json {
 }
 
 fn unstamped() -> Vec<Case> {
-    let seqs = [
-        ("zero", Some(0)),
-        ("absent", None),
-        ("minus-one", Some(-1)),
-        ("least", Some(-9_007_199_254_740_991)),
-    ];
+    let seqs = [("zero", Some(0)), ("absent", None), ("minus-one", Some(-1)), ("least", Some(-9_007_199_254_740_991))];
     let mut cases = Vec::new();
     for (mode_name, mode) in MODES {
         for (what, seq) in seqs {
@@ -275,7 +237,9 @@ fn stamped() -> Vec<Case> {
             let path = format!("stamp/{what}/{mode_name}");
             cases.push(
                 accepts(case("command_frame", &path, &["NCP-STRICT-012"]), "command_frame", &command(mode, Some(seq)))
-                    .title(format!("A command with the mode {mode_name} and the seq {what} is read by a strict receiver."))
+                    .title(format!(
+                        "A command with the mode {mode_name} and the seq {what} is read by a strict receiver."
+                    ))
                     .flags(&["over-strict"])
                     .because("It has a compatible version and a seq of at least 1."),
             );
@@ -285,17 +249,10 @@ fn stamped() -> Vec<Case> {
         for (what, seq) in [("minus-one", -1), ("least", -9_007_199_254_740_991)] {
             let frame = good(kind).with("seq", crate::trace::int(seq));
             cases.push(
-                accepts(
-                    case(kind, &format!("stamp/{what}"), &["NCP-STRICT-012"]),
-                    kind,
-                    &frame,
-                )
-                .title(format!(
-                    "{} with the seq {seq} is read by a strict receiver.",
-                    a(kind)
-                ))
-                .flags(&["over-strict"])
-                .because("The profile asks for a stamp on the action plane only."),
+                accepts(case(kind, &format!("stamp/{what}"), &["NCP-STRICT-012"]), kind, &frame)
+                    .title(format!("{} with the seq {seq} is read by a strict receiver.", a(kind)))
+                    .flags(&["over-strict"])
+                    .because("The profile asks for a stamp on the action plane only."),
             );
         }
     }

@@ -5,12 +5,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 
 /// The kinds of requests.
-pub(super) const VERBS: [&str; 4] = [
-    "open_session",
-    "step_request",
-    "run_request",
-    "close_session",
-];
+pub(super) const VERBS: [&str; 4] = ["open_session", "step_request", "run_request", "close_session"];
 
 pub(super) fn file() -> File {
     let mut cases = built();
@@ -22,17 +17,11 @@ pub(super) fn file() -> File {
 
 fn case(path: String, rules: &[&'static str], realm: Option<&str>, verb: &str) -> Case {
     let args = object! { "key" => "rpc", "realm" => realm, "verb" => verb };
-    Case::new(path, rules, &[Commander, Server])
-        .flags(&["L04"])
-        .call("key.build", args)
+    Case::new(path, rules, &[Commander, Server]).flags(&["L04"]).call("key.build", args)
 }
 
 fn built() -> Vec<Case> {
-    let realms = [
-        ("default-realm", None),
-        ("realm", Some("lab")),
-        ("realm-of-two", Some("engram/ncp")),
-    ];
+    let realms = [("default-realm", None), ("realm", Some("lab")), ("realm-of-two", Some("engram/ncp"))];
     let mut cases = Vec::new();
     for verb in VERBS {
         for (what, realm) in realms {
@@ -69,41 +58,24 @@ fn refused() -> Vec<Case> {
         ("wildcards", "**"),
     ];
     let refuse = |(what, verb): (&str, &str)| {
-        case(
-            format!("refused/{what}"),
-            &["NCP-STRICT-006"],
-            Some("lab"),
-            verb,
-        )
-        .title(format!(
-            "There is no strict control key of {}, which is no kind of a request.",
-            Json::string(verb).text()
-        ))
-        .rejects("key")
-        .because("A strict key builder refuses anything but the four kinds of requests.")
+        case(format!("refused/{what}"), &["NCP-STRICT-006"], Some("lab"), verb)
+            .title(format!(
+                "There is no strict control key of {}, which is no kind of a request.",
+                Json::string(verb).text()
+            ))
+            .rejects("key")
+            .because("A strict key builder refuses anything but the four kinds of requests.")
     };
     others.into_iter().map(refuse).collect()
 }
 
 fn realms() -> Vec<Case> {
-    let broken = [
-        ("empty-segment", "a//b"),
-        ("space", "a b"),
-        ("wildcard", "a/*"),
-        ("hidden", "@a"),
-    ];
+    let broken = [("empty-segment", "a//b"), ("space", "a b"), ("wildcard", "a/*"), ("hidden", "@a")];
     let refuse = |(what, realm): (&str, &str)| {
-        case(
-            format!("realm/{what}"),
-            &["NCP-STRICT-001", "NCP-KEY-018"],
-            Some(realm),
-            "step_request",
-        )
-        .title(format!(
-            "The strict control key in the realm `{realm}` is refused."
-        ))
-        .rejects("key")
-        .because("All other rules stay: the realm is checked segment by segment.")
+        case(format!("realm/{what}"), &["NCP-STRICT-001", "NCP-KEY-018"], Some(realm), "step_request")
+            .title(format!("The strict control key in the realm `{realm}` is refused."))
+            .rejects("key")
+            .because("All other rules stay: the realm is checked segment by segment.")
     };
     broken.into_iter().map(refuse).collect()
 }

@@ -10,23 +10,12 @@ use crate::case::{Case, File};
 use crate::json::Json;
 
 pub(crate) fn files() -> Vec<File> {
-    vec![
-        keys::file(),
-        frames::file(),
-        replies::file(),
-        plant::file(),
-        server::file(),
-    ]
+    vec![keys::file(), frames::file(), replies::file(), plant::file(), server::file()]
 }
 
 /// Versions with which one's own, 0.5, is not compatible, by name and spelling.
-const INCOMPATIBLE: [(&str, &str); 5] = [
-    ("older", "0.4"),
-    ("newer", "0.6"),
-    ("major", "1.0"),
-    ("three-parts", "0.5.0"),
-    ("malformed", "latest"),
-];
+const INCOMPATIBLE: [(&str, &str); 5] =
+    [("older", "0.4"), ("newer", "0.6"), ("major", "1.0"), ("three-parts", "0.5.0"), ("malformed", "latest")];
 
 /// Why a strict receiver rejects a frame for its version: it is absent, or one of [`INCOMPATIBLE`].
 fn unfit_versions() -> Vec<(&'static str, Option<&'static str>)> {
@@ -36,11 +25,7 @@ fn unfit_versions() -> Vec<(&'static str, Option<&'static str>)> {
 
 /// The rule by which it does.
 const fn against_version(version: Option<&str>) -> &'static str {
-    if version.is_some() {
-        "NCP-STRICT-003"
-    } else {
-        "NCP-STRICT-002"
-    }
+    if version.is_some() { "NCP-STRICT-003" } else { "NCP-STRICT-002" }
 }
 
 impl Case {

@@ -36,12 +36,7 @@ const OWN: Option<&str> = Some("0.5");
 const TTL_MS: f64 = 250.0;
 
 const fn sent(mode: Option<&'static str>, seq: Option<i64>) -> Sent {
-    Sent {
-        version: OWN,
-        seq,
-        mode,
-        repeats: None,
-    }
+    Sent { version: OWN, seq, mode, repeats: None }
 }
 
 const fn go(seq: i64) -> Sent {
@@ -62,10 +57,7 @@ impl Sent {
 
     /// What it commands: its seq, so that commands can be told apart.
     fn value(&self) -> f64 {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "a value is only to be told from others"
-        )]
+        #[expect(clippy::cast_precision_loss, reason = "a value is only to be told from others")]
         let value = self.repeats.or(self.seq).unwrap_or(99) as f64;
         value
     }
@@ -130,9 +122,7 @@ impl Plant {
 
     fn ask(&self, now: f64) -> Json {
         match self.held {
-            Some((value, since)) if !self.latched && (now - since) * 1000.0 <= TTL_MS => {
-                channels(value)
-            }
+            Some((value, since)) if !self.latched && (now - since) * 1000.0 <= TTL_MS => channels(value),
             _ => Json::Null,
         }
     }
@@ -152,10 +142,7 @@ fn case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Ca
                 plant.latched = true;
                 (arrives(text.clone(), *now), no_result())
             }
-            Ask(now) => (
-                object! { "op" => "active", "now_s" => num(*now) },
-                object! { "channels" => plant.ask(*now) },
-            ),
+            Ask(now) => (object! { "op" => "active", "now_s" => num(*now) }, object! { "channels" => plant.ask(*now) }),
             Reset => {
                 plant = Plant::default();
                 (object! { "op" => "reset" }, no_result())
@@ -191,26 +178,13 @@ const NOT_ADVANCING: [(&str, Option<i64>); 6] = [
 
 /// By which rule a strict plant does not take a command of this seq.
 fn rule_against(seq: Option<i64>) -> &'static str {
-    if seq.unwrap_or(0) < 1 {
-        "NCP-STRICT-004"
-    } else {
-        "NCP-STRICT-005"
-    }
+    if seq.unwrap_or(0) < 1 { "NCP-STRICT-004" } else { "NCP-STRICT-005" }
 }
 
 /// That the plant follows seq 5 of time 1 to its ttl and no longer, whatever came at 1.125; then the next
 /// command is followed.
 fn unchanged_by(what: Event) -> Vec<Event> {
-    vec![
-        Command(go(5), 1.0),
-        Ask(1.0625),
-        what,
-        Ask(1.125),
-        Ask(1.25),
-        Ask(1.3125),
-        Command(go(6), 1.375),
-        Ask(1.375),
-    ]
+    vec![Command(go(5), 1.0), Ask(1.0625), what, Ask(1.125), Ask(1.25), Ask(1.3125), Command(go(6), 1.375), Ask(1.375)]
 }
 
 fn followed() -> Vec<Case> {
@@ -241,26 +215,18 @@ fn followed() -> Vec<Case> {
 fn first() -> Vec<Case> {
     let mut cases = Vec::new();
     for (what, seq) in [("zero", Some(0)), ("minus-one", Some(-1)), ("absent", None)] {
-        let events = [
-            Command(sent(Some("active"), seq), 1.0),
-            Ask(1.0),
-            Command(go(1), 1.125),
-            Ask(1.125),
-        ];
+        let events = [Command(sent(Some("active"), seq), 1.0), Ask(1.0), Command(go(1), 1.125), Ask(1.125)];
         cases.push(
             case(format!("first/seq-{what}"), &["NCP-STRICT-004", "NCP-STRICT-011"], &events)
-                .title(format!("A strict plant does not follow a first command whose seq is {what}, and follows seq 1 then."))
+                .title(format!(
+                    "A strict plant does not follow a first command whose seq is {what}, and follows seq 1 then."
+                ))
                 .flags(&["L08"])
                 .because("A command frame whose seq is less than 1 is rejected, and leaves the buffer as it was."),
         );
     }
     for (what, version) in unfit_versions() {
-        let events = [
-            Command(go(1).of_version(version), 1.0),
-            Ask(1.0),
-            Command(go(1), 1.125),
-            Ask(1.125),
-        ];
+        let events = [Command(go(1).of_version(version), 1.0), Ask(1.0), Command(go(1), 1.125), Ask(1.125)];
         cases.push(
             case(format!("first/version-{what}"), &[against_version(version), "NCP-STRICT-011"], &events)
                 .title(format!("A strict plant does not follow a first command whose version is {what}, and follows the same seq with one."))
@@ -291,13 +257,8 @@ fn dropped() -> Vec<Case> {
 /// What is left of a buffer by a command that says what the one before said, so that only what it takes away shows.
 fn kept() -> Vec<Case> {
     let kept_from = |path: String, rule: &'static str, says: String, frame: Sent, flag| {
-        let events = [
-            Command(go(5), 1.0),
-            Command(frame.repeating(5), 1.0625),
-            Ask(1.125),
-            Command(go(6), 1.1875),
-            Ask(1.1875),
-        ];
+        let events =
+            [Command(go(5), 1.0), Command(frame.repeating(5), 1.0625), Ask(1.125), Command(go(6), 1.1875), Ask(1.1875)];
         case(path, &["NCP-STRICT-011", rule], &events)
             .title(format!("A strict plant goes on with seq 5, and then with seq 6, after a command {says}."))
             .flags(&[flag])
@@ -364,7 +325,9 @@ fn holds() -> Vec<Case> {
                     Ask(1.1875),
                 ],
             )
-            .title(format!("A HOLD (mode {name}) that advances holds a strict plant, and only a newer command leads back."))
+            .title(format!(
+                "A HOLD (mode {name}) that advances holds a strict plant, and only a newer command leads back."
+            ))
             .flags(&["L08", "lost-hold"])
             .because("It advances, and an obeyed HOLD counts: the command of the same seq does not advance then."),
         );
@@ -400,9 +363,7 @@ fn holds() -> Vec<Case> {
                     Ask(1.3125),
                 ],
             )
-            .title(format!(
-                "A HOLD (mode {name}) that is replayed does not hold a strict plant again."
-            ))
+            .title(format!("A HOLD (mode {name}) that is replayed does not hold a strict plant again."))
             .flags(&["L08"])
             .because("The replay does not advance, so it is dropped."),
         );
@@ -413,11 +374,8 @@ fn holds() -> Vec<Case> {
 /// An ESTOP is never lost.
 fn stops() -> Vec<Case> {
     let estop = |seq| sent(Some("estop"), seq);
-    let mut ways: Vec<(String, Sent, &[&'static str])> = vec![(
-        "advancing".to_owned(),
-        estop(Some(6)),
-        &["L08", "lost-estop"],
-    )];
+    let mut ways: Vec<(String, Sent, &[&'static str])> =
+        vec![("advancing".to_owned(), estop(Some(6)), &["L08", "lost-estop"])];
     for (what, seq) in NOT_ADVANCING {
         ways.push((format!("seq-{what}"), estop(seq), &["L08", "lost-estop"]));
     }
@@ -447,9 +405,7 @@ fn stops() -> Vec<Case> {
                     Ask(1.1875),
                 ],
             )
-            .title(format!(
-                "An ESTOP ({what}) stops a strict plant until its reset."
-            ))
+            .title(format!("An ESTOP ({what}) stops a strict plant until its reset."))
             .flags(flags)
             .because(why),
         );
@@ -457,17 +413,9 @@ fn stops() -> Vec<Case> {
             case(
                 format!("estop-first/{what}"),
                 &["NCP-STRICT-010"],
-                &[
-                    Command(stop, 1.0),
-                    Command(go(7), 1.0625),
-                    Ask(1.0625),
-                    Command(go(8), 1.125),
-                    Ask(1.125),
-                ],
+                &[Command(stop, 1.0), Command(go(7), 1.0625), Ask(1.0625), Command(go(8), 1.125), Ask(1.125)],
             )
-            .title(format!(
-                "An ESTOP ({what}) before any command stops a strict plant."
-            ))
+            .title(format!("An ESTOP ({what}) before any command stops a strict plant."))
             .flags(flags)
             .because(why),
         );
@@ -479,26 +427,11 @@ fn stops() -> Vec<Case> {
 fn broken_stops() -> Vec<Case> {
     let texts = [
         ("bare", r#"{"kind":"command_frame","mode":"estop"}"#),
-        (
-            "repeated-mode",
-            r#"{"kind":"command_frame","mode":"estop","mode":"active"}"#,
-        ),
-        (
-            "wrong-version-type",
-            r#"{"ncp_version":5,"kind":"command_frame","mode":"estop"}"#,
-        ),
-        (
-            "null-version",
-            r#"{"ncp_version":null,"kind":"command_frame","seq":6,"mode":"estop"}"#,
-        ),
-        (
-            "wrong-seq-type",
-            r#"{"ncp_version":"0.5","kind":"command_frame","seq":"6","mode":"estop"}"#,
-        ),
-        (
-            "fraction-of-a-seq",
-            r#"{"ncp_version":"0.4","kind":"command_frame","seq":0.5,"mode":"estop"}"#,
-        ),
+        ("repeated-mode", r#"{"kind":"command_frame","mode":"estop","mode":"active"}"#),
+        ("wrong-version-type", r#"{"ncp_version":5,"kind":"command_frame","mode":"estop"}"#),
+        ("null-version", r#"{"ncp_version":null,"kind":"command_frame","seq":6,"mode":"estop"}"#),
+        ("wrong-seq-type", r#"{"ncp_version":"0.5","kind":"command_frame","seq":"6","mode":"estop"}"#),
+        ("fraction-of-a-seq", r#"{"ncp_version":"0.4","kind":"command_frame","seq":0.5,"mode":"estop"}"#),
     ];
     texts
         .map(|(what, text)| {
@@ -522,14 +455,7 @@ fn resets() -> Vec<Case> {
         case(
             "reset/begins-again",
             &["NCP-STRICT-012", "NCP-RES-030"],
-            &[
-                Command(go(50), 1.0),
-                Ask(1.0),
-                Reset,
-                Ask(1.0),
-                Command(go(1), 1.0625),
-                Ask(1.0625),
-            ],
+            &[Command(go(50), 1.0), Ask(1.0), Reset, Ask(1.0), Command(go(1), 1.0625), Ask(1.0625)],
         )
         .title("A strict plant follows a stream that begins again at 1 after a reset.")
         .flags(&["over-strict"])
@@ -562,16 +488,10 @@ fn resets() -> Vec<Case> {
             Ask(1.125),
         ];
         cases.push(
-            case(
-                format!("reset/seq-{what}"),
-                &["NCP-STRICT-004", "NCP-STRICT-011"],
-                &events,
-            )
-            .title(format!(
-                "A strict plant does not follow a command whose seq is {what} after a reset either."
-            ))
-            .flags(&["L08"])
-            .because("A command frame whose seq is less than 1 is rejected."),
+            case(format!("reset/seq-{what}"), &["NCP-STRICT-004", "NCP-STRICT-011"], &events)
+                .title(format!("A strict plant does not follow a command whose seq is {what} after a reset either."))
+                .flags(&["L08"])
+                .because("A command frame whose seq is less than 1 is rejected."),
         );
     }
     cases
@@ -580,33 +500,13 @@ fn resets() -> Vec<Case> {
 /// Longer streams: replayed, reordered, unstamped.
 fn streams() -> Vec<Case> {
     let streams: [(&str, &[i64], &str); 7] = [
-        (
-            "duplicated",
-            &[1, 1, 2, 2, 3, 3],
-            "in which every frame comes twice",
-        ),
-        (
-            "reordered",
-            &[2, 1, 4, 3, 6, 5],
-            "in which pairs are exchanged",
-        ),
-        (
-            "replayed",
-            &[1, 2, 3, 1, 2, 3, 4],
-            "that is replayed from its beginning",
-        ),
+        ("duplicated", &[1, 1, 2, 2, 3, 3], "in which every frame comes twice"),
+        ("reordered", &[2, 1, 4, 3, 6, 5], "in which pairs are exchanged"),
+        ("replayed", &[1, 2, 3, 1, 2, 3, 4], "that is replayed from its beginning"),
         ("unstamped", &[0, 0, 0, 0], "without a single stamp"),
-        (
-            "unstamped-between",
-            &[1, 0, 2, 0, 3, 0],
-            "with unstamped frames between",
-        ),
+        ("unstamped-between", &[1, 0, 2, 0, 3, 0], "with unstamped frames between"),
         ("falling", &[5, 4, 3, 2, 1, 0, -1], "whose seq falls"),
-        (
-            "begins-again",
-            &[7, 8, 9, 1, 2, 3],
-            "whose sender begins again without a reset",
-        ),
+        ("begins-again", &[7, 8, 9, 1, 2, 3], "whose sender begins again without a reset"),
     ];
     streams
         .into_iter()

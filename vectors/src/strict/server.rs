@@ -12,7 +12,8 @@ pub(super) fn file() -> File {
     cases.extend(openings());
     cases.extend(unversioned());
     cases.extend(doors());
-    let about = "A strict server: requests without a compatible version, and requests at the control key of another kind.";
+    let about =
+        "A strict server: requests without a compatible version, and requests at the control key of another kind.";
     File::new("strict", "server", about, cases)
 }
 
@@ -43,9 +44,7 @@ fn request(kind: &str) -> Exchange {
 /// The request without its version, or with another.
 fn with_version(request: &str, version: Option<&str>) -> String {
     let own = r#""ncp_version":"0.5","#;
-    let other = version.map_or(String::new(), |version| {
-        format!("\"ncp_version\":\"{version}\",")
-    });
+    let other = version.map_or(String::new(), |version| format!("\"ncp_version\":\"{version}\","));
     request.replacen(own, &other, 1)
 }
 
@@ -58,21 +57,11 @@ fn at(case: Case, verbs: &[&str]) -> Case {
 }
 
 fn lives() -> Vec<Case> {
-    let life = vec![
-        open(),
-        step_after(0.0),
-        (run(ID, 20.0), observed(ID, 30.0)),
-        (close(ID), closed(ID)),
-    ];
+    let life = vec![open(), step_after(0.0), (run(ID, 20.0), observed(ID, 30.0)), (close(ID), closed(ID))];
     let mut with_stimulus = Open::rate(ID);
     with_stimulus.stimuli = vec![crate::session::stimulus("drive", "rate_inject")];
-    let stimulated = vec![
-        (with_stimulus.text(), opened(ID)),
-        (
-            step(ID, Some(10.0), Some(("drive", 1.0))),
-            observed(ID, 10.0),
-        ),
-    ];
+    let stimulated =
+        vec![(with_stimulus.text(), opened(ID)), (step(ID, Some(10.0), Some(("drive", 1.0))), observed(ID, 10.0))];
     vec![
         case("life/plain".into(), &["NCP-STRICT-012"], life.clone())
             .strictly()
@@ -106,17 +95,13 @@ fn openings() -> Vec<Case> {
             open(),
             step_after(0.0),
         ];
-        case(
-            format!("open/{what}"),
-            &["NCP-STRICT-008", against_version(version)],
-            trace,
-        )
-        .strictly()
-        .title(format!(
-            "A strict server does not open a session for a request whose version is {what}."
-        ))
-        .flags(&["L07"])
-        .because("It answers `session_opened` with `ok` false, or an error frame if it is malformed, and opens nothing.")
+        case(format!("open/{what}"), &["NCP-STRICT-008", against_version(version)], trace)
+            .strictly()
+            .title(format!("A strict server does not open a session for a request whose version is {what}."))
+            .flags(&["L07"])
+            .because(
+                "It answers `session_opened` with `ok` false, or an error frame if it is malformed, and opens nothing.",
+            )
     };
     unfit_versions().into_iter().map(open_with).collect()
 }
@@ -133,17 +118,11 @@ fn unversioned() -> Vec<Case> {
                 (text, answer),
             ];
             cases.push(
-                case(
-                    format!("{kind}/{what}"),
-                    &["NCP-STRICT-009", against_version(version)],
-                    trace,
-                )
-                .strictly()
-                .title(format!(
-                    "A strict server does not carry out a `{kind}` whose version is {what}."
-                ))
-                .flags(&["L07"])
-                .because("It answers with an error frame, and does not carry it out."),
+                case(format!("{kind}/{what}"), &["NCP-STRICT-009", against_version(version)], trace)
+                    .strictly()
+                    .title(format!("A strict server does not carry out a `{kind}` whose version is {what}."))
+                    .flags(&["L07"])
+                    .because("It answers with an error frame, and does not carry it out."),
             );
         }
     }

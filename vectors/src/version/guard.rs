@@ -5,30 +5,19 @@ use crate::json::object;
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
-    for Version {
-        name,
-        text,
-        rules,
-        is,
-    } in VERSIONS
-    {
+    for Version { name, text, rules, is } in VERSIONS {
         for strict in [true, false] {
             let how = if strict { "strict" } else { "lenient" };
             let mut rules = rules.to_vec();
             let (answer, why) = match (is, strict) {
                 (Is::Compatible, _) => ("true", "The version is one's own, by value."),
-                (Is::Other, false) => (
-                    "false",
-                    "A well-formed version that is not compatible is `false`, not an error.",
-                ),
-                (Is::Other, true) => (
-                    "an error",
-                    "A strict guard answers what is not compatible with an error.",
-                ),
-                (Is::Malformed, _) => (
-                    "an error",
-                    "It is not one or two unsigned integers of ASCII digits with one dot between.",
-                ),
+                (Is::Other, false) => {
+                    ("false", "A well-formed version that is not compatible is `false`, not an error.")
+                }
+                (Is::Other, true) => ("an error", "A strict guard answers what is not compatible with an error."),
+                (Is::Malformed, _) => {
+                    ("an error", "It is not one or two unsigned integers of ASCII digits with one dot between.")
+                }
             };
             // A guard that does not compare by value may answer large numbers with an error, which
             // is what a strict one has to do anyway: only there the binding rule decides.
@@ -50,11 +39,7 @@ pub(super) fn file() -> File {
                     (Is::Malformed, _) => {}
                 }
             }
-            let verb = if rules.first() == Some(&"NCP-VER-009") {
-                "should answer"
-            } else {
-                "answers"
-            };
+            let verb = if rules.first() == Some(&"NCP-VER-009") { "should answer" } else { "answers" };
             let case = Case::new(format!("{how}/{name}"), &rules, &Role::ALL)
                 .title(format!(
                     "A {how} version guard {verb} {} with {answer}.",
@@ -65,10 +50,7 @@ pub(super) fn file() -> File {
                     _ if advisory => "version-overflow",
                     _ => "version-arithmetic",
                 }])
-                .call(
-                    "version.check",
-                    object! { "version" => *text, "strict" => strict },
-                )
+                .call("version.check", object! { "version" => *text, "strict" => strict })
                 .because(why);
             cases.push(match answer {
                 "an error" => case.rejects("version"),
@@ -95,30 +77,15 @@ enum Is {
 }
 
 const fn other(name: &'static str, text: &'static str, rules: &'static [&'static str]) -> Version {
-    Version {
-        name,
-        text,
-        rules,
-        is: Is::Other,
-    }
+    Version { name, text, rules, is: Is::Other }
 }
 
 const fn malformed(name: &'static str, text: &'static str) -> Version {
-    Version {
-        name,
-        text,
-        rules: &["NCP-VER-001"],
-        is: Is::Malformed,
-    }
+    Version { name, text, rules: &["NCP-VER-001"], is: Is::Malformed }
 }
 
 const VERSIONS: &[Version] = &[
-    Version {
-        name: "own",
-        text: "0.5",
-        rules: &["NCP-VER-003", "NCP-VER-021"],
-        is: Is::Compatible,
-    },
+    Version { name: "own", text: "0.5", rules: &["NCP-VER-003", "NCP-VER-021"], is: Is::Compatible },
     other("older-minor", "0.4", &["NCP-VER-003"]),
     other("newer-minor", "0.6", &["NCP-VER-003"]),
     other("minor-of-two-digits", "0.50", &["NCP-VER-003"]),
@@ -132,64 +99,17 @@ const VERSIONS: &[Version] = &[
     other("no-minor", "0", &["NCP-VER-002", "NCP-VER-003"]),
     other("no-minor-next-major", "1", &["NCP-VER-002", "NCP-VER-004"]),
     other("no-minor-five", "5", &["NCP-VER-002", "NCP-VER-004"]),
-    other(
-        "large",
-        "4294967295.4294967295",
-        &["NCP-VER-009", "NCP-VER-004"],
-    ),
-    Version {
-        name: "leading-zero-minor",
-        text: "0.05",
-        rules: &["NCP-VER-009"],
-        is: Is::Compatible,
-    },
-    Version {
-        name: "leading-zeros",
-        text: "000.0005",
-        rules: &["NCP-VER-009"],
-        is: Is::Compatible,
-    },
-    Version {
-        name: "leading-zero-major",
-        text: "00.5",
-        rules: &["NCP-VER-009"],
-        is: Is::Compatible,
-    },
-    other(
-        "minor-wraps-at-2-to-8",
-        "0.261",
-        &["NCP-VER-009", "NCP-VER-003"],
-    ),
-    other(
-        "minor-wraps-at-2-to-16",
-        "0.65541",
-        &["NCP-VER-009", "NCP-VER-003"],
-    ),
-    other(
-        "minor-wraps-at-2-to-32",
-        "0.4294967301",
-        &["NCP-VER-009", "NCP-VER-003"],
-    ),
-    other(
-        "minor-wraps-at-2-to-64",
-        "0.18446744073709551621",
-        &["NCP-VER-009", "NCP-VER-003"],
-    ),
-    other(
-        "major-wraps-at-2-to-32",
-        "4294967296.5",
-        &["NCP-VER-009", "NCP-VER-004"],
-    ),
-    other(
-        "major-wraps-at-2-to-64",
-        "18446744073709551616.5",
-        &["NCP-VER-009", "NCP-VER-004"],
-    ),
-    other(
-        "minor-rounds-as-a-double",
-        "0.5000000000000000000000000000000000000001",
-        &["NCP-VER-009", "NCP-VER-003"],
-    ),
+    other("large", "4294967295.4294967295", &["NCP-VER-009", "NCP-VER-004"]),
+    Version { name: "leading-zero-minor", text: "0.05", rules: &["NCP-VER-009"], is: Is::Compatible },
+    Version { name: "leading-zeros", text: "000.0005", rules: &["NCP-VER-009"], is: Is::Compatible },
+    Version { name: "leading-zero-major", text: "00.5", rules: &["NCP-VER-009"], is: Is::Compatible },
+    other("minor-wraps-at-2-to-8", "0.261", &["NCP-VER-009", "NCP-VER-003"]),
+    other("minor-wraps-at-2-to-16", "0.65541", &["NCP-VER-009", "NCP-VER-003"]),
+    other("minor-wraps-at-2-to-32", "0.4294967301", &["NCP-VER-009", "NCP-VER-003"]),
+    other("minor-wraps-at-2-to-64", "0.18446744073709551621", &["NCP-VER-009", "NCP-VER-003"]),
+    other("major-wraps-at-2-to-32", "4294967296.5", &["NCP-VER-009", "NCP-VER-004"]),
+    other("major-wraps-at-2-to-64", "18446744073709551616.5", &["NCP-VER-009", "NCP-VER-004"]),
+    other("minor-rounds-as-a-double", "0.5000000000000000000000000000000000000001", &["NCP-VER-009", "NCP-VER-003"]),
     malformed("empty", ""),
     malformed("dot", "."),
     malformed("empty-minor", "0."),

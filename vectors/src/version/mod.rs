@@ -6,9 +6,5 @@ mod guard;
 use crate::case::File;
 
 pub(crate) fn files() -> Vec<File> {
-    vec![
-        guard::file(),
-        contract::status_file(),
-        contract::negotiate_file(),
-    ]
+    vec![guard::file(), contract::status_file(), contract::negotiate_file()]
 }

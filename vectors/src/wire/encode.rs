@@ -11,18 +11,11 @@ use crate::text::{Default, Message, Shape, Unknown, tables};
 
 /// A file a kind.
 pub(super) fn files() -> Vec<File> {
-    let kinds = tables()
-        .messages
-        .iter()
-        .filter_map(|message| Some((message.kind.as_deref()?, message)));
+    let kinds = tables().messages.iter().filter_map(|message| Some((message.kind.as_deref()?, message)));
     kinds
         .map(|(kind, message)| {
             let encoder = Encoder { kind, message };
-            let cases = if kind == "error" {
-                error_frames()
-            } else {
-                encoder.cases()
-            };
+            let cases = if kind == "error" { error_frames() } else { encoder.cases() };
             let about = format!("What an encoder writes for {}.", a(kind).to_lowercase());
             File::new("wire", format!("encode_{kind}"), about, cases)
         })
@@ -57,32 +50,40 @@ impl Encoder {
         if explicit_fields != required {
             cases.push(
                 self.writes("explicit", &rules(&["NCP-WIRE-081"]), &explicit_fields)
-                    .title(format!(
-                        "{} whose fields are set to their defaults has every one of them.",
-                        a(self.kind)
-                    ))
+                    .title(format!("{} whose fields are set to their defaults has every one of them.", a(self.kind)))
                     .flags(&["omitted-fields"])
                     .because("Every field of the table is written, also one that has its default."),
             );
         }
         cases.push(
             self.writes("defaults", &rules(&["NCP-WIRE-090", "NCP-WIRE-081"]), &required)
-                .title(format!("{} that a program builds from what it must name has every other field, at its default.", a(self.kind)))
+                .title(format!(
+                    "{} that a program builds from what it must name has every other field, at its default.",
+                    a(self.kind)
+                ))
                 .flags(&["omitted-fields"])
                 .because("Every field of the table is written, in its order, an unset optional one as null."),
         );
         cases.push(
             self.says("default-values", &["NCP-WIRE-090"], &required)
-                .title(format!("{} that a program builds from what it must name means the defaults in every other field.", a(self.kind)))
+                .title(format!(
+                    "{} that a program builds from what it must name means the defaults in every other field.",
+                    a(self.kind)
+                ))
                 .flags(&["wrong-defaults"])
                 .because("What a program does not name has the default of the table."),
         );
         let all = self.fields(full(self.kind));
         cases.push(
             self.writes("everything", &["NCP-WIRE-080", "NCP-WIRE-081"], &reversed(all.clone()))
-                .title(format!("{} whose fields are all set, from the last to the first, is written in the order of the table.", a(self.kind)))
+                .title(format!(
+                    "{} whose fields are all set, from the last to the first, is written in the order of the table.",
+                    a(self.kind)
+                ))
                 .flags(&["field-order"])
-                .because("The order is the table's, at every level, and not the one in which a program sets the fields."),
+                .because(
+                    "The order is the table's, at every level, and not the one in which a program sets the fields.",
+                ),
         );
         // A null `contract_hash` may be read as one that was not named, so it stays set.
         let unset = without_optional(self.message, all.clone(), true);
@@ -136,7 +137,10 @@ impl Encoder {
             let expected = meaning(self.kind, &named);
             cases.push(
                 self.case("contract-hash", &["NCP-WIRE-089", "NCP-VER-020"])
-                    .title(format!("{} that a program builds without naming a contract hash has that of its build.", a(self.kind)))
+                    .title(format!(
+                        "{} that a program builds without naming a contract hash has that of its build.",
+                        a(self.kind)
+                    ))
                     .flags(&["program-defaults"])
                     .encode(self.kind, fields)
                     .means(expected.text())
@@ -157,15 +161,8 @@ impl Encoder {
         // What is judged by its value stands among written-out defaults, so that the case does not
         // depend on what a peer fills in. What is judged by its spelling stands in a full message,
         // so that it does not depend on how a peer writes what is unset.
-        let among_defaults = |value: Json| {
-            self.fields(put(
-                self.message,
-                explicit(self.kind),
-                &leaf.path,
-                value,
-                Ground::Explicit,
-            ))
-        };
+        let among_defaults =
+            |value: Json| self.fields(put(self.message, explicit(self.kind), &leaf.path, value, Ground::Explicit));
         let in_full = |value: Json| {
             let path: Vec<&str> = leaf.path.iter().map(String::as_str).collect();
             self.fields(full(self.kind)).edit(&path, |_| value)
@@ -176,17 +173,10 @@ impl Encoder {
         let mut cases = Vec::new();
         match &leaf.shape {
             Shape::Number => {
-                for (what, value) in [
-                    ("nan", "NaN"),
-                    ("infinity", "Infinity"),
-                    ("minus-infinity", "-Infinity"),
-                ] {
+                for (what, value) in [("nan", "NaN"), ("infinity", "Infinity"), ("minus-infinity", "-Infinity")] {
                     cases.push(
                         Case::new(format!("{name}/{what}"), &["NCP-WIRE-086"], roles)
-                            .title(format!(
-                                "{} whose `{shown}` is {value} is refused.",
-                                a(self.kind)
-                            ))
+                            .title(format!("{} whose `{shown}` is {value} is refused.", a(self.kind)))
                             .flags(&["non-finite-numbers"])
                             .encode(self.kind, among_defaults(Json::string(value)))
                             .rejects("non_finite")
@@ -195,62 +185,36 @@ impl Encoder {
                 }
                 for (what, literal) in leaf.doubles() {
                     // "-0" is how the peer protocol names the negative zero.
-                    let value = if *literal == "-0.0" {
-                        Json::string("-0")
-                    } else {
-                        Json::literal(*literal)
-                    };
+                    let value = if *literal == "-0.0" { Json::string("-0") } else { Json::literal(*literal) };
                     let expected = meaning(self.kind, &among_defaults(Json::literal(*literal)));
                     cases.push(
-                        Case::new(
-                            format!("{name}/{what}"),
-                            &["NCP-WIRE-084", "NCP-WIRE-015"],
-                            roles,
-                        )
-                        .title(format!(
-                            "{} whose `{shown}` is {literal} is written so that it reads back.",
-                            a(self.kind)
-                        ))
-                        .flags(&["lossy-doubles"])
-                        .encode(self.kind, among_defaults(value))
-                        .means(expected.text())
-                        .because(
-                            "Whatever the digits, the nearest double of them has the same bits.",
-                        ),
+                        Case::new(format!("{name}/{what}"), &["NCP-WIRE-084", "NCP-WIRE-015"], roles)
+                            .title(format!(
+                                "{} whose `{shown}` is {literal} is written so that it reads back.",
+                                a(self.kind)
+                            ))
+                            .flags(&["lossy-doubles"])
+                            .encode(self.kind, among_defaults(value))
+                            .means(expected.text())
+                            .because("Whatever the digits, the nearest double of them has the same bits."),
                     );
                 }
             }
             Shape::Integer => {
-                for (what, literal) in [
-                    ("largest", "9007199254740991"),
-                    ("smallest", "-9007199254740991"),
-                    ("zero", "0"),
-                ] {
+                for (what, literal) in
+                    [("largest", "9007199254740991"), ("smallest", "-9007199254740991"), ("zero", "0")]
+                {
                     cases.push(
-                        self.at(
-                            &name,
-                            what,
-                            &["NCP-WIRE-085"],
-                            &in_full(Json::literal(literal)),
-                        )
-                        .title(format!(
-                            "{} whose `{shown}` is {literal} has it as a plain integer.",
-                            a(self.kind)
-                        ))
-                        .flags(&["integer-spelling"])
-                        .because("No string, no fraction, no exponent, and no digit lost."),
+                        self.at(&name, what, &["NCP-WIRE-085"], &in_full(Json::literal(literal)))
+                            .title(format!("{} whose `{shown}` is {literal} has it as a plain integer.", a(self.kind)))
+                            .flags(&["integer-spelling"])
+                            .because("No string, no fraction, no exponent, and no digit lost."),
                     );
                 }
-                for (what, literal) in [
-                    ("two-to-53", "9007199254740992"),
-                    ("minus-two-to-53", "-9007199254740992"),
-                ] {
+                for (what, literal) in [("two-to-53", "9007199254740992"), ("minus-two-to-53", "-9007199254740992")] {
                     cases.push(
                         Case::new(format!("{name}/{what}"), &["NCP-WIRE-091"], roles)
-                            .title(format!(
-                                "{} whose `{shown}` is {literal} should be refused.",
-                                a(self.kind)
-                            ))
+                            .title(format!("{} whose `{shown}` is {literal} should be refused.", a(self.kind)))
                             .flags(&["integer-spelling"])
                             .encode(self.kind, in_full(Json::literal(literal)))
                             .rejects("value")
@@ -259,9 +223,7 @@ impl Encoder {
                 }
             }
             Shape::Enum(enumeration) => {
-                let strings = tables()
-                    .enumeration(enumeration)
-                    .map_or(&[][..], |known| &known.strings);
+                let strings = tables().enumeration(enumeration).map_or(&[][..], |known| &known.strings);
                 for string in strings {
                     let fields = among_defaults(Json::string(string));
                     // What a program gets without naming it is in the case of the defaults.
@@ -269,23 +231,14 @@ impl Encoder {
                         continue;
                     }
                     cases.push(
-                        self.says(
-                            &format!("{name}/{}", string.to_lowercase()),
-                            &["NCP-WIRE-087"],
-                            &fields,
-                        )
-                        .title(format!(
-                            "{} whose `{shown}` is `{string}` has that wire string.",
-                            a(self.kind)
-                        ))
-                        .flags(&["enum-constants"])
-                        .because(format!("`{string}` is a wire string of {enumeration}.")),
+                        self.says(&format!("{name}/{}", string.to_lowercase()), &["NCP-WIRE-087"], &fields)
+                            .title(format!("{} whose `{shown}` is `{string}` has that wire string.", a(self.kind)))
+                            .flags(&["enum-constants"])
+                            .because(format!("`{string}` is a wire string of {enumeration}.")),
                     );
                 }
                 // What a receiver would not keep, no sender may send: it refuses, or writes a mode that moves nothing.
-                let unknown = tables()
-                    .enumeration(enumeration)
-                    .map(|known| &known.unknown);
+                let unknown = tables().enumeration(enumeration).map(|known| &known.unknown);
                 let written = match unknown {
                     Some(Unknown::ReadsAs(other)) => vec![other.as_str()],
                     Some(Unknown::Rejected) => strings.iter().map(String::as_str).collect(),
@@ -294,13 +247,13 @@ impl Encoder {
                 if !written.is_empty() {
                     let any = object! { "$any" => written.into_iter().collect::<Json>() };
                     let path: Vec<&str> = leaf.path.iter().map(String::as_str).collect();
-                    let frame = path
-                        .iter()
-                        .rev()
-                        .fold(any, |inner, name| object! { *name => inner });
+                    let frame = path.iter().rev().fold(any, |inner, name| object! { *name => inner });
                     cases.push(
                         Case::new(format!("{name}/novel"), &["NCP-WIRE-087"], roles)
-                            .title(format!("{} whose `{shown}` is set to `novel_value` is refused, or written with a wire string.", a(self.kind)))
+                            .title(format!(
+                                "{} whose `{shown}` is set to `novel_value` is refused, or written with a wire string.",
+                                a(self.kind)
+                            ))
                             .flags(&["enum-constants"])
                             .encode(self.kind, among_defaults(Json::string("novel_value")))
                             .shows_or_refuses(object! { "text" => object! { "$json" => frame } })
@@ -309,17 +262,9 @@ impl Encoder {
                 }
             }
             Shape::Map(value) => {
-                let sample = leaf
-                    .sample
-                    .members()
-                    .first()
-                    .map(|(_, value)| value.clone())
-                    .unwrap_or(Json::Null);
+                let sample = leaf.sample.members().first().map(|(_, value)| value.clone()).unwrap_or(Json::Null);
                 for (what, keys, says) in ORDERS {
-                    let entries = keys
-                        .iter()
-                        .map(|key| ((*key).to_owned(), sample.clone()))
-                        .collect();
+                    let entries = keys.iter().map(|key| ((*key).to_owned(), sample.clone())).collect();
                     cases.push(
                         self.at(&name, &format!("order-of-{what}"), &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
                             .title(format!("{} has the entries of `{shown}` sorted by the code points of their keys: {says}.", a(self.kind)))
@@ -329,10 +274,18 @@ impl Encoder {
                 }
                 if matches!(**value, Shape::Message(_)) {
                     cases.push(
-                        self.at(&name, "defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &in_full(object! { "a" => Json::object() }))
-                            .title(format!("{} with an entry of `{shown}` of which nothing is set has every field of it.", a(self.kind)))
-                            .flags(&["omitted-fields"])
-                            .because("The rules for encoders hold at every level."),
+                        self.at(
+                            &name,
+                            "defaults-within",
+                            &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"],
+                            &in_full(object! { "a" => Json::object() }),
+                        )
+                        .title(format!(
+                            "{} with an entry of `{shown}` of which nothing is set has every field of it.",
+                            a(self.kind)
+                        ))
+                        .flags(&["omitted-fields"])
+                        .because("The rules for encoders hold at every level."),
                     );
                 }
             }
@@ -361,17 +314,19 @@ impl Encoder {
             }
             "observation_frame" => {
                 cases.push(
-                    self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &without_pins(self.fields(explicit(self.kind))))
-                        .title("An `observation_frame` that a program builds carries both pins, at their values.")
-                        .flags(&["unchecked-pins"])
-                        .because("Both pins stand on every `observation_frame`."),
+                    self.writes(
+                        "pins",
+                        &["NCP-PROV-007", "NCP-PROV-008"],
+                        &without_pins(self.fields(explicit(self.kind))),
+                    )
+                    .title("An `observation_frame` that a program builds carries both pins, at their values.")
+                    .flags(&["unchecked-pins"])
+                    .because("Both pins stand on every `observation_frame`."),
                 );
             }
             "session_opened" => {
                 let provenance = without_pins(explicit_message("SimProvenance"));
-                let fields = self
-                    .fields(explicit(self.kind))
-                    .with("provenance", provenance);
+                let fields = self.fields(explicit(self.kind)).with("provenance", provenance);
                 cases.push(
                     self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &fields)
                         .title("A `session_opened` with a provenance of which no pin is set carries both pins, at their values.")
@@ -382,18 +337,9 @@ impl Encoder {
             "open_session" => {
                 let fields = self
                     .with_program_defaults(self.fields(minimal(self.kind)))
-                    .with(
-                        "record",
-                        object! { "targets" => Json::Array(vec![Json::object()]) },
-                    )
-                    .with(
-                        "stimulus",
-                        object! { "targets" => Json::Array(vec![Json::object()]) },
-                    )
-                    .with(
-                        "bindings",
-                        Json::Array(vec![Json::object(), object! { "entity" => Json::object() }]),
-                    )
+                    .with("record", object! { "targets" => Json::Array(vec![Json::object()]) })
+                    .with("stimulus", object! { "targets" => Json::Array(vec![Json::object()]) })
+                    .with("bindings", Json::Array(vec![Json::object(), object! { "entity" => Json::object() }]))
                     .with("sim", Json::object());
                 cases.push(
                     self.writes("defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &fields)
@@ -421,24 +367,16 @@ impl Encoder {
 
     /// Session ids that no receiver would take.
     fn refused_ids(&self) -> Vec<Case> {
-        let is_required = self
-            .message
-            .field("session_id")
-            .is_some_and(|field| field.default == Default::Required);
+        let is_required = self.message.field("session_id").is_some_and(|field| field.default == Default::Required);
         if !is_required {
             return Vec::new();
         }
         [("empty", ""), ("slash", "a/b"), ("star", "*"), ("at", "@a")]
             .into_iter()
             .map(|(what, session)| {
-                let fields = self
-                    .fields(minimal(self.kind))
-                    .with("session_id", session.into());
+                let fields = self.fields(minimal(self.kind)).with("session_id", session.into());
                 self.case(&format!("session_id/{what}"), &["NCP-WIRE-091"])
-                    .title(format!(
-                        "{} of the session `{session}` should be refused.",
-                        a(self.kind)
-                    ))
+                    .title(format!("{} of the session `{session}` should be refused.", a(self.kind)))
                     .flags(&["unchecked-session-id"])
                     .encode(self.kind, fields)
                     .rejects("value")
@@ -452,16 +390,12 @@ impl Encoder {
     }
 
     fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
-        self.case(what, rules)
-            .encode(self.kind, fields.clone())
-            .writes(meaning(self.kind, fields).text())
+        self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text())
     }
 
     /// Judged by what it says, however it is spelled.
     fn says(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
-        self.case(what, rules)
-            .encode(self.kind, fields.clone())
-            .means(meaning(self.kind, fields).text())
+        self.case(what, rules).encode(self.kind, fields.clone()).means(meaning(self.kind, fields).text())
     }
 
     fn case(&self, what: &str, rules: &[&'static str]) -> Case {
@@ -472,14 +406,9 @@ impl Encoder {
     /// version left to the implementation.
     fn fields(&self, frame: Json) -> Json {
         let frame = frame.without("kind").without("ncp_version");
-        if self
-            .message
-            .field("stimulus")
-            .is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned()))
+        if self.message.field("stimulus").is_some_and(|field| field.shape == Shape::Message("StimulusFrame".to_owned()))
         {
-            return frame.edit(&["stimulus"], |stimulus| {
-                stimulus.without("kind").without("ncp_version")
-            });
+            return frame.edit(&["stimulus"], |stimulus| stimulus.without("kind").without("ncp_version"));
         }
         frame
     }
@@ -489,28 +418,17 @@ impl Encoder {
             Some(_) => fields.with("contract_hash", CONTRACT_HASH.into()),
             None => fields,
         };
-        if self.kind == "command_frame" {
-            fields.with("mode", "hold".into())
-        } else {
-            fields
-        }
+        if self.kind == "command_frame" { fields.with("mode", "hold".into()) } else { fields }
     }
 
     fn has_optional(&self) -> bool {
-        self.message
-            .fields
-            .iter()
-            .any(|field| field.optional && field.name != "contract_hash")
+        self.message.fields.iter().any(|field| field.optional && field.name != "contract_hash")
     }
 
     /// A string field whose value means nothing to the wire.
     fn free_string(&self) -> Option<&'static str> {
         const FREE: [&str; 5] = ["frame_id", "note", "backend", "controller_id", "error"];
-        self.message
-            .fields
-            .iter()
-            .map(|field| field.name.as_str())
-            .find(|name| FREE.contains(name))
+        self.message.fields.iter().map(|field| field.name.as_str()).find(|name| FREE.contains(name))
     }
 }
 
@@ -551,21 +469,13 @@ struct Leaf {
 impl Leaf {
     /// The part of a case's id.
     fn name(&self) -> String {
-        let parts = self
-            .path
-            .iter()
-            .map(String::as_str)
-            .filter(|part| !matches!(*part, "0" | "a"));
+        let parts = self.path.iter().map(String::as_str).filter(|part| !matches!(*part, "0" | "a"));
         parts.collect::<Vec<_>>().join("/")
     }
 
     /// Doubles to write: all of them within channel data, two elsewhere.
     fn doubles(&self) -> &'static [(&'static str, &'static str)] {
-        if self.path.iter().any(|part| part == "data") {
-            DOUBLES
-        } else {
-            &DOUBLES[..2]
-        }
+        if self.path.iter().any(|part| part == "data") { DOUBLES } else { &DOUBLES[..2] }
     }
 
     fn shown(&self) -> String {
@@ -590,12 +500,7 @@ fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
             continue;
         }
         path.push(field.name.clone());
-        collect_shape(
-            &field.shape,
-            &crate::model::sample(message, field),
-            path,
-            leaves,
-        );
+        collect_shape(&field.shape, &crate::model::sample(message, field), path, leaves);
         path.pop();
     }
 }
@@ -603,11 +508,7 @@ fn collect(message: &Message, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
 fn collect_shape(shape: &Shape, sample: &Json, path: &mut Vec<String>, leaves: &mut Vec<Leaf>) {
     match shape {
         Shape::Number | Shape::Integer | Shape::Enum(_) | Shape::Map(_) => {
-            leaves.push(Leaf {
-                path: path.clone(),
-                shape: shape.clone(),
-                sample: sample.clone(),
-            });
+            leaves.push(Leaf { path: path.clone(), shape: shape.clone(), sample: sample.clone() });
         }
         Shape::Message(name) => {
             if let Some(message) = tables().message(name) {
@@ -628,21 +529,15 @@ fn collect_shape(shape: &Shape, sample: &Json, path: &mut Vec<String>, leaves: &
 
 /// The message with its pins left out.
 fn without_pins(message: Json) -> Json {
-    message
-        .without("calibrated_posterior")
-        .without("is_simulation_output")
+    message.without("calibrated_posterior").without("is_simulation_output")
 }
 
 /// The members of an object from the last to the first, at every level.
 fn reversed(value: Json) -> Json {
     match value {
-        Json::Object(members) => Json::Object(
-            members
-                .into_iter()
-                .rev()
-                .map(|(name, value)| (name, reversed(value)))
-                .collect(),
-        ),
+        Json::Object(members) => {
+            Json::Object(members.into_iter().rev().map(|(name, value)| (name, reversed(value))).collect())
+        }
         Json::Array(items) => items.into_iter().map(reversed).collect(),
         scalar => scalar,
     }
@@ -654,9 +549,7 @@ fn without_optional(message: &Message, object: Json, is_frame: bool) -> Json {
         if field.optional && !(is_frame && field.name == "contract_hash") {
             return object.without(&field.name);
         }
-        object.edit(&[&field.name], |value| {
-            without_optional_in(&field.shape, value)
-        })
+        object.edit(&[&field.name], |value| without_optional_in(&field.shape, value))
     })
 }
 
@@ -666,14 +559,11 @@ fn without_optional_in(shape: &Shape, value: Json) -> Json {
             Some(message) => without_optional(message, value, false),
             None => value,
         },
-        (Shape::List(item), Json::Array(items)) => items
-            .into_iter()
-            .map(|value| without_optional_in(item, value))
-            .collect(),
+        (Shape::List(item), Json::Array(items)) => {
+            items.into_iter().map(|value| without_optional_in(item, value)).collect()
+        }
         (Shape::Map(inner), Json::Object(members)) => {
-            let members = members
-                .into_iter()
-                .map(|(key, value)| (key, without_optional_in(inner, value)));
+            let members = members.into_iter().map(|(key, value)| (key, without_optional_in(inner, value)));
             Json::Object(members.collect())
         }
         (_, value) => value,
@@ -694,16 +584,8 @@ const DOUBLES: &[(&str, &str)] = &[
 
 /// Keys of a map as a program inserts them, and what the case shows.
 const ORDERS: &[(&str, &[&str], &str)] = &[
-    (
-        "letters",
-        &["b", "a", "B", "_"],
-        "capitals before `_` before small letters",
-    ),
-    (
-        "astral",
-        &["\u{1f600}", "\u{ff5e}", "z"],
-        "U+FF5E before U+1F600",
-    ),
+    ("letters", &["b", "a", "B", "_"], "capitals before `_` before small letters"),
+    ("astral", &["\u{1f600}", "\u{ff5e}", "z"], "U+FF5E before U+1F600"),
     ("digits", &["9", "10", "1", "2"], "`10` before `2`"),
 ];
 
@@ -714,11 +596,7 @@ mod tests {
     #[test]
     fn a_command_frame_has_its_numbers_integers_enums_and_maps_probed() {
         let mut leaves = Vec::new();
-        collect(
-            tables().kind("command_frame").unwrap(),
-            &mut Vec::new(),
-            &mut leaves,
-        );
+        collect(tables().kind("command_frame").unwrap(), &mut Vec::new(), &mut leaves);
         let shown: Vec<_> = leaves.iter().map(Leaf::shown).collect();
         assert_eq!(
             shown,

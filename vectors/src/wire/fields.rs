@@ -15,25 +15,11 @@ pub(super) fn files() -> Vec<File> {
         let about = format!("The fields of `{kind}`, one by one.");
         File::new("wire", kind, about, cases_at(&place))
     });
-    let nested = tables()
-        .messages
-        .iter()
-        .filter(|message| message.kind.is_none())
-        .map(|message| {
-            let cases = Place::nested()
-                .into_iter()
-                .filter(|place| place.message == message && !place.is_twin());
-            let about = format!(
-                "The fields of `{}`, wherever it stands within a frame.",
-                message.name
-            );
-            File::new(
-                "wire",
-                snake(&message.name),
-                about,
-                cases.flat_map(|p| cases_at(&p)).collect(),
-            )
-        });
+    let nested = tables().messages.iter().filter(|message| message.kind.is_none()).map(|message| {
+        let cases = Place::nested().into_iter().filter(|place| place.message == message && !place.is_twin());
+        let about = format!("The fields of `{}`, wherever it stands within a frame.", message.name);
+        File::new("wire", snake(&message.name), about, cases.flat_map(|p| cases_at(&p)).collect())
+    });
     frames.chain(nested).collect()
 }
 
@@ -46,20 +32,15 @@ pub(super) fn cases_at(place: &Place) -> Vec<Case> {
         cases.push(whole(place, Ground::Minimal));
         // A message whose defaults are those of the frame around it says nothing that the frame
         // does not say by itself.
-        let around = Place::frames()
-            .chain(Place::nested())
-            .filter(|other| other.surrounds(place));
-        let adds = around
-            .into_iter()
-            .all(|other| explicit_at(&other) != explicit_at(place));
+        let around = Place::frames().chain(Place::nested()).filter(|other| other.surrounds(place));
+        let adds = around.into_iter().all(|other| explicit_at(&other) != explicit_at(place));
         if place.kind != "error" && adds {
             cases.push(whole(place, Ground::Explicit));
         }
     }
     for field in &place.message.fields {
         let probe = Probe { place, field };
-        let is_inherited =
-            in_request && matches!(field.name.as_str(), "ncp_version" | "kind" | "session_id");
+        let is_inherited = in_request && matches!(field.name.as_str(), "ncp_version" | "kind" | "session_id");
         if !is_pin(&field.name) && !is_inherited {
             cases.extend(probe.cases());
         }
@@ -115,9 +96,7 @@ fn whole(place: &Place, ground: Ground) -> Case {
         Ground::Explicit => (
             "explicit",
             "that writes out its defaults, and leaves out what is optional, is read as it says",
-            format!(
-                "Each field has the type that the table of {name} gives, or is optional and absent."
-            ),
+            format!("Each field has the type that the table of {name} gives, or is optional and absent."),
         ),
     };
     let title = if place.is_nested() {
@@ -133,20 +112,12 @@ fn whole(place: &Place, ground: Ground) -> Case {
         (Ground::Explicit, false) => &[READ],
         (Ground::Explicit, true) => &[READ, "NCP-WIRE-050"],
     };
-    Case::new(
-        format!("{}{what}", place.label()),
-        rules,
-        readers(place.kind),
-    )
-    .title(title)
-    .flags(&[if ground == Ground::Minimal {
-        "wrong-defaults"
-    } else {
-        "over-strict"
-    }])
-    .decode(place.kind, frame.text())
-    .means(place.meaning(&frame))
-    .because(why)
+    Case::new(format!("{}{what}", place.label()), rules, readers(place.kind))
+        .title(title)
+        .flags(&[if ground == Ground::Minimal { "wrong-defaults" } else { "over-strict" }])
+        .decode(place.kind, frame.text())
+        .means(place.meaning(&frame))
+        .because(why)
 }
 
 /// A field of a message at a place.
@@ -195,11 +166,7 @@ impl Probe<'_> {
             let message = self.place.alone(Ground::Minimal).without(name);
             let frame = self.place.frame(Ground::Minimal, message);
             self.case("absent", &[rule])
-                .title(format!(
-                    "{} without `{}` is rejected.",
-                    a(self.place.kind),
-                    self.member()
-                ))
+                .title(format!("{} without `{}` is rejected.", a(self.place.kind), self.member()))
                 .flags(&["unchecked-required"])
                 .decode(self.place.kind, frame.text())
                 .rejects(code)
@@ -229,7 +196,10 @@ impl Probe<'_> {
                     .means(self.place.meaning(&frame))
                     .because(match rule {
                         "NCP-WIRE-024" => "A receiver that finds no mode must not move.".to_owned(),
-                        "NCP-WIRE-025" => "A hash that the sender left out says `not advertised`; one's own would say `match`.".to_owned(),
+                        "NCP-WIRE-025" => {
+                            "A hash that the sender left out says `not advertised`; one's own would say `match`."
+                                .to_owned()
+                        }
                         _ => format!("{} gives the default.", self.table()),
                     })
             }
@@ -241,39 +211,22 @@ impl Probe<'_> {
         let kind = self.place.kind;
         if self.field.optional {
             let frame = self.frame(Ground::Explicit, Some(Json::Null));
-            let rules: &[_] = if kind == "error" {
-                &["NCP-WIRE-022", "NCP-WIRE-100"]
-            } else {
-                &["NCP-WIRE-022"]
-            };
+            let rules: &[_] = if kind == "error" { &["NCP-WIRE-022", "NCP-WIRE-100"] } else { &["NCP-WIRE-022"] };
             return self
                 .case("null", rules)
-                .title(format!(
-                    "{} whose `{member}` is null is read as one without it.",
-                    a(kind)
-                ))
+                .title(format!("{} whose `{member}` is null is read as one without it.", a(kind)))
                 .flags(&["null-optional"])
                 .decode(kind, frame.text())
                 .means(self.place.meaning(&frame))
-                .because(format!(
-                    "{} gives a type that ends in `|null`.",
-                    self.table()
-                ));
+                .because(format!("{} gives a type that ends in `|null`.", self.table()));
         }
-        let rules: &[_] = if self.is_error_text() {
-            &["NCP-WIRE-101", "NCP-WIRE-021"]
-        } else {
-            &["NCP-WIRE-021"]
-        };
+        let rules: &[_] = if self.is_error_text() { &["NCP-WIRE-101", "NCP-WIRE-021"] } else { &["NCP-WIRE-021"] };
         self.case("null", rules)
             .title(format!("{} whose `{member}` is null is rejected.", a(kind)))
             .flags(&["null-as-default"])
             .decode(kind, self.frame(Ground::Minimal, Some(Json::Null)).text())
             .rejects("type")
-            .because(format!(
-                "{} gives a type without `|null`, so null is no way to leave it out.",
-                self.table()
-            ))
+            .because(format!("{} gives a type without `|null`, so null is no way to leave it out.", self.table()))
     }
 
     fn value(&self) -> Case {
@@ -293,17 +246,12 @@ impl Probe<'_> {
             (Shape::Number, _) => "NCP-WIRE-012",
             (Shape::Enum(_), _) => "NCP-WIRE-040",
             (Shape::Message(_), _) => "NCP-WIRE-050",
-            (Shape::List(item), _) if matches!(**item, Shape::Number | Shape::Integer) => {
-                "NCP-WIRE-069"
-            }
+            (Shape::List(item), _) if matches!(**item, Shape::Number | Shape::Integer) => "NCP-WIRE-069",
             (Shape::List(_) | Shape::Map(_), _) => "NCP-WIRE-068",
             _ => READ,
         };
         self.accept("value", rule, value, "lost-fields", "is set")
-            .because(format!(
-                "The value has the type that {} gives.",
-                self.table_within()
-            ))
+            .because(format!("The value has the type that {} gives.", self.table_within()))
     }
 
     /// Each JSON type that the field does not have.
@@ -312,11 +260,7 @@ impl Probe<'_> {
         let one = Json::literal("1");
         let text = match &self.field.shape {
             Shape::Boolean => {
-                Json::string(if self.field.default == Default::Value(Json::Bool(true)) {
-                    "true"
-                } else {
-                    "false"
-                })
+                Json::string(if self.field.default == Default::Value(Json::Bool(true)) { "true" } else { "false" })
             }
             Shape::Integer | Shape::Number => Json::string("1"),
             _ => Json::string("x"),
@@ -340,42 +284,20 @@ impl Probe<'_> {
             ("number", one, numeric),
             ("boolean", Json::Bool(true), *shape == Shape::Boolean),
             ("array", list, matches!(shape, Shape::List(_))),
-            (
-                "object",
-                Json::object(),
-                matches!(shape, Shape::Map(_) | Shape::Message(_)),
-            ),
+            ("object", Json::object(), matches!(shape, Shape::Map(_) | Shape::Message(_))),
         ];
         let wrong = table.into_iter().filter(|(.., fits)| !fits);
         wrong
             .map(|(what, value, _)| {
-                let rules: &[_] = if self.is_error_text() {
-                    &["NCP-WIRE-101", "NCP-WIRE-020"]
-                } else {
-                    &["NCP-WIRE-020"]
-                };
-                let article = if what.starts_with(['a', 'o']) {
-                    "an"
-                } else {
-                    "a"
-                };
+                let rules: &[_] =
+                    if self.is_error_text() { &["NCP-WIRE-101", "NCP-WIRE-020"] } else { &["NCP-WIRE-020"] };
+                let article = if what.starts_with(['a', 'o']) { "an" } else { "a" };
                 self.case(&format!("wrong-type-{what}"), rules)
-                    .title(format!(
-                        "{} whose `{}` is {article} {what} is rejected.",
-                        a(self.place.kind),
-                        self.member()
-                    ))
+                    .title(format!("{} whose `{}` is {article} {what} is rejected.", a(self.place.kind), self.member()))
                     .flags(&[flag])
-                    .decode(
-                        self.place.kind,
-                        self.frame(Ground::Minimal, Some(value)).text(),
-                    )
+                    .decode(self.place.kind, self.frame(Ground::Minimal, Some(value)).text())
                     .rejects("type")
-                    .because(format!(
-                        "{} gives `{name}` the type {}.",
-                        self.table(),
-                        spell(shape)
-                    ))
+                    .because(format!("{} gives `{name}` the type {}.", self.table(), spell(shape)))
             })
             .collect()
     }
@@ -392,20 +314,8 @@ impl Probe<'_> {
             ("string", Json::string("1"), textual),
             ("number", Json::literal("1"), numeric),
             ("boolean", Json::Bool(true), false),
-            (
-                "array",
-                Json::Array(if numeric {
-                    vec![Json::literal("1")]
-                } else {
-                    Vec::new()
-                }),
-                false,
-            ),
-            (
-                "object",
-                Json::object(),
-                matches!(**element, Shape::Message(_) | Shape::Map(_)),
-            ),
+            ("array", Json::Array(if numeric { vec![Json::literal("1")] } else { Vec::new() }), false),
+            ("object", Json::object(), matches!(**element, Shape::Message(_) | Shape::Map(_))),
         ];
         let flag = match **element {
             Shape::Message(_) => "positional-structs",
@@ -433,10 +343,7 @@ impl Probe<'_> {
                         self.member()
                     ))
                     .flags(&[flag])
-                    .decode(
-                        self.place.kind,
-                        self.frame(Ground::Minimal, Some(value)).text(),
-                    )
+                    .decode(self.place.kind, self.frame(Ground::Minimal, Some(value)).text())
                     .rejects("type")
                     .because(format!(
                         "What it holds has the type {}, and the rules of fields hold for it too.",
@@ -446,20 +353,13 @@ impl Probe<'_> {
             .collect()
     }
 
-    fn doubles(
-        &self,
-        spellings: Vec<numbers::Double>,
-        infinite: Vec<(&'static str, String)>,
-    ) -> Vec<Case> {
+    fn doubles(&self, spellings: Vec<numbers::Double>, infinite: Vec<(&'static str, String)>) -> Vec<Case> {
         let mut cases: Vec<Case> = spellings
             .into_iter()
             .map(|double| {
                 let value = within(&self.field.shape, Json::literal(&double.literal));
                 let frame = self.frame(Ground::Explicit, Some(value));
-                let is = self.frame(
-                    Ground::Explicit,
-                    Some(within(&self.field.shape, Json::literal(double.is))),
-                );
+                let is = self.frame(Ground::Explicit, Some(within(&self.field.shape, Json::literal(double.is))));
                 self.case(&format!("double-{}", double.name), &[double.rule])
                     .title(format!(
                         "{} whose `{}` is spelled {} is read as {}.",
@@ -477,17 +377,9 @@ impl Probe<'_> {
         cases.extend(infinite.into_iter().map(|(name, digits)| {
             let value = within(&self.field.shape, Json::literal(&digits));
             self.case(&format!("double-{name}"), &["NCP-WIRE-013"])
-                .title(format!(
-                    "{} whose `{}` is {} is rejected.",
-                    a(self.place.kind),
-                    self.member(),
-                    shorten(&digits)
-                ))
+                .title(format!("{} whose `{}` is {} is rejected.", a(self.place.kind), self.member(), shorten(&digits)))
                 .flags(&["overflow"])
-                .decode(
-                    self.place.kind,
-                    self.frame(Ground::Minimal, Some(value)).text(),
-                )
+                .decode(self.place.kind, self.frame(Ground::Minimal, Some(value)).text())
                 .rejects("malformed")
                 .because("The nearest double of these digits is infinite.")
         }));
@@ -504,57 +396,28 @@ impl Probe<'_> {
             if self.field.default == Default::Value(value.clone()) {
                 continue;
             }
-            let flag = if name.ends_with("est") {
-                "integer-precision"
-            } else {
-                "lost-fields"
-            };
+            let flag = if name.ends_with("est") { "integer-precision" } else { "lost-fields" };
             cases.push(
-                self.accept(
-                    &format!("integer-{name}"),
-                    READ,
-                    value,
-                    flag,
-                    &format!("is {digits}"),
-                )
-                .because("It is spelled as an integer and lies within the bound."),
+                self.accept(&format!("integer-{name}"), READ, value, flag, &format!("is {digits}"))
+                    .because("It is spelled as an integer and lies within the bound."),
             );
         }
         let misspelled = spread(&numbers::MISSPELLED, &numbers::MORE_MISSPELLED);
         let beyond = spread(&numbers::BEYOND, &numbers::MORE_BEYOND);
         let wrong = misspelled
             .map(|integer| {
-                (
-                    integer,
-                    "NCP-WIRE-010",
-                    "type",
-                    "lenient-integers",
-                    "It is not spelled `0` or `-?[1-9][0-9]*`.",
-                )
+                (integer, "NCP-WIRE-010", "type", "lenient-integers", "It is not spelled `0` or `-?[1-9][0-9]*`.")
             })
             .chain(beyond.map(|integer| {
-                (
-                    integer,
-                    "NCP-WIRE-011",
-                    "value",
-                    "integer-precision",
-                    "It lies beyond 9007199254740991 either way.",
-                )
+                (integer, "NCP-WIRE-011", "value", "integer-precision", "It lies beyond 9007199254740991 either way.")
             }));
         for ((name, digits), rule, code, flag, why) in wrong {
             let value = within(&self.field.shape, Json::literal(*digits));
             cases.push(
                 self.case(&format!("integer-{name}"), &[rule])
-                    .title(format!(
-                        "{} whose `{}` is {digits} is rejected.",
-                        a(self.place.kind),
-                        self.member()
-                    ))
+                    .title(format!("{} whose `{}` is {digits} is rejected.", a(self.place.kind), self.member()))
                     .flags(&[flag])
-                    .decode(
-                        self.place.kind,
-                        self.frame(Ground::Minimal, Some(value)).text(),
-                    )
+                    .decode(self.place.kind, self.frame(Ground::Minimal, Some(value)).text())
                     .rejects(code)
                     .because(why),
             );
@@ -580,25 +443,14 @@ impl Probe<'_> {
                     "enum-constants",
                     &says,
                 )
-                .because(format!(
-                    "`{string}` stands in the row of {} in section 1.4.",
-                    known.name
-                ))
+                .because(format!("`{string}` stands in the row of {} in section 1.4.", known.name))
             })
             .collect();
         // Near misses of `active` are the ones that matter: they must not move a plant.
         let is_active = |string: &&String| *string == "active";
-        let first = known
-            .strings
-            .iter()
-            .find(is_active)
-            .or(known.strings.first());
+        let first = known.strings.iter().find(is_active).or(known.strings.first());
         let first = first.cloned().unwrap_or_default();
-        let other_case = if known.name == "Observable" {
-            "v_m".to_owned()
-        } else {
-            capital(&first)
-        };
+        let other_case = if known.name == "Observable" { "v_m".to_owned() } else { capital(&first) };
         let strings = [
             ("novel", "novel_value".to_owned()),
             // Each constant of the proto is its wire string in capitals.
@@ -611,10 +463,7 @@ impl Probe<'_> {
         // A mode moves a plant, so it gets all of them.
         let kept = known.unknown == Unknown::Kept;
         let few = ["novel", "constant", "sentinel"];
-        for (what, string) in strings
-            .into_iter()
-            .filter(|(what, _)| !kept || few.contains(what))
-        {
+        for (what, string) in strings.into_iter().filter(|(what, _)| !kept || few.contains(what)) {
             let value = Json::string(&string);
             let says = match string.as_str() {
                 "" => "is the empty string".to_owned(),
@@ -623,10 +472,24 @@ impl Probe<'_> {
             let id = format!("unknown-{what}");
             cases.push(match &known.unknown {
                 Unknown::Kept => self
-                    .accept_as(&id, &["NCP-WIRE-043", "NCP-WIRE-042", "NCP-WIRE-045"], value.clone(), "invented-sentinel", &says, "keeps it")
+                    .accept_as(
+                        &id,
+                        &["NCP-WIRE-043", "NCP-WIRE-042", "NCP-WIRE-045"],
+                        value.clone(),
+                        "invented-sentinel",
+                        &says,
+                        "keeps it",
+                    )
                     .because(format!("{} is descriptive: what it does not list is kept as it is.", known.name)),
                 Unknown::ReadsAs(other) => self
-                    .accept_as(&id, &["NCP-WIRE-041"], value.clone(), "unknown-mode-moves", &says, &format!("reads as `{other}`"))
+                    .accept_as(
+                        &id,
+                        &["NCP-WIRE-041"],
+                        value.clone(),
+                        "unknown-mode-moves",
+                        &says,
+                        &format!("reads as `{other}`"),
+                    )
                     .because("Only the exact letters are a mode, and a mode that is none must not move anything."),
                 Unknown::Rejected => self
                     .case(&id, &["NCP-WIRE-044"])
@@ -648,10 +511,7 @@ impl Probe<'_> {
                         .flags(&["closed-enums"])
                         .decode(self.place.kind, frame.text())
                         .accepts()
-                        .because(format!(
-                            "{} is descriptive, so a later value must not cost the frame.",
-                            known.name
-                        )),
+                        .because(format!("{} is descriptive, so a later value must not cost the frame.", known.name)),
                 );
             }
         }
@@ -659,14 +519,7 @@ impl Probe<'_> {
     }
 
     /// A case with the field at that value, read as the text says.
-    fn accept(
-        &self,
-        what: &str,
-        rule: &'static str,
-        value: Json,
-        flag: &'static str,
-        says: &str,
-    ) -> Case {
+    fn accept(&self, what: &str, rule: &'static str, value: Json, flag: &'static str, says: &str) -> Case {
         self.accept_as(what, &[rule], value, flag, says, "is read as it says")
     }
 
@@ -681,11 +534,7 @@ impl Probe<'_> {
     ) -> Case {
         let frame = self.frame(Ground::Explicit, Some(value));
         self.case(what, rules)
-            .title(format!(
-                "{} whose `{}` {says} {reads}.",
-                a(self.place.kind),
-                self.member()
-            ))
+            .title(format!("{} whose `{}` {says} {reads}.", a(self.place.kind), self.member()))
             .flags(&[flag])
             .decode(self.place.kind, frame.text())
             .means(self.place.meaning(&frame))
@@ -765,9 +614,7 @@ fn spell(shape: &Shape) -> String {
 
 fn capital(string: &str) -> String {
     let mut chars = string.chars();
-    chars
-        .next()
-        .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
 }
 
 /// Long digits as a reader wants them in a title.

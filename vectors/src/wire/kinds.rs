@@ -16,62 +16,41 @@ pub(super) fn file() -> File {
 }
 
 fn kinds() -> impl Iterator<Item = &'static str> {
-    tables()
-        .messages
-        .iter()
-        .filter_map(|message| message.kind.as_deref())
+    tables().messages.iter().filter_map(|message| message.kind.as_deref())
 }
 
 fn unknown_kinds() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (kind, name) in [
-        ("sensor_frame", "SensorFrame"),
-        ("command_frame", "CommandFrame"),
-        ("close_session", "CloseSession"),
-    ] {
+    for (kind, name) in
+        [("sensor_frame", "SensorFrame"), ("command_frame", "CommandFrame"), ("close_session", "CloseSession")]
+    {
         let near = [
             ("empty", String::new(), "kind-matching"),
             ("unknown", "unknown".to_owned(), "kind-matching"),
             ("message-name", name.to_owned(), "kind-matching"),
             ("full-proto-name", format!("ncp.v0.{name}"), "kind-matching"),
             ("upper-case", kind.to_uppercase(), "case-folded-kinds"),
-            (
-                "capital",
-                format!("{}{}", kind[..1].to_uppercase(), &kind[1..]),
-                "case-folded-kinds",
-            ),
+            ("capital", format!("{}{}", kind[..1].to_uppercase(), &kind[1..]), "case-folded-kinds"),
             ("hyphen", kind.replace('_', "-"), "kind-matching"),
             ("trailing-space", format!("{kind} "), "trimmed-kinds"),
             ("leading-space", format!(" {kind}"), "trimmed-kinds"),
             ("trailing-line-feed", format!("{kind}\n"), "trimmed-kinds"),
-            (
-                "trailing-nul",
-                format!("{kind}\u{0}"),
-                "nul-terminated-names",
-            ),
+            ("trailing-nul", format!("{kind}\u{0}"), "nul-terminated-names"),
             ("longer", format!("{kind}s"), "kind-matching"),
-            (
-                "shorter",
-                kind[..kind.len() - 1].to_owned(),
-                "kind-matching",
-            ),
+            ("shorter", kind[..kind.len() - 1].to_owned(), "kind-matching"),
         ];
         for (what, string, flag) in near {
             let frame = minimal(kind).with("kind", Json::string(&string));
             cases.push(
-                Case::new(
-                    format!("{kind}/unknown/{what}"),
-                    &["NCP-WIRE-029"],
-                    readers(kind),
-                )
-                .title(format!(
-                    "A frame of the kind {} is rejected where a `{kind}` is expected.",
-                    Json::string(&string).text()
-                ))
-                .flags(&[flag])
-                .decode(kind, frame.text())
-                .rejects("kind")
-                .because("Kinds are known by their exact letters."),
+                Case::new(format!("{kind}/unknown/{what}"), &["NCP-WIRE-029"], readers(kind))
+                    .title(format!(
+                        "A frame of the kind {} is rejected where a `{kind}` is expected.",
+                        Json::string(&string).text()
+                    ))
+                    .flags(&[flag])
+                    .decode(kind, frame.text())
+                    .rejects("kind")
+                    .because("Kinds are known by their exact letters."),
             );
         }
     }
@@ -85,44 +64,27 @@ fn other_kinds() -> Vec<Case> {
     for expected in kinds() {
         // The next ones of the text, and those that are easily taken for it.
         let all: Vec<_> = kinds().collect();
-        let at = all
-            .iter()
-            .position(|kind| *kind == expected)
-            .unwrap_or_default();
-        let mut others: Vec<_> = (1..=2)
-            .filter_map(|step| all.get((at + step) % all.len()))
-            .copied()
-            .collect();
+        let at = all.iter().position(|kind| *kind == expected).unwrap_or_default();
+        let mut others: Vec<_> = (1..=2).filter_map(|step| all.get((at + step) % all.len())).copied().collect();
         others.extend(twin(expected));
         others.push("bulk_observation");
         others.sort_unstable();
         others.dedup();
         for other in others.into_iter().filter(|other| *other != expected) {
             let frame = full(expected).with("kind", Json::string(other));
-            let frame = minimal(other)
-                .members()
-                .iter()
-                .fold(frame, |frame, (name, value)| {
-                    if frame.get(name).is_some() {
-                        frame
-                    } else {
-                        frame.and(name, value.clone())
-                    }
-                });
+            let frame = minimal(other).members().iter().fold(frame, |frame, (name, value)| {
+                if frame.get(name).is_some() { frame } else { frame.and(name, value.clone()) }
+            });
             cases.push(
-                Case::new(
-                    format!("{expected}/other/{other}"),
-                    &["NCP-WIRE-030"],
-                    readers(expected),
-                )
-                .title(format!(
-                    "{} is rejected where a `{expected}` is expected, though it has its fields.",
-                    a(other)
-                ))
-                .flags(&["kind-confusion"])
-                .decode(expected, frame.text())
-                .rejects("kind")
-                .because("The kind is a known one, and not the expected one."),
+                Case::new(format!("{expected}/other/{other}"), &["NCP-WIRE-030"], readers(expected))
+                    .title(format!(
+                        "{} is rejected where a `{expected}` is expected, though it has its fields.",
+                        a(other)
+                    ))
+                    .flags(&["kind-confusion"])
+                    .decode(expected, frame.text())
+                    .rejects("kind")
+                    .because("The kind is a known one, and not the expected one."),
             );
         }
     }
@@ -148,23 +110,15 @@ fn twin(kind: &str) -> Option<&'static str> {
 }
 
 fn versions() -> Vec<Case> {
-    let versions = [
-        ("newer", "0.6"),
-        ("major", "1.0"),
-        ("malformed", "not a version"),
-        ("empty", ""),
-        ("leading-zero", "0.05"),
-    ];
+    let versions =
+        [("newer", "0.6"), ("major", "1.0"), ("malformed", "not a version"), ("empty", ""), ("leading-zero", "0.05")];
     let mut cases = Vec::new();
     for kind in crate::roles::ANY {
         for (what, version) in versions {
             let frame = explicit(kind).with("ncp_version", Json::string(version));
             cases.push(
                 Case::new(format!("{kind}/version/{what}"), &[READ], readers(kind))
-                    .title(format!(
-                        "{} of version `{version}` is rejected, or keeps it.",
-                        a(kind)
-                    ))
+                    .title(format!("{} of version `{version}` is rejected, or keeps it.", a(kind)))
                     .flags(&["version-in-decoder"])
                     .decode(kind, frame.text())
                     .means_or_rejects(meaning(kind, &frame).text())
@@ -173,16 +127,12 @@ fn versions() -> Vec<Case> {
         }
         let frame = explicit(kind);
         cases.push(
-            Case::new(
-                format!("{kind}/version/own"),
-                &["NCP-WIRE-033"],
-                readers(kind),
-            )
-            .title(format!("{} of version `0.5` is decoded.", a(kind)))
-            .flags(&["version-in-decoder"])
-            .decode(kind, frame.text())
-            .means(meaning(kind, &frame).text())
-            .because("The version is the receiver's own."),
+            Case::new(format!("{kind}/version/own"), &["NCP-WIRE-033"], readers(kind))
+                .title(format!("{} of version `0.5` is decoded.", a(kind)))
+                .flags(&["version-in-decoder"])
+                .decode(kind, frame.text())
+                .means(meaning(kind, &frame).text())
+                .because("The version is the receiver's own."),
         );
     }
     cases

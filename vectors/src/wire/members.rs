@@ -33,32 +33,19 @@ fn unknown_values() -> Vec<Case> {
         ("large-integer", Json::literal("18446744073709551617")),
         ("string", Json::string("x")),
         ("empty-array", Json::Array(Vec::new())),
-        (
-            "mixed-array",
-            Json::Array(vec![
-                Json::literal("1"),
-                Json::Null,
-                Json::string("x"),
-                Json::object(),
-            ]),
-        ),
+        ("mixed-array", Json::Array(vec![Json::literal("1"), Json::Null, Json::string("x"), Json::object()])),
         ("empty-object", Json::object()),
-        (
-            "object-of-known-names",
-            object! { "kind" => Json::literal("5"), "seq" => "x", "session_id" => Json::Null },
-        ),
+        ("object-of-known-names", object! { "kind" => Json::literal("5"), "seq" => "x", "session_id" => Json::Null }),
     ];
     let mut cases = Vec::new();
     for kind in ANY {
         for (what, value) in &values {
             let frame = explicit(kind).and("novel", value.clone());
-            cases.push(
-                ignored(&format!("unknown-value/{what}"), kind, &frame).title(format!(
-                    "{} with an unknown member whose value is {} is read as one without it.",
-                    a(kind),
-                    value.text()
-                )),
-            );
+            cases.push(ignored(&format!("unknown-value/{what}"), kind, &frame).title(format!(
+                "{} with an unknown member whose value is {} is read as one without it.",
+                a(kind),
+                value.text()
+            )));
         }
     }
     cases
@@ -69,36 +56,24 @@ fn unknown_everywhere() -> Vec<Case> {
     let places = Place::frames().chain(Place::nested());
     places
         .map(|place| {
-            let message = place
-                .alone(Ground::Explicit)
-                .and("novel", object! { "t" => Json::literal("1") });
+            let message = place.alone(Ground::Explicit).and("novel", object! { "t" => Json::literal("1") });
             let frame = place.frame(Ground::Explicit, message);
             let (what, title) = match place.member("") {
                 member if member.is_empty() => (
                     "unknown-member".to_owned(),
-                    format!(
-                        "{} with an unknown member is read as one without it.",
-                        a(place.kind)
-                    ),
+                    format!("{} with an unknown member is read as one without it.", a(place.kind)),
                 ),
                 member => {
                     let path = member.replace("[0]", "");
                     let parts: Vec<&str> = path.split('.').filter(|part| *part != "a").collect();
                     (
                         format!("unknown-member-in-{}", parts.join("-")),
-                        format!(
-                            "{} whose `{member}` has an unknown member is read as one without it.",
-                            a(place.kind)
-                        ),
+                        format!("{} whose `{member}` has an unknown member is read as one without it.", a(place.kind)),
                     )
                 }
             };
             let case = ignored(&what, place.kind, &frame).title(title);
-            if place.is_nested() {
-                with_rule(case, "NCP-WIRE-050")
-            } else {
-                case
-            }
+            if place.is_nested() { with_rule(case, "NCP-WIRE-050") } else { case }
         })
         .collect()
 }
@@ -108,78 +83,51 @@ fn unknown_names() -> Vec<Case> {
     let five = Json::literal("5");
     let near = [
         ("command_frame", "ttlMs", "camel-case", "proto-json-names"),
-        (
-            "command_frame",
-            "horizonDtMs",
-            "camel-case-optional",
-            "proto-json-names",
-        ),
+        ("command_frame", "horizonDtMs", "camel-case-optional", "proto-json-names"),
         ("sensor_frame", "frameId", "camel-case", "proto-json-names"),
-        (
-            "step_request",
-            "advanceMs",
-            "camel-case",
-            "proto-json-names",
-        ),
+        ("step_request", "advanceMs", "camel-case", "proto-json-names"),
         ("command_frame", "Seq", "capital", "case-folded-names"),
         ("command_frame", "MODE", "upper-case", "case-folded-names"),
         ("sensor_frame", "seq ", "trailing-space", "trimmed-names"),
         ("sensor_frame", " seq", "leading-space", "trimmed-names"),
-        (
-            "close_session",
-            "Session_id",
-            "capital",
-            "case-folded-names",
-        ),
+        ("close_session", "Session_id", "capital", "case-folded-names"),
         ("sensor_frame", "", "empty", "over-strict"),
-        (
-            "command_frame",
-            "seq\u{0}",
-            "with-nul",
-            "nul-terminated-names",
-        ),
+        ("command_frame", "seq\u{0}", "with-nul", "nul-terminated-names"),
         ("command_frame", "ttl-ms", "hyphen", "case-folded-names"),
     ];
     let mut cases: Vec<Case> = near
         .into_iter()
         .map(|(kind, name, what, flag)| {
             let frame = explicit(kind).and(name, five.clone());
-            ignored(&format!("unknown-name/{what}"), kind, &frame)
-                .flags(&[flag])
-                .title(format!(
-                    "{} with the member {} is read as one without it.",
-                    a(kind),
-                    Json::string(name).text()
-                ))
+            ignored(&format!("unknown-name/{what}"), kind, &frame).flags(&[flag]).title(format!(
+                "{} with the member {} is read as one without it.",
+                a(kind),
+                Json::string(name).text()
+            ))
         })
         .collect();
     for kind in ANY {
         for name in ["__proto__", "constructor", "toString", "hasOwnProperty"] {
             let frame = explicit(kind).and(name, object! { "seq" => five.clone() });
             cases.push(
-                ignored(
-                    &format!("unknown-name/{}", name.trim_matches('_').to_lowercase()),
-                    kind,
-                    &frame,
-                )
-                .flags(&["prototype-names"])
-                .title(format!(
-                    "{} with a member named `{name}` is read as one without it.",
-                    a(kind)
-                )),
+                ignored(&format!("unknown-name/{}", name.trim_matches('_').to_lowercase()), kind, &frame)
+                    .flags(&["prototype-names"])
+                    .title(format!("{} with a member named `{name}` is read as one without it.", a(kind))),
             );
         }
     }
-    let frame = explicit("command_frame")
-        .without("mode")
-        .and("__proto__", object! { "mode" => "active" });
+    let frame = explicit("command_frame").without("mode").and("__proto__", object! { "mode" => "active" });
     cases.push(
-        Case::new("command_frame/unknown-name/proto-with-mode", &["NCP-WIRE-024", "NCP-WIRE-026"], readers("command_frame"))
-            .title("A `command_frame` without `mode`, but with a `__proto__` that has one, reads as `hold`.")
-            .flags(&["prototype-names", "absent-mode-moves"])
-            .decode("command_frame", frame.text())
-            .means(meaning("command_frame", &frame).text())
-            .because("`__proto__` is a member like any other unknown one, and the frame has no mode."),
+        Case::new(
+            "command_frame/unknown-name/proto-with-mode",
+            &["NCP-WIRE-024", "NCP-WIRE-026"],
+            readers("command_frame"),
+        )
+        .title("A `command_frame` without `mode`, but with a `__proto__` that has one, reads as `hold`.")
+        .flags(&["prototype-names", "absent-mode-moves"])
+        .decode("command_frame", frame.text())
+        .means(meaning("command_frame", &frame).text())
+        .because("`__proto__` is a member like any other unknown one, and the frame has no mode."),
     );
     cases
 }
@@ -196,17 +144,8 @@ fn other_case_alone() -> Vec<Case> {
                 sample => sample,
             };
             let path = format!("{}/other-case-alone/{}", place.kind, field.name);
-            let says = format!(
-                "{} with `{name}` in the place of `{}`",
-                a(place.kind),
-                field.name
-            );
-            let frame = |ground| {
-                place
-                    .alone(ground)
-                    .without(&field.name)
-                    .and(&name, value.clone())
-            };
+            let says = format!("{} with `{name}` in the place of `{}`", a(place.kind), field.name);
+            let frame = |ground| place.alone(ground).without(&field.name).and(&name, value.clone());
             let rule = match (&field.default, field.name.as_str()) {
                 (Default::Kind, _) => Some(("NCP-WIRE-028", "kind")),
                 (Default::Required, "error") => Some(("NCP-WIRE-101", "missing")),
@@ -221,9 +160,7 @@ fn other_case_alone() -> Vec<Case> {
                     .flags(&["case-folded-names"])
                     .decode(place.kind, frame(Ground::Minimal).text())
                     .rejects(code)
-                    .because(
-                        "The name in capitals is another name, so what is required is not there.",
-                    ),
+                    .because("The name in capitals is another name, so what is required is not there."),
             });
         }
     }
@@ -233,11 +170,13 @@ fn other_case_alone() -> Vec<Case> {
         let capitals = names.members().iter().map(|(name, value)| (name.to_uppercase(), value.clone()));
         let message = Json::Object(capitals.collect());
         let path = format!("{}other-case-alone", place.label());
-        other_case(path, &place, &place.frame(Ground::Explicit, message), &["NCP-WIRE-026", "NCP-WIRE-050"]).title(format!(
-            "{} whose `{}` has its fields by names in capitals only is read with their defaults.",
-            a(place.kind),
-            place.member("")
-        ))
+        other_case(path, &place, &place.frame(Ground::Explicit, message), &["NCP-WIRE-026", "NCP-WIRE-050"]).title(
+            format!(
+                "{} whose `{}` has its fields by names in capitals only is read with their defaults.",
+                a(place.kind),
+                place.member("")
+            ),
+        )
     }));
     cases
 }
@@ -254,22 +193,12 @@ fn other_case(path: String, place: &Place, frame: &Json, rules: &[&'static str])
 fn unknown_overflow() -> Vec<Case> {
     ANY.into_iter()
         .map(|kind| {
-            Case::new(
-                format!("{kind}/unknown-value/overflow"),
-                &["NCP-WIRE-014"],
-                readers(kind),
-            )
-            .title(format!(
-                "{} with an unknown member of 1e309 should be rejected.",
-                a(kind)
-            ))
-            .flags(&["overflow"])
-            .decode(
-                kind,
-                minimal(kind).and("novel", Json::literal("1e309")).text(),
-            )
-            .rejects("malformed")
-            .because("The nearest double is infinite, also where nobody looks.")
+            Case::new(format!("{kind}/unknown-value/overflow"), &["NCP-WIRE-014"], readers(kind))
+                .title(format!("{} with an unknown member of 1e309 should be rejected.", a(kind)))
+                .flags(&["overflow"])
+                .decode(kind, minimal(kind).and("novel", Json::literal("1e309")).text())
+                .rejects("malformed")
+                .because("The nearest double is infinite, also where nobody looks.")
         })
         .collect()
 }
@@ -304,24 +233,62 @@ fn repeated() -> Vec<Case> {
             _ => frame.text().replace('}', r#","seq":1,"s\u0065q":2}"#),
         };
         let far = (0..40)
-            .fold(frame.clone().and("n", one()), |frame, nth| {
-                frame.and(&format!("n{nth}"), one())
-            })
+            .fold(frame.clone().and("n", one()), |frame, nth| frame.and(&format!("n{nth}"), one()))
             .and("n", one());
         let long = "n".repeat(300);
         table.extend([
             (kind, "known".into(), known, "a known member twice"),
             (kind, "kind".into(), frame.clone().and("kind", Json::string(kind)), "the same `kind` twice"),
-            (kind, "unknown".into(), frame.clone().and("novel", one()).and("novel", one()), "an unknown member twice, with one value"),
-            (kind, "unknown-after-null".into(), frame.clone().and("novel", Json::Null).and("novel", one()), "an unknown member twice, first as null"),
-            (kind, "unknown-nested".into(), frame.clone().and("novel", object! { "x" => one() }.and("x", two())), "a member twice within an unknown one"),
-            (kind, "unknown-deep".into(), frame.clone().and("novel", object! { "a" => deep.clone() }), "a member twice five levels deep within an unknown one"),
-            (kind, "unknown-in-array".into(), frame.clone().and("novel", Json::Array(vec![one(), object! { "x" => one() }.and("x", one())])), "a member twice within an object in an unknown array"),
-            (kind, "empty-name".into(), frame.clone().and("", one()).and("", two()), "a member with an empty name twice"),
+            (
+                kind,
+                "unknown".into(),
+                frame.clone().and("novel", one()).and("novel", one()),
+                "an unknown member twice, with one value",
+            ),
+            (
+                kind,
+                "unknown-after-null".into(),
+                frame.clone().and("novel", Json::Null).and("novel", one()),
+                "an unknown member twice, first as null",
+            ),
+            (
+                kind,
+                "unknown-nested".into(),
+                frame.clone().and("novel", object! { "x" => one() }.and("x", two())),
+                "a member twice within an unknown one",
+            ),
+            (
+                kind,
+                "unknown-deep".into(),
+                frame.clone().and("novel", object! { "a" => deep.clone() }),
+                "a member twice five levels deep within an unknown one",
+            ),
+            (
+                kind,
+                "unknown-in-array".into(),
+                frame.clone().and("novel", Json::Array(vec![one(), object! { "x" => one() }.and("x", one())])),
+                "a member twice within an object in an unknown array",
+            ),
+            (
+                kind,
+                "empty-name".into(),
+                frame.clone().and("", one()).and("", two()),
+                "a member with an empty name twice",
+            ),
             (kind, "proto".into(), frame.clone().and("__proto__", one()).and("__proto__", two()), "`__proto__` twice"),
             (kind, "far-apart".into(), far, "a member twice with forty others between"),
-            (kind, "long-name".into(), frame.clone().and(&long, one()).and(&long, two()), "a member of a long name twice"),
-            (kind, "escaped".into(), Json::literal(escaped), "a known member twice, the second time with an escape in its name"),
+            (
+                kind,
+                "long-name".into(),
+                frame.clone().and(&long, one()).and(&long, two()),
+                "a member of a long name twice",
+            ),
+            (
+                kind,
+                "escaped".into(),
+                Json::literal(escaped),
+                "a known member twice, the second time with an escape in its name",
+            ),
             (
                 kind,
                 "escaped-unknown".into(),
@@ -344,54 +311,163 @@ fn repeated() -> Vec<Case> {
     let open = |name: &str, value| minimal("open_session").with(name, value);
     table.extend([
         ("sensor_frame", "channel-name".into(), sensor(twice()), "the same channel twice"),
-        ("sensor_frame", "within-channel".into(), sensor(object! { "a" => unit() }), "a member twice within a channel value"),
-        ("sensor_frame", "unknown-within-channel".into(), sensor(object! { "a" => object! { "x" => one() }.and("x", one()) }), "an unknown member twice within a channel value"),
+        (
+            "sensor_frame",
+            "within-channel".into(),
+            sensor(object! { "a" => unit() }),
+            "a member twice within a channel value",
+        ),
+        (
+            "sensor_frame",
+            "unknown-within-channel".into(),
+            sensor(object! { "a" => object! { "x" => one() }.and("x", one()) }),
+            "an unknown member twice within a channel value",
+        ),
         (
             "sensor_frame",
             "escaped-channel-name".into(),
             Json::literal(sensor(twice()).text().replacen(r#","a":"#, r#","\u0061":"#, 1)),
             "the same channel twice, the second time with an escape",
         ),
-        ("sensor_frame", "three-times".into(), minimal("sensor_frame").and("t", one()).and("t", one()).and("t", one()), "a member three times"),
-        ("command_frame", "mode-hold-then-active".into(), minimal("command_frame").and("mode", "hold".into()).and("mode", "active".into()), "`mode` twice, first `hold`, then `active`"),
-        ("command_frame", "mode-active-then-hold".into(), minimal("command_frame").and("mode", "active".into()).and("mode", "hold".into()), "`mode` twice, first `active`, then `hold`"),
-        ("command_frame", "ttl-twice".into(), minimal("command_frame").and("ttl_ms", one()).and("ttl_ms", Json::literal("1.0")), "`ttl_ms` twice, with one value in two spellings"),
+        (
+            "sensor_frame",
+            "three-times".into(),
+            minimal("sensor_frame").and("t", one()).and("t", one()).and("t", one()),
+            "a member three times",
+        ),
+        (
+            "command_frame",
+            "mode-hold-then-active".into(),
+            minimal("command_frame").and("mode", "hold".into()).and("mode", "active".into()),
+            "`mode` twice, first `hold`, then `active`",
+        ),
+        (
+            "command_frame",
+            "mode-active-then-hold".into(),
+            minimal("command_frame").and("mode", "active".into()).and("mode", "hold".into()),
+            "`mode` twice, first `active`, then `hold`",
+        ),
+        (
+            "command_frame",
+            "ttl-twice".into(),
+            minimal("command_frame").and("ttl_ms", one()).and("ttl_ms", Json::literal("1.0")),
+            "`ttl_ms` twice, with one value in two spellings",
+        ),
         ("command_frame", "channel-name".into(), command("channels", twice()), "the same channel twice"),
-        ("command_frame", "within-channel".into(), command("channels", object! { "a" => unit() }), "a member twice within a channel value"),
-        ("command_frame", "horizon-channel-name".into(), command("horizon", Json::Array(vec![twice()])), "the same channel twice within a step of the horizon"),
-        ("command_frame", "within-horizon-channel".into(), command("horizon", Json::Array(vec![object! { "a" => unit() }])), "a member twice within a channel value of the horizon"),
-        ("open_session", "within-network".into(), open("network", object! { "ref" => "x" }.and("ref", Json::string("y"))), "a member twice within `network`"),
-        ("open_session", "network-params".into(), open("network", object! { "params" => object! { "a" => one() }.and("a", two()) }), "the same parameter twice"),
-        ("open_session", "population-sizes".into(), open("network", object! { "population_sizes" => object! { "a" => one() }.and("a", two()) }), "the same population twice"),
+        (
+            "command_frame",
+            "within-channel".into(),
+            command("channels", object! { "a" => unit() }),
+            "a member twice within a channel value",
+        ),
+        (
+            "command_frame",
+            "horizon-channel-name".into(),
+            command("horizon", Json::Array(vec![twice()])),
+            "the same channel twice within a step of the horizon",
+        ),
+        (
+            "command_frame",
+            "within-horizon-channel".into(),
+            command("horizon", Json::Array(vec![object! { "a" => unit() }])),
+            "a member twice within a channel value of the horizon",
+        ),
+        (
+            "open_session",
+            "within-network".into(),
+            open("network", object! { "ref" => "x" }.and("ref", Json::string("y"))),
+            "a member twice within `network`",
+        ),
+        (
+            "open_session",
+            "network-params".into(),
+            open("network", object! { "params" => object! { "a" => one() }.and("a", two()) }),
+            "the same parameter twice",
+        ),
+        (
+            "open_session",
+            "population-sizes".into(),
+            open("network", object! { "population_sizes" => object! { "a" => one() }.and("a", two()) }),
+            "the same population twice",
+        ),
         (
             "open_session",
             "within-record-target".into(),
-            open("record", object! { "targets" => Json::Array(vec![object! { "port" => "p" }.and("port", Json::string("q"))]) }),
+            open(
+                "record",
+                object! { "targets" => Json::Array(vec![object! { "port" => "p" }.and("port", Json::string("q"))]) },
+            ),
             "a member twice within a record target",
         ),
-        ("open_session", "within-sim".into(), open("sim", object! { "seed" => one() }.and("seed", one())), "a member twice within `sim`"),
+        (
+            "open_session",
+            "within-sim".into(),
+            open("sim", object! { "seed" => one() }.and("seed", one())),
+            "a member twice within `sim`",
+        ),
         (
             "open_session",
             "entity-meta".into(),
-            open("bindings", Json::Array(vec![object! { "entity" => object! { "meta" => object! { "a" => "x" }.and("a", Json::string("x")) } }])),
+            open(
+                "bindings",
+                Json::Array(vec![
+                    object! { "entity" => object! { "meta" => object! { "a" => "x" }.and("a", Json::string("x")) } },
+                ]),
+            ),
             "the same annotation twice within an entity of a binding",
         ),
-        ("step_request", "within-stimulus".into(), minimal("step_request").and("stimulus", object! { "t" => one() }.and("t", one())), "a member twice within its stimulus frame"),
-        ("session_opened", "resolved".into(), minimal("session_opened").and("resolved", object! { "a" => one() }.and("a", two())), "the same population twice within `resolved`"),
-        ("session_opened", "within-provenance".into(), minimal("session_opened").and("provenance", object! { "seed" => one() }.and("seed", one())), "a member twice within its provenance"),
-        ("observation_frame", "records".into(), minimal("observation_frame").and("records", twice()), "the same port twice within `records`"),
+        (
+            "step_request",
+            "within-stimulus".into(),
+            minimal("step_request").and("stimulus", object! { "t" => one() }.and("t", one())),
+            "a member twice within its stimulus frame",
+        ),
+        (
+            "session_opened",
+            "resolved".into(),
+            minimal("session_opened").and("resolved", object! { "a" => one() }.and("a", two())),
+            "the same population twice within `resolved`",
+        ),
+        (
+            "session_opened",
+            "within-provenance".into(),
+            minimal("session_opened").and("provenance", object! { "seed" => one() }.and("seed", one())),
+            "a member twice within its provenance",
+        ),
+        (
+            "observation_frame",
+            "records".into(),
+            minimal("observation_frame").and("records", twice()),
+            "the same port twice within `records`",
+        ),
         (
             "observation_frame",
             "within-record".into(),
-            minimal("observation_frame").and("records", object! { "a" => object! { "times" => Json::Array(Vec::new()) }.and("times", Json::Array(Vec::new())) }),
+            minimal("observation_frame").and(
+                "records",
+                object! { "a" => object! { "times" => Json::Array(Vec::new()) }.and("times", Json::Array(Vec::new())) },
+            ),
             "a member twice within a record",
         ),
-        ("observation_frame", "pin".into(), minimal("observation_frame").and("is_simulation_output", false.into()).and("is_simulation_output", true.into()), "a pin twice, the first time broken"),
-        ("capabilities", "within-safety".into(), minimal("capabilities").and("safety", object! { "max_speed_mps" => one() }.and("max_speed_mps", two())), "a limit twice within `safety`"),
+        (
+            "observation_frame",
+            "pin".into(),
+            minimal("observation_frame")
+                .and("is_simulation_output", false.into())
+                .and("is_simulation_output", true.into()),
+            "a pin twice, the first time broken",
+        ),
+        (
+            "capabilities",
+            "within-safety".into(),
+            minimal("capabilities").and("safety", object! { "max_speed_mps" => one() }.and("max_speed_mps", two())),
+            "a limit twice within `safety`",
+        ),
         (
             "capabilities",
             "within-channel-spec".into(),
-            minimal("capabilities").and("sensor_channels", Json::Array(vec![object! { "name" => "a" }.and("name", Json::string("b"))])),
+            minimal("capabilities")
+                .and("sensor_channels", Json::Array(vec![object! { "name" => "a" }.and("name", Json::string("b"))])),
             "a member twice within a channel's specification",
         ),
         ("error", "error".into(), minimal("error").and("error", "y".into()), "`error` twice"),
@@ -399,18 +475,12 @@ fn repeated() -> Vec<Case> {
     table
         .into_iter()
         .map(|(kind, what, frame, says)| {
-            Case::new(
-                format!("{kind}/repeated/{what}"),
-                &["NCP-WIRE-007"],
-                readers(kind),
-            )
-            .title(format!("{} with {says} is rejected.", a(kind)))
-            .flags(&["duplicate-members"])
-            .decode(kind, frame.text())
-            .rejects("malformed")
-            .because(
-                "One object has one member name twice; where that object stands does not matter.",
-            )
+            Case::new(format!("{kind}/repeated/{what}"), &["NCP-WIRE-007"], readers(kind))
+                .title(format!("{} with {says} is rejected.", a(kind)))
+                .flags(&["duplicate-members"])
+                .decode(kind, frame.text())
+                .rejects("malformed")
+                .because("One object has one member name twice; where that object stands does not matter.")
         })
         .collect()
 }
@@ -435,26 +505,17 @@ fn not_repeated() -> Vec<Case> {
             ),
             (
                 "other-depth",
-                frame
-                    .clone()
-                    .and("novel", object! { "novel" => object! { "novel" => one() } }),
+                frame.clone().and("novel", object! { "novel" => object! { "novel" => one() } }),
                 "the same unknown name at three depths",
             ),
             (
                 "siblings",
-                frame.clone().and(
-                    "novel",
-                    Json::Array(vec![object! { "x" => one() }, object! { "x" => one() }]),
-                ),
+                frame.clone().and("novel", Json::Array(vec![object! { "x" => one() }, object! { "x" => one() }])),
                 "the same name in two unknown objects side by side",
             ),
             (
                 "prefix",
-                frame
-                    .clone()
-                    .and("a", one())
-                    .and("aa", one())
-                    .and("a\u{0}", one()),
+                frame.clone().and("a", one()).and("aa", one()).and("a\u{0}", one()),
                 "unknown names of which one begins another",
             ),
             (
@@ -493,11 +554,7 @@ fn not_repeated() -> Vec<Case> {
                 object! { "10" => channel("m"), "9" => channel("rad"), "1" => channel("m/s") },
                 "channels named by numbers",
             ),
-            (
-                "channel-of-empty-name",
-                object! { "" => channel("m") },
-                "a channel of an empty name",
-            ),
+            ("channel-of-empty-name", object! { "" => channel("m") }, "a channel of an empty name"),
             (
                 "channel-of-mark",
                 object! { "\u{feff}a" => channel("m"), "a" => channel("rad") },
@@ -511,11 +568,7 @@ fn not_repeated() -> Vec<Case> {
         ];
         for (what, channels, says) in maps {
             let frame = explicit(kind).with("channels", channels);
-            let flag = if what.ends_with("prototype") {
-                "prototype-names"
-            } else {
-                "lost-fields"
-            };
+            let flag = if what.ends_with("prototype") { "prototype-names" } else { "lost-fields" };
             cases.push(
                 Case::new(format!("{kind}/not-repeated/{what}"), &["NCP-WIRE-068"], readers(kind))
                     .title(format!("{} with {says} keeps each of them.", a(kind)))
@@ -526,20 +579,14 @@ fn not_repeated() -> Vec<Case> {
             );
         }
     }
-    let frame = explicit("close_session")
-        .text()
-        .replace("\"kind\"", r#""k\u0069nd""#);
+    let frame = explicit("close_session").text().replace("\"kind\"", r#""k\u0069nd""#);
     cases.push(
-        Case::new(
-            "close_session/not-repeated/escaped-kind",
-            &[READ],
-            readers("close_session"),
-        )
-        .title("A `close_session` whose `kind` is spelled with an escape in its name is read.")
-        .flags(&["raw-names"])
-        .decode("close_session", frame)
-        .means(explicit("close_session").text())
-        .because("Member names are equal when they are so after their escapes are resolved."),
+        Case::new("close_session/not-repeated/escaped-kind", &[READ], readers("close_session"))
+            .title("A `close_session` whose `kind` is spelled with an escape in its name is read.")
+            .flags(&["raw-names"])
+            .decode("close_session", frame)
+            .means(explicit("close_session").text())
+            .because("Member names are equal when they are so after their escapes are resolved."),
     );
     cases
 }
@@ -551,21 +598,13 @@ fn not_wrapped() -> Vec<Case> {
     let channel = || object! { "data" => one(), "unit" => "m/s" };
     let frame = |ground: Json, step: Json| ground.with("horizon", Json::Array(vec![step]));
     let read = [
-        (
-            "alone",
-            object! { "channels" => channel() },
-            "one channel, named `channels`,",
-        ),
+        ("alone", object! { "channels" => channel() }, "one channel, named `channels`,"),
         (
             "of-channels",
             object! { "channels" => object! { "a" => channel(), "b" => channel() } },
             "one channel, named `channels`, that has two unknown members",
         ),
-        (
-            "empty",
-            object! { "channels" => Json::object() },
-            "one channel, named `channels`, that is empty",
-        ),
+        ("empty", object! { "channels" => Json::object() }, "one channel, named `channels`, that is empty"),
         (
             "beside",
             object! { "a" => channel(), "channels" => object! { "b" => channel() } },
@@ -573,16 +612,8 @@ fn not_wrapped() -> Vec<Case> {
         ),
     ];
     let rejected = [
-        (
-            "data",
-            object! { "data" => channel() },
-            "has an object for `data`",
-        ),
-        (
-            "unit",
-            object! { "unit" => channel() },
-            "has an object for `unit`",
-        ),
+        ("data", object! { "data" => channel() }, "has an object for `data`"),
+        ("unit", object! { "unit" => channel() }, "has an object for `unit`"),
     ];
     let read = read.into_iter().map(|(what, step, says)| {
         let frame = frame(explicit(kind), step);
@@ -596,7 +627,9 @@ fn not_wrapped() -> Vec<Case> {
     let rejected = rejected.into_iter().map(|(what, value, says)| {
         let step = object! { "channels" => value };
         Case::new(format!("{kind}/not-wrapped/{what}-of-wrong-type"), &["NCP-WIRE-020", "NCP-WIRE-050"], readers(kind))
-            .title(format!("A `{kind}` whose horizon has a step of a channel named `channels` that {says} is rejected."))
+            .title(format!(
+                "A `{kind}` whose horizon has a step of a channel named `channels` that {says} is rejected."
+            ))
             .flags(&["unwrapped-horizon"])
             .decode(kind, frame(minimal(kind), step).text())
             .rejects("type")

@@ -26,12 +26,7 @@ pub(super) fn few_doubles() -> Vec<Double> {
 pub(super) fn more_doubles() -> Vec<Double> {
     let mut all = vec![
         exact("smallest", "5e-324", "5e-324", "subnormals"),
-        exact(
-            "largest",
-            "1.7976931348623157e308",
-            "1.7976931348623157e308",
-            "largest-double",
-        ),
+        exact("largest", "1.7976931348623157e308", "1.7976931348623157e308", "largest-double"),
         spelled("zero-integer", "0", "0.0", "integer-spelled-doubles"),
         exact("negative-zero-integer", "-0", "-0.0", "signed-zero"),
         exact("negative-zero-exponent", "-0e5", "-0.0", "signed-zero"),
@@ -39,149 +34,39 @@ pub(super) fn more_doubles() -> Vec<Double> {
         spelled("exponent-upper-case-plus", "5E+0", "5.0", "exponents"),
         spelled("exponent-negative", "50e-1", "5.0", "exponents"),
         spelled("exponent-leading-zeros", "5e-0001", "0.5", "exponents"),
-        spelled(
-            "exponent-huge-of-zero",
-            "0e99999999999999999999",
-            "0.0",
-            "exponents",
-        ),
-        spelled(
-            "exponent-beyond-machine-integers",
-            "1e-99999999999999999999",
-            "0.0",
-            "exponents",
-        ),
+        spelled("exponent-huge-of-zero", "0e99999999999999999999", "0.0", "exponents"),
+        spelled("exponent-beyond-machine-integers", "1e-99999999999999999999", "0.0", "exponents"),
         spelled("trailing-zeros", "0.5000", "0.5", "exponents"),
         spelled("underflow", "1e-400", "0.0", "underflow"),
         exact("underflow-negative", "-1e-400", "-0.0", "underflow"),
-        spelled(
-            "below-half-of-smallest",
-            "2.4703282292062327e-324",
-            "0.0",
-            "rounding",
-        ),
-        spelled(
-            "above-half-of-smallest",
-            "2.4703282292062328e-324",
-            "5e-324",
-            "rounding",
-        ),
-        spelled(
-            "smallest-with-many-digits",
-            "4.9406564584124654417656879e-324",
-            "5e-324",
-            "subnormals",
-        ),
+        spelled("below-half-of-smallest", "2.4703282292062327e-324", "0.0", "rounding"),
+        spelled("above-half-of-smallest", "2.4703282292062328e-324", "5e-324", "rounding"),
+        spelled("smallest-with-many-digits", "4.9406564584124654417656879e-324", "5e-324", "subnormals"),
         exact("smallest-negative", "-5e-324", "-5e-324", "subnormals"),
-        exact(
-            "largest-subnormal",
-            "2.225073858507201e-308",
-            "2.225073858507201e-308",
-            "subnormals",
-        ),
-        spelled(
-            "largest-subnormal-hard",
-            "2.2250738585072011e-308",
-            "2.225073858507201e-308",
-            "rounding",
-        ),
-        spelled(
-            "smallest-normal-from-below",
-            "2.2250738585072012e-308",
-            "2.2250738585072014e-308",
-            "rounding",
-        ),
-        exact(
-            "smallest-normal",
-            "2.2250738585072014e-308",
-            "2.2250738585072014e-308",
-            "subnormals",
-        ),
-        spelled(
-            "largest-rounded-down",
-            "1.7976931348623158e308",
-            "1.7976931348623157e308",
-            "largest-double",
-        ),
-        exact(
-            "largest-negative",
-            "-1.7976931348623157e308",
-            "-1.7976931348623157e308",
-            "largest-double",
-        ),
-        spelled(
-            "two-to-53-plus-1",
-            "9007199254740993",
-            "9007199254740992.0",
-            "rounding",
-        ),
+        exact("largest-subnormal", "2.225073858507201e-308", "2.225073858507201e-308", "subnormals"),
+        spelled("largest-subnormal-hard", "2.2250738585072011e-308", "2.225073858507201e-308", "rounding"),
+        spelled("smallest-normal-from-below", "2.2250738585072012e-308", "2.2250738585072014e-308", "rounding"),
+        exact("smallest-normal", "2.2250738585072014e-308", "2.2250738585072014e-308", "subnormals"),
+        spelled("largest-rounded-down", "1.7976931348623158e308", "1.7976931348623157e308", "largest-double"),
+        exact("largest-negative", "-1.7976931348623157e308", "-1.7976931348623157e308", "largest-double"),
+        spelled("two-to-53-plus-1", "9007199254740993", "9007199254740992.0", "rounding"),
         spelled(
             "two-to-53-plus-1-and-a-bit",
             "9007199254740993.00000000000000000001",
             "9007199254740994.0",
             "rounding",
         ),
-        spelled(
-            "two-to-53-plus-3",
-            "9007199254740995",
-            "9007199254740996.0",
-            "rounding",
-        ),
-        spelled(
-            "two-to-63",
-            "9223372036854775808",
-            "9.223372036854775808e18",
-            "integer-spelled-doubles",
-        ),
-        spelled(
-            "two-to-64",
-            "18446744073709551616",
-            "1.8446744073709551616e19",
-            "integer-spelled-doubles",
-        ),
-        spelled(
-            "thirty-digits",
-            "123456789012345678901234567890",
-            "1.2345678901234568e29",
-            "integer-spelled-doubles",
-        ),
-        exact(
-            "seventeen-digits",
-            "0.30000000000000004",
-            "0.30000000000000004",
-            "seventeen-digits",
-        ),
-        exact(
-            "seventeen-digits-below-one",
-            "0.99999999999999989",
-            "0.9999999999999999",
-            "seventeen-digits",
-        ),
-        exact(
-            "seventeen-digits-above-one",
-            "1.0000000000000002",
-            "1.0000000000000002",
-            "seventeen-digits",
-        ),
-        exact(
-            "a-third",
-            "0.3333333333333333",
-            "0.3333333333333333",
-            "seventeen-digits",
-        ),
+        spelled("two-to-53-plus-3", "9007199254740995", "9007199254740996.0", "rounding"),
+        spelled("two-to-63", "9223372036854775808", "9.223372036854775808e18", "integer-spelled-doubles"),
+        spelled("two-to-64", "18446744073709551616", "1.8446744073709551616e19", "integer-spelled-doubles"),
+        spelled("thirty-digits", "123456789012345678901234567890", "1.2345678901234568e29", "integer-spelled-doubles"),
+        exact("seventeen-digits", "0.30000000000000004", "0.30000000000000004", "seventeen-digits"),
+        exact("seventeen-digits-below-one", "0.99999999999999989", "0.9999999999999999", "seventeen-digits"),
+        exact("seventeen-digits-above-one", "1.0000000000000002", "1.0000000000000002", "seventeen-digits"),
+        exact("a-third", "0.3333333333333333", "0.3333333333333333", "seventeen-digits"),
         spelled("ten-to-23", "1e23", "1e23", "rounding"),
-        spelled(
-            "above-ten-to-23",
-            "1.00000000000000008388608e23",
-            "1.0000000000000001e23",
-            "rounding",
-        ),
-        spelled(
-            "halfway-above-one",
-            "1.00000000000000011102230246251565404236316680908203125",
-            "1.0",
-            "rounding",
-        ),
+        spelled("above-ten-to-23", "1.00000000000000008388608e23", "1.0000000000000001e23", "rounding"),
+        spelled("halfway-above-one", "1.00000000000000011102230246251565404236316680908203125", "1.0", "rounding"),
         spelled(
             "halfway-above-one-and-a-bit",
             "1.00000000000000011102230246251565404236316680908203126",
@@ -189,36 +74,16 @@ pub(super) fn more_doubles() -> Vec<Double> {
             "rounding",
         ),
     ];
-    all.push(spelled(
-        "eight-hundred-digits",
-        format!("0.1{}1", "0".repeat(798)),
-        "0.1",
-        "many-digits",
-    ));
+    all.push(spelled("eight-hundred-digits", format!("0.1{}1", "0".repeat(798)), "0.1", "many-digits"));
     all.push(spelled(
         "halfway-decided-by-digit-800",
         format!("9007199254740993.{}1", "0".repeat(783)),
         "9007199254740994.0",
         "many-digits",
     ));
-    all.push(spelled(
-        "largest-below-the-halfway",
-        format!("{HALFWAY}1"),
-        "1.7976931348623157e308",
-        "largest-double",
-    ));
-    all.push(spelled(
-        "many-digits-and-exponent",
-        format!("1{}e-395", "0".repeat(400)),
-        "100000.0",
-        "many-digits",
-    ));
-    all.push(spelled(
-        "many-zeros-and-exponent",
-        format!("0.{}1e401", "0".repeat(399)),
-        "10.0",
-        "many-digits",
-    ));
+    all.push(spelled("largest-below-the-halfway", format!("{HALFWAY}1"), "1.7976931348623157e308", "largest-double"));
+    all.push(spelled("many-digits-and-exponent", format!("1{}e-395", "0".repeat(400)), "100000.0", "many-digits"));
+    all.push(spelled("many-zeros-and-exponent", format!("0.{}1e401", "0".repeat(399)), "10.0", "many-digits"));
     all.extend(rounded_once());
     all
 }
@@ -227,90 +92,20 @@ pub(super) fn more_doubles() -> Vec<Double> {
 /// again, mostly ends beside the nearest double.
 fn rounded_once() -> [Double; 14] {
     [
-        spelled(
-            "two-to-53-plus-1-times-ten",
-            "9007199254740993e1",
-            "9.007199254740994e16",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-1-times-ten-negative",
-            "-9007199254740993e1",
-            "-9.007199254740994e16",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-1-times-hundred",
-            "9007199254740993e2",
-            "9.007199254740993e17",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-1-times-ten-to-22",
-            "9007199254740993e22",
-            "9.007199254740994e37",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-1-by-ten-to-22",
-            "9007199254740993e-22",
-            "9.007199254740993e-07",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-3-times-thousand",
-            "9007199254740995e3",
-            "9.007199254740995e18",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-5-times-ten",
-            "9007199254740997e1",
-            "9.007199254740997e16",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-5-by-ten",
-            "9007199254740997e-1",
-            "900719925474099.8",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-3-by-ten-to-5",
-            "9007199254740995e-5",
-            "90071992547.40994",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-plus-3-and-decimals",
-            "90071992547.40995",
-            "90071992547.40994",
-            "rounding",
-        ),
-        spelled(
-            "two-to-60-plus-129-by-ten-to-18",
-            "1152921504606847105e-18",
-            "1.152921504606847",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-times-ten",
-            "9007199254740992e1",
-            "9.007199254740992e16",
-            "rounding",
-        ),
-        spelled(
-            "two-to-53-minus-1-times-ten",
-            "9007199254740991e1",
-            "9.00719925474099e16",
-            "rounding",
-        ),
-        spelled(
-            "nineteen-nines-times-ten-to-22",
-            "9999999999999999999e22",
-            "1e41",
-            "rounding",
-        ),
+        spelled("two-to-53-plus-1-times-ten", "9007199254740993e1", "9.007199254740994e16", "rounding"),
+        spelled("two-to-53-plus-1-times-ten-negative", "-9007199254740993e1", "-9.007199254740994e16", "rounding"),
+        spelled("two-to-53-plus-1-times-hundred", "9007199254740993e2", "9.007199254740993e17", "rounding"),
+        spelled("two-to-53-plus-1-times-ten-to-22", "9007199254740993e22", "9.007199254740994e37", "rounding"),
+        spelled("two-to-53-plus-1-by-ten-to-22", "9007199254740993e-22", "9.007199254740993e-07", "rounding"),
+        spelled("two-to-53-plus-3-times-thousand", "9007199254740995e3", "9.007199254740995e18", "rounding"),
+        spelled("two-to-53-plus-5-times-ten", "9007199254740997e1", "9.007199254740997e16", "rounding"),
+        spelled("two-to-53-plus-5-by-ten", "9007199254740997e-1", "900719925474099.8", "rounding"),
+        spelled("two-to-53-plus-3-by-ten-to-5", "9007199254740995e-5", "90071992547.40994", "rounding"),
+        spelled("two-to-53-plus-3-and-decimals", "90071992547.40995", "90071992547.40994", "rounding"),
+        spelled("two-to-60-plus-129-by-ten-to-18", "1152921504606847105e-18", "1.152921504606847", "rounding"),
+        spelled("two-to-53-times-ten", "9007199254740992e1", "9.007199254740992e16", "rounding"),
+        spelled("two-to-53-minus-1-times-ten", "9007199254740991e1", "9.00719925474099e16", "rounding"),
+        spelled("nineteen-nines-times-ten-to-22", "9999999999999999999e22", "1e41", "rounding"),
     ]
 }
 
@@ -326,10 +121,7 @@ pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
         ("overflow-by-rounding", "1.7976931348623159e308".to_owned()),
         ("overflow-at-the-halfway", format!("{HALFWAY}2")),
         ("overflow-by-digits", format!("1{}", "0".repeat(400))),
-        (
-            "overflow-huge-exponent",
-            "1e99999999999999999999".to_owned(),
-        ),
+        ("overflow-huge-exponent", "1e99999999999999999999".to_owned()),
     ]
 }
 
@@ -387,35 +179,13 @@ pub(super) const MORE_BEYOND: [Integer; 7] = [
 ];
 
 /// What tells a spelling: the double is the one that the digits name.
-fn spelled(
-    name: &'static str,
-    literal: impl Into<String>,
-    is: &'static str,
-    flag: &'static str,
-) -> Double {
-    Double {
-        name,
-        literal: literal.into(),
-        is,
-        rule: "NCP-WIRE-012",
-        flag,
-    }
+fn spelled(name: &'static str, literal: impl Into<String>, is: &'static str, flag: &'static str) -> Double {
+    Double { name, literal: literal.into(), is, rule: "NCP-WIRE-012", flag }
 }
 
 /// What tells a double: that it comes back bit for bit.
-fn exact(
-    name: &'static str,
-    literal: impl Into<String>,
-    is: &'static str,
-    flag: &'static str,
-) -> Double {
-    Double {
-        name,
-        literal: literal.into(),
-        is,
-        rule: "NCP-WIRE-015",
-        flag,
-    }
+fn exact(name: &'static str, literal: impl Into<String>, is: &'static str, flag: &'static str) -> Double {
+    Double { name, literal: literal.into(), is, rule: "NCP-WIRE-015", flag }
 }
 
 #[cfg(test)]

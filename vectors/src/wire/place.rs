@@ -30,11 +30,7 @@ impl Place {
     pub(super) fn frames() -> impl Iterator<Item = Self> {
         tables().messages.iter().filter_map(|message| {
             let kind = message.kind.as_deref()?;
-            Some(Self {
-                kind,
-                path: Vec::new(),
-                message,
-            })
+            Some(Self { kind, path: Vec::new(), message })
         })
     }
 
@@ -68,11 +64,7 @@ impl Place {
                     }
                     Shape::Message(name) => {
                         if let Some(message) = tables().message(name) {
-                            let place = Self {
-                                kind: self.kind,
-                                path,
-                                message,
-                            };
+                            let place = Self { kind: self.kind, path, message };
                             places.push(place.clone());
                             place.enter(places);
                         }
@@ -91,16 +83,12 @@ impl Place {
 
     /// Whether the other message stands within this one.
     pub(super) fn surrounds(&self, other: &Self) -> bool {
-        self.kind == other.kind
-            && other.path.len() > self.path.len()
-            && other.path.starts_with(&self.path)
+        self.kind == other.kind && other.path.len() > self.path.len() && other.path.starts_with(&self.path)
     }
 
     /// Whether the message stands in the same kind in the same way under another name.
     pub(super) fn is_twin(&self) -> bool {
-        self.path
-            .first()
-            .is_some_and(|name| name == "command_channels")
+        self.path.first().is_some_and(|name| name == "command_channels")
     }
 
     /// The first part of a case's id: nothing for a frame, else the kind and the members that
@@ -109,13 +97,8 @@ impl Place {
         if !self.is_nested() {
             return String::new();
         }
-        let members = self
-            .path
-            .iter()
-            .filter(|part| !matches!(part.as_str(), "0" | "a"));
-        let parts: Vec<&str> = std::iter::once(self.kind)
-            .chain(members.map(String::as_str))
-            .collect();
+        let members = self.path.iter().filter(|part| !matches!(part.as_str(), "0" | "a"));
+        let parts: Vec<&str> = std::iter::once(self.kind).chain(members.map(String::as_str)).collect();
         parts.join("/") + "/"
     }
 
@@ -169,13 +152,7 @@ impl Place {
 }
 
 /// Puts `leaf` where `path` leads to from `object`, with what must surround it.
-pub(super) fn put(
-    message: &Message,
-    object: Json,
-    path: &[String],
-    leaf: Json,
-    ground: Ground,
-) -> Json {
+pub(super) fn put(message: &Message, object: Json, path: &[String], leaf: Json, ground: Ground) -> Json {
     let Some((name, rest)) = path.split_first() else {
         return leaf;
     };
@@ -189,9 +166,7 @@ fn wrap(shape: &Shape, path: &[String], leaf: Json, ground: Ground) -> Json {
     match (shape, path) {
         (_, []) => leaf,
         (Shape::List(item), [_, rest @ ..]) => Json::Array(vec![wrap(item, rest, leaf, ground)]),
-        (Shape::Map(value), [key, rest @ ..]) => {
-            Json::object().with(key, wrap(value, rest, leaf, ground))
-        }
+        (Shape::Map(value), [key, rest @ ..]) => Json::object().with(key, wrap(value, rest, leaf, ground)),
         (Shape::Message(name), _) => {
             let Some(message) = tables().message(name) else {
                 return leaf;

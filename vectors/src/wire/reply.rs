@@ -24,28 +24,13 @@ pub(super) fn file() -> File {
         cases.extend(failures(request, reply));
         cases.extend(broken(request, reply));
     }
-    File::new(
-        "wire",
-        "reply",
-        "What a client accepts as the reply to its request.",
-        cases,
-    )
+    File::new("wire", "reply", "What a client accepts as the reply to its request.", cases)
 }
 
 fn fitting(request: &str, reply: &str) -> Vec<Case> {
     let mut table = vec![
-        (
-            "explicit",
-            explicit(reply),
-            "that writes out its defaults",
-            &["NCP-SESS-007"][..],
-        ),
-        (
-            "minimal",
-            minimal(reply),
-            "that says only what it must",
-            &["NCP-WIRE-023", "NCP-SESS-007"],
-        ),
+        ("explicit", explicit(reply), "that writes out its defaults", &["NCP-SESS-007"][..]),
+        ("minimal", minimal(reply), "that says only what it must", &["NCP-WIRE-023", "NCP-SESS-007"]),
         (
             "without-version",
             explicit(reply).without("ncp_version"),
@@ -61,12 +46,7 @@ fn fitting(request: &str, reply: &str) -> Vec<Case> {
     ];
     if reply == "session_opened" {
         let other_hash = explicit(reply).with("contract_hash", "2cf0763ad61e4f1c".into());
-        table.push((
-            "other-contract-hash",
-            other_hash,
-            "of another contract hash",
-            &["NCP-VER-025", "NCP-SESS-007"],
-        ));
+        table.push(("other-contract-hash", other_hash, "of another contract hash", &["NCP-VER-025", "NCP-SESS-007"]));
         let without_hash = explicit(reply).without("contract_hash");
         table.push((
             "without-contract-hash",
@@ -76,29 +56,18 @@ fn fitting(request: &str, reply: &str) -> Vec<Case> {
         ));
     }
     if reply == "observation_frame" {
-        let filled = explicit(reply).with(
-            "records",
-            object! { "v" => object! { "times" => Json::Array(vec![Json::literal("0.1")]) } },
-        );
+        let filled = explicit(reply)
+            .with("records", object! { "v" => object! { "times" => Json::Array(vec![Json::literal("0.1")]) } });
         table.push(("records", filled, "with a record", &["NCP-SESS-007"]));
     }
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(what, frame, says, rules)| {
-            ask(
-                request,
-                &format!("accepted/{what}"),
-                rules,
-                &minimal(request),
-                &frame.text(),
-            )
-            .title(format!(
-                "A client accepts {} {says} as the reply to its `{request}`.",
-                a(reply).to_lowercase()
-            ))
-            .flags(&["over-strict"])
-            .accepts()
-            .because("Kind, session and version fit, and nothing failed.")
+            ask(request, &format!("accepted/{what}"), rules, &minimal(request), &frame.text())
+                .title(format!("A client accepts {} {says} as the reply to its `{request}`.", a(reply).to_lowercase()))
+                .flags(&["over-strict"])
+                .accepts()
+                .because("Kind, session and version fit, and nothing failed.")
         })
         .collect();
     let session = Json::string("caf\u{e9}");
@@ -111,9 +80,7 @@ fn fitting(request: &str, reply: &str) -> Vec<Case> {
             &asked,
             &explicit(reply).with("session_id", session).text(),
         )
-        .title(format!(
-            "A client accepts a reply to its `{request}` of a session that is not in ASCII."
-        ))
+        .title(format!("A client accepts a reply to its `{request}` of a session that is not in ASCII."))
         .flags(&["over-strict"])
         .accepts()
         .because("The reply's session is the request's."),
@@ -123,11 +90,7 @@ fn fitting(request: &str, reply: &str) -> Vec<Case> {
 
 fn wrong_kinds(request: &str, reply: &str) -> Vec<Case> {
     let replies = ["session_opened", "observation_frame", "session_closed"];
-    let others = replies.into_iter().filter(|kind| *kind != reply).chain([
-        request,
-        "stimulus_frame",
-        "link_status",
-    ]);
+    let others = replies.into_iter().filter(|kind| *kind != reply).chain([request, "stimulus_frame", "link_status"]);
     others
         .map(|kind| {
             // An echo of the request, or any frame with the right session: only the kind is wrong.
@@ -139,16 +102,10 @@ fn wrong_kinds(request: &str, reply: &str) -> Vec<Case> {
                 &minimal(request),
                 &frame.text(),
             )
-            .title(format!(
-                "A client rejects {} as the reply to its `{request}`.",
-                a(kind).to_lowercase()
-            ))
+            .title(format!("A client rejects {} as the reply to its `{request}`.", a(kind).to_lowercase()))
             .flags(&["unchecked-replies"])
             .rejects("reply")
-            .because(format!(
-                "A `{request}` is answered by {}.",
-                a(reply).to_lowercase()
-            ))
+            .because(format!("A `{request}` is answered by {}.", a(reply).to_lowercase()))
         })
         .collect()
 }
@@ -159,7 +116,9 @@ fn wrong_sessions(request: &str, reply: &str) -> Vec<Case> {
         .map(|(what, session)| {
             let frame = explicit(reply).with("session_id", session.into());
             ask(request, &format!("session/{what}"), &["NCP-SESS-002"], &minimal(request), &frame.text())
-                .title(format!("A client rejects a reply of the session `{session}` to its `{request}` of the session `s1`."))
+                .title(format!(
+                    "A client rejects a reply of the session `{session}` to its `{request}` of the session `s1`."
+                ))
                 .flags(&["unchecked-replies"])
                 .rejects("reply")
                 .because("The reply is another session's.")
@@ -180,20 +139,11 @@ fn wrong_versions(request: &str, reply: &str) -> Vec<Case> {
     .into_iter()
     .map(|(what, version)| {
         let frame = explicit(reply).with("ncp_version", version.into());
-        ask(
-            request,
-            &format!("version/{what}"),
-            &["NCP-SESS-003"],
-            &minimal(request),
-            &frame.text(),
-        )
-        .title(format!(
-            "A client rejects a reply of version {} to its `{request}`.",
-            Json::string(version).text()
-        ))
-        .flags(&["unchecked-reply-version"])
-        .rejects("version")
-        .because("The version guard does not hold the version compatible with 0.5.")
+        ask(request, &format!("version/{what}"), &["NCP-SESS-003"], &minimal(request), &frame.text())
+            .title(format!("A client rejects a reply of version {} to its `{request}`.", Json::string(version).text()))
+            .flags(&["unchecked-reply-version"])
+            .rejects("version")
+            .because("The version guard does not hold the version compatible with 0.5.")
     })
     .collect()
 }
@@ -202,12 +152,7 @@ fn failures(request: &str, reply: &str) -> Vec<Case> {
     let error = || minimal("error");
     let mut table = vec![
         ("error", error(), "NCP-SESS-005", "an error frame"),
-        (
-            "error-of-session",
-            error().and("session_id", "s1".into()),
-            "NCP-SESS-005",
-            "an error frame of its session",
-        ),
+        ("error-of-session", error().and("session_id", "s1".into()), "NCP-SESS-005", "an error frame of its session"),
         (
             "error-of-null-session",
             error().and("session_id", Json::Null),
@@ -216,12 +161,7 @@ fn failures(request: &str, reply: &str) -> Vec<Case> {
         ),
     ];
     if reply != "observation_frame" {
-        table.push((
-            "not-ok",
-            explicit(reply).with("ok", false.into()),
-            "NCP-SESS-004",
-            "a reply with `ok` false",
-        ));
+        table.push(("not-ok", explicit(reply).with("ok", false.into()), "NCP-SESS-004", "a reply with `ok` false"));
         table.push((
             "not-ok-minimal",
             minimal(reply).with("ok", false.into()),
@@ -232,19 +172,11 @@ fn failures(request: &str, reply: &str) -> Vec<Case> {
     table
         .into_iter()
         .map(|(what, frame, rule, says)| {
-            ask(
-                request,
-                &format!("failure/{what}"),
-                &[rule],
-                &minimal(request),
-                &frame.text(),
-            )
-            .title(format!(
-                "A client reports {says} to its `{request}` as an error."
-            ))
-            .flags(&["swallowed-failures"])
-            .rejects("reply")
-            .because("The reply says that the request failed.")
+            ask(request, &format!("failure/{what}"), &[rule], &minimal(request), &frame.text())
+                .title(format!("A client reports {says} to its `{request}` as an error."))
+                .flags(&["swallowed-failures"])
+                .rejects("reply")
+                .because("The reply says that the request failed.")
         })
         .collect()
 }
@@ -256,44 +188,17 @@ fn broken(request: &str, reply: &str) -> Vec<Case> {
         ("not-json", "ok".to_owned(), "is no JSON", "NCP-WIRE-002"),
         ("empty", String::new(), "is empty", "NCP-WIRE-002"),
         ("array", format!("[{text}]"), "is an array", "NCP-WIRE-003"),
-        (
-            "truncated",
-            text[..text.len() - 1].to_owned(),
-            "is cut off",
-            "NCP-WIRE-002",
-        ),
-        (
-            "two-documents",
-            format!("{text}{text}"),
-            "is two documents",
-            "NCP-WIRE-004",
-        ),
-        (
-            "duplicate",
-            minimal(reply).and("session_id", "s1".into()).text(),
-            "has a member twice",
-            "NCP-WIRE-007",
-        ),
-        (
-            "no-kind",
-            minimal(reply).without("kind").text(),
-            "has no kind",
-            "NCP-WIRE-028",
-        ),
-        (
-            "session-null",
-            minimal(reply).with("session_id", Json::Null).text(),
-            "has a session of null",
-            "NCP-WIRE-021",
-        ),
+        ("truncated", text[..text.len() - 1].to_owned(), "is cut off", "NCP-WIRE-002"),
+        ("two-documents", format!("{text}{text}"), "is two documents", "NCP-WIRE-004"),
+        ("duplicate", minimal(reply).and("session_id", "s1".into()).text(), "has a member twice", "NCP-WIRE-007"),
+        ("no-kind", minimal(reply).without("kind").text(), "has no kind", "NCP-WIRE-028"),
+        ("session-null", minimal(reply).with("session_id", Json::Null).text(), "has a session of null", "NCP-WIRE-021"),
     ];
     match reply {
         "observation_frame" => {
             table.push((
                 "pin",
-                minimal(reply)
-                    .with("is_simulation_output", false.into())
-                    .text(),
+                minimal(reply).with("is_simulation_output", false.into()).text(),
                 "has a broken pin",
                 "NCP-PROV-002",
             ));
@@ -307,12 +212,7 @@ fn broken(request: &str, reply: &str) -> Vec<Case> {
     }
     if reply == "session_opened" {
         let provenance = object! { "calibrated_posterior" => true };
-        table.push((
-            "pin",
-            minimal(reply).with("provenance", provenance).text(),
-            "has a broken pin",
-            "NCP-PROV-003",
-        ));
+        table.push(("pin", minimal(reply).with("provenance", provenance).text(), "has a broken pin", "NCP-PROV-003"));
     }
     table
         .into_iter()
@@ -322,26 +222,16 @@ fn broken(request: &str, reply: &str) -> Vec<Case> {
                 "NCP-WIRE-003" | "NCP-WIRE-020" | "NCP-PROV-002" | "NCP-PROV-003" => &[rule],
                 rule => &["NCP-SESS-006", rule],
             };
-            ask(
-                request,
-                &format!("broken/{what}"),
-                rules,
-                &minimal(request),
-                &reply,
-            )
-            .title(format!(
-                "A client rejects a reply to its `{request}` that {says}."
-            ))
-            .flags(&["unchecked-replies"])
-            .rejects("reply")
-            .because("No decoder accepts such a frame.")
+            ask(request, &format!("broken/{what}"), rules, &minimal(request), &reply)
+                .title(format!("A client rejects a reply to its `{request}` that {says}."))
+                .flags(&["unchecked-replies"])
+                .rejects("reply")
+                .because("No decoder accepts such a frame.")
         })
         .collect()
 }
 
 fn ask(request: &str, what: &str, rules: &[&'static str], asked: &Json, reply: &str) -> Case {
-    Case::new(format!("{request}/{what}"), rules, &[Commander]).call(
-        "reply.check",
-        object! { "request" => asked.text(), "reply" => reply },
-    )
+    Case::new(format!("{request}/{what}"), rules, &[Commander])
+        .call("reply.check", object! { "request" => asked.text(), "reply" => reply })
 }

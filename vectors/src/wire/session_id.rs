@@ -17,24 +17,12 @@ pub(super) fn file() -> File {
     for kind in with_session {
         // The whole grammar for one kind; the builders of area `keys` show it to the other roles.
         let all = kind == "close_session";
-        let refused = if all {
-            segments::refused()
-        } else {
-            segments::refused_sample()
-        };
+        let refused = if all { segments::refused() } else { segments::refused_sample() };
         cases.extend(refused.iter().map(|segment| rejected(kind, segment)));
-        let accepted = if all {
-            segments::accepted()
-        } else {
-            segments::accepted_sample()
-        };
+        let accepted = if all { segments::accepted() } else { segments::accepted_sample() };
         cases.extend(accepted.iter().map(|segment| read(kind, segment)));
         if all {
-            cases.extend(
-                segments::discouraged()
-                    .iter()
-                    .map(|segment| advised_against(kind, segment)),
-            );
+            cases.extend(segments::discouraged().iter().map(|segment| advised_against(kind, segment)));
         }
     }
     cases.extend(free());
@@ -44,67 +32,39 @@ pub(super) fn file() -> File {
 
 fn rejected(kind: &'static str, segment: &Segment) -> Case {
     let frame = minimal(kind).with("session_id", Json::string(&segment.text));
-    Case::new(
-        format!("{kind}/refused/{}", segment.name),
-        &["NCP-WIRE-031", segment.rule],
-        readers(kind),
-    )
-    .title(format!(
-        "{} whose `session_id` {} is rejected.",
-        a(kind),
-        segment.says
-    ))
-    .flags(&["unchecked-session-id"])
-    .decode(kind, frame.text())
-    .rejects("value")
-    .because("No key could be built from the id, so no peer could have the session.")
+    Case::new(format!("{kind}/refused/{}", segment.name), &["NCP-WIRE-031", segment.rule], readers(kind))
+        .title(format!("{} whose `session_id` {} is rejected.", a(kind), segment.says))
+        .flags(&["unchecked-session-id"])
+        .decode(kind, frame.text())
+        .rejects("value")
+        .because("No key could be built from the id, so no peer could have the session.")
 }
 
 /// What chapter 3 only advises against is only advised against here.
 fn advised_against(kind: &'static str, segment: &Segment) -> Case {
     let frame = minimal(kind).with("session_id", Json::string(&segment.text));
-    Case::new(
-        format!("{kind}/discouraged/{}", segment.name),
-        &[segment.rule],
-        readers(kind),
-    )
-    .title(format!(
-        "{} whose `session_id` {} should be rejected.",
-        a(kind),
-        segment.says
-    ))
-    .flags(&[segment.flag])
-    .decode(kind, frame.text())
-    .rejects("value")
-    .because("What chapter 3 says with SHOULD is SHOULD for a frame too.")
+    Case::new(format!("{kind}/discouraged/{}", segment.name), &[segment.rule], readers(kind))
+        .title(format!("{} whose `session_id` {} should be rejected.", a(kind), segment.says))
+        .flags(&[segment.flag])
+        .decode(kind, frame.text())
+        .rejects("value")
+        .because("What chapter 3 says with SHOULD is SHOULD for a frame too.")
 }
 
 /// Ids that are any strings.
 fn free() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (kind, field) in [
-        ("link_status", "session_id"),
-        ("capabilities", "controller_id"),
-    ] {
-        for (what, text) in [
-            ("empty", ""),
-            ("slash", "a/b"),
-            ("star", "*"),
-            ("at", "@a"),
-            ("space", "a b"),
-            ("nul", "a\0b"),
-        ] {
+    for (kind, field) in [("link_status", "session_id"), ("capabilities", "controller_id")] {
+        for (what, text) in
+            [("empty", ""), ("slash", "a/b"), ("star", "*"), ("at", "@a"), ("space", "a b"), ("nul", "a\0b")]
+        {
             let frame = explicit(kind).with(field, Json::string(text));
             if frame == explicit(kind) {
                 continue;
             }
             cases.push(
                 Case::new(format!("{kind}/free/{what}"), &[READ], readers(kind))
-                    .title(format!(
-                        "{} whose `{field}` is {} is read.",
-                        a(kind),
-                        Json::string(text).text()
-                    ))
+                    .title(format!("{} whose `{field}` is {} is read.", a(kind), Json::string(text).text()))
                     .flags(&["over-strict"])
                     .decode(kind, frame.text())
                     .means(meaning(kind, &frame).text())
@@ -120,18 +80,10 @@ fn free() -> Vec<Case> {
 
 fn read(kind: &'static str, segment: &Segment) -> Case {
     let frame = explicit(kind).with("session_id", Json::string(&segment.text));
-    Case::new(
-        format!("{kind}/accepted/{}", segment.name),
-        &["NCP-KEY-020", "NCP-WIRE-031"],
-        readers(kind),
-    )
-    .title(format!(
-        "{} whose `session_id` {} is read.",
-        a(kind),
-        segment.says
-    ))
-    .flags(&[segment.flag])
-    .decode(kind, frame.text())
-    .means(meaning(kind, &frame).text())
-    .because("Chapter 3 refuses nothing of it, so it is a valid id.")
+    Case::new(format!("{kind}/accepted/{}", segment.name), &["NCP-KEY-020", "NCP-WIRE-031"], readers(kind))
+        .title(format!("{} whose `session_id` {} is read.", a(kind), segment.says))
+        .flags(&[segment.flag])
+        .decode(kind, frame.text())
+        .means(meaning(kind, &frame).text())
+        .because("Chapter 3 refuses nothing of it, so it is a valid id.")
 }

@@ -8,9 +8,9 @@ pub(super) fn file() -> File {
     let mut cases = Vec::new();
     for (kind, message, member, field) in FIELDS {
         let nested = Place::nested().into_iter();
-        let place = Place::frames().chain(nested).find(|place| {
-            place.kind == *kind && place.message.name == *message && place.member(field) == *member
-        });
+        let place = Place::frames()
+            .chain(nested)
+            .find(|place| place.kind == *kind && place.message.name == *message && place.member(field) == *member);
         if let Some(place) = place {
             let under = |mut case: Case| {
                 if !place.is_nested() {
@@ -43,9 +43,7 @@ mod tests {
     fn every_listed_field_is_found() {
         let cases = file().cases;
         for (kind, _, _, field) in FIELDS {
-            let is_here = |case: &&Case| {
-                case.path.starts_with(kind) && case.path.split('/').any(|part| part == *field)
-            };
+            let is_here = |case: &&Case| case.path.starts_with(kind) && case.path.split('/').any(|part| part == *field);
             assert!(cases.iter().any(|case| is_here(&case)), "{kind} {field}");
         }
     }

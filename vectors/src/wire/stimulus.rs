@@ -14,12 +14,9 @@ pub(super) fn file() -> File {
         cases.extend(fits(kind));
         cases.extend(misfits(kind));
     }
-    let nested = Place::nested()
-        .into_iter()
-        .filter(|place| place.message.kind.is_some());
+    let nested = Place::nested().into_iter().filter(|place| place.message.kind.is_some());
     cases.extend(nested.flat_map(|place| fields::cases_at(&place)));
-    let about =
-        "A stimulus frame within a request: what it may leave out, and what it must agree with.";
+    let about = "A stimulus frame within a request: what it may leave out, and what it must agree with.";
     File::new("wire", "stimulus_in_request", about, cases)
 }
 
@@ -41,32 +38,17 @@ fn left_out(kind: &'static str) -> Vec<Case> {
     let mut cases: Vec<Case> = subsets
         .into_iter()
         .map(|names| {
-            let left = names
-                .iter()
-                .fold(stimulus(), |stimulus, name| stimulus.without(name));
+            let left = names.iter().fold(stimulus(), |stimulus, name| stimulus.without(name));
             let frame = explicit(kind).with("stimulus", left);
-            let pointers: Vec<String> = names
-                .iter()
-                .map(|name| format!("/stimulus/{name}"))
-                .collect();
+            let pointers: Vec<String> = names.iter().map(|name| format!("/stimulus/{name}")).collect();
             let ignore: Vec<&str> = pointers.iter().map(String::as_str).collect();
-            let listed = names
-                .iter()
-                .map(|name| format!("`{name}`"))
-                .collect::<Vec<_>>()
-                .join(" and ");
+            let listed = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" and ");
             Case::new(
-                format!(
-                    "{kind}/without/{}",
-                    names.join("-and-").replace("ncp_", "").replace('_', "-")
-                ),
+                format!("{kind}/without/{}", names.join("-and-").replace("ncp_", "").replace('_', "-")),
                 &["NCP-WIRE-035"],
                 readers(kind),
             )
-            .title(format!(
-                "{} whose stimulus frame leaves out {listed} is read.",
-                a(kind)
-            ))
+            .title(format!("{} whose stimulus frame leaves out {listed} is read.", a(kind)))
             .flags(&["nested-stimulus"])
             .decode(kind, frame.text())
             .means_but_for(meaning(kind, &frame).text(), &ignore)
@@ -75,26 +57,15 @@ fn left_out(kind: &'static str) -> Vec<Case> {
         .collect();
     let frame = minimal(kind).with("stimulus", Json::object());
     cases.push(
-        Case::new(
-            format!("{kind}/without/anything"),
-            &["NCP-WIRE-035", "NCP-WIRE-023"],
-            readers(kind),
-        )
-        .title(format!(
-            "{} whose stimulus frame is an empty object is read.",
-            a(kind)
-        ))
-        .flags(&["nested-stimulus"])
-        .decode(kind, frame.text())
-        .means_but_for(
-            meaning(kind, &frame).text(),
-            &[
-                "/stimulus/kind",
-                "/stimulus/ncp_version",
-                "/stimulus/session_id",
-            ],
-        )
-        .because("Three members may be left out, and the others have defaults."),
+        Case::new(format!("{kind}/without/anything"), &["NCP-WIRE-035", "NCP-WIRE-023"], readers(kind))
+            .title(format!("{} whose stimulus frame is an empty object is read.", a(kind)))
+            .flags(&["nested-stimulus"])
+            .decode(kind, frame.text())
+            .means_but_for(
+                meaning(kind, &frame).text(),
+                &["/stimulus/kind", "/stimulus/ncp_version", "/stimulus/session_id"],
+            )
+            .because("Three members may be left out, and the others have defaults."),
     );
     cases
 }
@@ -106,45 +77,31 @@ fn fits(kind: &'static str) -> Vec<Case> {
             "other-version-in-both",
             explicit(kind)
                 .with("ncp_version", with_version("0.4"))
-                .with(
-                    "stimulus",
-                    stimulus().with("ncp_version", with_version("0.4")),
-                ),
+                .with("stimulus", stimulus().with("ncp_version", with_version("0.4"))),
             "has the request's version, which is an older one,",
         ),
         (
             "version-where-the-request-has-none",
-            explicit(kind)
-                .without("ncp_version")
-                .with("stimulus", stimulus()),
+            explicit(kind).without("ncp_version").with("stimulus", stimulus()),
             "says 0.5 where the request leaves its version out",
         ),
         (
             "other-session-in-both",
             explicit(kind)
                 .with("session_id", Json::string("\u{e9}"))
-                .with(
-                    "stimulus",
-                    stimulus().with("session_id", Json::string("\u{e9}")),
-                ),
+                .with("stimulus", stimulus().with("session_id", Json::string("\u{e9}"))),
             "has the request's session, which is not in ASCII,",
         ),
     ];
     table
         .into_iter()
         .map(|(what, frame, says)| {
-            Case::new(
-                format!("{kind}/fits/{what}"),
-                &["NCP-WIRE-035"],
-                readers(kind),
-            )
-            .title(format!("{} whose stimulus frame {says} is read.", a(kind)))
-            .flags(&["nested-stimulus"])
-            .decode(kind, frame.text())
-            .means(meaning(kind, &frame).text())
-            .because(
-                "What stands there agrees with the request; a request without a version has 0.5.",
-            )
+            Case::new(format!("{kind}/fits/{what}"), &["NCP-WIRE-035"], readers(kind))
+                .title(format!("{} whose stimulus frame {says} is read.", a(kind)))
+                .flags(&["nested-stimulus"])
+                .decode(kind, frame.text())
+                .means(meaning(kind, &frame).text())
+                .because("What stands there agrees with the request; a request without a version has 0.5.")
         })
         .map(|case| {
             if case.path.ends_with("/other-version-in-both") {
@@ -163,15 +120,7 @@ fn misfits(kind: &'static str) -> Vec<Case> {
     let string = |text: &str| Json::string(text);
     let one = || Json::literal("1");
     let mut table: Vec<(String, Json, &'static str, &str, String)> = Vec::new();
-    for other in [
-        "sensor_frame",
-        "command_frame",
-        kind,
-        "Stimulus_frame",
-        "StimulusFrame",
-        "unknown",
-        "",
-    ] {
+    for other in ["sensor_frame", "command_frame", kind, "Stimulus_frame", "StimulusFrame", "unknown", ""] {
         let name = match other {
             "" => "empty",
             "Stimulus_frame" => "capital",
@@ -186,13 +135,8 @@ fn misfits(kind: &'static str) -> Vec<Case> {
             format!("is of the kind `{other}`"),
         ));
     }
-    for (name, session) in [
-        ("other", "s2"),
-        ("empty", ""),
-        ("other-case", "S1"),
-        ("longer", "s1 "),
-        ("invalid", "s/1"),
-    ] {
+    for (name, session) in [("other", "s2"), ("empty", ""), ("other-case", "S1"), ("longer", "s1 "), ("invalid", "s/1")]
+    {
         table.push((
             format!("session-{name}"),
             object! { "session_id" => session },
@@ -201,12 +145,7 @@ fn misfits(kind: &'static str) -> Vec<Case> {
             format!("has the session `{session}`"),
         ));
     }
-    for (name, version) in [
-        ("older", "0.4"),
-        ("newer", "0.6"),
-        ("empty", ""),
-        ("malformed", "x"),
-    ] {
+    for (name, version) in [("older", "0.4"), ("newer", "0.6"), ("empty", ""), ("malformed", "x")] {
         table.push((
             format!("version-{name}"),
             object! { "ncp_version" => version },
@@ -248,25 +187,18 @@ fn misfits(kind: &'static str) -> Vec<Case> {
         })
         .collect();
     cases.push(
-        Case::new(
-            format!("{kind}/misfit/version-of-absent"),
-            &["NCP-WIRE-038"],
-            readers(kind),
-        )
-        .title(format!(
-            "{} of version 0.4 whose stimulus frame says 0.5 is rejected.",
-            a(kind)
-        ))
-        .flags(&["nested-stimulus"])
-        .decode(
-            kind,
-            minimal(kind)
-                .with("ncp_version", string("0.4"))
-                .with("stimulus", object! { "ncp_version" => "0.5" })
-                .text(),
-        )
-        .rejects("value")
-        .because("0.5 is the receiver's version, but not the request's."),
+        Case::new(format!("{kind}/misfit/version-of-absent"), &["NCP-WIRE-038"], readers(kind))
+            .title(format!("{} of version 0.4 whose stimulus frame says 0.5 is rejected.", a(kind)))
+            .flags(&["nested-stimulus"])
+            .decode(
+                kind,
+                minimal(kind)
+                    .with("ncp_version", string("0.4"))
+                    .with("stimulus", object! { "ncp_version" => "0.5" })
+                    .text(),
+            )
+            .rejects("value")
+            .because("0.5 is the receiver's version, but not the request's."),
     );
     cases
 }

@@ -21,8 +21,7 @@ pub(crate) fn answer(call: &str, args: &Value) -> Answer {
         "decode" => decode(args),
         "encode" => {
             let kind = Kind::parse(given("kind")).unwrap();
-            let message =
-                wire::build(kind, args["fields"].to_string().as_bytes()).map_err(words)?;
+            let message = wire::build(kind, args["fields"].to_string().as_bytes()).map_err(words)?;
             Ok(json!({ "text": message.encode().map_err(words)? }))
         }
         "version.check" => {
@@ -30,9 +29,7 @@ pub(crate) fn answer(call: &str, args: &Value) -> Answer {
             Ok(json!({ "compatible": compatible.map_err(words)? }))
         }
         "contract.status" => Ok(json!({ "status": contract_status(text("peer_hash")).as_str() })),
-        "contract.verify" => verify_contract(text("peer_hash"))
-            .map(|()| json!({}))
-            .map_err(words),
+        "contract.verify" => verify_contract(text("peer_hash")).map(|()| json!({})).map_err(words),
         "negotiate" => {
             let status = negotiate(given("version"), text("contract_hash")).map_err(words)?;
             Ok(json!({ "contract": status.as_str() }))
@@ -56,21 +53,12 @@ pub(crate) fn answer(call: &str, args: &Value) -> Answer {
             Ok(json!({ "columns": columns.iter().map(column_out).collect::<Value>() }))
         }
         "bulk.encode" => {
-            let columns: Vec<Column> = args["columns"]
-                .as_array()
-                .unwrap()
-                .iter()
-                .map(column_in)
-                .collect();
+            let columns: Vec<Column> = args["columns"].as_array().unwrap().iter().map(column_in).collect();
             Ok(json!({ "block": STANDARD.encode(bulk::encode(&columns).map_err(words)?) }))
         }
         "observation.pack" => {
             let senders = longs_in(&args["senders"]);
-            let block = bulk::pack(
-                &doubles_in(&args["times"]),
-                &doubles_in(&args["values"]),
-                &senders,
-            );
+            let block = bulk::pack(&doubles_in(&args["times"]), &doubles_in(&args["values"]), &senders);
             Ok(json!({ "block": STANDARD.encode(block.map_err(words)?) }))
         }
         "observation.unpack" => {
@@ -82,16 +70,9 @@ pub(crate) fn answer(call: &str, args: &Value) -> Answer {
             }))
         }
         "reply.check" => {
-            let request =
-                wire::decode_any(given("request").as_bytes()).expect("a request is a frame");
-            let check = if strict(args) {
-                check_reply_strict
-            } else {
-                check_reply
-            };
-            check(&request, given("reply").as_bytes())
-                .map(|_| json!({}))
-                .map_err(words)
+            let request = wire::decode_any(given("request").as_bytes()).expect("a request is a frame");
+            let check = if strict(args) { check_reply_strict } else { check_reply };
+            check(&request, given("reply").as_bytes()).map(|_| json!({})).map_err(words)
         }
         _ => panic!("{call} is no call of this level"),
     }
@@ -104,11 +85,7 @@ pub(crate) fn decode(args: &Value) -> Answer {
         Some(text) => text.as_bytes().to_vec(),
         None => bytes(args["base64"].as_str().unwrap()),
     };
-    let decode = if strict(args) {
-        wire::decode_strict
-    } else {
-        wire::decode
-    };
+    let decode = if strict(args) { wire::decode_strict } else { wire::decode };
     let message = decode(kind, &frame).map_err(words)?;
     // What was read can be written: only then is there an answer at all.
     Ok(json!({ "text": message.encode().expect("what was read can be written") }))
@@ -156,20 +133,11 @@ fn key(args: &Value) -> Result<String, KeyError> {
 fn column_in(column: &Value) -> Column {
     let data = &column["data"];
     let data = match Dtype::parse(column["dtype"].as_str().unwrap()).unwrap() {
-        Dtype::F32 => ColumnData::F32(
-            doubles_in(data)
-                .into_iter()
-                .map(|value| value as f32)
-                .collect(),
-        ),
+        Dtype::F32 => ColumnData::F32(doubles_in(data).into_iter().map(|value| value as f32).collect()),
         Dtype::F64 => ColumnData::F64(doubles_in(data)),
         Dtype::I32 => {
             let values = data.as_array().unwrap().iter();
-            ColumnData::I32(
-                values
-                    .map(|value| i32::try_from(value.as_i64().unwrap()).unwrap())
-                    .collect(),
-            )
+            ColumnData::I32(values.map(|value| i32::try_from(value.as_i64().unwrap()).unwrap()).collect())
         }
         Dtype::I64 => ColumnData::I64(longs_in(data)),
     };
@@ -178,12 +146,7 @@ fn column_in(column: &Value) -> Column {
 
 fn column_out(column: &Column) -> Value {
     let data = match &column.data {
-        ColumnData::F32(values) => doubles_out(
-            &values
-                .iter()
-                .map(|value| f64::from(*value))
-                .collect::<Vec<_>>(),
-        ),
+        ColumnData::F32(values) => doubles_out(&values.iter().map(|value| f64::from(*value)).collect::<Vec<_>>()),
         ColumnData::F64(values) => doubles_out(values),
         ColumnData::I32(values) => json!(values),
         ColumnData::I64(values) => longs_out(values),
@@ -199,22 +162,13 @@ fn doubles_in(values: &Value) -> Vec<f64> {
         Some("-0") => -0.0,
         _ => value.as_f64().expect("a double"),
     };
-    values
-        .as_array()
-        .expect("doubles")
-        .iter()
-        .map(double)
-        .collect()
+    values.as_array().expect("doubles").iter().map(double).collect()
 }
 
 fn doubles_out(values: &[f64]) -> Value {
     let double = |value: &f64| match value {
         value if value.is_nan() => json!("NaN"),
-        value if value.is_infinite() => json!(if *value > 0.0 {
-            "Infinity"
-        } else {
-            "-Infinity"
-        }),
+        value if value.is_infinite() => json!(if *value > 0.0 { "Infinity" } else { "-Infinity" }),
         value if value.to_bits() == (-0.0_f64).to_bits() => json!("-0"),
         value => json!(value),
     };
@@ -222,24 +176,10 @@ fn doubles_out(values: &[f64]) -> Value {
 }
 
 fn longs_in(values: &Value) -> Vec<i64> {
-    let long = |value: &Value| {
-        value
-            .as_str()
-            .expect("a string of digits")
-            .parse()
-            .expect("an i64")
-    };
-    values
-        .as_array()
-        .expect("integers")
-        .iter()
-        .map(long)
-        .collect()
+    let long = |value: &Value| value.as_str().expect("a string of digits").parse().expect("an i64");
+    values.as_array().expect("integers").iter().map(long).collect()
 }
 
 fn longs_out(values: &[i64]) -> Value {
-    values
-        .iter()
-        .map(|value| json!(value.to_string()))
-        .collect()
+    values.iter().map(|value| json!(value.to_string())).collect()
 }

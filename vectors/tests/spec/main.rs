@@ -3,12 +3,7 @@
 //! The generator knows the text and not `ncp-spec`, and `ncp-spec` knows the text and not the
 //! generator. Where the two disagree, one of them has misread it.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that cannot go on has failed"
-)]
+#![expect(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 mod answer;
 mod relation;
@@ -21,9 +16,7 @@ use serde_json::Value;
 fn disagreements(area: &str) -> (usize, Vec<String>) {
     let mut count = 0;
     let mut wrong = Vec::new();
-    let files = generate()
-        .into_iter()
-        .filter(|(path, _)| path.starts_with(area));
+    let files = generate().into_iter().filter(|(path, _)| path.starts_with(area));
     for (_, text) in files {
         let file: Value = serde_json::from_str(&text).unwrap();
         for case in file["cases"].as_array().unwrap() {
@@ -42,12 +35,7 @@ fn disagreements(area: &str) -> (usize, Vec<String>) {
 fn agrees(area: &str) {
     let (count, wrong) = disagreements(area);
     assert!(count > 0);
-    assert!(
-        wrong.is_empty(),
-        "{} of {count} cases:\n{}",
-        wrong.len(),
-        wrong.join("\n")
-    );
+    assert!(wrong.is_empty(), "{} of {count} cases:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 #[test]

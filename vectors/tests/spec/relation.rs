@@ -22,10 +22,7 @@ pub(crate) fn judge(expect: &Value, answer: Answer) -> Result<(), String> {
     let (expected, got) = match relation {
         "json" => (expect["value"].clone(), result),
         "bytes" => (expect["base64"].clone(), result["block"].clone()),
-        "columns" => (
-            expect["columns"].clone(),
-            columns_of(result["block"].as_str().unwrap())?,
-        ),
+        "columns" => (expect["columns"].clone(), columns_of(result["block"].as_str().unwrap())?),
         "message" => return message(expect, result["text"].as_str().unwrap()),
         "pattern" => return pattern(&expect["value"], &result, ""),
         "encoding" => return encoding(&parsed(&expect["text"]), &parsed(&result["text"]), ""),
@@ -47,9 +44,7 @@ fn pattern(expected: &Value, got: &Value, at: &str) -> Result<(), String> {
     if let Some(inner) = members.get("$json") {
         return pattern(inner, &parsed(got), at);
     }
-    members
-        .iter()
-        .try_for_each(|(name, value)| pattern(value, &got[name], &format!("{at}/{name}")))
+    members.iter().try_for_each(|(name, value)| pattern(value, &got[name], &format!("{at}/{name}")))
 }
 
 fn parsed(text: &Value) -> Value {
@@ -63,8 +58,7 @@ fn message(expect: &Value, got: &str) -> Result<(), String> {
     let mut got = parsed(&Value::from(got));
     if same(&expected, &got, "", false).is_err() && expect.get("ignore").is_none() {
         let frame = json!({ "kind": expected["kind"], "text": expect["text"] });
-        let read =
-            decode(&frame).map_err(|error| format!("what is expected is rejected: {error}"))?;
+        let read = decode(&frame).map_err(|error| format!("what is expected is rejected: {error}"))?;
         let normal = parsed(&read["text"]);
         if is_abbreviated(&expected, &normal) {
             expected = normal;
@@ -83,10 +77,9 @@ fn message(expect: &Value, got: &str) -> Result<(), String> {
 /// Whether a frame says less than another, and nothing else.
 fn is_abbreviated(frame: &Value, whole: &Value) -> bool {
     match (frame, whole) {
-        (Value::Object(some), Value::Object(all)) => some.iter().all(|(name, value)| {
-            all.get(name)
-                .is_some_and(|other| is_abbreviated(value, other))
-        }),
+        (Value::Object(some), Value::Object(all)) => {
+            some.iter().all(|(name, value)| all.get(name).is_some_and(|other| is_abbreviated(value, other)))
+        }
         (Value::Array(some), Value::Array(all)) => {
             some.len() == all.len() && some.iter().zip(all).all(|(a, b)| is_abbreviated(a, b))
         }
@@ -98,9 +91,7 @@ fn is_abbreviated(frame: &Value, whole: &Value) -> bool {
 fn same(expected: &Value, got: &Value, at: &str, exact: bool) -> Result<(), String> {
     match (expected, got) {
         (Value::Object(a), Value::Object(b)) => {
-            let names = a
-                .keys()
-                .chain(b.keys().filter(|name| !a.contains_key(*name)));
+            let names = a.keys().chain(b.keys().filter(|name| !a.contains_key(*name)));
             for name in names {
                 let is_there = a.contains_key(name) && b.contains_key(name);
                 if exact && !is_there {
@@ -120,9 +111,7 @@ fn same(expected: &Value, got: &Value, at: &str, exact: bool) -> Result<(), Stri
                 (Some(a), Some(b)) => a == b,
                 _ => bits(a) == bits(b),
             };
-            equal
-                .then_some(())
-                .ok_or(format!("{at}: expected {a}, got {b}"))
+            equal.then_some(()).ok_or(format!("{at}: expected {a}, got {b}"))
         }
         (a, b) if a == b => Ok(()),
         (a, b) => Err(format!("{at}: expected {}, got {}", short(a), short(b))),
@@ -135,13 +124,9 @@ fn encoding(expected: &Value, got: &Value, at: &str) -> Result<(), String> {
         (Value::Object(a), Value::Object(b)) => {
             let (names, others): (Vec<_>, Vec<_>) = (a.keys().collect(), b.keys().collect());
             if names != others {
-                return Err(format!(
-                    "{at}: expected the members {names:?}, got {others:?}"
-                ));
+                return Err(format!("{at}: expected the members {names:?}, got {others:?}"));
             }
-            names
-                .into_iter()
-                .try_for_each(|name| encoding(&a[name], &b[name], &format!("{at}/{name}")))
+            names.into_iter().try_for_each(|name| encoding(&a[name], &b[name], &format!("{at}/{name}")))
         }
         (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
             a.iter().zip(b).try_for_each(|(a, b)| encoding(a, b, at))

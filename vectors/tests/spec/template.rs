@@ -10,10 +10,7 @@ pub(crate) fn expanded(value: &Value) -> Value {
         Value::Array(items) => items.iter().map(expanded).collect(),
         Value::Object(members) => match text(value) {
             Some(text) => Value::String(text),
-            None => members
-                .iter()
-                .map(|(name, value)| (name.clone(), expanded(value)))
-                .collect(),
+            None => members.iter().map(|(name, value)| (name.clone(), expanded(value))).collect(),
         },
         scalar => scalar.clone(),
     }
@@ -29,14 +26,7 @@ fn text(value: &Value) -> Option<String> {
         return Some(text(repeated).expect("a text to repeat").repeat(times));
     }
     if let Some(parts) = value.get("$concat") {
-        return Some(
-            parts
-                .as_array()
-                .expect("parts")
-                .iter()
-                .map(|part| text(part).expect("a text"))
-                .collect(),
-        );
+        return Some(parts.as_array().expect("parts").iter().map(|part| text(part).expect("a text")).collect());
     }
     let encoded = value.get("$base64")?;
     Some(STANDARD.encode(text(encoded).expect("a text to encode")))

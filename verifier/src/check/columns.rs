@@ -14,18 +14,9 @@ pub(super) fn same_bytes(expected: &[u8], got: &[u8], differences: &mut Differen
     if expected == got {
         return;
     }
-    let at = expected
-        .iter()
-        .zip(got)
-        .position(|(a, b)| a != b)
-        .unwrap_or_else(|| expected.len().min(got.len()));
+    let at = expected.iter().zip(got).position(|(a, b)| a != b).unwrap_or_else(|| expected.len().min(got.len()));
     let window = |bytes: &[u8]| {
-        let shown: Vec<String> = bytes
-            .iter()
-            .skip(at)
-            .take(AROUND)
-            .map(|byte| format!("{byte:02x}"))
-            .collect();
+        let shown: Vec<String> = bytes.iter().skip(at).take(AROUND).map(|byte| format!("{byte:02x}")).collect();
         if shown.is_empty() {
             format!("the end of {} bytes", bytes.len())
         } else {
@@ -57,9 +48,7 @@ pub(super) fn same_columns(expected: &str, got: &[u8], differences: &mut Differe
     let text = as_json(&block);
     // The suite was read before, and we have just written the other.
     if let (Ok(expected), Ok(got)) = (Json::parse(expected), Json::parse(&text)) {
-        compare(Relation::Values, &expected, &got)
-            .iter()
-            .for_each(|found| found.note(differences));
+        compare(Relation::Values, &expected, &got).iter().for_each(|found| found.note(differences));
     }
 }
 
@@ -72,10 +61,7 @@ fn as_json(block: &Block<'_>) -> String {
         }
         out.push_str("{\"name\":");
         write_string(column.name(), &mut out);
-        out.push_str(&format!(
-            ",\"dtype\":\"{}\",\"data\":[",
-            column.dtype().as_str()
-        ));
+        out.push_str(&format!(",\"dtype\":\"{}\",\"data\":[", column.dtype().as_str()));
         out.push_str(&data(&column).join(","));
         out.push_str("]}");
     }
@@ -85,18 +71,10 @@ fn as_json(block: &Block<'_>) -> String {
 
 fn data(column: &ColumnView<'_>) -> Vec<String> {
     match column.dtype() {
-        Dtype::F32 => column
-            .iter::<f32>()
-            .map(|values| values.map(|v| double(v.into())).collect()),
-        Dtype::F64 => column
-            .iter::<f64>()
-            .map(|values| values.map(double).collect()),
-        Dtype::I32 => column
-            .iter::<i32>()
-            .map(|values| values.map(|v| v.to_string()).collect()),
-        Dtype::I64 => column
-            .iter::<i64>()
-            .map(|values| values.map(|v| format!("\"{v}\"")).collect()),
+        Dtype::F32 => column.iter::<f32>().map(|values| values.map(|v| double(v.into())).collect()),
+        Dtype::F64 => column.iter::<f64>().map(|values| values.map(double).collect()),
+        Dtype::I32 => column.iter::<i32>().map(|values| values.map(|v| v.to_string()).collect()),
+        Dtype::I64 => column.iter::<i64>().map(|values| values.map(|v| format!("\"{v}\"")).collect()),
     }
     .unwrap_or_default()
 }
@@ -113,11 +91,7 @@ fn double(value: f64) -> String {
 }
 
 fn hex(bytes: &[u8]) -> Vec<u8> {
-    bytes
-        .iter()
-        .take(64)
-        .flat_map(|byte| format!("{byte:02x}").into_bytes())
-        .collect()
+    bytes.iter().take(64).flat_map(|byte| format!("{byte:02x}").into_bytes()).collect()
 }
 
 #[cfg(test)]
@@ -147,18 +121,12 @@ mod tests {
 
     #[test]
     fn a_block_with_the_expected_columns_passes() {
-        assert_eq!(
-            differ(|d| same_columns(EXPECTED, &block(), d)),
-            Vec::<String>::new()
-        );
+        assert_eq!(differ(|d| same_columns(EXPECTED, &block(), d)), Vec::<String>::new());
     }
 
     #[test]
     fn a_value_a_name_and_a_dtype_that_differ_are_named_by_path() {
-        let changed = EXPECTED
-            .replace("1.5", "1.25")
-            .replace("\"x\"", "\"y\"")
-            .replace("\"i32\"", "\"i64\"");
+        let changed = EXPECTED.replace("1.5", "1.25").replace("\"x\"", "\"y\"").replace("\"i32\"", "\"i64\"");
         assert_eq!(
             differ(|d| same_columns(&changed, &block(), d)),
             [
@@ -179,11 +147,7 @@ mod tests {
         broken[0] = b'X';
         let differences = differ(|d| same_columns(EXPECTED, &broken, d));
         assert_eq!(differences.len(), 1);
-        assert!(
-            differences[0].starts_with("/block: expected a valid block, got 58435042"),
-            "{}",
-            differences[0]
-        );
+        assert!(differences[0].starts_with("/block: expected a valid block, got 58435042"), "{}", differences[0]);
     }
 
     #[test]

@@ -25,41 +25,16 @@ pub(super) struct Found<'v> {
 
 #[derive(Debug)]
 enum What<'v> {
-    Values {
-        expected: &'v Json<'v>,
-        got: &'v Json<'v>,
-        hint: Option<&'static str>,
-    },
-    Missing {
-        expected: &'v Json<'v>,
-        hint: Option<&'static str>,
-    },
-    Added {
-        got: &'v Json<'v>,
-        hint: Option<&'static str>,
-    },
-    Items {
-        expected: usize,
-        got: usize,
-    },
-    Order {
-        place: usize,
-        expected: &'v str,
-        got: &'v str,
-    },
+    Values { expected: &'v Json<'v>, got: &'v Json<'v>, hint: Option<&'static str> },
+    Missing { expected: &'v Json<'v>, hint: Option<&'static str> },
+    Added { got: &'v Json<'v>, hint: Option<&'static str> },
+    Items { expected: usize, got: usize },
+    Order { place: usize, expected: &'v str, got: &'v str },
 }
 
 /// All that differs.
-pub(super) fn compare<'v>(
-    relation: Relation,
-    expected: &'v Json<'v>,
-    got: &'v Json<'v>,
-) -> Vec<Found<'v>> {
-    let mut walk = Walk {
-        relation,
-        path: Vec::new(),
-        found: Vec::new(),
-    };
+pub(super) fn compare<'v>(relation: Relation, expected: &'v Json<'v>, got: &'v Json<'v>) -> Vec<Found<'v>> {
+    let mut walk = Walk { relation, path: Vec::new(), found: Vec::new() };
     walk.visit(expected, got);
     walk.found
 }
@@ -74,39 +49,16 @@ impl Found<'_> {
     pub(super) fn note(&self, differences: &mut Differences) {
         let items = |count: usize| Some(format!("{count} items"));
         let (expected, got, hint) = match &self.what {
-            What::Values {
-                expected,
-                got,
-                hint,
-            } => (
-                Some(short(expected)),
-                Some(short(got)),
-                hint.map(str::to_owned),
-            ),
-            What::Missing { expected, hint } => {
-                (Some(short(expected)), None, hint.map(str::to_owned))
-            }
+            What::Values { expected, got, hint } => (Some(short(expected)), Some(short(got)), hint.map(str::to_owned)),
+            What::Missing { expected, hint } => (Some(short(expected)), None, hint.map(str::to_owned)),
             What::Added { got, hint } => (None, Some(short(got)), hint.map(str::to_owned)),
             What::Items { expected, got } => (items(*expected), items(*got), None),
-            What::Order {
-                place,
-                expected,
-                got,
-            } => {
+            What::Order { place, expected, got } => {
                 let hint = format!("as member {} of the object: the order differs", place + 1);
-                (
-                    Some(format!("{expected:?}")),
-                    Some(format!("{got:?}")),
-                    Some(hint),
-                )
+                (Some(format!("{expected:?}")), Some(format!("{got:?}")), Some(hint))
             }
         };
-        differences.push(Difference {
-            at: self.at.clone(),
-            expected,
-            got,
-            hint,
-        });
+        differences.push(Difference { at: self.at.clone(), expected, got, hint });
     }
 }
 
@@ -128,10 +80,7 @@ impl<'v> Walk<'v> {
             (Json::Object(expected), Json::Object(got)) => self.objects(expected, got),
             (Json::Array(expected), Json::Array(got)) => {
                 if expected.len() != got.len() {
-                    self.note(What::Items {
-                        expected: expected.len(),
-                        got: got.len(),
-                    });
+                    self.note(What::Items { expected: expected.len(), got: got.len() });
                 }
                 for (i, (expected, got)) in expected.iter().zip(got).enumerate() {
                     self.path.push(Step::Item(i));
@@ -141,11 +90,7 @@ impl<'v> Walk<'v> {
             }
             _ => {
                 if let Err(hint) = self.leaves(expected, got) {
-                    self.note(What::Values {
-                        expected,
-                        got,
-                        hint,
-                    });
+                    self.note(What::Values { expected, got, hint });
                 }
             }
         }
@@ -164,10 +109,7 @@ impl<'v> Walk<'v> {
                 _ if lenient && value.is_null() => {}
                 _ => {
                     complete = false;
-                    self.note(What::Missing {
-                        expected: value,
-                        hint: self.why_written(value),
-                    });
+                    self.note(What::Missing { expected: value, hint: self.why_written(value) });
                 }
             }
             self.path.pop();
@@ -176,27 +118,17 @@ impl<'v> Walk<'v> {
             if in_expected.get(name, i).is_none() && !(lenient && value.is_null()) {
                 complete = false;
                 self.path.push(Step::Member(name));
-                let hint = (self.relation == Relation::Encoding)
-                    .then_some("no member is written that the tables do not list"); // [NCP-WIRE-081]
+                let hint =
+                    (self.relation == Relation::Encoding).then_some("no member is written that the tables do not list"); // [NCP-WIRE-081]
                 self.note(What::Added { got: value, hint });
                 self.path.pop();
             }
         }
         if self.relation == Relation::Encoding && complete {
             // [NCP-WIRE-080] [NCP-WIRE-083]
-            let names = expected
-                .iter()
-                .zip(got)
-                .map(|((expected, _), (got, _))| (expected.as_ref(), got.as_ref()));
-            if let Some((place, (expected, got))) = names
-                .enumerate()
-                .find(|(_, (expected, got))| expected != got)
-            {
-                self.note(What::Order {
-                    place,
-                    expected,
-                    got,
-                });
+            let names = expected.iter().zip(got).map(|((expected, _), (got, _))| (expected.as_ref(), got.as_ref()));
+            if let Some((place, (expected, got))) = names.enumerate().find(|(_, (expected, got))| expected != got) {
+                self.note(What::Order { place, expected, got });
             }
         }
     }
@@ -229,7 +161,7 @@ impl<'v> Walk<'v> {
     fn why_written(&self, value: &Json<'_>) -> Option<&'static str> {
         match (self.relation, value) {
             (Relation::Encoding, Json::Null) => Some("an unset optional field is written as null"), // [NCP-WIRE-082]
-            (Relation::Encoding, _) => Some("every field is written"), // [NCP-WIRE-081]
+            (Relation::Encoding, _) => Some("every field is written"),                              // [NCP-WIRE-081]
             _ => None,
         }
     }
@@ -264,9 +196,7 @@ mod tests {
     fn differ(expected: &str, got: &str) -> Vec<String> {
         let (expected, got) = (Json::parse(expected).unwrap(), Json::parse(got).unwrap());
         let mut differences = Differences::default();
-        compare(Relation::Values, &expected, &got)
-            .iter()
-            .for_each(|found| found.note(&mut differences));
+        compare(Relation::Values, &expected, &got).iter().for_each(|found| found.note(&mut differences));
         differences.first.iter().map(ToString::to_string).collect()
     }
 
@@ -275,29 +205,16 @@ mod tests {
         assert!(differ(r#"{"a":1,"b":[2.0,null]}"#, r#"{"b":[2,null],"a":1e0}"#).is_empty());
         assert_eq!(
             differ(r#"{"a":1,"b":2}"#, r#"{"a":2,"c":2}"#),
-            [
-                "/a: expected 1, got 2",
-                "/b: expected 2, got nothing",
-                "/c: expected nothing there, got 2"
-            ]
+            ["/a: expected 1, got 2", "/b: expected 2, got nothing", "/c: expected nothing there, got 2"]
         );
-        assert_eq!(
-            differ("[1,2]", "[1,3,4]"),
-            ["expected 2 items, got 3 items", "/1: expected 2, got 3"]
-        );
+        assert_eq!(differ("[1,2]", "[1,3,4]"), ["expected 2 items, got 3 items", "/1: expected 2, got 3"]);
         assert_eq!(differ("true", "1"), ["expected true, got 1"]);
         assert_eq!(differ("5", "\"5\""), ["expected 5, got \"5\""]);
     }
 
     #[test]
     fn strings_stand_for_the_numbers_that_json_lacks() {
-        assert!(
-            differ(
-                r#"["NaN","-0","Infinity","-0"]"#,
-                r#"["NaN",-0.0,"Infinity","-0"]"#
-            )
-            .is_empty()
-        );
+        assert!(differ(r#"["NaN","-0","Infinity","-0"]"#, r#"["NaN",-0.0,"Infinity","-0"]"#).is_empty());
         for (expected, got) in [
             ("\"-0\"", "0"),
             ("0.0", "-0.0"),
@@ -308,10 +225,7 @@ mod tests {
             assert_eq!(differ(expected, got).len(), 1, "{expected} and {got}");
         }
         assert!(differ("\"9223372036854775807\"", "\"9223372036854775807\"").is_empty());
-        assert_eq!(
-            differ("\"9223372036854775807\"", "9223372036854775807").len(),
-            1
-        );
+        assert_eq!(differ("\"9223372036854775807\"", "9223372036854775807").len(), 1);
     }
 
     proptest! {

@@ -13,12 +13,7 @@ use crate::json::Json;
 /// An encoder's faults are none of a decoder's: the order of members, the spelling of numbers, `null` for an
 /// absent optional and a member left out that has its default do not count. Values do: doubles by their bits,
 /// integers exactly, a member that stands twice never.
-pub(super) fn same_message(
-    expected: &str,
-    got: &str,
-    ignore: &[String],
-    differences: &mut Differences,
-) {
+pub(super) fn same_message(expected: &str, got: &str, ignore: &[String], differences: &mut Differences) {
     // The suite was read before; and an answer letter for letter as expected needs no second look.
     let (false, Ok(expected_frame)) = (expected == got, Json::parse(expected)) else {
         return;
@@ -31,10 +26,7 @@ pub(super) fn same_message(
     let mut refused = None;
     if found.iter().any(Found::is_one_sided) {
         // What the frame means with such a member, or without it, the spec knows.
-        match (
-            normalise(&expected_frame, expected),
-            normalise(&expected_frame, got),
-        ) {
+        match (normalise(&expected_frame, expected), normalise(&expected_frame, got)) {
             (Ok(expected), Ok(got)) => settle(&mut found, &expected, &got),
             (_, Err(why)) | (Err(why), _) => refused = Some(why),
         }
@@ -42,10 +34,7 @@ pub(super) fn same_message(
     found.iter().for_each(|found| found.note(differences));
     if let Some(why) = refused {
         let hint = format!("and the spec refuses the frame: {why}");
-        differences
-            .first
-            .iter_mut()
-            .for_each(|difference| difference.hint = Some(hint.clone()));
+        differences.first.iter_mut().for_each(|difference| difference.hint = Some(hint.clone()));
     }
 }
 
@@ -56,9 +45,7 @@ pub(super) fn same_encoding(expected: &str, got: &str, differences: &mut Differe
         return;
     };
     if let Some(got) = parse(got, differences) {
-        compare(Relation::Encoding, &expected, &got)
-            .iter()
-            .for_each(|found| found.note(differences));
+        compare(Relation::Encoding, &expected, &got).iter().for_each(|found| found.note(differences));
     }
 }
 
@@ -80,10 +67,7 @@ fn parse<'g>(got: &'g str, differences: &mut Differences) -> Option<Json<'g>> {
 
 /// What the spec reads in a frame of the expected one's kind, as the spec writes it.
 fn normalise(expected: &Json<'_>, frame: &str) -> Result<String, String> {
-    let kind = expected
-        .get("kind")
-        .and_then(Json::as_str)
-        .and_then(Kind::parse);
+    let kind = expected.get("kind").and_then(Json::as_str).and_then(Kind::parse);
     let kind = kind.ok_or("it has no known kind")?;
     let message = wire::decode(kind, frame.as_bytes()).map_err(|error| error.to_string())?;
     message.encode().map_err(|error| error.to_string())
@@ -91,8 +75,7 @@ fn normalise(expected: &Json<'_>, frame: &str) -> Result<String, String> {
 
 /// Whether a path leads to `place` or to something in it.
 fn is_within(path: &str, place: &str) -> bool {
-    path.strip_prefix(place)
-        .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+    path.strip_prefix(place).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
 /// Drops the members on one side only that mean nothing: where the two frames, both as the spec writes them, agree.
@@ -105,16 +88,8 @@ fn settle(found: &mut Vec<Found<'_>>, expected: &str, got: &str) {
     let places: BTreeSet<&str> = remaining.iter().map(|found| found.at.as_str()).collect();
     let remains = |at: &str| {
         let below = format!("{at}/");
-        let within = || {
-            places
-                .range(below.as_str()..)
-                .next()
-                .is_some_and(|place| place.starts_with(&below))
-        };
-        let above = || {
-            at.match_indices('/')
-                .any(|(end, _)| places.contains(&at[..end]))
-        };
+        let within = || places.range(below.as_str()..).next().is_some_and(|place| place.starts_with(&below));
+        let above = || at.match_indices('/').any(|(end, _)| places.contains(&at[..end]));
         places.contains(at) || within() || above()
     };
     found.retain(|found| !found.is_one_sided() || (!places.is_empty() && remains(&found.at)));
@@ -166,53 +141,27 @@ mod tests {
 
     #[test]
     fn a_message_answers_for_every_value() {
-        assert_eq!(
-            message(&changed("\"seq\":7", "\"seq\":8")),
-            ["/seq: expected 7, got 8"]
-        );
-        assert_eq!(
-            message(&changed("-0.0", "0.0")),
-            ["/channels/a/data/1: expected -0.0, got 0.0"]
-        );
-        assert_eq!(
-            message(&changed("1.5", "1.5000000000000002")),
-            ["/t: expected 1.5, got 1.5000000000000002"]
-        );
-        assert_eq!(
-            message(&changed("[5.0,-0.0]", "[5.0]")),
-            ["/channels/a/data: expected 2 items, got 1 items"]
-        );
-        assert_eq!(
-            message(&changed("\"active\"", "\"hold\"")),
-            [r#"/mode: expected "active", got "hold""#]
-        );
+        assert_eq!(message(&changed("\"seq\":7", "\"seq\":8")), ["/seq: expected 7, got 8"]);
+        assert_eq!(message(&changed("-0.0", "0.0")), ["/channels/a/data/1: expected -0.0, got 0.0"]);
+        assert_eq!(message(&changed("1.5", "1.5000000000000002")), ["/t: expected 1.5, got 1.5000000000000002"]);
+        assert_eq!(message(&changed("[5.0,-0.0]", "[5.0]")), ["/channels/a/data: expected 2 items, got 1 items"]);
+        assert_eq!(message(&changed("\"active\"", "\"hold\"")), [r#"/mode: expected "active", got "hold""#]);
         assert_eq!(
             message(&changed(r#""unit":null"#, r#""unit":"m""#)),
             [r#"/channels/a/unit: expected null, got "m""#]
         );
-        assert_eq!(
-            message(&changed("\"seq\":7", "\"seq\":\"7\"")),
-            [r#"/seq: expected 7, got "7""#]
-        );
+        assert_eq!(message(&changed("\"seq\":7", "\"seq\":\"7\"")), [r#"/seq: expected 7, got "7""#]);
     }
 
     #[test]
     fn a_member_left_out_counts_unless_its_value_is_the_default() {
-        assert_eq!(
-            message(&changed("\"seq\":7,", "")),
-            ["/seq: expected 7, got nothing"]
-        );
+        assert_eq!(message(&changed("\"seq\":7,", "")), ["/seq: expected 7, got nothing"]);
         // Absent, the mode is hold: rule NCP-WIRE-024.
-        assert_eq!(
-            message(&changed(r#""mode":"active","#, "")),
-            [r#"/mode: expected "active", got nothing"#]
-        );
+        assert_eq!(message(&changed(r#""mode":"active","#, "")), [r#"/mode: expected "active", got nothing"#]);
         let without = changed(r#""kind":"command_frame","#, "");
         let found = message(&without);
         assert!(
-            found[0].starts_with(
-                r#"/kind: expected "command_frame", got nothing (and the spec refuses the frame: "#
-            ),
+            found[0].starts_with(r#"/kind: expected "command_frame", got nothing (and the spec refuses the frame: "#),
             "{found:?}"
         );
         assert_eq!(
@@ -234,17 +183,10 @@ mod tests {
         let differ = |got: &str| {
             let mut differences = Differences::default();
             same_message(short, got, &[], &mut differences);
-            differences
-                .first
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
+            differences.first.iter().map(ToString::to_string).collect::<Vec<_>>()
         };
         assert_eq!(differ(&whole("null")), Vec::<String>::new());
-        assert_eq!(
-            differ(&whole("\"m\"")),
-            [r#"/channels/a/unit: expected nothing there, got "m""#]
-        );
+        assert_eq!(differ(&whole("\"m\"")), [r#"/channels/a/unit: expected nothing there, got "m""#]);
     }
 
     #[test]
@@ -263,19 +205,9 @@ mod tests {
     fn what_is_to_be_ignored_is() {
         let mut differences = Differences::default();
         let got = changed("\"seq\":7", "\"seq\":8").replace("m/s", "m");
-        same_message(
-            FRAME,
-            &got,
-            &["/seq".to_owned(), "/channels/b".to_owned()],
-            &mut differences,
-        );
+        same_message(FRAME, &got, &["/seq".to_owned(), "/channels/b".to_owned()], &mut differences);
         assert!(differences.is_empty());
-        same_message(
-            FRAME,
-            &got,
-            &["/se".to_owned(), "/channels/b/uni".to_owned()],
-            &mut differences,
-        );
+        same_message(FRAME, &got, &["/se".to_owned(), "/channels/b/uni".to_owned()], &mut differences);
         assert_eq!(differences.first.len(), 2);
     }
 
@@ -284,10 +216,7 @@ mod tests {
         let got = changed("\"seq\":7", "\"seq\":7,\"seq\":7");
         for found in [message(&got), encoding(&got)] {
             assert_eq!(found.len(), 1);
-            assert!(
-                found[0].contains("the member \"seq\" stands twice in one object"),
-                "{found:?}"
-            );
+            assert!(found[0].contains("the member \"seq\" stands twice in one object"), "{found:?}");
         }
         assert!(message("[]")[0].contains("it is an array"));
         assert!(encoding("{")[0].contains("ends too early"));
@@ -295,12 +224,7 @@ mod tests {
 
     #[test]
     fn an_encoding_may_choose_white_space_and_the_spelling_of_doubles() {
-        for got in [
-            changed("5.0,", "5,"),
-            changed("200.0", "2e2"),
-            changed("-0.0", "-0"),
-            FRAME.replace(',', " ,\n"),
-        ] {
+        for got in [changed("5.0,", "5,"), changed("200.0", "2e2"), changed("-0.0", "-0"), FRAME.replace(',', " ,\n")] {
             assert_eq!(encoding(&got), Vec::<String>::new(), "{got}");
         }
     }
@@ -311,19 +235,11 @@ mod tests {
             encoding(&changed("\"seq\":7", "\"seq\":7.0")),
             ["/seq: expected 7, got 7.0 (an integer is written without fraction and exponent)"]
         );
-        assert_eq!(
-            encoding(&changed("\"seq\":7", "\"seq\":8")),
-            ["/seq: expected 7, got 8"]
-        );
-        assert_eq!(
-            encoding(&changed("\"seq\":7", "\"seq\":\"7\"")),
-            [r#"/seq: expected 7, got "7""#]
-        );
+        assert_eq!(encoding(&changed("\"seq\":7", "\"seq\":8")), ["/seq: expected 7, got 8"]);
+        assert_eq!(encoding(&changed("\"seq\":7", "\"seq\":\"7\"")), [r#"/seq: expected 7, got "7""#]);
         assert_eq!(
             encoding(&changed(r#","horizon_dt_ms":null"#, "")),
-            [
-                "/horizon_dt_ms: expected null, got nothing (an unset optional field is written as null)"
-            ]
+            ["/horizon_dt_ms: expected null, got nothing (an unset optional field is written as null)"]
         );
         assert_eq!(
             encoding(&changed(r#","horizon":[]"#, "")),
@@ -333,20 +249,12 @@ mod tests {
             encoding(&changed(r#""seq":7,"t":1.5,"#, r#""t":1.5,"seq":7,"#)),
             [r#"expected "seq", got "t" (as member 3 of the object: the order differs)"#]
         );
-        assert_eq!(
-            encoding(&changed("-0.0", "0.0")),
-            ["/channels/a/data/1: expected -0.0, got 0.0"]
-        );
+        assert_eq!(encoding(&changed("-0.0", "0.0")), ["/channels/a/data/1: expected -0.0, got 0.0"]);
         assert_eq!(
             encoding(&changed("\"seq\":7", "\"x\":null,\"seq\":7")),
-            [
-                "/x: expected nothing there, got null (no member is written that the tables do not list)"
-            ]
+            ["/x: expected nothing there, got null (no member is written that the tables do not list)"]
         );
-        assert_eq!(
-            encoding(&changed("null}", "0}")),
-            ["/channels/a/unit: expected null, got 0"]
-        );
+        assert_eq!(encoding(&changed("null}", "0}")), ["/channels/a/unit: expected null, got 0"]);
     }
 
     proptest! {

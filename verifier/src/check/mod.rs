@@ -71,32 +71,18 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
         (Answer::Unsupported, _) => return Judgement::Unsupported,
         (Answer::Error { code, message }, Expect::Reject(suggested)) => {
             if code == ErrorCode::Internal.as_str() {
-                let got = format!(
-                    "the error `internal`, {}",
-                    excerpt(message.as_bytes(), SHOWN)
-                );
+                let got = format!("the error `internal`, {}", excerpt(message.as_bytes(), SHOWN));
                 differences.whole("a refusal", got, Some("a crash is no refusal"));
             } else {
-                return Judgement::Pass {
-                    note: other_reason(code, *suggested),
-                };
+                return Judgement::Pass { note: other_reason(code, *suggested) };
             }
         }
         (
             Answer::Error { code, .. },
-            Expect::Pattern {
-                or_reject: true, ..
-            }
-            | Expect::Message {
-                or_reject: true, ..
-            },
+            Expect::Pattern { or_reject: true, .. } | Expect::Message { or_reject: true, .. },
         ) if code != ErrorCode::Internal.as_str() => {}
         (Answer::Error { code, message }, expect) => {
-            let got = format!(
-                "the error `{}`, {}",
-                excerpt(code.as_bytes(), 20),
-                excerpt(message.as_bytes(), SHOWN)
-            );
+            let got = format!("the error `{}`, {}", excerpt(code.as_bytes(), 20), excerpt(message.as_bytes(), SHOWN));
             differences.whole(&in_words(expect), got, None);
         }
         (Answer::Result(result), Expect::Reject(suggested)) => {
@@ -136,18 +122,11 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
                 columns::same_columns(&expected.expand(), &got, &mut differences);
             }
         }
-        (
-            Answer::Result(result),
-            Expect::Pattern {
-                shape, tolerance, ..
-            },
-        ) => pattern::fits(shape, *tolerance, result, &mut differences),
+        (Answer::Result(result), Expect::Pattern { shape, tolerance, .. }) => {
+            pattern::fits(shape, *tolerance, result, &mut differences)
+        }
     }
-    if differences.is_empty() {
-        Judgement::Pass { note: None }
-    } else {
-        Judgement::Fail(differences)
-    }
+    if differences.is_empty() { Judgement::Pass { note: None } } else { Judgement::Fail(differences) }
 }
 
 /// What an expectation asks for, in words.
@@ -157,22 +136,15 @@ pub fn in_words(expect: &Expect) -> String {
         Expect::Reject(code) => format!("an error, such as `{code}`"),
         Expect::Accept => "any result".to_owned(),
         Expect::Json(value) => format!("the result {}", excerpt(value.expand().as_bytes(), SHOWN)),
-        Expect::Message {
-            text, or_reject, ..
-        } => {
+        Expect::Message { text, or_reject, .. } => {
             let message = excerpt(text.get().as_bytes(), SHOWN);
             let or_reject = if *or_reject { ", or an error" } else { "" };
             format!("the message {message}{or_reject}")
         }
         Expect::Encoding(text) => format!("the frame {}", excerpt(text.get().as_bytes(), SHOWN)),
         Expect::Bytes(bytes) => format!("a block of exactly {} bytes", bytes.len()),
-        Expect::Columns(columns) => format!(
-            "a block with the columns {}",
-            excerpt(columns.expand().as_bytes(), SHOWN)
-        ),
-        Expect::Pattern {
-            shape, or_reject, ..
-        } => {
+        Expect::Columns(columns) => format!("a block with the columns {}", excerpt(columns.expand().as_bytes(), SHOWN)),
+        Expect::Pattern { shape, or_reject, .. } => {
             let shape = excerpt(shape.to_string().as_bytes(), SHOWN);
             let or_reject = if *or_reject { ", or an error" } else { "" };
             format!("a result like {shape}{or_reject}")
@@ -218,22 +190,16 @@ impl std::fmt::Display for Difference {
         let expected = self.expected.as_deref().unwrap_or("nothing there");
         let got = self.got.as_deref().unwrap_or("nothing");
         write!(f, "expected {expected}, got {got}")?;
-        self.hint
-            .as_ref()
-            .map_or(Ok(()), |hint| write!(f, " ({hint})"))
+        self.hint.as_ref().map_or(Ok(()), |hint| write!(f, " ({hint})"))
     }
 }
 
 /// The members of a result that are expected; what else a peer tells is not looked at (PROTOCOL.md, section 1).
 fn listed<'a>(expected: &Json<'_>, result: &Json<'a>) -> Json<'a> {
     match (expected, result) {
-        (Json::Object(_), Json::Object(members)) => Json::Object(
-            members
-                .iter()
-                .filter(|(name, _)| expected.get(name).is_some())
-                .cloned()
-                .collect(),
-        ),
+        (Json::Object(_), Json::Object(members)) => {
+            Json::Object(members.iter().filter(|(name, _)| expected.get(name).is_some()).cloned().collect())
+        }
         _ => result.clone(),
     }
 }
@@ -247,13 +213,8 @@ fn short(value: &Json<'_>) -> String {
 fn other_reason(code: &str, suggested: ErrorCode) -> Option<String> {
     match ErrorCode::parse(code) {
         Some(known) if known == suggested || known == ErrorCode::Invalid => None,
-        Some(known) => Some(format!(
-            "refused as `{known}`; the text suggests `{suggested}`"
-        )),
-        None => Some(format!(
-            "refused as `{}`, which PROTOCOL.md does not list",
-            excerpt(code.as_bytes(), 20)
-        )),
+        Some(known) => Some(format!("refused as `{known}`; the text suggests `{suggested}`")),
+        None => Some(format!("refused as `{}`, which PROTOCOL.md does not list", excerpt(code.as_bytes(), 20))),
     }
 }
 
@@ -295,11 +256,7 @@ mod tests {
     use crate::suite::{Shape, Template, Text};
 
     fn pattern(or_reject: bool) -> Expect {
-        Expect::Pattern {
-            shape: Shape::parse(r#"{"hold":true}"#).unwrap(),
-            tolerance: 0.0,
-            or_reject,
-        }
+        Expect::Pattern { shape: Shape::parse(r#"{"hold":true}"#).unwrap(), tolerance: 0.0, or_reject }
     }
 
     fn passes(expect: &Expect, answer: &Answer<'_>) -> bool {
@@ -308,10 +265,7 @@ mod tests {
 
     #[test]
     fn a_pattern_may_allow_a_refusal_but_never_a_crash() {
-        let error = |code: &str| Answer::Error {
-            code: code.to_owned(),
-            message: String::new(),
-        };
+        let error = |code: &str| Answer::Error { code: code.to_owned(), message: String::new() };
         assert!(passes(&pattern(true), &error("value")));
         assert!(!passes(&pattern(true), &error("internal")));
         assert!(!passes(&pattern(false), &error("value")));
@@ -320,10 +274,7 @@ mod tests {
             assert_eq!(passes(&pattern(true), &result), right);
             assert_eq!(passes(&pattern(false), &result), right);
         }
-        assert_eq!(
-            judge_by(&pattern(true), &Answer::Unsupported),
-            Judgement::Unsupported
-        );
+        assert_eq!(judge_by(&pattern(true), &Answer::Unsupported), Judgement::Unsupported);
     }
 
     #[test]
@@ -335,10 +286,7 @@ mod tests {
             or_reject,
         };
         let (strict, lenient) = (message(false), message(true));
-        let error = |code: &str| Answer::Error {
-            code: code.to_owned(),
-            message: String::new(),
-        };
+        let error = |code: &str| Answer::Error { code: code.to_owned(), message: String::new() };
         assert!(passes(&lenient, &error("version")));
         assert!(!passes(&lenient, &error("internal")));
         assert!(!passes(&strict, &error("version")));
@@ -374,9 +322,6 @@ mod tests {
     #[test]
     fn a_pattern_is_put_into_words() {
         assert_eq!(in_words(&pattern(false)), r#"a result like {"hold":true}"#);
-        assert_eq!(
-            in_words(&pattern(true)),
-            r#"a result like {"hold":true}, or an error"#
-        );
+        assert_eq!(in_words(&pattern(true)), r#"a result like {"hold":true}, or an error"#);
     }
 }

@@ -11,12 +11,7 @@ use crate::suite::Shape;
 
 /// Notes where a result has not the shape; `tolerance` is that of its numbers.
 pub(super) fn fits(shape: &Shape, tolerance: f64, got: &Json<'_>, differences: &mut Differences) {
-    Walk {
-        tolerance,
-        at: String::new(),
-        differences,
-    }
-    .visit(shape, Some(got));
+    Walk { tolerance, at: String::new(), differences }.visit(shape, Some(got));
 }
 
 struct Walk<'d> {
@@ -81,19 +76,11 @@ impl Walk<'_> {
         let mut nearest: Option<Differences> = None;
         for choice in choices {
             let mut differences = Differences::default();
-            Walk {
-                tolerance: self.tolerance,
-                at: self.at.clone(),
-                differences: &mut differences,
-            }
-            .visit(choice, got);
+            Walk { tolerance: self.tolerance, at: self.at.clone(), differences: &mut differences }.visit(choice, got);
             if differences.is_empty() {
                 return;
             }
-            if nearest
-                .as_ref()
-                .is_none_or(|nearest| differences.count() < nearest.count())
-            {
+            if nearest.as_ref().is_none_or(|nearest| differences.count() < nearest.count()) {
                 nearest = Some(differences);
             }
         }
@@ -148,8 +135,7 @@ fn is_within(low: Number, high: Number, value: &Json<'_>) -> bool {
 /// Whether a step was refused. A crash is no refusal.
 fn is_refusal(step: &Json<'_>) -> bool {
     let code = step.get("error").and_then(|error| error.get("code"));
-    code.and_then(Json::as_str)
-        .is_some_and(|code| code != ErrorCode::Internal.as_str())
+    code.and_then(Json::as_str).is_some_and(|code| code != ErrorCode::Internal.as_str())
 }
 
 #[cfg(test)]
@@ -172,23 +158,11 @@ mod tests {
     fn members_that_a_pattern_lacks_are_free_and_null_is_absent() {
         assert!(differ(r#"{"a":1,"b":null,"c":null}"#, r#"{"x":[],"b":null,"a":1}"#).is_empty());
         assert_eq!(
-            differ(
-                r#"{"steps":[{"hold":true},{"a/b":null}]}"#,
-                r#"{"steps":[{"hold":false},{"a/b":0}]}"#
-            ),
-            [
-                "/steps/0/hold: expected true, got false",
-                "/steps/1/a~1b: expected null, got 0"
-            ]
+            differ(r#"{"steps":[{"hold":true},{"a/b":null}]}"#, r#"{"steps":[{"hold":false},{"a/b":0}]}"#),
+            ["/steps/0/hold: expected true, got false", "/steps/1/a~1b: expected null, got 0"]
         );
-        assert_eq!(
-            differ(r#"{"a":{"b":1}}"#, r#"{"c":1}"#),
-            [r#"/a: expected {"b":1}, got nothing"#]
-        );
-        assert_eq!(
-            differ("[1,2]", "[3]"),
-            ["expected 2 items, got 1 items", "/0: expected 1, got 3"]
-        );
+        assert_eq!(differ(r#"{"a":{"b":1}}"#, r#"{"c":1}"#), [r#"/a: expected {"b":1}, got nothing"#]);
+        assert_eq!(differ("[1,2]", "[3]"), ["expected 2 items, got 1 items", "/0: expected 1, got 3"]);
         assert_eq!(differ("{}", "[]"), ["expected {}, got []"]);
         assert_eq!(differ("\"a\"", "\"b\""), ["expected \"a\", got \"b\""]);
         assert_eq!(differ("1", "true").len(), 1);
@@ -217,16 +191,11 @@ mod tests {
             assert_eq!(differ(pattern, got).len(), 1, "{pattern} and {got}");
         }
         assert!(differ_by(0.5, "1", "1.5").is_empty() && !differ_by(0.5, "1", "2.5").is_empty());
-        assert!(
-            differ_by(1e-9, "0", "1e-9").is_empty() && !differ_by(1e-9, "0", "2e-9").is_empty()
-        );
+        assert!(differ_by(1e-9, "0", "1e-9").is_empty() && !differ_by(1e-9, "0", "2e-9").is_empty());
         assert!(differ_by(1e-9, "1e9", "1000000001").is_empty());
-        for (pattern, got) in [
-            ("\"Infinity\"", "1e308"),
-            ("1", "\"Infinity\""),
-            ("\"Infinity\"", "\"-Infinity\""),
-            ("1", "\"NaN\""),
-        ] {
+        for (pattern, got) in
+            [("\"Infinity\"", "1e308"), ("1", "\"Infinity\""), ("\"Infinity\"", "\"-Infinity\""), ("1", "\"NaN\"")]
+        {
             assert_eq!(differ_by(0.5, pattern, got).len(), 1, "{pattern} and {got}");
         }
     }
@@ -259,47 +228,19 @@ mod tests {
                 internal,
                 r#"expected a refused step, and no crash, got {"error":{"code":"internal","message":"m"}}"#,
             ),
-            (
-                r#"{"$error":true}"#,
-                "{}",
-                "expected a refused step, and no crash, got {}",
-            ),
-            (
-                r#"{"$error":true}"#,
-                r#"{"error":true}"#,
-                r#"expected a refused step, and no crash, got {"error":true}"#,
-            ),
-            (
-                r#"{"$exact":{"a":1}}"#,
-                r#"{"a":1,"b":null}"#,
-                "/b: expected nothing there, got null",
-            ),
-            (
-                r#"{"r":[{"$json":{"ok":true}}]}"#,
-                r#"{"r":["{\"ok\":false}"]}"#,
-                "/r/0/ok: expected true, got false",
-            ),
+            (r#"{"$error":true}"#, "{}", "expected a refused step, and no crash, got {}"),
+            (r#"{"$error":true}"#, r#"{"error":true}"#, r#"expected a refused step, and no crash, got {"error":true}"#),
+            (r#"{"$exact":{"a":1}}"#, r#"{"a":1,"b":null}"#, "/b: expected nothing there, got null"),
+            (r#"{"r":[{"$json":{"ok":true}}]}"#, r#"{"r":["{\"ok\":false}"]}"#, "/r/0/ok: expected true, got false"),
             (
                 r#"{"$json":{}}"#,
                 r#""{,}""#,
                 r#"expected a string of JSON, got "{,}" (expected a member name at byte 1)"#,
             ),
             (r#"{"$json":{}}"#, "{}", "expected a string of JSON, got {}"),
-            (
-                r#"{"$range":[-1,1]}"#,
-                "1.5",
-                "expected a number from -1 to 1, got 1.5",
-            ),
-            (
-                r#"{"$range":[-1,1]}"#,
-                "\"NaN\"",
-                "expected a number from -1 to 1, got \"NaN\"",
-            ),
-            (
-                r#"{"a":{"$anything":true}}"#,
-                "{}",
-                "/a: expected a member, got nothing",
-            ),
+            (r#"{"$range":[-1,1]}"#, "1.5", "expected a number from -1 to 1, got 1.5"),
+            (r#"{"$range":[-1,1]}"#, "\"NaN\"", "expected a number from -1 to 1, got \"NaN\""),
+            (r#"{"a":{"$anything":true}}"#, "{}", "/a: expected a member, got nothing"),
         ] {
             assert_eq!(differ(pattern, got), [difference], "{pattern} and {got}");
         }

@@ -10,9 +10,7 @@ use ncp_spec::catalogue::{Level, Role};
 use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
 use crate::peer::{Connection, Description, Launch, Manifest, StartError, handshake};
-use crate::report::{
-    Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, junit, terminal,
-};
+use crate::report::{Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, junit, terminal};
 use crate::run::{self, CaseRun, Settings, Stop};
 use crate::suite::{Case, Need, Pattern, Suite};
 use crate::verdict::{Baseline, judge, judge_description};
@@ -21,12 +19,7 @@ use crate::verdict::{Baseline, judge, judge_description};
 const RESULT: &str = "reports/run/result.json";
 
 /// Checks every bundled peer.
-pub(super) fn bundled(
-    suite: &Suite,
-    args: &CheckArgs,
-    styles: Styles,
-    stop: &Stop,
-) -> Result<Exit, CliError> {
+pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     let here = current_dir()?;
     let Some(workspace) = Workspace::find(&here) else {
         return Err(CliError::Usage(
@@ -39,11 +32,7 @@ pub(super) fn bundled(
         .peers
         .iter()
         .map(|folder| {
-            let shown = folder
-                .strip_prefix(&workspace.root)
-                .unwrap_or(folder)
-                .display()
-                .to_string();
+            let shown = folder.strip_prefix(&workspace.root).unwrap_or(folder).display().to_string();
             Source::folder(folder, shown, &workspace.root, &target, suite)
         })
         .collect::<Result<_, _>>()?;
@@ -51,31 +40,18 @@ pub(super) fn bundled(
 }
 
 /// Checks the peers that were named.
-pub(super) fn named(
-    suite: &Suite,
-    args: &RunArgs,
-    styles: Styles,
-    stop: &Stop,
-) -> Result<Exit, CliError> {
+pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     if args.peer.is_empty() && args.peer_cmd.is_empty() {
         return Err(CliError::Usage(
-            "name a peer: --peer with a folder that has a peer.toml, or --peer-cmd with a command"
-                .to_owned(),
+            "name a peer: --peer with a folder that has a peer.toml, or --peer-cmd with a command".to_owned(),
         ));
     }
     let here = current_dir()?;
     let mut sources = Vec::new();
     for folder in &args.peer {
         let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.clone());
-        let root = Workspace::above(&absolute)
-            .map_or_else(|| absolute.clone(), |workspace| workspace.root);
-        sources.push(Source::folder(
-            &absolute,
-            folder.display().to_string(),
-            &root,
-            &target(&root),
-            suite,
-        )?);
+        let root = Workspace::above(&absolute).map_or_else(|| absolute.clone(), |workspace| workspace.root);
+        sources.push(Source::folder(&absolute, folder.display().to_string(), &root, &target(&root), suite)?);
     }
     for command in &args.peer_cmd {
         sources.push(Source {
@@ -107,29 +83,12 @@ struct Source {
 }
 
 impl Source {
-    fn folder(
-        folder: &Path,
-        shown: String,
-        root: &Path,
-        target: &Path,
-        suite: &Suite,
-    ) -> Result<Self, CliError> {
+    fn folder(folder: &Path, shown: String, root: &Path, target: &Path, suite: &Suite) -> Result<Self, CliError> {
         let manifest = Manifest::load(folder, root, target)?;
-        let baseline =
-            Baseline::new(manifest.expected_failures.clone(), suite).map_err(|source| {
-                CliError::Baseline {
-                    peer: manifest.name.clone(),
-                    source,
-                }
-            })?;
+        let baseline = Baseline::new(manifest.expected_failures.clone(), suite)
+            .map_err(|source| CliError::Baseline { peer: manifest.name.clone(), source })?;
         let (name, launch) = (Some(manifest.name.clone()), manifest.launch.clone());
-        Ok(Self {
-            name,
-            shown,
-            launch,
-            manifest: Some(manifest),
-            baseline,
-        })
+        Ok(Self { name, shown, launch, manifest: Some(manifest), baseline })
     }
 
     fn name(&self) -> &str {
@@ -138,9 +97,7 @@ impl Source {
 
     /// The level that the peer claims in its `peer.toml`: the first one, if it does not say.
     fn claimed(&self) -> Level {
-        self.manifest
-            .as_ref()
-            .map_or(Level::Wire, |manifest| manifest.level)
+        self.manifest.as_ref().map_or(Level::Wire, |manifest| manifest.level)
     }
 }
 
@@ -170,14 +127,10 @@ fn check(
     // A peer is held to what it claims; who filters has said which cases are meant.
     let default = (!selection.patterns.is_empty()).then(|| suite.highest_level());
     let asked_level = args.select.level.or(default);
-    let level = asked_level
-        .or_else(|| sources.iter().map(Source::claimed).max())
-        .unwrap_or(Level::Wire);
+    let level = asked_level.or_else(|| sources.iter().map(Source::claimed).max()).unwrap_or(Level::Wire);
     if level > suite.highest_level() {
         let highest = suite.highest_level();
-        return Err(CliError::Usage(format!(
-            "there is no case of level {level} yet; the highest is {highest}"
-        )));
+        return Err(CliError::Usage(format!("there is no case of level {level} yet; the highest is {highest}")));
     }
     let partial = !selection.patterns.is_empty();
     selection.level = Some(level);
@@ -217,37 +170,21 @@ fn check(
     }
     let exit = report.close(clock.elapsed(), stop.is_set());
     // When none could be started, all there is to say has been said.
-    let silent = report
-        .peers
-        .iter()
-        .all(|peer| peer.state == State::NotStarted);
+    let silent = report.peers.iter().all(|peer| peer.state == State::NotStarted);
     if !silent {
-        let detail = if args.verbose {
-            Detail::Verbose
-        } else {
-            Detail::Normal
-        };
+        let detail = if args.verbose { Detail::Verbose } else { Detail::Normal };
         print(&terminal(&report, styles.out, detail))?;
     }
-    let json = report
-        .to_json()
-        .map_err(|error| CliError::Harness(format!("the result cannot be written: {error}")))?;
+    let json = report.to_json().map_err(|error| CliError::Harness(format!("the result cannot be written: {error}")))?;
     let file = args.json.clone().unwrap_or_else(|| root.join(RESULT));
     write(&file, &json)?;
-    let shown = args
-        .json
-        .as_ref()
-        .map_or(RESULT.to_owned(), |file| file.display().to_string());
+    let shown = args.json.as_ref().map_or(RESULT.to_owned(), |file| file.display().to_string());
     if !silent {
-        print(&format!(
-            "{}\n",
-            styles.out.dim(&format!("result: {shown}"))
-        ))?;
+        print(&format!("{}\n", styles.out.dim(&format!("result: {shown}"))))?;
     }
     if let Some(file) = &args.junit {
-        let xml = junit(&report).map_err(|error| {
-            CliError::Harness(format!("the JUnit file cannot be written: {error}"))
-        })?;
+        let xml =
+            junit(&report).map_err(|error| CliError::Harness(format!("the JUnit file cannot be written: {error}")))?;
         write(file, &xml)?;
     }
     Ok(exit)
@@ -257,14 +194,7 @@ impl Check<'_> {
     /// Checks one peer, from its set-up to its verdict.
     fn peer(&self, source: Source) -> Result<PeerReport, CliError> {
         let name = source.name().to_owned();
-        let unchecked = |state, reason| {
-            Ok(PeerReport::unchecked(
-                name.clone(),
-                source.shown.clone(),
-                state,
-                reason,
-            ))
-        };
+        let unchecked = |state, reason| Ok(PeerReport::unchecked(name.clone(), source.shown.clone(), state, reason));
         if self.stop.is_set() {
             return unchecked(State::NotStarted, "the run was interrupted".to_owned());
         }
@@ -279,18 +209,12 @@ impl Check<'_> {
         let (connection, description) = match self.start(&source) {
             Ok(started) => started,
             Err(error) => {
-                let of = source
-                    .name
-                    .as_ref()
-                    .map_or(String::new(), |name| format!("{name}: "));
+                let of = source.name.as_ref().map_or(String::new(), |name| format!("{name}: "));
                 eprintln!("{} {of}{error}", self.error_style.red("error:"));
                 return unchecked(State::NotStarted, error.to_string());
             }
         };
-        let name = source
-            .name
-            .clone()
-            .unwrap_or_else(|| description.name.clone());
+        let name = source.name.clone().unwrap_or_else(|| description.name.clone());
         let mut roles = self.roles(&description);
         let level = self.level.unwrap_or_else(|| source.claimed());
         let (cases, kept) = self.cases(&roles, level, &description);
@@ -298,10 +222,7 @@ impl Check<'_> {
         // That a peer describes itself rightly is no evidence for a role of which nothing is known.
         let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
         if cases.is_empty() && !roles.is_empty() {
-            let mut message = format!(
-                "no case is selected for the roles of {name}: {}",
-                claimed.join(", ")
-            );
+            let mut message = format!("no case is selected for the roles of {name}: {}", claimed.join(", "));
             for (_, why) in &not_asked {
                 message.push_str(&format!("; {why}"));
             }
@@ -309,39 +230,18 @@ impl Check<'_> {
         }
         roles.retain(|(role, _)| cases.iter().any(|case| case.roles.contains(role)));
         let repeat = u64::from(self.settings.repeat);
-        let total = cases
-            .iter()
-            .map(|case| if case.is_large() { 1 } else { repeat })
-            .sum();
+        let total = cases.iter().map(|case| if case.is_large() { 1 } else { repeat }).sum();
         let progress = Progress::new(&name, total, self.visible);
-        let mut record = run::run(
-            &source.launch,
-            connection,
-            &cases,
-            &self.settings,
-            &progress,
-            self.stop,
-        );
+        let mut record = run::run(&source.launch, connection, &cases, &self.settings, &progress, self.stop);
         progress.done();
-        record
-            .notes
-            .extend(not_asked.iter().map(|(_, why)| why.clone()));
+        record.notes.extend(not_asked.iter().map(|(_, why)| why.clone()));
         if record.opened == Some(false) && self.patterns.is_empty() && record.given_up.is_none() {
             record.notes.push(NO_SESSION.to_owned());
         }
-        let describe = (
-            self.suite.describe(&description),
-            judge_description(&description),
-        );
+        let describe = (self.suite.describe(&description), judge_description(&description));
         let runs = cases.into_iter().zip(record.cases.iter().cloned());
         let all: Vec<(&Case, CaseRun)> = std::iter::once(describe).chain(runs).collect();
-        let verdict = judge(
-            all,
-            &roles,
-            level,
-            &source.baseline,
-            !self.patterns.is_empty(),
-        );
+        let verdict = judge(all, &roles, level, &source.baseline, !self.patterns.is_empty());
         Ok(PeerReport::checked(
             name,
             source.shown,
@@ -370,30 +270,18 @@ impl Check<'_> {
         let claimed = |role: Role| description.roles.iter().any(|name| name == role.as_str());
         Role::ALL
             .into_iter()
-            .filter(|role| {
-                if self.roles.is_empty() {
-                    claimed(*role)
-                } else {
-                    self.roles.contains(role)
-                }
-            })
+            .filter(|role| if self.roles.is_empty() { claimed(*role) } else { self.roles.contains(role) })
             .map(|role| (role, claimed(role)))
             .collect()
     }
 
     /// The cases to ask, and those that need what the peer does not claim.
-    fn cases(
-        &self,
-        roles: &[(Role, bool)],
-        level: Level,
-        description: &Description,
-    ) -> (Vec<&Case>, Vec<&Case>) {
+    fn cases(&self, roles: &[(Role, bool)], level: Level, description: &Description) -> (Vec<&Case>, Vec<&Case>) {
         let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
         let meant = |case: &&Case| {
             case.concerns(&roles)
                 && case.level <= level
-                && (self.patterns.is_empty()
-                    || self.patterns.iter().any(|pattern| pattern.fits(case)))
+                && (self.patterns.is_empty() || self.patterns.iter().any(|pattern| pattern.fits(case)))
         };
         let has = |need: &Need| match need {
             Need::ReferenceNetworks => description.reference_networks,
@@ -404,7 +292,8 @@ impl Check<'_> {
 }
 
 /// What is said of a peer that was asked of sessions, and never opened one.
-const NO_SESSION: &str = "no session was opened in the whole run: the cases about open sessions show nothing about this server";
+const NO_SESSION: &str =
+    "no session was opened in the whole run: the cases about open sessions show nothing about this server";
 
 /// How many cases were kept from a peer for want of what they need, and that in words.
 fn not_asked(kept: &[&Case]) -> Vec<(NotAsked, String)> {
@@ -415,15 +304,8 @@ fn not_asked(kept: &[&Case]) -> Vec<(NotAsked, String)> {
     counted
         .filter(|(_, cases)| *cases > 0)
         .map(|(need, cases)| {
-            let (were, need_it) = if cases == 1 {
-                ("case was", "it needs")
-            } else {
-                ("cases were", "they need")
-            };
-            let count = NotAsked {
-                needs: need.as_str(),
-                cases,
-            };
+            let (were, need_it) = if cases == 1 { ("case was", "it needs") } else { ("cases were", "they need") };
+            let count = NotAsked { needs: need.as_str(), cases };
             let why = format!(
                 "{cases} {were} not asked: {need_it} {}, which the peer's `describe` does not claim (`{}`)",
                 need.in_words(),
@@ -435,30 +317,20 @@ fn not_asked(kept: &[&Case]) -> Vec<(NotAsked, String)> {
 }
 
 fn nothing_selected(args: &CheckArgs) -> String {
-    let mut parts: Vec<String> = args
-        .select
-        .filter
-        .iter()
-        .map(|filter| format!("--filter {filter}"))
-        .collect();
+    let mut parts: Vec<String> = args.select.filter.iter().map(|filter| format!("--filter {filter}")).collect();
     parts.extend(args.select.role.iter().map(|role| format!("--role {role}")));
     parts.extend(args.select.level.map(|level| format!("--level {level}")));
     format!("no case fits {}; see ncp-verify list", parts.join(" "))
 }
 
 pub(super) fn current_dir() -> Result<PathBuf, CliError> {
-    std::env::current_dir()
-        .map_err(|error| CliError::Harness(format!("the current folder is not known: {error}")))
+    std::env::current_dir().map_err(|error| CliError::Harness(format!("the current folder is not known: {error}")))
 }
 
 pub(super) fn write(file: &Path, text: &str) -> Result<(), CliError> {
-    let folder = file
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     folder
         .map_or(Ok(()), std::fs::create_dir_all)
         .and_then(|()| std::fs::write(file, text))
-        .map_err(|error| {
-            CliError::Harness(format!("{} cannot be written: {error}", file.display()))
-        })
+        .map_err(|error| CliError::Harness(format!("{} cannot be written: {error}", file.display())))
 }

@@ -25,14 +25,8 @@ const OR_REJECT: &str = "an error will do as well, unless its code is `internal`
 
 /// Explains a case, a rule or a flag: its text, its cases and, in a source tree, its code.
 pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, CliError> {
-    let mut page = Page {
-        style,
-        out: String::new(),
-    };
-    let rule = suite
-        .requirements()
-        .iter()
-        .find(|rule| rule.id.eq_ignore_ascii_case(id));
+    let mut page = Page { style, out: String::new() };
+    let rule = suite.requirements().iter().find(|rule| rule.id.eq_ignore_ascii_case(id));
     let flag = suite.flags().find(|flag| flag.eq_ignore_ascii_case(id));
     if let Some(case) = suite.case(id) {
         page.case(case, suite);
@@ -40,29 +34,19 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
     } else if let Some(rule) = rule {
         page.rule(rule);
         page.evidence([rule.id.as_str()].into_iter());
-        page.citing(suite, |case| {
-            case.requirements.iter().any(|cited| cited.id == rule.id)
-        });
+        page.citing(suite, |case| case.requirements.iter().any(|cited| cited.id == rule.id));
     } else if let Some(flag) = flag {
         let flagged = |case: &Case| case.flags.iter().any(|known| known == flag);
         page.flag(flag, suite);
         let cited = |rule: &&Arc<Requirement>| {
             let cites = |case: &Case| case.requirements.iter().any(|cited| cited.id == rule.id);
-            suite
-                .cases()
-                .iter()
-                .any(|case| flagged(case) && cites(case))
+            suite.cases().iter().any(|case| flagged(case) && cites(case))
         };
         page.rules(suite.requirements().iter().filter(cited));
         page.citing(suite, flagged);
     } else if let Some((why, rules)) = finding(id) {
         page.paragraph(0, &why);
-        page.rules(
-            suite
-                .requirements()
-                .iter()
-                .filter(|rule| rules.contains(&rule.id)),
-        );
+        page.rules(suite.requirements().iter().filter(|rule| rules.contains(&rule.id)));
     } else {
         return Err(CliError::Usage(unknown(suite, id)));
     }
@@ -76,10 +60,7 @@ fn finding(id: &str) -> Option<(String, BTreeSet<String>)> {
     let mut findings = trace.findings().iter();
     let finding = findings.find(|finding| finding.id.eq_ignore_ascii_case(id))?;
     let why = finding.exclusion.as_ref()?;
-    let why = format!(
-        "{}: no case is flagged with this finding. {why}",
-        finding.id
-    );
+    let why = format!("{}: no case is flagged with this finding. {why}", finding.id);
     Some((why, finding.rules.clone()))
 }
 
@@ -111,42 +92,19 @@ impl Page {
         self.line(&title);
         self.paragraph(0, &case.title);
         let roles: Vec<&str> = case.roles.iter().map(|role| role.as_str()).collect();
-        let weight = if case.binding {
-            "decides the verdict"
-        } else {
-            "is advice"
-        };
-        self.paragraph(
-            0,
-            &format!(
-                "level {}, for {}, {weight}; {}",
-                case.level,
-                roles.join(", "),
-                case.file
-            ),
-        );
+        let weight = if case.binding { "decides the verdict" } else { "is advice" };
+        self.paragraph(0, &format!("level {}, for {}, {weight}; {}", case.level, roles.join(", "), case.file));
         for need in &case.needs {
             let words = format!("asked only of a peer that claims {}", need.in_words());
             self.paragraph(0, &words);
         }
-        self.heading(if case.requirements.len() == 1 {
-            "Rule"
-        } else {
-            "Rules"
-        });
+        self.heading(if case.requirements.len() == 1 { "Rule" } else { "Rules" });
         for rule in &case.requirements {
             self.rule(rule);
         }
         self.heading("Input");
-        let shown = if case.is_large() {
-            SHOWN_OF_LARGE
-        } else {
-            SHOWN
-        };
-        self.paragraph(
-            2,
-            &excerpt(format!("{{\"id\":1,{}", case.body()).as_bytes(), shown),
-        );
+        let shown = if case.is_large() { SHOWN_OF_LARGE } else { SHOWN };
+        self.paragraph(2, &excerpt(format!("{{\"id\":1,{}", case.body()).as_bytes(), shown));
         if let Some(made) = case.made_of() {
             self.paragraph(2, &format!("made of {}", excerpt(made.as_bytes(), SHOWN)));
         }
@@ -157,11 +115,7 @@ impl Page {
         self.heading("Why");
         self.paragraph(2, &case.why);
         if !case.flags.is_empty() {
-            self.heading(if case.flags.len() == 1 {
-                "Flag"
-            } else {
-                "Flags"
-            });
+            self.heading(if case.flags.len() == 1 { "Flag" } else { "Flags" });
             for flag in &case.flags {
                 self.flag(flag, suite);
             }
@@ -172,17 +126,10 @@ impl Page {
         let roles = if rule.roles.len() == 4 {
             "all".to_owned()
         } else {
-            rule.roles
-                .iter()
-                .map(|role| role.as_str())
-                .collect::<Vec<_>>()
-                .join(", ")
+            rule.roles.iter().map(|role| role.as_str()).collect::<Vec<_>>().join(", ")
         };
         let id = self.style.bold(&rule.id);
-        self.line(&format!(
-            "  {id} {}, level {}, {roles}",
-            rule.keyword, rule.level
-        ));
+        self.line(&format!("  {id} {}, level {}, {roles}", rule.keyword, rule.level));
         self.paragraph(2, &rule.sentence);
         let place = format!("spec/text/{}, {}", rule.place(), rule.section);
         let place = self.style.dim(&wrap(&place, self.style.width, "  ", "  "));
@@ -221,11 +168,7 @@ impl Page {
         let about = |id: &str| rules.contains(&id);
         for kind in EvidenceKind::ALL {
             let mut places: Vec<String> = Vec::new();
-            for rule in trace
-                .rules()
-                .iter()
-                .filter(|rule| about(&rule.requirement.id))
-            {
+            for rule in trace.rules().iter().filter(|rule| about(&rule.requirement.id)) {
                 for evidence in rule.evidence.iter().filter(|one| one.kind == kind) {
                     let place = evidence.shown_place();
                     if !places.contains(&place) {
@@ -252,9 +195,7 @@ impl Page {
         });
         for case in cases {
             self.line(&format!("  {}", case.id));
-            let title = self
-                .style
-                .dim(&wrap(&case.title, self.style.width, "    ", "    "));
+            let title = self.style.dim(&wrap(&case.title, self.style.width, "    ", "    "));
             self.line(&title);
         }
     }
@@ -320,39 +261,19 @@ fn expectation(expect: &Expect) -> Vec<String> {
 fn unknown(suite: &Suite, id: &str) -> String {
     let lower = id.to_ascii_lowercase();
     let ids = suite.cases().iter().map(|case| case.id.as_str());
-    let all = ids
-        .chain(suite.requirements().iter().map(|rule| rule.id.as_str()))
-        .chain(suite.flags());
+    let all = ids.chain(suite.requirements().iter().map(|rule| rule.id.as_str())).chain(suite.flags());
     let likeness = |known: &str| {
         let known = known.to_ascii_lowercase();
-        let part = if lower.len() >= 3 && known.contains(&lower) {
-            0.2
-        } else {
-            0.0
-        };
-        strsim::normalized_damerau_levenshtein(&known, &lower)
-            .max(strsim::jaro_winkler(&known, &lower) - 0.1)
-            + part
+        let part = if lower.len() >= 3 && known.contains(&lower) { 0.2 } else { 0.0 };
+        strsim::normalized_damerau_levenshtein(&known, &lower).max(strsim::jaro_winkler(&known, &lower) - 0.1) + part
     };
-    let mut scored: Vec<(f64, &str)> = all
-        .map(|known| (likeness(known), known))
-        .filter(|(score, _)| *score >= ALIKE)
-        .collect();
+    let mut scored: Vec<(f64, &str)> =
+        all.map(|known| (likeness(known), known)).filter(|(score, _)| *score >= ALIKE).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-    let nearest: Vec<&str> = scored
-        .iter()
-        .take(SUGGESTED)
-        .map(|(_, known)| *known)
-        .collect();
-    let head = format!(
-        "there is no case, rule or flag `{}`",
-        excerpt(id.as_bytes(), 100)
-    );
+    let nearest: Vec<&str> = scored.iter().take(SUGGESTED).map(|(_, known)| *known).collect();
+    let head = format!("there is no case, rule or flag `{}`", excerpt(id.as_bytes(), 100));
     if nearest.is_empty() {
         return format!("{head}; ncp-verify list shows all");
     }
-    format!(
-        "{head}; do you mean one of these?\n  {}",
-        nearest.join("\n  ")
-    )
+    format!("{head}; do you mean one of these?\n  {}", nearest.join("\n  "))
 }

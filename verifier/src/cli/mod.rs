@@ -35,11 +35,7 @@ pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            let exit = if error.use_stderr() {
-                Exit::Usage.code()
-            } else {
-                0
-            };
+            let exit = if error.use_stderr() { Exit::Usage.code() } else { 0 };
             // Nothing is left to be done if even that cannot be printed.
             let _ = error.print();
             return ExitCode::from(exit);
@@ -58,17 +54,13 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
     listen(&stop)?;
     let style = cli.style(std::io::stdout().is_terminal());
     let suite = || match &cli.vectors {
-        Some(folder) if !folder.is_dir() => Err(CliError::Usage(format!(
-            "--vectors {}: there is no such folder",
-            folder.display()
-        ))),
+        Some(folder) if !folder.is_dir() => {
+            Err(CliError::Usage(format!("--vectors {}: there is no such folder", folder.display())))
+        }
         Some(folder) => Ok(Suite::load(folder)?),
         None => Ok(Suite::embedded()?),
     };
-    let styles = check::Styles {
-        out: style,
-        error: cli.style(std::io::stderr().is_terminal()),
-    };
+    let styles = check::Styles { out: style, error: cli.style(std::io::stderr().is_terminal()) };
     match &cli.command {
         None => check::bundled(&suite()?, &cli.check, styles, &stop),
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
@@ -83,15 +75,9 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
 /// Asks the run to end on Ctrl-C and on a request to terminate; the second time, ends at once.
 fn listen(stop: &Stop) -> Result<(), CliError> {
     for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-        signal_hook::flag::register_conditional_shutdown(
-            signal,
-            i32::from(Exit::Interrupted.code()),
-            stop.flag(),
-        )
-        .and_then(|_| signal_hook::flag::register(signal, stop.flag()))
-        .map_err(|source| {
-            CliError::Harness(format!("the signal {signal} cannot be handled: {source}"))
-        })?;
+        signal_hook::flag::register_conditional_shutdown(signal, i32::from(Exit::Interrupted.code()), stop.flag())
+            .and_then(|_| signal_hook::flag::register(signal, stop.flag()))
+            .map_err(|source| CliError::Harness(format!("the signal {signal} cannot be handled: {source}")))?;
     }
     Ok(())
 }
@@ -304,27 +290,16 @@ impl Cli {
             Colour::Never => false,
             Colour::Auto => terminal && !plain,
         };
-        let columns = std::env::var("COLUMNS")
-            .ok()
-            .and_then(|columns| columns.parse().ok());
-        let asked = terminal_size::terminal_size()
-            .filter(|_| terminal)
-            .map(|(width, _)| usize::from(width.0));
-        Style {
-            colour,
-            width: asked.or(columns).unwrap_or(PIPED_WIDTH).clamp(40, 160),
-        }
+        let columns = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+        let asked = terminal_size::terminal_size().filter(|_| terminal).map(|(width, _)| usize::from(width.0));
+        Style { colour, width: asked.or(columns).unwrap_or(PIPED_WIDTH).clamp(40, 160) }
     }
 }
 
 impl SelectArgs {
     fn selection(&self) -> Selection {
         Selection {
-            patterns: self
-                .filter
-                .iter()
-                .map(|pattern| Pattern::new(pattern))
-                .collect(),
+            patterns: self.filter.iter().map(|pattern| Pattern::new(pattern)).collect(),
             roles: self.role.clone(),
             level: self.level,
         }
@@ -364,9 +339,9 @@ impl CliError {
 fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(CliError::Harness(
-            format!("the report cannot be printed: {error}"),
-        )),
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(CliError::Harness(format!("the report cannot be printed: {error}")))
+        }
         _ => Ok(()),
     }
 }
@@ -400,20 +375,10 @@ mod tests {
     #[test]
     fn options_stand_without_a_command_and_after_run() {
         let cli = Cli::try_parse_from(["ncp-verify", "--level", "wire", "--jobs", "2"]).unwrap();
-        assert!(
-            cli.command.is_none()
-                && cli.check.jobs == 2
-                && cli.check.select.level == Some(Level::Wire)
-        );
-        let cli = Cli::try_parse_from(["ncp-verify", "run", "--peer-cmd", "x", "--timeout", "0.5"])
-            .unwrap();
-        let Some(Command::Run(run)) = cli.command else {
-            panic!()
-        };
-        assert_eq!(
-            (run.peer_cmd, run.check.timeout),
-            (vec!["x".to_owned()], Duration::from_millis(500))
-        );
+        assert!(cli.command.is_none() && cli.check.jobs == 2 && cli.check.select.level == Some(Level::Wire));
+        let cli = Cli::try_parse_from(["ncp-verify", "run", "--peer-cmd", "x", "--timeout", "0.5"]).unwrap();
+        let Some(Command::Run(run)) = cli.command else { panic!() };
+        assert_eq!((run.peer_cmd, run.check.timeout), (vec!["x".to_owned()], Duration::from_millis(500)));
     }
 
     #[test]
@@ -426,10 +391,7 @@ mod tests {
             ["--timeout", "-1"],
             ["--timeout", "NaN"],
         ] {
-            assert!(
-                Cli::try_parse_from(["ncp-verify"].into_iter().chain(bad)).is_err(),
-                "{bad:?}"
-            );
+            assert!(Cli::try_parse_from(["ncp-verify"].into_iter().chain(bad)).is_err(), "{bad:?}");
         }
     }
 }

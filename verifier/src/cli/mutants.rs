@@ -18,12 +18,7 @@ const PACKAGE: &str = "ncp-peer-mutants";
 const REPORTS: &str = "reports";
 
 /// Holds the suite against every mutant.
-pub(super) fn mutants(
-    suite: &Suite,
-    args: &MutantsArgs,
-    styles: Styles,
-    stop: &Stop,
-) -> Result<Exit, CliError> {
+pub(super) fn mutants(suite: &Suite, args: &MutantsArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     let here = current_dir()?;
     let workspace = Workspace::find(&here);
     let root = workspace.as_ref().map_or(here, |found| found.root.clone());
@@ -31,60 +26,35 @@ pub(super) fn mutants(
         (Some(program), _) => std::path::absolute(program).unwrap_or_else(|_| program.clone()),
         (None, Some(workspace)) => build(workspace, stop)?,
         (None, None) => {
-            return Err(CliError::Usage(
-                "the sources of the mutants are not here".to_owned(),
-            ));
+            return Err(CliError::Usage("the sources of the mutants are not here".to_owned()));
         }
     };
     let mutants = chosen(mutants::list(&program, suite).map_err(fault)?, &args.only)?;
     if args.list {
-        let lines = mutants.iter().map(
-            |Mutant {
-                 name,
-                 about,
-                 finding,
-                 rules,
-             }| {
-                format!(
-                    "{}  {finding}  {}\n    {about}\n",
-                    styles.out.bold(name),
-                    rules.join(" ")
-                )
-            },
-        );
+        let lines = mutants.iter().map(|Mutant { name, about, finding, rules }| {
+            format!("{}  {finding}  {}\n    {about}\n", styles.out.bold(name), rules.join(" "))
+        });
         print(&lines.collect::<String>())?;
         return Ok(Exit::Conformant);
     }
-    let hunt = Hunt {
-        program: &program,
-        suite,
-        jobs: usize::from(args.jobs),
-        limit: args.limit,
-        stop,
-    };
+    let hunt = Hunt { program: &program, suite, jobs: usize::from(args.jobs), limit: args.limit, stop };
     let said = Progress::spinner(
         format!("{}, {} cases", plural(mutants.len()), suite.cases().len()),
         std::io::stderr().is_terminal(),
     );
-    let trials =
-        mutants::hunt(&hunt, &mutants, &|trial| said.say(&line(trial, styles))).map_err(fault);
+    let trials = mutants::hunt(&hunt, &mutants, &|trial| said.say(&line(trial, styles))).map_err(fault);
     said.done();
     let report = MutantsReport::new(suite, trials?);
     // What some of them show is no report on all.
     if args.only.is_empty() {
         let folder = args.reports.clone().unwrap_or_else(|| root.join(REPORTS));
-        let json = report
-            .to_json()
-            .map_err(|error| CliError::Harness(format!("the report cannot be written: {error}")))?;
+        let json =
+            report.to_json().map_err(|error| CliError::Harness(format!("the report cannot be written: {error}")))?;
         write(&folder.join("mutants.json"), &json)?;
         write(&folder.join("mutants.md"), &report.to_markdown())?;
     }
     print(&summary(&report, styles))?;
-    Ok(if report.totals.all_killed() {
-        Exit::Conformant
-    } else {
-        Exit::NotConformant
-    })
+    Ok(if report.totals.all_killed() { Exit::Conformant } else { Exit::NotConformant })
 }
 
 /// Builds the program that holds the mutants.
@@ -104,18 +74,10 @@ fn build(workspace: &Workspace, stop: &Stop) -> Result<PathBuf, CliError> {
 
 /// The mutants that were named; all, if none was.
 fn chosen(mutants: Vec<Mutant>, only: &[String]) -> Result<Vec<Mutant>, CliError> {
-    if let Some(unknown) = only
-        .iter()
-        .find(|name| !mutants.iter().any(|mutant| mutant.name == **name))
-    {
-        return Err(CliError::Usage(format!(
-            "there is no mutant {unknown}; see ncp-verify mutants --list"
-        )));
+    if let Some(unknown) = only.iter().find(|name| !mutants.iter().any(|mutant| mutant.name == **name)) {
+        return Err(CliError::Usage(format!("there is no mutant {unknown}; see ncp-verify mutants --list")));
     }
-    Ok(mutants
-        .into_iter()
-        .filter(|mutant| only.is_empty() || only.contains(&mutant.name))
-        .collect())
+    Ok(mutants.into_iter().filter(|mutant| only.is_empty() || only.contains(&mutant.name)).collect())
 }
 
 fn fault(error: MutantsError) -> CliError {
@@ -150,11 +112,7 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
         totals.survived,
         totals.unfinished
     );
-    text.push_str(&if totals.all_killed() {
-        styles.out.green(&line)
-    } else {
-        styles.out.red(&line)
-    });
+    text.push_str(&if totals.all_killed() { styles.out.green(&line) } else { styles.out.red(&line) });
     text.push('\n');
     text
 }

@@ -11,19 +11,18 @@ use crate::trace::{Fault, Trace, json, markdown};
 type Render = fn(&Trace) -> String;
 
 /// Where the matrix is written, within the tree.
-const REPORTS: [(&str, Render); 2] = [
-    ("reports/traceability.md", markdown),
-    ("reports/traceability.json", json),
-];
+const REPORTS: [(&str, Render); 2] = [("reports/traceability.md", markdown), ("reports/traceability.json", json)];
 /// What was accepted, within the tree.
 const LOCK: &str = "spec/evidence.lock";
 
 /// Builds the matrix of the tree, says what is wrong with it, and writes the reports.
 pub(super) fn trace(args: &TraceArgs, style: Style) -> Result<Exit, CliError> {
     let here = || Workspace::here().map(|workspace| workspace.root);
-    let root = args.root.clone().or_else(here).ok_or_else(|| {
-        CliError::Usage("there is no source tree here; --root FOLDER names it".to_owned())
-    })?;
+    let root = args
+        .root
+        .clone()
+        .or_else(here)
+        .ok_or_else(|| CliError::Usage("there is no source tree here; --root FOLDER names it".to_owned()))?;
     let mut trace = Trace::read(&root)?;
     let acceptable = trace.faults().iter().all(Fault::can_be_accepted);
     if args.accept && acceptable {
@@ -47,18 +46,14 @@ pub(super) fn trace(args: &TraceArgs, style: Style) -> Result<Exit, CliError> {
         out.push_str(&format!("{} {}\n", style.red("✗"), shown.trim_start()));
     }
     for file in &stale {
-        out.push_str(&format!(
-            "{} {file} is stale; write it anew: cargo verify trace\n",
-            style.red("✗")
-        ));
+        out.push_str(&format!("{} {file} is stale; write it anew: cargo verify trace\n", style.red("✗")));
     }
     let faults = trace.faults().len();
     if faults > 0 {
         out.push_str(&match (acceptable, args.accept) {
-            (true, false) => format!(
-                "{}: read what is named; if it is meant: cargo verify trace --accept\n",
-                counted(faults)
-            ),
+            (true, false) => {
+                format!("{}: read what is named; if it is meant: cargo verify trace --accept\n", counted(faults))
+            }
             _ => format!("{}\n", counted(faults)),
         });
     } else if stale.is_empty() {
@@ -66,21 +61,11 @@ pub(super) fn trace(args: &TraceArgs, style: Style) -> Result<Exit, CliError> {
         out.push_str(&format!("report: {}\n", files.join(", ")));
     }
     print(&out)?;
-    Ok(if sound && stale.is_empty() {
-        Exit::Conformant
-    } else {
-        Exit::NotConformant
-    })
+    Ok(if sound && stale.is_empty() { Exit::Conformant } else { Exit::NotConformant })
 }
 
 /// Writes a file if it differs; with `check`, only notes that it would be.
-fn keep(
-    root: &Path,
-    file: &str,
-    text: &str,
-    check: bool,
-    stale: &mut Vec<String>,
-) -> Result<(), CliError> {
+fn keep(root: &Path, file: &str, text: &str, check: bool, stale: &mut Vec<String>) -> Result<(), CliError> {
     let path = root.join(file);
     if std::fs::read_to_string(&path).is_ok_and(|written| written == text) {
         return Ok(());
@@ -89,19 +74,13 @@ fn keep(
         stale.push(file.to_owned());
         return Ok(());
     }
-    let written = path
-        .parent()
-        .map_or(Ok(()), std::fs::create_dir_all)
-        .and_then(|()| std::fs::write(&path, text));
+    let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
     written.map_err(|error| CliError::Harness(format!("{}: {error}", path.display())))
 }
 
 fn summary(trace: &Trace) -> String {
     let rules = trace.rules().len();
-    let binding = trace
-        .rules()
-        .iter()
-        .filter(|rule| rule.requirement.keyword.is_binding());
+    let binding = trace.rules().iter().filter(|rule| rule.requirement.keyword.is_binding());
     let (mut shown, mut excluded, mut none) = (0, 0, 0);
     for rule in binding {
         if rule.evidence.iter().any(|one| one.kind.shows()) {

@@ -40,19 +40,14 @@ impl Workspace {
             .filter(|folder| folder.join("peer.toml").is_file())
             .collect();
         peers.sort();
-        (!peers.is_empty()).then(|| Self {
-            root: root.to_owned(),
-            peers,
-        })
+        (!peers.is_empty()).then(|| Self { root: root.to_owned(), peers })
     }
 }
 
 /// Cargo's target folder for a workspace at `root`.
 pub(super) fn target(root: &Path) -> PathBuf {
     match std::env::var_os("CARGO_TARGET_DIR") {
-        Some(folder) if !folder.is_empty() => {
-            std::path::absolute(&folder).unwrap_or_else(|_| folder.into())
-        }
+        Some(folder) if !folder.is_empty() => std::path::absolute(&folder).unwrap_or_else(|_| folder.into()),
         _ => root.join("target"),
     }
 }

@@ -95,27 +95,17 @@ pub enum MutantsError {
 /// # Errors
 /// The program cannot be run, does not print a list, or a mutant names no rule of the text.
 pub fn list(program: &Path, suite: &Suite) -> Result<Vec<Mutant>, MutantsError> {
-    let fault = |why: String| MutantsError::List {
-        program: program.display().to_string(),
-        why,
-    };
-    let output = Command::new(program)
-        .arg("--list")
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|error| fault(error.to_string()))?;
+    let fault = |why: String| MutantsError::List { program: program.display().to_string(), why };
+    let output =
+        Command::new(program).arg("--list").stdin(Stdio::null()).output().map_err(|error| fault(error.to_string()))?;
     if !output.status.success() {
         return Err(fault(output.status.to_string()));
     }
-    let mutants: Vec<Mutant> =
-        serde_json::from_slice(&output.stdout).map_err(|error| fault(error.to_string()))?;
+    let mutants: Vec<Mutant> = serde_json::from_slice(&output.stdout).map_err(|error| fault(error.to_string()))?;
     for Mutant { name, rules, .. } in &mutants {
         let unknown = rules.iter().find(|rule| suite.requirement(rule).is_none());
         if rules.is_empty() || unknown.is_some() {
-            return Err(MutantsError::Rule {
-                mutant: name.clone(),
-                rule: unknown.cloned().unwrap_or_default(),
-            });
+            return Err(MutantsError::Rule { mutant: name.clone(), rule: unknown.cloned().unwrap_or_default() });
         }
     }
     Ok(mutants)
@@ -125,11 +115,7 @@ pub fn list(program: &Path, suite: &Suite) -> Result<Vec<Mutant>, MutantsError> 
 ///
 /// # Errors
 /// The peer does not start, does not conform without a defect, or all was interrupted.
-pub fn hunt(
-    hunt: &Hunt<'_>,
-    mutants: &[Mutant],
-    told: &(dyn Fn(&Trial) + Sync),
-) -> Result<Vec<Trial>, MutantsError> {
+pub fn hunt(hunt: &Hunt<'_>, mutants: &[Mutant], told: &(dyn Fn(&Trial) + Sync)) -> Result<Vec<Trial>, MutantsError> {
     trial::healthy(hunt)?;
     let next = AtomicUsize::new(0);
     let trials: Mutex<Vec<(usize, Result<Trial, MutantsError>)>> = Mutex::default();
@@ -145,10 +131,7 @@ pub fn hunt(
                     if let Ok(trial) = &trial {
                         told(trial);
                     }
-                    trials
-                        .lock()
-                        .unwrap_or_else(PoisonError::into_inner)
-                        .push((number, trial));
+                    trials.lock().unwrap_or_else(PoisonError::into_inner).push((number, trial));
                 }
             });
         }

@@ -63,18 +63,11 @@ impl MutantsReport {
                 Fate::Survived => &mut totals.survived,
                 Fate::Unfinished => &mut totals.unfinished,
             } += 1;
-            let is_within =
-                |places| trial.fate == Fate::Killed && trial.place.is_some_and(|at| at <= places);
+            let is_within = |places| trial.fate == Fate::Killed && trial.place.is_some_and(|at| at <= places);
             totals.named_first += usize::from(is_within(1));
             totals.named_early += usize::from(is_within(EARLY));
         }
-        Self {
-            format: FORMAT,
-            cases: suite.cases().len(),
-            corpus_sha256: suite.digest().to_owned(),
-            totals,
-            mutants,
-        }
+        Self { format: FORMAT, cases: suite.cases().len(), corpus_sha256: suite.digest().to_owned(), totals, mutants }
     }
 
     /// The JSON file.
@@ -98,26 +91,12 @@ impl MutantsReport {
     #[must_use]
     pub fn remarks(&self) -> Vec<String> {
         let remark = |trial: &Trial| {
-            let Trial {
-                mutant,
-                fate,
-                named,
-                ..
-            } = trial;
-            let (name, rule) = (
-                &mutant.name,
-                mutant.rules.first().map_or("", String::as_str),
-            );
+            let Trial { mutant, fate, named, .. } = trial;
+            let (name, rule) = (&mutant.name, mutant.rules.first().map_or("", String::as_str));
             match fate {
                 Fate::Killed => None,
-                Fate::Misnamed => Some(format!(
-                    "{name} breaks {rule}, but the verdict names {}",
-                    rules(named)
-                )),
-                Fate::Survived => Some(format!(
-                    "{name} survived: no case of {rule} notices it. {}",
-                    mutant.about
-                )),
+                Fate::Misnamed => Some(format!("{name} breaks {rule}, but the verdict names {}", rules(named))),
+                Fate::Survived => Some(format!("{name} survived: no case of {rule} notices it. {}", mutant.about)),
                 Fate::Unfinished => Some(format!("{name}: its trial took too long")),
             }
         };
@@ -125,14 +104,7 @@ impl MutantsReport {
     }
 
     fn write(&self, page: &mut String) -> std::fmt::Result {
-        let Totals {
-            killed,
-            named_first,
-            named_early,
-            misnamed,
-            survived,
-            unfinished,
-        } = self.totals;
+        let Totals { killed, named_first, named_early, misnamed, survived, unfinished } = self.totals;
         writeln!(
             page,
             "Made by `ncp-verify mutants`: the Rust peer with one defect after the other (`peers/mutants`), each held \
@@ -164,20 +136,10 @@ impl MutantsReport {
         for remark in remarks {
             writeln!(page, "- **{remark}**")?;
         }
-        writeln!(
-            page,
-            "\n## Audited findings\n\n| finding | mutants |\n|---|---|"
-        )?;
+        writeln!(page, "\n## Audited findings\n\n| finding | mutants |\n|---|---|")?;
         let mut findings: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for trial in self
-            .mutants
-            .iter()
-            .filter(|trial| trial.mutant.finding.starts_with('L'))
-        {
-            findings
-                .entry(&trial.mutant.finding)
-                .or_default()
-                .push(&trial.mutant.name);
+        for trial in self.mutants.iter().filter(|trial| trial.mutant.finding.starts_with('L')) {
+            findings.entry(&trial.mutant.finding).or_default().push(&trial.mutant.name);
         }
         for (finding, names) in findings {
             writeln!(page, "| {finding} | {} |", names.join(", "))?;
@@ -187,21 +149,10 @@ impl MutantsReport {
             "\n## All mutants\n\n| mutant | the defect | finding | rule | failing cases | the shortest |\n|---|---|---|---|---|---|"
         )?;
         for trial in &self.mutants {
-            let Trial {
-                mutant,
-                fate,
-                failing_cases,
-                crashes,
-                named,
-                shortest_case,
-                ..
-            } = trial;
+            let Trial { mutant, fate, failing_cases, crashes, named, shortest_case, .. } = trial;
             let rule = mutant.rules.first().map_or("", String::as_str);
-            let before: Vec<Named<'_>> = named
-                .iter()
-                .take_while(|named| named.rule != rule)
-                .map(|named| named.rule.as_str())
-                .collect();
+            let before: Vec<Named<'_>> =
+                named.iter().take_while(|named| named.rule != rule).map(|named| named.rule.as_str()).collect();
             let rule = match (fate, &before[..]) {
                 (Fate::Killed, []) => rule.to_owned(),
                 (Fate::Killed, before) => format!("{rule} ({})", few(before)),
@@ -217,9 +168,7 @@ impl MutantsReport {
                 mutant.name,
                 mutant.about.replace('|', "\\|"),
                 mutant.finding,
-                shortest_case
-                    .as_deref()
-                    .map_or("none".to_owned(), |id| format!("`{id}`")),
+                shortest_case.as_deref().map_or("none".to_owned(), |id| format!("`{id}`")),
             )?;
         }
         Ok(())
@@ -232,10 +181,7 @@ const EARLY: usize = 3;
 type Named<'r> = &'r str;
 
 fn rules(named: &[super::Named]) -> String {
-    few(&named
-        .iter()
-        .map(|named| named.rule.as_str())
-        .collect::<Vec<_>>())
+    few(&named.iter().map(|named| named.rule.as_str()).collect::<Vec<_>>())
 }
 
 /// The first few of many rules.

@@ -66,29 +66,18 @@ pub(super) fn healthy(hunt: &Hunt<'_>) -> Result<(), MutantsError> {
     match failing.first() {
         None if hunt.stop.is_set() => Err(MutantsError::Interrupted),
         None => Ok(()),
-        Some(first) => Err(MutantsError::Sick {
-            count: failing.len(),
-            first: first.id.clone(),
-        }),
+        Some(first) => Err(MutantsError::Sick { count: failing.len(), first: first.id.clone() }),
     }
 }
 
 /// Puts a mutant on trial.
 pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, MutantsError> {
     let start = Instant::now();
-    let (large, small): (Vec<&Case>, Vec<&Case>) =
-        hunt.suite.cases().iter().partition(|case| case.is_large());
+    let (large, small): (Vec<&Case>, Vec<&Case>) = hunt.suite.cases().iter().partition(|case| case.is_large());
     let rule = mutant.rules.first().map_or("", String::as_str);
     let names = |cases: &[CaseReport]| cases.iter().any(|case| is_about(case, rule));
-    let (failing, in_time) = limited(hunt, |stop| {
-        failing(
-            hunt,
-            Some(mutant),
-            &[&small, &large],
-            |cases| !names(cases),
-            stop,
-        )
-    });
+    let (failing, in_time) =
+        limited(hunt, |stop| failing(hunt, Some(mutant), &[&small, &large], |cases| !names(cases), stop));
     let Findings { failing, named } = failing?;
     let fate = match (in_time, failing.is_empty(), names(&failing)) {
         (_, false, true) => Fate::Killed,
@@ -96,21 +85,13 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
         (true, false, false) => Fate::Misnamed,
         (true, true, _) => Fate::Survived,
     };
-    let shortest = failing
-        .iter()
-        .min_by_key(|case| (!is_about(case, rule), request_len(case)));
+    let shortest = failing.iter().min_by_key(|case| (!is_about(case, rule), request_len(case)));
     Ok(Trial {
         mutant: mutant.clone(),
         fate,
-        place: named
-            .iter()
-            .position(|named| named.rule == rule)
-            .map(|before| before + 1),
+        place: named.iter().position(|named| named.rule == rule).map(|before| before + 1),
         failing_cases: failing.len(),
-        crashes: failing
-            .iter()
-            .filter(|case| matches!(case.outcome, "crash" | "timeout" | "protocol"))
-            .count(),
+        crashes: failing.iter().filter(|case| matches!(case.outcome, "crash" | "timeout" | "protocol")).count(),
         named,
         shortest_case: shortest.map(|case| case.id.clone()),
         elapsed_s: start.elapsed().as_secs_f64(),
@@ -143,11 +124,7 @@ fn failing(
     stop: &Stop,
 ) -> Result<Findings, MutantsError> {
     let mut argv = vec![hunt.program.to_string_lossy().into_owned()];
-    argv.extend(
-        mutant
-            .into_iter()
-            .flat_map(|mutant| ["--mutant".to_owned(), mutant.name.clone()]),
-    );
+    argv.extend(mutant.into_iter().flat_map(|mutant| ["--mutant".to_owned(), mutant.name.clone()]));
     let launch = Launch::new(argv, ".");
     let settings = Settings {
         // A mutant that crashes is run to its end too: the time bounds it.
@@ -163,10 +140,7 @@ fn failing(
         let mut connection = Connection::open(&launch)?;
         let description = handshake(&mut connection, settings.start_timeout, stop)?;
         if runs.is_empty() {
-            runs.push((
-                hunt.suite.describe(&description),
-                judge_description(&description),
-            ));
+            runs.push((hunt.suite.describe(&description), judge_description(&description)));
         }
         let record = run::run(&launch, connection, part, &settings, &Deaf, stop);
         runs.extend(part.iter().copied().zip(record.cases.iter().cloned()));
@@ -184,42 +158,21 @@ fn not_passed(
     let roles = Role::ALL.map(|role| (role, true));
     let mut runs = runs.to_vec();
     // In the order in which the suite has them, as the verdict names rules of one weight in the order of the cases.
-    let place = |case: &Case| {
-        hunt.suite
-            .cases()
-            .iter()
-            .position(|other| std::ptr::eq(other, case))
-    };
+    let place = |case: &Case| hunt.suite.cases().iter().position(|other| std::ptr::eq(other, case));
     if runs.iter().any(|(case, _)| case.is_large()) {
         runs.sort_by_cached_key(|(case, _)| place(case));
     }
     let verdict = judge(runs, &roles, Level::Strict, &Baseline::default(), false);
-    let report = PeerReport::checked(
-        String::new(),
-        String::new(),
-        description,
-        &verdict,
-        record,
-        Vec::new(),
-    );
-    let of = |status| -> Vec<CaseReport> {
-        report
-            .cases
-            .iter()
-            .filter(|case| case.status == status)
-            .cloned()
-            .collect()
-    };
+    let report = PeerReport::checked(String::new(), String::new(), description, &verdict, record, Vec::new());
+    let of =
+        |status| -> Vec<CaseReport> { report.cases.iter().filter(|case| case.status == status).cloned().collect() };
     let mut failing = of("failed");
     if failing.is_empty() {
         failing = of("advice");
     }
     let named = likeliest_first(&report, by_rule(failing.iter()))
         .into_iter()
-        .map(|(rule, cases)| Named {
-            rule: rule.to_owned(),
-            cases: cases.len(),
-        })
+        .map(|(rule, cases)| Named { rule: rule.to_owned(), cases: cases.len() })
         .collect();
     Findings { failing, named }
 }
@@ -232,9 +185,7 @@ fn limited<T: Send>(hunt: &Hunt<'_>, work: impl FnOnce(&Stop) -> T) -> (T, bool)
         let expired = &stop;
         let watch = scope.spawn(move || {
             let start = Instant::now();
-            while ended.recv_timeout(Duration::from_millis(20))
-                == Err(mpsc::RecvTimeoutError::Timeout)
-            {
+            while ended.recv_timeout(Duration::from_millis(20)) == Err(mpsc::RecvTimeoutError::Timeout) {
                 if hunt.stop.is_set() || start.elapsed() > hunt.limit {
                     expired.set();
                     return false;

@@ -78,13 +78,9 @@ impl Connection {
     /// [`StartError`] if the operating system refuses.
     pub fn open(launch: &Launch) -> Result<Self, StartError> {
         let mut command = launch.command();
-        command
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|source| launch.refused(source))?;
-        let (Some(stdin), Some(stdout), Some(stderr)) =
-            (child.stdin.take(), child.stdout.take(), child.stderr.take())
+        let (Some(stdin), Some(stdout), Some(stderr)) = (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
             end_group(&mut child);
             return Err(launch.refused(std::io::Error::other("its standard streams are not there")));
@@ -186,11 +182,7 @@ impl Connection {
         }
         end_group(&mut self.child);
         self.requests = None;
-        let closed = if self.ended {
-            Ending::ClosedOutput
-        } else {
-            Ending::Killed
-        };
+        let closed = if self.ended { Ending::ClosedOutput } else { Ending::Killed };
         *self.ending.get_or_insert(closed)
     }
 
@@ -199,13 +191,7 @@ impl Connection {
     pub fn log(&self) -> String {
         // After a kill the log ends at once, unless a process that escaped still holds it.
         let _ = self.log_done.recv_timeout(SETTLE);
-        let bytes: Vec<u8> = self
-            .log
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .iter()
-            .copied()
-            .collect();
+        let bytes: Vec<u8> = self.log.lock().unwrap_or_else(PoisonError::into_inner).iter().copied().collect();
         let text = String::from_utf8_lossy(&bytes);
         let lines: Vec<&str> = text.lines().collect();
         lines[lines.len().saturating_sub(LOG_LINES)..]
@@ -267,10 +253,7 @@ pub(super) fn describe_status(status: ExitStatus) -> String {
 /// Ends a process, and everything that it started and that has not left its group.
 pub(super) fn end_group(child: &mut Child) {
     #[cfg(unix)]
-    if let Some(group) = i32::try_from(child.id())
-        .ok()
-        .and_then(rustix::process::Pid::from_raw)
-    {
+    if let Some(group) = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw) {
         // Nothing to do if the group is already gone.
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
@@ -278,11 +261,7 @@ pub(super) fn end_group(child: &mut Child) {
     let _ = child.wait();
 }
 
-fn write_requests(
-    mut stdin: ChildStdin,
-    requests: &Receiver<Vec<u8>>,
-    events: &SyncSender<Incoming>,
-) {
+fn write_requests(mut stdin: ChildStdin, requests: &Receiver<Vec<u8>>, events: &SyncSender<Incoming>) {
     for lines in requests {
         if stdin.write_all(&lines).is_err() {
             // The receiver may be gone already; then nobody needs to know.
@@ -312,10 +291,7 @@ fn read_lines(mut stdout: ChildStdout, limit: &AtomicUsize, events: &SyncSender<
             continue;
         };
         let rest = buffer.split_off(start + last + 1);
-        if events
-            .send(Incoming::Lines(std::mem::replace(&mut buffer, rest)))
-            .is_err()
-        {
+        if events.send(Incoming::Lines(std::mem::replace(&mut buffer, rest))).is_err() {
             return;
         }
     }
@@ -347,11 +323,7 @@ mod tests {
     use super::*;
 
     fn shell(script: &str) -> Connection {
-        Connection::open(&Launch::new(
-            vec!["sh".into(), "-c".into(), script.into()],
-            ".",
-        ))
-        .unwrap()
+        Connection::open(&Launch::new(vec!["sh".into(), "-c".into(), script.into()], ".")).unwrap()
     }
 
     fn next(connection: &mut Connection) -> Incoming {
@@ -378,18 +350,13 @@ mod tests {
         assert_eq!(lines(&mut connection), "one\ntwo\n");
         connection.close_requests();
         assert!(matches!(next(&mut connection), Incoming::End));
-        assert_eq!(
-            connection.wait(Duration::from_secs(5)).describe(),
-            "exited with status 0"
-        );
+        assert_eq!(connection.wait(Duration::from_secs(5)).describe(), "exited with status 0");
     }
 
     #[test]
     fn a_line_without_end_is_cut_off_at_the_limit() {
         let mut connection = shell("exec cat /dev/zero");
-        let Incoming::Overlong(start) = next(&mut connection) else {
-            panic!("no overlong line")
-        };
+        let Incoming::Overlong(start) = next(&mut connection) else { panic!("no overlong line") };
         assert_eq!(start.len(), OVERLONG_SHOWN);
         assert_eq!(connection.kill(), Ending::Killed);
     }
@@ -412,9 +379,8 @@ mod tests {
 
     #[test]
     fn the_end_of_a_flooded_log_is_kept() {
-        let mut connection = shell(
-            "i=0; while [ $i -lt 3000 ]; do echo \"line $i of the log\" >&2; i=$((i+1)); done; kill -9 $$",
-        );
+        let mut connection =
+            shell("i=0; while [ $i -lt 3000 ]; do echo \"line $i of the log\" >&2; i=$((i+1)); done; kill -9 $$");
         assert!(matches!(next(&mut connection), Incoming::End));
         assert!(connection.kill().describe().contains("SIGKILL"));
         let log = connection.log();

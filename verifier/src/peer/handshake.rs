@@ -34,54 +34,36 @@ pub struct Description {
 ///
 /// # Errors
 /// [`StartError`] if it ends, prints something else, or stays silent for longer than `patience`.
-pub fn handshake(
-    connection: &mut Connection,
-    patience: Duration,
-    stop: &Stop,
-) -> Result<Description, StartError> {
+pub fn handshake(connection: &mut Connection, patience: Duration, stop: &Stop) -> Result<Description, StartError> {
     let mut request = Vec::new();
     write_request(&mut request, 0, "\"call\":\"describe\",\"args\":{}}");
     connection.send(request);
     let line = first_line(connection, patience, stop)?;
     let command = || connection.command().to_owned();
     match Reply::parse(&line) {
-        Ok(Reply {
-            id: 0,
-            answer: Answer::Result(result),
-        }) => read(&result).map_err(|why| StartError::Description {
+        Ok(Reply { id: 0, answer: Answer::Result(result) }) => read(&result).map_err(|why| StartError::Description {
             command: command(),
             why,
             line: excerpt(&line, SHOWN),
         }),
-        Ok(Reply {
-            id: 0,
-            answer: Answer::Error { code, message },
-        }) => Err(StartError::Description {
+        Ok(Reply { id: 0, answer: Answer::Error { code, message } }) => Err(StartError::Description {
             command: command(),
             why: format!("with the error `{code}`, {message:?}"),
             line: excerpt(&line, SHOWN),
         }),
-        Ok(Reply {
-            id: 0,
-            answer: Answer::Unsupported,
-        }) => Err(StartError::Description {
+        Ok(Reply { id: 0, answer: Answer::Unsupported }) => Err(StartError::Description {
             command: command(),
             why: "says that it is unsupported".to_owned(),
             line: excerpt(&line, SHOWN),
         }),
-        Ok(Reply { id, .. }) => Err(connection.no_answer(
-            &format!("it answers the request {id}, which was not sent"),
-            &line,
-        )),
+        Ok(Reply { id, .. }) => {
+            Err(connection.no_answer(&format!("it answers the request {id}, which was not sent"), &line))
+        }
         Err(fault) => Err(connection.no_answer(&fault.to_string(), &line)),
     }
 }
 
-fn first_line(
-    connection: &mut Connection,
-    patience: Duration,
-    stop: &Stop,
-) -> Result<Vec<u8>, StartError> {
+fn first_line(connection: &mut Connection, patience: Duration, stop: &Stop) -> Result<Vec<u8>, StartError> {
     let deadline = Instant::now() + patience;
     loop {
         if stop.is_set() {
@@ -89,10 +71,7 @@ fn first_line(
         }
         match connection.receive(Duration::from_millis(50)) {
             Incoming::Lines(mut lines) => {
-                let end = lines
-                    .iter()
-                    .position(|byte| *byte == b'\n')
-                    .unwrap_or(lines.len());
+                let end = lines.iter().position(|byte| *byte == b'\n').unwrap_or(lines.len());
                 let rest = lines.split_off((end + 1).min(lines.len()));
                 lines.truncate(end);
                 connection.unread(rest);
@@ -148,10 +127,7 @@ fn read(result: &Json<'_>) -> Result<Description, String> {
         Some(Json::Bool(claimed)) => *claimed,
         Some(Json::Null) | None => false,
         Some(other) => {
-            return Err(format!(
-                "its `reference_networks` is {}, not a boolean",
-                other.kind()
-            ));
+            return Err(format!("its `reference_networks` is {}, not a boolean", other.kind()));
         }
     };
     Ok(Description {
@@ -171,25 +147,13 @@ mod tests {
 
     #[test]
     fn a_description_that_lacks_something_is_refused_by_name() {
-        let whole = r#"{"name":"n","version":"1","language":"C","wire_version":"0.5","contract_hash":"h","roles":["body"]}"#;
+        let whole =
+            r#"{"name":"n","version":"1","language":"C","wire_version":"0.5","contract_hash":"h","roles":["body"]}"#;
         let description = read(&Json::parse(whole).unwrap()).unwrap();
-        assert_eq!(
-            (description.name.as_str(), &description.roles),
-            ("n", &vec!["body".to_owned()])
-        );
-        for member in [
-            "name",
-            "version",
-            "language",
-            "wire_version",
-            "contract_hash",
-            "roles",
-        ] {
+        assert_eq!((description.name.as_str(), &description.roles), ("n", &vec!["body".to_owned()]));
+        for member in ["name", "version", "language", "wire_version", "contract_hash", "roles"] {
             let without = whole.replacen(&format!("\"{member}\""), "\"other\"", 1);
-            assert_eq!(
-                read(&Json::parse(&without).unwrap()).unwrap_err(),
-                format!("it lacks `{member}`")
-            );
+            assert_eq!(read(&Json::parse(&without).unwrap()).unwrap_err(), format!("it lacks `{member}`"));
         }
         let claims = |value: &str| {
             let described = whole.replace('}', &format!(r#","reference_networks":{value}}}"#));
@@ -197,15 +161,9 @@ mod tests {
         };
         assert_eq!(claims("true"), Ok(true));
         assert_eq!([claims("false"), claims("null")], [Ok(false), Ok(false)]);
-        assert_eq!(
-            claims("1").unwrap_err(),
-            "its `reference_networks` is a number, not a boolean"
-        );
+        assert_eq!(claims("1").unwrap_err(), "its `reference_networks` is a number, not a boolean");
         assert!(!description.reference_networks);
         let number = whole.replace("\"1\"", "1");
-        assert_eq!(
-            read(&Json::parse(&number).unwrap()).unwrap_err(),
-            "its `version` is a number, not a string"
-        );
+        assert_eq!(read(&Json::parse(&number).unwrap()).unwrap_err(), "its `version` is a number, not a string");
     }
 }

@@ -96,25 +96,17 @@ impl Manifest {
     /// [`ManifestError`] if the file cannot be read or is not of the form of PROTOCOL.md, section 6.
     pub fn load(folder: &Path, root: &Path, target: &Path) -> Result<Self, ManifestError> {
         let path = folder.join(FILE);
-        let read = |source| ManifestError::Read {
-            path: path.clone(),
-            source,
-        };
+        let read = |source| ManifestError::Read { path: path.clone(), source };
         let text = std::fs::read_to_string(&path).map_err(read)?;
         let folder = folder.canonicalize().map_err(read)?;
-        let form = |message: String| ManifestError::Form {
-            path: path.clone(),
-            message,
-        };
-        let file: File =
-            toml::from_str(&text).map_err(|error| form(error.to_string().trim_end().to_owned()))?;
+        let form = |message: String| ManifestError::Form { path: path.clone(), message };
+        let file: File = toml::from_str(&text).map_err(|error| form(error.to_string().trim_end().to_owned()))?;
         let launch = |argv: Vec<String>, what: &str| {
             if argv.first().is_none_or(String::is_empty) {
                 return Err(form(format!("the command of {what} is empty")));
             }
             let fill = |word: String| {
-                word.replace("{root}", &root.to_string_lossy())
-                    .replace("{target}", &target.to_string_lossy())
+                word.replace("{root}", &root.to_string_lossy()).replace("{target}", &target.to_string_lossy())
             };
             Ok(Launch::new(argv.into_iter().map(fill).collect(), &folder))
         };
@@ -122,33 +114,23 @@ impl Manifest {
             .setup
             .into_iter()
             .map(|step| {
-                Ok(Setup {
-                    launch: launch(step.command, &format!("the set-up step {:?}", step.say))?,
-                    say: step.say,
-                })
+                Ok(Setup { launch: launch(step.command, &format!("the set-up step {:?}", step.say))?, say: step.say })
             })
             .collect::<Result<_, _>>()?;
         let expected_failures = file
             .expected_failures
             .into_iter()
             .map(|entry| match (entry.case, entry.requirement) {
-                (Some(id), None) => Ok(ExpectedFailure {
-                    target: Target::Case(id),
-                    reason: entry.reason,
-                }),
-                (None, Some(id)) => Ok(ExpectedFailure {
-                    target: Target::Requirement(id),
-                    reason: entry.reason,
-                }),
-                _ => Err(form(
-                    "an expected failure names either a `case` or a `requirement`".to_owned(),
-                )),
+                (Some(id), None) => Ok(ExpectedFailure { target: Target::Case(id), reason: entry.reason }),
+                (None, Some(id)) => Ok(ExpectedFailure { target: Target::Requirement(id), reason: entry.reason }),
+                _ => Err(form("an expected failure names either a `case` or a `requirement`".to_owned())),
             })
             .collect::<Result<_, _>>()?;
         let level = match &file.level {
             None => Level::Wire,
-            Some(name) => Level::parse(name)
-                .ok_or_else(|| form(format!("`{name}` is not a level: wire, safety, strict")))?,
+            Some(name) => {
+                Level::parse(name).ok_or_else(|| form(format!("`{name}` is not a level: wire, safety, strict")))?
+            }
         };
         Ok(Self {
             level,
@@ -166,11 +148,7 @@ impl Manifest {
     /// The programs of `requires` that are not on PATH.
     #[must_use]
     pub fn missing_tools(&self) -> Vec<&str> {
-        self.requires
-            .iter()
-            .map(String::as_str)
-            .filter(|tool| !is_on_path(tool))
-            .collect()
+        self.requires.iter().map(String::as_str).filter(|tool| !is_on_path(tool)).collect()
     }
 }
 
@@ -182,13 +160,9 @@ impl Setup {
     pub fn run(&self, stop: &Stop) -> Result<(), StartError> {
         let mut command = self.launch.command();
         let (mut output, sink) = std::io::pipe().map_err(|source| self.launch.refused(source))?;
-        let log = sink
-            .try_clone()
-            .map_err(|source| self.launch.refused(source))?;
+        let log = sink.try_clone().map_err(|source| self.launch.refused(source))?;
         command.stdin(Stdio::null()).stdout(sink).stderr(log);
-        let mut child = command
-            .spawn()
-            .map_err(|source| self.launch.refused(source))?;
+        let mut child = command.spawn().map_err(|source| self.launch.refused(source))?;
         // The command holds our ends of the pipe; without it, reading would never end.
         drop(command);
         let reader = thread::spawn(move || {
@@ -261,11 +235,7 @@ mod tests {
     fn load(text: &str) -> Result<Manifest, ManifestError> {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join(FILE), text).unwrap();
-        Manifest::load(
-            folder.path(),
-            Path::new("/the/root"),
-            Path::new("/the/target"),
-        )
+        Manifest::load(folder.path(), Path::new("/the/root"), Path::new("/the/target"))
     }
 
     #[test]
@@ -289,34 +259,19 @@ mod tests {
             "#,
         )
         .unwrap();
-        assert_eq!(
-            manifest.launch.argv,
-            ["/the/target/release/peer", "--root=/the/root"]
-        );
+        assert_eq!(manifest.launch.argv, ["/the/target/release/peer", "--root=/the/root"]);
         assert_eq!(manifest.setup[0].launch.argv, ["make", "-C", "/the/root"]);
         assert_eq!(manifest.missing_tools(), ["surely-no-such-program"]);
-        assert_eq!(
-            manifest.expected_failures[0].target,
-            Target::Requirement("NCP-WIRE-007".into())
-        );
-        assert_eq!(
-            manifest.expected_failures[1].target,
-            Target::Case("wire/a/b".into())
-        );
+        assert_eq!(manifest.expected_failures[0].target, Target::Requirement("NCP-WIRE-007".into()));
+        assert_eq!(manifest.expected_failures[1].target, Target::Case("wire/a/b".into()));
     }
 
     #[test]
     fn a_manifest_with_a_mistake_says_where() {
         let head = "name = \"n\"\nlanguage = \"C\"\n";
         for (text, what) in [
-            (
-                "command = [\"x\"]\ncomand = 1".to_owned(),
-                "unknown field `comand`",
-            ),
-            (
-                "command = []".to_owned(),
-                "the command of the peer is empty",
-            ),
+            ("command = [\"x\"]\ncomand = 1".to_owned(), "unknown field `comand`"),
+            ("command = []".to_owned(), "the command of the peer is empty"),
             ("".to_owned(), "missing field `command`"),
             (
                 "command = [\"x\"]\n[[expected-failures]]\nreason = \"r\"".to_owned(),
@@ -325,10 +280,7 @@ mod tests {
             ("command = [\"x\"".to_owned(), "line 3"),
         ] {
             let error = load(&format!("{head}{text}")).unwrap_err().to_string();
-            assert!(
-                error.contains(what) && error.contains("peer.toml"),
-                "{error}"
-            );
+            assert!(error.contains(what) && error.contains("peer.toml"), "{error}");
         }
     }
 
@@ -339,19 +291,10 @@ mod tests {
             launch: Launch::new(vec!["sh".into(), "-c".into(), script.into()], "."),
         };
         step("echo fine").run(&Stop::default()).unwrap();
-        let error = step("echo out; echo no such package >&2; exit 4")
-            .run(&Stop::default())
-            .unwrap_err()
-            .to_string();
-        assert!(
-            error.contains("exited with status 4") && error.contains("| no such package"),
-            "{error}"
-        );
+        let error = step("echo out; echo no such package >&2; exit 4").run(&Stop::default()).unwrap_err().to_string();
+        assert!(error.contains("exited with status 4") && error.contains("| no such package"), "{error}");
         let stop = Stop::default();
         stop.set();
-        assert!(matches!(
-            step("sleep 60").run(&stop),
-            Err(StartError::Interrupted)
-        ));
+        assert!(matches!(step("sleep 60").run(&stop), Err(StartError::Interrupted)));
     }
 }

@@ -57,10 +57,7 @@ pub enum StartError {
         source: std::io::Error,
     },
     /// It ended before it answered `describe`.
-    #[error(
-        "`{command}` {ending} before it answered `describe`{}",
-        last_words(stderr)
-    )]
+    #[error("`{command}` {ending} before it answered `describe`{}", last_words(stderr))]
     Ended {
         /// The whole command.
         command: String,
@@ -70,10 +67,7 @@ pub enum StartError {
         stderr: String,
     },
     /// It printed something that is no answer.
-    #[error(
-        "`{command}` does not speak the peer protocol: {why}; its first line: {line}{}",
-        last_words(stderr)
-    )]
+    #[error("`{command}` does not speak the peer protocol: {why}; its first line: {line}{}", last_words(stderr))]
     NotAnAnswer {
         /// The whole command.
         command: String,
@@ -123,10 +117,7 @@ impl Launch {
     /// A program with its arguments, to be started in `folder`.
     #[must_use]
     pub fn new(argv: Vec<String>, folder: impl Into<PathBuf>) -> Self {
-        Self {
-            argv,
-            folder: folder.into(),
-        }
+        Self { argv, folder: folder.into() }
     }
 
     /// Takes a command line apart as a POSIX shell would, without running a shell.
@@ -143,8 +134,7 @@ impl Launch {
     /// The command as a person would type it.
     #[must_use]
     pub fn display(&self) -> String {
-        shlex::try_join(self.argv.iter().map(String::as_str))
-            .unwrap_or_else(|_| self.argv.join(" "))
+        shlex::try_join(self.argv.iter().map(String::as_str)).unwrap_or_else(|_| self.argv.join(" "))
     }
 
     /// The folder that it is started in.
@@ -161,15 +151,10 @@ impl Launch {
     fn command(&self) -> Command {
         let program = self.program();
         // A relative path counts from the folder; what a bare name means, PATH decides.
-        let program = if program.contains('/') {
-            self.folder.join(program).into_os_string()
-        } else {
-            OsString::from(program)
-        };
+        let program =
+            if program.contains('/') { self.folder.join(program).into_os_string() } else { OsString::from(program) };
         let mut command = Command::new(program);
-        command
-            .args(self.argv.iter().skip(1))
-            .current_dir(&self.folder);
+        command.args(self.argv.iter().skip(1)).current_dir(&self.folder);
         #[cfg(unix)]
         {
             use std::os::unix::process::CommandExt as _;
@@ -194,9 +179,8 @@ pub fn is_on_path(program: &str) -> bool {
     if program.contains('/') {
         return is_executable(Path::new(program));
     }
-    std::env::var_os("PATH").is_some_and(|path| {
-        std::env::split_paths(&path).any(|dir| is_executable(&dir.join(program)))
-    })
+    std::env::var_os("PATH")
+        .is_some_and(|path| std::env::split_paths(&path).any(|dir| is_executable(&dir.join(program))))
 }
 
 /// A line as it may be shown: readable, on one line, no longer than `most` characters.
@@ -212,11 +196,8 @@ pub fn excerpt(bytes: &[u8], most: usize) -> String {
 
 /// A character, or its escape if it would do something to a terminal.
 fn visible(c: char) -> impl Iterator<Item = char> {
-    let (plain, escaped) = if c.is_control() || is_bidi(c) {
-        (None, Some(c.escape_default()))
-    } else {
-        (Some(c), None)
-    };
+    let (plain, escaped) =
+        if c.is_control() || is_bidi(c) { (None, Some(c.escape_default())) } else { (Some(c), None) };
     plain.into_iter().chain(escaped.into_iter().flatten())
 }
 
@@ -228,8 +209,7 @@ fn is_bidi(c: char) -> bool {
 #[cfg(unix)]
 fn is_executable(path: &Path) -> bool {
     use std::os::unix::fs::PermissionsExt as _;
-    path.metadata()
-        .is_ok_and(|meta| meta.is_file() && meta.permissions().mode() & 0o111 != 0)
+    path.metadata().is_ok_and(|meta| meta.is_file() && meta.permissions().mode() & 0o111 != 0)
 }
 
 #[cfg(not(unix))]
@@ -238,19 +218,11 @@ fn is_executable(path: &Path) -> bool {
 }
 
 fn last_words(log: &str) -> String {
-    if log.trim().is_empty() {
-        String::new()
-    } else {
-        format!("\nit had written to stderr:\n{}", indented(log))
-    }
+    if log.trim().is_empty() { String::new() } else { format!("\nit had written to stderr:\n{}", indented(log)) }
 }
 
 fn indented(text: &str) -> String {
-    text.trim_end()
-        .lines()
-        .map(|line| format!("  | {line}"))
-        .collect::<Vec<_>>()
-        .join("\n")
+    text.trim_end().lines().map(|line| format!("  | {line}")).collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
@@ -261,18 +233,9 @@ mod tests {
     fn a_command_line_is_split_as_a_shell_would() {
         let launch = Launch::from_command_line("python3 'my adapter.py' --x=\"a b\"", ".").unwrap();
         assert_eq!(launch.argv, ["python3", "my adapter.py", "--x=a b"]);
-        assert_eq!(
-            Launch::from_command_line(&launch.display(), ".").unwrap(),
-            launch
-        );
+        assert_eq!(Launch::from_command_line(&launch.display(), ".").unwrap(), launch);
         for line in ["", "  ", "a 'b"] {
-            assert!(
-                matches!(
-                    Launch::from_command_line(line, "."),
-                    Err(StartError::Command(_))
-                ),
-                "{line:?}"
-            );
+            assert!(matches!(Launch::from_command_line(line, "."), Err(StartError::Command(_))), "{line:?}");
         }
     }
 

@@ -162,11 +162,7 @@ impl<'a> Reply<'a> {
             (None, Some(error), None) => match error.get("code").and_then(Json::as_str) {
                 Some(code) => Answer::Error {
                     code: code.to_owned(),
-                    message: error
-                        .get("message")
-                        .and_then(Json::as_str)
-                        .unwrap_or_default()
-                        .to_owned(),
+                    message: error.get("message").and_then(Json::as_str).unwrap_or_default().to_owned(),
                 },
                 None => return wrong("the answer's `error` has no string `code`"),
             },
@@ -176,9 +172,7 @@ impl<'a> Reply<'a> {
                 return wrong("the answer has none of `result`, `error` and `unsupported`");
             }
             _ => {
-                return wrong(
-                    "the answer has more than one of `result`, `error` and `unsupported`",
-                );
+                return wrong("the answer has more than one of `result`, `error` and `unsupported`");
             }
         };
         Ok(Self { id, answer })
@@ -203,61 +197,26 @@ mod tests {
     fn the_three_forms_of_an_answer_are_read() {
         let reply = Reply::parse(br#"{"id":7,"result":{"compatible":false}}"#).unwrap();
         assert_eq!(reply.id, 7);
-        assert!(
-            matches!(reply.answer, Answer::Result(result) if result.get("compatible") == Some(&Json::Bool(false)))
-        );
-        let reply =
-            Reply::parse(b"{\"error\":{\"code\":\"type\",\"message\":\"m\"},\"id\":0}\r").unwrap();
-        assert_eq!(
-            reply.answer,
-            Answer::Error {
-                code: "type".into(),
-                message: "m".into()
-            }
-        );
-        assert_eq!(
-            Reply::parse(br#"{"id":1,"unsupported":true}"#)
-                .unwrap()
-                .answer,
-            Answer::Unsupported
-        );
+        assert!(matches!(reply.answer, Answer::Result(result) if result.get("compatible") == Some(&Json::Bool(false))));
+        let reply = Reply::parse(b"{\"error\":{\"code\":\"type\",\"message\":\"m\"},\"id\":0}\r").unwrap();
+        assert_eq!(reply.answer, Answer::Error { code: "type".into(), message: "m".into() });
+        assert_eq!(Reply::parse(br#"{"id":1,"unsupported":true}"#).unwrap().answer, Answer::Unsupported);
     }
 
     #[test]
     fn a_line_that_is_no_answer_says_what_it_lacks() {
         let fault = |line: &str| Reply::parse(line.as_bytes()).unwrap_err().to_string();
-        assert_eq!(
-            fault("hello"),
-            "the line is not JSON: expected a JSON value at byte 0"
-        );
-        assert_eq!(
-            fault("[1]"),
-            "the line is no answer: it has no integer `id`"
-        );
-        assert_eq!(
-            fault(r#"{"id":"1","result":{}}"#),
-            "the line is no answer: it has no integer `id`"
-        );
-        assert_eq!(
-            fault(r#"{"id":-1,"result":{}}"#),
-            "the line is no answer: it has no integer `id`"
-        );
-        assert_eq!(
-            fault(r#"{"id":1}"#),
-            "the answer has none of `result`, `error` and `unsupported`"
-        );
+        assert_eq!(fault("hello"), "the line is not JSON: expected a JSON value at byte 0");
+        assert_eq!(fault("[1]"), "the line is no answer: it has no integer `id`");
+        assert_eq!(fault(r#"{"id":"1","result":{}}"#), "the line is no answer: it has no integer `id`");
+        assert_eq!(fault(r#"{"id":-1,"result":{}}"#), "the line is no answer: it has no integer `id`");
+        assert_eq!(fault(r#"{"id":1}"#), "the answer has none of `result`, `error` and `unsupported`");
         assert_eq!(
             fault(r#"{"id":1,"result":{},"unsupported":true}"#),
             "the answer has more than one of `result`, `error` and `unsupported`"
         );
-        assert_eq!(
-            fault(r#"{"id":1,"unsupported":false}"#),
-            "the answer's `unsupported` is not `true`"
-        );
-        assert_eq!(
-            fault(r#"{"id":1,"error":"no"}"#),
-            "the answer's `error` has no string `code`"
-        );
+        assert_eq!(fault(r#"{"id":1,"unsupported":false}"#), "the answer's `unsupported` is not `true`");
+        assert_eq!(fault(r#"{"id":1,"error":"no"}"#), "the answer's `error` has no string `code`");
         assert!(fault(r#"{"id":1,"id":2,"result":{}}"#).contains("stands twice"));
         assert_eq!(Reply::parse(&[0xff, 0xfe]).unwrap_err(), ReplyFault::Utf8);
     }

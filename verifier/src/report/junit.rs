@@ -29,12 +29,7 @@ fn suite(peer: &PeerReport) -> TestSuite {
             status.set_message(reason);
             Some(status)
         }
-        State::NotStarted => Some(non_success(
-            NonSuccessKind::Error,
-            "not started",
-            &reason,
-            "",
-        )),
+        State::NotStarted => Some(non_success(NonSuccessKind::Error, "not started", &reason, "")),
     };
     if let Some(status) = status {
         suite.add_test_case(TestCase::new("describe", status));
@@ -53,30 +48,13 @@ fn suite(peer: &PeerReport) -> TestSuite {
 }
 
 fn test(peer: &str, case: &CaseReport) -> TestCase {
-    let differences: Vec<&str> = case
-        .differences
-        .iter()
-        .map(|difference| difference.text.as_str())
-        .collect();
-    let what = case.what.clone().unwrap_or_else(|| {
-        differences
-            .first()
-            .map_or(case.outcome, |first| first)
-            .to_owned()
-    });
+    let differences: Vec<&str> = case.differences.iter().map(|difference| difference.text.as_str()).collect();
+    let what = case.what.clone().unwrap_or_else(|| differences.first().map_or(case.outcome, |first| first).to_owned());
     let status = match (case.status, case.outcome) {
-        ("failed", "crash" | "timeout" | "protocol") => non_success(
-            NonSuccessKind::Error,
-            case.outcome,
-            &what,
-            case.log.as_deref().unwrap_or_default(),
-        ),
-        ("failed", _) => non_success(
-            NonSuccessKind::Failure,
-            case.outcome,
-            &what,
-            &differences.join("\n"),
-        ),
+        ("failed", "crash" | "timeout" | "protocol") => {
+            non_success(NonSuccessKind::Error, case.outcome, &what, case.log.as_deref().unwrap_or_default())
+        }
+        ("failed", _) => non_success(NonSuccessKind::Failure, case.outcome, &what, &differences.join("\n")),
         ("not run" | "expected failure", _) => {
             let mut status = TestCaseStatus::skipped();
             status.set_message(case.reason.clone().unwrap_or(what));
@@ -88,11 +66,7 @@ fn test(peer: &str, case: &CaseReport) -> TestCase {
     test.set_classname(format!("{peer}.{}", case.rules.join(".")));
     let mut output = vec![case.title.clone()];
     output.extend((case.status == "advice").then(|| format!("advice: {}", differences.join("; "))));
-    output.extend(
-        case.request
-            .iter()
-            .map(|request| format!("sent: {request}")),
-    );
+    output.extend(case.request.iter().map(|request| format!("sent: {request}")));
     output.extend(case.answer.iter().map(|answer| format!("got:  {answer}")));
     if output.len() > 1 {
         test.set_system_out(output.join("\n"));
@@ -100,12 +74,7 @@ fn test(peer: &str, case: &CaseReport) -> TestCase {
     test
 }
 
-fn non_success(
-    kind: NonSuccessKind,
-    name: &str,
-    message: &str,
-    description: &str,
-) -> TestCaseStatus {
+fn non_success(kind: NonSuccessKind, name: &str, message: &str, description: &str) -> TestCaseStatus {
     let mut status = TestCaseStatus::non_success(kind);
     status.set_type(name).set_message(message);
     if !description.is_empty() {

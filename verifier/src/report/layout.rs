@@ -41,11 +41,7 @@ impl Style {
     }
 
     fn paint(self, code: &str, text: &str) -> String {
-        if self.colour {
-            format!("\x1b[{code}m{text}\x1b[0m")
-        } else {
-            text.to_owned()
-        }
+        if self.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_owned() }
     }
 }
 
@@ -76,10 +72,7 @@ pub fn wrap(text: &str, width: usize, first: &str, rest: &str) -> String {
                 continue;
             }
             // Too long for any line; at least one character goes on each, so that this ends.
-            let cut = word
-                .char_indices()
-                .nth(room.max(1))
-                .map_or(word.len(), |(at, _)| at);
+            let cut = word.char_indices().nth(room.max(1)).map_or(word.len(), |(at, _)| at);
             line.push_str(&word[..cut]);
             word = &word[cut..];
             if word.is_empty() {
@@ -107,22 +100,8 @@ mod tests {
 
     #[test]
     fn colours_are_written_only_when_asked_for() {
-        assert_eq!(
-            Style {
-                colour: false,
-                width: 80
-            }
-            .red("x"),
-            "x"
-        );
-        assert_eq!(
-            Style {
-                colour: true,
-                width: 80
-            }
-            .red("x"),
-            "\x1b[1;31mx\x1b[0m"
-        );
+        assert_eq!(Style { colour: false, width: 80 }.red("x"), "x");
+        assert_eq!(Style { colour: true, width: 80 }.red("x"), "\x1b[1;31mx\x1b[0m");
     }
 
     proptest! {

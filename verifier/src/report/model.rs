@@ -344,17 +344,10 @@ impl Report {
     /// Begins a report.
     #[must_use]
     pub fn new(suite: &Suite, asked: Asked, started: SystemTime) -> Self {
-        let corpus = Corpus {
-            files: suite.files(),
-            cases: suite.cases().len(),
-            sha256: suite.digest().to_owned(),
-        };
+        let corpus = Corpus { files: suite.files(), cases: suite.cases().len(), sha256: suite.digest().to_owned() };
         Self {
             format: FORMAT,
-            tool: Tool {
-                name: "ncp-verify",
-                version: env!("CARGO_PKG_VERSION"),
-            },
+            tool: Tool { name: "ncp-verify", version: env!("CARGO_PKG_VERSION") },
             started: rfc3339(started),
             elapsed_s: 0.0,
             wire_version: WIRE_VERSION,
@@ -375,10 +368,7 @@ impl Report {
             Exit::Interrupted
         } else if states(State::NotStarted) {
             Exit::NotStarted
-        } else if self
-            .peers
-            .iter()
-            .any(|peer| peer.conclusion == Some(Conclusion::NotConformant.as_str()))
+        } else if self.peers.iter().any(|peer| peer.conclusion == Some(Conclusion::NotConformant.as_str()))
             || !states(State::Checked)
         {
             // With every peer skipped, nothing was shown to conform.
@@ -461,11 +451,7 @@ impl PeerReport {
                 elapsed_s: run.elapsed.as_secs_f64(),
                 rate: run.rate.map(|rate| {
                     let elapsed_s = rate.elapsed.as_secs_f64().max(1e-9);
-                    RateReport {
-                        answers: rate.answers,
-                        elapsed_s,
-                        per_second: rate.answers as f64 / elapsed_s,
-                    }
+                    RateReport { answers: rate.answers, elapsed_s, per_second: rate.answers as f64 / elapsed_s }
                 }),
                 faults: run.faults,
                 given_up: run.given_up.clone(),
@@ -484,11 +470,7 @@ impl RoleReport {
             as_expected: level.as_expected,
             cases: level.tally.into(),
         });
-        Self {
-            role: verdict.role.as_str(),
-            claimed: verdict.claimed,
-            levels: levels.collect(),
-        }
+        Self { role: verdict.role.as_str(), claimed: verdict.claimed, levels: levels.collect() }
     }
 }
 
@@ -520,17 +502,10 @@ impl From<Tally> for TallyReport {
 
 impl CaseReport {
     fn new(judged: &Judged<'_>) -> Self {
-        let Judged {
-            case,
-            run,
-            status,
-            reason,
-        } = judged;
+        let Judged { case, run, status, reason } = judged;
         let passed = run.outcome == Outcome::Pass;
         let (what, log) = match &run.outcome {
-            Outcome::Crash { what, log }
-            | Outcome::Timeout { what, log }
-            | Outcome::Protocol { what, log } => {
+            Outcome::Crash { what, log } | Outcome::Timeout { what, log } | Outcome::Protocol { what, log } => {
                 (Some(what.clone()), (!log.is_empty()).then(|| log.clone()))
             }
             Outcome::NotRun { why } => (Some(why.clone()), None),
@@ -543,11 +518,7 @@ impl CaseReport {
         Self {
             id: case.id.clone(),
             title: case.title.clone(),
-            rules: case
-                .requirements
-                .iter()
-                .map(|rule| rule.id.clone())
-                .collect(),
+            rules: case.requirements.iter().map(|rule| rule.id.clone()).collect(),
             roles: names(&case.roles),
             level: case.level.as_str(),
             binding: case.binding,
@@ -568,8 +539,7 @@ impl CaseReport {
                 })
                 .collect(),
             what,
-            request: (!passed)
-                .then(|| excerpt(format!("{{{}", case.body()).as_bytes(), KEPT_BYTES)),
+            request: (!passed).then(|| excerpt(format!("{{{}", case.body()).as_bytes(), KEPT_BYTES)),
             answer: run.answer.clone(),
             log,
             note: run.note.clone(),
@@ -597,10 +567,8 @@ fn names(roles: &[Role]) -> Vec<&'static str> {
 }
 
 fn rules(suite: &Suite) -> Vec<Rule> {
-    let cited: BTreeSet<&str> = suite
-        .with_describe()
-        .flat_map(|case: &Case| case.requirements.iter().map(|rule| rule.id.as_str()))
-        .collect();
+    let cited: BTreeSet<&str> =
+        suite.with_describe().flat_map(|case: &Case| case.requirements.iter().map(|rule| rule.id.as_str())).collect();
     suite
         .requirements()
         .iter()
@@ -619,37 +587,21 @@ fn rules(suite: &Suite) -> Vec<Rule> {
 
 /// A time as RFC 3339 writes it, in UTC, to the second.
 fn rfc3339(time: SystemTime) -> String {
-    let seconds = time
-        .duration_since(UNIX_EPOCH)
-        .unwrap_or_default()
-        .as_secs();
+    let seconds = time.duration_since(UNIX_EPOCH).unwrap_or_default().as_secs();
     let (days, second) = (seconds / 86_400, seconds % 86_400);
     // Days to a civil date, counting years from March, so that the leap day is the last of its year.
     let shifted = days + 719_468;
     let (era, day_of_era) = (shifted / 146_097, shifted % 146_097);
-    let year_of_era =
-        (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
     let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
     let from_march = (5 * day_of_year + 2) / 153;
     let day = day_of_year - (153 * from_march + 2) / 5 + 1;
-    let month = if from_march < 10 {
-        from_march + 3
-    } else {
-        from_march - 9
-    };
+    let month = if from_march < 10 { from_march + 3 } else { from_march - 9 };
     let year = year_of_era + era * 400 + u64::from(month <= 2);
-    format!(
-        "{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z",
-        second / 3600,
-        second / 60 % 60,
-        second % 60
-    )
+    format!("{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z", second / 3600, second / 60 % 60, second % 60)
 }
 
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes a reference"
-)]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(count: &usize) -> bool {
     *count == 0
 }

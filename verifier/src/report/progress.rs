@@ -18,42 +18,26 @@ impl Progress {
     /// A bar for `total` answers of a peer. Without `visible` nothing is shown.
     #[must_use]
     pub fn new(peer: &str, total: u64, visible: bool) -> Self {
-        let target = if visible {
-            ProgressDrawTarget::stderr_with_hz(10)
-        } else {
-            ProgressDrawTarget::hidden()
-        };
+        let target = if visible { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(total), target);
-        if let Ok(style) =
-            ProgressStyle::with_template("{prefix} {bar:24} {pos}/{len} {elapsed} {msg}")
-        {
+        if let Ok(style) = ProgressStyle::with_template("{prefix} {bar:24} {pos}/{len} {elapsed} {msg}") {
             bar.set_style(style);
         }
         bar.set_prefix(peer.to_owned());
-        Self {
-            bar,
-            wrong: AtomicU64::new(0),
-        }
+        Self { bar, wrong: AtomicU64::new(0) }
     }
 
     /// A line that says what is being done, until [`done`](Self::done).
     #[must_use]
     pub fn spinner(text: String, visible: bool) -> Self {
-        let bar = if visible {
-            ProgressBar::new_spinner()
-        } else {
-            ProgressBar::hidden()
-        };
+        let bar = if visible { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
         if visible {
             bar.set_message(text);
             bar.enable_steady_tick(Duration::from_millis(100));
         } else {
             eprintln!("{text}");
         }
-        Self {
-            bar,
-            wrong: AtomicU64::new(0),
-        }
+        Self { bar, wrong: AtomicU64::new(0) }
     }
 
     /// Says a line, beside what is shown.

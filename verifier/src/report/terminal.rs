@@ -31,12 +31,7 @@ pub enum Detail {
 /// Why a peer could not be started is said when it happens; the table holds the first line of it.
 #[must_use]
 pub fn terminal(report: &Report, style: Style, detail: Detail) -> String {
-    let mut page = Page {
-        report,
-        style,
-        detail,
-        out: String::new(),
-    };
+    let mut page = Page { report, style, detail, out: String::new() };
     page.head();
     page.table();
     for peer in &report.peers {
@@ -75,60 +70,31 @@ impl Page<'_> {
     }
 
     fn head(&mut self) {
-        let Report {
-            asked,
-            wire_version,
-            ..
-        } = self.report;
+        let Report { asked, wire_version, .. } = self.report;
         let cases = plural(asked.cases, "case");
         let files = plural(asked.files, "file");
-        self.paragraph(
-            0,
-            &format!(
-                "NCP {wire_version}, level {}: {cases} in {files}",
-                asked.level
-            ),
-        );
+        self.paragraph(0, &format!("NCP {wire_version}, level {}: {cases} in {files}", asked.level));
         if asked.partial {
             let filters = asked.filters.join(", ");
-            self.paragraph(
-                0,
-                &format!("only those that fit {filters}: a part of the cases shows no conformance"),
-            );
+            self.paragraph(0, &format!("only those that fit {filters}: a part of the cases shows no conformance"));
         }
         self.line("");
     }
 
     fn table(&mut self) {
         let mut levels: Vec<&str> = Vec::new();
-        for level in self
-            .report
-            .peers
-            .iter()
-            .flat_map(|peer| &peer.roles)
-            .flat_map(|role| &role.levels)
-        {
+        for level in self.report.peers.iter().flat_map(|peer| &peer.roles).flat_map(|role| &role.levels) {
             if !levels.contains(&level.level) {
                 levels.push(level.level);
             }
         }
-        let name_width = self
-            .report
-            .peers
-            .iter()
-            .map(|peer| peer.name.chars().count())
-            .max()
-            .unwrap_or(0)
-            .clamp(4, NAME_CHARS);
+        let name_width =
+            self.report.peers.iter().map(|peer| peer.name.chars().count()).max().unwrap_or(0).clamp(4, NAME_CHARS);
         let cells: Vec<usize> = levels
             .iter()
             .map(|level| {
-                let found = |role: &RoleReport| {
-                    role.levels
-                        .iter()
-                        .find(|l| l.level == *level)
-                        .map(|l| cell(l).chars().count())
-                };
+                let found =
+                    |role: &RoleReport| role.levels.iter().find(|l| l.level == *level).map(|l| cell(l).chars().count());
                 self.report
                     .peers
                     .iter()
@@ -140,8 +106,7 @@ impl Page<'_> {
             })
             .collect();
         let one_line =
-            name_width + 2 + ROLE_WIDTH + cells.iter().map(|width| width + 2).sum::<usize>()
-                <= self.style.width;
+            name_width + 2 + ROLE_WIDTH + cells.iter().map(|width| width + 2).sum::<usize>() <= self.style.width;
         if one_line && !levels.is_empty() {
             let mut head = format!("{:name_width$}  {:ROLE_WIDTH$}", "peer", "role");
             for (level, width) in levels.iter().zip(&cells) {
@@ -156,12 +121,7 @@ impl Page<'_> {
                 State::Checked => {
                     let mut shown = name.as_str();
                     for role in &peer.roles {
-                        self.row(
-                            shown,
-                            name_width,
-                            role,
-                            one_line.then_some((&levels, &cells)),
-                        );
+                        self.row(shown, name_width, role, one_line.then_some((&levels, &cells)));
                         shown = "";
                     }
                     if peer.roles.is_empty() {
@@ -171,11 +131,7 @@ impl Page<'_> {
                 }
                 State::Skipped => {
                     let word = format!("{name:name_width$}  SKIPPED");
-                    self.unchecked(
-                        &word,
-                        peer.reason.as_deref().unwrap_or_default(),
-                        Style::yellow,
-                    );
+                    self.unchecked(&word, peer.reason.as_deref().unwrap_or_default(), Style::yellow);
                 }
                 State::NotStarted => {
                     let word = format!("{name:name_width$}  NOT STARTED");
@@ -195,22 +151,12 @@ impl Page<'_> {
         }
     }
 
-    fn row(
-        &mut self,
-        name: &str,
-        name_width: usize,
-        role: &RoleReport,
-        table: Option<(&Vec<&str>, &Vec<usize>)>,
-    ) {
+    fn row(&mut self, name: &str, name_width: usize, role: &RoleReport, table: Option<(&Vec<&str>, &Vec<usize>)>) {
         let head = format!("{name:name_width$}  {:ROLE_WIDTH$}", role.role);
         let Some((levels, widths)) = table else {
             // Too narrow for all levels side by side: one below the other.
             for (i, level) in role.levels.iter().enumerate() {
-                let shown = if i == 0 {
-                    head.clone()
-                } else {
-                    " ".repeat(head.chars().count())
-                };
+                let shown = if i == 0 { head.clone() } else { " ".repeat(head.chars().count()) };
                 let painted = self.painted(level, 0);
                 self.line(&format!("{shown}  {:6}  {painted}", level.level));
             }
@@ -246,17 +192,8 @@ impl Page<'_> {
         }
         let title = match &peer.description {
             Some(about) => {
-                let own = if about.name == peer.name {
-                    String::new()
-                } else {
-                    format!("{}: ", peer.name)
-                };
-                format!(
-                    "{own}{} {} ({})",
-                    shown(&about.name),
-                    shown(&about.version),
-                    shown(&about.language)
-                )
+                let own = if about.name == peer.name { String::new() } else { format!("{}: ", peer.name) };
+                format!("{own}{} {} ({})", shown(&about.name), shown(&about.version), shown(&about.language))
             }
             None => peer.name.clone(),
         };
@@ -279,26 +216,17 @@ impl Page<'_> {
 
     /// The failing cases but the unsupported ones, rule by rule.
     fn failures(&mut self, peer: &PeerReport) {
-        let failing: Vec<&CaseReport> = peer
-            .cases
-            .iter()
-            .filter(|case| case.status == "failed" && !is_unsupported(case))
-            .collect();
+        let failing: Vec<&CaseReport> =
+            peer.cases.iter().filter(|case| case.status == "failed" && !is_unsupported(case)).collect();
         if failing.is_empty() {
             return;
         }
         let verb = if failing.len() == 1 { "fails" } else { "fail" };
         let total = plural(peer.totals.total, "case");
-        let count = self
-            .style
-            .red(&format!("{} of {total} {verb}", failing.len()));
+        let count = self.style.red(&format!("{} of {total} {verb}", failing.len()));
         self.line(&format!("  {count}"));
         let groups = likeliest_first(peer, by_rule(failing.iter().copied()));
-        let limit = if self.detail == Detail::Verbose {
-            usize::MAX
-        } else {
-            IN_FULL
-        };
+        let limit = if self.detail == Detail::Verbose { usize::MAX } else { IN_FULL };
         let shown = shares(groups.iter().map(|(_, cases)| cases.len()), limit);
         let in_full: usize = shown.iter().sum();
         let mut rest: Vec<String> = Vec::new();
@@ -317,13 +245,7 @@ impl Page<'_> {
         if !rest.is_empty() {
             self.line("");
             let more = failing.len() - in_full;
-            self.paragraph(
-                2,
-                &format!(
-                    "and {more} more (--verbose shows them), for: {}",
-                    rest.join(", ")
-                ),
-            );
+            self.paragraph(2, &format!("and {more} more (--verbose shows them), for: {}", rest.join(", ")));
         }
     }
 
@@ -332,12 +254,7 @@ impl Page<'_> {
             return self.line(&format!("  {id}"));
         };
         let title = self.style.bold(id);
-        let place = self.style.dim(&format!(
-            "{}, {}, {}",
-            rule.keyword,
-            rule.place,
-            plural(cases, "case")
-        ));
+        let place = self.style.dim(&format!("{}, {}, {}", rule.keyword, rule.place, plural(cases, "case")));
         self.line(&format!("  {title} {place}"));
         self.paragraph(2, &rule.sentence);
     }
@@ -356,10 +273,7 @@ impl Page<'_> {
             self.paragraph(6, &difference.text);
         }
         if case.more_differences > 0 {
-            self.paragraph(
-                6,
-                &format!("and {} more", plural(case.more_differences, "difference")),
-            );
+            self.paragraph(6, &format!("and {} more", plural(case.more_differences, "difference")));
         }
         if let (Some(_), Some(expected)) = (&case.what, &case.expected) {
             self.item(6, "expected", expected);
@@ -380,11 +294,7 @@ impl Page<'_> {
     }
 
     fn wire(&mut self, word: &str, text: &str) {
-        let most = if self.detail == Detail::Verbose {
-            usize::MAX
-        } else {
-            WIRE_CHARS
-        };
+        let most = if self.detail == Detail::Verbose { usize::MAX } else { WIRE_CHARS };
         let cut = text.char_indices().nth(most).map(|(at, _)| at);
         match cut {
             Some(at) => self.item(6, word, &format!("{}…", &text[..at])),
@@ -408,37 +318,24 @@ impl Page<'_> {
             let painted = self.style.red(line);
             self.line(&painted);
         }
-        let list: Vec<String> = calls
-            .iter()
-            .map(|(call, count)| format!("{call} ({})", thousands(*count)))
-            .collect();
+        let list: Vec<String> = calls.iter().map(|(call, count)| format!("{call} ({})", thousands(*count))).collect();
         self.paragraph(4, &list.join(", "));
     }
 
     fn expected(&mut self, peer: &PeerReport) {
         let mut reasons: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for case in peer
-            .cases
-            .iter()
-            .filter(|case| case.status == "expected failure")
-        {
-            reasons
-                .entry(case.reason.as_deref().unwrap_or_default())
-                .or_default()
-                .push(&case.id);
+        for case in peer.cases.iter().filter(|case| case.status == "expected failure") {
+            reasons.entry(case.reason.as_deref().unwrap_or_default()).or_default().push(&case.id);
         }
         for (reason, ids) in reasons {
-            let title = self.style.yellow(&format!(
-                "{} as expected: {reason}",
-                plural_verb(ids.len(), "case fails", "cases fail")
-            ));
+            let title = self
+                .style
+                .yellow(&format!("{} as expected: {reason}", plural_verb(ids.len(), "case fails", "cases fail")));
             self.line(&format!("  {title}"));
             self.ids(&ids);
         }
         for stale in &peer.stale_expected_failures {
-            let text = format!(
-                "the expected failure of {stale} no longer fails: take it out of peer.toml"
-            );
+            let text = format!("the expected failure of {stale} no longer fails: take it out of peer.toml");
             for line in wrap(&text, self.style.width, "  ", "  ").lines() {
                 let painted = self.style.red(line);
                 self.line(&painted);
@@ -447,17 +344,10 @@ impl Page<'_> {
     }
 
     fn not_run(&mut self, peer: &PeerReport) {
-        let missed: Vec<&CaseReport> = peer
-            .cases
-            .iter()
-            .filter(|case| case.status == "not run")
-            .collect();
+        let missed: Vec<&CaseReport> = peer.cases.iter().filter(|case| case.status == "not run").collect();
         if let Some(first) = missed.first() {
             let why = first.what.as_deref().unwrap_or_default();
-            let title = self.style.red(&format!(
-                "{} not run",
-                plural_verb(missed.len(), "case was", "cases were")
-            ));
+            let title = self.style.red(&format!("{} not run", plural_verb(missed.len(), "case was", "cases were")));
             self.line(&format!("  {title}"));
             for (i, line) in why.lines().enumerate() {
                 self.paragraph(if i == 0 { 4 } else { 6 }, line);
@@ -466,11 +356,8 @@ impl Page<'_> {
     }
 
     fn advice(&mut self, peer: &PeerReport) {
-        let differing: Vec<&CaseReport> = peer
-            .cases
-            .iter()
-            .filter(|case| case.status == "advice" && !is_unsupported(case))
-            .collect();
+        let differing: Vec<&CaseReport> =
+            peer.cases.iter().filter(|case| case.status == "advice" && !is_unsupported(case)).collect();
         if differing.is_empty() {
             return;
         }
@@ -481,13 +368,8 @@ impl Page<'_> {
         let title = self.style.yellow(&title);
         self.line(&format!("  {title}"));
         for (rule, cases) in by_rule(differing.iter().copied()) {
-            let sentence = self
-                .report
-                .rules
-                .iter()
-                .find(|r| r.id == rule)
-                .map(|r| r.sentence.clone())
-                .unwrap_or_default();
+            let sentence =
+                self.report.rules.iter().find(|r| r.id == rule).map(|r| r.sentence.clone()).unwrap_or_default();
             self.item(4, rule, &sentence);
             if self.detail == Detail::Verbose {
                 for case in cases {
@@ -501,11 +383,7 @@ impl Page<'_> {
     }
 
     fn ids(&mut self, ids: &[&str]) {
-        let most = if self.detail == Detail::Verbose {
-            usize::MAX
-        } else {
-            LISTED
-        };
+        let most = if self.detail == Detail::Verbose { usize::MAX } else { LISTED };
         for id in ids.iter().take(most) {
             self.line(&format!("      {id}"));
         }
@@ -519,50 +397,28 @@ impl Page<'_> {
         for note in &run.notes {
             self.item(2, "note:", note);
         }
-        let noted: Vec<&CaseReport> = peer
-            .cases
-            .iter()
-            .filter(|case| case.note.is_some() && case.status == "passed")
-            .collect();
+        let noted: Vec<&CaseReport> =
+            peer.cases.iter().filter(|case| case.note.is_some() && case.status == "passed").collect();
         if self.detail == Detail::Verbose {
             for case in &noted {
-                self.paragraph(
-                    2,
-                    &format!(
-                        "note: {}: {}",
-                        case.id,
-                        case.note.as_deref().unwrap_or_default()
-                    ),
-                );
+                self.paragraph(2, &format!("note: {}: {}", case.id, case.note.as_deref().unwrap_or_default()));
             }
         }
         if run.faults > 0 {
             let count = plural(run.faults as usize, "fault");
-            self.item(
-                2,
-                "note:",
-                &format!("its process was replaced after {count}"),
-            );
+            self.item(2, "note:", &format!("its process was replaced after {count}"));
         }
-        if let Some(rate) = run
-            .rate
-            .as_ref()
-            .filter(|_| self.report.asked.repeat > 1 || self.detail == Detail::Verbose)
+        if let Some(rate) = run.rate.as_ref().filter(|_| self.report.asked.repeat > 1 || self.detail == Detail::Verbose)
         {
             let count = plural_u64(rate.answers, "case");
             let a_second = thousands(rate.per_second as u64);
-            let text = format!(
-                "{count} of up to 64 KiB in {:.2} s: {a_second} a second",
-                rate.elapsed_s
-            );
+            let text = format!("{count} of up to 64 KiB in {:.2} s: {a_second} a second", rate.elapsed_s);
             self.item(2, "rate:", &text);
         }
     }
 
     fn verdict(&mut self) {
-        let count = |states: &dyn Fn(&PeerReport) -> bool| {
-            self.report.peers.iter().filter(|peer| states(peer)).count()
-        };
+        let count = |states: &dyn Fn(&PeerReport) -> bool| self.report.peers.iter().filter(|peer| states(peer)).count();
         let checked = count(&|peer| peer.state == State::Checked);
         let conformant = count(&|peer| peer.conclusion == Some("conformant"));
         let as_expected = count(&|peer| peer.conclusion == Some("as expected"));
@@ -591,9 +447,7 @@ impl Page<'_> {
             (all, some) => format!("{some} of {all} peers conform {level}"),
         }];
         if as_expected > 0 {
-            parts.push(format!(
-                "{as_expected} exactly as its expected failures say"
-            ));
+            parts.push(format!("{as_expected} exactly as its expected failures say"));
         }
         if not_started > 0 {
             parts.push(format!("{not_started} could not be started"));
@@ -610,11 +464,7 @@ impl Page<'_> {
         let text = parts.join("; ");
         let good = self.report.exit_code == 0;
         for line in wrap(&text, self.style.width, "", "").lines() {
-            let painted = if good {
-                self.style.green(line)
-            } else {
-                self.style.red(line)
-            };
+            let painted = if good { self.style.green(line) } else { self.style.red(line) };
             self.line(&painted);
         }
     }
@@ -625,12 +475,7 @@ const ROLE_WIDTH: usize = 9;
 
 /// A role at a level: whether it conforms, and how many of the deciding cases pass.
 fn cell(level: &LevelReport) -> String {
-    let TallyReport {
-        total,
-        passed,
-        advice,
-        ..
-    } = level.cases;
+    let TallyReport { total, passed, advice, .. } = level.cases;
     let mark = match (level.conformant, level.as_expected) {
         (true, _) => '✓',
         (false, true) => '~',
@@ -639,17 +484,11 @@ fn cell(level: &LevelReport) -> String {
     if total == 0 {
         return format!("{mark} none of its own");
     }
-    format!(
-        "{mark} {}/{}",
-        thousands(passed as u64),
-        thousands((total - advice) as u64)
-    )
+    format!("{mark} {}/{}", thousands(passed as u64), thousands((total - advice) as u64))
 }
 
 /// Cases by the first rule that they cite, in the order in which the rules first occur.
-pub(crate) fn by_rule<'c>(
-    cases: impl Iterator<Item = &'c CaseReport>,
-) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
+pub(crate) fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
     let mut groups: Vec<(&str, Vec<&CaseReport>)> = Vec::new();
     for case in cases {
         let rule = case.rules.first().map_or("", String::as_str);
@@ -721,19 +560,11 @@ fn plural(count: usize, word: &str) -> String {
 }
 
 fn plural_u64(count: u64, word: &str) -> String {
-    format!(
-        "{} {word}{}",
-        thousands(count),
-        if count == 1 { "" } else { "s" }
-    )
+    format!("{} {word}{}", thousands(count), if count == 1 { "" } else { "s" })
 }
 
 fn plural_verb(count: usize, one: &str, many: &str) -> String {
-    format!(
-        "{} {}",
-        thousands(count as u64),
-        if count == 1 { one } else { many }
-    )
+    format!("{} {}", thousands(count as u64), if count == 1 { one } else { many })
 }
 
 /// A number with a comma between thousands.
@@ -763,62 +594,31 @@ mod tests {
     }
 
     fn level(level: &'static str, passed: usize, failed: usize, conformant: bool) -> LevelReport {
-        let cases = TallyReport {
-            total: passed + failed + 2,
-            passed,
-            failed,
-            advice: 2,
-            ..TallyReport::default()
-        };
-        LevelReport {
-            level,
-            conformant,
-            as_expected: conformant,
-            cases,
-        }
+        let cases = TallyReport { total: passed + failed + 2, passed, failed, advice: 2, ..TallyReport::default() };
+        LevelReport { level, conformant, as_expected: conformant, cases }
     }
 
     fn report() -> Report {
-        let role = |role, levels| RoleReport {
-            role,
-            claimed: true,
-            levels,
-        };
-        let skipped = "not on PATH: cmake, and without it nothing of this peer can be built or run"
-            .to_owned();
-        let mut checked = PeerReport::unchecked(
-            "gateway".into(),
-            "peers/gateway".into(),
-            State::Checked,
-            String::new(),
-        );
+        let role = |role, levels| RoleReport { role, claimed: true, levels };
+        let skipped = "not on PATH: cmake, and without it nothing of this peer can be built or run".to_owned();
+        let mut checked =
+            PeerReport::unchecked("gateway".into(), "peers/gateway".into(), State::Checked, String::new());
         checked.conclusion = Some("not conformant");
         checked.roles = vec![
             role(
                 "commander",
-                vec![
-                    level("wire", 2600, 0, true),
-                    level("safety", 411, 1, false),
-                    level("strict", 20, 0, false),
-                ],
+                vec![level("wire", 2600, 0, true), level("safety", 411, 1, false), level("strict", 20, 0, false)],
             ),
             role("observer", vec![level("wire", 900, 0, true)]),
         ];
         Report {
             format: 1,
-            tool: Tool {
-                name: "ncp-verify",
-                version: "0",
-            },
+            tool: Tool { name: "ncp-verify", version: "0" },
             started: String::new(),
             elapsed_s: 1.0,
             wire_version: "0.5",
             contract_hash: "",
-            corpus: Corpus {
-                files: 90,
-                cases: 7000,
-                sha256: String::new(),
-            },
+            corpus: Corpus { files: 90, cases: 7000, sha256: String::new() },
             asked: Asked {
                 level: "strict",
                 roles: Vec::new(),
@@ -830,24 +630,14 @@ mod tests {
             },
             interrupted: false,
             rules: Vec::new(),
-            peers: vec![
-                checked,
-                PeerReport::unchecked("cpp".into(), "peers/cpp".into(), State::Skipped, skipped),
-            ],
+            peers: vec![checked, PeerReport::unchecked("cpp".into(), "peers/cpp".into(), State::Skipped, skipped)],
             exit_code: Exit::NotConformant.code(),
         }
     }
 
     #[test]
     fn levels_stand_side_by_side_where_there_is_room() {
-        let text = terminal(
-            &report(),
-            Style {
-                colour: false,
-                width: 80,
-            },
-            Detail::Normal,
-        );
+        let text = terminal(&report(), Style { colour: false, width: 80 }, Detail::Normal);
         insta::assert_snapshot!(text, @"
         NCP 0.5, level strict: 6,100 cases in 80 files
 
@@ -863,14 +653,7 @@ mod tests {
 
     #[test]
     fn levels_stand_below_each_other_where_there_is_none() {
-        let text = terminal(
-            &report(),
-            Style {
-                colour: false,
-                width: 44,
-            },
-            Detail::Normal,
-        );
+        let text = terminal(&report(), Style { colour: false, width: 44 }, Detail::Normal);
         insta::assert_snapshot!(text, @"
         NCP 0.5, level strict: 6,100 cases in 80
         files
@@ -910,23 +693,14 @@ mod tests {
             note: None,
             reason: None,
         };
-        let mut peer =
-            PeerReport::unchecked(String::new(), String::new(), State::Checked, String::new());
-        for (rule, failing, passing) in [
-            ("above", 50, 0),
-            ("one", 1, 0),
-            ("few", 6, 94),
-            ("most", 4, 1),
-            ("tie", 1, 0),
-        ] {
+        let mut peer = PeerReport::unchecked(String::new(), String::new(), State::Checked, String::new());
+        for (rule, failing, passing) in [("above", 50, 0), ("one", 1, 0), ("few", 6, 94), ("most", 4, 1), ("tie", 1, 0)]
+        {
             peer.cases.extend((0..failing).map(|_| case(rule, true)));
             peer.cases.extend((0..passing).map(|_| case(rule, false)));
         }
         let failing = peer.cases.iter().filter(|case| case.status == "failed");
-        let order: Vec<&str> = likeliest_first(&peer, by_rule(failing))
-            .into_iter()
-            .map(|(rule, _)| rule)
-            .collect();
+        let order: Vec<&str> = likeliest_first(&peer, by_rule(failing)).into_iter().map(|(rule, _)| rule).collect();
         assert_eq!(order, ["most", "one", "tie", "few", "above"]);
     }
 

@@ -227,10 +227,7 @@ pub fn run(
                 scope.spawn(move || worker.work())
             })
             .collect();
-        workers
-            .into_iter()
-            .filter_map(|worker| worker.join().ok())
-            .collect()
+        workers.into_iter().filter_map(|worker| worker.join().ok()).collect()
     });
     let mut merged: Vec<Option<CaseRun>> = vec![None; cases.len()];
     let mut notes = Vec::new();
@@ -249,35 +246,22 @@ pub fn run(
         Some(why) => format!("the peer was given up: {why}"),
         None => "its worker came to an end".to_owned(),
     };
-    let not_run = || CaseRun {
-        outcome: Outcome::NotRun { why: why.clone() },
-        answer: None,
-        note: None,
-    };
+    let not_run = || CaseRun { outcome: Outcome::NotRun { why: why.clone() }, answer: None, note: None };
     RunRecord {
-        cases: merged
-            .into_iter()
-            .map(|case| case.unwrap_or_else(not_run))
-            .collect(),
+        cases: merged.into_iter().map(|case| case.unwrap_or_else(not_run)).collect(),
         answers: shared.answers.load(Ordering::Relaxed),
         elapsed: shared.start.elapsed(),
         rate: shared.rate.get().copied(),
         faults: shared.faults.load(Ordering::Relaxed),
         given_up,
-        opened: cases
-            .iter()
-            .any(|case| case.call == Call::SessionRun)
-            .then(|| shared.opened.load(Ordering::Relaxed)),
+        opened: cases.iter().any(|case| case.call == Call::SessionRun).then(|| shared.opened.load(Ordering::Relaxed)),
         notes,
     }
 }
 
 /// Keeps the worse of what is known and what is new.
 fn keep_worst(known: &mut Option<CaseRun>, new: CaseRun) {
-    if known
-        .as_ref()
-        .is_none_or(|known| known.outcome.weight() < new.outcome.weight())
-    {
+    if known.as_ref().is_none_or(|known| known.outcome.weight() < new.outcome.weight()) {
         *known = Some(new);
     }
 }
@@ -362,9 +346,7 @@ impl<'r> Shared<'r> {
     }
 
     fn small_total(&self) -> usize {
-        self.small
-            .len()
-            .saturating_mul(self.settings.repeat as usize)
+        self.small.len().saturating_mul(self.settings.repeat as usize)
     }
 
     /// Counts answers, `small` of them to cases that are not large.
@@ -373,19 +355,13 @@ impl<'r> Shared<'r> {
         let answered = self.small_answers.fetch_add(small, Ordering::Relaxed) + small;
         if small > 0 && answered >= self.small_total() as u64 {
             // Only the first time counts: after a fault, cases are answered again.
-            self.rate.get_or_init(|| Rate {
-                answers: answered,
-                elapsed: self.start.elapsed(),
-            });
+            self.rate.get_or_init(|| Rate { answers: answered, elapsed: self.start.elapsed() });
         }
     }
 
     /// Takes note if an answer opens a session.
     fn look_for_a_session(&self, case: &Case, answer: &Answer<'_>) {
-        if case.call == Call::SessionRun
-            && !self.opened.load(Ordering::Relaxed)
-            && opens_a_session(answer)
-        {
+        if case.call == Call::SessionRun && !self.opened.load(Ordering::Relaxed) && opens_a_session(answer) {
             self.opened.store(true, Ordering::Relaxed);
         }
     }
@@ -396,10 +372,7 @@ impl<'r> Shared<'r> {
     }
 
     fn given_up(&self) -> Option<String> {
-        self.given_up
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
+        self.given_up.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     fn give_up(&self, why: String) {
@@ -415,14 +388,9 @@ impl<'r> Shared<'r> {
     fn count_fault(&self, fault: &str) {
         let faults = self.faults.fetch_add(1, Ordering::Relaxed) + 1;
         if faults > self.settings.max_restarts {
-            self.give_up(format!(
-                "after {} restarts it {fault}",
-                self.settings.max_restarts
-            ));
+            self.give_up(format!("after {} restarts it {fault}", self.settings.max_restarts));
         } else if faults >= FRUITLESS_FAULTS && self.answers.load(Ordering::Relaxed) == 0 {
-            self.give_up(format!(
-                "it has not answered one case in {faults} attempts; at last it {fault}"
-            ));
+            self.give_up(format!("it has not answered one case in {faults} attempts; at last it {fault}"));
         }
     }
 }

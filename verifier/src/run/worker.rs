@@ -6,8 +6,7 @@ use std::time::{Duration, Instant};
 use super::{CaseRun, Event, Outcome, Shared, keep_worst};
 use crate::check::{Judgement, judge};
 use crate::peer::{
-    Answer, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake,
-    write_request,
+    Answer, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
 };
 use crate::suite::Case;
 
@@ -84,16 +83,8 @@ struct Post {
 
 impl<'r> Worker<'r> {
     pub(super) fn new(shared: &'r Shared<'r>, connection: Option<Connection>) -> Self {
-        let report = Report {
-            cases: vec![None; shared.cases.len()],
-            notes: Vec::new(),
-        };
-        Self {
-            shared,
-            process: connection.map(Process::new),
-            again: VecDeque::new(),
-            report,
-        }
+        let report = Report { cases: vec![None; shared.cases.len()], notes: Vec::new() };
+        Self { shared, process: connection.map(Process::new), again: VecDeque::new(), report }
     }
 
     /// Runs cases until there are no more.
@@ -127,19 +118,13 @@ impl<'r> Worker<'r> {
         }
         while !self.shared.is_over() {
             let started = Connection::open(self.shared.launch).and_then(|mut connection| {
-                handshake(
-                    &mut connection,
-                    self.shared.settings.start_timeout,
-                    self.shared.stop,
-                )?;
+                handshake(&mut connection, self.shared.settings.start_timeout, self.shared.stop)?;
                 Ok(Process::new(connection))
             });
             match started {
                 Ok(process) => return Some(process),
                 Err(StartError::Interrupted) => return None,
-                Err(error) => self
-                    .shared
-                    .count_fault(&format!("could not be started again: {error}")),
+                Err(error) => self.shared.count_fault(&format!("could not be started again: {error}")),
             }
         }
         None
@@ -164,9 +149,7 @@ impl<'r> Worker<'r> {
     /// Puts as many requests in flight as the window allows.
     fn fill(&mut self, process: &mut Process) {
         let mut lines = Vec::new();
-        while process.waiting < WINDOW
-            && (process.waiting_bytes < WINDOW_BYTES || process.waiting == 0)
-        {
+        while process.waiting < WINDOW && (process.waiting_bytes < WINDOW_BYTES || process.waiting == 0) {
             let Some(index) = self.again.pop_front().or_else(|| self.shared.take()) else {
                 break;
             };
@@ -184,19 +167,13 @@ impl<'r> Worker<'r> {
     fn take_event(&mut self, process: &mut Process) -> Result<(), Fault> {
         match process.connection.receive(TICK) {
             Incoming::Lines(lines) => self.take_lines(process, &lines),
-            Incoming::Overlong(line) => Err(Fault::Garbage {
-                why: "a line is longer than any answer may be".to_owned(),
-                line,
-            }),
-            Incoming::Partial(line) => Err(Fault::Garbage {
-                why: "its last line has no line feed".to_owned(),
-                line,
-            }),
+            Incoming::Overlong(line) => {
+                Err(Fault::Garbage { why: "a line is longer than any answer may be".to_owned(), line })
+            }
+            Incoming::Partial(line) => Err(Fault::Garbage { why: "its last line has no line feed".to_owned(), line }),
             Incoming::End => Err(Fault::Ended),
             Incoming::Deaf => {
-                process
-                    .deaf_until
-                    .get_or_insert(Instant::now() + DEAF_GRACE);
+                process.deaf_until.get_or_insert(Instant::now() + DEAF_GRACE);
                 Ok(())
             }
             Incoming::Nothing => {
@@ -236,82 +213,39 @@ impl<'r> Worker<'r> {
     }
 
     /// Judges one line: its case, and whether it was right. `None` if that case was answered before.
-    fn take_line(
-        &mut self,
-        process: &mut Process,
-        line: &[u8],
-    ) -> Result<Option<(&'r Case, bool)>, Fault> {
-        let garbage = |why: String| Fault::Garbage {
-            why,
-            line: line[..line.len().min(KEPT_BYTES)].to_vec(),
-        };
+    fn take_line(&mut self, process: &mut Process, line: &[u8]) -> Result<Option<(&'r Case, bool)>, Fault> {
+        let garbage = |why: String| Fault::Garbage { why, line: line[..line.len().min(KEPT_BYTES)].to_vec() };
         let parsed = Reply::parse(line);
         let id = match &parsed {
             Ok(reply) => reply.id,
             Err(ReplyFault::Shape { id, .. }) => *id,
             Err(fault) => return Err(garbage(fault.to_string())),
         };
-        let slot = id
-            .checked_sub(1)
-            .and_then(|slot| usize::try_from(slot).ok());
-        let Some((slot, (index, answered))) =
-            slot.and_then(|slot| Some((slot, process.sent.get(slot).copied()?)))
+        let slot = id.checked_sub(1).and_then(|slot| usize::try_from(slot).ok());
+        let Some((slot, (index, answered))) = slot.and_then(|slot| Some((slot, process.sent.get(slot).copied()?)))
         else {
-            return Err(garbage(format!(
-                "it answers the request {id}, which is not in flight"
-            )));
+            return Err(garbage(format!("it answers the request {id}, which is not in flight")));
         };
         let case = self.shared.cases[index];
         let shown = || Some(excerpt(line, KEPT_BYTES));
         if answered {
-            let outcome = Outcome::Protocol {
-                what: "answered the request twice".to_owned(),
-                log: String::new(),
-            };
-            self.record(
-                index,
-                CaseRun {
-                    outcome,
-                    answer: shown(),
-                    note: None,
-                },
-            );
+            let outcome = Outcome::Protocol { what: "answered the request twice".to_owned(), log: String::new() };
+            self.record(index, CaseRun { outcome, answer: shown(), note: None });
             process.strays += 1;
-            return if process.strays > MAX_STRAYS {
-                Err(Fault::Strays)
-            } else {
-                Ok(None)
-            };
+            return if process.strays > MAX_STRAYS { Err(Fault::Strays) } else { Ok(None) };
         }
         process.answered(slot, case);
         let run = match parsed {
             Ok(reply) => match self.judged(case, &reply.answer) {
-                Judgement::Pass { note } => CaseRun {
-                    outcome: Outcome::Pass,
-                    answer: None,
-                    note,
-                },
-                Judgement::Unsupported => CaseRun {
-                    outcome: Outcome::Unsupported,
-                    answer: None,
-                    note: None,
-                },
-                Judgement::Fail(differences) => CaseRun {
-                    outcome: Outcome::Fail(differences),
-                    answer: shown(),
-                    note: None,
-                },
+                Judgement::Pass { note } => CaseRun { outcome: Outcome::Pass, answer: None, note },
+                Judgement::Unsupported => CaseRun { outcome: Outcome::Unsupported, answer: None, note: None },
+                Judgement::Fail(differences) => {
+                    CaseRun { outcome: Outcome::Fail(differences), answer: shown(), note: None }
+                }
             },
             Err(fault) => {
-                let outcome = Outcome::Protocol {
-                    what: format!("gave a faulty answer: {fault}"),
-                    log: String::new(),
-                };
-                CaseRun {
-                    outcome,
-                    answer: shown(),
-                    note: None,
-                }
+                let outcome = Outcome::Protocol { what: format!("gave a faulty answer: {fault}"), log: String::new() };
+                CaseRun { outcome, answer: shown(), note: None }
             }
         };
         let right = run.outcome == Outcome::Pass;
@@ -346,15 +280,13 @@ impl<'r> Worker<'r> {
             Ending::Exited(status) if status.success() => {}
             ending @ Ending::Exited(_) => {
                 let ending = ending.describe();
-                self.report
-                    .notes
-                    .push(format!("at the end of its input it {ending} instead of 0"));
+                self.report.notes.push(format!("at the end of its input it {ending} instead of 0"));
             }
             Ending::ClosedOutput | Ending::Killed => {
                 let seconds = END_GRACE.as_secs();
-                self.report.notes.push(format!(
-                    "{seconds} s after the end of its input it was still running, and was killed"
-                ));
+                self.report
+                    .notes
+                    .push(format!("{seconds} s after the end of its input it was still running, and was killed"));
             }
         }
     }
@@ -366,10 +298,7 @@ impl<'r> Worker<'r> {
         self.shared.count_fault(&post.what());
         match last.map(|case| (case, self.alone(case, LINGER))) {
             Some((case, Alone::Fault { post, .. })) => self.charge(case, &post, None),
-            _ => self
-                .report
-                .notes
-                .push(format!("at the end of its input it {}", post.what())),
+            _ => self.report.notes.push(format!("at the end of its input it {}", post.what())),
         }
     }
 
@@ -403,10 +332,7 @@ impl<'r> Worker<'r> {
             Alone::Answered => {}
         }
         // Not the oldest one alone: then the one whose answer was the last, or one of the younger.
-        let younger = last
-            .into_iter()
-            .filter(|_| !silent && last != Some(suspect))
-            .chain(waiting);
+        let younger = last.into_iter().filter(|_| !silent && last != Some(suspect)).chain(waiting);
         let mut younger: VecDeque<usize> = younger.collect();
         while let Some(case) = younger.pop_front() {
             match self.alone(case, linger) {
@@ -420,11 +346,7 @@ impl<'r> Worker<'r> {
                         self.charge(case, &again, None);
                         return self.again.extend(younger);
                     }
-                    self.charge(
-                        case,
-                        &again,
-                        Some("in a fresh process it did not happen again"),
-                    );
+                    self.charge(case, &again, Some("in a fresh process it did not happen again"));
                     break;
                 }
             }
@@ -459,8 +381,7 @@ impl<'r> Worker<'r> {
             if let Err(fault) = self.take_event(&mut process) {
                 break fault;
             }
-            if process.waiting == 0 && answered.get_or_insert_with(Instant::now).elapsed() >= linger
-            {
+            if process.waiting == 0 && answered.get_or_insert_with(Instant::now).elapsed() >= linger {
                 self.process = Some(process);
                 return Alone::Answered;
             }
@@ -474,27 +395,14 @@ impl<'r> Worker<'r> {
     fn charge(&mut self, index: usize, post: &Post, note: Option<&str>) {
         let (what, log) = (post.what(), post.log.clone());
         let case = self.shared.cases[index];
-        self.shared.listener.on(Event::Fault {
-            case: &case.id,
-            what: &what,
-        });
+        self.shared.listener.on(Event::Fault { case: &case.id, what: &what });
         let (outcome, answer) = match &post.fault {
             Fault::Ended | Fault::Deaf => (Outcome::Crash { what, log }, None),
             Fault::Silent(_) => (Outcome::Timeout { what, log }, None),
-            Fault::Garbage { line, .. } => (
-                Outcome::Protocol { what, log },
-                Some(excerpt(line, KEPT_BYTES)),
-            ),
+            Fault::Garbage { line, .. } => (Outcome::Protocol { what, log }, Some(excerpt(line, KEPT_BYTES))),
             Fault::Strays => (Outcome::Protocol { what, log }, None),
         };
-        self.record(
-            index,
-            CaseRun {
-                outcome,
-                answer,
-                note: note.map(str::to_owned),
-            },
-        );
+        self.record(index, CaseRun { outcome, answer, note: note.map(str::to_owned) });
     }
 }
 
@@ -528,8 +436,7 @@ impl Process {
         let start = lines.len();
         self.sent.push((index, false));
         write_request(lines, self.sent.len() as u64, &case.body());
-        self.connection
-            .allow_line(ANSWER_BYTES + 8 * (lines.len() - start));
+        self.connection.allow_line(ANSWER_BYTES + 8 * (lines.len() - start));
         if self.waiting == 0 {
             self.progress = Instant::now();
         }
@@ -551,21 +458,14 @@ impl Process {
         self.waiting -= 1;
         self.waiting_bytes -= case.request_bytes();
         self.progress = Instant::now();
-        while self
-            .sent
-            .get(self.low)
-            .is_some_and(|(_, answered)| *answered)
-        {
+        while self.sent.get(self.low).is_some_and(|(_, answered)| *answered) {
             self.low += 1;
         }
     }
 
     /// The cases in flight, the oldest first.
     fn waiting_cases(&self) -> impl Iterator<Item = usize> {
-        self.sent[self.low..]
-            .iter()
-            .filter(|(_, answered)| !answered)
-            .map(|(index, _)| *index)
+        self.sent[self.low..].iter().filter(|(_, answered)| !answered).map(|(index, _)| *index)
     }
 
     /// How long the peer may be silent: what was asked, and a second more for each MiB in flight.
@@ -575,11 +475,7 @@ impl Process {
 
     fn end(mut self, fault: Fault) -> Post {
         let ending = self.connection.kill();
-        Post {
-            fault,
-            ending,
-            log: self.connection.log(),
-        }
+        Post { fault, ending, log: self.connection.log() }
     }
 }
 

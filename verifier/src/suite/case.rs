@@ -120,24 +120,8 @@ pub struct Text {
 impl Case {
     /// Puts a case together.
     pub(super) fn new(parts: Parts) -> Self {
-        let Parts {
-            id,
-            title,
-            requirements,
-            flags,
-            roles,
-            needs,
-            call,
-            args,
-            expect,
-            why,
-            file,
-        } = parts;
-        let level = requirements
-            .iter()
-            .map(|rule| rule.level)
-            .max()
-            .unwrap_or(Level::Wire);
+        let Parts { id, title, requirements, flags, roles, needs, call, args, expect, why, file } = parts;
+        let level = requirements.iter().map(|rule| rule.level).max().unwrap_or(Level::Wire);
         let binding = requirements.iter().any(|rule| rule.keyword.is_binding());
         let mut case = Self {
             id,
@@ -195,11 +179,7 @@ impl Case {
     }
 
     fn make_body(&self) -> String {
-        format!(
-            "\"call\":\"{}\",\"args\":{}}}",
-            self.call.as_str(),
-            self.args.expand()
-        )
+        format!("\"call\":\"{}\",\"args\":{}}}", self.call.as_str(), self.args.expand())
     }
 }
 

@@ -30,21 +30,11 @@ pub(super) struct VectorFile {
 }
 
 /// Reads the vector file `name`; `rules` are those of the text, by id.
-pub(super) fn read(
-    name: &str,
-    text: &str,
-    rules: &HashMap<&str, &Arc<Requirement>>,
-) -> Result<VectorFile, SuiteError> {
-    let wrong = |message: String| SuiteError::File {
-        file: name.to_owned(),
-        message,
-    };
+pub(super) fn read(name: &str, text: &str, rules: &HashMap<&str, &Arc<Requirement>>) -> Result<VectorFile, SuiteError> {
+    let wrong = |message: String| SuiteError::File { file: name.to_owned(), message };
     let raw: RawFile<'_> = serde_json::from_str(text).map_err(|error| wrong(error.to_string()))?;
     if raw.format != FORMAT {
-        return Err(wrong(format!(
-            "its format is {}, and this program reads format {FORMAT}",
-            raw.format
-        )));
+        return Err(wrong(format!("its format is {}, and this program reads format {FORMAT}", raw.format)));
     }
     if raw.about.trim().is_empty() {
         return Err(wrong("its `about` is empty".to_owned()));
@@ -53,22 +43,9 @@ pub(super) fn read(
     if name.strip_suffix(".json") != Some(&prefix) {
         return Err(wrong(format!("by its area and name it is {prefix}.json")));
     }
-    let context = Context {
-        file: name.into(),
-        prefix: format!("{prefix}/"),
-        rules,
-        notes: &raw.notes,
-    };
-    let cases = raw
-        .cases
-        .iter()
-        .enumerate()
-        .map(|(i, raw)| context.case(i, raw.get()))
-        .collect::<Result<_, _>>()?;
-    Ok(VectorFile {
-        cases,
-        notes: raw.notes,
-    })
+    let context = Context { file: name.into(), prefix: format!("{prefix}/"), rules, notes: &raw.notes };
+    let cases = raw.cases.iter().enumerate().map(|(i, raw)| context.case(i, raw.get())).collect::<Result<_, _>>()?;
+    Ok(VectorFile { cases, notes: raw.notes })
 }
 
 #[derive(Deserialize)]
@@ -120,9 +97,7 @@ struct RawExpect<'a> {
     or_reject: Option<bool>,
 }
 
-fn present<'de, D: serde::Deserializer<'de>>(
-    deserializer: D,
-) -> Result<Option<&'de RawValue>, D::Error> {
+fn present<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<&'de RawValue>, D::Error> {
     <&RawValue>::deserialize(deserializer).map(Some)
 }
 
@@ -135,24 +110,18 @@ struct Context<'c> {
 
 impl Context<'_> {
     fn case(&self, index: usize, text: &str) -> Result<Case, SuiteError> {
-        self.parts(text)
-            .map(Case::new)
-            .map_err(|message| SuiteError::Case {
-                file: self.file.to_string(),
-                id: id_of(text).unwrap_or_else(|| format!("number {}", index + 1)),
-                message,
-            })
+        self.parts(text).map(Case::new).map_err(|message| SuiteError::Case {
+            file: self.file.to_string(),
+            id: id_of(text).unwrap_or_else(|| format!("number {}", index + 1)),
+            message,
+        })
     }
 
     fn parts(&self, text: &str) -> Result<Parts, String> {
         let raw: RawCase<'_> = serde_json::from_str(text).map_err(|error| {
             // Lines would count from the case's own first line.
             let message = error.to_string();
-            message
-                .split(" at line ")
-                .next()
-                .unwrap_or(&message)
-                .to_owned()
+            message.split(" at line ").next().unwrap_or(&message).to_owned()
         })?;
         self.check_id(&raw.id)?;
         for (what, words) in [("title", &raw.title), ("why", &raw.why)] {
@@ -161,51 +130,25 @@ impl Context<'_> {
             }
         }
         let rule = |id: &String| {
-            self.rules
-                .get(id.as_str())
-                .map(|rule| Arc::clone(rule))
-                .ok_or_else(|| format!("the text has no rule {id}"))
+            self.rules.get(id.as_str()).map(|rule| Arc::clone(rule)).ok_or_else(|| format!("the text has no rule {id}"))
         };
-        let requirements: Vec<_> = raw
-            .requirements
-            .iter()
-            .map(rule)
-            .collect::<Result<_, _>>()?;
+        let requirements: Vec<_> = raw.requirements.iter().map(rule).collect::<Result<_, _>>()?;
         if requirements.is_empty() {
             return Err("it cites no rule".to_owned());
         }
-        if let Some(flag) = raw
-            .flags
-            .iter()
-            .find(|flag| !self.notes.contains_key(*flag))
-        {
-            return Err(format!(
-                "the file's `notes` do not explain the flag `{flag}`"
-            ));
+        if let Some(flag) = raw.flags.iter().find(|flag| !self.notes.contains_key(*flag)) {
+            return Err(format!("the file's `notes` do not explain the flag `{flag}`"));
         }
-        let role =
-            |name: &String| Role::parse(name).ok_or_else(|| format!("`{name}` is not a role"));
+        let role = |name: &String| Role::parse(name).ok_or_else(|| format!("`{name}` is not a role"));
         let roles: Vec<_> = raw.roles.iter().map(role).collect::<Result<_, _>>()?;
         if roles.is_empty() {
             return Err("it names no role".to_owned());
         }
-        if let Some(role) = roles
-            .iter()
-            .find(|role| !requirements.iter().any(|rule| rule.binds(**role)))
-        {
-            return Err(format!(
-                "it is for the role {role}, which none of its rules binds"
-            ));
+        if let Some(role) = roles.iter().find(|role| !requirements.iter().any(|rule| rule.binds(**role))) {
+            return Err(format!("it is for the role {role}, which none of its rules binds"));
         }
-        let need = |name: &String| {
-            Need::parse(name).ok_or_else(|| format!("`{name}` is nothing that a case may need"))
-        };
-        let needs: Vec<_> = raw
-            .needs
-            .iter()
-            .flatten()
-            .map(need)
-            .collect::<Result<_, _>>()?;
+        let need = |name: &String| Need::parse(name).ok_or_else(|| format!("`{name}` is nothing that a case may need"));
+        let needs: Vec<_> = raw.needs.iter().flatten().map(need).collect::<Result<_, _>>()?;
         if raw.needs.is_some() && needs.is_empty() {
             return Err("its `needs` are empty".to_owned());
         }
@@ -230,26 +173,17 @@ impl Context<'_> {
     }
 
     fn check_id(&self, id: &str) -> Result<(), String> {
-        let fits = id
-            .strip_prefix(&self.prefix)
-            .is_some_and(|rest| !rest.is_empty());
-        let spelled = id
-            .bytes()
-            .all(|b| matches!(b, b'a'..=b'z' | b'0'..=b'9' | b'_' | b'/' | b'.' | b'-'));
+        let fits = id.strip_prefix(&self.prefix).is_some_and(|rest| !rest.is_empty());
+        let spelled = id.bytes().all(|b| matches!(b, b'a'..=b'z' | b'0'..=b'9' | b'_' | b'/' | b'.' | b'-'));
         if fits && spelled {
             return Ok(());
         }
-        Err(format!(
-            "its id is not `{}` and more of a-z, 0-9 and `_/.-`",
-            self.prefix
-        ))
+        Err(format!("its id is not `{}` and more of a-z, 0-9 and `_/.-`", self.prefix))
     }
 }
 
 fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
-    let template = |raw: &RawValue| {
-        Template::new(raw.get()).map_err(|error| format!("its expectation: {error}"))
-    };
+    let template = |raw: &RawValue| Template::new(raw.get()).map_err(|error| format!("its expectation: {error}"));
     let text = |raw: &RawValue| {
         let template = template(raw)?;
         if !template.is_text() {
@@ -287,9 +221,7 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             tolerance: None,
             or_reject: None,
         } => match ErrorCode::parse(&code) {
-            Some(ErrorCode::Invalid | ErrorCode::Internal) => {
-                Err(format!("`{code}` says nothing about the case"))
-            }
+            Some(ErrorCode::Invalid | ErrorCode::Internal) => Err(format!("`{code}` says nothing about the case")),
             Some(code) => Ok(Expect::Reject(code)),
             None => Err(format!("`{code}` is not an error code")),
         },
@@ -318,57 +250,36 @@ fn expect(raw: RawExpect<'_>) -> Result<Expect, String> {
             or_reject,
         } if or_reject.is_none() || relation == "message" => {
             match (relation.as_str(), value, expected, ignore, base64, columns) {
-                ("json", Some(value), None, None, None, None) => {
-                    Ok(Expect::Json(template(value)?.keep()))
-                }
+                ("json", Some(value), None, None, None, None) => Ok(Expect::Json(template(value)?.keep())),
                 ("message", None, Some(expected), ignore, None, None) => Ok(Expect::Message {
                     text: text(expected)?,
                     ignore: ignore.unwrap_or_default(),
                     or_reject: is_set(or_reject)?,
                 }),
-                ("encoding", None, Some(expected), None, None, None) => {
-                    Ok(Expect::Encoding(text(expected)?))
-                }
+                ("encoding", None, Some(expected), None, None, None) => Ok(Expect::Encoding(text(expected)?)),
                 ("bytes", None, None, None, Some(bytes), None) => STANDARD
                     .decode(&bytes)
                     .map(Expect::Bytes)
                     .map_err(|error| format!("its expected bytes are not base64: {error}")),
-                ("columns", None, None, None, None, Some(columns))
-                    if columns.get().starts_with('[') =>
-                {
+                ("columns", None, None, None, None, Some(columns)) if columns.get().starts_with('[') => {
                     Ok(Expect::Columns(template(columns)?.keep()))
                 }
                 _ => Err(misfit(&relation)),
             }
         }
-        RawExpect {
-            relation: Some(relation),
-            accept: None,
-            reject: None,
-            ..
-        } => Err(misfit(&relation)),
-        _ => {
-            Err("its expectation is not one of `reject`, `accept: true` and `relation`".to_owned())
-        }
+        RawExpect { relation: Some(relation), accept: None, reject: None, .. } => Err(misfit(&relation)),
+        _ => Err("its expectation is not one of `reject`, `accept: true` and `relation`".to_owned()),
     }
 }
 
-fn pattern(
-    value: &RawValue,
-    tolerance: Option<f64>,
-    or_reject: Option<bool>,
-) -> Result<Expect, String> {
+fn pattern(value: &RawValue, tolerance: Option<f64>, or_reject: Option<bool>) -> Result<Expect, String> {
     let tolerance = tolerance.unwrap_or(0.0);
     if !(tolerance.is_finite() && tolerance >= 0.0) {
         return Err("its `tolerance` is negative".to_owned());
     }
     let or_reject = is_set(or_reject)?;
     let shape = Shape::parse(value.get()).map_err(|error| format!("its expectation: {error}"))?;
-    Ok(Expect::Pattern {
-        shape,
-        tolerance,
-        or_reject,
-    })
+    Ok(Expect::Pattern { shape, tolerance, or_reject })
 }
 
 /// Whether `or_reject` is there; `false` is what leaving it out says.
@@ -390,11 +301,7 @@ fn misfit(relation: &str) -> String {
 
 /// The id of a case that may be faulty otherwise.
 fn id_of(text: &str) -> Option<String> {
-    Json::parse(text)
-        .ok()?
-        .get("id")?
-        .as_str()
-        .map(str::to_owned)
+    Json::parse(text).ok()?.get("id")?.as_str().map(str::to_owned)
 }
 
 #[cfg(test)]
@@ -409,9 +316,8 @@ mod tests {
         let catalogue = Catalogue::load().unwrap();
         let rules: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
         let rules = rules.iter().map(|rule| (rule.id.as_str(), rule)).collect();
-        let text = format!(
-            r#"{{"format":1,"area":"wire","name":"a","about":"A.","notes":{{"f":"N."}},"cases":[{case}]}}"#
-        );
+        let text =
+            format!(r#"{{"format":1,"area":"wire","name":"a","about":"A.","notes":{{"f":"N."}},"cases":[{case}]}}"#);
         read("wire/a.json", &text, &rules)
     }
 
@@ -429,10 +335,7 @@ mod tests {
     #[test]
     fn a_case_becomes_the_request_that_is_sent() {
         let file = read_case(CASE).unwrap();
-        assert_eq!(
-            file.cases[0].body(),
-            r#""call":"decode","args":{"kind":"command_frame","text":"{}"}}"#
-        );
+        assert_eq!(file.cases[0].body(), r#""call":"decode","args":{"kind":"command_frame","text":"{}"}}"#);
         assert_eq!(file.cases[0].call, Call::Decode);
         assert!(file.cases[0].needs.is_empty());
         let needing = CASE.replace(r#"["body"]"#, r#"["body"],"needs":["reference_networks"]"#);
@@ -449,49 +352,26 @@ mod tests {
                 "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, `roles`, `needs`, `call`, `args`, `expect`, `why`"
             )
         );
-        assert_eq!(
-            fault("NCP-WIRE-024", "NCP-WIRE-999"),
-            format!("{of}the text has no rule NCP-WIRE-999")
-        );
-        assert_eq!(
-            fault("[\"NCP-WIRE-024\"]", "[]"),
-            format!("{of}it cites no rule")
-        );
-        assert_eq!(
-            fault("[\"f\"]", "[\"g\"]"),
-            format!("{of}the file's `notes` do not explain the flag `g`")
-        );
-        assert_eq!(
-            fault("[\"body\"]", "[\"pilot\"]"),
-            format!("{of}`pilot` is not a role")
-        );
+        assert_eq!(fault("NCP-WIRE-024", "NCP-WIRE-999"), format!("{of}the text has no rule NCP-WIRE-999"));
+        assert_eq!(fault("[\"NCP-WIRE-024\"]", "[]"), format!("{of}it cites no rule"));
+        assert_eq!(fault("[\"f\"]", "[\"g\"]"), format!("{of}the file's `notes` do not explain the flag `g`"));
+        assert_eq!(fault("[\"body\"]", "[\"pilot\"]"), format!("{of}`pilot` is not a role"));
         assert_eq!(fault("[\"body\"]", "[]"), format!("{of}it names no role"));
         assert_eq!(
             fault("[\"body\"]", r#"["body"],"needs":["a_moon"]"#),
             format!("{of}`a_moon` is nothing that a case may need")
         );
-        assert_eq!(
-            fault("[\"body\"]", r#"["body"],"needs":[]"#),
-            format!("{of}its `needs` are empty")
-        );
+        assert_eq!(fault("[\"body\"]", r#"["body"],"needs":[]"#), format!("{of}its `needs` are empty"));
         assert_eq!(
             fault("\"body\"", "\"server\""),
             format!("{of}it is for the role server, which none of its rules binds")
         );
-        assert_eq!(
-            fault("\"decode\"", "\"dekode\""),
-            format!("{of}`dekode` is not a call")
-        );
+        assert_eq!(fault("\"decode\"", "\"dekode\""), format!("{of}`dekode` is not a call"));
         assert_eq!(
             fault("{}\"}", "{}\",\"x\":{\"$repeat\":1}}"),
-            format!(
-                "{of}its args: `$repeat` is no template: one of `$repeat` with `times`, `$concat`, `$base64`"
-            )
+            format!("{of}its args: `$repeat` is no template: one of `$repeat` with `times`, `$concat`, `$base64`")
         );
-        assert_eq!(
-            fault("\"T.\"", "\" \""),
-            format!("{of}its `title` is empty")
-        );
+        assert_eq!(fault("\"T.\"", "\" \""), format!("{of}its `title` is empty"));
         assert_eq!(
             fault("wire/a/x", "wire/b/x"),
             "wire/a.json: the case wire/b/x: its id is not `wire/a/` and more of a-z, 0-9 and `_/.-`"
@@ -505,137 +385,68 @@ mod tests {
         let text = r#"{"format":1,"area":"wire","name":"a","about":"A.","cases":[]}"#;
         assert!(read("wire/a.json", text, &rules).is_ok());
         let fault = |name, text: &str| read(name, text, &rules).unwrap_err().to_string();
-        assert_eq!(
-            fault("wire/b.json", text),
-            "wire/b.json: by its area and name it is wire/a.json"
-        );
+        assert_eq!(fault("wire/b.json", text), "wire/b.json: by its area and name it is wire/a.json");
         assert!(fault("wire/a.json", &text.replace("1,", "2,")).contains("its format is 2"));
-        assert!(
-            fault("wire/a.json", &text.replace("about", "abaut")).contains("unknown field `abaut`")
-        );
+        assert!(fault("wire/a.json", &text.replace("about", "abaut")).contains("unknown field `abaut`"));
     }
 
     #[test]
     fn every_form_of_an_expectation_is_read() {
-        assert!(matches!(
-            expectation(r#"{"accept":true}"#),
-            Ok(Expect::Accept)
-        ));
-        assert!(matches!(
-            expectation(r#"{"relation":"json","value":null}"#),
-            Ok(Expect::Json(_))
-        ));
+        assert!(matches!(expectation(r#"{"accept":true}"#), Ok(Expect::Accept)));
+        assert!(matches!(expectation(r#"{"relation":"json","value":null}"#), Ok(Expect::Json(_))));
         assert!(matches!(
             expectation(r#"{"relation":"message","text":"{}","ignore":["/a"]}"#),
             Ok(Expect::Message { ignore, or_reject: false, .. }) if ignore == ["/a"]
         ));
         assert!(matches!(
             expectation(r#"{"relation":"message","text":"{}","or_reject":true}"#),
-            Ok(Expect::Message {
-                or_reject: true,
-                ..
-            })
+            Ok(Expect::Message { or_reject: true, .. })
         ));
         assert!(matches!(
             expectation(r#"{"relation":"encoding","text":{"$concat":["{","}"]}}"#),
             Ok(Expect::Encoding(_))
         ));
-        assert!(
-            matches!(expectation(r#"{"relation":"bytes","base64":"AQI="}"#), Ok(Expect::Bytes(b)) if b == [1, 2])
-        );
-        assert!(matches!(
-            expectation(r#"{"relation":"columns","columns":[]}"#),
-            Ok(Expect::Columns(_))
-        ));
+        assert!(matches!(expectation(r#"{"relation":"bytes","base64":"AQI="}"#), Ok(Expect::Bytes(b)) if b == [1, 2]));
+        assert!(matches!(expectation(r#"{"relation":"columns","columns":[]}"#), Ok(Expect::Columns(_))));
         assert!(matches!(
             expectation(r#"{"relation":"pattern","value":{"steps":[{"$error":true}]}}"#),
-            Ok(Expect::Pattern {
-                tolerance: 0.0,
-                or_reject: false,
-                ..
-            })
+            Ok(Expect::Pattern { tolerance: 0.0, or_reject: false, .. })
         ));
         assert!(matches!(
             expectation(r#"{"relation":"pattern","value":null,"tolerance":1e-9,"or_reject":true}"#),
-            Ok(Expect::Pattern {
-                tolerance: 1e-9,
-                or_reject: true,
-                ..
-            })
+            Ok(Expect::Pattern { tolerance: 1e-9, or_reject: true, .. })
         ));
     }
 
     #[test]
     fn a_faulty_expectation_is_refused() {
         for (expect, what) in [
-            (
-                r#"{}"#,
-                "not one of `reject`, `accept: true` and `relation`",
-            ),
+            (r#"{}"#, "not one of `reject`, `accept: true` and `relation`"),
             (r#"{"accept":false}"#, "not one of"),
             (r#"{"accept":true,"reject":"type"}"#, "not one of"),
             (r#"{"reject":"tpye"}"#, "`tpye` is not an error code"),
             (r#"{"reject":"internal"}"#, "says nothing about the case"),
-            (
-                r#"{"relation":"equal","value":1}"#,
-                "`equal` is not a relation",
-            ),
-            (
-                r#"{"relation":"json"}"#,
-                "has not what the relation `json` needs",
-            ),
-            (
-                r#"{"relation":"json","value":1,"text":"{}"}"#,
-                "or has more",
-            ),
+            (r#"{"relation":"equal","value":1}"#, "`equal` is not a relation"),
+            (r#"{"relation":"json"}"#, "has not what the relation `json` needs"),
+            (r#"{"relation":"json","value":1,"text":"{}"}"#, "or has more"),
             (r#"{"relation":"message","text":"[]"}"#, "is not an object"),
-            (
-                r#"{"relation":"message","text":"{\"a\":1,\"a\":2}"}"#,
-                "stands twice",
-            ),
+            (r#"{"relation":"message","text":"{\"a\":1,\"a\":2}"}"#, "stands twice"),
             (r#"{"relation":"message","text":7}"#, "is not a string"),
             (r#"{"relation":"bytes","base64":"%"}"#, "not base64"),
-            (
-                r#"{"relation":"columns","columns":{}}"#,
-                "has not what the relation `columns` needs",
-            ),
-            (
-                r#"{"relation":"json","values":1}"#,
-                "unknown field `values`",
-            ),
-            (
-                r#"{"relation":"json","value":1,"tolerance":1}"#,
-                "has not what the relation `json` needs",
-            ),
-            (
-                r#"{"relation":"pattern","text":"{}"}"#,
-                "has not what the relation `pattern` needs",
-            ),
-            (
-                r#"{"relation":"pattern","value":1,"text":"{}"}"#,
-                "or has more",
-            ),
-            (
-                r#"{"relation":"pattern","value":1,"tolerance":-1}"#,
-                "`tolerance` is negative",
-            ),
-            (
-                r#"{"relation":"pattern","value":1,"or_reject":false}"#,
-                "`or_reject` is not true",
-            ),
+            (r#"{"relation":"columns","columns":{}}"#, "has not what the relation `columns` needs"),
+            (r#"{"relation":"json","values":1}"#, "unknown field `values`"),
+            (r#"{"relation":"json","value":1,"tolerance":1}"#, "has not what the relation `json` needs"),
+            (r#"{"relation":"pattern","text":"{}"}"#, "has not what the relation `pattern` needs"),
+            (r#"{"relation":"pattern","value":1,"text":"{}"}"#, "or has more"),
+            (r#"{"relation":"pattern","value":1,"tolerance":-1}"#, "`tolerance` is negative"),
+            (r#"{"relation":"pattern","value":1,"or_reject":false}"#, "`or_reject` is not true"),
             (
                 r#"{"relation":"pattern","value":[{"$eror":true}]}"#,
                 "wire/a/x: its expectation: `$eror` is no word of a pattern",
             ),
-            (
-                r#"{"relation":"pattern","value":{"$repeat":"x","times":2}}"#,
-                "`$repeat` of a pattern stands alone",
-            ),
+            (r#"{"relation":"pattern","value":{"$repeat":"x","times":2}}"#, "`$repeat` of a pattern stands alone"),
             (r#"{"reject":"type","or_reject":true}"#, "not one of"),
-            (
-                r#"{"relation":"message","text":"{}","or_reject":false}"#,
-                "`or_reject` is not true",
-            ),
+            (r#"{"relation":"message","text":"{}","or_reject":false}"#, "`or_reject` is not true"),
             (
                 r#"{"relation":"encoding","text":"{}","or_reject":true}"#,
                 "has not what the relation `encoding` needs, or has more",

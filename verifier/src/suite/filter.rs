@@ -38,21 +38,14 @@ impl Pattern {
         self.fits_text(&case.id)
             || self.fits_text(case.call.as_str())
             || case.flags.iter().any(|flag| self.fits_text(flag))
-            || case
-                .requirements
-                .iter()
-                .any(|rule| self.fits_text(&rule.id))
+            || case.requirements.iter().any(|rule| self.fits_text(&rule.id))
     }
 
     /// Whether it fits a text: a piece of it, or with `*` (any characters) and `?` (one character) all of it.
     #[must_use]
     pub fn fits_text(&self, text: &str) -> bool {
         let text = text.to_ascii_lowercase();
-        if self.0.contains(['*', '?']) {
-            glob(self.0.as_bytes(), text.as_bytes())
-        } else {
-            text.contains(&self.0)
-        }
+        if self.0.contains(['*', '?']) { glob(self.0.as_bytes(), text.as_bytes()) } else { text.contains(&self.0) }
     }
 }
 

@@ -100,28 +100,14 @@ impl Suite {
     pub fn load(folder: &Path) -> Result<Self, SuiteError> {
         let mut files = Vec::new();
         for area in entries(folder)?.into_iter().filter(|path| path.is_dir()) {
-            for file in entries(&area)?
-                .into_iter()
-                .filter(|path| path.extension().is_some_and(|e| e == "json"))
-            {
-                let text = std::fs::read_to_string(&file).map_err(|source| SuiteError::Read {
-                    path: file.clone(),
-                    source,
-                })?;
-                let name = file
-                    .strip_prefix(folder)
-                    .unwrap_or(&file)
-                    .to_string_lossy()
-                    .replace('\\', "/");
+            for file in entries(&area)?.into_iter().filter(|path| path.extension().is_some_and(|e| e == "json")) {
+                let text =
+                    std::fs::read_to_string(&file).map_err(|source| SuiteError::Read { path: file.clone(), source })?;
+                let name = file.strip_prefix(folder).unwrap_or(&file).to_string_lossy().replace('\\', "/");
                 files.push((name, text));
             }
         }
-        Self::read(
-            files
-                .iter()
-                .map(|(name, text)| (name.as_str(), text.as_str())),
-            &folder.to_string_lossy(),
-        )
+        Self::read(files.iter().map(|(name, text)| (name.as_str(), text.as_str())), &folder.to_string_lossy())
     }
 
     /// Every case, in the order of the files.
@@ -136,11 +122,7 @@ impl Suite {
     pub fn describe(&self, description: &Description) -> &Case {
         let [hash_first, version_first] = &self.describe;
         let breaks_hash = description.contract_hash != CONTRACT_HASH;
-        if breaks_hash || description.wire_version == WIRE_VERSION {
-            hash_first
-        } else {
-            version_first
-        }
+        if breaks_hash || description.wire_version == WIRE_VERSION { hash_first } else { version_first }
     }
 
     /// Every case, with the one that no file holds before the others.
@@ -181,11 +163,7 @@ impl Suite {
     /// The highest level that has a case.
     #[must_use]
     pub fn highest_level(&self) -> Level {
-        self.cases
-            .iter()
-            .map(|case| case.level)
-            .max()
-            .unwrap_or(Level::Wire)
+        self.cases.iter().map(|case| case.level).max().unwrap_or(Level::Wire)
     }
 
     /// The case of this id.
@@ -200,16 +178,11 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    fn read<'f>(
-        files: impl Iterator<Item = (&'f str, &'f str)>,
-        place: &str,
-    ) -> Result<Self, SuiteError> {
+    fn read<'f>(files: impl Iterator<Item = (&'f str, &'f str)>, place: &str) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
         let requirements: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
-        let rules: HashMap<&str, &Arc<Requirement>> = requirements
-            .iter()
-            .map(|rule| (rule.id.as_str(), rule))
-            .collect();
+        let rules: HashMap<&str, &Arc<Requirement>> =
+            requirements.iter().map(|rule| (rule.id.as_str(), rule)).collect();
         let mut cases = Vec::new();
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
@@ -238,45 +211,23 @@ impl Suite {
             });
         }
         let digest = hex(&Sha256::digest(&manifest));
-        let describe = [
-            describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?,
-            describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?,
-        ];
-        Ok(Self {
-            cases,
-            describe,
-            requirements,
-            notes,
-            digest,
-            files: count,
-        })
+        let describe =
+            [describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?, describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?];
+        Ok(Self { cases, describe, requirements, notes, digest, files: count })
     }
 }
 
 /// The case of `describe`.
-fn describe(
-    rules: &HashMap<&str, &Arc<Requirement>>,
-    cited: [&str; 2],
-) -> Result<Case, SuiteError> {
-    let fault = |message: String| SuiteError::Case {
-        file: BUILT_IN.to_owned(),
-        id: DESCRIBE.to_owned(),
-        message,
-    };
+fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Result<Case, SuiteError> {
+    let fault = |message: String| SuiteError::Case { file: BUILT_IN.to_owned(), id: DESCRIBE.to_owned(), message };
     let cited = cited.map(|id| {
-        rules
-            .get(id)
-            .map(|rule| Arc::clone(rule))
-            .ok_or_else(|| fault(format!("the text has no rule {id}")))
+        rules.get(id).map(|rule| Arc::clone(rule)).ok_or_else(|| fault(format!("the text has no rule {id}")))
     });
-    let expected =
-        format!(r#"{{"wire_version":"{WIRE_VERSION}","contract_hash":"{CONTRACT_HASH}"}}"#);
+    let expected = format!(r#"{{"wire_version":"{WIRE_VERSION}","contract_hash":"{CONTRACT_HASH}"}}"#);
     let template = |raw: &str| Template::new(raw).map_err(|error| fault(error.to_string()));
     Ok(Case::new(Parts {
         id: DESCRIBE.to_owned(),
-        title:
-            "The peer states the wire version and the contract hash of 0.5, and claims known roles."
-                .to_owned(),
+        title: "The peer states the wire version and the contract hash of 0.5, and claims known roles.".to_owned(),
         requirements: cited.into_iter().collect::<Result<_, _>>()?,
         flags: Vec::new(),
         roles: Role::ALL.to_vec(),
@@ -284,17 +235,13 @@ fn describe(
         call: Call::Describe,
         args: template("{}")?,
         expect: Expect::Json(template(&expected)?),
-        why: "Both values stand in chapter 2 of the text; the roles are those of PROTOCOL.md."
-            .to_owned(),
+        why: "Both values stand in chapter 2 of the text; the roles are those of PROTOCOL.md.".to_owned(),
         file: BUILT_IN.into(),
     }))
 }
 
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, SuiteError> {
-    let read = |source| SuiteError::Read {
-        path: folder.to_owned(),
-        source,
-    };
+    let read = |source| SuiteError::Read { path: folder.to_owned(), source };
     let mut paths = std::fs::read_dir(folder)
         .map_err(read)?
         .map(|entry| entry.map(|entry| entry.path()))
@@ -322,10 +269,7 @@ pub(crate) mod testing {
         Case::new(Parts {
             id: id.to_owned(),
             title: "A title.".to_owned(),
-            requirements: rules
-                .iter()
-                .map(|rule| Arc::new(catalogue.get(rule).unwrap().clone()))
-                .collect(),
+            requirements: rules.iter().map(|rule| Arc::new(catalogue.get(rule).unwrap().clone())).collect(),
             flags: Vec::new(),
             roles: roles.to_vec(),
             needs: Vec::new(),
@@ -401,10 +345,7 @@ mod tests {
 
     #[test]
     fn the_digest_changes_with_one_character_of_one_file() {
-        let (a, b) = (
-            file("a", &["wire/a/x"]),
-            file("a", &["wire/a/x"]).replace("W.", "V."),
-        );
+        let (a, b) = (file("a", &["wire/a/x"]), file("a", &["wire/a/x"]).replace("W.", "V."));
         let digest = |text: &str| suite(&[("wire/a.json", text)]).unwrap().digest().to_owned();
         assert_eq!(digest(&a), digest(&a));
         assert_ne!(digest(&a), digest(&b));

@@ -78,9 +78,7 @@ impl Shape {
             Json::Null => Self::Null,
             Json::Bool(value) => Self::Bool(*value),
             Json::Number(spelling) => Self::Number(Number::read(spelling)),
-            Json::String(text) => {
-                Number::of(value).map_or_else(|| Self::Text(text.to_string()), Self::Number)
-            }
+            Json::String(text) => Number::of(value).map_or_else(|| Self::Text(text.to_string()), Self::Number),
             Json::Array(items) => Self::Items(all(items)?),
             Json::Object(members) => match members.iter().find(|(name, _)| name.starts_with('$')) {
                 None => Self::Members(named(members)?),
@@ -97,22 +95,16 @@ impl Shape {
             ("$any", _) => wrong("$any", "an array of patterns"),
             ("$error", Json::Bool(true)) => Ok(Self::Refused),
             ("$error", _) => wrong("$error", "true"),
-            ("$exact", Json::Object(members)) => {
-                match members.iter().find(|(name, _)| name.starts_with('$')) {
-                    None => named(members).map(Self::Exact),
-                    Some(_) => wrong("$exact", "an object of plain members"),
-                }
-            }
+            ("$exact", Json::Object(members)) => match members.iter().find(|(name, _)| name.starts_with('$')) {
+                None => named(members).map(Self::Exact),
+                Some(_) => wrong("$exact", "an object of plain members"),
+            },
             ("$exact", _) => wrong("$exact", "an object of plain members"),
             ("$json", inner) => Self::of(inner).map(|inner| Self::Json(Box::new(inner))),
-            ("$range", Json::Array(ends)) => {
-                match ends.iter().map(Number::of).collect::<Vec<_>>().as_slice() {
-                    [Some(low), Some(high)] if low.as_double() <= high.as_double() => {
-                        Ok(Self::Range(*low, *high))
-                    }
-                    _ => wrong("$range", "two numbers in order"),
-                }
-            }
+            ("$range", Json::Array(ends)) => match ends.iter().map(Number::of).collect::<Vec<_>>().as_slice() {
+                [Some(low), Some(high)] if low.as_double() <= high.as_double() => Ok(Self::Range(*low, *high)),
+                _ => wrong("$range", "two numbers in order"),
+            },
             ("$range", _) => wrong("$range", "two numbers in order"),
             ("$anything", Json::Bool(true)) => Ok(Self::Anything),
             ("$anything", _) => wrong("$anything", "true"),
@@ -154,10 +146,7 @@ fn all(items: &[Json<'_>]) -> Result<Vec<Shape>, PatternError> {
 }
 
 fn named(members: &[(Cow<'_, str>, Json<'_>)]) -> Result<Vec<(String, Shape)>, PatternError> {
-    members
-        .iter()
-        .map(|(name, value)| Ok((name.to_string(), Shape::of(value)?)))
-        .collect()
+    members.iter().map(|(name, value)| Ok((name.to_string(), Shape::of(value)?))).collect()
 }
 
 fn write_name(text: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -208,56 +197,23 @@ mod tests {
     #[test]
     fn a_faulty_pattern_is_refused() {
         for (pattern, fault) in [
-            (
-                r#"{"a":[{"$eror":true}]}"#,
-                "`$eror` is no word of a pattern",
-            ),
-            (
-                r#"{"$repeat":"x","times":3}"#,
-                "`$repeat` of a pattern stands alone",
-            ),
+            (r#"{"a":[{"$eror":true}]}"#, "`$eror` is no word of a pattern"),
+            (r#"{"$repeat":"x","times":3}"#, "`$repeat` of a pattern stands alone"),
             (r#"{"$repeat":"x"}"#, "`$repeat` is no word of a pattern"),
             (r#"{"a":1,"$any":[1]}"#, "`$any` of a pattern stands alone"),
-            (
-                r#"{"$any":[]}"#,
-                "`$any` of a pattern is not an array of patterns",
-            ),
-            (
-                r#"{"$any":1}"#,
-                "`$any` of a pattern is not an array of patterns",
-            ),
+            (r#"{"$any":[]}"#, "`$any` of a pattern is not an array of patterns"),
+            (r#"{"$any":1}"#, "`$any` of a pattern is not an array of patterns"),
             (r#"{"$any":[{"$nay":[1]}]}"#, "`$nay` is no word"),
             (r#"{"$error":false}"#, "`$error` of a pattern is not true"),
             (r#"{"$error":"type"}"#, "`$error` of a pattern is not true"),
-            (
-                r#"{"$exact":[1]}"#,
-                "`$exact` of a pattern is not an object",
-            ),
-            (
-                r#"{"$exact":{"$any":[1]}}"#,
-                "`$exact` of a pattern is not an object",
-            ),
+            (r#"{"$exact":[1]}"#, "`$exact` of a pattern is not an object"),
+            (r#"{"$exact":{"$any":[1]}}"#, "`$exact` of a pattern is not an object"),
             (r#"{"$json":{"$jsn":1}}"#, "`$jsn` is no word"),
-            (
-                r#"{"$range":[1]}"#,
-                "`$range` of a pattern is not two numbers in order",
-            ),
-            (
-                r#"{"$range":[2,1]}"#,
-                "`$range` of a pattern is not two numbers in order",
-            ),
-            (
-                r#"{"$range":[1,"NaN"]}"#,
-                "`$range` of a pattern is not two numbers in order",
-            ),
-            (
-                r#"{"$range":["1",2]}"#,
-                "`$range` of a pattern is not two numbers in order",
-            ),
-            (
-                r#"{"$anything":false}"#,
-                "`$anything` of a pattern is not true",
-            ),
+            (r#"{"$range":[1]}"#, "`$range` of a pattern is not two numbers in order"),
+            (r#"{"$range":[2,1]}"#, "`$range` of a pattern is not two numbers in order"),
+            (r#"{"$range":[1,"NaN"]}"#, "`$range` of a pattern is not two numbers in order"),
+            (r#"{"$range":["1",2]}"#, "`$range` of a pattern is not two numbers in order"),
+            (r#"{"$anything":false}"#, "`$anything` of a pattern is not true"),
             (r#"{"a":1,"a":2}"#, "stands twice"),
             ("{", "ends too early"),
         ] {

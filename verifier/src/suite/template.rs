@@ -56,11 +56,7 @@ impl Template {
     /// [`TemplateError`] if it is not JSON, or a template in it is faulty or too large.
     pub fn new(raw: &str) -> Result<Self, TemplateError> {
         let bytes = size(&Json::parse(raw)?)?;
-        Ok(Self {
-            raw: raw.into(),
-            bytes,
-            kept: None,
-        })
+        Ok(Self { raw: raw.into(), bytes, kept: None })
     }
 
     /// About how many bytes it expands to.
@@ -72,11 +68,7 @@ impl Template {
     /// Whether this is a string, or a template of one.
     #[must_use]
     pub fn is_text(&self) -> bool {
-        self.raw.starts_with('"')
-            || self
-                .raw
-                .trim_start_matches(['{', ' ', '\t', '\r', '\n'])
-                .starts_with("\"$")
+        self.raw.starts_with('"') || self.raw.trim_start_matches(['{', ' ', '\t', '\r', '\n']).starts_with("\"$")
     }
 
     /// Keeps the expanded text at hand, unless it is large.
@@ -144,17 +136,11 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
                 Json::Number(spelling) => spelling.parse().ok(),
                 _ => None,
             };
-            let times = times.ok_or(TemplateError::Type {
-                name: "times",
-                expected: "a count",
-            })?;
+            let times = times.ok_or(TemplateError::Type { name: "times", expected: "a count" })?;
             Ok(Some(Form::Repeat(part, times)))
         }
         (["$concat"], [(_, Json::Array(parts))]) => Ok(Some(Form::Concat(parts))),
-        (["$concat"], _) => Err(TemplateError::Type {
-            name: "$concat",
-            expected: "an array",
-        }),
+        (["$concat"], _) => Err(TemplateError::Type { name: "$concat", expected: "an array" }),
         (["$base64"], [(_, part)]) => Ok(Some(Form::Base64(part))),
         _ => Err(TemplateError::Unknown((*name).to_owned())),
     }
@@ -162,40 +148,27 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
 
 /// The form of a part of a template, which cannot be an ordinary value.
 fn part<'v, 'a>(value: &'v Json<'a>) -> Result<Form<'v, 'a>, TemplateError> {
-    form(value)?.ok_or(TemplateError::Type {
-        name: "a part",
-        expected: "a string or a template",
-    })
+    form(value)?.ok_or(TemplateError::Type { name: "a part", expected: "a string or a template" })
 }
 
 /// About how many bytes a value expands to, as JSON.
 fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
     let total = match (form(value)?, value) {
         (Some(form), _) => text_size(&form, Spelling::Json, 0)? + 2,
-        (None, Json::Array(items)) => items.iter().try_fold(2, |sum: usize, item| {
-            Ok::<_, TemplateError>(sum.saturating_add(size(item)? + 1))
-        })?,
-        (None, Json::Object(members)) => {
-            members.iter().try_fold(2, |sum: usize, (name, member)| {
-                Ok::<_, TemplateError>(sum.saturating_add(name.len() + 4 + size(member)?))
-            })?
+        (None, Json::Array(items)) => {
+            items.iter().try_fold(2, |sum: usize, item| Ok::<_, TemplateError>(sum.saturating_add(size(item)? + 1)))?
         }
+        (None, Json::Object(members)) => members.iter().try_fold(2, |sum: usize, (name, member)| {
+            Ok::<_, TemplateError>(sum.saturating_add(name.len() + 4 + size(member)?))
+        })?,
         (None, Json::Number(spelling)) => spelling.len(),
         (None, _) => 5,
     };
-    if total > MAX_REQUEST_BYTES {
-        Err(TemplateError::Size)
-    } else {
-        Ok(total)
-    }
+    if total > MAX_REQUEST_BYTES { Err(TemplateError::Size) } else { Ok(total) }
 }
 
 /// About how many bytes a string takes, in JSON or as it is.
-fn text_size(
-    form: &Form<'_, '_>,
-    spelling: Spelling,
-    depth: usize,
-) -> Result<usize, TemplateError> {
+fn text_size(form: &Form<'_, '_>, spelling: Spelling, depth: usize) -> Result<usize, TemplateError> {
     if depth > MAX_DEPTH {
         return Err(TemplateError::Depth);
     }
@@ -204,29 +177,18 @@ fn text_size(
         Form::Text(text) => match spelling {
             Spelling::Plain => text.len(),
             // In JSON a quote takes two bytes and a control character up to six.
-            Spelling::Json => text
-                .bytes()
-                .map(|b| {
-                    if b < 0x20 {
-                        6
-                    } else {
-                        1 + usize::from(b == b'"' || b == b'\\')
-                    }
-                })
-                .sum(),
+            Spelling::Json => {
+                text.bytes().map(|b| if b < 0x20 { 6 } else { 1 + usize::from(b == b'"' || b == b'\\') }).sum()
+            }
         },
         Form::Repeat(repeated, times) => inner(repeated, spelling)?.saturating_mul(*times),
-        Form::Concat(parts) => parts.iter().try_fold(0_usize, |sum, each| {
-            Ok::<_, TemplateError>(sum.saturating_add(inner(each, spelling)?))
-        })?,
+        Form::Concat(parts) => parts
+            .iter()
+            .try_fold(0_usize, |sum, each| Ok::<_, TemplateError>(sum.saturating_add(inner(each, spelling)?)))?,
         // Base64 has nothing to escape.
         Form::Base64(encoded) => (inner(encoded, Spelling::Plain)? / 3 + 1).saturating_mul(4),
     };
-    if total > MAX_REQUEST_BYTES {
-        Err(TemplateError::Size)
-    } else {
-        Ok(total)
-    }
+    if total > MAX_REQUEST_BYTES { Err(TemplateError::Size) } else { Ok(total) }
 }
 
 /// How the bytes of a string are counted.
@@ -273,9 +235,7 @@ fn template_text(value: &Json<'_>) -> String {
             Ok(Some(Form::Text(text))) => Cow::Borrowed(text),
             Ok(Some(Form::Repeat(repeated, times))) => Cow::Owned(build(repeated).repeat(times)),
             Ok(Some(Form::Concat(parts))) => Cow::Owned(parts.iter().map(build).collect()),
-            Ok(Some(Form::Base64(encoded))) => {
-                Cow::Owned(STANDARD.encode(build(encoded).as_bytes()))
-            }
+            Ok(Some(Form::Base64(encoded))) => Cow::Owned(STANDARD.encode(build(encoded).as_bytes())),
             Ok(None) | Err(_) => Cow::Borrowed(""),
         }
     }
@@ -293,22 +253,10 @@ mod tests {
 
     #[test]
     fn templates_become_strings_wherever_they_stand() {
-        assert_eq!(
-            expand(r#"{"text": {"$repeat": "ab", "times": 3}}"#),
-            r#"{"text":"ababab"}"#
-        );
-        assert_eq!(
-            expand(r#"[{"$concat": ["a", {"$repeat": "\"", "times": 2}, "z"]}]"#),
-            r#"["a\"\"z"]"#
-        );
-        assert_eq!(
-            expand(r#"{"$base64": {"$concat": ["any", " carnal"]}}"#),
-            r#""YW55IGNhcm5hbA==""#
-        );
-        assert_eq!(
-            expand(r#"{"$repeat": {"$base64": "a"}, "times": 2}"#),
-            r#""YQ==YQ==""#
-        );
+        assert_eq!(expand(r#"{"text": {"$repeat": "ab", "times": 3}}"#), r#"{"text":"ababab"}"#);
+        assert_eq!(expand(r#"[{"$concat": ["a", {"$repeat": "\"", "times": 2}, "z"]}]"#), r#"["a\"\"z"]"#);
+        assert_eq!(expand(r#"{"$base64": {"$concat": ["any", " carnal"]}}"#), r#""YW55IGNhcm5hbA==""#);
+        assert_eq!(expand(r#"{"$repeat": {"$base64": "a"}, "times": 2}"#), r#""YQ==YQ==""#);
         assert_eq!(expand(r#"{"$repeat": "x", "times": 0}"#), r#""""#);
     }
 
@@ -333,10 +281,7 @@ mod tests {
         assert!(fault(r#"{"$repat": "x", "times": 1}"#).contains("`$repat` is no template"));
         assert!(fault(r#"{"$repeat": "x"}"#).contains("no template"));
         assert!(fault(r#"{"$repeat": "x", "times": 1, "a": 1}"#).contains("no template"));
-        assert!(
-            fault(r#"{"$repeat": "x", "times": -1}"#)
-                .contains("`times` of a template is not a count")
-        );
+        assert!(fault(r#"{"$repeat": "x", "times": -1}"#).contains("`times` of a template is not a count"));
         assert!(fault(r#"{"$repeat": 1, "times": 1}"#).contains("not a string or a template"));
         assert!(fault(r#"{"$concat": "x"}"#).contains("not an array"));
         assert!(fault(r#"{"a": {"$concat": [[]]}}"#).contains("not a string or a template"));

@@ -36,15 +36,10 @@ impl Lock {
 
     pub(super) fn of(rules: &[Rule]) -> Self {
         let rules = rules.iter().map(|rule| {
-            let accepted = Accepted {
-                digest: rule.requirement.digest.clone(),
-                shown_by: rule.shown_by(),
-            };
+            let accepted = Accepted { digest: rule.requirement.digest.clone(), shown_by: rule.shown_by() };
             (rule.requirement.id.clone(), accepted)
         });
-        Self {
-            rules: rules.collect(),
-        }
+        Self { rules: rules.collect() }
     }
 }
 
@@ -110,10 +105,7 @@ fn read<T: serde::de::DeserializeOwned>(root: &Path, file: &str) -> Result<Optio
     match std::fs::read_to_string(&path) {
         Ok(text) => toml::from_str(&text).map(Some).map_err(|error| {
             let message = error.to_string();
-            TraceError::Content {
-                path: file.to_owned(),
-                message,
-            }
+            TraceError::Content { path: file.to_owned(), message }
         }),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
         Err(source) => Err(TraceError::File { path, source }),
@@ -133,10 +125,7 @@ mod tests {
         let lock = Lock {
             rules: BTreeMap::from([
                 ("NCP-A-001".to_owned(), accepted(&[])),
-                (
-                    "NCP-A-002".to_owned(),
-                    accepted(&["vectors/a/b.json", "a \"quoted\" place"]),
-                ),
+                ("NCP-A-002".to_owned(), accepted(&["vectors/a/b.json", "a \"quoted\" place"])),
             ]),
         };
         assert_eq!(toml::from_str::<Lock>(&lock.to_string()).unwrap(), lock);
@@ -149,10 +138,7 @@ mod tests {
         let file = root.path().join(Exclusions::FILE);
         std::fs::write(&file, "[rules]\nNCP-A-001 = \"\"\n").unwrap();
         let error = Exclusions::read(root.path()).unwrap_err().to_string();
-        assert!(
-            error.contains("NCP-A-001: an exclusion says why"),
-            "{error}"
-        );
+        assert!(error.contains("NCP-A-001: an exclusion says why"), "{error}");
         std::fs::write(&file, "[rules]\nNCP-A-001 = \"It binds a person.\"\n").unwrap();
         assert_eq!(Exclusions::read(root.path()).unwrap().rules.len(), 1);
     }

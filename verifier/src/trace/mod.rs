@@ -70,16 +70,8 @@ pub enum EvidenceKind {
 
 impl EvidenceKind {
     /// All kinds.
-    pub const ALL: [Self; 8] = [
-        Self::Code,
-        Self::Vector,
-        Self::Test,
-        Self::Property,
-        Self::Fuzz,
-        Self::Proof,
-        Self::Live,
-        Self::Mutant,
-    ];
+    pub const ALL: [Self; 8] =
+        [Self::Code, Self::Vector, Self::Test, Self::Property, Self::Fuzz, Self::Proof, Self::Live, Self::Mutant];
 
     /// As the report names it.
     #[must_use]
@@ -193,10 +185,7 @@ pub enum Fault {
     #[error("no case is flagged with the finding {0}")]
     FindingWithoutCase(String),
     /// A vector file of the manifest is not there.
-    #[error(
-        "vectors/{file} is in the manifest and is gone; orphaned is its evidence for {}",
-        list(rules)
-    )]
+    #[error("vectors/{file} is in the manifest and is gone; orphaned is its evidence for {}", list(rules))]
     VectorFileGone {
         /// The file, within `vectors/`.
         file: String,
@@ -240,10 +229,7 @@ impl Fault {
     /// Whether a person may accept it, having looked: what changed since the last time.
     #[must_use]
     pub const fn can_be_accepted(&self) -> bool {
-        matches!(
-            self,
-            Self::RuleGone { .. } | Self::EvidenceGone { .. } | Self::SentenceChanged { .. }
-        )
+        matches!(self, Self::RuleGone { .. } | Self::EvidenceGone { .. } | Self::SentenceChanged { .. })
     }
 }
 
@@ -293,12 +279,7 @@ impl Trace {
             })
             .collect();
         let findings = findings(&sources, &exclusions);
-        let mut trace = Self {
-            root: root.to_owned(),
-            rules,
-            findings,
-            faults,
-        };
+        let mut trace = Self { root: root.to_owned(), rules, findings, faults };
         trace.forward(&exclusions);
         trace.in_time(&Lock::read(root)?, &sources);
         Ok(trace)
@@ -346,33 +327,21 @@ impl Trace {
                     let sentence = rule.requirement.sentence.clone();
                     self.faults.push(Fault::NoEvidence { id, sentence });
                 }
-                (Some(_), true) => self.faults.push(Fault::UselessExclusion {
-                    id,
-                    why: "which is shown",
-                }),
+                (Some(_), true) => self.faults.push(Fault::UselessExclusion { id, why: "which is shown" }),
                 _ => {}
             }
         }
         let known = |id: &String| self.rules.iter().any(|rule| rule.requirement.id == *id);
-        let answering = exclusions
-            .findings
-            .values()
-            .flat_map(|finding| &finding.rules);
+        let answering = exclusions.findings.values().flat_map(|finding| &finding.rules);
         let named = exclusions.rules.keys().chain(answering);
         for id in named.filter(|id| !known(id)) {
-            self.faults.push(Fault::UselessExclusion {
-                id: id.clone(),
-                why: "which is not in the text",
-            });
+            self.faults.push(Fault::UselessExclusion { id: id.clone(), why: "which is not in the text" });
         }
         for finding in &self.findings {
             let id = finding.id.clone();
             match (&finding.exclusion, finding.cases) {
                 (None, 0) => self.faults.push(Fault::FindingWithoutCase(id)),
-                (Some(_), 1..) => self.faults.push(Fault::UselessExclusion {
-                    id,
-                    why: "which has cases",
-                }),
+                (Some(_), 1..) => self.faults.push(Fault::UselessExclusion { id, why: "which has cases" }),
                 _ => {}
             }
         }
@@ -383,26 +352,19 @@ impl Trace {
             let place = format!("vectors/{file}");
             let rules = lock.rules.iter();
             let rules = rules.filter(|(_, accepted)| accepted.shown_by.contains(&place));
-            self.faults.push(Fault::VectorFileGone {
-                file: file.clone(),
-                rules: rules.map(|(id, _)| id.clone()).collect(),
-            });
+            self.faults
+                .push(Fault::VectorFileGone { file: file.clone(), rules: rules.map(|(id, _)| id.clone()).collect() });
         }
         for (id, accepted) in &lock.rules {
             let Some(rule) = self.rules.iter().find(|rule| rule.requirement.id == *id) else {
-                self.faults.push(Fault::RuleGone {
-                    id: id.clone(),
-                    evidence: accepted.shown_by.iter().cloned().collect(),
-                });
+                self.faults
+                    .push(Fault::RuleGone { id: id.clone(), evidence: accepted.shown_by.iter().cloned().collect() });
                 continue;
             };
             let shown_by = rule.shown_by();
             let gone: Vec<String> = accepted.shown_by.difference(&shown_by).cloned().collect();
             if !gone.is_empty() {
-                self.faults.push(Fault::EvidenceGone {
-                    id: id.clone(),
-                    evidence: gone,
-                });
+                self.faults.push(Fault::EvidenceGone { id: id.clone(), evidence: gone });
             }
             if rule.requirement.digest != accepted.digest {
                 self.faults.push(Fault::SentenceChanged {
@@ -437,20 +399,13 @@ fn catalogue(root: &Path) -> Result<(Catalogue, Vec<String>), TraceError> {
     let mut texts = Vec::new();
     for chapter in CHAPTERS {
         let path = folder.join(chapter.file);
-        let text =
-            std::fs::read_to_string(&path).map_err(|source| TraceError::File { path, source })?;
+        let text = std::fs::read_to_string(&path).map_err(|source| TraceError::File { path, source })?;
         texts.push((chapter.file, text));
     }
-    let chapters: Vec<Chapter<'_>> = texts
-        .iter()
-        .map(|(file, text)| Chapter { file, text })
-        .collect();
+    let chapters: Vec<Chapter<'_>> = texts.iter().map(|(file, text)| Chapter { file, text }).collect();
     let catalogue = Catalogue::parse(&chapters)?;
     let listed: BTreeSet<&str> = CHAPTERS.iter().map(|chapter| chapter.file).collect();
-    let unlisted = sources::names(&folder, "md")?
-        .into_iter()
-        .filter(|name| !listed.contains(name.as_str()))
-        .collect();
+    let unlisted = sources::names(&folder, "md")?.into_iter().filter(|name| !listed.contains(name.as_str())).collect();
     Ok((catalogue, unlisted))
 }
 
@@ -463,10 +418,7 @@ fn unknown(catalogue: &Catalogue, sources: &Sources) -> Vec<Fault> {
             unknown.entry(id.to_owned()).or_default().push(place);
         }
     }
-    unknown
-        .into_iter()
-        .map(|(id, places)| Fault::UnknownRule { id, places })
-        .collect()
+    unknown.into_iter().map(|(id, places)| Fault::UnknownRule { id, places }).collect()
 }
 
 fn findings(sources: &Sources, exclusions: &Exclusions) -> Vec<Finding> {
@@ -475,12 +427,7 @@ fn findings(sources: &Sources, exclusions: &Exclusions) -> Vec<Finding> {
         let (cases, mut rules) = sources.flagged(&id);
         let exclusion = exclusions.findings.get(&id);
         rules.extend(exclusion.iter().flat_map(|excluded| excluded.rules.clone()));
-        Finding {
-            exclusion: exclusion.map(|excluded| excluded.why.clone()),
-            id,
-            cases,
-            rules,
-        }
+        Finding { exclusion: exclusion.map(|excluded| excluded.why.clone()), id, cases, rules }
     })
     .collect()
 }
@@ -488,12 +435,7 @@ fn findings(sources: &Sources, exclusions: &Exclusions) -> Vec<Finding> {
 /// The first few of many things.
 fn list(things: &[String]) -> String {
     const SHOWN: usize = 6;
-    let mut shown = things
-        .iter()
-        .take(SHOWN)
-        .map(String::as_str)
-        .collect::<Vec<_>>()
-        .join(", ");
+    let mut shown = things.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
     if shown.is_empty() {
         return "nothing".to_owned();
     }

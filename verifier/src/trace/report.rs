@@ -105,33 +105,19 @@ fn present(trace: &Trace) -> Vec<EvidenceKind> {
 fn summary(page: &mut String, trace: &Trace) {
     let kinds = present(trace);
     page.push_str("## By chapter\n\nHow many of the rules have evidence of a kind.\n\n");
-    header(
-        page,
-        &["chapter", "rules", "binding"],
-        &kinds,
-        &["excluded"],
-    );
+    header(page, &["chapter", "rules", "binding"], &kinds, &["excluded"]);
     let mut chapters: Vec<&str> = trace.rules().iter().map(|r| r.requirement.file).collect();
     chapters.dedup();
     for chapter in chapters.iter().copied().map(Some).chain([None]) {
         let of_chapter = |rule: &&Rule| chapter.is_none_or(|file| rule.requirement.file == file);
         let rules: Vec<&Rule> = trace.rules().iter().filter(of_chapter).collect();
-        let count = |wanted: &dyn Fn(&Rule) -> bool| {
-            rules.iter().filter(|rule| wanted(rule)).count().to_string()
-        };
+        let count = |wanted: &dyn Fn(&Rule) -> bool| rules.iter().filter(|rule| wanted(rule)).count().to_string();
         let mut cells = vec![
-            chapter.map_or_else(
-                || "**all**".to_owned(),
-                |file| format!("[{file}](../spec/text/{file})"),
-            ),
+            chapter.map_or_else(|| "**all**".to_owned(), |file| format!("[{file}](../spec/text/{file})")),
             rules.len().to_string(),
             count(&|rule| rule.requirement.keyword.is_binding()),
         ];
-        cells.extend(
-            kinds
-                .iter()
-                .map(|kind| count(&|rule| rule.count(*kind) > 0)),
-        );
+        cells.extend(kinds.iter().map(|kind| count(&|rule| rule.count(*kind) > 0)));
         cells.push(count(&|rule| rule.exclusion.is_some()));
         row(page, &cells);
     }
@@ -161,14 +147,7 @@ fn excluded(page: &mut String, trace: &Trace) {
     for rule in trace.rules() {
         if let Some(reason) = &rule.exclusion {
             let Rule { requirement, .. } = rule;
-            row(
-                page,
-                &[
-                    requirement.id.clone(),
-                    requirement.sentence.clone(),
-                    reason.clone(),
-                ],
-            );
+            row(page, &[requirement.id.clone(), requirement.sentence.clone(), reason.clone()]);
         }
     }
     page.push('\n');
@@ -214,13 +193,8 @@ fn entry(evidence: &Evidence) -> String {
 
 fn header(page: &mut String, before: &[&str], kinds: &[EvidenceKind], after: &[&str]) {
     let kinds = kinds.iter().map(|kind| kind.as_str());
-    let cells: Vec<String> = before
-        .iter()
-        .copied()
-        .chain(kinds)
-        .chain(after.iter().copied())
-        .map(str::to_owned)
-        .collect();
+    let cells: Vec<String> =
+        before.iter().copied().chain(kinds).chain(after.iter().copied()).map(str::to_owned).collect();
     row(page, &cells);
     line(page, &format!("|{}", "---|".repeat(cells.len())));
 }

@@ -57,22 +57,13 @@ impl RustFile {
     /// Takes a file apart. One that is not Rust has no functions, and cites as plain text does.
     pub(super) fn read(text: &str) -> Self {
         let lines: Vec<&str> = text.lines().collect();
-        let mut walk = Walk {
-            lines: &lines,
-            file: Self::default(),
-            tests: Vec::new(),
-        };
+        let mut walk = Walk { lines: &lines, file: Self::default(), tests: Vec::new() };
         if let Ok(tokens) = text.parse::<TokenStream>() {
             let module = module_comment(&lines);
-            let scope = Scope {
-                citing: !cited_in(&lines, module).is_empty(),
-                ..Scope::default()
-            };
+            let scope = Scope { citing: !cited_in(&lines, module).is_empty(), ..Scope::default() };
             walk.stream(tokens, 1, scope);
         }
-        let Walk {
-            mut file, tests, ..
-        } = walk;
+        let Walk { mut file, tests, .. } = walk;
         file.elsewhere = cited_in(&lines, 1..=lines.len());
         let functions = &file.functions;
         file.elsewhere.retain(|citation| {
@@ -189,10 +180,7 @@ struct Item {
 
 impl Item {
     fn at(first: usize) -> Self {
-        Self {
-            first,
-            ..Self::default()
-        }
+        Self { first, ..Self::default() }
     }
 }
 
@@ -215,10 +203,7 @@ fn is_test(attribute: &Group) -> bool {
 
 /// The lines of the comment with which a file begins.
 fn module_comment(lines: &[&str]) -> RangeInclusive<usize> {
-    1..=lines
-        .iter()
-        .take_while(|line| line.starts_with("//!"))
-        .count()
+    1..=lines.iter().take_while(|line| line.starts_with("//!")).count()
 }
 
 /// What lines name in brackets, from 1.
@@ -229,15 +214,11 @@ fn cited_in(lines: &[&str], range: RangeInclusive<usize>) -> Vec<Citation> {
         let mut rest = *text;
         while let Some(at) = rest.find("NCP-") {
             let tail = rest.get(at..).unwrap_or_default();
-            let end = tail
-                .find(|c: char| !(c.is_ascii_uppercase() || c.is_ascii_digit() || c == '-'))
-                .unwrap_or(tail.len());
+            let end =
+                tail.find(|c: char| !(c.is_ascii_uppercase() || c.is_ascii_digit() || c == '-')).unwrap_or(tail.len());
             let (id, after) = tail.split_at(end);
             if is_id(id) {
-                found.push(Citation {
-                    id: id.to_owned(),
-                    line,
-                });
+                found.push(Citation { id: id.to_owned(), line });
             }
             rest = after;
         }
@@ -254,13 +235,7 @@ mod tests {
         let seen = file.functions.into_iter();
         seen.map(|function| {
             let cites = function.cites.into_iter().map(|citation| citation.id);
-            (
-                function.name,
-                function.role,
-                function.public,
-                cites.collect(),
-                function.within_citing,
-            )
+            (function.name, function.role, function.public, cites.collect(), function.within_citing)
         })
         .collect()
     }
@@ -283,24 +258,12 @@ pub(crate) fn other() {}
         assert_eq!(
             functions(text),
             [
-                (
-                    "does".into(),
-                    FunctionRole::Code,
-                    true,
-                    cites.to_vec(),
-                    false
-                ),
+                ("does".into(), FunctionRole::Code, true, cites.to_vec(), false),
                 ("other".into(), FunctionRole::Code, false, vec![], false),
             ]
         );
         let elsewhere = RustFile::read(text).elsewhere;
-        assert_eq!(
-            elsewhere,
-            [Citation {
-                id: "NCP-A-001".into(),
-                line: 3
-            }]
-        );
+        assert_eq!(elsewhere, [Citation { id: "NCP-A-001".into(), line: 3 }]);
     }
 
     #[test]
@@ -358,13 +321,7 @@ mod tests {
 ";
         assert_eq!(
             functions(text),
-            [(
-                "it_does".to_owned(),
-                FunctionRole::Test,
-                false,
-                vec!["NCP-A-003".to_owned()],
-                false
-            )]
+            [("it_does".to_owned(), FunctionRole::Test, false, vec!["NCP-A-003".to_owned()], false)]
         );
         let file = RustFile::read(text);
         assert_eq!(file.elsewhere.len(), 1);

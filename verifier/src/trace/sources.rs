@@ -14,21 +14,13 @@ const CODE: [&str; 2] = ["spec/src", "proto/src"];
 /// Folders of Rust tests.
 const TESTS: [&str; 2] = ["spec/tests", "proto/tests"];
 /// The modules in which every public function has to say which rule it serves.
-const ACCOUNTABLE: [&str; 4] = [
-    "spec/src/wire/",
-    "spec/src/safety/",
-    "spec/src/resilience/",
-    "spec/src/bulk/",
-];
+const ACCOUNTABLE: [&str; 4] = ["spec/src/wire/", "spec/src/safety/", "spec/src/resilience/", "spec/src/bulk/"];
 /// It reads rules; those of its examples are invented.
 const CATALOGUE: &str = "spec/src/catalogue.rs";
 /// The wrappers of the fuzz targets, a file a target, and the functions of the same names that check.
 const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
 /// Implementations that were written from the text alone, and how the names of their files end.
-const INDEPENDENT: [(&str, &str); 2] = [
-    ("peers/typescript/src", "ts"),
-    ("peers/python-pure/ncp_pure", "py"),
-];
+const INDEPENDENT: [(&str, &str); 2] = [("peers/typescript/src", "ts"), ("peers/python-pure/ncp_pure", "py")];
 /// The tables of mutants.
 const MUTANTS: &str = "peers/mutants/mutants";
 /// The report of the proofs.
@@ -89,11 +81,10 @@ impl Sources {
 
     /// Every rule that is cited, with the place.
     pub(super) fn citations(&self) -> impl Iterator<Item = (&str, String)> {
-        let evidence = self.evidence.iter().flat_map(|(id, evidence)| {
-            evidence
-                .iter()
-                .map(move |one| (id.as_str(), one.shown_place()))
-        });
+        let evidence = self
+            .evidence
+            .iter()
+            .flat_map(|(id, evidence)| evidence.iter().map(move |one| (id.as_str(), one.shown_place())));
         let mentions = self.mentions.iter();
         evidence.chain(mentions.map(|(id, place)| (id.as_str(), place.clone())))
     }
@@ -104,27 +95,18 @@ impl Sources {
     }
 
     fn add(&mut self, id: &str, evidence: Evidence) {
-        self.evidence
-            .entry(id.to_owned())
-            .or_default()
-            .push(evidence);
+        self.evidence.entry(id.to_owned()).or_default().push(evidence);
     }
 
     fn vectors(&mut self, root: &Path) -> Result<(), TraceError> {
         for file in vector_files(root)? {
             let content = text(root, &file)?;
-            let parsed: VectorFile =
-                serde_json::from_str(&content).map_err(|error| TraceError::Content {
-                    path: file.clone(),
-                    message: error.to_string(),
-                })?;
+            let parsed: VectorFile = serde_json::from_str(&content)
+                .map_err(|error| TraceError::Content { path: file.clone(), message: error.to_string() })?;
             let mut cases: BTreeMap<String, usize> = BTreeMap::new();
             for case in parsed.cases {
                 if case.requirements.is_empty() {
-                    self.orphans.push(Fault::Orphan {
-                        what: "the case",
-                        place: case.id,
-                    });
+                    self.orphans.push(Fault::Orphan { what: "the case", place: case.id });
                 }
                 for flag in case.flags {
                     let (count, rules) = self.flags.entry(flag).or_default();
@@ -136,12 +118,7 @@ impl Sources {
                 }
             }
             for (id, count) in cases {
-                let evidence = Evidence {
-                    kind: EvidenceKind::Vector,
-                    place: file.clone(),
-                    line: None,
-                    count,
-                };
+                let evidence = Evidence { kind: EvidenceKind::Vector, place: file.clone(), line: None, count };
                 self.add(&id, evidence);
             }
         }
@@ -161,10 +138,7 @@ impl Sources {
             if file == CATALOGUE {
                 continue;
             }
-            let RustFile {
-                functions,
-                elsewhere,
-            } = RustFile::read(&text(root, &file)?);
+            let RustFile { functions, elsewhere } = RustFile::read(&text(root, &file)?);
             let accountable = ACCOUNTABLE.iter().any(|folder| file.starts_with(folder));
             for function in functions {
                 let place = format!("{file} {}", function.name);
@@ -177,9 +151,7 @@ impl Sources {
                 if function.cites.is_empty() && !function.within_citing {
                     let what = match function.role {
                         FunctionRole::Property => Some("the property"),
-                        FunctionRole::Code if accountable && function.public => {
-                            Some("the public function")
-                        }
+                        FunctionRole::Code if accountable && function.public => Some("the public function"),
                         _ => None,
                     };
                     self.orphans.extend(what.map(|what| Fault::Orphan {
@@ -187,15 +159,9 @@ impl Sources {
                         place: format!("{file}:{} {}", function.line, function.name),
                     }));
                 }
-                let cites: BTreeSet<String> =
-                    function.cites.into_iter().map(|cited| cited.id).collect();
+                let cites: BTreeSet<String> = function.cites.into_iter().map(|cited| cited.id).collect();
                 for id in cites {
-                    let evidence = Evidence {
-                        kind,
-                        place: place.clone(),
-                        line: Some(function.line),
-                        count: 1,
-                    };
+                    let evidence = Evidence { kind, place: place.clone(), line: Some(function.line), count: 1 };
                     self.add(&id, evidence);
                 }
             }
@@ -213,9 +179,7 @@ impl Sources {
             return Ok(());
         }
         let wrappers = files(root, wrappers, "rs")?;
-        let names = wrappers
-            .iter()
-            .filter_map(|file| Path::new(file).file_stem()?.to_str());
+        let names = wrappers.iter().filter_map(|file| Path::new(file).file_stem()?.to_str());
         let mut without: BTreeSet<&str> = names.collect();
         for file in files(root, bodies, "rs")? {
             for function in RustFile::read(&text(root, &file)?).functions {
@@ -223,11 +187,7 @@ impl Sources {
                 if !function.public || function.cites.is_empty() || !without.remove(name) {
                     continue;
                 }
-                let cites: BTreeSet<String> = function
-                    .cites
-                    .iter()
-                    .map(|cited| cited.id.clone())
-                    .collect();
+                let cites: BTreeSet<String> = function.cites.iter().map(|cited| cited.id.clone()).collect();
                 for id in cites {
                     let evidence = Evidence {
                         kind: EvidenceKind::Fuzz,
@@ -240,10 +200,7 @@ impl Sources {
             }
         }
         self.orphans
-            .extend(without.into_iter().map(|name| Fault::Orphan {
-                what: "the fuzz target",
-                place: name.to_owned(),
-            }));
+            .extend(without.into_iter().map(|name| Fault::Orphan { what: "the fuzz target", place: name.to_owned() }));
         Ok(())
     }
 
@@ -262,11 +219,8 @@ impl Sources {
         if !root.join(PROOFS).is_file() {
             return Ok(());
         }
-        let report: ProofReport =
-            serde_json::from_str(&text(root, PROOFS)?).map_err(|error| TraceError::Content {
-                path: PROOFS.to_owned(),
-                message: error.to_string(),
-            })?;
+        let report: ProofReport = serde_json::from_str(&text(root, PROOFS)?)
+            .map_err(|error| TraceError::Content { path: PROOFS.to_owned(), message: error.to_string() })?;
         let mut proved: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for claim in report.engines.into_iter().flat_map(|engine| engine.results) {
             let shared = report.properties.iter();
@@ -294,11 +248,8 @@ impl Sources {
     fn mutants(&mut self, root: &Path) -> Result<(), TraceError> {
         for file in files(root, MUTANTS, "toml")? {
             let content = text(root, &file)?;
-            let table: MutantFile =
-                toml::from_str(&content).map_err(|error| TraceError::Content {
-                    path: file.clone(),
-                    message: error.to_string(),
-                })?;
+            let table: MutantFile = toml::from_str(&content)
+                .map_err(|error| TraceError::Content { path: file.clone(), message: error.to_string() })?;
             for MutantEntry { name, rules } in table.mutant {
                 let entry = format!("name = \"{name}\"");
                 let line = content.lines().position(|line| line == entry);
@@ -323,12 +274,7 @@ impl Sources {
             first.entry(id).or_insert(line);
         }
         for (id, line) in first {
-            let evidence = Evidence {
-                kind: EvidenceKind::Code,
-                place: file.to_owned(),
-                line: Some(line),
-                count: 1,
-            };
+            let evidence = Evidence { kind: EvidenceKind::Code, place: file.to_owned(), line: Some(line), count: 1 };
             self.add(&id, evidence);
         }
     }
@@ -338,9 +284,7 @@ impl Evidence {
     /// The place with its line, or with the number of cases.
     #[must_use]
     pub fn shown_place(&self) -> String {
-        let Self {
-            place, line, count, ..
-        } = self;
+        let Self { place, line, count, .. } = self;
         match (line, place.split_once(' ')) {
             (Some(line), Some((file, item))) => format!("{file}:{line} {item}"),
             (Some(line), None) => format!("{place}:{line}"),
@@ -433,10 +377,7 @@ fn files(root: &Path, folder: &str, extension: &str) -> Result<Vec<String>, Trac
 /// The names of the files of a folder with an extension.
 pub(super) fn names(folder: &Path, extension: &str) -> Result<Vec<String>, TraceError> {
     let found = files(folder, "", extension)?;
-    Ok(found
-        .into_iter()
-        .filter(|name| !name.contains('/'))
-        .collect())
+    Ok(found.into_iter().filter(|name| !name.contains('/')).collect())
 }
 
 fn text(root: &Path, file: &str) -> Result<String, TraceError> {

@@ -41,37 +41,24 @@ impl Baseline {
 
     /// Why a case is expected to fail, if it is.
     pub(super) fn reason(&self, case: &Case) -> Option<&str> {
-        self.0
-            .iter()
-            .find(|entry| covers(&entry.target, case))
-            .map(|entry| entry.reason.as_str())
+        self.0.iter().find(|entry| covers(&entry.target, case)).map(|entry| entry.reason.as_str())
     }
 
     /// Whether a case is expected to fail by its own id.
     pub(super) fn names(&self, case: &Case) -> bool {
-        self.0
-            .iter()
-            .any(|entry| matches!(&entry.target, Target::Case(id) if *id == case.id))
+        self.0.iter().any(|entry| matches!(&entry.target, Target::Case(id) if *id == case.id))
     }
 
     /// The entries that no longer fail. What was not run says nothing, and of a rule all cases must have been run.
     pub(super) fn stale(&self, cases: &[Judged<'_>], partial: bool) -> Vec<String> {
         let is_stale = |entry: &&ExpectedFailure| {
             let of_a_rule = matches!(entry.target, Target::Requirement(_));
-            let mut covered = cases
-                .iter()
-                .filter(|judged| covers(&entry.target, judged.case))
-                .peekable();
+            let mut covered = cases.iter().filter(|judged| covers(&entry.target, judged.case)).peekable();
             !(of_a_rule && partial)
                 && covered.peek().is_some()
-                && covered
-                    .all(|judged| matches!(judged.status, Status::Passed | Status::UnexpectedPass))
+                && covered.all(|judged| matches!(judged.status, Status::Passed | Status::UnexpectedPass))
         };
-        self.0
-            .iter()
-            .filter(is_stale)
-            .map(|entry| name(&entry.target))
-            .collect()
+        self.0.iter().filter(is_stale).map(|entry| name(&entry.target)).collect()
     }
 
     #[cfg(test)]

@@ -25,12 +25,7 @@ pub fn judge_description(description: &Description) -> CaseRun {
     };
     differ("/wire_version", WIRE_VERSION, &description.wire_version);
     differ("/contract_hash", CONTRACT_HASH, &description.contract_hash);
-    for (i, role) in description
-        .roles
-        .iter()
-        .enumerate()
-        .filter(|(_, role)| Role::parse(role).is_none())
-    {
+    for (i, role) in description.roles.iter().enumerate().filter(|(_, role)| Role::parse(role).is_none()) {
         first.push(Difference {
             at: format!("/roles/{i}"),
             expected: Some(format!("one of {}", Role::ALL.map(Role::as_str).join(", "))),
@@ -46,16 +41,8 @@ pub fn judge_description(description: &Description) -> CaseRun {
             hint: Some("a peer that claims nothing cannot conform to anything".to_owned()),
         });
     }
-    let outcome = if first.is_empty() {
-        Outcome::Pass
-    } else {
-        Outcome::Fail(Differences { first, more: 0 })
-    };
-    CaseRun {
-        outcome,
-        answer: None,
-        note: None,
-    }
+    let outcome = if first.is_empty() { Outcome::Pass } else { Outcome::Fail(Differences { first, more: 0 }) };
+    CaseRun { outcome, answer: None, note: None }
 }
 
 #[cfg(test)]
@@ -77,9 +64,7 @@ mod tests {
     fn faults(description: &Description) -> Vec<String> {
         match judge_description(description).outcome {
             Outcome::Pass => Vec::new(),
-            Outcome::Fail(differences) => {
-                differences.first.iter().map(ToString::to_string).collect()
-            }
+            Outcome::Fail(differences) => differences.first.iter().map(ToString::to_string).collect(),
             other => panic!("{other:?}"),
         }
     }
@@ -87,11 +72,7 @@ mod tests {
     #[test]
     fn a_description_by_the_text_passes_and_each_deviation_is_named() {
         assert!(faults(&description()).is_empty());
-        let old = Description {
-            wire_version: "0.4".into(),
-            contract_hash: "2cf0763ad61e4f1c".into(),
-            ..description()
-        };
+        let old = Description { wire_version: "0.4".into(), contract_hash: "2cf0763ad61e4f1c".into(), ..description() };
         assert_eq!(
             faults(&old),
             [
@@ -99,23 +80,11 @@ mod tests {
                 r#"/contract_hash: expected "24e8e6e31e1dec8a", got "2cf0763ad61e4f1c""#,
             ]
         );
-        let upper = Description {
-            contract_hash: "24E8E6E31E1DEC8A".into(),
-            ..description()
-        };
+        let upper = Description { contract_hash: "24E8E6E31E1DEC8A".into(), ..description() };
         assert_eq!(faults(&upper).len(), 1);
-        let pilot = Description {
-            roles: vec!["body".into(), "pilot".into()],
-            ..description()
-        };
-        assert_eq!(
-            faults(&pilot),
-            [r#"/roles/1: expected one of commander, body, server, observer, got "pilot""#]
-        );
-        let none = Description {
-            roles: Vec::new(),
-            ..description()
-        };
+        let pilot = Description { roles: vec!["body".into(), "pilot".into()], ..description() };
+        assert_eq!(faults(&pilot), [r#"/roles/1: expected one of commander, body, server, observer, got "pilot""#]);
+        let none = Description { roles: Vec::new(), ..description() };
         assert_eq!(faults(&none).len(), 1);
     }
 }

@@ -169,24 +169,13 @@ pub fn judge<'s>(
         .map(|(case, run)| {
             let reason = baseline.reason(case).map(str::to_owned);
             let status = status(case, &run.outcome, reason.is_some(), baseline.names(case));
-            Judged {
-                case,
-                run,
-                status,
-                reason,
-            }
+            Judged { case, run, status, reason }
         })
         .collect();
     let stale = baseline.stale(&cases, partial);
-    let roles: Vec<_> = roles
-        .iter()
-        .filter_map(|(role, claimed)| judge_role(*role, *claimed, level, &cases))
-        .collect();
+    let roles: Vec<_> = roles.iter().filter_map(|(role, claimed)| judge_role(*role, *claimed, level, &cases)).collect();
     let reached = |judge: fn(&LevelVerdict) -> bool| {
-        !roles.is_empty()
-            && roles
-                .iter()
-                .all(|role| role.levels.last().is_some_and(judge))
+        !roles.is_empty() && roles.iter().all(|role| role.levels.last().is_some_and(judge))
     };
     let conclusion = if !stale.is_empty() {
         Conclusion::NotConformant
@@ -197,12 +186,7 @@ pub fn judge<'s>(
     } else {
         Conclusion::NotConformant
     };
-    Verdict {
-        roles,
-        cases,
-        stale,
-        conclusion,
-    }
+    Verdict { roles, cases, stale, conclusion }
 }
 
 /// What a case counts for. `listed`: an expected failure covers it; `named`: by its own id.
@@ -220,28 +204,16 @@ fn status(case: &Case, outcome: &Outcome, listed: bool, named: bool) -> Status {
 /// Whether a case that does not pass decides the verdict. A SHOULD leaves open what to answer, but not whether: a peer
 /// that crashes or hangs is not doing otherwise for a good reason.
 fn decides(case: &Case, outcome: &Outcome) -> bool {
-    case.binding
-        || matches!(
-            outcome,
-            Outcome::Crash { .. } | Outcome::Timeout { .. } | Outcome::Protocol { .. }
-        )
+    case.binding || matches!(outcome, Outcome::Crash { .. } | Outcome::Timeout { .. } | Outcome::Protocol { .. })
 }
 
 /// Judges a role level by level; `None` if it has no case.
-fn judge_role(
-    role: Role,
-    claimed: bool,
-    asked: Level,
-    cases: &[Judged<'_>],
-) -> Option<RoleVerdict> {
+fn judge_role(role: Role, claimed: bool, asked: Level, cases: &[Judged<'_>]) -> Option<RoleVerdict> {
     let mut levels = Vec::new();
     let (mut conformant, mut as_expected) = (true, true);
     for level in Level::ALL.into_iter().filter(|level| *level <= asked) {
         let mut tally = Tally::default();
-        for judged in cases
-            .iter()
-            .filter(|judged| judged.case.level == level && judged.case.roles.contains(&role))
-        {
+        for judged in cases.iter().filter(|judged| judged.case.level == level && judged.case.roles.contains(&role)) {
             tally.count(judged.status);
             if decides(judged.case, &judged.run.outcome) {
                 let passed = matches!(judged.status, Status::Passed | Status::UnexpectedPass);
@@ -252,19 +224,10 @@ fn judge_role(
         // A level that asks nothing of a role of its own is reached with the level below.
         let reached = !levels.is_empty() && cases.iter().any(|judged| judged.case.level == level);
         if tally.total() > 0 || reached {
-            levels.push(LevelVerdict {
-                level,
-                tally,
-                conformant,
-                as_expected,
-            });
+            levels.push(LevelVerdict { level, tally, conformant, as_expected });
         }
     }
-    (!levels.is_empty()).then_some(RoleVerdict {
-        role,
-        claimed,
-        levels,
-    })
+    (!levels.is_empty()).then_some(RoleVerdict { role, claimed, levels })
 }
 
 #[cfg(test)]
@@ -274,11 +237,7 @@ mod tests {
     use crate::suite::testing;
 
     fn run(outcome: Outcome) -> CaseRun {
-        CaseRun {
-            outcome,
-            answer: None,
-            note: None,
-        }
+        CaseRun { outcome, answer: None, note: None }
     }
 
     fn fail() -> Outcome {
@@ -290,15 +249,9 @@ mod tests {
         cases: &[(&str, &str, &[Role], Outcome)],
         listed: &[(&str, &str)],
     ) -> (Conclusion, Vec<RoleVerdict>, Vec<Status>, Vec<String>) {
-        let built: Vec<_> = cases
-            .iter()
-            .map(|(id, rule, roles, _)| testing::case(id, &[rule], roles))
-            .collect();
+        let built: Vec<_> = cases.iter().map(|(id, rule, roles, _)| testing::case(id, &[rule], roles)).collect();
         let baseline = testing::baseline(listed);
-        let runs = built
-            .iter()
-            .zip(cases)
-            .map(|(case, (.., outcome))| (case, run(outcome.clone())));
+        let runs = built.iter().zip(cases).map(|(case, (.., outcome))| (case, run(outcome.clone())));
         let roles = [(Role::Body, true), (Role::Server, true)];
         let verdict = judge(runs, &roles, Level::Wire, &baseline, false);
         let statuses = verdict.cases.iter().map(|judged| judged.status).collect();
@@ -317,9 +270,7 @@ mod tests {
             let roles = [(Role::Body, true), (Role::Observer, true)];
             let verdict = judge(runs, &roles, Level::Strict, &testing::baseline(&[]), false);
             let levels = verdict.roles[1].levels.iter();
-            levels
-                .map(|level| (level.level, level.tally.total(), level.conformant))
-                .collect::<Vec<_>>()
+            levels.map(|level| (level.level, level.tally.total(), level.conformant)).collect::<Vec<_>>()
         };
         let good = [(Level::Wire, 1, true), (Level::Safety, 0, true)];
         assert_eq!(observer(Outcome::Pass), good);
@@ -330,18 +281,12 @@ mod tests {
     #[test]
     fn a_role_conforms_when_all_its_binding_cases_pass() {
         let (conclusion, roles, ..) = verdict(
-            &[
-                ("a", MUST, &[Role::Body], Outcome::Pass),
-                ("b", MUST, &[Role::Body, Role::Server], Outcome::Pass),
-            ],
+            &[("a", MUST, &[Role::Body], Outcome::Pass), ("b", MUST, &[Role::Body, Role::Server], Outcome::Pass)],
             &[],
         );
         assert_eq!(conclusion, Conclusion::Conformant);
         assert_eq!(
-            roles
-                .iter()
-                .map(|r| (r.role, r.levels[0].tally.passed))
-                .collect::<Vec<_>>(),
+            roles.iter().map(|r| (r.role, r.levels[0].tally.passed)).collect::<Vec<_>>(),
             [(Role::Body, 2), (Role::Server, 1)]
         );
     }
@@ -352,63 +297,29 @@ mod tests {
             fail(),
             Outcome::Unsupported,
             Outcome::NotRun { why: String::new() },
-            Outcome::Crash {
-                what: String::new(),
-                log: String::new(),
-            },
-            Outcome::Timeout {
-                what: String::new(),
-                log: String::new(),
-            },
-            Outcome::Protocol {
-                what: String::new(),
-                log: String::new(),
-            },
+            Outcome::Crash { what: String::new(), log: String::new() },
+            Outcome::Timeout { what: String::new(), log: String::new() },
+            Outcome::Protocol { what: String::new(), log: String::new() },
         ] {
-            let (conclusion, roles, ..) = verdict(
-                &[
-                    ("a", MUST, &[Role::Body], outcome),
-                    ("b", MUST, &[Role::Server], Outcome::Pass),
-                ],
-                &[],
-            );
+            let (conclusion, roles, ..) =
+                verdict(&[("a", MUST, &[Role::Body], outcome), ("b", MUST, &[Role::Server], Outcome::Pass)], &[]);
             assert_eq!(conclusion, Conclusion::NotConformant);
-            assert_eq!(
-                roles
-                    .iter()
-                    .map(|r| r.levels[0].conformant)
-                    .collect::<Vec<_>>(),
-                [false, true]
-            );
+            assert_eq!(roles.iter().map(|r| r.levels[0].conformant).collect::<Vec<_>>(), [false, true]);
         }
     }
 
     #[test]
     fn a_case_of_advice_alone_never_decides() {
-        let (conclusion, _, statuses, _) = verdict(
-            &[
-                ("a", SHOULD, &[Role::Body], fail()),
-                ("b", MUST, &[Role::Body], Outcome::Pass),
-            ],
-            &[],
-        );
-        assert_eq!(
-            (conclusion, statuses),
-            (Conclusion::Conformant, vec![Status::Advice, Status::Passed])
-        );
+        let (conclusion, _, statuses, _) =
+            verdict(&[("a", SHOULD, &[Role::Body], fail()), ("b", MUST, &[Role::Body], Outcome::Pass)], &[]);
+        assert_eq!((conclusion, statuses), (Conclusion::Conformant, vec![Status::Advice, Status::Passed]));
     }
 
     #[test]
     fn a_crash_decides_also_where_the_rule_is_advice() {
-        let crash = Outcome::Crash {
-            what: String::new(),
-            log: String::new(),
-        };
+        let crash = Outcome::Crash { what: String::new(), log: String::new() };
         let (conclusion, _, statuses, _) = verdict(&[("a", SHOULD, &[Role::Body], crash)], &[]);
-        assert_eq!(
-            (conclusion, statuses),
-            (Conclusion::NotConformant, vec![Status::Failed])
-        );
+        assert_eq!((conclusion, statuses), (Conclusion::NotConformant, vec![Status::Failed]));
     }
 
     #[test]
@@ -422,25 +333,15 @@ mod tests {
 
     #[test]
     fn an_expected_failure_is_not_conformant_but_as_expected() {
-        let (conclusion, roles, statuses, stale) =
-            verdict(&[("a", MUST, &[Role::Body], fail())], &[("case", "a")]);
-        assert_eq!(
-            (conclusion, statuses),
-            (Conclusion::AsExpected, vec![Status::ExpectedFailure])
-        );
+        let (conclusion, roles, statuses, stale) = verdict(&[("a", MUST, &[Role::Body], fail())], &[("case", "a")]);
+        assert_eq!((conclusion, statuses), (Conclusion::AsExpected, vec![Status::ExpectedFailure]));
         assert!(!roles[0].levels[0].conformant && stale.is_empty());
     }
 
     #[test]
     fn an_expected_failure_that_passes_fails_the_run() {
-        let (conclusion, _, statuses, stale) = verdict(
-            &[("a", MUST, &[Role::Body], Outcome::Pass)],
-            &[("case", "a")],
-        );
-        assert_eq!(
-            (conclusion, statuses),
-            (Conclusion::NotConformant, vec![Status::UnexpectedPass])
-        );
+        let (conclusion, _, statuses, stale) = verdict(&[("a", MUST, &[Role::Body], Outcome::Pass)], &[("case", "a")]);
+        assert_eq!((conclusion, statuses), (Conclusion::NotConformant, vec![Status::UnexpectedPass]));
         assert_eq!(stale, ["case a"]);
     }
 
@@ -448,18 +349,10 @@ mod tests {
     fn an_expected_rule_is_stale_only_when_none_of_its_cases_fails() {
         let case = |outcome: Outcome| ("a", MUST, &[Role::Body][..], outcome);
         let other = ("b", MUST, &[Role::Body][..], Outcome::Pass);
-        let (conclusion, _, statuses, stale) =
-            verdict(&[case(fail()), other.clone()], &[("requirement", MUST)]);
+        let (conclusion, _, statuses, stale) = verdict(&[case(fail()), other.clone()], &[("requirement", MUST)]);
         assert_eq!((conclusion, stale.len()), (Conclusion::AsExpected, 0));
         assert_eq!(statuses, [Status::ExpectedFailure, Status::Passed]);
-        let (conclusion, _, _, stale) =
-            verdict(&[case(Outcome::Pass), other], &[("requirement", MUST)]);
-        assert_eq!(
-            (conclusion, stale),
-            (
-                Conclusion::NotConformant,
-                vec![format!("requirement {MUST}")]
-            )
-        );
+        let (conclusion, _, _, stale) = verdict(&[case(Outcome::Pass), other], &[("requirement", MUST)]);
+        assert_eq!((conclusion, stale), (Conclusion::NotConformant, vec![format!("requirement {MUST}")]));
     }
 }

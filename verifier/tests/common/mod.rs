@@ -9,10 +9,7 @@ pub(crate) fn schema_faults(result: &Value) -> Vec<String> {
     let text = std::fs::read_to_string("../schemas/result.schema.json").unwrap();
     let schema: Value = serde_json::from_str(&text).unwrap();
     let validator = jsonschema::validator_for(&schema).unwrap();
-    validator
-        .iter_errors(result)
-        .map(|error| format!("{}: {error}", error.instance_path()))
-        .collect()
+    validator.iter_errors(result).map(|error| format!("{}: {error}", error.instance_path())).collect()
 }
 
 /// Reads a result file, which has to be one by its schema.

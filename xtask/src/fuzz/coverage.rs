@@ -21,11 +21,7 @@ const ENOUGH: f64 = 95.0;
 ///
 /// # Errors
 /// No LLVM tools that read what this compiler writes.
-pub(super) fn measure(
-    project: &Project,
-    llvm_path: Option<&Path>,
-    report: &mut Report,
-) -> Result<bool, Error> {
+pub(super) fn measure(project: &Project, llvm_path: Option<&Path>, report: &mut Report) -> Result<bool, Error> {
     let (cov, profdata) = llvm(llvm_path)?;
     let cargo_llvm_cov = setup::program(project, "cargo-llvm-cov", CARGO_LLVM_COV, &mut say)?;
     println!("replaying the corpora with coverage");
@@ -34,50 +30,23 @@ pub(super) fn measure(
     let output_text = output.to_string_lossy().into_owned();
     // What an earlier replay reached, of other inputs, does not count.
     let forget = ["llvm-cov", "clean", "--profraw-only"];
-    let replay = [
-        "llvm-cov",
-        "test",
-        "-p",
-        BODIES,
-        "--test",
-        "replay",
-        "--no-report",
-        "--",
-        "the_corpus_of",
-    ];
+    let replay = ["llvm-cov", "test", "-p", BODIES, "--test", "replay", "--no-report", "--", "the_corpus_of"];
     // The one command names what runs, the other whose lines count.
-    let count = [
-        "llvm-cov",
-        "report",
-        "-p",
-        "ncp-spec",
-        "--json",
-        "--summary-only",
-        "--output-path",
-        &output_text,
-    ];
+    let count = ["llvm-cov", "report", "-p", "ncp-spec", "--json", "--summary-only", "--output-path", &output_text];
     for args in [&forget[..], &replay, &count] {
         let mut program = project.program(&cargo_llvm_cov, args, "");
-        program
-            .env("LLVM_COV", &cov)
-            .env("LLVM_PROFDATA", &profdata)
-            .env("CARGO_LLVM_COV_SETUP", "no");
+        program.env("LLVM_COV", &cov).env("LLVM_PROFDATA", &profdata).env("CARGO_LLVM_COV_SETUP", "no");
         setup::carry_out(program)?;
     }
 
-    let text = std::fs::read(&output).map_err(|source| Error::File {
-        path: output.clone(),
-        source,
-    })?;
+    let text = std::fs::read(&output).map_err(|source| Error::File { path: output.clone(), source })?;
     let exported: Value = serde_json::from_slice(&text).unwrap_or_default();
     let files = lines(&exported, project);
     let mut right = true;
     let mut folders = Vec::new();
     for folder in FOLDERS {
         let within = files.iter().filter(|(file, ..)| file.starts_with(folder));
-        let (count, covered) = within.fold((0, 0), |(count, covered), file| {
-            (count + file.1, covered + file.2)
-        });
+        let (count, covered) = within.fold((0, 0), |(count, covered), file| (count + file.1, covered + file.2));
         let percent = percent(count, covered);
         right &= count > 0 && percent >= ENOUGH;
         println!("{folder:16} {covered:>5} of {count:>5} lines, {percent:.1} %");
@@ -99,20 +68,13 @@ pub(super) fn measure(
 
 pub(super) fn percent(count: u64, covered: u64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "numbers of lines are small")]
-    if count == 0 {
-        0.0
-    } else {
-        100.0 * covered as f64 / count as f64
-    }
+    if count == 0 { 0.0 } else { 100.0 * covered as f64 / count as f64 }
 }
 
 /// The files of [`FOLDERS`], how many lines of each have code, and how many of those ran.
 fn lines(exported: &Value, project: &Project) -> Vec<(String, u64, u64)> {
     let root = project.path("").to_string_lossy().into_owned();
-    let files = exported["data"][0]["files"]
-        .as_array()
-        .into_iter()
-        .flatten();
+    let files = exported["data"][0]["files"].as_array().into_iter().flatten();
     let mut lines: Vec<_> = files
         .filter_map(|file| {
             let name = file["filename"].as_str()?.strip_prefix(&root)?;
@@ -137,16 +99,11 @@ fn llvm(llvm_path: Option<&Path>) -> Result<(PathBuf, PathBuf), SetupError> {
         named("LLVM_COV").zip(named("LLVM_PROFDATA")),
         sysroot_tools().as_deref().map(pair),
         Some(pair(Path::new(&format!("/usr/lib/llvm-{wanted}/bin")))),
-        Some((
-            format!("llvm-cov-{wanted}").into(),
-            format!("llvm-profdata-{wanted}").into(),
-        )),
+        Some((format!("llvm-cov-{wanted}").into(), format!("llvm-profdata-{wanted}").into())),
         Some(("llvm-cov".into(), "llvm-profdata".into())),
     ];
     let fits = |(cov, profdata): &(PathBuf, PathBuf)| {
-        let is = |tool| {
-            version(tool).is_some_and(|version| version.contains(&format!("version {wanted}.")))
-        };
+        let is = |tool| version(tool).is_some_and(|version| version.contains(&format!("version {wanted}.")));
         is(cov) && is(profdata)
     };
     candidates.into_iter().flatten().find(fits).ok_or(SetupError::Missing {
@@ -160,17 +117,12 @@ fn llvm(llvm_path: Option<&Path>) -> Result<(PathBuf, PathBuf), SetupError> {
 fn compiler_llvm() -> Option<String> {
     let output = Command::new("rustc").arg("-vV").output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
-    let version = text
-        .lines()
-        .find_map(|line| line.strip_prefix("LLVM version: "))?;
+    let version = text.lines().find_map(|line| line.strip_prefix("LLVM version: "))?;
     Some(version.split('.').next()?.to_owned())
 }
 
 fn sysroot_tools() -> Option<PathBuf> {
-    let output = Command::new("rustc")
-        .args(["--print", "target-libdir"])
-        .output()
-        .ok()?;
+    let output = Command::new("rustc").args(["--print", "target-libdir"]).output().ok()?;
     let libraries = String::from_utf8(output.stdout).ok()?;
     Some(Path::new(libraries.trim()).parent()?.join("bin"))
 }
@@ -190,20 +142,15 @@ mod tests {
     #[test]
     fn only_the_lines_of_the_decoders_count() {
         let project = Project::at(Path::new("/p"));
-        let file = |name: &str, count: u64| json!({"filename": name, "summary": {"lines": {"count": count, "covered": 3}}});
+        let file =
+            |name: &str, count: u64| json!({"filename": name, "summary": {"lines": {"count": count, "covered": 3}}});
         let exported = json!({"data": [{"files": [
             file("/p/spec/src/wire/map.rs", 4), file("/p/spec/src/keys.rs", 9),
             file("/q/spec/src/wire/map.rs", 9), file("/p/spec/src/bulk/block.rs", 3),
         ]}]});
         let lines = lines(&exported, &project);
-        let expected = [
-            ("spec/src/bulk/block.rs", 3, 3),
-            ("spec/src/wire/map.rs", 4, 3),
-        ];
-        assert_eq!(
-            lines,
-            expected.map(|(file, count, covered)| (file.to_owned(), count, covered))
-        );
+        let expected = [("spec/src/bulk/block.rs", 3, 3), ("spec/src/wire/map.rs", 4, 3)];
+        assert_eq!(lines, expected.map(|(file, count, covered)| (file.to_owned(), count, covered)));
         assert!((percent(4, 3) - 75.0).abs() < 1e-9 && percent(0, 0) == 0.0);
     }
 }

@@ -52,13 +52,9 @@ impl Engine {
     pub(super) fn find(project: &Project, stable: bool, say: Say<'_>) -> Result<Self, SetupError> {
         let nightly = if stable { None } else { nightly() };
         let address = nightly.is_some();
-        let (rustc, host) =
-            nightly
-                .or_else(|| compiler(Command::new("rustc")))
-                .ok_or(SetupError::Missing {
-                    tool: "rustc",
-                    remedy: "install Rust",
-                })?;
+        let (rustc, host) = nightly
+            .or_else(|| compiler(Command::new("rustc")))
+            .ok_or(SetupError::Missing { tool: "rustc", remedy: "install Rust" })?;
         let target = std::env::var_os("CARGO_TARGET_DIR");
         let target = target.map_or_else(|| project.path("target"), PathBuf::from);
         Ok(Self {
@@ -66,11 +62,7 @@ impl Engine {
             rustc,
             host,
             cargo_fuzz: setup::program(project, "cargo-fuzz", CARGO_FUZZ, say)?,
-            folder: target.join(if address {
-                "fuzz-address"
-            } else {
-                "fuzz-plain"
-            }),
+            folder: target.join(if address { "fuzz-address" } else { "fuzz-plain" }),
         })
     }
 
@@ -78,12 +70,7 @@ impl Engine {
     ///
     /// # Errors
     /// What the compiler says.
-    pub(super) fn build(
-        &self,
-        project: &Project,
-        planted: bool,
-        say: Say<'_>,
-    ) -> Result<(), SetupError> {
+    pub(super) fn build(&self, project: &Project, planted: bool, say: Say<'_>) -> Result<(), SetupError> {
         say(&format!("building the fuzz targets ({self})"));
         let folder = self.folder.to_string_lossy();
         let mut args = vec!["build", "--codegen-units", "16", "--target-dir", &folder];
@@ -127,18 +114,11 @@ impl Engine {
     ///
     /// # Errors
     /// It cannot be started, or finds an input with which something is wrong.
-    pub(super) fn merge(
-        &self,
-        project: &Project,
-        name: &str,
-        from: &[&Path],
-    ) -> Result<PathBuf, Error> {
+    pub(super) fn merge(&self, project: &Project, name: &str, from: &[&Path]) -> Result<PathBuf, Error> {
         let merged = self.fresh("merged", name)?;
         let mut merge = self.target(project, name);
         // Edges without the counts of their passes: a small set that reaches every line.
-        merge
-            .args(["-merge=1", "-use_counters=0", "-max_len=4096"])
-            .arg(&merged);
+        merge.args(["-merge=1", "-use_counters=0", "-max_len=4096"]).arg(&merged);
         merge.args(from.iter().filter(|folder| folder.is_dir()));
         setup::carry_out(merge)?;
         Ok(merged)
@@ -173,40 +153,20 @@ impl Engine {
         target
     }
 
-    fn start(
-        &self,
-        project: &Project,
-        name: &str,
-        work: &Path,
-        time: Duration,
-    ) -> Result<Run, Error> {
+    fn start(&self, project: &Project, name: &str, work: &Path, time: Duration) -> Result<Run, Error> {
         let artifacts = self.folder("artifacts").join(name);
         let logs = self.folder("logs");
         super::create(&artifacts)?;
         super::create(&logs)?;
         let log = logs.join(format!("{name}.log"));
-        let unusable = |source| Error::File {
-            path: log.clone(),
-            source,
-        };
+        let unusable = |source| Error::File { path: log.clone(), source };
         let mut target = self.target(project, name);
         target
             .arg(format!("-max_total_time={}", time.as_secs()))
             .arg(format!("-artifact_prefix={}/", artifacts.display()))
-            .args([
-                "-max_len=4096",
-                "-timeout=20",
-                "-rss_limit_mb=2560",
-                "-print_final_stats=1",
-            ]);
-        if ["frame_", "validate", "session", "peer"]
-            .iter()
-            .any(|start| name.starts_with(start))
-        {
-            target.arg(format!(
-                "-dict={}",
-                project.path("fuzz/dict/frame.dict").display()
-            ));
+            .args(["-max_len=4096", "-timeout=20", "-rss_limit_mb=2560", "-print_final_stats=1"]);
+        if ["frame_", "validate", "session", "peer"].iter().any(|start| name.starts_with(start)) {
+            target.arg(format!("-dict={}", project.path("fuzz/dict/frame.dict").display()));
         }
         let corpus = project.path(super::CORPUS).join(name);
         target.arg(work).args(corpus.is_dir().then_some(corpus));
@@ -215,10 +175,7 @@ impl Engine {
         let shown = project::shown(&target);
         let start = Instant::now();
         let status = target.stdout(out).stderr(err).status();
-        let status = status.map_err(|source| SetupError::Start {
-            command: shown.clone(),
-            source,
-        })?;
+        let status = status.map_err(|source| SetupError::Start { command: shown.clone(), source })?;
         let seconds = start.elapsed().as_secs_f64();
         let printed = fs::read(&log).map_err(unusable)?;
         let printed = String::from_utf8_lossy(&printed);
@@ -243,11 +200,7 @@ impl Engine {
 
 impl fmt::Display for Engine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sanitizer = if self.address {
-            "AddressSanitizer"
-        } else {
-            "no sanitizer"
-        };
+        let sanitizer = if self.address { "AddressSanitizer" } else { "no sanitizer" };
         write!(f, "{}, cargo-fuzz {CARGO_FUZZ}, {sanitizer}", self.rustc)
     }
 }
@@ -262,10 +215,7 @@ fn nightly() -> Option<(String, String)> {
     let (version, host) = compiler(rustc())?;
     let sysroot = rustc().args(["--print", "sysroot"]).output().ok()?;
     let sysroot = String::from_utf8(sysroot.stdout).ok()?;
-    let libraries = Path::new(sysroot.trim())
-        .join("lib/rustlib")
-        .join(&host)
-        .join("lib");
+    let libraries = Path::new(sysroot.trim()).join("lib/rustlib").join(&host).join("lib");
     let mut libraries = fs::read_dir(libraries).ok()?.flatten();
     let has_runtime = libraries.any(|file| file.file_name().to_string_lossy().contains("rt.asan"));
     has_runtime.then_some((version, host))
@@ -282,55 +232,28 @@ fn compiler(mut rustc: Command) -> Option<(String, String)> {
 
 /// What libFuzzer says of an input that it keeps, and what the target said before.
 fn crash(printed: &str) -> Option<Crash> {
-    let path = printed
-        .lines()
-        .find_map(|line| line.split_once("Test unit written to "))?
-        .1;
-    let panic = printed
-        .lines()
-        .skip_while(|line| !line.contains("panicked at"));
-    let mut said: Vec<_> = panic
-        .take(8)
-        .take_while(|line| !line.starts_with("note: "))
-        .collect();
+    let path = printed.lines().find_map(|line| line.split_once("Test unit written to "))?.1;
+    let panic = printed.lines().skip_while(|line| !line.contains("panicked at"));
+    let mut said: Vec<_> = panic.take(8).take_while(|line| !line.starts_with("note: ")).collect();
     if said.is_empty() {
-        said = printed
-            .lines()
-            .filter(|line| line.contains("ERROR:"))
-            .take(2)
-            .collect();
+        said = printed.lines().filter(|line| line.contains("ERROR:")).take(2).collect();
     }
-    Some(Crash {
-        input: PathBuf::from(path.trim()),
-        said: said.join("\n"),
-    })
+    Some(Crash { input: PathBuf::from(path.trim()), said: said.join("\n") })
 }
 
 fn executions(printed: &str) -> u64 {
-    let line = printed
-        .lines()
-        .find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
+    let line = printed.lines().find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
     if let Some(count) = line.and_then(|count| count.trim().parse().ok()) {
         return count;
     }
     // A target that finds something says no more than the number of its last event.
-    let numbers = printed
-        .lines()
-        .filter_map(|line| line.strip_prefix('#')?.split_ascii_whitespace().next());
-    numbers
-        .filter_map(|number| number.trim_end_matches(':').parse().ok())
-        .max()
-        .unwrap_or(0)
+    let numbers = printed.lines().filter_map(|line| line.strip_prefix('#')?.split_ascii_whitespace().next());
+    numbers.filter_map(|number| number.trim_end_matches(':').parse().ok()).max().unwrap_or(0)
 }
 
 fn edges(printed: &str) -> u64 {
-    let words = printed
-        .lines()
-        .filter_map(|line| line.split_once(" cov: ")?.1.split(' ').next());
-    words
-        .filter_map(|number| number.parse().ok())
-        .max()
-        .unwrap_or(0)
+    let words = printed.lines().filter_map(|line| line.split_once(" cov: ")?.1.split(' ').next());
+    words.filter_map(|number| number.parse().ok()).max().unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -369,8 +292,7 @@ artifact_prefix='/x/'; Test unit written to /x/crash-0123
         assert_eq!(found.input, Path::new("/x/crash-0123"));
         assert!(found.said.ends_with("right: Some(false)"), "{}", found.said);
         assert_eq!(executions(LOUD), 731);
-        let slow =
-            "==7== ERROR: libFuzzer: timeout after 21 seconds\nTest unit written to /x/timeout-9";
+        let slow = "==7== ERROR: libFuzzer: timeout after 21 seconds\nTest unit written to /x/timeout-9";
         assert!(crash(slow).unwrap().said.contains("timeout after"));
     }
 }

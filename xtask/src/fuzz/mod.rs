@@ -42,16 +42,9 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
         return Ok(status.is_ok_and(|status| status.success()));
     }
     let mut targets = targets(project)?;
-    if let Some(unknown) = options
-        .targets
-        .iter()
-        .find(|name| !targets.iter().any(|t| t.name == **name))
-    {
+    if let Some(unknown) = options.targets.iter().find(|name| !targets.iter().any(|t| t.name == **name)) {
         let names: Vec<_> = targets.iter().map(|target| target.name.as_str()).collect();
-        return Err(usage(&format!(
-            "`{unknown}` is no target; there are {}",
-            names.join(", ")
-        )));
+        return Err(usage(&format!("`{unknown}` is no target; there are {}", names.join(", "))));
     }
     targets.retain(|target| options.targets.is_empty() || options.targets.contains(&target.name));
     let mut report = Report::read(project, &targets);
@@ -145,12 +138,7 @@ impl Options {
 }
 
 /// Fuzzes each target for a while, from its corpus on.
-fn fuzz(
-    project: &Project,
-    options: &Options,
-    targets: &[Target],
-    report: &mut Report,
-) -> Result<bool, Error> {
+fn fuzz(project: &Project, options: &Options, targets: &[Target], report: &mut Report) -> Result<bool, Error> {
     let engine = Engine::find(project, options.stable, &mut say)?;
     engine.build(project, false, &mut say)?;
     println!("{engine}, {} s a target", options.time.as_secs());
@@ -159,39 +147,22 @@ fn fuzz(
         show(target, &run);
         Ok(run)
     })?;
-    let found: Vec<_> = targets
-        .iter()
-        .zip(&runs)
-        .filter(|(_, run)| run.crash.is_some())
-        .collect();
+    let found: Vec<_> = targets.iter().zip(&runs).filter(|(_, run)| run.crash.is_some()).collect();
     for (target, run) in &found {
         explain(project, target, run);
     }
     let executions: u64 = runs.iter().map(|run| run.executions).sum();
-    println!(
-        "{} targets, {} executions, {} found something",
-        runs.len(),
-        grouped(executions),
-        found.len()
-    );
+    println!("{} targets, {} executions, {} found something", runs.len(), grouped(executions), found.len());
     let right = found.is_empty();
     report.ran(&engine, targets, &runs);
     Ok(right)
 }
 
 /// Runs each target against a build with a bug for it, until it is found.
-fn planted(
-    project: &Project,
-    options: &Options,
-    targets: &[Target],
-    report: &mut Report,
-) -> Result<bool, Error> {
+fn planted(project: &Project, options: &Options, targets: &[Target], report: &mut Report) -> Result<bool, Error> {
     let engine = Engine::find(project, options.stable, &mut say)?;
     engine.build(project, true, &mut say)?;
-    println!(
-        "{engine}, with a planted bug a target, at most {} s each",
-        PLANTED_LIMIT.as_secs()
-    );
+    println!("{engine}, with a planted bug a target, at most {} s each", PLANTED_LIMIT.as_secs());
     let runs = side_by_side(targets, |target| {
         let run = engine.hunt(project, &target.name, PLANTED_LIMIT)?;
         let verdict = match (&run.crash, run.from_corpus) {
@@ -220,25 +191,13 @@ fn minimise(project: &Project, options: &Options, targets: &[Target]) -> Result<
     let engine = Engine::find(project, options.stable, &mut say)?;
     engine.build(project, false, &mut say)?;
     let seeds = engine.folder("seeds");
-    let seed = [
-        "run",
-        "--quiet",
-        "-p",
-        BODIES,
-        "--",
-        "seed",
-        &seeds.to_string_lossy(),
-    ];
+    let seed = ["run", "--quiet", "-p", BODIES, "--", "seed", &seeds.to_string_lossy()];
     setup::carry_out(project.cargo(&seed))?;
     side_by_side(targets, |target| {
         let name = &target.name;
         let kept = project.path(CORPUS).join(name);
         create(&kept)?;
-        let merged = engine.merge(
-            project,
-            name,
-            &[&kept, &seeds.join("all").join(name), &engine.work(name)],
-        )?;
+        let merged = engine.merge(project, name, &[&kept, &seeds.join("all").join(name), &engine.work(name)])?;
         for file in files(&kept)? {
             remove(&file)?;
         }
@@ -271,15 +230,11 @@ fn targets(project: &Project) -> Result<Vec<Target>, Error> {
     let listed: Value = serde_json::from_slice(&output.stdout)
         .map_err(|_| failed(String::from_utf8_lossy(&output.stderr).into_owned()))?;
     let text = |target: &Value, name: &str| target[name].as_str().unwrap_or_default().to_owned();
-    let targets = listed
-        .as_array()
-        .into_iter()
-        .flatten()
-        .map(|target| Target {
-            name: text(target, "name"),
-            finds: text(target, "finds"),
-            planted: text(target, "planted"),
-        });
+    let targets = listed.as_array().into_iter().flatten().map(|target| Target {
+        name: text(target, "name"),
+        finds: text(target, "finds"),
+        planted: text(target, "planted"),
+    });
     Ok(targets.collect())
 }
 
@@ -299,16 +254,12 @@ fn side_by_side<T: Send>(
                     let next = waiting.lock().unwrap_or_else(locked).next();
                     let Some((nth, target)) = next else { break };
                     let result = work(target);
-                    done.lock()
-                        .unwrap_or_else(std::sync::PoisonError::into_inner)
-                        .push((nth, result));
+                    done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((nth, result));
                 }
             });
         }
     });
-    let mut done = done
-        .into_inner()
-        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut done = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     done.sort_by_key(|(nth, _)| *nth);
     done.into_iter().map(|(_, result)| result).collect()
 }
@@ -329,12 +280,7 @@ fn explain(project: &Project, target: &Target, run: &Run) {
     let (name, Some(crash)) = (&target.name, &run.crash) else {
         return;
     };
-    let file = crash
-        .input
-        .strip_prefix(project.path(""))
-        .unwrap_or(&crash.input)
-        .display()
-        .to_string();
+    let file = crash.input.strip_prefix(project.path("")).unwrap_or(&crash.input).display().to_string();
     println!(
         "\n{name} found something:\n{}\n  the input      {file}\n  its log        {}\n  \
          read it        cargo run -p {BODIES} -- show {name} {file}\n  \
@@ -352,9 +298,7 @@ fn say(line: &str) {
 }
 
 fn usage(what: &str) -> Error {
-    Error::Usage {
-        what: what.to_owned(),
-    }
+    Error::Usage { what: what.to_owned() }
 }
 
 /// A time such as `30s`, `2m` or `30`.
@@ -365,9 +309,7 @@ fn seconds(text: &str) -> Result<Duration, Error> {
     };
     match digits.parse::<u64>() {
         Ok(count) if count > 0 && count < 1 << 32 => Ok(Duration::from_secs(count * factor)),
-        _ => Err(usage(&format!(
-            "`{text}` is no time; one such as 30s or 5m is meant"
-        ))),
+        _ => Err(usage(&format!("`{text}` is no time; one such as 30s or 5m is meant"))),
     }
 }
 
@@ -385,25 +327,15 @@ fn grouped(number: u64) -> String {
 }
 
 fn indented(text: &str) -> String {
-    text.lines()
-        .map(|line| format!("  | {line}\n"))
-        .collect::<String>()
-        .trim_end()
-        .to_owned()
+    text.lines().map(|line| format!("  | {line}\n")).collect::<String>().trim_end().to_owned()
 }
 
 fn create(folder: &Path) -> Result<(), Error> {
-    fs::create_dir_all(folder).map_err(|source| Error::File {
-        path: folder.to_owned(),
-        source,
-    })
+    fs::create_dir_all(folder).map_err(|source| Error::File { path: folder.to_owned(), source })
 }
 
 fn remove(file: &Path) -> Result<(), Error> {
-    fs::remove_file(file).map_err(|source| Error::File {
-        path: file.to_owned(),
-        source,
-    })
+    fs::remove_file(file).map_err(|source| Error::File { path: file.to_owned(), source })
 }
 
 /// The files of a folder, sorted; none of a folder that is not there.
@@ -411,10 +343,7 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     if !folder.is_dir() {
         return Ok(Vec::new());
     }
-    let failed = |source| Error::File {
-        path: folder.to_owned(),
-        source,
-    };
+    let failed = |source| Error::File { path: folder.to_owned(), source };
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
@@ -432,54 +361,28 @@ mod tests {
 
     #[test]
     fn options_are_read_in_any_order() {
-        let options = Options::parse(&[
-            "--target", "keys", "--time", "2m", "--report", "--target", "codec",
-        ]);
+        let options = Options::parse(&["--target", "keys", "--time", "2m", "--report", "--target", "codec"]);
         let options = options.unwrap();
         assert_eq!(options.targets, ["keys", "codec"]);
-        assert_eq!(
-            (options.time, options.mode, options.report),
-            (Duration::from_secs(120), Mode::Fuzz, true)
-        );
+        assert_eq!((options.time, options.mode, options.report), (Duration::from_secs(120), Mode::Fuzz, true));
         assert_eq!(Options::parse(&["--planted"]).unwrap().mode, Mode::Planted);
-        for wrong in [
-            &["--time"][..],
-            &["--time", "0s"],
-            &["--time", "soon"],
-            &["keys"],
-        ] {
-            assert!(
-                matches!(Options::parse(wrong), Err(Error::Usage { .. })),
-                "{wrong:?}"
-            );
+        for wrong in [&["--time"][..], &["--time", "0s"], &["--time", "soon"], &["keys"]] {
+            assert!(matches!(Options::parse(wrong), Err(Error::Usage { .. })), "{wrong:?}");
         }
     }
 
     #[test]
     fn numbers_are_grouped_by_thousands() {
-        assert_eq!(
-            [0, 999, 1_000, 1_234_567].map(grouped),
-            ["0", "999", "1,000", "1,234,567"]
-        );
+        assert_eq!([0, 999, 1_000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
     }
 
     #[test]
     fn every_target_is_done_once_and_an_error_is_told() {
-        let target = |name: &str| Target {
-            name: name.to_owned(),
-            finds: String::new(),
-            planted: String::new(),
-        };
+        let target = |name: &str| Target { name: name.to_owned(), finds: String::new(), planted: String::new() };
         let targets = ["a", "b", "c", "d", "e"].map(target);
         let names = side_by_side(&targets, |target| Ok(target.name.clone())).unwrap();
         assert_eq!(names, ["a", "b", "c", "d", "e"]);
-        let failed = side_by_side(&targets, |target| {
-            if target.name == "c" {
-                Err(usage("no"))
-            } else {
-                Ok(())
-            }
-        });
+        let failed = side_by_side(&targets, |target| if target.name == "c" { Err(usage("no")) } else { Ok(()) });
         assert!(failed.is_err());
     }
 }

@@ -75,10 +75,7 @@ impl Report {
     /// # Errors
     /// One cannot be written.
     pub(super) fn write(&self, project: &Project) -> Result<(), Error> {
-        let texts = [
-            (JSON, format!("{:#}\n", self.0)),
-            (MARKDOWN, self.markdown()),
-        ];
+        let texts = [(JSON, format!("{:#}\n", self.0)), (MARKDOWN, self.markdown())];
         for (file, text) in texts {
             let path = project.path(file);
             fs::write(&path, text).map_err(|source| Error::File { path, source })?;
@@ -116,7 +113,9 @@ fn fuzzing(page: &mut String, run: &Value, targets: &Map<String, Value>) {
         return;
     };
     let _ = writeln!(page, "{engine}, libFuzzer.\n");
-    page.push_str("| target | would find | corpus | executions | seconds | edges | found |\n|---|---|---|---|---|---|---|\n");
+    page.push_str(
+        "| target | would find | corpus | executions | seconds | edges | found |\n|---|---|---|---|---|---|---|\n",
+    );
     let mut total = 0;
     for (name, target) in targets {
         let (run, corpus) = (&target["run"], &target["corpus"]);
@@ -130,11 +129,7 @@ fn fuzzing(page: &mut String, run: &Value, targets: &Map<String, Value>) {
             grouped(number(&run["executions"])),
             run["seconds"],
             grouped(number(&run["edges"])),
-            if run["found"] == true {
-                "something"
-            } else {
-                "nothing"
-            },
+            if run["found"] == true { "something" } else { "nothing" },
         );
     }
     let _ = writeln!(
@@ -176,26 +171,15 @@ fn coverage(page: &mut String, coverage: &Value) {
         page.push_str("Not measured here.\n\n");
         return;
     };
-    let _ = writeln!(
-        page,
-        "{tool}. The committed inputs alone, replayed without fuzzing.\n"
-    );
+    let _ = writeln!(page, "{tool}. The committed inputs alone, replayed without fuzzing.\n");
     page.push_str("| where | lines with code | run | % |\n|---|---|---|---|\n");
     let parts = [("folders", "folder"), ("files", "file")];
     for (list, name) in parts {
         for part in coverage[list].as_array().into_iter().flatten() {
             let (count, covered) = (number(&part["lines"]), number(&part["covered"]));
             let place = text(&part[name]);
-            let place = if list == "folders" {
-                format!("**{place}**")
-            } else {
-                place.to_owned()
-            };
-            let _ = writeln!(
-                page,
-                "| {place} | {count} | {covered} | {:.1} |",
-                percent(count, covered)
-            );
+            let place = if list == "folders" { format!("**{place}**") } else { place.to_owned() };
+            let _ = writeln!(page, "| {place} | {count} | {covered} | {:.1} |", percent(count, covered));
         }
     }
     page.push('\n');
@@ -205,21 +189,14 @@ fn rules_of(page: &mut String, targets: &Map<String, Value>) {
     page.push_str("## For which rules each target is evidence\n\n");
     for (name, target) in targets {
         let rules = target["rules"].as_array().into_iter().flatten().map(text);
-        let _ = writeln!(
-            page,
-            "- **{name}**: {}",
-            rules.collect::<Vec<_>>().join(", ")
-        );
+        let _ = writeln!(page, "- **{name}**: {}", rules.collect::<Vec<_>>().join(", "));
     }
 }
 
 /// The rules that the comment of a target's function cites.
 fn rules(project: &Project) -> impl Fn(&str) -> Vec<String> + use<> {
     let bodies = files(&project.path("fuzz/bodies/src")).unwrap_or_default();
-    let texts: Vec<_> = bodies
-        .iter()
-        .filter_map(|file| fs::read_to_string(file).ok())
-        .collect();
+    let texts: Vec<_> = bodies.iter().filter_map(|file| fs::read_to_string(file).ok()).collect();
     move |name| {
         let head = format!("pub fn {name}(input: &[u8])");
         let comment = texts.iter().find_map(|text| {
@@ -238,10 +215,7 @@ fn sizes(project: &Project) -> impl Fn(&str) -> (usize, u64) + use<> {
     let corpora: PathBuf = project.path(CORPUS);
     move |name| {
         let inputs = files(&corpora.join(name)).unwrap_or_default();
-        let bytes = inputs
-            .iter()
-            .filter_map(|file| Some(file.metadata().ok()?.len()))
-            .sum();
+        let bytes = inputs.iter().filter_map(|file| Some(file.metadata().ok()?.len())).sum();
         (inputs.len(), bytes)
     }
 }

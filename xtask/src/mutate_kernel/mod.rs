@@ -102,11 +102,7 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     }
     let mut order = all.clone();
     shuffle(&mut order, options.seed);
-    println!(
-        "{} changes of one token; {} are wanted that compile",
-        all.len(),
-        options.count
-    );
+    println!("{} changes of one token; {} are wanted that compile", all.len(), options.count);
     let mut chosen = Vec::new();
     let mut rest = order.into_iter();
     while chosen.len() < options.count {
@@ -158,21 +154,15 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
         println!("{}", shown(mutant, &fate));
         entries.push((mutant.clone(), fate));
     }
-    let wrong = entries
-        .iter()
-        .filter(|(mutant, fate)| matches!(fate, Fate::Refuted(_)) && reason(mutant).is_some())
-        .count();
+    let wrong =
+        entries.iter().filter(|(mutant, fate)| matches!(fate, Fate::Refuted(_)) && reason(mutant).is_some()).count();
     let is_good = write_report(project, &options, all.len(), &entries)?;
     Ok(is_good && stale.is_empty() && wrong == 0)
 }
 
 /// What is wrong with the report: missing, about other sources, or with a change that nothing refutes.
 pub(crate) fn problems(project: &Project) -> Vec<String> {
-    let problem = |why: &str| {
-        vec![format!(
-            "{REPORT}.json: {why}; cargo xtask prove --mutate 220"
-        )]
-    };
+    let problem = |why: &str| vec![format!("{REPORT}.json: {why}; cargo xtask prove --mutate 220")];
     let path = project.path(&format!("{REPORT}.json"));
     let text = fs::read_to_string(&path).ok();
     let report: Option<Value> = text.and_then(|text| serde_json::from_str(&text).ok());
@@ -193,21 +183,11 @@ fn digest_of(project: &Project) -> Result<String, Error> {
 }
 
 fn options(args: &[&str]) -> Result<Options, Error> {
-    let mut options = Options {
-        count: 0,
-        seed: 1,
-        asks_all: false,
-    };
-    let wrong = || Error::Usage {
-        what: "prove --mutate takes a number, and --seed another".to_owned(),
-    };
+    let mut options = Options { count: 0, seed: 1, asks_all: false };
+    let wrong = || Error::Usage { what: "prove --mutate takes a number, and --seed another".to_owned() };
     let mut args = args.iter();
     while let Some(arg) = args.next() {
-        let mut number = || {
-            args.next()
-                .and_then(|word| word.parse().ok())
-                .ok_or_else(wrong)
-        };
+        let mut number = || args.next().and_then(|word| word.parse().ok()).ok_or_else(wrong);
         match *arg {
             "--mutate" => options.count = usize::try_from(number()?).unwrap_or(usize::MAX),
             "--seed" => options.seed = number()?,
@@ -219,10 +199,7 @@ fn options(args: &[&str]) -> Result<Options, Error> {
 }
 
 fn file_error(path: &Path, source: std::io::Error) -> Error {
-    Error::File {
-        path: path.to_owned(),
-        source,
-    }
+    Error::File { path: path.to_owned(), source }
 }
 
 /// The kernel's files, by their names.
@@ -301,9 +278,7 @@ impl Explained {
 fn explained(project: &Project) -> Result<Vec<Explained>, Error> {
     let path = project.path(EXPLAINED);
     let text = fs::read_to_string(&path).map_err(|source| file_error(&path, source))?;
-    let bad = |why: &str| Error::Usage {
-        what: format!("{EXPLAINED}: {why}"),
-    };
+    let bad = |why: &str| Error::Usage { what: format!("{EXPLAINED}: {why}") };
     let table: toml::Table = text.parse().map_err(|_| bad("no TOML"))?;
     let changes = table.get("change").and_then(toml::Value::as_array);
     let changes = changes.ok_or_else(|| bad("no array of changes"))?;
@@ -318,9 +293,8 @@ fn explained(project: &Project) -> Result<Vec<Explained>, Error> {
             reason: word("reason").filter(|reason| !reason.is_empty())?,
         })
     };
-    let entries = changes.iter().map(|change| {
-        entry(change).ok_or_else(|| bad(&format!("a change lacks a part: {change}")))
-    });
+    let entries =
+        changes.iter().map(|change| entry(change).ok_or_else(|| bad(&format!("a change lacks a part: {change}"))));
     entries.collect()
 }
 
@@ -328,24 +302,14 @@ fn explained(project: &Project) -> Result<Vec<Explained>, Error> {
 fn stale(explained: &[Explained], mutants: &[Mutant]) -> Vec<String> {
     let is_stale = |entry: &&Explained| !mutants.iter().any(|mutant| entry.is_of(mutant));
     let lines = explained.iter().filter(is_stale).map(|entry| {
-        let Explained {
-            file,
-            text,
-            from,
-            to,
-            ..
-        } = entry;
+        let Explained { file, text, from, to, .. } = entry;
         format!("{EXPLAINED}: {file} has no change of {from:?} to {to:?} in {text:?}")
     });
     lines.collect()
 }
 
 /// A copy of the kernel with the change, as a module of `ncp-proofs`.
-fn write_copy(
-    place: &Path,
-    sources: &BTreeMap<String, String>,
-    mutant: &Mutant,
-) -> Result<(), Error> {
+fn write_copy(place: &Path, sources: &BTreeMap<String, String>, mutant: &Mutant) -> Result<(), Error> {
     let folder = place.join(&mutant.id);
     let write = |name: &str, text: &str| {
         let path = folder.join(name);
@@ -369,10 +333,7 @@ fn write_copy(
     }
     let (numbers, module) = if mutant.file == "scalar.rs" {
         let path = folder.join("scalar.rs");
-        (
-            "self::numbers_changed",
-            format!("#[path = {path:?}]\nmod numbers_changed;\n"),
-        )
+        ("self::numbers_changed", format!("#[path = {path:?}]\nmod numbers_changed;\n"))
     } else {
         ("ncp_spec::safety::kernel", String::new())
     };
@@ -395,10 +356,7 @@ fn write_table(place: &Path, mutants: &[Mutant], harness: &str) -> Result<(), Er
         let path = place.join(id).join("glue.rs");
         let _ = writeln!(modules, "#[path = {path:?}]\npub mod {id};");
         let _ = writeln!(ids, "({id:?}, {file:?}),");
-        let _ = writeln!(
-            arms,
-            "{id:?} => crate::properties::{harness}::<{id}::Mutant>(property),"
-        );
+        let _ = writeln!(arms, "{id:?} => crate::properties::{harness}::<{id}::Mutant>(property),");
     }
     let text = format!(
         "{modules}/// The changed kernels: the name of each, and the file that is changed.\n\
@@ -418,32 +376,13 @@ fn cargo(project: &Project, place: &Path, args: &[&str]) -> Command {
 }
 
 /// Those of them that the compiler accepts. It stops at the errors of one phase, and is asked again without them.
-fn that_compile(
-    project: &Project,
-    place: &Path,
-    mut mutants: Vec<Mutant>,
-) -> Result<Vec<Mutant>, Error> {
-    const CHECK: [&str; 9] = [
-        "check",
-        "--quiet",
-        "--profile",
-        "changed",
-        "-p",
-        "ncp-proofs",
-        "--lib",
-        "--features",
-        "mutants",
-    ];
+fn that_compile(project: &Project, place: &Path, mut mutants: Vec<Mutant>) -> Result<Vec<Mutant>, Error> {
+    const CHECK: [&str; 9] =
+        ["check", "--quiet", "--profile", "changed", "-p", "ncp-proofs", "--lib", "--features", "mutants"];
     for _ in 0..ROUNDS {
         write_table(place, &mutants, "native_harness")?;
-        let mut command = cargo(
-            project,
-            place,
-            &[&CHECK[..], &["--message-format", "json"]].concat(),
-        );
-        let output = command
-            .output()
-            .map_err(|source| file_error(Path::new("cargo"), source))?;
+        let mut command = cargo(project, place, &[&CHECK[..], &["--message-format", "json"]].concat());
+        let output = command.output().map_err(|source| file_error(Path::new("cargo"), source))?;
         if output.status.success() {
             return Ok(mutants);
         }
@@ -456,15 +395,11 @@ fn that_compile(
         mutants.retain(|mutant| !bad.contains(&mutant.id));
         if mutants.len() == before {
             let errors = String::from_utf8_lossy(&output.stdout);
-            let shown = errors
-                .lines()
-                .find(|line| line.contains("\"level\":\"error\""));
+            let shown = errors.lines().find(|line| line.contains("\"level\":\"error\""));
             return Err(Error::Mutants(shown.unwrap_or_default().to_owned()));
         }
     }
-    Err(Error::Mutants(
-        "the compiler finds errors without end".to_owned(),
-    ))
+    Err(Error::Mutants("the compiler finds errors without end".to_owned()))
 }
 
 /// The mutants in which an error of the compiler is, by their folders. Its notes may name all others, too: traits that
@@ -544,9 +479,7 @@ fn word(value: &Value) -> String {
 fn inputs(found: &Value) -> String {
     let pairs = found["inputs"].as_array().into_iter().flatten();
     let pairs = pairs.map(|pair| {
-        let value = pair[1]
-            .as_str()
-            .map_or_else(|| pair[1].to_string(), str::to_owned);
+        let value = pair[1].as_str().map_or_else(|| pair[1].to_string(), str::to_owned);
         format!("{} = {value}", word(&pair[0]))
     });
     pairs.collect::<Vec<_>>().join(", ")
@@ -564,10 +497,7 @@ fn shown(mutant: &Mutant, fate: &Fate) -> String {
             };
             let (property, engine) = (word(&answer["property"]), word(&answer["engine"]));
             let check = word(&found["check"]);
-            format!(
-                "{head}: refuted by {property}, {engine}: {check}{compared}: {}",
-                inputs(found)
-            )
+            format!("{head}: refuted by {property}, {engine}: {check}{compared}: {}", inputs(found))
         }
         Fate::Explained(reason) => format!("{head}: no change of behaviour: {reason}"),
         Fate::Open(why) => format!("{head}: NOT REFUTED ({why})\n    {}", mutant.text),
@@ -575,12 +505,7 @@ fn shown(mutant: &Mutant, fate: &Fate) -> String {
 }
 
 /// Writes what became of the mutants; whether none is open.
-fn write_report(
-    project: &Project,
-    options: &Options,
-    all: usize,
-    entries: &[(Mutant, Fate)],
-) -> Result<bool, Error> {
+fn write_report(project: &Project, options: &Options, all: usize, entries: &[(Mutant, Fate)]) -> Result<bool, Error> {
     let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     for (mutant, fate) in entries {
         let of = counts.entry(&mutant.file).or_default();
@@ -607,10 +532,7 @@ fn write_report(
     );
     let mut row = |name: &str, [refuted, equivalent, open]: [usize; 3]| {
         let sum = refuted + equivalent + open;
-        let _ = writeln!(
-            text,
-            "| {name} | {sum} | {refuted} | {equivalent} | {open} |"
-        );
+        let _ = writeln!(text, "| {name} | {sum} | {refuted} | {equivalent} | {open} |");
     };
     for (file, count) in &counts {
         row(file, *count);
@@ -619,8 +541,7 @@ fn write_report(
     let mut by: BTreeMap<(String, String), usize> = BTreeMap::new();
     for (_, fate) in entries {
         if let Fate::Refuted(answer) = fate {
-            *by.entry((word(&answer["property"]), word(&answer["engine"])))
-                .or_default() += 1;
+            *by.entry((word(&answer["property"]), word(&answer["engine"]))).or_default() += 1;
         }
     }
     text += "\n| first refuted by | engine | changes |\n|---|---|---|\n";
@@ -680,10 +601,7 @@ mod tests {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         let project = Project::at(root);
         let all = mutants(&sources(&project).unwrap());
-        assert_eq!(
-            stale(&explained(&project).unwrap(), &all),
-            Vec::<String>::new()
-        );
+        assert_eq!(stale(&explained(&project).unwrap(), &all), Vec::<String>::new());
     }
 
     #[test]
@@ -694,11 +612,7 @@ mod tests {
         let first = |seed| {
             let mut order = all.clone();
             shuffle(&mut order, seed);
-            order
-                .into_iter()
-                .take(20)
-                .map(|mutant| mutant.id)
-                .collect::<Vec<_>>()
+            order.into_iter().take(20).map(|mutant| mutant.id).collect::<Vec<_>>()
         };
         assert_eq!(first(1), first(1));
         assert_ne!(first(1), first(2));

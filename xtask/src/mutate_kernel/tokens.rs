@@ -58,10 +58,8 @@ struct Token {
 }
 
 /// Signs of several characters.
-const JOINT: [&str; 19] = [
-    "..=", "=>", "->", "::", "&&", "||", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "|=",
-    "&=", "^=", "..", "<<",
-];
+const JOINT: [&str; 19] =
+    ["..=", "=>", "->", "::", "&&", "||", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "|=", "&=", "^=", "..", "<<"];
 
 /// Tokens of which one may stand for another.
 const KINDS: &[&[&str]] = &[
@@ -92,10 +90,10 @@ const KINDS: &[&[&str]] = &[
 
 /// Words that are no names of this file's.
 const WORDS: [&str; 43] = [
-    "as", "break", "const", "continue", "crate", "dyn", "else", "enum", "expect", "false", "fn",
-    "for", "if", "impl", "in", "let", "loop", "match", "mod", "mut", "pub", "ref", "return",
-    "self", "static", "struct", "super", "trait", "true", "type", "use", "where", "while", "bool",
-    "usize", "f64", "i64", "u64", "str", "Self", "Option", "Result", "matches",
+    "as", "break", "const", "continue", "crate", "dyn", "else", "enum", "expect", "false", "fn", "for", "if", "impl",
+    "in", "let", "loop", "match", "mod", "mut", "pub", "ref", "return", "self", "static", "struct", "super", "trait",
+    "true", "type", "use", "where", "while", "bool", "usize", "f64", "i64", "u64", "str", "Self", "Option", "Result",
+    "matches",
 ];
 
 /// Variants of types that other files declare.
@@ -143,11 +141,7 @@ pub(crate) fn changes(text: &str, variants: &BTreeMap<String, BTreeSet<String>>)
     for (nth, token) in tokens.iter().enumerate() {
         let mut add = |to: &str| {
             if to != token.text {
-                changes.insert(Change {
-                    start: token.range.start,
-                    from: token.text.clone(),
-                    to: to.to_owned(),
-                });
+                changes.insert(Change { start: token.range.start, from: token.text.clone(), to: to.to_owned() });
             }
         };
         for kind in KINDS.iter().filter(|kind| kind.contains(&&*token.text)) {
@@ -165,11 +159,7 @@ pub(crate) fn changes(text: &str, variants: &BTreeMap<String, BTreeSet<String>>)
             }
         }
         if begins_condition(&tokens, nth) {
-            changes.insert(Change {
-                start: token.range.start,
-                from: String::new(),
-                to: "!".to_owned(),
-            });
+            changes.insert(Change { start: token.range.start, from: String::new(), to: "!".to_owned() });
         }
     }
     changes.into_iter().collect()
@@ -193,9 +183,7 @@ fn numbers(text: &str) -> Vec<String> {
             }
             others.sort_by(f64::total_cmp);
             others.dedup();
-            let others = others
-                .into_iter()
-                .filter(|other| other.to_bits() != number.to_bits());
+            let others = others.into_iter().filter(|other| other.to_bits() != number.to_bits());
             others.map(|other| format!("{other:?}")).collect()
         }
         Err(_) => Vec::new(),
@@ -205,8 +193,7 @@ fn numbers(text: &str) -> Vec<String> {
 /// Whether a condition may begin here, so that a `!` may stand before it.
 fn begins_condition(tokens: &[Token], nth: usize) -> bool {
     let is_term = tokens.get(nth).is_some_and(|token| {
-        token.kind == Kind::Word
-            && (!WORDS.contains(&&*token.text) || matches!(&*token.text, "self" | "matches"))
+        token.kind == Kind::Word && (!WORDS.contains(&&*token.text) || matches!(&*token.text, "self" | "matches"))
             || token.kind == Kind::Open && token.text == "("
     });
     let before = nth.checked_sub(1).and_then(|nth| tokens.get(nth));
@@ -214,19 +201,7 @@ fn begins_condition(tokens: &[Token], nth: usize) -> bool {
         && before.is_some_and(|before| {
             matches!(
                 &*before.text,
-                "if" | "while"
-                    | "return"
-                    | "&&"
-                    | "||"
-                    | "|="
-                    | "="
-                    | "=>"
-                    | "|"
-                    | "("
-                    | "{"
-                    | "}"
-                    | ";"
-                    | ","
+                "if" | "while" | "return" | "&&" | "||" | "|=" | "=" | "=>" | "|" | "(" | "{" | "}" | ";" | ","
             )
         })
 }
@@ -256,12 +231,7 @@ impl Names {
         Self(names)
     }
 
-    fn others(
-        &self,
-        tokens: &[Token],
-        nth: usize,
-        variants: &BTreeMap<String, BTreeSet<String>>,
-    ) -> BTreeSet<String> {
+    fn others(&self, tokens: &[Token], nth: usize, variants: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> {
         let Some(role) = role(tokens, nth) else {
             return BTreeSet::new();
         };
@@ -278,14 +248,9 @@ fn role(tokens: &[Token], nth: usize) -> Option<Role> {
     if token.kind != Kind::Word || WORDS.contains(&&*token.text) {
         return None;
     }
-    let text = |at: Option<usize>| {
-        at.and_then(|at| tokens.get(at))
-            .map_or("", |token| &*token.text)
-    };
+    let text = |at: Option<usize>| at.and_then(|at| tokens.get(at)).map_or("", |token| &*token.text);
     let (before, after) = (text(nth.checked_sub(1)), text(Some(nth + 1)));
-    let is_small = token
-        .text
-        .starts_with(|c: char| c.is_ascii_lowercase() || c == '_');
+    let is_small = token.text.starts_with(|c: char| c.is_ascii_lowercase() || c == '_');
     let is_capital = token.text.len() > 1 && !token.text.contains(|c: char| c.is_ascii_lowercase());
     match (before, after) {
         ("fn" | "struct" | "enum" | "trait" | "impl" | "mod" | "'", _) | (_, "::" | "!") => None,
@@ -320,20 +285,13 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>, function: &mut usize) {
     while let Some(tree) = trees.get(at) {
         let range = tree.span().byte_range();
         let mut push = |kind, text: String, range| {
-            tokens.push(Token {
-                kind,
-                text,
-                range,
-                function: *function,
-            });
+            tokens.push(Token { kind, text, range, function: *function });
         };
         at += 1;
         match tree {
             // An attribute, or a comment that is one.
             TokenTree::Punct(first) if first.as_char() == '#' && is_group(at) => at += 1,
-            TokenTree::Punct(first)
-                if first.as_char() == '#' && sign(at) == Some('!') && is_group(at + 1) =>
-            {
+            TokenTree::Punct(first) if first.as_char() == '#' && sign(at) == Some('!') && is_group(at + 1) => {
                 at += 2;
             }
             TokenTree::Punct(first) => {
@@ -358,12 +316,7 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>, function: &mut usize) {
                 if *word == "fn" {
                     *function += 1;
                 }
-                tokens.push(Token {
-                    kind: Kind::Word,
-                    text: word.to_string(),
-                    range,
-                    function: *function,
-                });
+                tokens.push(Token { kind: Kind::Word, text: word.to_string(), range, function: *function });
             }
             TokenTree::Literal(literal) => push(Kind::Literal, literal.to_string(), range),
             TokenTree::Group(group) => {
@@ -397,8 +350,7 @@ mod tests {
 
     #[test]
     fn operators_methods_literals_and_conditions_are_changed_one_at_a_time() {
-        let all =
-            all("fn f(a: S, b: S) -> bool { if a.lt(b) && self.k <= 8 { return true; } a.le(b) }");
+        let all = all("fn f(a: S, b: S) -> bool { if a.lt(b) && self.k <= 8 { return true; } a.le(b) }");
         for wanted in [
             "fn f(a: S, b: S) -> bool { if a.le(b) && self.k <= 8 { return true; } a.le(b) }",
             "fn f(a: S, b: S) -> bool { if a.lt(b) || self.k <= 8 { return true; } a.le(b) }",
@@ -423,9 +375,6 @@ mod tests {
     #[test]
     fn a_variant_gives_way_to_all_others_of_its_type() {
         let all = all("fn f() { Reason::Estop }");
-        assert_eq!(
-            all,
-            ["fn f() { !Reason::Estop }", "fn f() { Reason::Other }"]
-        );
+        assert_eq!(all, ["fn f() { !Reason::Estop }", "fn f() { Reason::Other }"]);
     }
 }

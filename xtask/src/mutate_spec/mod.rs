@@ -66,24 +66,9 @@ const MODULES: [Module; 6] = [
         cases: "bulk/values/* bulk/directory/* bulk/observation/*; bulk/* session/*",
         tests: &["bulk_format", "bulk_model", "bulk_memory"],
     },
-    Module {
-        name: "wire",
-        files: "spec/src/wire/*.rs",
-        cases: FRAMES,
-        tests: WIRE,
-    },
-    Module {
-        name: "json",
-        files: "spec/src/wire/json/*.rs",
-        cases: FRAMES,
-        tests: WIRE,
-    },
-    Module {
-        name: "codec",
-        files: "spec/src/codec.rs",
-        cases: "codec/* control/*",
-        tests: &["codec"],
-    },
+    Module { name: "wire", files: "spec/src/wire/*.rs", cases: FRAMES, tests: WIRE },
+    Module { name: "json", files: "spec/src/wire/json/*.rs", cases: FRAMES, tests: WIRE },
+    Module { name: "codec", files: "spec/src/codec.rs", cases: "codec/* control/*", tests: &["codec"] },
 ];
 
 /// The cases that reach what moves a plant.
@@ -91,12 +76,7 @@ const PLANT: &str = "safety/* resilience/* control/* strict/* session/*";
 /// All cases, those first that are about frames and small.
 const FRAMES: &str = "wire/* hostile/s* hostile/t* hostile/e*; *";
 /// The tests that are about frames.
-const WIRE: &[&str] = &[
-    "wire_rules",
-    "wire_properties",
-    "wire_tables",
-    "wire_memory",
-];
+const WIRE: &[&str] = &["wire_rules", "wire_properties", "wire_tables", "wire_memory"];
 
 /// Carries out `cargo xtask mutate-spec`; `false` if a mutant is missed and not explained, an explanation
 /// is stale, or a mutant was not tried.
@@ -122,12 +102,7 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
     let mut report = Report::read(project);
     for module in options.modules {
         let digests = Digests::of(project, module)?;
-        let run = Run {
-            project,
-            cargo_mutants: &cargo_mutants,
-            module,
-            folder: project.path(RUNS).join(module.name),
-        };
+        let run = Run { project, cargo_mutants: &cargo_mutants, module, folder: project.path(RUNS).join(module.name) };
         match &verifier {
             Some(verifier) => run.carry_out(verifier, &digests, options.missed)?,
             None if !run.is_kept(&digests) => continue,
@@ -168,10 +143,7 @@ impl Options {
                     let module = MODULES.iter().find(|module| module.name == *name);
                     modules.push(module.ok_or_else(|| {
                         let names: Vec<_> = MODULES.iter().map(|module| module.name).collect();
-                        usage(&format!(
-                            "`{name}` is no module; there are {}",
-                            names.join(", ")
-                        ))
+                        usage(&format!("`{name}` is no module; there are {}", names.join(", ")))
                     })?);
                     rest
                 }
@@ -183,26 +155,14 @@ impl Options {
         if modules.is_empty() {
             modules = MODULES.iter().collect();
         }
-        Ok(Self {
-            modules,
-            missed,
-            report,
-        })
+        Ok(Self { modules, missed, report })
     }
 }
 
 /// Builds the verifier, as it is without a mutation, and returns its path.
 fn verifier(project: &Project) -> Result<PathBuf, Error> {
     say("building ncp-verify");
-    let build = [
-        "build",
-        "--quiet",
-        "--release",
-        "-p",
-        "ncp-verifier",
-        "--message-format",
-        "json-render-diagnostics",
-    ];
+    let build = ["build", "--quiet", "--release", "-p", "ncp-verifier", "--message-format", "json-render-diagnostics"];
     let failed = |output: String| SetupError::Failed {
         command: "cargo build --release -p ncp-verifier".to_owned(),
         status: "an error".to_owned(),
@@ -211,9 +171,7 @@ fn verifier(project: &Project) -> Result<PathBuf, Error> {
     let output = project.cargo(&build).output();
     let output = output.map_err(|error| failed(error.to_string()))?;
     let printed = String::from_utf8_lossy(&output.stdout);
-    let messages = printed
-        .lines()
-        .filter_map(|line| serde_json::from_str(line).ok());
+    let messages = printed.lines().filter_map(|line| serde_json::from_str(line).ok());
     let program = messages
         .filter(|message: &Value| message["target"]["name"] == "ncp-verify")
         .find_map(|message| message["executable"].as_str().map(PathBuf::from));
@@ -224,16 +182,7 @@ fn verifier(project: &Project) -> Result<PathBuf, Error> {
 /// Holds the specification as it is against the golden cases: else every mutant would seem to be noticed.
 fn conforms_unmutated(project: &Project, verifier: &Path) -> Result<(), Error> {
     say("the golden cases without a mutation");
-    let test = [
-        "test",
-        "--quiet",
-        "--profile",
-        "mutants",
-        "-p",
-        MUTATED,
-        "--test",
-        "cases",
-    ];
+    let test = ["test", "--quiet", "--profile", "mutants", "-p", MUTATED, "--test", "cases"];
     let mut cargo = project.cargo(&test);
     cargo.env("NCP_VERIFIER", verifier).env("NCP_CASES", "*");
     Ok(setup::carry_out(cargo)?)
@@ -245,10 +194,7 @@ fn limit_memory() {
     {
         use rustix::process::{Resource, Rlimit, setrlimit};
         const LIMIT: Option<u64> = Some(8 << 30);
-        let limit = Rlimit {
-            current: LIMIT,
-            maximum: LIMIT,
-        };
+        let limit = Rlimit { current: LIMIT, maximum: LIMIT };
         if let Err(error) = setrlimit(Resource::As, limit) {
             println!("the memory of mutants is not limited: {error}");
         }
@@ -268,9 +214,7 @@ impl Run<'_> {
     /// Tries the mutants of the module, or those that were missed so far: by the golden cases, and what
     /// these miss by the tests.
     fn carry_out(&self, verifier: &Path, digests: &Digests, missed: bool) -> Result<(), Error> {
-        let Module {
-            name, cases, tests, ..
-        } = *self.module;
+        let Module { name, cases, tests, .. } = *self.module;
         // Of other sources nothing is kept: the lines in the names of their mutants mean others now.
         let missed = missed && self.is_kept(digests);
         if !missed {
@@ -314,8 +258,7 @@ impl Run<'_> {
         let output = self.command().args(["--list", "--json"]).output();
         let output = output.map_err(|source| self.not_started(source))?;
         let list = serde_json::from_slice(&output.stdout).ok();
-        list.and_then(|list| outcome::listed(&list))
-            .ok_or_else(|| self.broken("--list"))
+        list.and_then(|list| outcome::listed(&list)).ok_or_else(|| self.broken("--list"))
     }
 
     /// cargo-mutants, for this module.
@@ -373,17 +316,11 @@ impl Run<'_> {
     }
 
     fn no_file(&self, source: std::io::Error) -> Error {
-        Error::File {
-            path: self.folder.clone(),
-            source,
-        }
+        Error::File { path: self.folder.clone(), source }
     }
 
     fn not_started(&self, source: std::io::Error) -> Error {
-        Error::File {
-            path: self.cargo_mutants.to_owned(),
-            source,
-        }
+        Error::File { path: self.cargo_mutants.to_owned(), source }
     }
 
     fn broken(&self, status: &str) -> Error {
@@ -400,9 +337,7 @@ fn say(line: &str) {
 }
 
 fn usage(what: &str) -> Error {
-    Error::Usage {
-        what: what.to_owned(),
-    }
+    Error::Usage { what: what.to_owned() }
 }
 
 #[cfg(test)]
@@ -419,15 +354,9 @@ mod tests {
         let all: Vec<_> = MODULES.iter().map(|module| module.name).collect();
         assert_eq!(parsed(&[]), (all.clone(), false));
         assert_eq!(parsed(&["--missed"]), (all, true));
-        assert_eq!(
-            parsed(&["--module", "codec", "--missed", "--module", "bulk"]),
-            (vec!["codec", "bulk"], true)
-        );
+        assert_eq!(parsed(&["--module", "codec", "--missed", "--module", "bulk"]), (vec!["codec", "bulk"], true));
         for wrong in [&["--module", "keys"][..], &["--module"], &["bulk"]] {
-            assert!(
-                matches!(Options::parse(wrong), Err(Error::Usage { .. })),
-                "{wrong:?}"
-            );
+            assert!(matches!(Options::parse(wrong), Err(Error::Usage { .. })), "{wrong:?}");
         }
     }
 
@@ -446,11 +375,9 @@ mod tests {
                 [{{"scenario":{{"Mutant":{{"name":"a"}}}},"summary":{summary:?}}}]}}"#
             )
         };
-        for (nth, by, summary) in [
-            (10, By::Tests, "CaughtMutant"),
-            (0, By::Cases, "MissedMutant"),
-            (9, By::Tests, "MissedMutant"),
-        ] {
+        for (nth, by, summary) in
+            [(10, By::Tests, "CaughtMutant"), (0, By::Cases, "MissedMutant"), (9, By::Tests, "MissedMutant")]
+        {
             fs::write(folder.path().join(by.file(nth)), told(summary)).unwrap();
         }
         fs::write(folder.path().join("notes.txt"), "").unwrap();

@@ -56,9 +56,7 @@ impl By {
     pub(super) fn of_file(name: &str) -> Option<Self> {
         let (nth, by) = name.strip_suffix(".json")?.split_once('-')?;
         nth.parse::<u32>().ok()?;
-        [Self::Cases, Self::Tests]
-            .into_iter()
-            .find(|of| of.file(0).strip_prefix("00-") == Some(&format!("{by}.json")))
+        [Self::Cases, Self::Tests].into_iter().find(|of| of.file(0).strip_prefix("00-") == Some(&format!("{by}.json")))
     }
 }
 
@@ -73,19 +71,10 @@ impl Outcome {
 pub(super) fn listed(list: &Value) -> Option<Vec<Mutant>> {
     let place = |mutant: &Value| {
         let (name, file) = (mutant["name"].as_str()?, mutant["file"].as_str()?);
-        let (line, rest) = name
-            .strip_prefix(file)?
-            .strip_prefix(':')?
-            .split_once(':')?;
+        let (line, rest) = name.strip_prefix(file)?.strip_prefix(':')?.split_once(':')?;
         let (column, what) = rest.split_once(": ")?;
         let (line, column): (u32, u32) = (line.parse().ok()?, column.parse().ok()?);
-        Some((
-            file.to_owned(),
-            line,
-            column,
-            what.to_owned(),
-            name.to_owned(),
-        ))
+        Some((file.to_owned(), line, column, what.to_owned(), name.to_owned()))
     };
     let mut places: Vec<_> = list.as_array()?.iter().map(place).collect::<Option<_>>()?;
     places.sort();
@@ -171,16 +160,12 @@ mod tests {
                 "b.rs: replace S::g -> Option<u8> with Some(0)",
             ]
         );
-        assert_eq!(
-            listed(&json!([{"file": "a.rs", "name": "b.rs:1:1: x"}])),
-            None
-        );
+        assert_eq!(listed(&json!([{"file": "a.rs", "name": "b.rs:1:1: x"}])), None);
     }
 
     fn run(summaries: &[(&str, &str)]) -> Value {
-        let mutants = summaries.iter().map(
-            |(name, summary)| json!({"scenario": {"Mutant": {"name": name}}, "summary": summary}),
-        );
+        let mutants =
+            summaries.iter().map(|(name, summary)| json!({"scenario": {"Mutant": {"name": name}}, "summary": summary}));
         let baseline = json!({"scenario": "Baseline", "summary": "Success"});
         let outcomes: Vec<_> = std::iter::once(baseline).chain(mutants).collect();
         json!({"start_time": "2026-01-02T03:04:05.678Z", "end_time": "2026-01-02T03:05:06Z", "outcomes": outcomes})
@@ -188,35 +173,13 @@ mod tests {
 
     #[test]
     fn the_tests_are_asked_of_what_the_cases_miss_only() {
-        let first = run(&[
-            ("a", "CaughtMutant"),
-            ("b", "MissedMutant"),
-            ("c", "MissedMutant"),
-            ("d", "Unviable"),
-        ]);
-        let second = run(&[
-            ("b", "CaughtMutant"),
-            ("c", "MissedMutant"),
-            ("d", "Timeout"),
-        ]);
+        let first = run(&[("a", "CaughtMutant"), ("b", "MissedMutant"), ("c", "MissedMutant"), ("d", "Unviable")]);
+        let second = run(&[("b", "CaughtMutant"), ("c", "MissedMutant"), ("d", "Timeout")]);
         let first = told(&first, By::Cases).unwrap();
-        assert_eq!(
-            first[0].run,
-            ["2026-01-02T03:04:05Z", "2026-01-02T03:05:06Z"]
-        );
-        let fates: Vec<_> = updated(first, told(&second, By::Tests).unwrap())
-            .into_iter()
-            .map(|outcome| outcome.fate)
-            .collect();
-        assert_eq!(
-            fates,
-            [
-                Fate::Caught(By::Cases),
-                Fate::Caught(By::Tests),
-                Fate::Missed,
-                Fate::Unviable
-            ]
-        );
+        assert_eq!(first[0].run, ["2026-01-02T03:04:05Z", "2026-01-02T03:05:06Z"]);
+        let fates: Vec<_> =
+            updated(first, told(&second, By::Tests).unwrap()).into_iter().map(|outcome| outcome.fate).collect();
+        assert_eq!(fates, [Fate::Caught(By::Cases), Fate::Caught(By::Tests), Fate::Missed, Fate::Unviable]);
     }
 
     #[test]

@@ -45,17 +45,9 @@ impl Report {
     }
 
     /// Takes note of a run over a module.
-    pub(super) fn ran(
-        &mut self,
-        module: &Module,
-        digests: &Digests,
-        mutants: &[Mutant],
-        outcomes: &[Outcome],
-    ) {
-        let fates: BTreeMap<&str, Fate> = outcomes
-            .iter()
-            .map(|outcome| (outcome.name.as_str(), outcome.fate))
-            .collect();
+    pub(super) fn ran(&mut self, module: &Module, digests: &Digests, mutants: &[Mutant], outcomes: &[Outcome]) {
+        let fates: BTreeMap<&str, Fate> =
+            outcomes.iter().map(|outcome| (outcome.name.as_str(), outcome.fate)).collect();
         let keys = |fate: Option<Fate>| -> Vec<&str> {
             mutants
                 .iter()
@@ -97,9 +89,7 @@ impl Report {
                 continue;
             }
             if tried["sources"] != Digests::of(project, module)?.sources.as_str() {
-                problems.push(format!(
-                    "{name}: changed since it was tried; cargo xtask mutate-spec --module {name}"
-                ));
+                problems.push(format!("{name}: changed since it was tried; cargo xtask mutate-spec --module {name}"));
             }
             problems.extend(texts(&tried["not_tried"]).map(|key| format!("not tried: {key}")));
             missed.extend(texts(&tried["missed"]));
@@ -107,13 +97,10 @@ impl Report {
         let unexplained = missed.iter().filter(|key| !why.contains_key(**key));
         problems.extend(unexplained.map(|key| format!("missed, and not explained: {key}")));
         let stale = why.keys().filter(|key| !missed.contains(key.as_str()));
-        problems
-            .extend(stale.map(|key| format!("{EQUIVALENT} explains what is not missed: {key}")));
+        problems.extend(stale.map(|key| format!("{EQUIVALENT} explains what is not missed: {key}")));
         let page = fs::read_to_string(project.path(MARKDOWN)).unwrap_or_default();
         if problems.is_empty() && page.replace("\r\n", "\n") != self.markdown(&why) {
-            problems.push(format!(
-                "{MARKDOWN} is not what {JSON} and {EQUIVALENT} say"
-            ));
+            problems.push(format!("{MARKDOWN} is not what {JSON} and {EQUIVALENT} say"));
         }
         Ok(problems)
     }
@@ -133,15 +120,8 @@ impl Report {
 
     /// All modules in a line.
     pub(super) fn summary(&self) -> String {
-        let sum = |member| {
-            MODULES
-                .iter()
-                .map(|module| self.count(module, member))
-                .sum::<u64>()
-        };
-        COUNTS
-            .map(|(member, heading)| format!("{} {heading}", sum(member)))
-            .join(", ")
+        let sum = |member| MODULES.iter().map(|module| self.count(module, member)).sum::<u64>();
+        COUNTS.map(|(member, heading)| format!("{} {heading}", sum(member))).join(", ")
     }
 
     /// A number of a module, or how many a list of it has.
@@ -177,21 +157,13 @@ impl Report {
         }
         let _ = writeln!(page, "\nIn all: {}.", self.summary());
         let lists = [
-            (
-                "missed",
-                "Missed",
-                "Of each is said why it cannot be noticed.",
-            ),
+            ("missed", "Missed", "Of each is said why it cannot be noticed."),
             (
                 "caught_by_tests",
                 "Caught by the tests alone",
                 "What no golden case shows: no call of the peer protocol asks for it, or only proptest's values reach it.",
             ),
-            (
-                "timed_out",
-                "Ran too long",
-                "They count as noticed: a test that does not end is a test that fails.",
-            ),
+            ("timed_out", "Ran too long", "They count as noticed: a test that does not end is a test that fails."),
             ("not_tried", "Not tried", "The run was broken off."),
         ];
         for (member, heading, about) in lists {
@@ -241,16 +213,8 @@ impl Digests {
     /// A file cannot be read.
     pub(super) fn of(project: &Project, module: &Module) -> Result<Self, Error> {
         let root = project.path("");
-        let of = |path: &str| {
-            digest(&root, path).map_err(|source| Error::File {
-                path: root.join(path),
-                source,
-            })
-        };
-        Ok(Self {
-            sources: of(module.files)?,
-            cases: of(MANIFEST)?,
-        })
+        let of = |path: &str| digest(&root, path).map_err(|source| Error::File { path: root.join(path), source });
+        Ok(Self { sources: of(module.files)?, cases: of(MANIFEST)? })
     }
 }
 
@@ -282,20 +246,14 @@ fn collect(folder: &Path, is_deep: bool, files: &mut Vec<PathBuf>) -> io::Result
 /// The committed explanations.
 fn equivalent(project: &Project) -> Result<BTreeMap<String, String>, Error> {
     let path = project.path(EQUIVALENT);
-    let failed = |source| Error::File {
-        path: path.clone(),
-        source,
-    };
+    let failed = |source| Error::File { path: path.clone(), source };
     let text = fs::read_to_string(&path).map_err(failed)?;
     toml::from_str(&text).map_err(|error| failed(io::Error::other(error.to_string())))
 }
 
 /// The texts of a list.
 fn texts(list: &Value) -> impl Iterator<Item = &str> {
-    list.as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_str)
+    list.as_array().into_iter().flatten().filter_map(Value::as_str)
 }
 
 #[cfg(test)]
@@ -319,12 +277,7 @@ mod tests {
         ] {
             fs::create_dir_all(root.join(path)).unwrap();
         }
-        for file in [
-            EQUIVALENT,
-            MANIFEST,
-            "spec/src/codec.rs",
-            "spec/src/safety/kernel/speed.rs",
-        ] {
+        for file in [EQUIVALENT, MANIFEST, "spec/src/codec.rs", "spec/src/safety/kernel/speed.rs"] {
             fs::write(root.join(file), "").unwrap();
         }
         let project = Project::at(root);
@@ -342,20 +295,10 @@ mod tests {
 
     /// Has one mutant of the codec fare so, or not be tried.
     fn codec(project: &Project, report: &mut Report, fate: Option<Fate>) {
-        let module = MODULES
-            .iter()
-            .find(|module| module.name == "codec")
-            .unwrap();
-        let mutant = Mutant {
-            name: WITH_LINE.to_owned(),
-            key: KEY.to_owned(),
-        };
+        let module = MODULES.iter().find(|module| module.name == "codec").unwrap();
+        let mutant = Mutant { name: WITH_LINE.to_owned(), key: KEY.to_owned() };
         let run = ["2026-01-02T03:04:05Z", "2026-01-02T04:04:05Z"].map(str::to_owned);
-        let outcome = fate.map(|fate| Outcome {
-            name: WITH_LINE.to_owned(),
-            fate,
-            run,
-        });
+        let outcome = fate.map(|fate| Outcome { name: WITH_LINE.to_owned(), fate, run });
         let digests = Digests::of(project, module).unwrap();
         report.ran(module, &digests, &[mutant], outcome.as_slice());
     }
@@ -365,21 +308,10 @@ mod tests {
         let (_folder, project, mut report) = tried();
         assert_eq!(problems(&project, &report), "");
         codec(&project, &mut report, Some(Fate::Missed));
-        assert_eq!(
-            problems(&project, &report),
-            format!("missed, and not explained: {KEY}")
-        );
-        fs::write(
-            project.path(EQUIVALENT),
-            format!("{KEY:?} = \"Both are 0.\"\n"),
-        )
-        .unwrap();
+        assert_eq!(problems(&project, &report), format!("missed, and not explained: {KEY}"));
+        fs::write(project.path(EQUIVALENT), format!("{KEY:?} = \"Both are 0.\"\n")).unwrap();
         assert_eq!(problems(&project, &report), "");
-        assert!(
-            fs::read_to_string(project.path(MARKDOWN))
-                .unwrap()
-                .contains("x`: Both are 0.")
-        );
+        assert!(fs::read_to_string(project.path(MARKDOWN)).unwrap().contains("x`: Both are 0."));
         for fate in [Fate::Caught(By::Cases), Fate::TimedOut, Fate::Unviable] {
             codec(&project, &mut report, Some(fate));
             let stale = format!("{EQUIVALENT} explains what is not missed: {KEY}");
@@ -402,10 +334,7 @@ mod tests {
         report.write(&project).unwrap();
         fs::write(project.path("spec/src/safety/kernel/speed.rs"), "a.lt(b)").unwrap();
         let found = problems(&project, &report);
-        assert!(
-            found.starts_with("safety: changed") && found.lines().count() == 1,
-            "{found}"
-        );
+        assert!(found.starts_with("safety: changed") && found.lines().count() == 1, "{found}");
     }
 
     #[test]

@@ -89,11 +89,7 @@ impl Peer<'_> {
                 .map(|(role, _)| *role)
                 .collect(),
         };
-        let version = if library.extended {
-            library.constant("library_version")?
-        } else {
-            "unknown".to_owned()
-        };
+        let version = if library.extended { library.constant("library_version")? } else { "unknown".to_owned() };
         Ok(json!({
             "name": self.name,
             "version": version,
@@ -132,11 +128,7 @@ fn decode(library: &Library, args: &DecodeArgs<'_>) -> Result<Value, CallError> 
     if library.extended {
         let text = library.decode(&args.kind, frame)?;
         // Nothing is the frame that was read, but that none can hold.
-        return Ok(if text.is_empty() {
-            json!({})
-        } else {
-            json!({ "text": text })
-        });
+        return Ok(if text.is_empty() { json!({}) } else { json!({ "text": text }) });
     }
     seed_kind(&args.kind)?;
     Ok(json!({ "text": library.validate(&args.kind, frame)? }))
@@ -188,10 +180,7 @@ pub(crate) fn frame(library: &Library, kind: &str, fields: &RawValue) -> Result<
     }
     let mut frame = format!(r#"{{"kind":"{kind}""#);
     if !members.contains_key("ncp_version") {
-        frame += &format!(
-            r#","ncp_version":{}"#,
-            Value::from(library.constant("version")?)
-        );
+        frame += &format!(r#","ncp_version":{}"#, Value::from(library.constant("version")?));
     }
     for (name, value) in members.iter().filter(|(name, _)| *name != "kind") {
         frame += &format!(",{}:{value}", Value::from(name.as_str()));
@@ -273,9 +262,7 @@ pub(crate) fn yes(code: i32) -> Result<bool, CallError> {
     match code {
         0 => Ok(false),
         1 => Ok(true),
-        _ => Err(broken(&format!(
-            "the library returned {code} for yes or no"
-        ))),
+        _ => Err(broken(&format!("the library returned {code} for yes or no"))),
     }
 }
 
@@ -426,8 +413,7 @@ pub(crate) fn parse<'a, T: Deserialize<'a>>(args: &'a RawValue) -> Result<T, Cal
 
 /// A JSON text of the library, as a part of an answer.
 pub(crate) fn json(text: &str) -> Result<Value, CallError> {
-    serde_json::from_str(text)
-        .map_err(|error| broken(&format!("the library returned no JSON: {error}")))
+    serde_json::from_str(text).map_err(|error| broken(&format!("the library returned no JSON: {error}")))
 }
 
 fn doubles_in(values: Vec<Double>) -> Vec<f64> {
@@ -457,19 +443,12 @@ mod tests {
 
     #[test]
     fn fields_with_a_number_that_json_lacks_are_unsupported_at_any_depth() {
-        for text in [
-            r#"{"t":"NaN"}"#,
-            r#"{"channels":{"c":{"data":[1.0,"-Infinity"]}}}"#,
-            r#"{"a":[[{"b":"-0"}]]}"#,
-        ] {
+        for text in [r#"{"t":"NaN"}"#, r#"{"channels":{"c":{"data":[1.0,"-Infinity"]}}}"#, r#"{"a":[[{"b":"-0"}]]}"#] {
             let refused = expressible(raw(text)).unwrap_err();
             assert!(matches!(refused, CallError::Unsupported), "{text}");
         }
         let members = expressible(raw(r#"{"t":1e400,"frame_id":"world","NaN":1}"#));
-        assert!(
-            members.is_err(),
-            "a number beyond a double is none that JSON readers share"
-        );
+        assert!(members.is_err(), "a number beyond a double is none that JSON readers share");
         assert_eq!(expressible(raw(r#"{"seq":1,"NaN":2}"#)).unwrap().len(), 2);
     }
 

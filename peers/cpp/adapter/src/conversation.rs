@@ -13,11 +13,7 @@ use crate::calls::{CallError, Peer};
 ///
 /// # Errors
 /// Input that cannot be read, or output that cannot be written.
-pub(crate) fn hold(
-    peer: &Peer<'_>,
-    mut input: BufReader<impl Read>,
-    mut output: impl Write,
-) -> io::Result<()> {
+pub(crate) fn hold(peer: &Peer<'_>, mut input: BufReader<impl Read>, mut output: impl Write) -> io::Result<()> {
     let mut line = Vec::new();
     loop {
         if !input.buffer().contains(&b'\n') {

@@ -1,9 +1,6 @@
 //! The library: its functions by name, and what they hand over.
 
-#![expect(
-    unsafe_code,
-    reason = "a function of a library is what its header says, and nothing can check that"
-)]
+#![expect(unsafe_code, reason = "a function of a library is what its header says, and nothing can check that")]
 #![warn(clippy::undocumented_unsafe_blocks)]
 
 use std::ffi::{CStr, CString, c_char, c_void};
@@ -28,10 +25,7 @@ pub(crate) struct Library {
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum LoadError {
     #[error("cannot load {}: {source}", path.display())]
-    Load {
-        path: PathBuf,
-        source: libloading::Error,
-    },
+    Load { path: PathBuf, source: libloading::Error },
     #[error("{} exports no {name}: is it a build of NCP?", path.display())]
     Foreign { path: PathBuf, name: String },
 }
@@ -43,21 +37,11 @@ impl Library {
     /// It cannot be loaded, or cannot free its strings.
     pub(crate) fn load(path: &Path, prefix: &str) -> Result<Self, LoadError> {
         // SAFETY: its initialisers run, as those of any library under test.
-        let library =
-            unsafe { libloading::Library::new(path) }.map_err(|source| LoadError::Load {
-                path: path.to_owned(),
-                source,
-            })?;
-        let mut library = Self {
-            library,
-            prefix: prefix.to_owned(),
-            extended: false,
-        };
+        let library = unsafe { libloading::Library::new(path) }
+            .map_err(|source| LoadError::Load { path: path.to_owned(), source })?;
+        let mut library = Self { library, prefix: prefix.to_owned(), extended: false };
         if !library.exports("string_free") {
-            return Err(LoadError::Foreign {
-                path: path.to_owned(),
-                name: format!("{prefix}string_free"),
-            });
+            return Err(LoadError::Foreign { path: path.to_owned(), name: format!("{prefix}string_free") });
         }
         let version = library.symbol::<unsafe extern "C" fn() -> i32>("extension_version");
         // SAFETY: the function of this name takes nothing and returns an integer.
@@ -101,8 +85,7 @@ impl Library {
             // SAFETY: as above.
             unsafe { free(text.as_ptr()) };
         }
-        String::from_utf8(bytes)
-            .map_err(|_| broken("the library returned a text that is not UTF-8"))
+        String::from_utf8(bytes).map_err(|_| broken("the library returned a text that is not UTF-8"))
     }
 
     /// A return code: what the library says with it, or its refusal.
@@ -116,9 +99,7 @@ impl Library {
     /// Why the library refused, as far as it says.
     fn refusal(&self) -> CallError {
         let said = |name| {
-            let function = self
-                .more::<unsafe extern "C" fn() -> *const c_char>(name)
-                .ok()?;
+            let function = self.more::<unsafe extern "C" fn() -> *const c_char>(name).ok()?;
             // SAFETY: it takes nothing, and lends a C string that is copied at once.
             let text = NonNull::new(unsafe { function() }.cast_mut())?;
             // SAFETY: as above.
@@ -134,10 +115,7 @@ impl Library {
 
 /// What no library may do, whatever it is asked.
 pub(crate) fn broken(what: &str) -> CallError {
-    CallError::Refused {
-        code: "internal".to_owned(),
-        message: what.to_owned(),
-    }
+    CallError::Refused { code: "internal".to_owned(), message: what.to_owned() }
 }
 
 /// A text as C has it. One with a NUL has no such form, so that the call cannot be made.
@@ -206,12 +184,7 @@ impl Library {
     }
 
     /// One of the four keys of the seed.
-    pub(crate) fn seed_key(
-        &self,
-        key: &str,
-        realm: Option<&str>,
-        session: Option<&str>,
-    ) -> Result<String, CallError> {
+    pub(crate) fn seed_key(&self, key: &str, realm: Option<&str>, session: Option<&str>) -> Result<String, CallError> {
         let realm = realm.map(c).transpose()?;
         let session = session.map(c).transpose()?;
         let name = match key {
@@ -362,11 +335,7 @@ impl Library {
         }
 
         let plane = c(plane)?;
-        let mut qos = PlaneQos {
-            congestion: null(),
-            priority: null(),
-            express: false,
-        };
+        let mut qos = PlaneQos { congestion: null(), priority: null(), express: false };
         self.code(call!(self, more "plane_qos"
             (plane.as_ptr() => *const c_char, &raw mut qos => *mut PlaneQos) -> i32))?;
         let word = |text: *const c_char| {
@@ -419,30 +388,18 @@ impl Library {
             (block.as_ptr() => *const u8, block.len() => usize) -> *mut c_void);
         let view = self.object(view, "block_free")?;
         let count = call!(self, more "block_columns" (view.pointer() => *mut c_void) -> usize);
-        (0..count)
-            .map(|index| self.block_column(&view, index))
-            .collect()
+        (0..count).map(|index| self.block_column(&view, index)).collect()
     }
 
     fn block_column(&self, view: &Object<'_>, index: usize) -> Result<Column, CallError> {
-        let mut column = RawColumn {
-            name: null(),
-            name_len: 0,
-            dtype: 0,
-            rows: 0,
-            data: null(),
-        };
+        let mut column = RawColumn { name: null(), name_len: 0, dtype: 0, rows: 0, data: null() };
         self.code(call!(self, more "block_column" (
             view.pointer() => *mut c_void, index => usize, &raw mut column => *mut RawColumn,
         ) -> i32))?;
         let size = if matches!(column.dtype, 1 | 3) { 4 } else { 8 };
         // SAFETY: the view lends as many bytes as it says, until it is freed.
-        let (name, data) = unsafe {
-            (
-                lent(column.name.cast(), column.name_len),
-                lent(column.data.cast(), column.rows * size),
-            )
-        };
+        let (name, data) =
+            unsafe { (lent(column.name.cast(), column.name_len), lent(column.data.cast(), column.rows * size)) };
         let Ok(name) = String::from_utf8(name.to_vec()) else {
             return Err(broken("the library lent a name that is not UTF-8"));
         };
@@ -466,13 +423,7 @@ impl Library {
                     Data::I32(values) => (3, values.len(), values.as_ptr().cast()),
                     Data::I64(values) => (4, values.len(), values.as_ptr().cast()),
                 };
-                RawColumn {
-                    name: name.as_ptr().cast(),
-                    name_len: name.len(),
-                    dtype,
-                    rows,
-                    data,
-                }
+                RawColumn { name: name.as_ptr().cast(), name_len: name.len(), dtype, rows, data }
             })
             .collect();
         let mut len = 0;
@@ -511,13 +462,7 @@ impl Library {
         let third = call!(self, more "arrays_senders"
             (of => *mut c_void, &raw mut senders => *mut usize) -> *const i64);
         // SAFETY: the arrays lend as many values as they say, until they are freed.
-        Ok(unsafe {
-            (
-                lent(first, times).to_vec(),
-                lent(second, values).to_vec(),
-                lent(third, senders).to_vec(),
-            )
-        })
+        Ok(unsafe { (lent(first, times).to_vec(), lent(second, values).to_vec(), lent(third, senders).to_vec()) })
     }
 
     fn taken_bytes(&self, bytes: *mut u8, len: usize) -> Result<Vec<u8>, CallError> {
@@ -562,10 +507,7 @@ impl Object<'_> {
 
 impl Drop for Object<'_> {
     fn drop(&mut self) {
-        if let Ok(free) = self
-            .library
-            .more::<unsafe extern "C" fn(*mut c_void)>(self.free)
-        {
+        if let Ok(free) = self.library.more::<unsafe extern "C" fn(*mut c_void)>(self.free) {
             // SAFETY: the object is this library's, and is not used again.
             unsafe { free(self.pointer()) };
         }
@@ -587,11 +529,7 @@ pub(crate) struct LinkReport {
 impl Library {
     fn object(&self, pointer: *mut c_void, free: &'static str) -> Result<Object<'_>, CallError> {
         let pointer = NonNull::new(pointer).ok_or_else(|| self.refusal())?;
-        Ok(Object {
-            library: self,
-            pointer,
-            free,
-        })
+        Ok(Object { library: self, pointer, free })
     }
 
     pub(crate) fn governor(&self, limits: &str) -> Result<Object<'_>, CallError> {
@@ -627,11 +565,7 @@ impl Library {
         ) -> *mut c_char))
     }
 
-    pub(crate) fn governor_note_link(
-        &self,
-        governor: &Object<'_>,
-        burst: bool,
-    ) -> Result<i32, CallError> {
+    pub(crate) fn governor_note_link(&self, governor: &Object<'_>, burst: bool) -> Result<i32, CallError> {
         self.code(call!(self, more "governor_note_link"
             (governor.pointer() => *mut c_void, i32::from(burst) => i32) -> i32))
     }
@@ -657,11 +591,7 @@ impl Library {
         ) -> i32))
     }
 
-    pub(crate) fn watchdog_should_hold(
-        &self,
-        watchdog: &Object<'_>,
-        now_s: f64,
-    ) -> Result<i32, CallError> {
+    pub(crate) fn watchdog_should_hold(&self, watchdog: &Object<'_>, now_s: f64) -> Result<i32, CallError> {
         self.code(call!(self, more "watchdog_should_hold"
             (watchdog.pointer() => *mut c_void, now_s => f64) -> i32))
     }
@@ -675,12 +605,7 @@ impl Library {
         self.object(buffer, "buffer_free")
     }
 
-    pub(crate) fn buffer_on_frame(
-        &self,
-        buffer: &Object<'_>,
-        frame: &[u8],
-        now_s: f64,
-    ) -> Result<i32, CallError> {
+    pub(crate) fn buffer_on_frame(&self, buffer: &Object<'_>, frame: &[u8], now_s: f64) -> Result<i32, CallError> {
         self.code(call!(self, more "buffer_on_frame" (
             buffer.pointer() => *mut c_void,
             frame.as_ptr() => *const u8,
@@ -689,11 +614,7 @@ impl Library {
         ) -> i32))
     }
 
-    pub(crate) fn buffer_active(
-        &self,
-        buffer: &Object<'_>,
-        now_s: f64,
-    ) -> Result<Option<String>, CallError> {
+    pub(crate) fn buffer_active(&self, buffer: &Object<'_>, now_s: f64) -> Result<Option<String>, CallError> {
         let mut channels: *mut c_char = std::ptr::null_mut();
         let code = self.code(call!(self, more "buffer_active" (
             buffer.pointer() => *mut c_void, now_s => f64, &raw mut channels => *mut *mut c_char,
@@ -708,22 +629,14 @@ impl Library {
         self.code(call!(self, more "buffer_reset" (buffer.pointer() => *mut c_void) -> i32))
     }
 
-    pub(crate) fn link(
-        &self,
-        ref_loss: Option<f64>,
-        threshold: Option<f64>,
-    ) -> Result<Object<'_>, CallError> {
+    pub(crate) fn link(&self, ref_loss: Option<f64>, threshold: Option<f64>) -> Result<Object<'_>, CallError> {
         let link = call!(self, more "link_new" (
             optional(ref_loss.as_ref()) => *const f64, optional(threshold.as_ref()) => *const f64,
         ) -> *mut c_void);
         self.object(link, "link_free")
     }
 
-    pub(crate) fn link_on_frame(
-        &self,
-        link: &Object<'_>,
-        seq: i64,
-    ) -> Result<LinkReport, CallError> {
+    pub(crate) fn link_on_frame(&self, link: &Object<'_>, seq: i64) -> Result<LinkReport, CallError> {
         self.code(call!(self, more "link_on_frame"
             (link.pointer() => *mut c_void, seq => i64) -> i32))?;
         let mut report = LinkReport::default();
@@ -738,11 +651,7 @@ impl Library {
         self.object(codec, "codec_free")
     }
 
-    pub(crate) fn codec_encode(
-        &self,
-        codec: &Object<'_>,
-        sensor: Option<&str>,
-    ) -> Result<String, CallError> {
+    pub(crate) fn codec_encode(&self, codec: &Object<'_>, sensor: Option<&str>) -> Result<String, CallError> {
         let sensor = sensor.map(c).transpose()?;
         self.taken(call!(self, more "codec_encode" (
             codec.pointer() => *mut c_void, or_null(sensor.as_ref()) => *const c_char,
@@ -762,16 +671,10 @@ impl Library {
         ) -> *mut c_char))
     }
 
-    pub(crate) fn reflex_step(
-        &self,
-        config: &str,
-        now_s: f64,
-        sensor: Option<&str>,
-    ) -> Result<String, CallError> {
+    pub(crate) fn reflex_step(&self, config: &str, now_s: f64, sensor: Option<&str>) -> Result<String, CallError> {
         let config = c(config)?;
         let sensor = sensor.map(c).transpose()?;
-        let reflex =
-            call!(self, more "reflex_new" (config.as_ptr() => *const c_char) -> *mut c_void);
+        let reflex = call!(self, more "reflex_new" (config.as_ptr() => *const c_char) -> *mut c_void);
         let reflex = self.object(reflex, "reflex_free")?;
         self.taken(call!(self, more "reflex_step" (
             reflex.pointer() => *mut c_void,
@@ -780,12 +683,7 @@ impl Library {
         ) -> *mut c_char))
     }
 
-    pub(crate) fn control_loop(
-        &self,
-        period_ms: f64,
-        limits: &str,
-        config: &str,
-    ) -> Result<Object<'_>, CallError> {
+    pub(crate) fn control_loop(&self, period_ms: f64, limits: &str, config: &str) -> Result<Object<'_>, CallError> {
         let (limits, config) = (c(limits)?, c(config)?);
         let control = call!(self, more "loop_new" (
             period_ms => f64,
@@ -795,12 +693,7 @@ impl Library {
         self.object(control, "loop_free")
     }
 
-    pub(crate) fn loop_on_sensor(
-        &self,
-        control: &Object<'_>,
-        sensor: &str,
-        now_s: f64,
-    ) -> Result<i32, CallError> {
+    pub(crate) fn loop_on_sensor(&self, control: &Object<'_>, sensor: &str, now_s: f64) -> Result<i32, CallError> {
         let sensor = c(sensor)?;
         self.code(call!(self, more "loop_on_sensor" (
             control.pointer() => *mut c_void, sensor.as_ptr() => *const c_char, now_s => f64,
@@ -836,11 +729,7 @@ impl Library {
         self.object(service, "service_free")
     }
 
-    pub(crate) fn service_serve(
-        &self,
-        service: &Object<'_>,
-        request: &str,
-    ) -> Result<String, CallError> {
+    pub(crate) fn service_serve(&self, service: &Object<'_>, request: &str) -> Result<String, CallError> {
         self.taken(call!(self, more "service_serve" (
             service.pointer() => *mut c_void,
             request.as_ptr() => *const u8,

@@ -118,11 +118,7 @@ fn serve(options: &Options) -> Result<(), Error> {
         roles: options.roles.as_deref(),
         reference_networks: options.reference_networks,
     };
-    conversation::hold(
-        &peer,
-        BufReader::new(io::stdin().lock()),
-        BufWriter::new(io::stdout().lock()),
-    )?;
+    conversation::hold(&peer, BufReader::new(io::stdin().lock()), BufWriter::new(io::stdout().lock()))?;
     Ok(())
 }
 
@@ -136,14 +132,7 @@ mod tests {
 
     #[test]
     fn options_are_read_and_others_are_refused() {
-        let read = parsed(&[
-            "--library",
-            "a.so",
-            "--reference-networks",
-            "--prefix",
-            "x_",
-        ])
-        .unwrap();
+        let read = parsed(&["--library", "a.so", "--reference-networks", "--prefix", "x_"]).unwrap();
         let expected = Options {
             library: Some("a.so".into()),
             prefix: Some("x_".to_owned()),

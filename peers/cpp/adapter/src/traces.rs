@@ -99,16 +99,9 @@ fn governed_once(library: &Library, args: &GovernorArgs<'_>) -> Result<Value, Ca
         };
         expressible(args.limits)?;
         let command = frame(library, "command_frame", step.command)?;
-        let sensor = step
-            .sensor
-            .map(|fields| frame(library, "sensor_frame", fields));
-        let governed = library.govern(
-            args.limits.get(),
-            &command,
-            step.now_s.0,
-            sensor.transpose()?.as_deref(),
-            last_sensor_s,
-        )?;
+        let sensor = step.sensor.map(|fields| frame(library, "sensor_frame", fields));
+        let governed =
+            library.govern(args.limits.get(), &command, step.now_s.0, sensor.transpose()?.as_deref(), last_sensor_s)?;
         Ok(json!({ "frame": json(&governed)? }))
     })
 }
@@ -219,13 +212,7 @@ pub(crate) fn link_run(library: &Library, args: &LinkArgs<'_>) -> Result<Value, 
     run(&args.steps, |op, step| match op {
         "frame" => {
             let Seen { seq } = parse(step)?;
-            let LinkReport {
-                last_seq,
-                received,
-                lost,
-                loss_rate,
-                burst,
-            } = library.link_on_frame(&link, seq)?;
+            let LinkReport { last_seq, received, lost, loss_rate, burst } = library.link_on_frame(&link, seq)?;
             Ok(json!({
                 "last_seq": last_seq,
                 "received": received,
@@ -246,10 +233,7 @@ pub(crate) struct CodecEncodeArgs<'a> {
     sensor: Option<&'a RawValue>,
 }
 
-pub(crate) fn codec_encode(
-    library: &Library,
-    args: &CodecEncodeArgs<'_>,
-) -> Result<Value, CallError> {
+pub(crate) fn codec_encode(library: &Library, args: &CodecEncodeArgs<'_>) -> Result<Value, CallError> {
     let rates = if library.extended {
         let codec = library.codec(args.codec.get())?;
         library.codec_encode(&codec, args.sensor.map(RawValue::get))?
@@ -276,10 +260,7 @@ pub(crate) struct CodecDecodeArgs<'a> {
     mode: Cow<'a, str>,
 }
 
-pub(crate) fn codec_decode(
-    library: &Library,
-    args: &CodecDecodeArgs<'_>,
-) -> Result<Value, CallError> {
+pub(crate) fn codec_decode(library: &Library, args: &CodecDecodeArgs<'_>) -> Result<Value, CallError> {
     let decode = Decode {
         codec: args.codec.get(),
         rates: args.rates.get(),
@@ -384,9 +365,8 @@ pub(crate) struct SessionArgs<'a> {
 pub(crate) fn session_run(library: &Library, args: &SessionArgs<'_>) -> Result<Value, CallError> {
     let service = library.service()?;
     let requests = args.requests.iter();
-    let replies: Vec<String> = requests
-        .map(|request| library.service_serve(&service, request))
-        .collect::<Result<_, _>>()?;
+    let replies: Vec<String> =
+        requests.map(|request| library.service_serve(&service, request)).collect::<Result<_, _>>()?;
     Ok(json!({ "replies": replies }))
 }
 

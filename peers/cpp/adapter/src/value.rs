@@ -8,12 +8,8 @@ use serde::de::{Deserialize, Deserializer, Error, Unexpected};
 use serde_json::Value;
 
 /// The names of the doubles that JSON lacks, or that many JSON writers would spoil.
-pub(crate) const NAMES: [(&str, f64); 4] = [
-    ("NaN", f64::NAN),
-    ("Infinity", f64::INFINITY),
-    ("-Infinity", f64::NEG_INFINITY),
-    ("-0", -0.0),
-];
+pub(crate) const NAMES: [(&str, f64); 4] =
+    [("NaN", f64::NAN), ("Infinity", f64::INFINITY), ("-Infinity", f64::NEG_INFINITY), ("-0", -0.0)];
 
 /// A double: a JSON number, or one of [`NAMES`].
 #[derive(Debug, Clone, Copy)]
@@ -24,15 +20,10 @@ impl<'de> Deserialize<'de> for Double {
         let value = Value::deserialize(deserializer)?;
         let double = match &value {
             Value::Number(number) => number.as_f64(),
-            Value::String(text) => NAMES
-                .iter()
-                .find(|(name, _)| name == text)
-                .map(|(_, double)| *double),
+            Value::String(text) => NAMES.iter().find(|(name, _)| name == text).map(|(_, double)| *double),
             _ => None,
         };
-        double
-            .map(Self)
-            .ok_or_else(|| D::Error::invalid_type(Unexpected::Other("another value"), &"a double"))
+        double.map(Self).ok_or_else(|| D::Error::invalid_type(Unexpected::Other("another value"), &"a double"))
     }
 }
 
@@ -81,16 +72,7 @@ mod tests {
 
     #[test]
     fn doubles_come_back_with_their_bits() {
-        for double in [
-            0.1,
-            -0.0,
-            0.0,
-            5e-324,
-            f64::MAX,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-            3.0,
-        ] {
+        for double in [0.1, -0.0, 0.0, 5e-324, f64::MAX, f64::INFINITY, f64::NEG_INFINITY, 3.0] {
             let text = shown(double).to_string();
             let Double(back) = serde_json::from_str(&text).unwrap();
             assert_eq!(back.to_bits(), double.to_bits(), "{text}");

@@ -194,29 +194,11 @@ const ONE: Fields = Fields {
 
 /// What two entries can get wrong together, and the coarser faults of each.
 const TWO: Fields = Fields {
-    name_off: &[
-        Byte(12),
-        Directory(-1),
-        Directory(0),
-        Directory(1),
-        Directory(3),
-        Directory(5),
-        End(-1),
-        End(0),
-    ],
+    name_off: &[Byte(12), Directory(-1), Directory(0), Directory(1), Directory(3), Directory(5), End(-1), End(0)],
     name_len: &[0, 1, 2, 0xffff],
     types: &[[1, 0], [4, 0], [5, 0]],
     rows: &[0, 1, 2, 0x2000_0000],
-    data_off: &[
-        Byte(0),
-        Directory(0),
-        Directory(1),
-        Directory(4),
-        End(-8),
-        End(-4),
-        End(0),
-        End(1),
-    ],
+    data_off: &[Byte(0), Directory(0), Directory(1), Directory(4), End(-8), End(-4), End(0), End(1)],
 };
 
 /// What three entries can get wrong together.
@@ -235,8 +217,7 @@ fn of<P: Prover, T: Copy>(p: &mut P, name: &str, values: &[T]) -> Option<T> {
 
 fn header_block<P: Prover>(p: &mut P) -> Vec<u8> {
     const WHOLE: usize = 12 + 16 * 2 + TAIL.len();
-    let columns =
-        of(p, "columns", &[0_u16, 1, 2, 3, 0x100, 4096, 4097, 0xffff]).unwrap_or_default();
+    let columns = of(p, "columns", &[0_u16, 1, 2, 3, 0x100, 4096, 4097, 0xffff]).unwrap_or_default();
     let mut block = b"NCPB\x01\0".to_vec();
     block.extend(columns.to_le_bytes());
     block.extend([0; 4]);
@@ -251,17 +232,10 @@ fn header_block<P: Prover>(p: &mut P) -> Vec<u8> {
     block.truncate(length);
     let length = u32::try_from(length).unwrap_or_default();
     let stated = p.choice("total_len", 6);
-    let stated = [
-        length,
-        length.wrapping_sub(1),
-        length + 1,
-        length | 0x0100_0000,
-        0,
-        u32::MAX,
-    ]
-    .get(stated)
-    .copied()
-    .unwrap_or_default();
+    let stated = [length, length.wrapping_sub(1), length + 1, length | 0x0100_0000, 0, u32::MAX]
+        .get(stated)
+        .copied()
+        .unwrap_or_default();
     let letter = p.choice("letter", 5);
     let flip = of(p, "letter_flips", &[0x20_u8, 0x80]).unwrap_or_default();
     let version = of(p, "version", &[1_u8, 0, 2, 0x81, 0xff]).unwrap_or_default();
@@ -321,11 +295,7 @@ fn block_of<P: Prover>(p: &mut P, columns: usize, fields: &Fields) -> Vec<u8> {
 
 /// The edges of each dtype, as the low bytes of these: zeros, ones, the least and the greatest, a NaN with a
 /// payload, −0.
-const EDGES: [[u8; 8]; 3] = [
-    [0, 0, 0, 0x80, 0, 0, 0, 0x80],
-    [1, 2, 0x80, 0x7f, 3, 4, 0xf4, 0x7f],
-    [0xff; 8],
-];
+const EDGES: [[u8; 8]; 3] = [[0, 0, 0, 0x80, 0, 0, 0, 0x80], [1, 2, 0x80, 0x7f, 3, 4, 0xf4, 0x7f], [0xff; 8]];
 
 /// No to three columns of no to two rows.
 fn some_columns<P: Prover>(p: &mut P) -> Vec<Column> {
@@ -343,11 +313,7 @@ fn some_columns<P: Prover>(p: &mut P) -> Vec<Column> {
                 values.extend(value.iter().take(width));
             }
             let name = name.to_owned();
-            Column {
-                name,
-                dtype,
-                values,
-            }
+            Column { name, dtype, values }
         })
         .collect()
 }
@@ -414,23 +380,15 @@ fn columns_of(block: &[u8]) -> Option<Vec<Column>> {
         let data_len = number(entry + 8, 4)? * width as u64;
         owned.take(name_off, name_len)?;
         owned.take(data_off, data_len)?;
-        let cut = |from: u64, len: u64| {
-            block.get(usize::try_from(from).ok()?..usize::try_from(from + len).ok()?)
-        };
+        let cut = |from: u64, len: u64| block.get(usize::try_from(from).ok()?..usize::try_from(from + len).ok()?);
         // [NCP-BULK-010]
-        let name = std::str::from_utf8(cut(name_off, name_len)?)
-            .ok()?
-            .to_owned();
+        let name = std::str::from_utf8(cut(name_off, name_len)?).ok()?.to_owned();
         // [NCP-BULK-013]
         if columns.iter().any(|column| column.name == name) {
             return None;
         }
         let values = cut(data_off, data_len)?.to_vec();
-        columns.push(Column {
-            name,
-            dtype,
-            values,
-        });
+        columns.push(Column { name, dtype, values });
     }
     Some(columns)
 }
@@ -439,11 +397,7 @@ fn columns_of(block: &[u8]) -> Option<Vec<Column>> {
 /// [NCP-BULK-034].
 fn block_of_columns(columns: &[Column]) -> Option<Vec<u8>> {
     for (nth, column) in columns.iter().enumerate() {
-        if columns
-            .iter()
-            .take(nth)
-            .any(|other| other.name == column.name)
-        {
+        if columns.iter().take(nth).any(|other| other.name == column.name) {
             return None;
         }
     }
@@ -484,16 +438,10 @@ fn spelled(column: &Column) -> Value {
     };
     let bytes = column.values.as_slice();
     let (dtype, data): (_, Vec<Value>) = match column.dtype {
-        1 => (
-            "f32",
-            values(bytes, |raw| number(f32::from_le_bytes(raw).into())),
-        ),
+        1 => ("f32", values(bytes, |raw| number(f32::from_le_bytes(raw).into()))),
         2 => ("f64", values(bytes, |raw| number(f64::from_le_bytes(raw)))),
         3 => ("i32", values(bytes, |raw| json!(i32::from_le_bytes(raw)))),
-        _ => (
-            "i64",
-            values(bytes, |raw| json!(i64::from_le_bytes(raw).to_string())),
-        ),
+        _ => ("i64", values(bytes, |raw| json!(i64::from_le_bytes(raw).to_string()))),
     };
     json!({ "name": column.name, "dtype": dtype, "data": data })
 }

@@ -9,31 +9,17 @@ use crate::readers::{Key, Readers};
 /// What the text tells apart, and beyond that DEL from other control characters, and characters by their
 /// length in UTF-8.
 pub const CLASSES: Alphabet = &[
-    class(1, &['a', 'A', '0', '-', '_', '~', '"', '\\', '%'], |c| {
-        matches!(c, '!'..='~') && !"/*$#?@.".contains(c)
-    }),
+    class(1, &['a', 'A', '0', '-', '_', '~', '"', '\\', '%'], |c| matches!(c, '!'..='~') && !"/*$#?@.".contains(c)),
     class(1, &['.'], |c| c == '.'),
     class(1, &['@'], |c| c == '@'),
     class(1, &['/'], |c| c == '/'),
     class(1, &['*', '$', '#', '?'], |c| "*$#?".contains(c)),
     WHITE_SPACE,
-    class(1, &['\0', '\u{1f}', '\u{8}', '\u{e}', '\u{1b}'], |c| {
-        c < ' '
-    }),
+    class(1, &['\0', '\u{1f}', '\u{8}', '\u{e}', '\u{1b}'], |c| c < ' '),
     class(1, &['\u{7f}'], |c| c == '\u{7f}'),
-    class(2, &['\u{80}', '\u{9f}', '\u{85}'], |c| {
-        matches!(c, '\u{80}'..='\u{9f}')
-    }),
-    class(2, &['\u{e9}', '\u{a0}', '\u{ad}', '\u{7ff}'], |c| {
-        c.len_utf8() == 2
-    }),
-    class(
-        3,
-        &[
-            '\u{4e2d}', '\u{2028}', '\u{feff}', '\u{202e}', '\u{ffff}', '\u{ff20}',
-        ],
-        |c| c.len_utf8() == 3,
-    ),
+    class(2, &['\u{80}', '\u{9f}', '\u{85}'], |c| matches!(c, '\u{80}'..='\u{9f}')),
+    class(2, &['\u{e9}', '\u{a0}', '\u{ad}', '\u{7ff}'], |c| c.len_utf8() == 2),
+    class(3, &['\u{4e2d}', '\u{2028}', '\u{feff}', '\u{202e}', '\u{ffff}', '\u{ff20}'], |c| c.len_utf8() == 3),
     class(4, &['\u{1f600}', '\u{10ffff}'], |c| c.len_utf8() == 4),
 ];
 
@@ -131,22 +117,12 @@ struct Parts {
 impl Parts {
     /// A key of a session, with its id alone.
     const fn of_session(session: String) -> Self {
-        Self {
-            key: 1,
-            realm: None,
-            session,
-            name: None,
-        }
+        Self { key: 1, realm: None, session, name: None }
     }
 
     /// A key of a realm alone.
     fn of_realm(realm: String) -> Self {
-        Self {
-            key: 0,
-            realm: Some(realm),
-            session: "s".to_owned(),
-            name: None,
-        }
+        Self { key: 0, realm: Some(realm), session: "s".to_owned(), name: None }
     }
 }
 
@@ -155,38 +131,17 @@ fn parts<P: Prover>(p: &mut P) -> Parts {
     let place = p.choice("place", 3);
     let most = p.length(SHORT);
     let text = strings::of_classes_within(p, CLASSES, most);
-    let plain = Parts {
-        key,
-        realm: None,
-        session: "s".to_owned(),
-        name: None,
-    };
+    let plain = Parts { key, realm: None, session: "s".to_owned(), name: None };
     match place {
-        0 => Parts {
-            realm: Some(text),
-            ..plain
-        },
-        1 => Parts {
-            session: text,
-            name: Some("n".to_owned()),
-            ..plain
-        },
-        _ => Parts {
-            realm: Some("r/q".to_owned()),
-            name: Some(text),
-            ..plain
-        },
+        0 => Parts { realm: Some(text), ..plain },
+        1 => Parts { session: text, name: Some("n".to_owned()), ..plain },
+        _ => Parts { realm: Some("r/q".to_owned()), name: Some(text), ..plain },
     }
 }
 
 fn builds<R: Readers, P: Prover>(p: &mut P, parts: &Parts) {
     let key = KEYS.get(parts.key).map_or(Key::Rpc, |(key, _)| *key);
-    let answer = R::key(
-        key,
-        parts.realm.as_deref(),
-        &parts.session,
-        parts.name.as_deref(),
-    );
+    let answer = R::key(key, parts.realm.as_deref(), &parts.session, parts.name.as_deref());
     let same = p.truth(answer == key_of(parts));
     p.check("the key of the table, or an error", same);
 }
@@ -280,11 +235,9 @@ fn is_segment(text: &str) -> bool {
 }
 
 fn is_realm(text: &str) -> bool {
-    let end = text
-        .bytes()
-        .fold(State::Start, |state, byte| match (state, byte) {
-            (State::Good, b'/') => State::Start,
-            _ => state.next(byte),
-        });
+    let end = text.bytes().fold(State::Start, |state, byte| match (state, byte) {
+        (State::Good, b'/') => State::Start,
+        _ => state.next(byte),
+    });
     end.is_good()
 }

@@ -19,17 +19,11 @@ pub struct Class {
 /// A class, by its fields in order.
 #[must_use]
 pub const fn class(width: usize, members: &'static [char], holds: fn(char) -> bool) -> Class {
-    Class {
-        width,
-        members,
-        holds,
-    }
+    Class { width, members, holds }
 }
 
 /// White space of ASCII.
-pub const WHITE_SPACE: Class = class(1, &[' ', '\t', '\n', '\u{b}', '\u{c}', '\r'], |c| {
-    matches!(c, '\t'..='\r' | ' ')
-});
+pub const WHITE_SPACE: Class = class(1, &[' ', '\t', '\n', '\u{b}', '\u{c}', '\r'], |c| matches!(c, '\t'..='\r' | ' '));
 
 /// Classes that hold every character, the narrow ones first; a character is of the first that holds it.
 pub type Alphabet = &'static [Class];
@@ -41,9 +35,7 @@ pub const LONGEST: usize = 8;
 pub fn any_bytes<P: Prover>(p: &mut P) -> Option<String> {
     let most = p.length(LONGEST);
     let length = p.choice("length", most + 1);
-    let bytes: Vec<u8> = (0..length)
-        .map(|_| u8::try_from(p.choice("byte", 256)).unwrap_or_default())
-        .collect();
+    let bytes: Vec<u8> = (0..length).map(|_| u8::try_from(p.choice("byte", 256)).unwrap_or_default()).collect();
     let text = String::from_utf8(bytes).ok();
     let is_text = p.truth(text.is_some());
     p.assume(is_text);
@@ -80,9 +72,7 @@ pub fn of_classes_within<P: Prover>(p: &mut P, alphabet: Alphabet, most: usize) 
         let rest = length - text.len();
         let fitting = alphabet.partition_point(|class| class.width <= rest);
         let class = p.choice("class", fitting);
-        let members = alphabet
-            .get(class)
-            .map_or(&['?'][..], |class| class.members);
+        let members = alphabet.get(class).map_or(&['?'][..], |class| class.members);
         let nth = text.len() % members.len();
         text.push(members.get(nth).copied().unwrap_or('?'));
     }
@@ -95,21 +85,13 @@ pub fn canonical(text: &str, alphabet: Alphabet) -> String {
     text.chars()
         .map(|c| {
             let class = alphabet.iter().find(|class| (class.holds)(c));
-            class
-                .and_then(|class| class.members.first())
-                .copied()
-                .unwrap_or(c)
+            class.and_then(|class| class.members.first()).copied().unwrap_or(c)
         })
         .collect()
 }
 
 /// Says that a reader answers a string as that of its classes' first members.
-pub fn answers_alike<P: Prover, A: PartialEq>(
-    p: &mut P,
-    text: &str,
-    alphabet: Alphabet,
-    answer: impl Fn(&str) -> A,
-) {
+pub fn answers_alike<P: Prover, A: PartialEq>(p: &mut P, text: &str, alphabet: Alphabet, answer: impl Fn(&str) -> A) {
     let same = p.truth(answer(text) == answer(&canonical(text, alphabet)));
     p.check("answers alike within a class", same);
 }

@@ -11,22 +11,14 @@ use crate::readers::Readers;
 pub const CLASSES: Alphabet = &[
     class(1, &['0'], |c| c == '0'),
     class(1, &['5'], |c| c == '5'),
-    class(1, &['4', '6', '1', '9', '7', '3', '2', '8'], |c| {
-        c.is_ascii_digit()
-    }),
+    class(1, &['4', '6', '1', '9', '7', '3', '2', '8'], |c| c.is_ascii_digit()),
     class(1, &['.'], |c| c == '.'),
     class(1, &['+', '-'], |c| c == '+' || c == '-'),
     WHITE_SPACE,
-    class(1, &['v', 'e', 'x', 'E', 'a', 'f'], |c| {
-        c.is_ascii_alphabetic()
-    }),
+    class(1, &['v', 'e', 'x', 'E', 'a', 'f'], |c| c.is_ascii_alphabetic()),
     class(1, &['_', ',', '\0', '/', ':', '\u{7f}'], |c| c.is_ascii()),
-    class(2, &['\u{665}', '\u{b2}', '\u{a0}', '\u{80}'], |c| {
-        c.len_utf8() == 2
-    }),
-    class(3, &['\u{ff15}', '\u{ff0e}', '\u{feff}', '\u{2007}'], |c| {
-        c.len_utf8() == 3
-    }),
+    class(2, &['\u{665}', '\u{b2}', '\u{a0}', '\u{80}'], |c| c.len_utf8() == 2),
+    class(3, &['\u{ff15}', '\u{ff0e}', '\u{feff}', '\u{2007}'], |c| c.len_utf8() == 3),
     class(4, &['\u{1d7d3}', '\u{10ffff}'], |c| c.len_utf8() == 4),
 ];
 
@@ -88,9 +80,7 @@ fn accepts_the_grammar<R: Readers, P: Prover>(p: &mut P, version: &str) {
 /// The grammar, and that the classes lose nothing.
 fn holds<R: Readers, P: Prover>(p: &mut P, version: &str) {
     accepts_the_grammar::<R, P>(p, version);
-    strings::answers_alike(p, version, CLASSES, |version| {
-        [false, true].map(|strict| R::version(version, strict))
-    });
+    strings::answers_alike(p, version, CLASSES, |version| [false, true].map(|strict| R::version(version, strict)));
 }
 
 /// The guard of 2.1 as an automaton over bytes: whether a version is compatible with 0.5, or none.
@@ -119,15 +109,9 @@ fn guard(version: &str) -> Option<bool> {
             (State::Major(zero), b'0') => State::Major(zero),
             (State::Major(_), b'1'..=b'9') => State::Major(false),
             (State::Major(zero), b'.') => State::Dot(zero),
-            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'0') => {
-                State::Minor(zero, Minor::Zero)
-            }
-            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'5') => {
-                State::Minor(zero, Minor::Five)
-            }
-            (State::Dot(zero) | State::Minor(zero, _), b'0'..=b'9') => {
-                State::Minor(zero, Minor::Other)
-            }
+            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'0') => State::Minor(zero, Minor::Zero),
+            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'5') => State::Minor(zero, Minor::Five),
+            (State::Dot(zero) | State::Minor(zero, _), b'0'..=b'9') => State::Minor(zero, Minor::Other),
             _ => return None,
         };
     }

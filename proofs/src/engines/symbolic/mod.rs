@@ -48,11 +48,7 @@ struct Explored {
 ///
 /// # Errors
 /// The path cap, a panic of the kernel, or no patience.
-fn explore(
-    property: &Property,
-    harness: fn(&mut Symbolic),
-    patience: &Patience,
-) -> Result<Explored, String> {
+fn explore(property: &Property, harness: fn(&mut Symbolic), patience: &Patience) -> Result<Explored, String> {
     term::clear();
     let mut all = Explored::default();
     let mut atoms: HashMap<u32, BTreeSet<u32>> = HashMap::new();
@@ -67,15 +63,8 @@ fn explore(
             let mut literals = path.literals.clone();
             literals.retain(|(literal, _)| atoms.contains(literal));
             literals.sort_unstable();
-            let question = Question {
-                check,
-                formula,
-                literals,
-            };
-            all.questions
-                .entry(question)
-                .or_default()
-                .push(all.open.len());
+            let question = Question { check, formula, literals };
+            all.questions.entry(question).or_default().push(all.open.len());
         }
         if !path.checks.is_empty() {
             all.open.push(path);
@@ -88,9 +77,7 @@ fn explore(
         }
         if all.paths.is_multiple_of(1024) {
             let paths = all.paths;
-            patience
-                .left()
-                .map_err(|why| format!("{paths} paths explored, and more to come: {why}"))?;
+            patience.left().map_err(|why| format!("{paths} paths explored, and more to come: {why}"))?;
         }
     }
 }
@@ -104,25 +91,14 @@ impl Explored {
         paths
             .map(|path| {
                 let literals = path.literals.clone();
-                (
-                    Question {
-                        literals,
-                        ..question.clone()
-                    },
-                    path,
-                )
+                (Question { literals, ..question.clone() }, path)
             })
             .collect()
     }
 }
 
 /// Proves a property of a kernel; leaves the obligations in `evidence`.
-pub fn prove(
-    property: &Property,
-    harness: &Harness,
-    solvers: &Solvers,
-    evidence: &FilePath,
-) -> Outcome {
+pub fn prove(property: &Property, harness: &Harness, solvers: &Solvers, evidence: &FilePath) -> Outcome {
     let began = Instant::now();
     let mut outcome = Outcome::new(began);
     let result = try_prove(property, harness, solvers, evidence, &mut outcome);
@@ -174,8 +150,7 @@ fn try_prove(
                 Answer::Unsat => proved.push(question.clone()),
                 Answer::Unknown => return Err("bitwuzla: unknown".to_owned()),
                 Answer::Sat => {
-                    let found =
-                        counterexample(property, harness, question, path, solvers, &draft, None)?;
+                    let found = counterexample(property, harness, question, path, solvers, &draft, None)?;
                     outcome.counterexample = Some(found);
                     return Ok(Verdict::Refuted);
                 }
@@ -200,15 +175,12 @@ fn try_prove(
         let (script, _) = smt::script(&title, &questions, false, None);
         fs::write(&file, script).map_err(in_folder)?;
         outcome.evidence.push(name);
-        let answers = solvers
-            .bitwuzla(&file, chunk.len(), SECONDS)
-            .map_err(|error| format!("bitwuzla: {error}"))?;
+        let answers = solvers.bitwuzla(&file, chunk.len(), SECONDS).map_err(|error| format!("bitwuzla: {error}"))?;
         if answers.iter().any(|answer| *answer != Answer::Unsat) {
             return Err("bitwuzla does not answer unsat again".to_owned());
         }
-        let answers = solvers
-            .z3(&file, chunk.len(), CROSS_STEPS, CROSS_SECONDS)
-            .map_err(|error| format!("z3: {error}"))?;
+        let answers =
+            solvers.z3(&file, chunk.len(), CROSS_STEPS, CROSS_SECONDS).map_err(|error| format!("z3: {error}"))?;
         let count = |answer| answers.iter().filter(|a| **a == Some(answer)).count() as u64;
         outcome.cross_checked += count(Answer::Unsat);
         if count(Answer::Sat) > 0 {
@@ -236,12 +208,8 @@ impl Origin {
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Model => "a model of bitwuzla, replayed on doubles",
-            Self::Sampled => {
-                "a sampled hint, confirmed by bitwuzla with the inputs fixed, replayed on doubles"
-            }
-            Self::Enumerated => {
-                "an enumerated hint, confirmed by bitwuzla with the inputs fixed, replayed on doubles"
-            }
+            Self::Sampled => "a sampled hint, confirmed by bitwuzla with the inputs fixed, replayed on doubles",
+            Self::Enumerated => "an enumerated hint, confirmed by bitwuzla with the inputs fixed, replayed on doubles",
         }
     }
 }
@@ -269,21 +237,9 @@ pub fn refute(
             return Err("what fails on doubles does not on terms".to_owned());
         };
         let literals = path.literals.clone();
-        let question = Question {
-            check,
-            formula,
-            literals,
-        };
-        return counterexample(
-            property,
-            harness,
-            &question,
-            &path,
-            solvers,
-            file,
-            Some(&hint),
-        )
-        .map(|found| Some((found, origin)));
+        let question = Question { check, formula, literals };
+        return counterexample(property, harness, &question, &path, solvers, file, Some(&hint))
+            .map(|found| Some((found, origin)));
     }
     let explored = explore(property, harness.symbolic, &patience)?;
     let mut questions: Vec<&Question> = explored.questions.keys().collect();
@@ -346,9 +302,7 @@ fn ask_for(
 ) -> Result<Vec<Answer>, String> {
     let (script, _) = smt::script("draft", questions, false, inputs);
     fs::write(file, script).map_err(|error| format!("{}: {error}", file.display()))?;
-    solvers
-        .bitwuzla(file, questions.len(), seconds)
-        .map_err(|error| format!("bitwuzla: {error}"))
+    solvers.bitwuzla(file, questions.len(), seconds).map_err(|error| format!("bitwuzla: {error}"))
 }
 
 /// The solver's model of one path, replayed on doubles.
@@ -363,20 +317,13 @@ fn counterexample(
 ) -> Result<Counterexample, String> {
     let (script, variables) = smt::script(property.id, &[question], true, inputs);
     fs::write(file, script).map_err(|error| error.to_string())?;
-    let printed = solvers
-        .bitwuzla_prints(file, SECONDS)
-        .map_err(|error| error.to_string())?;
+    let printed = solvers.bitwuzla_prints(file, SECONDS).map_err(|error| error.to_string())?;
     let first = printed.split('\n').next().unwrap_or_default();
     if read_answers(first, 1) != Ok(vec![Answer::Sat]) {
         return Err(format!("the solver finds no counterexample: {first:?}"));
     }
     let values = read_values(&printed);
-    let value = |name: String| {
-        values
-            .iter()
-            .find(|(n, _)| *n == name)
-            .map(|(_, bits)| *bits)
-    };
+    let value = |name: String| values.iter().find(|(n, _)| *n == name).map(|(_, bits)| *bits);
     let most = |set: &std::collections::BTreeSet<u32>| set.last().map_or(0, |last| last + 1);
     let choices = path.choices.iter().copied().collect();
     let length = property.symbolic_length;
@@ -390,9 +337,7 @@ fn counterexample(
         scalars: (0..most(&variables.doubles))
             .map(|nth| f64::from_bits(value(format!("x{nth}")).unwrap_or(0)))
             .collect(),
-        seqs: (0..most(&variables.seqs))
-            .map(|nth| value(format!("q{nth}")).unwrap_or(0).cast_signed())
-            .collect(),
+        seqs: (0..most(&variables.seqs)).map(|nth| value(format!("q{nth}")).unwrap_or(0).cast_signed()).collect(),
         choices,
         length,
     });
@@ -400,10 +345,7 @@ fn counterexample(
     run.keep = true;
     run_once(harness.native, &mut run);
     match run.failed {
-        Some(check) => Ok(Counterexample {
-            check: check.to_owned(),
-            inputs: run.drawn,
-        }),
+        Some(check) => Ok(Counterexample { check: check.to_owned(), inputs: run.drawn }),
         None => Err("the solver's model does not fail on doubles".to_owned()),
     }
 }

@@ -97,17 +97,9 @@ pub(super) fn script(
         let _ = writeln!(text, "(push 1) ; {}", question.check);
         for (formula, answer) in &question.literals {
             let name = name(*formula);
-            let _ = if *answer {
-                write!(text, "(assert {name})")
-            } else {
-                write!(text, "(assert (not {name}))")
-            };
+            let _ = if *answer { write!(text, "(assert {name})") } else { write!(text, "(assert (not {name}))") };
         }
-        let _ = writeln!(
-            text,
-            "(assert (not {}))\n(check-sat)",
-            name(question.formula)
-        );
+        let _ = writeln!(text, "(assert (not {}))\n(check-sat)", name(question.formula));
         if values {
             let doubles = variables.doubles.iter().map(|nth| format!("x{nth}"));
             let seqs = variables.seqs.iter().map(|nth| format!("q{nth}"));
@@ -154,13 +146,7 @@ fn reach(term: u32, used: &mut BTreeSet<u32>) {
 fn is_double(what: Node) -> bool {
     matches!(
         what,
-        Node::Add(..)
-            | Node::Sub(..)
-            | Node::Mul(..)
-            | Node::Div(..)
-            | Node::Sqrt(_)
-            | Node::Abs(_)
-            | Node::Select(..)
+        Node::Add(..) | Node::Sub(..) | Node::Mul(..) | Node::Div(..) | Node::Sqrt(_) | Node::Abs(_) | Node::Select(..)
     )
 }
 
@@ -207,10 +193,5 @@ fn double(bits: u64) -> String {
     if f64::from_bits(bits).is_nan() {
         return "(_ NaN 11 53)".to_owned();
     }
-    format!(
-        "(fp #b{:01b} #b{:011b} #b{:052b})",
-        bits >> 63,
-        bits >> 52 & 0x7ff,
-        bits & 0xf_ffff_ffff_ffff
-    )
+    format!("(fp #b{:01b} #b{:011b} #b{:052b})", bits >> 63, bits >> 52 & 0x7ff, bits & 0xf_ffff_ffff_ffff)
 }

@@ -71,18 +71,8 @@ pub enum SolverError {
 /// # Errors
 /// Anything but that.
 pub fn read_answers(printed: &str, wanted: usize) -> Result<Vec<Answer>, SolverError> {
-    let answers = printed
-        .split_terminator('\n')
-        .map(read_answer)
-        .collect::<Result<Vec<_>, _>>()?;
-    if answers.len() == wanted {
-        Ok(answers)
-    } else {
-        Err(SolverError::Count {
-            found: answers.len(),
-            wanted,
-        })
-    }
+    let answers = printed.split_terminator('\n').map(read_answer).collect::<Result<Vec<_>, _>>()?;
+    if answers.len() == wanted { Ok(answers) } else { Err(SolverError::Count { found: answers.len(), wanted }) }
 }
 
 fn read_answer(line: &str) -> Result<Answer, SolverError> {
@@ -103,13 +93,9 @@ impl Solvers {
     /// # Errors
     /// They are not installed.
     pub fn versions(&self) -> Result<String, SolverError> {
-        let python = Command::new(self.bin.join("python"))
-            .args(["-c", VERSIONS])
-            .output();
-        let output = python.map_err(|error| SolverError::Start {
-            program: "python".to_owned(),
-            why: error.to_string(),
-        })?;
+        let python = Command::new(self.bin.join("python")).args(["-c", VERSIONS]).output();
+        let output =
+            python.map_err(|error| SolverError::Start { program: "python".to_owned(), why: error.to_string() })?;
         let printed = String::from_utf8_lossy(&output.stdout).trim().to_owned();
         if !output.status.success() || printed.is_empty() {
             let errors = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -122,17 +108,9 @@ impl Solvers {
     ///
     /// # Errors
     /// It could not be run, failed, came to its limit, or printed something else than answers.
-    pub fn bitwuzla(
-        &self,
-        file: &Path,
-        wanted: usize,
-        seconds: u32,
-    ) -> Result<Vec<Answer>, SolverError> {
+    pub fn bitwuzla(&self, file: &Path, wanted: usize, seconds: u32) -> Result<Vec<Answer>, SolverError> {
         let known = self.known_file(file);
-        if let Some(known) = known
-            .as_ref()
-            .and_then(|known| fs::read_to_string(known).ok())
-        {
+        if let Some(known) = known.as_ref().and_then(|known| fs::read_to_string(known).ok()) {
             return read_answers(&known, wanted);
         }
         let printed = self.bitwuzla_prints(file, seconds)?;
@@ -171,13 +149,7 @@ impl Solvers {
     ///
     /// # Errors
     /// It could not be run, or printed something else than answers.
-    pub fn z3(
-        &self,
-        file: &Path,
-        wanted: usize,
-        steps: u32,
-        seconds: u32,
-    ) -> Result<Vec<Option<Answer>>, SolverError> {
+    pub fn z3(&self, file: &Path, wanted: usize, steps: u32, seconds: u32) -> Result<Vec<Option<Answer>>, SolverError> {
         let z3 = self.bin.join("z3");
         let steps = format!("rlimit={steps}");
         // A shell sets the processor's limit, where there is one.
@@ -192,38 +164,21 @@ impl Solvers {
             command
         };
         let output = command.arg(steps).arg(file).output();
-        let output = output.map_err(|error| SolverError::Start {
-            program: "z3".to_owned(),
-            why: error.to_string(),
-        })?;
+        let output = output.map_err(|error| SolverError::Start { program: "z3".to_owned(), why: error.to_string() })?;
         read_some(&String::from_utf8_lossy(&output.stdout), wanted)
     }
 }
 
 /// Reads the answers of a run that may have been ended before all were given.
 fn read_some(printed: &str, wanted: usize) -> Result<Vec<Option<Answer>>, SolverError> {
-    let whole = printed
-        .rfind('\n')
-        .map_or("", |end| printed.get(..end).unwrap_or_default());
-    let lines: Vec<&str> = whole
-        .lines()
-        .take_while(|line| *line != "timeout")
-        .collect();
-    let answers = lines
-        .iter()
-        .map(|line| read_answer(line))
-        .collect::<Result<Vec<_>, _>>()?;
+    let whole = printed.rfind('\n').map_or("", |end| printed.get(..end).unwrap_or_default());
+    let lines: Vec<&str> = whole.lines().take_while(|line| *line != "timeout").collect();
+    let answers = lines.iter().map(|line| read_answer(line)).collect::<Result<Vec<_>, _>>()?;
     if answers.len() > wanted {
-        return Err(SolverError::Count {
-            found: answers.len(),
-            wanted,
-        });
+        return Err(SolverError::Count { found: answers.len(), wanted });
     }
     let is_known = |answer: &Answer| *answer != Answer::Unknown;
-    let mut some: Vec<_> = answers
-        .into_iter()
-        .map(|answer| Some(answer).filter(is_known))
-        .collect();
+    let mut some: Vec<_> = answers.into_iter().map(|answer| Some(answer).filter(is_known)).collect();
     some.resize(wanted, None);
     Ok(some)
 }
@@ -286,20 +241,17 @@ pub fn read_values(printed: &str) -> Vec<(String, u64)> {
     let mut values = Vec::new();
     let bits = |word: &str| u64::from_str_radix(word.strip_prefix("#b")?, 2).ok();
     for (at, word) in words.iter().enumerate() {
-        let is_name = word.starts_with(['x', 'q'])
-            && word.len() > 1
-            && word.chars().skip(1).all(|c| c.is_ascii_digit());
+        let is_name =
+            word.starts_with(['x', 'q']) && word.len() > 1 && word.chars().skip(1).all(|c| c.is_ascii_digit());
         if !is_name {
             continue;
         }
         let rest = words.get(at + 1..).unwrap_or_default();
         let value = match rest {
-            ["(", "fp", sign, exponent, fraction, ..] => {
-                match (bits(sign), bits(exponent), bits(fraction)) {
-                    (Some(s), Some(e), Some(f)) => Some(s << 63 | e << 52 | f),
-                    _ => None,
-                }
-            }
+            ["(", "fp", sign, exponent, fraction, ..] => match (bits(sign), bits(exponent), bits(fraction)) {
+                (Some(s), Some(e), Some(f)) => Some(s << 63 | e << 52 | f),
+                _ => None,
+            },
             ["(", "_", "NaN", ..] => Some(f64::NAN.to_bits()),
             ["(", "_", "+oo", ..] => Some(f64::INFINITY.to_bits()),
             ["(", "_", "-oo", ..] => Some(f64::NEG_INFINITY.to_bits()),
@@ -321,10 +273,7 @@ mod tests {
 
     #[test]
     fn only_the_literal_word_is_an_answer() {
-        assert_eq!(
-            read_answers("unsat\nsat\nunknown\n", 3),
-            Ok(vec![Answer::Unsat, Answer::Sat, Answer::Unknown])
-        );
+        assert_eq!(read_answers("unsat\nsat\nunknown\n", 3), Ok(vec![Answer::Unsat, Answer::Sat, Answer::Unknown]));
         for wrong in [
             "UNSAT",
             "Unsat",
@@ -338,10 +287,7 @@ mod tests {
             "timeout",
             "",
         ] {
-            assert_eq!(
-                read_answers(&format!("{wrong}\n"), 1),
-                Err(SolverError::NoAnswer(wrong.to_owned()))
-            );
+            assert_eq!(read_answers(&format!("{wrong}\n"), 1), Err(SolverError::NoAnswer(wrong.to_owned())));
         }
     }
 
@@ -357,10 +303,7 @@ mod tests {
     #[test]
     fn as_many_answers_as_questions_or_none() {
         for (printed, found, wanted) in [("unsat\n", 1, 2), ("unsat\nunsat\n", 2, 1), ("", 0, 1)] {
-            assert_eq!(
-                read_answers(printed, wanted),
-                Err(SolverError::Count { found, wanted })
-            );
+            assert_eq!(read_answers(printed, wanted), Err(SolverError::Count { found, wanted }));
         }
     }
 

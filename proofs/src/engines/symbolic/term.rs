@@ -129,11 +129,7 @@ pub(super) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
 }
 
 /// Runs a harness once, on the path that these inputs take; and the checks on it that they break.
-pub(super) fn run_guided(
-    length: usize,
-    harness: fn(&mut Symbolic),
-    guide: Guide,
-) -> (Path, Vec<(&'static str, u32)>) {
+pub(super) fn run_guided(length: usize, harness: fn(&mut Symbolic), guide: Guide) -> (Path, Vec<(&'static str, u32)>) {
     with(|world| world.guide = Some(guide));
     let path = run(length, harness);
     let broken = with(|world| {
@@ -152,10 +148,7 @@ pub(super) fn turn() -> bool {
         world.forks.truncate(world.at);
         while let Some(fork) = world.forks.pop() {
             if fork.way + 1 < fork.ways {
-                world.forks.push(Fork {
-                    way: fork.way + 1,
-                    ..fork
-                });
+                world.forks.push(Fork { way: fork.way + 1, ..fork });
                 return true;
             }
         }
@@ -179,10 +172,7 @@ impl World {
         self.nodes.get(term as usize).copied().unwrap_or(Node::True)
     }
 
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "far fewer than 2³² terms fit memory"
-    )]
+    #[expect(clippy::cast_possible_truncation, reason = "far fewer than 2³² terms fit memory")]
     fn term(&mut self, node: Node) -> u32 {
         if let Some(number) = self.numbers.get(&node) {
             return *number;
@@ -214,11 +204,7 @@ impl World {
 
     fn truth(&mut self, value: bool) -> u32 {
         let yes = self.term(Node::True);
-        if value {
-            yes
-        } else {
-            self.term(Node::Not(yes))
-        }
+        if value { yes } else { self.term(Node::Not(yes)) }
     }
 
     /// What a formula is without regard to the path.
@@ -348,16 +334,12 @@ impl World {
         let guide = self.guide.as_ref();
         match self.node(term) {
             Node::Double(bits) => Concrete::Double(f64::from_bits(bits)),
-            Node::Variable(number) => Concrete::Double(
-                guide
-                    .and_then(|guide| guide.scalars.get(nth(number)).copied())
-                    .unwrap_or_default(),
-            ),
-            Node::SeqVariable(number) => Concrete::Seq(
-                guide
-                    .and_then(|guide| guide.seqs.get(nth(number)).copied())
-                    .unwrap_or_default(),
-            ),
+            Node::Variable(number) => {
+                Concrete::Double(guide.and_then(|guide| guide.scalars.get(nth(number)).copied()).unwrap_or_default())
+            }
+            Node::SeqVariable(number) => {
+                Concrete::Seq(guide.and_then(|guide| guide.seqs.get(nth(number)).copied()).unwrap_or_default())
+            }
             Node::Add(a, b) => Concrete::Double(double(a) + double(b)),
             Node::Sub(a, b) => Concrete::Double(double(a) - double(b)),
             Node::Mul(a, b) => Concrete::Double(double(a) * double(b)),
@@ -409,27 +391,19 @@ impl Scalar for SymbolicScalar {
     }
     fn add(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
-        Self(with(|world| {
-            world.binary(Node::Add(a, b), a, b, |a, b| a + b)
-        }))
+        Self(with(|world| world.binary(Node::Add(a, b), a, b, |a, b| a + b)))
     }
     fn sub(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
-        Self(with(|world| {
-            world.binary(Node::Sub(a, b), a, b, |a, b| a - b)
-        }))
+        Self(with(|world| world.binary(Node::Sub(a, b), a, b, |a, b| a - b)))
     }
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
-        Self(with(|world| {
-            world.binary(Node::Mul(a, b), a, b, |a, b| a * b)
-        }))
+        Self(with(|world| world.binary(Node::Mul(a, b), a, b, |a, b| a * b)))
     }
     fn div(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
-        Self(with(|world| {
-            world.binary(Node::Div(a, b), a, b, |a, b| a / b)
-        }))
+        Self(with(|world| world.binary(Node::Div(a, b), a, b, |a, b| a / b)))
     }
     fn sqrt(self) -> Self {
         Self(with(|world| match world.double(self.0) {
@@ -581,13 +555,7 @@ impl Prover for Symbolic {
         with(|world| world.term(Node::SeqLt(a.0, b.0)))
     }
     fn seq_same(&mut self, a: SymbolicSeq, b: SymbolicSeq) -> u32 {
-        with(|world| {
-            if a == b {
-                world.truth(true)
-            } else {
-                world.term(Node::SeqSame(a.0, b.0))
-            }
-        })
+        with(|world| if a == b { world.truth(true) } else { world.term(Node::SeqSame(a.0, b.0)) })
     }
     fn seq_zero(&mut self, a: SymbolicSeq) -> u32 {
         with(|world| world.term(Node::SeqZero(a.0)))

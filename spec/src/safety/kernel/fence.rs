@@ -7,10 +7,7 @@ use super::{Plan, Reason, Scalar, enforced_ttl_ms};
 /// cannot be computed. `// [NCP-SAFE-043] [NCP-SAFE-044] [NCP-SAFE-045]`
 #[inline]
 pub fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool {
-    all_finite(position)
-        && radius.is_finite()
-        && S::constant(0.0).lt(radius)
-        && norm(position).le(radius)
+    all_finite(position) && radius.is_finite() && S::constant(0.0).lt(radius) && norm(position).le(radius)
 }
 
 /// Where a plant is that moves from `position` with `velocity` for `time_s` seconds. `[NCP-SAFE-050]`
@@ -18,11 +15,7 @@ pub fn inside<S: Scalar>(position: &[S; 3], radius: S) -> bool {
 pub fn travel<S: Scalar>(position: &[S; 3], velocity: &[S; 3], time_s: S) -> [S; 3] {
     let [x, y, z] = *position;
     let [u, v, w] = *velocity;
-    [
-        x.add(u.mul(time_s)),
-        y.add(v.mul(time_s)),
-        z.add(w.mul(time_s)),
-    ]
+    [x.add(u.mul(time_s)), y.add(v.mul(time_s)), z.add(w.mul(time_s))]
 }
 
 /// The part of tick `k`, [k·dt, (k+1)·dt), that lies before the end of the ttl; both in ms. 0 when
@@ -45,11 +38,7 @@ pub fn tick_share_ms<S: Scalar>(tick: usize, dt_ms: S, ttl_ms: S) -> S {
 /// # Errors
 /// Tick 0 itself leads out, or its velocity cannot be used.
 #[inline]
-pub fn steps_inside<S: Scalar>(
-    plan: &impl Plan<S>,
-    position: &[S; 3],
-    radius: S,
-) -> Result<usize, Reason> {
+pub fn steps_inside<S: Scalar>(plan: &impl Plan<S>, position: &[S; 3], radius: S) -> Result<usize, Reason> {
     // [NCP-SAFE-052]
     let velocity = plan.velocity(0).ok_or(Reason::NoVelocity)?;
     // A plant does not act on a command whose ttl is no time.

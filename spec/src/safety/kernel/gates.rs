@@ -1,8 +1,6 @@
 //! The commander's gates, in the order of section 7.3.
 
-use super::{
-    Decision, Limit, Plan, Reason, Scalar, inside, is_duration, is_fresh, limit, steps_inside,
-};
+use super::{Decision, Limit, Plan, Reason, Scalar, inside, is_duration, is_fresh, limit, steps_inside};
 use crate::wire::Mode;
 
 /// The gates of a governor: its limits, its latch, and whether the limits can be enforced.
@@ -102,11 +100,7 @@ impl<S: Scalar> Gates<S> {
                 Err(reason) => return Decision::Held(reason),
             }
         }
-        if limited || plan.steps() < steps {
-            Decision::Limited
-        } else {
-            Decision::Passed
-        }
+        if limited || plan.steps() < steps { Decision::Limited } else { Decision::Passed }
     }
 
     /// Takes note of the link: a burst of losses latches ESTOP. `[NCP-SAFE-006] [NCP-SAFE-007]`

@@ -15,10 +15,7 @@ impl<S: Scalar, Q: Seq> Plant<S, Q> {
     #[inline]
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            watchdog: Watchdog::new(),
-            estop: false,
-        }
+        Self { watchdog: Watchdog::new(), estop: false }
     }
 
     /// Takes note of a command received at `now_s`. The plant follows it only when it is

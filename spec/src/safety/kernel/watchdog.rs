@@ -16,10 +16,7 @@ impl<S: Scalar, Q: Seq> Watchdog<S, Q> {
     #[inline]
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            last_seq: None,
-            deadline: None,
-        }
+        Self { last_seq: None, deadline: None }
     }
 
     /// Takes note of a command received at `now_s`. Only one that advances refreshes the deadline;
@@ -52,9 +49,7 @@ impl<S: Scalar, Q: Seq> Watchdog<S, Q> {
     /// `[NCP-RES-002] [NCP-RES-010]`
     #[inline]
     pub fn should_hold(&mut self, now_s: S) -> bool {
-        self.deadline = self
-            .deadline
-            .filter(|&(received_s, ttl_ms)| within_deadline(now_s, received_s, ttl_ms));
+        self.deadline = self.deadline.filter(|&(received_s, ttl_ms)| within_deadline(now_s, received_s, ttl_ms));
         self.deadline.is_none()
     }
 

@@ -19,10 +19,7 @@ fn plain_len(bytes: &[u8]) -> usize {
         at += 8;
     }
     let tail = bytes.get(at..).unwrap_or_default();
-    at + tail
-        .iter()
-        .position(|b| matches!(b, b'"' | b'\\' | 0..=0x1f))
-        .unwrap_or(tail.len())
+    at + tail.iter().position(|b| matches!(b, b'"' | b'\\' | 0..=0x1f)).unwrap_or(tail.len())
 }
 
 /// Marks the special bytes of a word by their highest bit. Above the lowest mark others may be
@@ -45,10 +42,7 @@ mod tests {
     use super::*;
 
     fn plain_len_bytewise(bytes: &[u8]) -> usize {
-        bytes
-            .iter()
-            .take_while(|b| !matches!(b, b'"' | b'\\' | 0..=0x1f))
-            .count()
+        bytes.iter().take_while(|b| !matches!(b, b'"' | b'\\' | 0..=0x1f)).count()
     }
 
     #[test]
@@ -58,11 +52,7 @@ mod tests {
                 for filler in [b'a', 0x7f, 0x80, 0xff, b'!', b'#', b' ', b'[', b']'] {
                     let mut bytes = [filler; 20];
                     bytes[place] = byte;
-                    assert_eq!(
-                        plain_len(&bytes),
-                        plain_len_bytewise(&bytes),
-                        "{byte} at {place}"
-                    );
+                    assert_eq!(plain_len(&bytes), plain_len_bytewise(&bytes), "{byte} at {place}");
                 }
             }
         }

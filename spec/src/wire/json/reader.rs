@@ -55,8 +55,7 @@ type Result<T, E = DecodeError> = std::result::Result<T, E>;
 impl<'a> Reader<'a> {
     pub(crate) fn new(frame: &'a [u8], purpose: Purpose) -> Result<Self> {
         // [NCP-WIRE-001]
-        let text = std::str::from_utf8(frame)
-            .map_err(|e| DecodeError::new(DecodeProblem::NotUtf8, e.valid_up_to()))?;
+        let text = std::str::from_utf8(frame).map_err(|e| DecodeError::new(DecodeProblem::NotUtf8, e.valid_up_to()))?;
         // [NCP-WIRE-006]
         if text.starts_with('\u{feff}') {
             return Err(DecodeError::new(DecodeProblem::ByteOrderMark, 0));
@@ -129,11 +128,7 @@ impl<'a> Reader<'a> {
             b',' => {
                 self.at += 1;
                 self.space();
-                if self.peek() == b'"' {
-                    Ok(true)
-                } else {
-                    Err(self.syntax("a member name"))
-                }
+                if self.peek() == b'"' { Ok(true) } else { Err(self.syntax("a member name")) }
             }
             b'}' => {
                 self.close();
@@ -170,11 +165,7 @@ impl<'a> Reader<'a> {
 
     /// Reads the value of a field, unless the field was there before. `// [NCP-WIRE-007]`
     #[inline]
-    pub(crate) fn fill<T: Value>(
-        &mut self,
-        slot: &mut Option<T>,
-        name: &'static str,
-    ) -> Result<()> {
+    pub(crate) fn fill<T: Value>(&mut self, slot: &mut Option<T>, name: &'static str) -> Result<()> {
         if slot.is_some() {
             return Err(self.error(DecodeProblem::Repeated).inside(name));
         }
@@ -260,8 +251,7 @@ impl<'a> Reader<'a> {
         let hash = fnv1a_64(name.as_bytes());
         let hash = (hash ^ (hash >> 32)) << 32;
         // A frame is far shorter than 4 GiB.
-        self.ignored
-            .push(hash | (name_at as u64 & u64::from(u32::MAX)));
+        self.ignored.push(hash | (name_at as u64 & u64::from(u32::MAX)));
     }
 
     /// Names of one hash stand next to each other once sorted; those, few unless somebody meant
@@ -271,19 +261,14 @@ impl<'a> Reader<'a> {
         let mut all = std::mem::take(&mut self.ignored);
         let notes = all.get_mut(mark..).unwrap_or_default();
         notes.sort_unstable();
-        for group in notes
-            .chunk_by(|a, b| a >> 32 == b >> 32)
-            .filter(|group| group.len() > 1)
-        {
+        for group in notes.chunk_by(|a, b| a >> 32 == b >> 32).filter(|group| group.len() > 1) {
             let mut names = Vec::with_capacity(group.len());
             for note in group {
                 self.at = (note & u64::from(u32::MAX)) as usize;
                 names.push((self.string_here()?, *note));
             }
             names.sort_unstable();
-            let repeat = names
-                .windows(2)
-                .find(|pair| matches!(pair, [a, b] if a.0 == b.0));
+            let repeat = names.windows(2).find(|pair| matches!(pair, [a, b] if a.0 == b.0));
             if let Some([_, (name, note)]) = repeat {
                 self.at = (note & u64::from(u32::MAX)) as usize;
                 return Err(self.error(DecodeProblem::Repeated).inside(name));
@@ -332,13 +317,7 @@ impl<'a> Reader<'a> {
     pub(crate) fn items_ahead(&self) -> usize {
         let ahead = self.bytes.get(self.at..).unwrap_or_default();
         let end = ahead.iter().position(|&b| b == b']').unwrap_or(ahead.len());
-        ahead
-            .get(..end)
-            .unwrap_or_default()
-            .iter()
-            .filter(|&&b| b == b',')
-            .count()
-            + 1
+        ahead.get(..end).unwrap_or_default().iter().filter(|&&b| b == b',').count() + 1
     }
 
     // ---- scalars ---------------------------------------------------------------------------
@@ -360,27 +339,14 @@ impl<'a> Reader<'a> {
         }
         let number = self.number()?;
         if !number.is_integer || (number.negative && number.mantissa == 0) {
-            return Err(DecodeError::new(
-                DecodeProblem::IntegerSpelling,
-                number.start,
-            )); // [NCP-WIRE-010]
+            return Err(DecodeError::new(DecodeProblem::IntegerSpelling, number.start)); // [NCP-WIRE-010]
         }
         // A program may hold any i64, and learns from the encoder that it cannot be sent.
-        let largest = if self.is_building() {
-            i64::MAX
-        } else {
-            MAX_INTEGER
-        };
+        let largest = if self.is_building() { i64::MAX } else { MAX_INTEGER };
         i64::try_from(number.mantissa)
             .ok()
             .filter(|&magnitude| number.digits <= 19 && magnitude <= largest)
-            .map(|magnitude| {
-                if number.negative {
-                    -magnitude
-                } else {
-                    magnitude
-                }
-            })
+            .map(|magnitude| if number.negative { -magnitude } else { magnitude })
             .ok_or_else(|| DecodeError::new(DecodeProblem::IntegerRange, number.start)) // [NCP-WIRE-011]
     }
 
@@ -445,12 +411,7 @@ impl<'a> Reader<'a> {
                 let number = self.number()?;
                 self.nearest_double(&number).map(drop) // [NCP-WIRE-014]
             }
-            _ if ["null", "true", "false"]
-                .into_iter()
-                .any(|l| self.eat_literal(l)) =>
-            {
-                Ok(())
-            }
+            _ if ["null", "true", "false"].into_iter().any(|l| self.eat_literal(l)) => Ok(()),
             _ => Err(self.syntax("a value")),
         }
     }
@@ -481,19 +442,9 @@ impl<'a> Reader<'a> {
         let leading = self.peek();
         let whole = self.digits(&mut mantissa)?;
         if leading == b'0' && whole > 1 {
-            return Err(DecodeError::new(
-                DecodeProblem::Syntax("no leading zero"),
-                start,
-            ));
+            return Err(DecodeError::new(DecodeProblem::Syntax("no leading zero"), start));
         }
-        let mut number = Number {
-            start,
-            negative,
-            is_integer: true,
-            digits: whole,
-            mantissa,
-            exponent: 0,
-        };
+        let mut number = Number { start, negative, is_integer: true, digits: whole, mantissa, exponent: 0 };
         if self.peek() == b'.' {
             self.at += 1;
             let fraction = self.digits(&mut number.mantissa)?;
@@ -554,11 +505,7 @@ impl<'a> Reader<'a> {
                 _ => None,
             };
             if let Some(magnitude) = scaled {
-                return Ok(if number.negative {
-                    -magnitude
-                } else {
-                    magnitude
-                });
+                return Ok(if number.negative { -magnitude } else { magnitude });
             }
         }
         self.nearest_double_of_token(number.start)
@@ -649,11 +596,7 @@ impl<'a> Reader<'a> {
         if let Some(character) = char::from_u32(unit) {
             return Ok(character);
         }
-        let follows = self
-            .bytes
-            .get(self.at..)
-            .unwrap_or_default()
-            .starts_with(b"\\u");
+        let follows = self.bytes.get(self.at..).unwrap_or_default().starts_with(b"\\u");
         if unit >= 0xdc00 || !follows {
             return Err(unpaired());
         }
@@ -695,11 +638,7 @@ impl<'a> Reader<'a> {
     }
 
     fn eat_literal(&mut self, literal: &str) -> bool {
-        let found = self
-            .bytes
-            .get(self.at..)
-            .unwrap_or_default()
-            .starts_with(literal.as_bytes());
+        let found = self.bytes.get(self.at..).unwrap_or_default().starts_with(literal.as_bytes());
         self.at += if found { literal.len() } else { 0 };
         found
     }
@@ -731,26 +670,11 @@ impl<'a> Reader<'a> {
     fn wrong_type(&self, expected: JsonType) -> DecodeError {
         let problem = match self.peek() {
             b'n' => DecodeProblem::Null { expected }, // [NCP-WIRE-021]
-            b'"' => DecodeProblem::WrongType {
-                expected,
-                found: JsonType::String,
-            },
-            b'{' => DecodeProblem::WrongType {
-                expected,
-                found: JsonType::Object(""),
-            },
-            b'[' => DecodeProblem::WrongType {
-                expected,
-                found: JsonType::Array(&JsonType::Number),
-            },
-            b't' | b'f' => DecodeProblem::WrongType {
-                expected,
-                found: JsonType::Boolean,
-            },
-            b'-' | b'0'..=b'9' => DecodeProblem::WrongType {
-                expected,
-                found: JsonType::Number,
-            },
+            b'"' => DecodeProblem::WrongType { expected, found: JsonType::String },
+            b'{' => DecodeProblem::WrongType { expected, found: JsonType::Object("") },
+            b'[' => DecodeProblem::WrongType { expected, found: JsonType::Array(&JsonType::Number) },
+            b't' | b'f' => DecodeProblem::WrongType { expected, found: JsonType::Boolean },
+            b'-' | b'0'..=b'9' => DecodeProblem::WrongType { expected, found: JsonType::Number },
             _ => DecodeProblem::Syntax("a value"),
         };
         self.error(problem)
@@ -759,6 +683,6 @@ impl<'a> Reader<'a> {
 
 /// The powers of ten that a double holds exactly.
 const POWERS_OF_TEN: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
 ];

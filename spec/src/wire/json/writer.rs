@@ -17,18 +17,12 @@ impl Writer {
     /// A writer of what goes over the wire.
     pub(crate) fn new() -> Self {
         // A frame of the hot planes fits without growing.
-        Self {
-            text: Vec::with_capacity(256),
-            shows: false,
-        }
+        Self { text: Vec::with_capacity(256), shows: false }
     }
 
     /// A writer that refuses nothing, and names the numbers that JSON lacks.
     pub(crate) fn showing() -> Self {
-        Self {
-            shows: true,
-            ..Self::new()
-        }
+        Self { shows: true, ..Self::new() }
     }
 
     /// The text, unless no receiver would take a frame of that length.
@@ -43,8 +37,7 @@ impl Writer {
     /// The text, whatever its length.
     pub(crate) fn into_text(self) -> String {
         // Only whole strings were written, so nothing is ever replaced.
-        String::from_utf8(self.text)
-            .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned())
+        String::from_utf8(self.text).unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned())
     }
 
     /// Fails for an array of so many items that are not numbers.
