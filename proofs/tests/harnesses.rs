@@ -7,7 +7,7 @@ use ncp_proofs::broken::{BROKEN, missing};
 use ncp_proofs::engines::{Verdict, enumeration, standin};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Family, PROPERTIES, harness};
-use ncp_spec::catalogue::Catalogue;
+use ncp_text::catalogue::Catalogue;
 
 #[test]
 fn every_harness_holds_on_samples_and_reaches_a_check() {

@@ -7,8 +7,8 @@ use thiserror::Error;
 use crate::ErrorCode;
 use crate::version::{VersionError, check_version};
 
-/// The contract hash of wire 0.5: [`hash_of`] its `ncp.proto`. `// [NCP-VER-020]`
-pub const CONTRACT_HASH: &str = "24e8e6e31e1dec8a";
+/// The contract hash of the wire: [`hash_of`] its `ncp.proto`. `// [NCP-VER-020]`
+pub use ncp_text::CONTRACT_HASH;
 
 /// How a peer's contract hash compares with one's own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

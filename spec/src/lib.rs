@@ -2,7 +2,7 @@
 //!
 //! This crate says what NCP is, twice: as normative prose, one rule a sentence, in `text/`, and as
 //! code that does what the prose says. A comment such as `// [NCP-WIRE-007]` stands where the code
-//! implements that rule; [`catalogue`] parses the rules from the prose.
+//! implements that rule; the crate `ncp-text` holds the prose and parses the rules from it.
 //!
 //! It has no transport, no async runtime and no `unsafe`. No input makes it panic, and decoding
 //! takes memory within a small constant times the input.
@@ -14,7 +14,6 @@
 //! | [`plane`], [`keys`] | quality of service, keys and their matching | 3 |
 //! | [`reply`] | what a client accepts as a reply | 4 |
 //! | [`bulk`] | the binary column block | 5 |
-//! | [`catalogue`] | the rules themselves | all |
 //!
 //! # Example
 //!
@@ -51,7 +50,6 @@
 
 pub mod bulk;
 pub mod bus;
-pub mod catalogue;
 pub mod codec;
 pub mod contract;
 pub mod control;

@@ -7,7 +7,7 @@ use thiserror::Error;
 use crate::ErrorCode;
 
 /// The wire version that this crate speaks. `// [NCP-VER-021]`
-pub const WIRE_VERSION: &str = "0.5";
+pub use ncp_text::WIRE_VERSION;
 
 /// Compares a peer's version with [`WIRE_VERSION`].
 ///

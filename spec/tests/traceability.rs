@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use ncp_spec::catalogue::Catalogue;
+use ncp_text::catalogue::Catalogue;
 
 /// Rules of the chapters 1 to 6 that bind a deployment or a person, and no function of a library.
 const NOT_EXECUTABLE: [&str; 4] = ["NCP-OBS-010", "NCP-PLANE-007", "NCP-PLANE-008", "NCP-PROV-009"];

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use ncp_spec::catalogue::{Catalogue, Level, Requirement, Role};
+use ncp_text::catalogue::{Catalogue, Level, Requirement, Role};
 use ncp_vectors::generate;
 use serde_json::Value;
 

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
 
-use ncp_spec::catalogue::CHAPTERS;
+use ncp_text::CHAPTERS;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 

@@ -160,7 +160,7 @@ mod tests {
         for folder in ["spec/src/safety/kernel", "reports"] {
             fs::create_dir_all(root.join(folder)).unwrap();
         }
-        let kernel = root.join("spec/src/safety/kernel/speed.rs");
+        let kernel = root.join("spec/kernel/src/decisions/speed.rs");
         fs::write(&kernel, "a.le(b)").unwrap();
         assert!(stale_at(root).unwrap_err().contains("No such file"));
 

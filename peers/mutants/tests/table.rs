@@ -5,7 +5,7 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use ncp_spec::catalogue::Catalogue;
+use ncp_text::catalogue::Catalogue;
 
 #[path = "../build/table.rs"]
 mod table;

@@ -10,7 +10,7 @@ use ncp_readers::properties::keys::CLASSES as KEYS;
 use ncp_readers::properties::strings::{Alphabet, LONGEST, canonical};
 use ncp_readers::properties::version::CLASSES as VERSIONS;
 use ncp_readers::properties::{PROPERTIES, Property, harness};
-use ncp_spec::catalogue::Catalogue;
+use ncp_text::catalogue::Catalogue;
 
 /// Bounds that a build without optimisation works off in a moment.
 fn short(property: &Property) -> usize {

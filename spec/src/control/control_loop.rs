@@ -4,9 +4,9 @@ use thiserror::Error;
 
 use super::Controller;
 use crate::resilience::LinkMonitor;
-use crate::safety::kernel::is_duration;
 use crate::safety::{Decision, SafetyGovernor};
 use crate::wire::{CommandFrame, ControlStatus, MAX_ITEMS, SensorFrame, Text};
+use ncp_kernel::is_duration;
 
 /// How a loop runs.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,9 +3,9 @@
 use thiserror::Error;
 
 use super::Controller;
-use crate::safety::kernel::all_finite;
 use crate::safety::{METRES_PER_SECOND, POSITION_CHANNEL, VELOCITY_CHANNEL};
 use crate::wire::{ChannelValue, CommandFrame, Mode, SensorFrame};
+use ncp_kernel::all_finite;
 
 /// The channel of the measured velocity, in m/s.
 pub const MEASURED_VELOCITY_CHANNEL: &str = "pose_velocity";

@@ -1,7 +1,7 @@
 //! The action buffer: the newest command, and what of it a plant does now.
 
-use crate::safety::kernel::{Plant, Received, advances};
 use crate::wire::{ChannelMap, CommandFrame, DecodeError, Frame, Mode};
+use ncp_kernel::{Plant, Received, advances};
 
 /// Keeps the newest command and replays its horizon. All times are seconds on the plant's own clock.
 #[derive(Debug, Clone, Default)]

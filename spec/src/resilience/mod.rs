@@ -8,10 +8,10 @@ pub use action_buffer::{ActionBuffer, is_estop};
 pub use link_monitor::{DEFAULT_REF_LOSS, DEFAULT_THRESHOLD, LinkMonitor, LinkReport};
 pub use watchdog::CommandWatchdog;
 
-pub use crate::safety::kernel::Received;
+pub use ncp_kernel::Received;
 
-use crate::safety::kernel;
 use crate::wire::MAX_ITEMS;
+use ncp_kernel as kernel;
 
 /// How many ticks of `dt_ms` a ttl of `ttl_ms` has room for, and a frame for their setpoints; 0 when
 /// either is not finite or not positive. `[NCP-RES-033] [NCP-RES-034]`

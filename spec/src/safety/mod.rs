@@ -4,10 +4,10 @@
 //! plant's side (chapter 8) finds its own too.
 
 mod governor;
-pub mod kernel;
+pub use ncp_kernel as kernel;
 
 pub use governor::SafetyGovernor;
-pub use kernel::{Decision, Reason};
+pub use ncp_kernel::{Decision, Reason};
 
 /// The sensor channel on which the geofence acts: 3 wide, in [`METRES`]. `[NCP-SAFE-010]`
 pub const POSITION_CHANNEL: &str = "pose_position";

@@ -1,11 +1,11 @@
 //! The reference backend: two small networks, integrated by exact propagation. Section 4.4.
 
 use super::backend::{BackendError, Opened, Simulation, SimulationBackend};
-use crate::safety::kernel::is_duration;
 use crate::wire::{
     ChannelMap, NetworkRef, NetworkRefKind, Observable, Observation, OpenSession, RecordTarget, SortedMap,
     StimulusKind, Text,
 };
+use ncp_kernel::is_duration;
 
 /// The most neurons of a session: a request is no way to fill a server's memory.
 const MAX_NEURONS: i64 = 100_000;

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+pub use ncp_kernel::Mode;
+
 use super::error::{DecodeError, DecodeProblem, EncodeError};
 use super::json::{Reader, Writer};
 use super::table::JsonType;
@@ -113,6 +115,10 @@ macro_rules! wire_enum {
             }
         }
 
+        wire_enum!(@value $name, $from_wire);
+    };
+
+    (@value $name:ident, $from_wire:expr) => {
         impl Value for $name {
             const JSON: JsonType = JsonType::Enum(stringify!($name));
 
@@ -215,21 +221,8 @@ wire_enum! {
     }
 }
 
-wire_enum! {
-    /// What a command lets the plant do: only [`Active`](Mode::Active) moves it.
-    Mode {
-        /// Before the start.
-        Init = "init",
-        /// The setpoints hold.
-        Active = "active",
-        /// Do not move; the fail-safe, from which the loop can go on.
-        Hold = "hold",
-        /// Stop, and stay stopped until a reset.
-        Estop = "estop",
-    }
-    // [NCP-WIRE-041]
-    |read, _at| Ok(Mode::parse(read).unwrap_or(Mode::Hold))
-}
+// [NCP-WIRE-041]
+wire_enum!(@value Mode, |read, _at| Ok(Mode::parse(read).unwrap_or(Mode::Hold)));
 
 wire_enum! {
     /// How a simulation is run.

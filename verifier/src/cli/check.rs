@@ -5,7 +5,7 @@ use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
-use ncp_spec::catalogue::{Level, Role};
+use ncp_text::catalogue::{Level, Role};
 
 use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use ncp_spec::catalogue::Requirement;
+use ncp_text::catalogue::Requirement;
 
 use super::workspace::Workspace;
 use super::{CliError, print};

@@ -17,7 +17,7 @@ use std::time::Duration;
 
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use ncp_spec::catalogue::{Level, Role};
+use ncp_text::catalogue::{Level, Role};
 
 use crate::peer::{ManifestError, StartError};
 use crate::report::{Exit, Style};

@@ -4,7 +4,7 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ncp_spec::catalogue::{Level, Role};
+use ncp_text::catalogue::{Level, Role};
 use serde::Serialize;
 
 use super::{Hunt, Mutant, MutantsError};

@@ -6,7 +6,7 @@ use std::process::Stdio;
 use std::thread;
 use std::time::Duration;
 
-use ncp_spec::catalogue::Level;
+use ncp_text::catalogue::Level;
 use serde::Deserialize;
 
 use super::connection::{describe_status, end_group};

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use ncp_spec::catalogue::{Level, Role};
-use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
+use ncp_text::catalogue::{Level, Role};
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde::Serialize;
 
 use crate::check::{Differences, in_words};

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 
-use ncp_spec::catalogue::Level;
+use ncp_text::catalogue::Level;
 
 use super::layout::{Style, wrap};
 use super::model::{CaseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use ncp_spec::ErrorCode;
-use ncp_spec::catalogue::{Level, Requirement, Role};
+use ncp_text::catalogue::{Level, Requirement, Role};
 
 use super::pattern::Shape;
 use super::template::{KEPT_BYTES, Template};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use ncp_spec::ErrorCode;
-use ncp_spec::catalogue::{Requirement, Role};
+use ncp_text::catalogue::{Requirement, Role};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -307,7 +307,7 @@ fn id_of(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ncp_spec::catalogue::Catalogue;
+    use ncp_text::catalogue::Catalogue;
 
     const CASE: &str = r#"{"id":"wire/a/x","title":"T.","requirements":["NCP-WIRE-024"],"flags":["f"],"roles":["body"],
         "call":"decode","args":{"kind":"command_frame","text":"{}"},"expect":{"reject":"type"},"why":"W."}"#;

@@ -1,6 +1,6 @@
 //! Which cases are meant.
 
-use ncp_spec::catalogue::{Level, Role};
+use ncp_text::catalogue::{Level, Role};
 
 use super::case::Case;
 

@@ -21,8 +21,8 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ncp_spec::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
-use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
+use ncp_text::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use sha2::{Digest as _, Sha256};
 
 use crate::peer::{Call, Description};

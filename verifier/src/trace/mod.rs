@@ -27,7 +27,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use ncp_spec::catalogue::{CHAPTERS, Catalogue, CatalogueError, Chapter, Requirement};
+use ncp_text::catalogue::{Catalogue, CatalogueError, Requirement};
+use ncp_text::{CHAPTERS, Chapter};
 
 pub use report::{json, markdown};
 

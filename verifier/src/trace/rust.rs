@@ -5,7 +5,7 @@
 
 use std::ops::RangeInclusive;
 
-use ncp_spec::catalogue::is_id;
+use ncp_text::catalogue::is_id;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// A function.

@@ -16,7 +16,7 @@ const TESTS: [&str; 2] = ["spec/tests", "proto/tests"];
 /// The modules in which every public function has to say which rule it serves.
 const ACCOUNTABLE: [&str; 4] = ["spec/src/wire/", "spec/src/safety/", "spec/src/resilience/", "spec/src/bulk/"];
 /// It reads rules; those of its examples are invented.
-const CATALOGUE: &str = "spec/src/catalogue.rs";
+const CATALOGUE: &str = "spec/text/src/catalogue.rs";
 /// The wrappers of the fuzz targets, a file a target, and the functions of the same names that check.
 const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
 /// Implementations that were written from the text alone, and how the names of their files end.

@@ -1,7 +1,7 @@
 //! The case that every run begins with: what the peer says about itself.
 
-use ncp_spec::catalogue::Role;
-use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
+use ncp_text::catalogue::Role;
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 
 use crate::check::{Difference, Differences};
 use crate::peer::{Description, excerpt};

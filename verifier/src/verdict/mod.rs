@@ -9,7 +9,7 @@ mod described;
 pub use baseline::{Baseline, BaselineError};
 pub use described::judge_description;
 
-use ncp_spec::catalogue::{Level, Role};
+use ncp_text::catalogue::{Level, Role};
 
 use crate::run::{CaseRun, Outcome};
 use crate::suite::Case;

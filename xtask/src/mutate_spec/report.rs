@@ -277,7 +277,7 @@ mod tests {
         ] {
             fs::create_dir_all(root.join(path)).unwrap();
         }
-        for file in [EQUIVALENT, MANIFEST, "spec/src/codec.rs", "spec/src/safety/kernel/speed.rs"] {
+        for file in [EQUIVALENT, MANIFEST, "spec/src/codec.rs", "spec/kernel/src/decisions/speed.rs"] {
             fs::write(root.join(file), "").unwrap();
         }
         let project = Project::at(root);
@@ -332,7 +332,7 @@ mod tests {
     fn a_change_makes_the_report_of_its_module_stale() {
         let (_folder, project, report) = tried();
         report.write(&project).unwrap();
-        fs::write(project.path("spec/src/safety/kernel/speed.rs"), "a.lt(b)").unwrap();
+        fs::write(project.path("spec/kernel/src/decisions/speed.rs"), "a.lt(b)").unwrap();
         let found = problems(&project, &report);
         assert!(found.starts_with("safety: changed") && found.lines().count() == 1, "{found}");
     }

@@ -1,6 +1,6 @@
 //! How long a command is worth anything, and how old a sensor frame may be.
 
-use super::Scalar;
+use ncp_kernel::Scalar;
 
 /// The longest time for which a plant acts upon one command, in ms. `// [NCP-RES-004]`
 pub const MAX_TTL_MS: f64 = 60_000.0;

@@ -1,7 +1,8 @@
 //! What a plant does now: its latch, its watchdog, and the tick of the horizon.
 
-use super::{Received, Scalar, Seq, Watchdog, age_ms, is_duration};
-use crate::wire::Mode;
+use ncp_kernel::{Mode, Received, Scalar, Seq};
+
+use super::{Watchdog, age_ms, is_duration};
 
 /// The gates of a plant. All times are seconds on its own clock.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Limits, and the speed of a tick.
 
-use super::{Channel, Limit, Reason, Scalar};
+use ncp_kernel::{Channel, Limit, Reason, Scalar};
 
 /// Reads a limit. `// [NCP-SAFE-012] [NCP-SAFE-013]`
 #[inline]

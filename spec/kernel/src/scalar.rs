@@ -34,6 +34,7 @@ pub trait Seq: Copy {
     fn lt(self, other: Self) -> bool;
 }
 
+#[cfg(feature = "std")]
 impl Scalar for f64 {
     #[inline]
     fn constant(value: f64) -> Self {

@@ -14,7 +14,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::contract::fnv1a_64;
+use crate::chapters::{CHAPTERS, Chapter};
 
 /// Every rule of the text, in the text's order.
 #[derive(Debug, Clone)]
@@ -79,40 +79,6 @@ impl<'a> IntoIterator for &'a Catalogue {
     fn into_iter(self) -> Self::IntoIter {
         self.iter()
     }
-}
-
-/// A file of `spec/text` with its name.
-macro_rules! chapter {
-    ($file:literal) => {
-        Chapter { file: $file, text: include_str!(concat!("../text/", $file)) }
-    };
-}
-
-/// The chapters of the text, in order.
-pub const CHAPTERS: [Chapter<'static>; 14] = [
-    chapter!("00-introduction.md"),
-    chapter!("01-wire.md"),
-    chapter!("02-version-and-identity.md"),
-    chapter!("03-planes-and-keys.md"),
-    chapter!("04-sessions.md"),
-    chapter!("05-observations-and-bulk.md"),
-    chapter!("06-provenance.md"),
-    chapter!("07-safety.md"),
-    chapter!("08-resilience.md"),
-    chapter!("09-codec.md"),
-    chapter!("10-control-loop.md"),
-    chapter!("11-transports.md"),
-    chapter!("12-security.md"),
-    chapter!("13-conformance.md"),
-];
-
-/// A chapter of the text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Chapter<'t> {
-    /// The name of its file in `spec/text`.
-    pub file: &'static str,
-    /// The whole text, in Markdown.
-    pub text: &'t str,
 }
 
 /// One rule.
@@ -448,8 +414,12 @@ fn parse_roles(list: &str) -> Option<Vec<Role>> {
     (roles.len() == stated).then_some(roles)
 }
 
+/// The first digits of the sentence's FNV-1a hash, 64 bits.
 fn digest(sentence: &str) -> String {
-    let hash = format!("{:016x}", fnv1a_64(sentence.as_bytes()));
+    const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+    const PRIME: u64 = 0x0000_0100_0000_01b3;
+    let hash = sentence.bytes().fold(OFFSET_BASIS, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME));
+    let hash = format!("{hash:016x}");
     hash.chars().take(8).collect()
 }
 
@@ -471,7 +441,7 @@ mod tests {
     fn the_text_is_without_fault_and_every_chapter_is_listed() {
         let catalogue = Catalogue::load().unwrap_or_else(|fault| panic!("{fault}"));
         assert!(catalogue.requirements().len() > 100);
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/text");
+        let folder = env!("CARGO_MANIFEST_DIR");
         let mut files: Vec<_> = std::fs::read_dir(folder)
             .unwrap()
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())

@@ -1,6 +1,8 @@
 //! The command watchdog: the liveness rule and nothing else.
 
-use super::{Scalar, Seq, advances, hold_takes_effect, within_deadline};
+use ncp_kernel::{Scalar, Seq};
+
+use super::{advances, hold_takes_effect, within_deadline};
 
 /// Holds a plant whose commands stay away. All times are seconds on the plant's own clock.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,9 @@
 //! The geofence: where the plant is, and where a command leads it.
 
+use ncp_kernel::{Plan, Reason, Scalar};
+
+use super::enforced_ttl_ms;
 use super::speed::{all_finite, norm};
-use super::{Plan, Reason, Scalar, enforced_ttl_ms};
 
 /// Whether a position lies in the closed ball of `radius` about the origin. False whenever that
 /// cannot be computed. `// [NCP-SAFE-043] [NCP-SAFE-044] [NCP-SAFE-045]`

@@ -1,6 +1,54 @@
 //! The words in which the kernel is asked and answers; no decision is taken here.
 
-use crate::wire::Mode;
+use core::fmt;
+
+/// What a command lets the plant do: only [`Active`](Mode::Active) moves it. Its names are the wire strings of section
+/// 1.4. `[NCP-WIRE-040] [NCP-WIRE-087]`
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Mode {
+    /// Before the start.
+    Init,
+    /// The setpoints hold.
+    Active,
+    /// Do not move; the fail-safe, from which the loop can go on.
+    Hold,
+    /// Stop, and stay stopped until a reset.
+    Estop,
+}
+
+impl Mode {
+    /// The values, in the contract's order.
+    pub const KNOWN: &[Self] = &[Self::Init, Self::Active, Self::Hold, Self::Estop];
+
+    /// The value of a wire string. `// [NCP-WIRE-040]`
+    #[must_use]
+    pub fn parse(wire: &str) -> Option<Self> {
+        match wire {
+            "init" => Some(Self::Init),
+            "active" => Some(Self::Active),
+            "hold" => Some(Self::Hold),
+            "estop" => Some(Self::Estop),
+            _ => None,
+        }
+    }
+
+    /// The wire string. `// [NCP-WIRE-087]`
+    #[must_use]
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::Init => "init",
+            Self::Active => "active",
+            Self::Hold => "hold",
+            Self::Estop => "estop",
+        }
+    }
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
 
 /// What a limit says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,7 +122,7 @@ pub trait Plan<S> {
     fn dt_ms(&self) -> Option<S>;
     /// How many steps its horizon has.
     fn steps(&self) -> usize;
-    /// Applies the speed limit to a tick, by [`limit_tick`](super::limit_tick). Whether it changed.
+    /// Applies the speed limit to a tick, by [`limit_tick`](crate::limit_tick). Whether it changed.
     ///
     /// # Errors
     /// The tick is not to be used, or there is none such.

@@ -1,6 +1,6 @@
 //! Which command is newer: a stale, duplicate or reordered one changes nothing.
 
-use super::Seq;
+use ncp_kernel::Seq;
 
 /// Whether a command of `seq` advances a stream whose last accepted one had `last`.
 /// `// [NCP-RES-009]`

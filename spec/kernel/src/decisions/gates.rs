@@ -1,7 +1,8 @@
 //! The commander's gates, in the order of section 7.3.
 
-use super::{Decision, Limit, Plan, Reason, Scalar, inside, is_duration, is_fresh, limit, steps_inside};
-use crate::wire::Mode;
+use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
+
+use super::{inside, is_duration, is_fresh, limit, steps_inside};
 
 /// The gates of a governor: its limits, its latch, and whether the limits can be enforced.
 #[derive(Debug, Clone, Copy)]

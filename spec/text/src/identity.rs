@@ -1,0 +1,36 @@
+//! The wire version and the contract hash, read from chapter 2 when this crate is compiled.
+
+use crate::chapters::VERSION_AND_IDENTITY;
+
+/// The wire version of the text. `// [NCP-VER-021]`
+pub const WIRE_VERSION: &str = quoted_behind(VERSION_AND_IDENTITY.text, "The wire version of this text is `");
+
+/// The contract hash of the text's schema. `// [NCP-VER-020]`
+pub const CONTRACT_HASH: &str = quoted_behind(VERSION_AND_IDENTITY.text, "The contract hash of this text is `");
+
+/// What stands between `lead` and the next backquote. A text without the lead does not compile.
+const fn quoted_behind(text: &'static str, lead: &str) -> &'static str {
+    let (text_bytes, lead_bytes) = (text.as_bytes(), lead.as_bytes());
+    let mut start = 0;
+    while !stands_at(text_bytes, lead_bytes, start) {
+        start += 1;
+    }
+    let (_, behind) = text.split_at(start + lead_bytes.len());
+    let mut end = 0;
+    while behind.as_bytes()[end] != b'`' {
+        end += 1;
+    }
+    let (quoted, _) = behind.split_at(end);
+    quoted
+}
+
+const fn stands_at(text: &[u8], lead: &[u8], start: usize) -> bool {
+    let mut at = 0;
+    while at < lead.len() {
+        if text[start + at] != lead[at] {
+            return false;
+        }
+        at += 1;
+    }
+    true
+}
