@@ -1,4 +1,4 @@
-//! Builds the corpus of `vectors/` into the program, so that it stands alone.
+//! Builds the corpus of `vectors/corpus` into the program, so that it stands alone.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -6,20 +6,19 @@ use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
-    let vectors = root.join("../vectors");
+    let vectors = root.join("../vectors/corpus");
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed={}", vectors.display());
     let mut files = Vec::new();
     if vectors.is_dir() {
         for area in entries(&vectors)? {
-            // The crate that makes the corpus lives beside it.
-            if area.is_dir() && !["src", "tests", "target"].iter().any(|own| area.ends_with(own)) {
+            if area.is_dir() {
                 println!("cargo::rerun-if-changed={}", area.display());
                 files.extend(entries(&area)?.into_iter().filter(|file| file.extension().is_some_and(|e| e == "json")));
             }
         }
     }
-    let mut code = String::from("/// Every vector file: its path within `vectors/`, and its text.\n");
+    let mut code = String::from("/// Every vector file: its path within `vectors/corpus/`, and its text.\n");
     code.push_str("static EMBEDDED: &[(&str, &str)] = &[\n");
     for file in &files {
         println!("cargo::rerun-if-changed={}", file.display());

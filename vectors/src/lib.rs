@@ -1,6 +1,6 @@
 //! The golden corpus of the NCP conformance suite, and the generator that wrote it.
 //!
-//! The corpus is what a peer is held against: JSON files of cases in the folders beside `src`, one
+//! The corpus is what a peer is held against: JSON files of cases in `corpus/`, one
 //! folder an area, frozen by `MANIFEST.sha256`. It is made by a program so that it is systematic:
 //! every field of every message, every type, every boundary. What each case expects follows from
 //! the normative text, not from an implementation: defaults, types and orders are read from the
@@ -40,7 +40,7 @@ use std::fmt::Write as _;
 
 use sha2::{Digest as _, Sha256};
 
-/// Every file of the corpus: its path below `vectors/`, such as `wire/command_frame.json`, and its
+/// Every file of the corpus: its path below `vectors/corpus/`, such as `wire/command_frame.json`, and its
 /// text. Sorted by path; the same in every run.
 #[must_use]
 pub fn generate() -> Vec<(String, String)> {
@@ -62,7 +62,7 @@ pub fn generate() -> Vec<(String, String)> {
     files
 }
 
-/// The manifest of those files: a line `<sha256>  <path>` for each, sorted by path.
+/// The manifest of those files, `vectors/MANIFEST.sha256`: a line `<sha256>  corpus/<path>` for each, sorted by path.
 #[must_use]
 pub fn manifest(files: &[(String, String)]) -> String {
     let mut files: Vec<_> = files.iter().collect();
@@ -73,7 +73,7 @@ pub fn manifest(files: &[(String, String)]) -> String {
             // Writing to a string does not fail.
             let _ = write!(out, "{byte:02x}");
         }
-        let _ = writeln!(out, "  {path}");
+        let _ = writeln!(out, "  corpus/{path}");
     }
     out
 }

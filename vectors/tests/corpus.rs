@@ -32,26 +32,26 @@ fn strings(list: &Value) -> Vec<&str> {
 #[test]
 fn the_corpus_on_disk_is_what_the_generator_makes() {
     for (path, made) in generate() {
-        let found = fs::read_to_string(root().join(&path)).unwrap_or_else(|error| {
-            panic!("vectors/{path}: {error}; run `cargo run -p ncp-vectors --example generate`")
+        let found = fs::read_to_string(root().join("corpus").join(&path)).unwrap_or_else(|error| {
+            panic!("vectors/corpus/{path}: {error}; run `cargo run -p ncp-vectors --example generate`")
         });
         if found == made {
             continue;
         }
         let parsed = |text: &str| serde_json::from_str::<Value>(text);
         let (Ok(found), Ok(made)) = (parsed(&found), parsed(&made)) else {
-            panic!("vectors/{path} is no JSON");
+            panic!("vectors/corpus/{path} is no JSON");
         };
         let pairs = cases(&made).iter().zip(found["cases"].as_array().into_iter().flatten());
         let first = pairs.map(|(made, found)| (&made["id"], made == found)).find(|(_, same)| !same);
         let id = first.map_or("the number of cases, or something beside them".to_owned(), |(id, _)| id.to_string());
-        panic!("vectors/{path} differs from what the generator makes, first at {id}");
+        panic!("vectors/corpus/{path} differs from what the generator makes, first at {id}");
     }
 }
 
 #[test]
 fn nothing_but_the_corpus_lies_in_its_folders() {
-    let made: BTreeSet<PathBuf> = generate().into_iter().map(|(path, _)| root().join(path)).collect();
+    let made: BTreeSet<PathBuf> = generate().into_iter().map(|(path, _)| root().join("corpus").join(path)).collect();
     let areas: BTreeSet<&Path> = made.iter().filter_map(|path| path.parent()).collect();
     for area in areas {
         for entry in fs::read_dir(area).unwrap() {

@@ -49,8 +49,8 @@ impl Tree {
         tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
         tree.write("peers/python-pure/ncp_pure/one.py", "# [NCP-TEST-001]\n");
         tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-001"));
-        tree.write("vectors/wire/one.json", &vectors(&["NCP-TEST-001"]));
-        tree.write("vectors/MANIFEST.sha256", "00  wire/one.json\n");
+        tree.write("vectors/corpus/wire/one.json", &vectors(&["NCP-TEST-001"]));
+        tree.write("vectors/MANIFEST.sha256", "00  corpus/wire/one.json\n");
         let mut exclusions = "[rules]\n".to_owned();
         for number in 1..=35 {
             write!(exclusions, "\n[findings.L{number:02}]\nrules = []\nwhy = \"Nothing in this tree is audited.\"\n")
@@ -127,11 +127,11 @@ fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
     assert_eq!(exit, 0, "{out}");
     assert!(out.contains("3 rules, 2 of them binding: 2 shown, 0 excluded with a reason"), "{out}");
     let page = tree.read("reports/traceability.md");
-    assert!(page.contains("NCP-TEST-001") && page.contains("[one.json](../vectors/wire/one.json) 1"));
+    assert!(page.contains("NCP-TEST-001") && page.contains("[one.json](../vectors/corpus/wire/one.json) 1"));
     let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
     let evidence = &report["rules"][1]["evidence"];
     assert_eq!(evidence, &json!([{"kind": "properties", "place": "spec/tests/other.rs it_does_another", "count": 1}]));
-    assert!(tree.read("spec/evidence.lock").contains("vectors/wire/one.json"));
+    assert!(tree.read("spec/evidence.lock").contains("vectors/corpus/wire/one.json"));
     assert_eq!(tree.trace(&["--check"]).0, 0);
 }
 
@@ -163,10 +163,10 @@ fn a_fuzz_target_that_cites_no_rule_or_checks_nothing_is_an_orphan() {
 #[test]
 fn a_vector_file_that_is_gone_is_named_with_the_rules_that_it_showed() {
     let tree = Tree::accepted();
-    std::fs::remove_file(tree.root().join("vectors/wire/one.json")).unwrap();
+    std::fs::remove_file(tree.root().join("vectors/corpus/wire/one.json")).unwrap();
     tree.fails_with(&[
-        "vectors/wire/one.json is in the manifest and is gone; orphaned is its evidence for NCP-TEST-001",
-        "NCP-TEST-001 has lost vectors/wire/one.json",
+        "vectors/corpus/wire/one.json is in the manifest and is gone; orphaned is its evidence for NCP-TEST-001",
+        "NCP-TEST-001 has lost vectors/corpus/wire/one.json",
         "NCP-TEST-001 is binding, and nothing shows it: A peer MUST do one thing.",
     ]);
 }
@@ -179,8 +179,8 @@ fn an_id_that_is_renamed_in_the_text_orphans_what_cites_it() {
     tree.fails_with(&[
         "NCP-TEST-001 is not in the text; orphaned are peers/python-pure/ncp_pure/one.py:1, \
          peers/typescript/src/one.ts:1, \
-         spec/src/wire/one.rs:4 does_one, vectors/wire/one.json (1 case)",
-        "NCP-TEST-001 is gone from the text; orphaned is vectors/wire/one.json",
+         spec/src/wire/one.rs:4 does_one, vectors/corpus/wire/one.json (1 case)",
+        "NCP-TEST-001 is gone from the text; orphaned is vectors/corpus/wire/one.json",
         "NCP-TEST-009 is binding, and nothing shows it",
     ]);
 }
@@ -222,7 +222,7 @@ fn what_cites_no_rule_is_an_orphan() {
             "proptest! {\n    #[test]\n    fn it_holds(x in 0..3) {}\n}\n",
             "the property spec/tests/two.rs:3 it_holds cites no rule",
         ),
-        ("vectors/wire/two.json", &vectors(&[]), "the case wire/one/a cites no rule"),
+        ("vectors/corpus/wire/two.json", &vectors(&[]), "the case wire/one/a cites no rule"),
     ] {
         let tree = Tree::accepted();
         tree.write(file, text);

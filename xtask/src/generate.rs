@@ -145,7 +145,7 @@ fn header(project: &Project) -> Result<String, Error> {
 
 const HEADER: &str = "peers/cpp/include/ncp.h";
 const SCHEMAS: &str = "schemas/";
-const VECTORS: &str = "vectors/";
+const VECTORS: &str = "vectors/corpus/";
 const MANIFEST: &str = "vectors/MANIFEST.sha256";
 
 fn stale(project: &Project, files: &Files) -> Result<Vec<Stale>, Error> {
@@ -245,16 +245,16 @@ mod tests {
 
     #[test]
     fn files_that_are_as_generated_are_not_stale() {
-        let files = [("schemas/a.json", "{}\n"), ("vectors/wire/b.json", "[]\n")];
+        let files = [("schemas/a.json", "{}\n"), ("vectors/corpus/wire/b.json", "[]\n")];
         assert_eq!(stale_of(&files, &files), [""; 0]);
     }
 
     #[test]
     fn a_missing_file_and_one_that_nothing_generates_are_named() {
-        let there = [("vectors/wire/extra.json", "{}"), ("vectors/src/json.json", "not an area")];
+        let there = [("vectors/corpus/wire/extra.json", "{}"), ("vectors/corpus.json", "not an area")];
         assert_eq!(
-            stale_of(&[("vectors/wire/b.json", "")], &there),
-            ["vectors/wire/b.json: is missing", "vectors/wire/extra.json: is not a generated file"]
+            stale_of(&[("vectors/corpus/wire/b.json", "")], &there),
+            ["vectors/corpus/wire/b.json: is missing", "vectors/corpus/wire/extra.json: is not a generated file"]
         );
     }
 
@@ -266,9 +266,9 @@ mod tests {
                 "{{\n\"cases\": [{{ \"id\": \"wire/a\", \"why\": \"{long}\" }},{{ \"id\": \"wire/b\", \"expect\": \"{expect}\", \"why\": \"{long}\" }}]\n}}\n"
             )
         };
-        let shown = stale_of(&[("vectors/wire/c.json", &text("type"))], &[("vectors/wire/c.json", &text("tÿpe"))]);
+        let shown = stale_of(&[("vectors/corpus/wire/c.json", &text("type"))], &[("vectors/corpus/wire/c.json", &text("tÿpe"))]);
         insta::assert_snapshot!(shown.join("\n"), @r#"
-        vectors/wire/c.json:2: is not what would be generated (case wire/b)
+        vectors/corpus/wire/c.json:2: is not what would be generated (case wire/b)
           is:        …xxxxxxxxxxxxxxxxxxxxxxxxxx" },{ "id": "wire/b", "expect": "tÿpe", "why": "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…
           should be: …xxxxxxxxxxxxxxxxxxxxxxxxxx" },{ "id": "wire/b", "expect": "type", "why": "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…
         "#);

@@ -210,7 +210,7 @@ pub fn dictionary() -> String {
 
 fn cases(root: &Path) -> io::Result<Vec<Value>> {
     let mut cases = Vec::new();
-    for area in sorted(&root.join("vectors"))? {
+    for area in sorted(&root.join("vectors/corpus"))? {
         if !area.is_dir() {
             continue;
         }

@@ -196,7 +196,7 @@ impl Suite {
                 }
             }
             cases.extend(file.cases);
-            manifest.push_str(&format!("{}  {name}\n", hex(&Sha256::digest(text))));
+            manifest.push_str(&format!("{}  corpus/{name}\n", hex(&Sha256::digest(text))));
             count += 1;
         }
         if cases.is_empty() {

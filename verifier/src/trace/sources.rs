@@ -349,11 +349,9 @@ struct MutantEntry {
     rules: Vec<String>,
 }
 
-/// Every `vectors/<area>/<name>.json`, sorted.
+/// Every `vectors/corpus/<area>/<name>.json`, sorted.
 fn vector_files(root: &Path) -> Result<Vec<String>, TraceError> {
-    let mut found = files(root, "vectors", "json")?;
-    found.retain(|file| file.matches('/').count() == 2);
-    Ok(found)
+    files(root, "vectors/corpus", "json")
 }
 
 /// The files of a folder, at any depth, with an extension: their paths within the tree, sorted.
