@@ -77,8 +77,7 @@ fn the_schema_of_its_kind_judges_every_frame_of_the_corpus_as_the_case_expects()
 
 fn vector_files() -> Vec<(PathBuf, Value)> {
     let areas = fs::read_dir(Path::new(ROOT).join("vectors/corpus")).unwrap().map(|entry| entry.unwrap().path());
-    let files =
-        areas.filter(|path| path.is_dir()).flat_map(|area| fs::read_dir(area).unwrap());
+    let files = areas.filter(|path| path.is_dir()).flat_map(|area| fs::read_dir(area).unwrap());
     let paths = files
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"));

@@ -266,7 +266,10 @@ mod tests {
                 "{{\n\"cases\": [{{ \"id\": \"wire/a\", \"why\": \"{long}\" }},{{ \"id\": \"wire/b\", \"expect\": \"{expect}\", \"why\": \"{long}\" }}]\n}}\n"
             )
         };
-        let shown = stale_of(&[("vectors/corpus/wire/c.json", &text("type"))], &[("vectors/corpus/wire/c.json", &text("tÿpe"))]);
+        let shown = stale_of(
+            &[("vectors/corpus/wire/c.json", &text("type"))],
+            &[("vectors/corpus/wire/c.json", &text("tÿpe"))],
+        );
         insta::assert_snapshot!(shown.join("\n"), @r#"
         vectors/corpus/wire/c.json:2: is not what would be generated (case wire/b)
           is:        …xxxxxxxxxxxxxxxxxxxxxxxxxx" },{ "id": "wire/b", "expect": "tÿpe", "why": "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…
