@@ -10,9 +10,7 @@
 //! | [`run`](mod@run) | keeps requests in flight, and charges a fault to the case that causes it |
 //! | [`check`] | judges one answer by the relation that its case states |
 //! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
-//! | [`mutants`] | measures what the suite detects: the peer with one defect after the other |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
-//! | [`trace`] | leads from every rule to what shows it, and back, in the source tree |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
 //!
 //! No rule of NCP is written a second time here: what a frame, a block or a level means is asked of [`ncp_spec`].
@@ -22,10 +20,8 @@
 pub mod check;
 pub mod cli;
 pub mod json;
-pub mod mutants;
 pub mod peer;
 pub mod report;
 pub mod run;
 pub mod suite;
-pub mod trace;
 pub mod verdict;

@@ -7,9 +7,7 @@ use serde_json::Value;
 
 use crate::count::{self, Count};
 use crate::generate;
-use crate::mutate_kernel;
-use crate::prove;
-use crate::setup;
+use xtask::setup;
 use crate::test::{Failure, Work};
 
 /// One named check.
@@ -41,15 +39,6 @@ pub(crate) const CHECKS: &[Check] = &[
         name: "vectors",
         about: "vectors/ and its manifest hold what the generator generates",
         run: |work| fresh(work, "vectors/"),
-    },
-    Check {
-        name: "proofs-fresh",
-        about: "reports/proofs.json and mutations.json are about the kernel and its properties as they are",
-        run: |work| {
-            let mut wrong = prove::stale(work.project);
-            wrong.extend(mutate_kernel::problems(work.project));
-            nothing_wrong(&wrong, "")
-        },
     },
     Check {
         name: "buf-lint",
@@ -144,9 +133,9 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "trace",
-        about: "every binding rule is shown, and all evidence cites rules (ncp-verify trace)",
+        about: "every binding rule is shown, and all evidence cites rules (cargo assure trace)",
         run: |work| {
-            let trace = [VERIFY, &["trace", "--check"]].concat();
+            let trace = [ASSURE, &["trace", "--check"]].concat();
             work.program(work.project.cargo(&trace))
         },
     },
@@ -157,9 +146,9 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "mutants",
-        about: "the suite notices every mutant, and names the rule that it breaks (ncp-verify mutants)",
+        about: "the suite notices every mutant, and names the rule that it breaks (cargo assure mutants)",
         run: |work| {
-            let hunt = ["run", "--quiet", "--release", "-p", "ncp-verifier", "--", "mutants"];
+            let hunt = [ASSURE, &["mutants"]].concat();
             work.tests(work.project.cargo(&hunt), count::mutants)
         },
     },
@@ -167,6 +156,9 @@ pub(crate) const CHECKS: &[Check] = &[
 
 /// The crate with what the fuzz targets check.
 const FUZZ: &str = "ncp-fuzz-bodies";
+
+/// How cargo runs the maintainers' command.
+const ASSURE: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-assurance", "--"];
 
 /// How cargo runs the verifier.
 const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];

@@ -9,7 +9,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use crate::Error;
-use crate::project::Project;
+use xtask::project::Project;
 
 /// Writes the generated files that are not there as they should be, and says which.
 ///

@@ -4,10 +4,16 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::Error;
+use thiserror::Error;
+
+/// The program was not started by cargo, which says where the project lies.
+#[derive(Debug, Error)]
+#[error("not started by cargo: CARGO_MANIFEST_DIR is not set")]
+pub struct NoProject;
 
 /// The checked-out project.
-pub(crate) struct Project {
+#[derive(Debug)]
+pub struct Project {
     root: PathBuf,
 }
 
@@ -16,23 +22,26 @@ impl Project {
     ///
     /// # Errors
     /// The program was not started by cargo, which says where it lies.
-    pub(crate) fn find() -> Result<Self, Error> {
-        let xtask = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(Error::NoProject)?;
-        Ok(Self::at(Path::new(&xtask).parent().ok_or(Error::NoProject)?))
+    pub fn find() -> Result<Self, NoProject> {
+        let crate_folder = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(NoProject)?;
+        Ok(Self::at(Path::new(&crate_folder).parent().ok_or(NoProject)?))
     }
 
     /// The project in a folder.
-    pub(crate) fn at(root: &Path) -> Self {
+    #[must_use]
+    pub fn at(root: &Path) -> Self {
         Self { root: root.to_owned() }
     }
 
     /// A path within the project.
-    pub(crate) fn path(&self, relative: &str) -> PathBuf {
+    #[must_use]
+    pub fn path(&self, relative: &str) -> PathBuf {
         self.root.join(relative)
     }
 
     /// A program, to be started in a folder of the project without input and colours.
-    pub(crate) fn program(&self, program: impl Into<OsString>, args: &[&str], folder: &str) -> Command {
+    #[must_use]
+    pub fn program(&self, program: impl Into<OsString>, args: &[&str], folder: &str) -> Command {
         let mut command = Command::new(program.into());
         command
             .args(args)
@@ -44,14 +53,16 @@ impl Project {
     }
 
     /// The cargo that started this program.
-    pub(crate) fn cargo(&self, args: &[&str]) -> Command {
+    #[must_use]
+    pub fn cargo(&self, args: &[&str]) -> Command {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         self.program(cargo, args, "")
     }
 }
 
 /// A program and its arguments, as somebody would type them.
-pub(crate) fn shown(command: &Command) -> String {
+#[must_use]
+pub fn shown(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let program = program.file_stem().unwrap_or(program.as_os_str());
     let words = std::iter::once(program).chain(command.get_args());

@@ -9,7 +9,6 @@ use std::process::Command;
 
 use thiserror::Error;
 
-use crate::Error as XtaskError;
 use crate::project::{self, Project};
 
 /// The version of the buf CLI, as the package `buf-bin` of PyPI has it.
@@ -27,13 +26,13 @@ const PYTHON: &str = "peers/python";
 const PYTHON_VENV: &str = ".tools/python-venv";
 
 /// Tells the person who waits what is being installed.
-pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
+pub type Say<'a> = &'a mut dyn FnMut(&str);
 
 /// Sets up everything.
 ///
 /// # Errors
 /// The first thing that could not be installed.
-pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
+pub fn all(project: &Project) -> Result<(), SetupError> {
     let mut say = |line: &str| println!("{line}");
     buf(project, &mut say)?;
     browser(project, &mut say)?;
@@ -43,14 +42,14 @@ pub(crate) fn all(project: &Project) -> Result<bool, XtaskError> {
         "ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, the module of {PYTHON}, \
          a C++ compiler, valgrind, Chromium"
     );
-    Ok(true)
+    Ok(())
 }
 
 /// Installs the buf CLI, and returns its path.
 ///
 /// # Errors
 /// No Python, or one that cannot make a virtual environment, or no PyPI.
-pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+pub fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let bin = project.path(VENV).join(if cfg!(windows) { "Scripts" } else { "bin" });
     let buf = bin.join("buf");
     if version(&mut Command::new(&buf)).is_some_and(|version| version == BUF_VERSION) {
@@ -70,7 +69,7 @@ pub(crate) fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError
 ///
 /// # Errors
 /// No Python, or one that cannot make a virtual environment, or no PyPI.
-pub(crate) fn solvers(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+pub fn solvers(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     python_packages(project, SOLVERS_VENV, "bitwuzla, z3", &SOLVERS, say)
 }
 
@@ -78,7 +77,7 @@ pub(crate) fn solvers(project: &Project, say: Say<'_>) -> Result<(), SetupError>
 ///
 /// # Errors
 /// As [`solvers`].
-pub(crate) fn angr(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+pub fn angr(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     python_packages(project, ANGR_VENV, "angr, bitwuzla", &ANGR, say)
 }
 
@@ -117,7 +116,7 @@ fn python_packages(
 ///
 /// # Errors
 /// No npm, or no registry.
-pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+pub fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     let folder = project.path(TYPESCRIPT);
     // npm leaves a copy of the lock file when it has installed everything.
     let changed = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());
@@ -137,7 +136,7 @@ pub(crate) fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupErr
 ///
 /// # Errors
 /// They are missing, and cannot be installed.
-pub(crate) fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+pub fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     let remedy = "install a C and C++ compiler and valgrind";
     for (tool, package) in [("cc", "gcc"), ("c++", "g++"), ("valgrind", "valgrind")] {
         debian(project, say, tool, package, remedy)?;
@@ -149,7 +148,7 @@ pub(crate) fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
 ///
 /// # Errors
 /// They are missing, and cannot be installed.
-pub(crate) fn browser(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+pub fn browser(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     typescript(project, say)?;
     if env::var_os("NCP_CHROMIUM").is_some() {
         return Ok(());
@@ -162,7 +161,7 @@ pub(crate) fn browser(project: &Project, say: Say<'_>) -> Result<(), SetupError>
 ///
 /// # Errors
 /// No Python, one that cannot make a virtual environment, no PyPI, or code that does not compile.
-pub(crate) fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+pub fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let python = find_python()?;
     say(&format!("building the module of {PYTHON} (maturin, from PyPI) into {PYTHON_VENV}"));
     carry_out(project.program(python, &["build.py", "--tests"], PYTHON))?;
@@ -174,7 +173,7 @@ pub(crate) fn python(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupEr
 ///
 /// # Errors
 /// No registry, or it does not build here.
-pub(crate) fn program(project: &Project, name: &str, pinned: &str, say: Say<'_>) -> Result<PathBuf, SetupError> {
+pub fn program(project: &Project, name: &str, pinned: &str, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let program = project.path(CARGO_ROOT).join("bin").join(name);
     // As a subcommand of cargo, it says its version when it gets its own name first.
     let subcommand = name.trim_start_matches("cargo-");
@@ -191,11 +190,11 @@ pub(crate) fn program(project: &Project, name: &str, pinned: &str, say: Say<'_>)
 }
 
 /// The program npm, by the name under which it can be started.
-pub(crate) const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
+pub const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 
 /// Why something could not be set up.
 #[derive(Debug, Error)]
-pub(crate) enum SetupError {
+pub enum SetupError {
     #[error("{tool} is missing: {remedy}")]
     Missing { tool: &'static str, remedy: &'static str },
     #[error("cannot make a virtual environment (on Debian: install python3-venv)\n{failure}")]
@@ -250,7 +249,7 @@ fn find_python() -> Result<&'static str, SetupError> {
 ///
 /// # Errors
 /// It could not be started, or did not succeed.
-pub(crate) fn carry_out(mut command: Command) -> Result<(), SetupError> {
+pub fn carry_out(mut command: Command) -> Result<(), SetupError> {
     io::stdout().flush().ok();
     let shown = project::shown(&command);
     let result = command.output();

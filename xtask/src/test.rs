@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 use crate::Error;
 use crate::checks::{CHECKS, Check};
 use crate::count::Count;
-use crate::project::{self, Project};
-use crate::setup::{Say, SetupError};
+use xtask::project::{self, Project};
+use xtask::setup::{Say, SetupError};
 
 /// Prints the checks.
 pub(crate) fn list() {

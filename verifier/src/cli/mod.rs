@@ -6,8 +6,6 @@
 mod check;
 mod explain;
 mod list;
-mod mutants;
-mod trace;
 mod workspace;
 
 use std::io::{IsTerminal as _, Write as _};
@@ -23,7 +21,6 @@ use crate::peer::{ManifestError, StartError};
 use crate::report::{Exit, Style};
 use crate::run::Stop;
 use crate::suite::{Pattern, Selection, Suite, SuiteError};
-use crate::trace::TraceError;
 use crate::verdict::BaselineError;
 
 /// How wide a line is where there is no terminal to ask.
@@ -66,9 +63,6 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
         Some(Command::List(list)) => list::list(&suite()?, list, style),
         Some(Command::Explain(explain)) => explain::explain(&suite()?, &explain.id, style),
-        Some(Command::Mutants(args)) => mutants::mutants(&suite()?, args, styles, &stop),
-        // The tree is read as it is, also where its corpus and its text do not agree.
-        Some(Command::Trace(args)) => trace::trace(args, style),
     }
 }
 
@@ -135,26 +129,7 @@ enum Command {
         after_help = "Examples:\n  ncp-verify explain wire/command_frame/seq/null\n  ncp-verify explain NCP-WIRE-007\n  ncp-verify explain lenient-integers"
     )]
     Explain(ExplainArgs),
-    /// Trace every rule to what shows it, and back, in the source tree
-    #[command(after_help = TRACE_HELP)]
-    Trace(TraceArgs),
-    /// Measure what the suite detects: run it against the Rust peer with one defect after the other
-    #[command(after_help = MUTANTS_HELP)]
-    Mutants(MutantsArgs),
 }
-
-const TRACE_HELP: &str = "\
-Writes reports/traceability.md and reports/traceability.json. Exit code 1 says that a binding rule has no evidence,
-that a case, a property or a public function cites no rule or one that the text does not have, or that evidence is
-gone, or its rule reads differently, since it was last accepted.";
-
-const MUTANTS_HELP: &str = "\
-Builds peers/mutants, and writes reports/mutants.md and reports/mutants.json.
-Ends with 1 if the suite does not notice a mutant, or does not name the rule that it breaks.
-
-Examples:
-  ncp-verify mutants --list
-  ncp-verify mutants --only lenient-integer-fraction";
 
 const RUN_HELP: &str = "\
 A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
@@ -239,41 +214,6 @@ struct ExplainArgs {
     id: String,
 }
 
-#[derive(Debug, Args)]
-struct TraceArgs {
-    /// The source tree [default: the one at or above this folder]
-    #[arg(long, value_name = "DIR")]
-    root: Option<PathBuf>,
-    /// Write nothing; fail also when what is written is stale
-    #[arg(long, conflicts_with = "accept")]
-    check: bool,
-    /// Accept sentences that changed and evidence that is gone, having looked at them
-    #[arg(long)]
-    accept: bool,
-}
-
-#[derive(Debug, Args)]
-struct MutantsArgs {
-    /// Only this mutant; writes no reports (may be repeated)
-    #[arg(long, value_name = "NAME")]
-    only: Vec<String>,
-    /// Only list the mutants
-    #[arg(long)]
-    list: bool,
-    /// How many mutants are on trial side by side
-    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..=256))]
-    jobs: u16,
-    /// Seconds that the trial of one mutant may take
-    #[arg(long, value_name = "S", default_value = "120", value_parser = seconds)]
-    limit: Duration,
-    /// The program that holds the mutants, instead of building it
-    #[arg(long, value_name = "FILE")]
-    program: Option<PathBuf>,
-    /// Where to write the reports [default: reports]
-    #[arg(long, value_name = "DIR")]
-    reports: Option<PathBuf>,
-}
-
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum Colour {
     Auto,
@@ -320,8 +260,6 @@ enum CliError {
     #[error("the suite: {0}")]
     Suite(#[from] SuiteError),
     #[error("{0}")]
-    Trace(#[from] TraceError),
-    #[error("{0}")]
     Harness(String),
 }
 
@@ -330,7 +268,7 @@ impl CliError {
         match self {
             Self::Usage(_) | Self::Manifest(_) | Self::Baseline { .. } => Exit::Usage,
             Self::Start(_) => Exit::NotStarted,
-            Self::Suite(_) | Self::Trace(_) | Self::Harness(_) => Exit::Harness,
+            Self::Suite(_) | Self::Harness(_) => Exit::Harness,
         }
     }
 }

@@ -11,8 +11,8 @@ use serde_json::{Value, json};
 use super::outcome::{By, Fate, Mutant, Outcome};
 use super::{CARGO_MUTANTS, MODULES, Module};
 use crate::Error;
-use crate::project::Project;
-use crate::prove::digest::of_files;
+use crate::digest::of_files;
+use xtask::project::Project;
 
 const JSON: &str = "reports/cargo-mutants.json";
 const MARKDOWN: &str = "reports/cargo-mutants.md";

@@ -18,6 +18,7 @@
 //! - `lock`: what was accepted, and what is excluded.
 //! - `report`: the matrix as Markdown and JSON.
 
+pub(crate) mod command;
 mod lock;
 mod report;
 mod rust;

@@ -1,11 +1,27 @@
 //! `ncp-verify trace`.
 
-use std::path::Path;
+use std::io::IsTerminal as _;
+use std::path::{Path, PathBuf};
 
-use super::workspace::Workspace;
-use super::{CliError, TraceArgs, print};
-use crate::report::{Exit, Style, wrap};
-use crate::trace::{Fault, Trace, json, markdown};
+use clap::Args;
+use ncp_verifier::report::{Style, wrap};
+use xtask::project::Project;
+
+use super::{Fault, Trace, json, markdown};
+use crate::Error;
+
+#[derive(Debug, Args)]
+pub(crate) struct TraceArgs {
+    /// The source tree [default: the one at or above this folder]
+    #[arg(long, value_name = "DIR")]
+    root: Option<PathBuf>,
+    /// Write nothing; fail also when what is written is stale
+    #[arg(long, conflicts_with = "accept")]
+    check: bool,
+    /// Accept sentences that changed and evidence that is gone, having looked at them
+    #[arg(long)]
+    accept: bool,
+}
 
 /// How the matrix is written.
 type Render = fn(&Trace) -> String;

@@ -7,8 +7,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::Error;
-use crate::project::{self, Project};
-use crate::setup::{self, Say, SetupError};
+use xtask::project::{self, Project};
+use xtask::setup::{self, Say, SetupError};
 
 /// The version of cargo-fuzz.
 pub(super) const CARGO_FUZZ: &str = "0.13.2";

@@ -7,6 +7,7 @@
 //! The cases with requests above 64 KiB take longer than all others together. They are run only against a mutant whose
 //! rule the others do not name.
 
+pub(crate) mod command;
 mod report;
 mod trial;
 
@@ -23,9 +24,9 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use crate::peer::StartError;
-use crate::run::Stop;
-use crate::suite::Suite;
+use ncp_verifier::peer::StartError;
+use ncp_verifier::run::Stop;
+use ncp_verifier::suite::Suite;
 
 /// A mutant, as the program that holds all of them lists it.
 #[derive(Debug, Clone, Serialize, Deserialize)]

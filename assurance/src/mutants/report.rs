@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::{Fate, Trial};
-use crate::suite::Suite;
+use ncp_verifier::suite::Suite;
 
 /// The format of the JSON file.
 const FORMAT: u32 = 1;

@@ -8,11 +8,11 @@ use ncp_text::catalogue::{Level, Role};
 use serde::Serialize;
 
 use super::{Hunt, Mutant, MutantsError};
-use crate::peer::{Connection, Description, Launch, handshake};
-use crate::report::{CaseReport, PeerReport, by_rule, likeliest_first};
-use crate::run::{self, CaseRun, Deaf, Settings, Stop};
-use crate::suite::Case;
-use crate::verdict::{Baseline, judge, judge_description};
+use ncp_verifier::peer::{Connection, Description, Launch, handshake};
+use ncp_verifier::report::{CaseReport, PeerReport, by_rule, likeliest_first};
+use ncp_verifier::run::{self, CaseRun, Deaf, Settings, Stop};
+use ncp_verifier::suite::Case;
+use ncp_verifier::verdict::{Baseline, judge, judge_description};
 
 /// What became of a mutant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -11,7 +11,7 @@ use super::coverage::percent;
 use super::engine::{Engine, Run};
 use super::{CORPUS, Target, files, grouped};
 use crate::Error;
-use crate::project::Project;
+use xtask::project::Project;
 
 const JSON: &str = "reports/fuzz.json";
 const MARKDOWN: &str = "reports/fuzz.md";

@@ -18,9 +18,9 @@ use std::process::{Command, Stdio};
 use serde_json::{Value, json};
 
 use crate::Error;
-use crate::project::Project;
-use crate::prove::digest;
+use crate::digest;
 use tokens::{Change, changes, variants};
+use xtask::project::Project;
 
 const KERNEL: &str = "spec/src/safety/kernel";
 const PLACE: &str = ".tools/mutants";

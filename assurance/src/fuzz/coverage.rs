@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 use super::report::Report;
 use super::{BODIES, say};
 use crate::Error;
-use crate::project::Project;
-use crate::setup::{self, SetupError};
+use xtask::project::Project;
+use xtask::setup::{self, SetupError};
 
 /// The version of cargo-llvm-cov.
 const CARGO_LLVM_COV: &str = "0.9.1";

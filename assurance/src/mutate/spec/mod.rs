@@ -14,10 +14,10 @@ use std::process::Command;
 use serde_json::Value;
 
 use crate::Error;
-use crate::project::Project;
-use crate::setup::{self, SetupError};
 use outcome::{By, Mutant, Outcome};
 use report::{Digests, Report};
+use xtask::project::Project;
+use xtask::setup::{self, SetupError};
 
 /// The version of cargo-mutants.
 const CARGO_MUTANTS: &str = "27.1.0";

@@ -9,12 +9,10 @@ use std::time::Instant;
 use serde_json::Value;
 
 use crate::Error;
-use crate::project::Project;
-use crate::setup;
+use xtask::project::Project;
+use xtask::setup;
 
-#[allow(unreachable_pub, reason = "the file belongs to the proofs, too")]
-#[path = "../../proofs/src/digest.rs"]
-pub(crate) mod digest;
+use crate::digest;
 
 /// Whether the machine code of this machine can be explored.
 const RUNS_MACHINE: bool = cfg!(all(target_os = "linux", target_arch = "x86_64"));

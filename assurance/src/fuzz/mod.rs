@@ -16,10 +16,10 @@ use std::time::Duration;
 use serde_json::Value;
 
 use crate::Error;
-use crate::project::Project;
-use crate::setup::{self, SetupError};
 use engine::{Engine, Run};
 use report::Report;
+use xtask::project::Project;
+use xtask::setup::{self, SetupError};
 
 /// What each target checks, and the replay of the corpora.
 const BODIES: &str = "ncp-fuzz-bodies";

@@ -2,15 +2,39 @@
 
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-use super::check::{Styles, current_dir, write};
-use super::workspace::Workspace;
-use super::{CliError, MutantsArgs, print};
-use crate::mutants::{self, Fate, Hunt, Mutant, MutantsError, MutantsReport, Trial};
-use crate::peer::{Launch, Setup};
-use crate::report::{Exit, Progress};
-use crate::run::Stop;
-use crate::suite::Suite;
+use clap::Args;
+use ncp_verifier::peer::{Launch, Setup};
+use ncp_verifier::report::{Progress, Style};
+use ncp_verifier::run::Stop;
+use ncp_verifier::suite::Suite;
+use xtask::project::Project;
+
+use super::{Fate, Hunt, Mutant, MutantsError, MutantsReport, Trial};
+use crate::Error;
+
+#[derive(Debug, Args)]
+pub(crate) struct MutantsArgs {
+    /// Only this mutant; writes no reports (may be repeated)
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+    /// Only list the mutants
+    #[arg(long)]
+    list: bool,
+    /// How many mutants are on trial side by side
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
+    /// Seconds that the trial of one mutant may take
+    #[arg(long, value_name = "S", default_value = "120", value_parser = seconds)]
+    limit: Duration,
+    /// The program that holds the mutants, instead of building it
+    #[arg(long, value_name = "FILE")]
+    program: Option<PathBuf>,
+    /// Where to write the reports [default: reports]
+    #[arg(long, value_name = "DIR")]
+    reports: Option<PathBuf>,
+}
 
 /// The package that holds the mutants, and its program.
 const PACKAGE: &str = "ncp-peer-mutants";

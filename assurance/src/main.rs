@@ -1,0 +1,110 @@
+//! The maintainers' command, `cargo assure`: what shows each rule, what notices each planted defect, what is proved and
+//! fuzzed, and which artefact is stale.
+//!
+//! It sees every room of the house, and no room sees it.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | `trace` | leads from every rule to what shows it, and back |
+//! | `mutants` | holds the suite against peers with planted defects |
+//! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
+//! | `prove` | drives the engines of `proofs/` |
+//! | `fuzz` | drives the targets of `fuzz/` |
+//! | `digest` | over the files on which an artefact depends |
+
+#![forbid(unsafe_code)]
+
+mod digest;
+mod fuzz;
+mod mutants;
+mod mutate;
+mod prove;
+mod trace;
+
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use thiserror::Error;
+use xtask::project::{NoProject, Project};
+use xtask::setup::SetupError;
+
+/// What shows each rule, what notices each planted defect, and which artefact is stale.
+#[derive(Debug, Parser)]
+#[command(name = "cargo assure", bin_name = "cargo assure", version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Trace every rule to what shows it, and back, in the source tree
+    Trace(trace::command::TraceArgs),
+    /// Measure what the suite detects: run it against the Rust peer with one planted defect after the other
+    Mutants(mutants::command::MutantsArgs),
+    /// Change the kernel or the specification, and ask who notices
+    #[command(subcommand)]
+    Mutate(mutate::Mutate),
+    /// Prove the kernel, its readers and the protocol anew
+    Prove {
+        /// Only these engines; what the others said of the same sources stays
+        #[arg(long, value_name = "NAME")]
+        engine: Vec<String>,
+    },
+    /// Fuzz every target for a while; fuzz/README.md has the other modes
+    Fuzz {
+        /// The options of fuzz/README.md
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        options: Vec<String>,
+    },
+}
+
+fn main() -> ExitCode {
+    match run(&Cli::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(if matches!(error, Error::Usage { .. }) { 2 } else { 1 })
+        }
+    }
+}
+
+/// Carries out a command line; `false` is a command that ran and found something wrong.
+fn run(cli: &Cli) -> Result<bool, Error> {
+    let project = Project::find()?;
+    match &cli.command {
+        Command::Trace(args) => trace::command::trace(&project, args),
+        Command::Mutants(args) => mutants::command::mutants(&project, args),
+        Command::Mutate(command) => mutate::run(&project, command),
+        Command::Prove { engine } => prove::run(&project, &words(engine)),
+        Command::Fuzz { options } => fuzz::run(&project, &words(options)),
+    }
+}
+
+fn words(options: &[String]) -> Vec<&str> {
+    options.iter().map(String::as_str).collect()
+}
+
+/// Why a command could not do its work.
+#[derive(Debug, Error)]
+enum Error {
+    #[error("{what}")]
+    Usage { what: String },
+    #[error(transparent)]
+    NoProject(#[from] NoProject),
+    #[error("{0}")]
+    Setup(#[from] SetupError),
+    #[error(transparent)]
+    Trace(#[from] trace::TraceError),
+    #[error(transparent)]
+    Hunt(#[from] mutants::MutantsError),
+    #[error("the suite: {0}")]
+    Suite(#[from] ncp_verifier::suite::SuiteError),
+    #[error("changed kernels: {0}")]
+    Mutants(String),
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+}
