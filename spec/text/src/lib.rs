@@ -8,13 +8,22 @@
 //! | [`chapters`] | the files themselves |
 //! | [`catalogue`] | the rules, one sentence each with an id |
 //! | [`identity`] | the wire version and the contract hash, at compile time |
+//! | [`tables`](mod@tables) | messages and enums: fields, types, defaults, wire strings |
+//! | [`planes`](mod@planes) | the planes and their quality of service |
+//! | [`bulk`] | the golden block |
 
 #![forbid(unsafe_code)]
 
+pub mod bulk;
 pub mod catalogue;
 pub mod chapters;
 pub mod identity;
+mod markdown;
+pub mod planes;
+pub mod tables;
 
 pub use catalogue::Catalogue;
 pub use chapters::{CHAPTERS, Chapter};
 pub use identity::{CONTRACT_HASH, WIRE_VERSION};
+pub use planes::planes;
+pub use tables::tables;
