@@ -201,7 +201,7 @@ impl fmt::Display for Keyword {
 /// A level of conformance; each includes those below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Level {
-    /// Reads and writes what every 0.5 peer does, and rejects what is malformed.
+    /// Reads and writes what every peer of the wire does, and rejects what is malformed.
     Wire,
     /// Fails closed.
     Safety,
@@ -454,7 +454,8 @@ mod tests {
     #[test]
     fn a_rule_is_parsed_into_its_parts() {
         let catalogue = parse(
-            "# 9. Test\n\n## 9.1 Part\n\ntext\n\n- **[NCP-TEST-012]** A peer\n  SHOULD NOT  do `x`.\n  *(safety; server, commander)*\n- other\n",
+            "# 9. Test\n\n## 9.1 Part\n\ntext\n\n\
+             - **[NCP-TEST-012]** A peer\n  SHOULD NOT  do `x`.\n  *(safety; server, commander)*\n- other\n",
         )
         .unwrap();
         let [rule] = catalogue.requirements() else { panic!("{catalogue:?}") };

@@ -8,20 +8,26 @@ pub const WIRE_VERSION: &str = quoted_behind(VERSION_AND_IDENTITY.text, "The wir
 /// The contract hash of the text's schema. `// [NCP-VER-020]`
 pub const CONTRACT_HASH: &str = quoted_behind(VERSION_AND_IDENTITY.text, "The contract hash of this text is `");
 
-/// What stands between `lead` and the next backquote. A text without the lead does not compile.
+/// What stands between `lead` and the next backquote.
 const fn quoted_behind(text: &'static str, lead: &str) -> &'static str {
-    let (text_bytes, lead_bytes) = (text.as_bytes(), lead.as_bytes());
-    let mut start = 0;
-    while !stands_at(text_bytes, lead_bytes, start) {
-        start += 1;
-    }
-    let (_, behind) = text.split_at(start + lead_bytes.len());
+    let behind = behind(text, lead);
     let mut end = 0;
     while behind.as_bytes()[end] != b'`' {
         end += 1;
     }
     let (quoted, _) = behind.split_at(end);
     quoted
+}
+
+/// What follows the first `lead`. A text without it does not compile.
+pub(crate) const fn behind(text: &'static str, lead: &str) -> &'static str {
+    let (text_bytes, lead_bytes) = (text.as_bytes(), lead.as_bytes());
+    let mut start = 0;
+    while !stands_at(text_bytes, lead_bytes, start) {
+        start += 1;
+    }
+    let (_, behind) = text.split_at(start + lead_bytes.len());
+    behind
 }
 
 const fn stands_at(text: &[u8], lead: &[u8], start: usize) -> bool {

@@ -10,14 +10,29 @@
 //! | [`identity`] | the wire version and the contract hash, at compile time |
 //! | [`tables`](mod@tables) | messages and enums: fields, types, defaults, wire strings |
 //! | [`planes`](mod@planes) | the planes and their quality of service |
+//! | [`limits`] | the limits of frames, keys and blocks, at compile time |
 //! | [`bulk`] | the golden block |
-
+//!
+//! Feature `assurance` adds what holds the project to the rules:
+//!
+//! | module | what it reads |
+//! |---|---|
+#![cfg_attr(feature = "assurance", doc = "| [`exclusions`] | `spec/exclusions.toml`: what nothing can show, and why |")]
+#![cfg_attr(
+    feature = "assurance",
+    doc = "| [`citations`] | the rules that code names, and the functions that name them |"
+)]
 #![forbid(unsafe_code)]
 
 pub mod bulk;
 pub mod catalogue;
 pub mod chapters;
+#[cfg(feature = "assurance")]
+pub mod citations;
+#[cfg(feature = "assurance")]
+pub mod exclusions;
 pub mod identity;
+pub mod limits;
 mod markdown;
 pub mod planes;
 pub mod tables;
