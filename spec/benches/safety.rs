@@ -248,7 +248,7 @@ mod plain {
         pub(crate) fn new(velocity: [f64; 3], steps: usize) -> Self {
             let channels = one(VELOCITY_CHANNEL, velocity, METRES_PER_SECOND);
             Self {
-                ncp_version: "0.5".to_owned(),
+                ncp_version: ncp_spec::WIRE_VERSION.to_owned(),
                 kind: "command_frame".to_owned(),
                 seq: 1,
                 t: 0.0,

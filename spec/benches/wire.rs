@@ -13,33 +13,39 @@ use paired::Bench;
 
 mod paired;
 
-/// 215 bytes.
-const COMMAND: &str = r#"{"ncp_version":"0.5","kind":"command_frame","seq":7,"t":12.5,"frame_id":"world","mode":"active","ttl_ms":200.0,"channels":{"velocity_setpoint":{"data":[0.5,0.0,-0.2],"unit":"m/s"}},"horizon":[],"horizon_dt_ms":null}"#;
+/// What a short command holds, which is written in 215 bytes.
+const COMMAND: &str = r#"{"kind":"command_frame","seq":7,"t":12.5,"mode":"active","channels":{
+    "velocity_setpoint":{"data":[0.5,0.0,-0.2],"unit":"m/s"}}}"#;
 
-/// 195 bytes.
-const SENSOR: &str = r#"{"ncp_version":"0.5","kind":"sensor_frame","seq":7,"t":0.5,"frame_id":"world","channels":{"pose_position":{"data":[1.0,2.0,-3.5],"unit":"m"},"pose_velocity":{"data":[0.1,0.0,-0.2],"unit":"m/s"}}}"#;
+/// What a sensor frame holds, which is written in 195 bytes.
+const SENSOR: &str = r#"{"kind":"sensor_frame","seq":7,"t":0.5,"channels":{
+    "pose_position":{"data":[1.0,2.0,-3.5],"unit":"m"},
+    "pose_velocity":{"data":[0.1,0.0,-0.2],"unit":"m/s"}}}"#;
 
 /// As [`COMMAND`], but nothing in it is short or well known.
-const ODD_COMMAND: &str = r#"{"ncp_version":"0.5","kind":"command_frame","seq":9007199254740991,"t":1763677412.0482714,"frame_id":"base_link_7","mode":"active","ttl_ms":133.33333333333334,"channels":{"gripper_left":{"data":[0.30000000000000004,-1.2345678901234567,2.718281828459045],"unit":"N·m"}},"horizon":[],"horizon_dt_ms":null}"#;
+const ODD_COMMAND: &str = r#"{"kind":"command_frame","seq":9007199254740991,"t":1763677412.0482714,
+    "frame_id":"base_link_7","mode":"active","ttl_ms":133.33333333333334,"channels":{
+    "gripper_left":{"data":[0.30000000000000004,-1.2345678901234567,2.718281828459045],"unit":"N·m"}}}"#;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let bench = Bench::from_args();
-    println!("note   a CommandFrame of {} bytes, a SensorFrame of {} bytes", COMMAND.len(), SENSOR.len());
-    println!("note   one with long numbers and unknown names of {} bytes", ODD_COMMAND.len());
     against_serde::<CommandFrame, plain::CommandFrame>(&bench, "command-frame", COMMAND)?;
     against_serde::<SensorFrame, plain::SensorFrame>(&bench, "sensor-frame", SENSOR)?;
     against_serde::<CommandFrame, plain::CommandFrame>(&bench, "odd-command-frame", ODD_COMMAND)?;
     Ok(())
 }
 
-fn against_serde<F, P>(bench: &Bench, name: &str, frame: &str) -> Result<(), Box<dyn Error>>
+fn against_serde<F, P>(bench: &Bench, name: &str, sample: &str) -> Result<(), Box<dyn Error>>
 where
     F: Frame,
     P: serde::Serialize + serde::de::DeserializeOwned,
 {
+    let frame = &F::decode(sample.as_bytes())?.encode()?;
+    println!("note   {name}: {} bytes", frame.len());
     let (message, plain) = (F::decode(frame.as_bytes())?, serde_json::from_slice::<P>(frame.as_bytes())?);
-    assert_eq!(message.encode()?, frame, "both sides write the same bytes");
-    assert_eq!(serde_json::to_string(&plain)?, frame, "both sides write the same bytes");
+    let plainly = serde_json::to_string(&plain)?;
+    let fields = plainly.trim_end_matches('}');
+    assert!(frame.starts_with(fields), "both sides write the same bytes, as far as the plain side knows the fields");
     let (against, aim) = ("serde", "≤ 1.0, aim 0.6");
     bench.ratio(
         &format!("wire/decode-{name}"),
@@ -109,7 +115,7 @@ mod plain {
     impl Default for SensorFrame {
         fn default() -> Self {
             Self {
-                ncp_version: "0.5".into(),
+                ncp_version: ncp_spec::WIRE_VERSION.into(),
                 kind: "sensor_frame".into(),
                 seq: 0,
                 t: 0.0,
@@ -122,7 +128,7 @@ mod plain {
     impl Default for CommandFrame {
         fn default() -> Self {
             Self {
-                ncp_version: "0.5".into(),
+                ncp_version: ncp_spec::WIRE_VERSION.into(),
                 kind: "command_frame".into(),
                 seq: 0,
                 t: 0.0,

@@ -305,8 +305,8 @@ mod tests {
     fn a_session_that_the_server_has_lost_is_no_more_the_clients() {
         let bus = LocalBus::new();
         let mut client = NeuroSimClient::new(bus.clone(), None).unwrap();
-        let opens = r#"{"kind":"session_opened","ncp_version":"0.5","session_id":"s"}"#;
-        let closes = r#"{"kind":"session_closed","ncp_version":"0.5","session_id":"s","ok":false}"#;
+        let opens = r#"{"kind":"session_opened","session_id":"s"}"#;
+        let closes = r#"{"kind":"session_closed","session_id":"s","ok":false}"#;
         let _serving = bus
             .serve("ncp/rpc", move |request| {
                 let is_open = String::from_utf8_lossy(request).contains("open_session");

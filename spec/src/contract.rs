@@ -162,6 +162,7 @@ fn without_comments(proto: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::WIRE_VERSION;
 
     #[test]
     fn fnv1a_gives_the_published_values() {
@@ -179,7 +180,8 @@ mod tests {
 
     #[test]
     fn comments_blank_lines_indentation_and_file_options_do_not_count() {
-        let proto = "syntax = \"proto3\";\npackage ncp.v0;\nimport \"x.proto\";\noption java_package = \"x\";\n\n// about A\nmessage A { // trailing\n\t  string a = 1;  \r\n  /* several\n     lines */\n}\n";
+        let proto = "syntax = \"proto3\";\npackage ncp.v0;\nimport \"x.proto\";\n\
+            option java_package = \"x\";\n\n// about A\nmessage A { // trailing\n\t  string a = 1;  \r\n  /* several\n     lines */\n}\n";
         assert_eq!(canonical_text(proto), "message A {\nstring a = 1;\n}");
     }
 
@@ -209,26 +211,26 @@ mod tests {
 
     #[test]
     fn a_hash_matches_letter_for_letter() {
-        assert_eq!(contract_status(Some("24e8e6e31e1dec8a")), ContractStatus::Match);
-        assert_eq!(contract_status(Some("24E8E6E31E1DEC8A")), ContractStatus::Mismatch);
+        assert_eq!(contract_status(Some(CONTRACT_HASH)), ContractStatus::Match);
+        assert_eq!(contract_status(Some(&CONTRACT_HASH.to_ascii_uppercase())), ContractStatus::Mismatch);
         assert_eq!(contract_status(Some("")), ContractStatus::Mismatch);
         assert_eq!(contract_status(None), ContractStatus::NotAdvertised);
     }
 
     #[test]
     fn verify_accepts_the_same_hash_only() {
-        assert_eq!(verify_contract(Some("24e8e6e31e1dec8a")), Ok(()));
+        assert_eq!(verify_contract(Some(CONTRACT_HASH)), Ok(()));
         assert_eq!(verify_contract(Some("2cf0763ad61e4f1c")), Err(ContractError::Mismatch));
         assert_eq!(verify_contract(None), Err(ContractError::NotAdvertised));
     }
 
     #[test]
     fn negotiation_rejects_for_the_version_and_never_for_the_hash() {
-        assert_eq!(negotiate("0.5", Some("24e8e6e31e1dec8a")), Ok(ContractStatus::Match));
-        assert_eq!(negotiate("0.5", Some("2cf0763ad61e4f1c")), Ok(ContractStatus::Mismatch));
-        assert_eq!(negotiate("0.5", None), Ok(ContractStatus::NotAdvertised));
-        for version in ["0.4", "1.0", "", "0.5.0"] {
-            let refused = negotiate(version, Some("24e8e6e31e1dec8a")).unwrap_err();
+        assert_eq!(negotiate(WIRE_VERSION, Some(CONTRACT_HASH)), Ok(ContractStatus::Match));
+        assert_eq!(negotiate(WIRE_VERSION, Some("2cf0763ad61e4f1c")), Ok(ContractStatus::Mismatch));
+        assert_eq!(negotiate(WIRE_VERSION, None), Ok(ContractStatus::NotAdvertised));
+        for version in ["0.0", "99.0", "", "1.0.0"] {
+            let refused = negotiate(version, Some(CONTRACT_HASH)).unwrap_err();
             assert_eq!(refused.code(), ErrorCode::Version);
         }
     }

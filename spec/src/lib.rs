@@ -1,4 +1,4 @@
-//! The executable specification of the Neuro-Cybernetic Protocol (NCP), wire 0.5.
+//! The executable specification of the Neuro-Cybernetic Protocol (NCP).
 //!
 //! This crate says what NCP is, twice: as normative prose, one rule a sentence, in `text/`, and as
 //! code that does what the prose says. A comment such as `// [NCP-WIRE-007]` stands where the code

@@ -14,12 +14,12 @@ pub use ncp_text::WIRE_VERSION;
 /// `Ok(true)`: compatible. `Ok(false)`: not compatible, when not `strict`.
 ///
 /// ```
-/// use ncp_spec::version::check_version;
+/// use ncp_spec::version::{WIRE_VERSION, check_version};
 ///
-/// assert_eq!(check_version("0.5", true), Ok(true));
+/// assert_eq!(check_version(WIRE_VERSION, true), Ok(true));
 /// assert_eq!(check_version("0.4", false), Ok(false));
 /// assert!(check_version("0.4", true).is_err());
-/// assert!(check_version("0.5.0", false).is_err());
+/// assert!(check_version("0.4.0", false).is_err());
 /// ```
 ///
 /// # Errors
@@ -109,15 +109,23 @@ mod tests {
 
     use super::*;
 
+    /// The minor of the own version, whose major is 0.
+    fn own_minor() -> u64 {
+        WIRE_VERSION.strip_prefix("0.").unwrap().parse().unwrap()
+    }
+
     #[test]
     fn the_table_of_the_text_holds() {
-        assert_eq!(check_version("0.5", true), Ok(true));
-        assert_eq!(check_version("0.5", false), Ok(true));
-        for other in ["0.4", "0.6", "1.0", "1", "0"] {
+        let own = WIRE_VERSION;
+        assert_eq!(check_version(own, true), Ok(true));
+        assert_eq!(check_version(own, false), Ok(true));
+        let (before, after) = (format!("0.{}", own_minor() - 1), format!("0.{}", own_minor() + 1));
+        for other in [&before, &after, "1.0", "1", "0"] {
             assert_eq!(check_version(other, false), Ok(false), "{other}");
             assert_eq!(check_version(other, true), Err(VersionError::incompatible(other)));
         }
-        for junk in ["0.5.0", "v0.5", "0.", ".5", "", " 0.5", "+0.5"] {
+        let malformed = [format!("{own}.0"), format!("v{own}"), format!(" {own}"), format!("+{own}")];
+        for junk in malformed.iter().map(String::as_str).chain(["0.", ".5", ""]) {
             for strict in [false, true] {
                 assert_eq!(check_version(junk, strict), Err(VersionError::malformed(junk)));
             }
@@ -126,16 +134,19 @@ mod tests {
 
     #[test]
     fn only_ascii_digits_make_a_number() {
-        for junk in ["0.５", "٠.٥", "0_0.5", "0.5\n", "0,5", "0x0.5", "-0.5", "0.-5", ".", "..", "0..5"] {
+        let own = WIRE_VERSION;
+        let near = [format!("0_{own}"), format!("{own}\n"), format!("0x{own}"), format!("-{own}")];
+        for junk in near.iter().map(String::as_str).chain(["0.５", "٠.٥", "0,5", "0.-5", ".", "..", "0..5"]) {
             assert_eq!(check_version(junk, false), Err(VersionError::malformed(junk)), "{junk:?}");
         }
     }
 
     #[test]
     fn leading_zeros_do_not_count() {
-        assert_eq!(check_version("00.05", true), Ok(true));
-        assert_eq!(check_version("0.50", false), Ok(false));
-        assert_eq!(check_version("000.0005", true), Ok(true));
+        let minor = own_minor();
+        assert_eq!(check_version(&format!("00.0{minor}"), true), Ok(true));
+        assert_eq!(check_version(&format!("0.{minor}0"), false), Ok(false));
+        assert_eq!(check_version(&format!("000.000{minor}"), true), Ok(true));
     }
 
     #[test]
@@ -143,7 +154,7 @@ mod tests {
         let long = "9".repeat(1_000_000);
         assert_eq!(check_version(&format!("0.{long}"), false), Ok(false));
         assert_eq!(check_version(&format!("{long}.5"), false), Ok(false));
-        assert_eq!(check_version(&format!("0.{}5", "0".repeat(1_000_000)), true), Ok(true));
+        assert_eq!(check_version(&format!("0.{}{}", "0".repeat(1_000_000), own_minor()), true), Ok(true));
         let shown = check_version(&format!("0.{long}"), true).unwrap_err().to_string();
         assert!(shown.len() < 200, "{}", shown.len());
     }
@@ -162,7 +173,7 @@ mod tests {
         #[test]
         fn numbers_are_compared_by_value(major in 0u64..4, minor in 0u64..12, zeros in 0usize..4) {
             let version = format!("{}{major}.{}{minor}", "0".repeat(zeros), "0".repeat(zeros));
-            prop_assert_eq!(check_version(&version, false), Ok(major == 0 && minor == 5));
+            prop_assert_eq!(check_version(&version, false), Ok(major == 0 && minor == own_minor()));
         }
 
         /// [NCP-VER-001] [NCP-VER-006] [NCP-VER-007] [NCP-VER-008]

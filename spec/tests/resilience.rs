@@ -331,10 +331,7 @@ mod buffer {
     /// [NCP-SAFE-001] Off the wire, a mode that is unknown or absent is a HOLD.
     #[test]
     fn a_frame_whose_mode_is_unknown_or_absent_holds_the_plant() {
-        for frame in [
-            r#"{"kind":"command_frame","ncp_version":"0.5","seq":6}"#,
-            r#"{"kind":"command_frame","ncp_version":"0.5","seq":6,"mode":"dance"}"#,
-        ] {
+        for frame in [r#"{"kind":"command_frame","seq":6}"#, r#"{"kind":"command_frame","seq":6,"mode":"dance"}"#] {
             let mut buffer = buffer_with(active(5), 0.0);
             assert_eq!(buffer.on_frame(frame.as_bytes(), 0.1).unwrap(), Received::Held, "{frame}");
             assert_eq!(mark(&mut buffer, 0.1), None);

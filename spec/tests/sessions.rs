@@ -316,7 +316,9 @@ proptest! {
                 prop::collection::vec(any::<u8>(), 0..40),
                 "[ -~]{0,40}".prop_map(String::into_bytes),
                 (prop::sample::select(Kind::ALL.to_vec()), "[ab]", any::<f64>()).prop_map(|(kind, id, n)| {
-                    format!(r#"{{"kind":"{kind}","session_id":"{id}","duration_ms":{n:e},"network":{{"ref":"ncp.reference.lif"}}}}"#).into_bytes()
+                    let network = r#"{"ref":"ncp.reference.lif"}"#;
+                    format!(r#"{{"kind":"{kind}","session_id":"{id}","duration_ms":{n:e},"network":{network}}}"#)
+                        .into_bytes()
                 }),
             ],
             1..8,

@@ -3,7 +3,6 @@
 
 use std::sync::{Arc, Mutex};
 
-use ncp_spec::ErrorCode;
 use ncp_spec::bus::{BusError, LocalBus, NeuroSimClient};
 use ncp_spec::keys::{KeyError, Keys};
 use ncp_spec::reply::{check_reply, check_reply_strict};
@@ -13,6 +12,7 @@ use ncp_spec::wire::{
     CloseSession, CommandFrame, Frame, Kind, Message, Mode, NetworkRef, OpenSession, StepRequest, decode, decode_any,
     decode_any_strict, decode_strict,
 };
+use ncp_spec::{ErrorCode, WIRE_VERSION};
 use proptest::prelude::*;
 
 const REQUESTS: [Kind; 4] = [Kind::OpenSession, Kind::StepRequest, Kind::RunRequest, Kind::CloseSession];
@@ -20,16 +20,14 @@ const REQUESTS: [Kind; 4] = [Kind::OpenSession, Kind::StepRequest, Kind::RunRequ
 /// A frame of a kind with its required fields and these members before them.
 fn frame(kind: Kind, version: Option<&str>, seq: i64) -> String {
     let version = version.map_or(String::new(), |v| format!(r#""ncp_version":"{v}","#));
-    format!(
-        r#"{{{version}"kind":"{kind}","session_id":"s","controller_id":"c","network":{{}},"duration_ms":1,"error":"no","seq":{seq}}}"#
-    )
+    let required = r#""session_id":"s","controller_id":"c","network":{},"duration_ms":1,"error":"no""#;
+    format!(r#"{{{version}"kind":"{kind}",{required},"seq":{seq}}}"#)
 }
 
 fn command(mode: &str, version: Option<&str>, seq: i64) -> String {
     let version = version.map_or(String::new(), |v| format!(r#""ncp_version":"{v}","#));
-    format!(
-        r#"{{{version}"kind":"command_frame","seq":{seq},"mode":"{mode}","ttl_ms":250,"channels":{{"a":{{"data":[{seq}]}}}}}}"#
-    )
+    let channels = format!(r#"{{"a":{{"data":[{seq}]}}}}"#);
+    format!(r#"{{{version}"kind":"command_frame","seq":{seq},"mode":"{mode}","ttl_ms":250,"channels":{channels}}}"#)
 }
 
 /// What the plant does, told by the seq of the command that it follows.
@@ -41,11 +39,11 @@ fn followed(buffer: &mut ActionBuffer, now_s: f64) -> Option<f64> {
 #[test]
 fn every_kind_but_the_error_frame_needs_a_compatible_version() {
     for kind in Kind::ALL {
-        let own = frame(kind, Some("0.5"), 1);
+        let own = frame(kind, Some(WIRE_VERSION), 1);
         assert_eq!(decode_strict(kind, own.as_bytes()), decode(kind, own.as_bytes()));
         let absent = frame(kind, None, 1);
         let other = frame(kind, Some("0.4"), 1);
-        let malformed = frame(kind, Some("0.5.0"), 1);
+        let malformed = frame(kind, Some("0.4.0"), 1);
         for (unfit, code) in
             [(absent, ErrorCode::Missing), (other, ErrorCode::Version), (malformed, ErrorCode::Version)]
         {
@@ -66,7 +64,7 @@ fn every_kind_but_the_error_frame_needs_a_compatible_version() {
 fn a_command_is_stamped_from_1_on_and_nothing_else_is() {
     for kind in Kind::ALL {
         for seq in [0, -1] {
-            let unstamped = frame(kind, Some("0.5"), seq);
+            let unstamped = frame(kind, Some(WIRE_VERSION), seq);
             let read = decode_strict(kind, unstamped.as_bytes());
             if kind == Kind::CommandFrame {
                 let error = read.unwrap_err();
@@ -77,11 +75,11 @@ fn a_command_is_stamped_from_1_on_and_nothing_else_is() {
         }
     }
     for mode in ["active", "hold", "init", "estop", "dance"] {
-        let unstamped = command(mode, Some("0.5"), 0);
+        let unstamped = command(mode, Some(WIRE_VERSION), 0);
         assert!(CommandFrame::decode_strict(unstamped.as_bytes()).is_err());
     }
-    let absent = br#"{"ncp_version":"0.5","kind":"command_frame","mode":"active"}"#;
-    assert!(CommandFrame::decode_strict(absent).is_err());
+    let absent = format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","mode":"active"}}"#);
+    assert!(CommandFrame::decode_strict(absent.as_bytes()).is_err());
 }
 
 /// `[NCP-STRICT-001] [NCP-STRICT-006]`
@@ -105,14 +103,14 @@ fn a_strict_client_accepts_no_reply_without_a_version() {
     let without = br#"{"kind":"session_closed","session_id":"s"}"#;
     assert!(check_reply(&request, without).is_ok());
     assert!(check_reply_strict(&request, without).is_err());
-    let with = br#"{"ncp_version":"0.5","kind":"session_closed","session_id":"s"}"#;
-    assert!(check_reply_strict(&request, with).is_ok());
+    let with = format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"session_closed","session_id":"s"}}"#);
+    assert!(check_reply_strict(&request, with.as_bytes()).is_ok());
 }
 
 /// `[NCP-STRICT-010]`
 #[test]
 fn an_estop_latches_a_strict_plant_whatever_it_lacks() {
-    let own = Some("0.5");
+    let own = Some(WIRE_VERSION);
     for estop in [
         command("estop", own, 6),
         command("estop", own, 5),
@@ -151,7 +149,7 @@ fn a_decoded_command_meets_the_same_plant_as_its_frame() {
 
 fn arrivals() -> impl Strategy<Value = Vec<(String, f64)>> {
     let versions = prop_oneof![
-        4 => Just(Some("0.5")),
+        4 => Just(Some(WIRE_VERSION)),
         1 => Just(None),
         1 => Just(Some("0.4")),
         1 => Just(Some("x")),
@@ -180,7 +178,7 @@ proptest! {
         for (text, now_s) in arrivals {
             let received = all.on_frame(text.as_bytes(), now_s);
             let fits = CommandFrame::decode(text.as_bytes()).is_ok_and(|command| {
-                command.ncp_version == "0.5" && text.contains("ncp_version") && command.seq > last_seq
+                command.ncp_version == WIRE_VERSION && text.contains("ncp_version") && command.seq > last_seq
             });
             if fits {
                 last_seq = CommandFrame::decode(text.as_bytes()).unwrap().seq;
@@ -213,14 +211,15 @@ fn a_strict_server_carries_out_nothing_without_a_version() {
         assert!(!opened.ok && opened.error.is_some());
         assert_eq!(service.open_sessions().len(), 0);
     }
-    service.serve(opening(Some("0.5")).as_bytes());
+    service.serve(opening(Some(WIRE_VERSION)).as_bytes());
     for kind in [Kind::StepRequest, Kind::RunRequest, Kind::CloseSession] {
         for version in [None, Some("0.4")] {
             let refused = reply(&service.serve(frame(kind, version, 1).as_bytes()));
             assert_eq!(refused.kind(), Kind::Error);
         }
     }
-    let Message::ObservationFrame(first) = reply(&service.serve(frame(Kind::StepRequest, Some("0.5"), 1).as_bytes()))
+    let Message::ObservationFrame(first) =
+        reply(&service.serve(frame(Kind::StepRequest, Some(WIRE_VERSION), 1).as_bytes()))
     else {
         panic!("the session is still open");
     };
@@ -234,12 +233,12 @@ fn a_request_at_the_key_of_another_kind_is_not_carried_out() {
         for verb in REQUESTS.into_iter().filter(|verb| *verb != kind) {
             let mut service = SessionService::strict(ReferenceBackend);
             if kind != Kind::OpenSession {
-                service.serve_at(Kind::OpenSession, opening(Some("0.5")).as_bytes());
+                service.serve_at(Kind::OpenSession, opening(Some(WIRE_VERSION)).as_bytes());
             }
             let open_before = service.open_sessions().len();
             let request = match kind {
-                Kind::OpenSession => opening(Some("0.5")),
-                _ => frame(kind, Some("0.5"), 1),
+                Kind::OpenSession => opening(Some(WIRE_VERSION)),
+                _ => frame(kind, Some(WIRE_VERSION), 1),
             };
             let refused = reply(&service.serve_at(verb, request.as_bytes()));
             assert_eq!(refused.kind(), Kind::Error);

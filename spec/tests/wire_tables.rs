@@ -1,51 +1,15 @@
 //! The messages are those of the text's tables and of the contract's projection.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
-use std::collections::BTreeMap;
-
-use ncp_spec::WIRE_VERSION;
 use ncp_spec::wire::{self, Kind, NESTED, Table, build, decode_any};
+use ncp_spec::{CONTRACT_HASH, bulk, keys};
+use ncp_text::limits;
+use ncp_text::tables::{Default, Message, Shape, Tables};
 use serde_json::{Value, json};
 
-/// A row of a table in the text.
-#[derive(Debug, PartialEq)]
-struct Row {
-    name: String,
-    json: String,
-    default: String,
-}
-
-/// The tables of sections 1.8 and 5.3, by the message's name.
-fn tables_of_the_text() -> BTreeMap<String, Vec<Row>> {
-    let mut tables = BTreeMap::new();
-    let mut message = String::new();
-    for line in include_str!("../text/01-wire.md").lines() {
-        if let Some(heading) = line.strip_prefix("### ") {
-            message = match heading.split(' ').next() {
-                Some("The") => "ErrorFrame".to_owned(),
-                name => name.unwrap_or_default().to_owned(),
-            };
-        } else if let Some(row) = row(line).filter(|_| !message.is_empty()) {
-            tables.entry(message.clone()).or_insert_with(Vec::new).push(row);
-        }
-    }
-    let bulk = include_str!("../text/05-observations-and-bulk.md");
-    let (_, bulk) = bulk.split_once("`bulk_observation`").expect("section 5.3");
-    tables.insert("BulkObservation".to_owned(), bulk.lines().filter_map(row).collect());
-    tables
-}
-
-fn row(line: &str) -> Option<Row> {
-    let line = line.strip_prefix("| `")?.replace("\\|", "\u{1}");
-    let cells: Vec<_> = line.split('|').map(|cell| cell.trim().replace('\u{1}', "|")).collect();
-    let [name, json, default, ..] = &cells[..] else {
-        return None;
-    };
-    Some(Row {
-        name: name.trim_end_matches('`').to_owned(),
-        json: json.clone(),
-        default: default.trim_matches('`').to_owned(),
-    })
+/// The tables of the text.
+fn text() -> &'static Tables {
+    ncp_text::tables()
 }
 
 fn tables() -> impl Iterator<Item = Table> {
@@ -99,39 +63,33 @@ fn written(message: &wire::Message) -> Value {
 
 #[test]
 fn every_message_has_the_fields_of_the_text_in_their_order() {
-    let mut text = tables_of_the_text();
     for table in tables() {
-        let rows = text.remove(table.message).unwrap_or_else(|| panic!("no table of {}", table.message));
-        let of_text: Vec<_> = rows
-            .iter()
-            .map(|row| {
-                let required = row.default == "required" || row.default.starts_with("none");
-                (row.name.clone(), row.json.clone(), required)
-            })
-            .collect();
-        let here: Vec<_> =
-            table.fields.iter().map(|field| (field.name.to_owned(), field.json.to_string(), field.required)).collect();
+        let message = text().message(table.message).unwrap_or_else(|| panic!("no table of {}", table.message));
+        assert_eq!(message.kind.as_deref(), table.kind.map(Kind::as_str), "{}", table.message);
+        let rows = message.fields.iter();
+        let of_text: Vec<_> = rows.map(|row| (&*row.name, row.json_type(), row.is_required())).collect();
+        let fields = table.fields.iter();
+        let here: Vec<_> = fields.map(|field| (field.name, field.json.to_string(), field.required)).collect();
         assert_eq!(here, of_text, "{}", table.message);
     }
-    assert!(text.is_empty(), "not here: {:?}", text.keys());
+    assert_eq!(tables().count(), text().all_messages().count());
 }
 
 #[test]
 fn an_absent_field_is_read_as_the_text_says() {
-    let text = tables_of_the_text();
     for table in tables() {
         let read = read_defaults(table);
-        for row in &text[table.message] {
+        for row in &text().message(table.message).unwrap().fields {
             let value = read.get(&row.name).cloned().unwrap_or_default();
-            let expected = match row.default.as_str() {
-                "required" => continue,
-                "absent" | "optional" => Value::Null,
-                "none: it must be there" => json!(table.kind.unwrap().as_str()),
-                "all defaults" => {
-                    let nested = NESTED.into_iter().find(|t| t.message == row.json).unwrap();
+            let expected = match &row.default {
+                Default::Required => continue,
+                Default::Absent => Value::Null,
+                Default::Kind => json!(table.kind.unwrap().as_str()),
+                Default::Message => {
+                    let nested = NESTED.into_iter().find(|t| t.message == row.shape.to_string()).unwrap();
                     read_defaults(nested)
                 }
-                literal => serde_json::from_str(literal).unwrap(),
+                Default::Value(value) => serde_json::from_str(&value.to_string()).unwrap(),
             };
             assert_eq!(value.to_string(), expected.to_string(), "{}.{}", table.message, row.name);
         }
@@ -159,7 +117,7 @@ fn a_program_gets_what_a_receiver_reads_but_for_mode_and_contract_hash() {
     for kind in Kind::ALL {
         let (mut built, mut read) = (built_defaults(kind), read_defaults(kind.table()));
         if matches!(kind, Kind::OpenSession | Kind::SessionOpened) {
-            assert_eq!(built["contract_hash"].take(), json!("24e8e6e31e1dec8a"));
+            assert_eq!(built["contract_hash"].take(), json!(CONTRACT_HASH));
             assert_eq!(read["contract_hash"], Value::Null);
         }
         if kind == Kind::CommandFrame {
@@ -170,63 +128,50 @@ fn a_program_gets_what_a_receiver_reads_but_for_mode_and_contract_hash() {
     }
 }
 
+/// `[NCP-WIRE-080] [NCP-WIRE-081] [NCP-WIRE-082]`
 #[test]
-fn tables_and_limits_are_those_of_the_contracts_projection() {
-    let projection: Value = serde_json::from_str(include_str!("../../proto/projection.json")).unwrap();
-    assert_eq!(projection["wire"], WIRE_VERSION);
-    let limits = &projection["limits"];
-    assert_eq!(limits["integer"], wire::MAX_INTEGER);
-    assert_eq!(limits["entries"], wire::MAX_ENTRIES);
-    assert_eq!(limits["items"], wire::MAX_ITEMS);
-    assert_eq!(limits["levels"], wire::MAX_LEVELS);
-    assert_eq!(limits["segment_bytes"], ncp_spec::keys::MAX_SEGMENT_BYTES);
-    for kind in Kind::ALL {
-        let special = &limits["frame_bytes_of"][kind.as_str()];
-        let expected = if special.is_null() { &limits["frame_bytes"] } else { special };
-        assert_eq!(expected, kind.max_bytes(), "{kind}");
-    }
-    for table in tables().filter(|table| table.kind != Some(Kind::Error)) {
-        let message = &projection["messages"][table.message];
-        let fields = message["fields"].as_object().unwrap();
-        let names: Vec<_> = table.fields.iter().map(|field| field.name).collect();
-        assert_eq!(names, fields.keys().collect::<Vec<_>>(), "{}", table.message);
-        if let Some(kind) = table.kind {
-            assert_eq!(message["kind"], kind.as_str());
-        }
-        let read = read_defaults(table);
-        for field in table.fields {
-            let (name, projected) = (field.name, &fields[field.name]);
-            assert_eq!(projected["type"], field.json.to_string(), "{}.{name}", table.message);
-            let listed = message["required"].as_array().is_some_and(|l| l.contains(&json!(name)));
-            assert_eq!(listed, field.required, "{}.{name}", table.message);
-            if let Some(default) = projected.get("default") {
-                assert_eq!(default, &read[name], "{}.{name}", table.message);
-            }
-            if let Some(built) = projected.get("built") {
-                let kind = table.kind.unwrap_or_else(|| panic!("{} is no frame", table.message));
-                if name != "session_id" {
-                    assert_eq!(built, &built_defaults(kind)[name], "{}.{name}", table.message);
-                }
-            }
-        }
-    }
-    let enums = projection["enums"].as_object().unwrap();
-    assert_eq!(enums.len(), 8);
-    for (name, projected) in enums {
-        let strings: Vec<_> = projected["values"].as_object().unwrap().values().collect();
-        assert_eq!(strings, known(name), "{name}");
+fn every_field_is_written_in_order_with_null_for_what_is_unset() {
+    for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::Error) {
+        let fields = if kind.table().fields.iter().any(|field| field.name == "session_id" && field.required) {
+            r#"{"session_id":"s"}"#
+        } else {
+            "{}"
+        };
+        let built = build(kind, fields.as_bytes()).unwrap().encode().unwrap();
+        assert_eq!(built, spelled_out(text().kind(kind.as_str()).unwrap()));
     }
 }
 
-/// The wire strings of an enum.
-fn known(name: &str) -> Vec<&'static str> {
-    macro_rules! known {
-        ($($name:ident)*) => {
-            match name {
-                $(stringify!($name) => wire::$name::KNOWN.iter().map(|value| value.as_str()).collect(),)*
-                other => panic!("no enum {other}"),
-            }
+/// What a program's message looks like that names nothing but a session.
+fn spelled_out(message: &Message) -> String {
+    let members = message.fields.iter().map(|field| {
+        let value = match (&field.default, &*field.name) {
+            (Default::Value(_), "mode") if message.name == "CommandFrame" => json!("active").to_string(),
+            (Default::Absent, "contract_hash") => json!(CONTRACT_HASH).to_string(),
+            (Default::Value(value), _) => value.to_string(),
+            (Default::Absent, _) => "null".to_owned(),
+            (Default::Kind, _) => json!(message.kind).to_string(),
+            (Default::Required, "session_id") => json!("s").to_string(),
+            (Default::Required | Default::Message, _) => match &field.shape {
+                Shape::String => json!("").to_string(),
+                Shape::Number => json!(0.0).to_string(),
+                nested => spelled_out(text().message(&nested.to_string()).unwrap()),
+            },
         };
+        format!("\"{}\":{value}", field.name)
+    });
+    format!("{{{}}}", members.collect::<Vec<_>>().join(","))
+}
+
+#[test]
+fn the_limits_are_those_of_the_text() {
+    assert_eq!(wire::MAX_FRAME_BYTES, limits::FRAME_BYTES);
+    assert_eq!(keys::MAX_SEGMENT_BYTES, limits::SEGMENT_BYTES);
+    assert_eq!(bulk::MAX_BLOCK_LEN, limits::BLOCK_BYTES);
+    assert_eq!(bulk::MAX_COLUMNS, limits::BLOCK_COLUMNS);
+    for kind in Kind::ALL {
+        let is_large = kind == Kind::ObservationFrame;
+        let expected = if is_large { limits::OBSERVATION_FRAME_BYTES } else { limits::FRAME_BYTES };
+        assert_eq!(kind.max_bytes(), expected, "{kind}");
     }
-    known!(Observable StimulusKind NetworkRefKind EntityRole ChannelKind Role Mode SimMode)
 }

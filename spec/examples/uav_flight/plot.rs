@@ -80,7 +80,8 @@ impl Plot {
 
     fn header(&mut self) {
         self.line(format_args!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="'DejaVu Sans', Verdana, Helvetica, Arial, sans-serif" font-size="12" fill="{INK}">"#
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
+             font-family=\"'DejaVu Sans', Verdana, Helvetica, Arial, sans-serif\" font-size=\"12\" fill=\"{INK}\">"
         ));
         self.line(format_args!(r#"<title>A UAV flies to a target and through every safety gate</title>"#));
         self.line(format_args!(r##"<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>"##));
@@ -128,7 +129,8 @@ impl Plot {
         self.text(corner, "start", &soft, "y, m");
         let radius = RADIUS_M * PX_A_METRE;
         self.line(format_args!(
-            r#"<circle cx="{}" cy="{}" r="{radius}" fill="{FENCE}" fill-opacity="0.035" stroke="{FENCE}" stroke-width="1.6" stroke-dasharray="7 5"/>"#,
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{radius}\" fill=\"{FENCE}\" fill-opacity=\"0.035\" \
+             stroke=\"{FENCE}\" stroke-width=\"1.6\" stroke-dasharray=\"7 5\"/>",
             CENTRE.0, CENTRE.1
         ));
         let label = format!("fence, {RADIUS_M} m");

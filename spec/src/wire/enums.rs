@@ -241,20 +241,6 @@ wire_enum! {
 mod tests {
     use super::*;
 
-    /// The enums' names and wire strings in the table of section 1.4.
-    fn table() -> Vec<(String, Vec<String>)> {
-        let text = include_str!("../../text/01-wire.md");
-        let rows = text.lines().skip_while(|l| !l.starts_with("| enum |")).skip(2);
-        rows.take_while(|l| l.starts_with('|'))
-            .map(|row| {
-                let cells: Vec<_> = row.split('|').map(|c| c.trim()).collect();
-                let words =
-                    |cell: &str| -> Vec<String> { cell.split(", ").map(|w| w.trim_matches('`').to_owned()).collect() };
-                (words(cells[1]).remove(0), words(cells[2]))
-            })
-            .collect()
-    }
-
     #[test]
     fn the_wire_strings_are_those_of_the_table_in_the_text() {
         macro_rules! known {
@@ -266,7 +252,8 @@ mod tests {
             };
         }
         let known = known!(Observable StimulusKind NetworkRefKind EntityRole ChannelKind Role Mode SimMode);
-        assert_eq!(known, table());
+        let table = ncp_text::tables().enums.iter().map(|known| (known.name.clone(), known.strings.clone()));
+        assert_eq!(known, table.collect::<Vec<_>>());
     }
 
     #[test]

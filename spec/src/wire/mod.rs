@@ -6,7 +6,7 @@
 //! kind, and the epistemic pins. `// [NCP-PROV-006]`
 //!
 //! ```
-//! use ncp_spec::ErrorCode;
+//! use ncp_spec::{ErrorCode, WIRE_VERSION};
 //! use ncp_spec::wire::{Kind, Message, decode, decode_any};
 //!
 //! let frame = br#"{"kind":"session_closed","session_id":"uav3","mood":"good"}"#;
@@ -14,7 +14,7 @@
 //! assert_eq!(closed.session_id, "uav3");
 //! assert_eq!(
 //!     Message::from(closed).encode().unwrap(),
-//!     r#"{"ncp_version":"0.5","kind":"session_closed","session_id":"uav3","ok":true}"#
+//!     format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"session_closed","session_id":"uav3","ok":true}}"#)
 //! );
 //!
 //! let error = decode(Kind::SessionOpened, frame).unwrap_err();

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use ncp_text::WIRE_VERSION;
+
 /// A string of a message. One that the protocol itself names, such as `world` or `m/s`, is borrowed
 /// from the program and costs no allocation when it is read.
 pub type Text = Cow<'static, str>;
@@ -21,6 +23,7 @@ macro_rules! well_known {
         fn well_known(read: &str) -> Option<&'static str> {
             match read {
                 $($known => Some($known),)*
+                WIRE_VERSION => Some(WIRE_VERSION),
                 _ => None,
             }
         }
@@ -28,7 +31,7 @@ macro_rules! well_known {
 }
 
 well_known! {
-    "" "0.5" "world" "mock"
+    "" "world" "mock"
     "m" "m/s" "m/s^2" "s" "ms" "rad" "rad/s" "Hz" "mV" "pA" "nS" "1"
     "pose_position" "pose_velocity" "pose_error" "velocity_setpoint"
     "stimulus" "record"

@@ -1,5 +1,6 @@
 //! Frames of every kind, drawn at random from the tables of the messages.
 
+use ncp_spec::WIRE_VERSION;
 use ncp_spec::wire::{
     ChannelKind, EntityRole, JsonType, Kind, MAX_INTEGER, Mode, NESTED, NetworkRefKind, Observable, Role, SimMode,
     StimulusKind, Table,
@@ -96,7 +97,7 @@ fn text() -> impl Strategy<Value = String> {
         3 => "[a-z_]{0,12}",
         1 => "\\PC{0,6}",
         1 => any::<String>(),
-        1 => proptest::sample::select(&["world", "m/s", "0.5", "pose_position", "\u{0}\u{1f}\"\\/"][..])
+        1 => proptest::sample::select(&["world", "m/s", WIRE_VERSION, "pose_position", "\u{0}\u{1f}\"\\/"][..])
             .prop_map(str::to_owned),
     ]
 }
