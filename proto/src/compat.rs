@@ -42,7 +42,7 @@ impl fmt::Display for Violation {
     }
 }
 
-/// Holds the contract of this build against the frozen one of wire 0.5.
+/// Holds the contract of this build against the frozen one.
 ///
 /// Empty when nothing breaks. A contract that cannot be read is a violation of
 /// [`Rule::Unreadable`].
@@ -61,11 +61,31 @@ pub fn check_current() -> Vec<Violation> {
 pub fn check(baseline: &Contract, current: &Contract) -> Vec<Violation> {
     let mut check = Check { found: Vec::new() };
     check.contract(baseline, current);
-    check.projection(&baseline.projection, &current.projection);
+    check.projection(&baseline.projection, &as_the_frozen_wire(&current.projection, &baseline.projection));
     check.found.extend(current.disagreements().into_iter().map(|found| {
         Violation::new(Rule::ProjectionDisagrees, found.place, "a projection that fits the proto", found.problem)
     }));
     check.found
+}
+
+/// A wire with a version and a hash of its own is a new one, and not a change of the frozen one: it is seen with the
+/// frozen identity, so that what it takes away is left.
+fn as_the_frozen_wire(current: &Projection, frozen: &Projection) -> Projection {
+    let mut seen = current.clone();
+    if current.wire == frozen.wire || current.contract_hash == frozen.contract_hash {
+        return seen;
+    }
+    let own = [(&current.wire, &frozen.wire), (&current.contract_hash, &frozen.contract_hash)];
+    for field in seen.messages.values_mut().flat_map(|message| message.fields.values_mut()) {
+        for value in [&mut field.default, &mut field.built].into_iter().flatten() {
+            if let Some((_, frozen)) = own.iter().find(|(current, _)| value.as_str() == Some(current)) {
+                *value = Value::from(frozen.as_str());
+            }
+        }
+    }
+    seen.wire.clone_from(&frozen.wire);
+    seen.contract_hash.clone_from(&frozen.contract_hash);
+    seen
 }
 
 macro_rules! rules {
@@ -150,7 +170,7 @@ rules! {
     RpcStreamingChanged "rpc-streaming-changed" "A stream and a single message are framed and awaited differently.";
 
     /// The wire version or contract hash of the projection is another.
-    IdentityChanged "identity-changed" "A frozen wire keeps its version and hash; a new one needs a new baseline.";
+    IdentityChanged "identity-changed" "A frozen wire keeps its version and hash; a new wire has both of its own.";
     /// A limit is another.
     LimitChanged "limit-changed" "A frame that one peer sends within the limit is beyond it for another.";
     /// A kind is gone.

@@ -1,8 +1,8 @@
 //! The contract as one model: what the proto declares, and beside it how that travels as JSON.
 //!
 //! A [`Contract`] is made from two inputs, an encoded descriptor set (or a buf image) and the text
-//! of a projection. The two are maintained by hand, so [`Contract::disagreements`] holds them
-//! against each other.
+//! of a projection. [`Contract::disagreements`] holds the two
+//! against each other: what the tables of the text say of a field has to fit the proto.
 
 use std::{collections::BTreeSet, fmt};
 
@@ -205,9 +205,9 @@ impl Contract {
     /// The contract of this build.
     ///
     /// # Errors
-    /// When `projection.json` cannot be read; the tests rule it out for a build that they passed.
+    /// When the projection cannot be read; the tests rule it out for a build that they passed.
     pub fn current() -> Result<Self, ContractError> {
-        Self::new(crate::DESCRIPTOR_SET, crate::PROJECTION_TEXT)
+        Self::new(crate::DESCRIPTOR_SET, &crate::PROJECTION_TEXT)
     }
 
     /// The frozen contract of wire 0.5.

@@ -1,7 +1,7 @@
 //! The JSON projection: how the messages of the proto travel as JSON.
 //!
 //! The proto text says nothing about wire strings, defaults, required fields, `null` or limits.
-//! `projection.json` does, and this module reads it. It is data for the schema generator and for
+//! The text does; `projection.json` is made from both, and this module reads it. It is data for the schema generator and for
 //! the breaking check; no codec uses it.
 
 use std::{collections::BTreeMap, fmt, str::FromStr};

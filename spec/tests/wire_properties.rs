@@ -54,8 +54,8 @@ proptest! {
             return Ok(()); // A request whose version is gone no longer fits its stimulus.
         }
         let written: Value = serde_json::from_str(&read.unwrap().encode().unwrap()).unwrap();
-        let required = r#""session_id":"s","network":{},"duration_ms":0,"controller_id":"","error":"""#;
-        let silent = format!(r#"{{"kind":"{kind}",{required}}}"#);
+        let members = r#""session_id":"s","network":{},"duration_ms":0,"controller_id":"","error":"""#;
+        let silent = format!(r#"{{"kind":"{kind}",{members}}}"#);
         let silent = match kind {
             Kind::SessionOpened => silent.replace(r#","error":"""#, ""),
             _ => silent,

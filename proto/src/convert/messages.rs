@@ -1,7 +1,7 @@
 //! The messages, field by field.
 //!
-//! A field converts as its types say (see [`super::fields`]), so a declaration here is a list of
-//! names. The compiler checks that no field of either side is forgotten.
+//! A field converts as its types say (see [`super::fields`]), so that a message is a list of names. The build script
+//! writes the lists from the proto, and the compiler checks that no field of either side is forgotten.
 
 use ncp_spec::wire::{
     self, BulkObservation, Capabilities, ChannelKind, ChannelSpec, ChannelValue, CloseSession, CommandFrame,
@@ -18,9 +18,9 @@ use super::{
 };
 use crate::v0;
 
-/// Declares a message by its fields, which are named alike on both sides.
+/// Declares a message by its fields: the name on the wire, in a frame, and in the prost struct.
 macro_rules! record {
-    ($name:ident [$($kind:ident)?] $(prepare $prepare:path)? { $($field:ident),* }) => {
+    ($name:ident [$($kind:ident)?] $(prepare $prepare:path)? { $($wire:literal $field:ident $proto:ident),* }) => {
         impl Record for $name {
             type Proto = v0::$name;
 
@@ -28,16 +28,16 @@ macro_rules! record {
                 let Self { $($field),* } = self;
                 v0::$name {
                     $($kind: Self::KIND.as_str().to_owned(),)?
-                    $($field: losses.member(stringify!($field), |losses| Field::to($field, losses)),)*
+                    $($proto: losses.member($wire, |losses| Field::to($field, losses)),)*
                 }
             }
 
             fn from(proto: v0::$name) -> Result<Self, FromProtoError> {
                 $(let proto = $prepare(proto)?;)?
-                let v0::$name { $($kind,)? $($field),* } = proto;
+                let v0::$name { $($kind,)? $($proto: $field),* } = proto;
                 $(expect_kind(Self::KIND, $kind)?;)?
                 Ok(Self {
-                    $($field: Field::from($field).map_err(|error: FromProtoError| error.inside(stringify!($field)))?,)*
+                    $($field: Field::from($field).map_err(|error: FromProtoError| error.inside($wire))?,)*
                 })
             }
         }
@@ -112,7 +112,7 @@ macro_rules! optional {
 macro_rules! frames {
     ($($name:ident $(prepare $prepare:path)? { $($fields:tt)* })*) => {
         $(
-            record! { $name [kind] $(prepare $prepare)? { ncp_version, $($fields)* } }
+            record! { $name [kind] $(prepare $prepare)? { $($fields)* } }
 
             impl Convert for $name {
                 type Proto = v0::$name;
@@ -155,104 +155,38 @@ macro_rules! frames {
     };
 }
 
-/// Declares a descriptive enum: spec value = prost value.
+/// Declares descriptive enums. A constant of the proto is the wire string in capitals.
 macro_rules! descriptive {
-    ($($name:ident { $($value:ident = $proto:ident),* })*) => {
+    ($($name:ident)*) => {
         $(impl Field<i32> for $name {
             fn to(&self, losses: &mut Losses) -> i32 {
-                match self {
-                    $(Self::$value => v0::$name::$proto.into(),)*
-                    Self::Unknown(string) => {
-                        losses.add(Lost::UnknownString(string.as_str().to_owned()));
-                        v0::$name::Unspecified.into()
-                    }
+                if let Self::Unknown(string) = self {
+                    losses.add(Lost::UnknownString(string.as_str().to_owned()));
+                    return v0::$name::Unspecified.into();
                 }
+                v0::$name::from_str_name(&self.as_str().to_ascii_uppercase()).unwrap_or_default().into()
             }
 
             // A number that is not known has no wire string, and none may be invented.
             // [NCP-WIRE-045]
             fn from(proto: i32) -> Result<Self, FromProtoError> {
-                match v0::$name::try_from(proto) {
-                    $(Ok(v0::$name::$proto) => Ok(Self::$value),)*
-                    Ok(v0::$name::Unspecified) | Err(_) => {
-                        Err(FromProtoError::EnumNumber { path: String::new(), number: proto, of: stringify!($name) })
-                    }
-                }
+                let constant = v0::$name::try_from(proto).map(|value| value.as_str_name()).unwrap_or_default();
+                let mut known = Self::KNOWN.iter().filter(|value| value.as_str().eq_ignore_ascii_case(constant));
+                known.next().cloned().ok_or_else(|| FromProtoError::EnumNumber {
+                    path: String::new(),
+                    number: proto,
+                    of: stringify!($name),
+                })
             }
         })*
     };
 }
 
-messages! {
-    ChannelValue { data, unit }
-    EntityRef { path, role, meta }
-    EntityBinding { entity, port, direction }
-    RecordTarget { port, target, observable, ids, cadence_ms, recordables }
-    RecordSpec { targets }
-    StimulusTarget { port, target, kind, ids, params }
-    StimulusSpec { targets }
-    SimConfig { dt_ms, chunk_ms, seed, mode, duration_ms }
-    SimProvenance { network_ref, backend, seed, calibrated_posterior, is_simulation_output, advisory_only, note }
-    Observation { port, target, observable, times, values, senders, unit, recordable }
-    ChannelSpec { name, kind, unit, size, optional, description }
-    SafetyLimits { max_speed_mps, max_tilt_rad, geofence_radius_m, command_timeout_ms }
-}
-
-frames! {
-    OpenSession prepare network_is_there { session_id, network, record, stimulus, sim, bindings, contract_hash }
-    SessionOpened { session_id, ok, backend, resolved, provenance, error, contract_hash }
-    StimulusFrame { session_id, t, values }
-    StepRequest prepare fill_in_step { session_id, advance_ms, stimulus }
-    RunRequest prepare fill_in_run { session_id, duration_ms, stimulus }
-    ObservationFrame { session_id, seq, t, sim_time_ms, records, calibrated_posterior, is_simulation_output }
-    BulkObservation { port, target, observable, unit, recordable, block }
-    CloseSession { session_id }
-    SessionClosed { session_id, ok }
-    Capabilities { controller_id, role, control_rate_hz, sensor_channels, command_channels, codec_id, safety }
-    SensorFrame { seq, t, frame_id, channels }
-    CommandFrame { seq, t, frame_id, mode, ttl_ms, channels, horizon, horizon_dt_ms }
-    ControlStatus { seq, t, mode, sim_time_ms, loop_latency_ms, safety_ok, note }
-    LinkStatus { session_id, t, last_seq, received, lost, loss_rate, burst }
-}
+include!(concat!(env!("OUT_DIR"), "/messages.rs"));
 
 optional! { StimulusFrame }
-nested! { NetworkRef }
 
-/// `ref` is a word of Rust, so the two sides name it differently.
-impl Record for NetworkRef {
-    type Proto = v0::NetworkRef;
-
-    fn to(&self, losses: &mut Losses) -> v0::NetworkRef {
-        let Self { kind, reference, model_name, population_sizes, params } = self;
-        v0::NetworkRef {
-            kind: losses.member("kind", |losses| Field::to(kind, losses)),
-            r#ref: losses.member("ref", |losses| Field::to(reference, losses)),
-            model_name: losses.member("model_name", |losses| Field::to(model_name, losses)),
-            population_sizes: losses.member("population_sizes", |losses| Field::to(population_sizes, losses)),
-            params: losses.member("params", |losses| Field::to(params, losses)),
-        }
-    }
-
-    fn from(proto: v0::NetworkRef) -> Result<Self, FromProtoError> {
-        let v0::NetworkRef { kind, r#ref, model_name, population_sizes, params } = proto;
-        Ok(Self {
-            kind: Field::from(kind).map_err(|error: FromProtoError| error.inside("kind"))?,
-            reference: Field::from(r#ref)?,
-            model_name: Field::from(model_name)?,
-            population_sizes: Field::from(population_sizes)?,
-            params: Field::from(params)?,
-        })
-    }
-}
-
-descriptive! {
-    Observable { Vm = VM, Spikes = Spikes, Rate = Rate, Weight = Weight, BinaryState = BinaryState }
-    StimulusKind { CurrentPa = CurrentPa, RateHz = RateHz, SpikeTimes = SpikeTimes, WeightSet = WeightSet, RateInject = RateInject }
-    NetworkRefKind { Handle = Handle, Builtin = Builtin, ModelId = ModelId, Spec = Spec }
-    EntityRole { System = System, Actor = Actor, Sensor = Sensor, Actuator = Actuator }
-    ChannelKind { Scalar = Scalar, Vec3 = Vec3, Quat = Quat, Array = Array }
-    Role { Controller = Controller, Plant = Plant }
-}
+descriptive! { Observable StimulusKind NetworkRefKind EntityRole ChannelKind Role }
 
 impl Field<i32> for Mode {
     fn to(&self, _: &mut Losses) -> i32 {
