@@ -1,5 +1,5 @@
-//! Compiles `ncp.proto` without protoc: the Rust types, the embedded descriptor set, and the lists by which the messages
-//! are converted.
+//! Compiles `ncp.proto` without protoc: the Rust types, the embedded descriptor set, and the lists by which the
+//! messages are converted.
 
 use std::{env, error::Error, fs, path::PathBuf};
 

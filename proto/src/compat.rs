@@ -117,7 +117,8 @@ rules! {
     /// A contract cannot be read at all.
     Unreadable "unreadable" "Nothing can be said about a contract that cannot be read.";
     /// Proto and projection of the contract do not fit each other.
-    ProjectionDisagrees "projection-disagrees" "The proto and its JSON projection are one contract and must say the same.";
+    ProjectionDisagrees "projection-disagrees"
+        "The proto and its JSON projection are one contract and must say the same.";
 
     /// The package has another name.
     PackageChanged "package-changed" "Every type has another full name, so no generated code fits.";
@@ -133,7 +134,8 @@ rules! {
     /// A field or a value is gone and its name is free for another.
     NameNotReserved "name-not-reserved" "A later declaration could take the name and be read as the old one on JSON.";
     /// A reservation is gone.
-    ReservationDeleted "reservation-deleted" "What was reserved had a meaning once, and stored data may still carry it.";
+    ReservationDeleted "reservation-deleted"
+        "What was reserved had a meaning once, and stored data may still carry it.";
     /// A field has another number.
     FieldRenumbered "field-renumbered" "Protobuf peers read the field under its old number.";
     /// A field has another name.
@@ -141,11 +143,13 @@ rules! {
     /// A field has another name in protobuf's own JSON mapping.
     JsonNameChanged "json-name-changed" "Tools that use protobuf's JSON mapping no longer find the field.";
     /// A field has another type.
-    FieldTypeChanged "field-type-changed" "Values change their range, form or type in generated code, even where the bytes still parse.";
+    FieldTypeChanged "field-type-changed"
+        "Values change their range, form or type in generated code, even where the bytes still parse.";
     /// A field became repeated, or ceased to be.
     CardinalityChanged "cardinality-changed" "One value and an array of values are different JSON types.";
     /// A field went into a oneof, out of one, or changed its presence.
-    PresenceChanged "presence-changed" "Fields of a oneof clear each other, and unset and default become, or cease to be, two things.";
+    PresenceChanged "presence-changed"
+        "Fields of a oneof clear each other, and unset and default become, or cease to be, two things.";
     /// Fields of a message are in another order.
     FieldOrderChanged "field-order-changed" "Encoders write fields in declaration order [NCP-WIRE-080].";
 
@@ -158,7 +162,8 @@ rules! {
     /// A value has another number.
     ValueRenumbered "value-renumbered" "Protobuf peers read the value under its old number.";
     /// A value is new in an enum whose unknown strings are rejected.
-    ValueAddedToClosedEnum "value-added-to-closed-enum" "Peers of the frozen contract reject a frame with a value that they do not know.";
+    ValueAddedToClosedEnum "value-added-to-closed-enum"
+        "Peers of the frozen contract reject a frame with a value that they do not know.";
 
     /// A service is gone.
     ServiceDeleted "service-deleted" "Clients still call it.";
@@ -192,7 +197,8 @@ rules! {
     /// A pin is another, gone or new.
     PinChanged "pin-changed" "Receivers reject a pinned field with another value.";
     /// A string is a key segment that was not, or ceased to be.
-    SegmentChanged "segment-changed" "Strings that were valid are rejected, or strings are let through that no key can hold.";
+    SegmentChanged "segment-changed"
+        "Strings that were valid are rejected, or strings are let through that no key can hold.";
     /// Bytes are written in another encoding.
     EncodingChanged "encoding-changed" "The receiver decodes other bytes, or none.";
     /// An unset optional field is written otherwise.
@@ -204,7 +210,8 @@ rules! {
     /// The JSON form of a kind became optional, or ceased to be.
     JsonFormChanged "json-form-changed" "Peers count on the form, or lack it.";
     /// A value travels as another string.
-    WireStringChanged "wire-string-changed" "Receivers compare wire strings letter for letter and do not know the new one.";
+    WireStringChanged "wire-string-changed"
+        "Receivers compare wire strings letter for letter and do not know the new one.";
     /// A wire string that they do not know means something else to receivers.
     UnknownPolicyChanged "unknown-policy-changed" "The same frame is kept, held or rejected by different peers.";
 }

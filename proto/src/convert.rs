@@ -32,7 +32,7 @@
 //! |---|---|
 //! | a `Mode` that is unset or not known | `hold` [NCP-WIRE-041] |
 //! | an absent `record`, `stimulus` spec, `sim`, `safety` or `entity` | the message of all defaults [NCP-WIRE-023] |
-//! | a stimulus frame inside a request with an empty `kind`, `ncp_version` or `session_id` | what the request says [NCP-WIRE-035] |
+//! | an empty `kind`, `ncp_version` or `session_id` of a stimulus inside a request | the request's [NCP-WIRE-035] |
 //! | unknown fields | nothing [NCP-WIRE-026] |
 //!
 //! A message without a loss comes back as it was, bit for bit, and so does a protobuf message that
@@ -49,7 +49,8 @@
 //!
 //! let unit_set_to_nothing = br#"{"kind":"sensor_frame","channels":{"height":{"data":[1.5],"unit":""}}}"#;
 //! let error = to_binary(&decode(Kind::SensorFrame, unit_set_to_nothing)?).unwrap_err();
-//! assert_eq!(error.to_string(), "protobuf cannot carry: channels.height.unit is set to \"\", which reads back as unset");
+//! let told = "protobuf cannot carry: channels.height.unit is set to \"\", which reads back as unset";
+//! assert_eq!(error.to_string(), told);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

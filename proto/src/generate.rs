@@ -21,7 +21,7 @@ pub fn projection(descriptor_set: &[u8]) -> Result<String, prost::DecodeError> {
     let error_frame = tables().kind("error").map(|error| fields(error, None, " ")).unwrap_or_default();
     Ok(format!(
         r#"{{
- "about": "How the messages of ncp.proto travel as JSON: generated from the proto and the tables of the text. The order of fields and of enum values is the proto's.",
+ "about": "{ABOUT}",
  "format": 1,
  "wire": "{WIRE_VERSION}",
  "package": "{package}",
@@ -60,6 +60,9 @@ pub fn projection(descriptor_set: &[u8]) -> Result<String, prost::DecodeError> {
         messages = messages.join(",\n"),
     ))
 }
+
+const ABOUT: &str = "How the messages of ncp.proto travel as JSON: generated from the proto and the tables of the \
+                     text. The order of fields and of enum values is the proto's.";
 
 /// An enum; its constants are its wire strings in capitals.
 fn enumeration(proto: &EnumDescriptorProto) -> Option<String> {

@@ -34,8 +34,8 @@ pub mod v0 {
 /// The text of `ncp.proto`; its contract hash is [`ncp_text::CONTRACT_HASH`].
 pub const PROTO_TEXT: &str = include_str!("../ncp.proto");
 
-/// The text of `projection.json`: what JSON adds to the proto. It is written anew from its sources, so that what follows
-/// from it never lags behind the file.
+/// The text of `projection.json`: what JSON adds to the proto. It is written anew from its sources, so that what
+/// follows from it never lags behind the file.
 pub static PROJECTION_TEXT: LazyLock<String> =
     LazyLock::new(|| generate::projection(DESCRIPTOR_SET).unwrap_or_default());
 

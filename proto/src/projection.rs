@@ -1,8 +1,8 @@
 //! The JSON projection: how the messages of the proto travel as JSON.
 //!
 //! The proto text says nothing about wire strings, defaults, required fields, `null` or limits.
-//! The text does; `projection.json` is made from both, and this module reads it. It is data for the schema generator and for
-//! the breaking check; no codec uses it.
+//! The text does; `projection.json` is made from both, and this module reads it. It is data for the schema generator
+//! and for the breaking check; no codec uses it.
 
 use std::{collections::BTreeMap, fmt, str::FromStr};
 
@@ -209,7 +209,8 @@ impl Shape {
 /// A type that is not in the notation.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
-    "`{0}` is not a JSON type: expected integer, number, string, boolean, a name, [type] or {{string: type}}, with |null or without"
+    "`{0}` is not a JSON type: expected integer, number, string, boolean, a name, [type] or {{string: type}}, \
+     with |null or without"
 )]
 pub struct JsonTypeError(String);
 

@@ -268,7 +268,8 @@ impl Generator<'_> {
                 "description": format!("One segment of a key, at most {bytes} bytes of UTF-8."),
                 "type": "string", "minLength": 1, "maxLength": bytes,
                 "not": {"anyOf": [
-                    {"description": "A separator, a wildcard, white space or a control character.", "pattern": r"[/*$#?\u0000-\u0020\u007f-\u009f]"},
+                    {"description": "A separator, a wildcard, white space or a control character.",
+                        "pattern": r"[/*$#?\u0000-\u0020\u007f-\u009f]"},
                     {"description": "Hidden from wildcards.", "pattern": "^@"},
                     {"description": "A path's own and parent folder.", "enum": [".", ".."]},
                 ]},
@@ -349,8 +350,9 @@ fn comment(kind: &str, contract: &Contract, projected: &MessageProjection) -> St
         JsonForm::Optional => " The contract has no JSON form of this kind; this is the one that a peer may offer.",
     };
     format!(
-        "Generated from proto/ncp.proto and proto/projection.json; do not edit.{form} Only a decoder can check what a schema cannot: at \
-         most {bytes} bytes and {} levels, no member twice, integers without fraction or exponent; README.md has the whole list.",
+        "Generated from proto/ncp.proto and proto/projection.json; do not edit.{form} Only a decoder can check what a schema \
+         cannot: at most {bytes} bytes and {} levels, no member twice, integers without fraction or exponent; \
+         README.md has the whole list.",
         limits.levels
     )
 }

@@ -66,7 +66,8 @@ proptest! {
 
     /// [NCP-WIRE-020] [NCP-WIRE-021] [NCP-WIRE-027] [NCP-WIRE-050]
     #[test]
-    fn schema_and_decoder_accept_the_same_frames((kind, text) in frame(true), place in any::<u64>(), value in odd_value(), change: bool) {
+    fn schema_and_decoder_accept_the_same_frames((kind, text) in frame(true), place in any::<u64>(),
+        value in odd_value(), change: bool) {
         let mut frame: Value = serde_json::from_str(&text).unwrap();
         if change {
             let places = count(&frame);

@@ -6,7 +6,7 @@ mod common;
 
 use std::collections::BTreeSet;
 
-use common::{changes, contract, plain_proto};
+use common::{changes, contract, frozen_proto};
 use ncp_proto::{
     BASELINE_PROJECTION, PROJECTION_TEXT,
     compat::{Rule, check, check_current},
@@ -37,15 +37,28 @@ fn every_planted_change_is_reported_with_its_rule_and_place_and_nothing_else_is(
 
 #[test]
 fn every_change_of_a_declaration_changes_the_contract_hash() {
-    let hash = ncp_spec::contract::hash_of(&plain_proto());
+    let hash = ncp_spec::contract::hash_of(&frozen_proto());
     for change in changes() {
         let only_layout = change.name == "comments and indentation change";
-        let untouched = change.changed_proto() == plain_proto();
+        let untouched = change.changed_proto() == frozen_proto();
         // The canonical text leaves the package out: the check, not the hash, guards its name.
         let package = change.name == "the package gets another name";
         let same = ncp_spec::contract::hash_of(&change.changed_proto()) == hash;
         assert_eq!(same, only_layout || untouched || package, "{}", change.name);
     }
+}
+
+#[test]
+fn a_wire_of_another_version_and_hash_may_add_and_may_take_nothing_away() {
+    let frozen = Contract::baseline().unwrap();
+    let next = |projection: &str| {
+        let own = projection.replace(&format!("\"{}\"", frozen.projection.wire), "\"0.999\"");
+        contract(&frozen_proto(), &own.replace(&frozen.projection.contract_hash, "0123456789abcdef"))
+    };
+    assert_eq!(check(&frozen, &next(BASELINE_PROJECTION)), []);
+    let narrower = BASELINE_PROJECTION.replacen("\"default\": 200.0", "\"default\": 100.0", 1);
+    let found: Vec<_> = check(&frozen, &next(&narrower)).iter().map(|found| found.rule).collect();
+    assert_eq!(found, [Rule::DefaultChanged]);
 }
 
 #[test]
@@ -71,9 +84,9 @@ fn another_syntax_is_reported() {
 #[test]
 fn a_contract_that_cannot_be_read_is_an_error() {
     let descriptor = ncp_proto::DESCRIPTOR_SET;
-    assert!(Contract::new(&descriptor[..descriptor.len() - 1], PROJECTION_TEXT).is_err());
-    assert!(Contract::new(&[], PROJECTION_TEXT).is_err(), "no file");
-    assert!(Contract::new(&[descriptor, descriptor].concat(), PROJECTION_TEXT).is_err(), "two files");
+    assert!(Contract::new(&descriptor[..descriptor.len() - 1], &PROJECTION_TEXT).is_err());
+    assert!(Contract::new(&[], &PROJECTION_TEXT).is_err(), "no file");
+    assert!(Contract::new(&[descriptor, descriptor].concat(), &PROJECTION_TEXT).is_err(), "two files");
     assert!(Contract::new(descriptor, "{}").is_err());
     let misspelt = PROJECTION_TEXT.replacen("\"pinned\"", "\"pined\"", 1);
     assert!(Contract::new(descriptor, &misspelt).is_err());

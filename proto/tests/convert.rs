@@ -17,7 +17,7 @@ use ncp_proto::{
     v0,
 };
 use ncp_spec::{
-    ErrorCode,
+    ErrorCode, WIRE_VERSION,
     wire::{EncodeError, Kind, Message, decode},
 };
 use proptest::{collection::vec, prelude::*, sample::select, strategy::ValueTree as _};
@@ -71,7 +71,8 @@ proptest! {
 
     /// [NCP-PROV-006]
     #[test]
-    fn no_bytes_make_it_panic(kind in select(Kind::ALL.to_vec()), (of, bytes) in any_protobuf(), at in any::<prop::sample::Index>(), byte: u8, noise in vec(any::<u8>(), 0..64)) {
+    fn no_bytes_make_it_panic(kind in select(Kind::ALL.to_vec()), (of, bytes) in any_protobuf(),
+        at in any::<prop::sample::Index>(), byte: u8, noise in vec(any::<u8>(), 0..64)) {
         let _ = from_binary(kind, &noise);
         let mut bytes = bytes;
         if !bytes.is_empty() {
@@ -142,14 +143,14 @@ fn the_error_frame_does_not_cross() {
 #[test]
 fn a_protobuf_form_that_is_no_frame_is_told_why() {
     let observation = || v0::ObservationFrame {
-        ncp_version: "0.5".into(),
+        ncp_version: WIRE_VERSION.into(),
         kind: "observation_frame".into(),
         session_id: "s".into(),
         is_simulation_output: true,
         ..Default::default()
     };
     let open = || v0::OpenSession {
-        ncp_version: "0.5".into(),
+        ncp_version: WIRE_VERSION.into(),
         kind: "open_session".into(),
         session_id: "s".into(),
         network: Some(v0::NetworkRef { kind: v0::NetworkRefKind::Builtin.into(), ..Default::default() }),
@@ -210,7 +211,11 @@ fn what_protobuf_leaves_out_reads_as_the_table_of_the_module_says() {
     let Message::OpenSession(open) = from_binary(Kind::OpenSession, &open.encode_to_vec()).unwrap() else {
         unreachable!()
     };
-    let read = decode(Kind::OpenSession, br#"{"kind":"open_session","session_id":"s","ncp_version":"","network":{"kind":"spec"},"bindings":[{"direction":""}]}"#).unwrap();
+    let read = concat!(
+        r#"{"kind":"open_session","session_id":"s","ncp_version":"","#,
+        r#""network":{"kind":"spec"},"bindings":[{"direction":""}]}"#
+    );
+    let read = decode(Kind::OpenSession, read.as_bytes()).unwrap();
     assert_eq!(Message::from(open), read);
 
     // No default of JSON is filled in for a plain field.
@@ -225,7 +230,7 @@ fn what_protobuf_leaves_out_reads_as_the_table_of_the_module_says() {
 fn a_stimulus_inside_a_request_takes_what_it_leaves_out_from_the_request() {
     let request = |stimulus: v0::StimulusFrame| {
         let proto = v0::StepRequest {
-            ncp_version: "0.5".into(),
+            ncp_version: WIRE_VERSION.into(),
             kind: "step_request".into(),
             session_id: "s".into(),
             stimulus: Some(stimulus),
@@ -237,7 +242,7 @@ fn a_stimulus_inside_a_request_takes_what_it_leaves_out_from_the_request() {
         panic!("rejected")
     };
     let stimulus = step.stimulus.unwrap();
-    assert_eq!((&*stimulus.ncp_version, &*stimulus.session_id, stimulus.t), ("0.5", "s", 1.5));
+    assert_eq!((&*stimulus.ncp_version, &*stimulus.session_id, stimulus.t), (WIRE_VERSION, "s", 1.5));
     let run = v0::RunRequest {
         kind: "run_request".into(),
         session_id: "s".into(),
@@ -282,7 +287,8 @@ fn there_and_back(message: &Message) -> (Result<Message, FromProtoError>, Vec<Lo
             }
         };
     }
-    each!(OpenSession SessionOpened StimulusFrame StepRequest RunRequest ObservationFrame BulkObservation CloseSession SessionClosed
+    each!(OpenSession SessionOpened StimulusFrame StepRequest RunRequest ObservationFrame BulkObservation CloseSession
+        SessionClosed
           Capabilities SensorFrame CommandFrame ControlStatus LinkStatus)
 }
 
@@ -347,7 +353,7 @@ fn random_value(field: &FieldDescriptor, kind: Option<Kind>, dice: &mut Dice) ->
             ("kind", Some(kind)) => kind.as_str().to_owned(),
             ("kind", None) => ["stimulus_frame", ""][dice.throw(2) as usize].to_owned(),
             ("session_id", _) => "s".to_owned(),
-            ("ncp_version", _) => "0.5".to_owned(),
+            ("ncp_version", _) => WIRE_VERSION.to_owned(),
             _ => ["", "m", "vel_x"][dice.throw(3) as usize].to_owned(),
         }),
         Type::Bool => Proto::Bool(match field.name() {

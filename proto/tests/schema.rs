@@ -10,6 +10,7 @@ use ncp_proto::{
     contract::Contract,
     schema::{GAPS, gap, generate, generate_from},
 };
+use ncp_spec::WIRE_VERSION;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -220,14 +221,21 @@ fn maps_and_arrays_are_bounded_but_numeric_arrays_are_not() {
     let map = |entries: usize| -> Value {
         (0..entries).map(|index| (index.to_string(), json!({}))).collect::<serde_json::Map<_, _>>().into()
     };
-    let frame = |channels, steps: usize| json!({"kind": "command_frame", "channels": channels, "horizon": vec![json!({}); steps]});
+    let frame = |channels, steps: usize| {
+        json!({"kind": "command_frame", "channels": channels,
+        "horizon": vec![json!({}); steps]})
+    };
     schemas.accept("command_frame", &frame(map(4096), 4096));
     schemas.reject("command_frame", &frame(map(4097), 0));
     schemas.reject("command_frame", &frame(map(0), 4097));
     schemas.reject("command_frame", &json!({"kind": "command_frame", "horizon": [map(4097)]}));
-    let numbers = json!({"kind": "observation_frame", "session_id": "s", "records": {"p": {"times": vec![0.5; 5000], "senders": vec![7; 5000]}}});
+    let numbers = json!({"kind": "observation_frame", "session_id": "s", "records": {"p": {"times": vec![0.5; 5000],
+        "senders": vec![7; 5000]}}});
     schemas.accept("observation_frame", &numbers);
-    let recordables = |count: usize| json!({"kind": "open_session", "session_id": "s", "network": {}, "record": {"targets": [{"recordables": vec!["w"; count]}]}});
+    let recordables = |count: usize| {
+        json!({"kind": "open_session", "session_id": "s", "network": {},
+        "record": {"targets": [{"recordables": vec!["w"; count]}]}})
+    };
     schemas.accept("open_session", &recordables(4096));
     schemas.reject("open_session", &recordables(4097));
 }
@@ -240,7 +248,10 @@ fn each_limit_of_the_projection_bounds_what_it_is_named_for() {
         .replacen("\"items\": 4096", "\"items\": 2", 1)
         .replacen("\"segment_bytes\": 256", "\"segment_bytes\": 4", 1);
     let schemas = Schemas::of(generate_from(&Contract::new(DESCRIPTOR_SET, &projection).unwrap()));
-    let command = |channels: Value, steps: usize, seq: i64| json!({"kind": "command_frame", "seq": seq, "channels": channels, "horizon": vec![json!({}); steps]});
+    let command = |channels: Value, steps: usize, seq: i64| {
+        json!({"kind": "command_frame", "seq": seq,
+        "channels": channels, "horizon": vec![json!({}); steps]})
+    };
     schemas.accept("command_frame", &command(json!({"a": {}}), 2, -3));
     schemas.reject("command_frame", &command(json!({"a": {}, "b": {}}), 2, -3));
     schemas.reject("command_frame", &command(json!({"a": {}}), 3, -3));
@@ -257,7 +268,8 @@ fn a_stimulus_frame_inside_a_request_may_leave_out_what_the_request_says() {
     for stimulus in [
         json!(null),
         json!({}),
-        json!({"kind": "stimulus_frame", "session_id": "s", "ncp_version": "0.5", "values": {"p": {"data": [1.0]}}}),
+        json!({"kind": "stimulus_frame", "session_id": "s", "ncp_version": WIRE_VERSION,
+            "values": {"p": {"data": [1.0]}}}),
     ] {
         schemas.accept("step_request", &step(stimulus));
     }
@@ -347,7 +359,8 @@ fn a_vector_file_is_accepted_with_every_relation_and_template() {
         .iter()
         .map(|text| case("decode", json!({"kind": "error", "text": text}), json!({"reject": "malformed"})))
         .collect();
-    let column = json!([{"name": "a", "dtype": "f64", "data": [1, "NaN", "-0"]}, {"name": "b", "dtype": "i64", "data": ["-1", "0"]}, {"name": "c", "dtype": "i32", "data": [3]}]);
+    let column = json!([{"name": "a", "dtype": "f64", "data": [1, "NaN", "-0"]}, {"name": "b", "dtype": "i64",
+        "data": ["-1", "0"]}, {"name": "c", "dtype": "i32", "data": [3]}]);
     cases.extend([
         case("decode", json!({"kind": "command_frame", "base64": "e30="}), json!({"accept": true})),
         case(
@@ -373,9 +386,10 @@ fn a_vector_file_is_accepted_with_every_relation_and_template() {
             json!({"relation": "json", "value": {"key": "k"}}),
         ),
         case("key.build", json!({"key": "rpc", "realm": "a/b"}), json!({"accept": true})),
-        case("negotiate", json!({"version": "0.5", "contract_hash": null}), json!({"reject": "version"})),
+        case("negotiate", json!({"version": WIRE_VERSION, "contract_hash": null}), json!({"reject": "version"})),
     ]);
-    let file = json!({"format": 1, "area": "wire", "name": "frames", "about": "Frames.", "notes": {"lenient-integers": "A bug.", "L01": "A finding."}, "cases": cases});
+    let file = json!({"format": 1, "area": "wire", "name": "frames", "about": "Frames.",
+        "notes": {"lenient-integers": "A bug.", "L01": "A finding."}, "cases": cases});
     let errors: Vec<_> =
         validator.iter_errors(&file).map(|error| format!("{}: {error}", error.instance_path())).collect();
     assert_eq!(errors, Vec::<String>::new());
@@ -409,7 +423,8 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         ),
         case(
             "buffer.run",
-            json!({"steps": [{"op": "command", "text": {"$repeat": "[", "times": 9}, "now_s": 0}, {"op": "active", "now_s": 0}]}),
+            json!({"steps": [{"op": "command", "text": {"$repeat": "[", "times": 9}, "now_s": 0}, {"op": "active",
+                "now_s": 0}]}),
             json!({"accept": true}),
         ),
         case("codec.encode", json!({"codec": "uav", "sensor": null}), json!({"accept": true})),
@@ -500,10 +515,14 @@ fn a_vector_file_with_a_mistake_is_rejected() {
 proptest! {
     /// [NCP-WIRE-031] [NCP-KEY-020]
     #[test]
-    fn a_session_id_satisfies_the_schema_exactly_if_it_is_a_segment_but_for_its_bytes(id in "[ -~\u{7f}-\u{a1}é神@.*/]{0,6}") {
-        let schema: Value = serde_json::from_str(&generate().into_iter().find(|(name, _)| name == "close_session.schema.json").unwrap().1).unwrap();
+    fn a_session_id_satisfies_the_schema_exactly_if_it_is_a_segment_but_for_its_bytes(
+        id in "[ -~\u{7f}-\u{a1}é神@.*/]{0,6}",
+    ) {
+        let schema: Value = serde_json::from_str(&generate().into_iter().find(|(name,
+            _)| name == "close_session.schema.json").unwrap().1).unwrap();
         let frame = json!({"kind": "close_session", "session_id": id});
-        prop_assert_eq!(jsonschema::draft202012::is_valid(&schema, &frame), ncp_spec::keys::validate_segment(&id).is_ok());
+        prop_assert_eq!(jsonschema::draft202012::is_valid(&schema, &frame),
+            ncp_spec::keys::validate_segment(&id).is_ok());
     }
 }
 
@@ -566,7 +585,8 @@ fn vector_file_validator() -> Validator {
 #[expect(clippy::needless_pass_by_value, reason = "literals read better")]
 fn case(call: &str, args: Value, expect: Value) -> Value {
     json!({
-        "id": "wire/frames/x", "title": "It is so.", "requirements": ["NCP-WIRE-001"], "flags": ["lenient-integers"], "roles": ["body"],
+        "id": "wire/frames/x", "title": "It is so.", "requirements": ["NCP-WIRE-001"], "flags": ["lenient-integers"],
+            "roles": ["body"],
         "call": call, "args": args, "expect": expect, "why": "It says so.",
     })
 }

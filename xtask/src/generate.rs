@@ -1,6 +1,6 @@
-//! The files that are made from others: the JSON Schemas from the contract, the vector
-//! files from the executable specification, the manifest from the vector files, the C header
-//! from the code that it describes.
+//! The files that are made from others: the projection and the JSON Schemas from the proto and the tables of the text,
+//! the vector files from the scenarios and the text, the manifest from the vector files, the C header from the code that
+//! it describes.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -111,9 +111,10 @@ fn generate(project: &Project) -> Result<Files, Error> {
     let schemas = ncp_proto::schema::generate();
     let vectors = ncp_vectors::generate();
     if schemas.is_empty() {
-        return Err(Error::Generate("proto/projection.json cannot be read"));
+        return Err(Error::Generate("the projection cannot be read"));
     }
     let mut files = Files::new();
+    files.insert(PROJECTION.to_owned(), ncp_proto::PROJECTION_TEXT.clone());
     files.insert(HEADER.to_owned(), header(project)?);
     for (name, text) in schemas {
         files.insert(format!("{SCHEMAS}{name}"), text);
@@ -144,6 +145,7 @@ fn header(project: &Project) -> Result<String, Error> {
 }
 
 const HEADER: &str = "peers/cpp/include/ncp.h";
+const PROJECTION: &str = "proto/projection.json";
 const SCHEMAS: &str = "schemas/";
 const VECTORS: &str = "vectors/corpus/";
 const MANIFEST: &str = "vectors/MANIFEST.sha256";
@@ -263,7 +265,8 @@ mod tests {
         let text = |expect: &str| {
             let long = "x".repeat(500);
             format!(
-                "{{\n\"cases\": [{{ \"id\": \"wire/a\", \"why\": \"{long}\" }},{{ \"id\": \"wire/b\", \"expect\": \"{expect}\", \"why\": \"{long}\" }}]\n}}\n"
+                "{{\n\"cases\": [{{ \"id\": \"wire/a\", \"why\": \"{long}\" }},\
+                 {{ \"id\": \"wire/b\", \"expect\": \"{expect}\", \"why\": \"{long}\" }}]\n}}\n"
             )
         };
         let shown = stale_of(

@@ -31,15 +31,16 @@ import {
   type Json,
 } from "./adapter-values.js";
 import { decodeBlock, encodeBlock } from "./bulk.js";
-import { contractStatus, NCP_CONTRACT_HASH, negotiate, verifyContract } from "./contract.js";
+import { contractStatus, negotiate, verifyContract } from "./contract.js";
 import { decodeAny } from "./decode.js";
 import { create, encode, normalise } from "./encode.js";
+import { NCP_CONTRACT_HASH, NCP_VERSION } from "./identity.js";
 import { Keys, matches } from "./keys.js";
 import { TABLES, type Input, type Kind } from "./messages.js";
 import { pack, unpack } from "./observation.js";
 import { PLANES, type Plane } from "./planes.js";
 import { checkReply, isRequestKind, type Request, type RequestKind } from "./reply.js";
-import { checkVersion, NCP_VERSION } from "./version.js";
+import { checkVersion } from "./version.js";
 
 // --- the calls, in the order of the protocol's page ----------------------------------------------
 

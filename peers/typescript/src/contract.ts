@@ -5,10 +5,8 @@
  */
 
 import { ContractError } from "./errors.js";
+import { NCP_CONTRACT_HASH } from "./identity.js";
 import { checkVersion } from "./version.js";
-
-/** The contract hash of the schema that this library speaks. [NCP-VER-020] */
-export const NCP_CONTRACT_HASH = "24e8e6e31e1dec8a";
 
 /** What a peer's contract hash says: the same schema, another one, or nothing. */
 export type ContractStatus = "match" | "mismatch" | "not_advertised";

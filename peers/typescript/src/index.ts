@@ -1,5 +1,5 @@
 /**
- * NCP wire 0.5: messages, strict decoding, encoding, keys, planes, versions, bulk blocks, sessions and their
+ * NCP: messages, strict decoding, encoding, keys, planes, versions, bulk blocks, sessions and their
  * client over a WebSocket, and what keeps a plant safe on either side of the action plane.
  *
  * @packageDocumentation
@@ -22,7 +22,6 @@ export {
   canonicalText,
   contractHashOf,
   contractStatus,
-  NCP_CONTRACT_HASH,
   negotiate,
   verifyContract,
   type ContractStatus,
@@ -48,9 +47,10 @@ export {
   VersionError as NcpVersionError,
   type ErrorCode,
 } from "./errors.js";
-/** The messages as plain JSON values, generated from the schemas: what {@link NeuroSimClient} takes and gives. */
-export type * as wire from "./generated/messages.js";
+/** The messages as plain JSON values: what {@link NeuroSimClient} takes and gives. */
+export type * as wire from "./wire.js";
 export { SafetyGovernor, type NegotiatedChannels } from "./governor.js";
+export { NCP_CONTRACT_HASH, NCP_VERSION } from "./identity.js";
 export { DEFAULT_REALM, isSegment, Keys, matches, validateRealm, validateSegment } from "./keys.js";
 export { LinkMonitor, type LinkReport } from "./link-monitor.js";
 export { isKind, KINDS } from "./messages.js";
@@ -78,5 +78,5 @@ export { ReflexController, type ReflexConfig } from "./reflex.js";
 export { checkReply, isRequestKind, REPLIES, type ReplyTo, type Request, type RequestKind } from "./reply.js";
 export { SessionClient, type RequestOptions, type Send } from "./session-client.js";
 export { SessionService, type Backend, type SessionServiceOptions, type Simulation } from "./session-service.js";
-export { checkVersion, NCP_VERSION } from "./version.js";
+export { checkVersion } from "./version.js";
 export { CommandWatchdog, enforcedTtlMs } from "./watchdog.js";

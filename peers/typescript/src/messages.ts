@@ -9,7 +9,7 @@
  * @module
  */
 
-import { NCP_CONTRACT_HASH } from "./contract.js";
+import { NCP_CONTRACT_HASH, NCP_VERSION } from "./identity.js";
 import {
   builtAs,
   field,
@@ -26,7 +26,6 @@ import {
   type Shape,
   type Table,
 } from "./table.js";
-import { NCP_VERSION } from "./version.js";
 
 /** The family of a recorded quantity. */
 export type Observable = "V_m" | "spikes" | "rate" | "weight" | "binary_state" | UnknownString;

@@ -5,14 +5,12 @@
  */
 
 import { VersionError } from "./errors.js";
-
-/** The wire version of this library. [NCP-VER-021] */
-export const NCP_VERSION = "0.5";
+import { NCP_VERSION } from "./identity.js";
 
 /**
  * Compares a peer's wire version with this library's.
  *
- * @param version - the peer's, such as `"0.5"`; a missing minor is 0
+ * @param version - the peer's, such as `"1.2"`; a missing minor is 0
  * @param strict - whether an incompatible version is an error instead of `false`
  * @returns whether the two can speak with each other
  * @throws {@link VersionError} when the version is malformed, or incompatible and `strict`

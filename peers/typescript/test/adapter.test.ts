@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { NCP_CONTRACT_HASH, NCP_VERSION } from "@ncp-conformance/peer";
 
 const ADAPTER = fileURLToPath(new URL("../adapter.js", import.meta.url));
 
@@ -52,8 +53,8 @@ test("the program describes itself and claims all four roles", async () => {
   assert.deepEqual(rest, {
     name: "typescript",
     language: "TypeScript",
-    wire_version: "0.5",
-    contract_hash: "24e8e6e31e1dec8a",
+    wire_version: NCP_VERSION,
+    contract_hash: NCP_CONTRACT_HASH,
     roles: ["commander", "body", "server", "observer"],
     reference_networks: true,
   });
@@ -66,7 +67,7 @@ test("every call of the protocol is answered", async () => {
     { name: "times", dtype: "f64", data: [1.5, 2.5, 9] },
     { name: "senders", dtype: "i64", data: ["7", "7", "9"] },
   ];
-  const closed = '{"ncp_version":"0.5","kind":"session_closed","session_id":"s","ok":true}';
+  const closed = '{"kind":"session_closed","session_id":"s","ok":true}';
   assert.deepEqual(
     await ask(
       ["decode", { kind: "session_closed", text: '{"session_id":"s","kind":"session_closed"}' }],
@@ -80,8 +81,8 @@ test("every call of the protocol is answered", async () => {
       ["encode", { kind: "session_closed", fields: { session_id: "s" } }],
       ["version.check", { version: "0.4", strict: false }],
       ["contract.status", { peer_hash: null }],
-      ["contract.verify", { peer_hash: "24e8e6e31e1dec8a" }],
-      ["negotiate", { version: "0.5", contract_hash: "x" }],
+      ["contract.verify", { peer_hash: NCP_CONTRACT_HASH }],
+      ["negotiate", { version: NCP_VERSION, contract_hash: "x" }],
       ["key.build", { key: "sensor", realm: null, session: "uav3", name: "front" }],
       ["key.build", { key: "rpc", realm: "a/b" }],
       ["key.match", { pattern: "a/**", key: "a" }],
@@ -196,7 +197,7 @@ test("every call with a trace is answered, a step an entry", async () => {
     ["session.run", { requests: ['{"kind":"close_session","session_id":"s"}', "?"] }],
   );
   const head = {
-    ncp_version: "0.5",
+    ncp_version: NCP_VERSION,
     kind: "command_frame",
     frame_id: "world",
     ttl_ms: 200,
@@ -231,7 +232,7 @@ test("every call with a trace is answered, a step an entry", async () => {
   assert.deepEqual(entry(loop, 2), {
     command: { ...head, seq: 4, t: 2, mode: "active", channels: velocity(1, 0, 0) },
     status: {
-      ncp_version: "0.5",
+      ncp_version: NCP_VERSION,
       kind: "control_status",
       seq: 2,
       t: 2,
@@ -243,7 +244,7 @@ test("every call with a trace is answered, a step an entry", async () => {
     },
   });
   const { replies } = (session as { result: { replies: string[] } }).result;
-  assert.deepEqual(JSON.parse(replies[0]!), { ncp_version: "0.5", kind: "session_closed", session_id: "s", ok: false });
+  assert.deepEqual(JSON.parse(replies[0]!), { ncp_version: NCP_VERSION, kind: "session_closed", session_id: "s", ok: false });
   assert.equal((JSON.parse(replies[1]!) as { kind: string }).kind, "error");
 });
 
@@ -467,7 +468,7 @@ test("an observation frame of 64 MiB is read and written within twenty seconds",
 
 test("forty thousand small requests are answered within four seconds", async () => {
   const request = (id: number): string =>
-    `${JSON.stringify({ id, call: "decode", args: { kind: "sensor_frame", text: '{"ncp_version":"0.5","kind":"sensor_frame","seq":42,"t":12.345678,"frame_id":"world","channels":{"pose_position":{"data":[1.0,2.0,3.0],"unit":"m"}}}' } })}\n`;
+    `${JSON.stringify({ id, call: "decode", args: { kind: "sensor_frame", text: '{"kind":"sensor_frame","seq":42,"t":12.345678,"frame_id":"world","channels":{"pose_position":{"data":[1.0,2.0,3.0],"unit":"m"}}}' } })}\n`;
   const { answers, milliseconds } = await run(Array.from({ length: 40_000 }, (_, id) => request(id)).join(""));
   assert.equal(answers.length, 40_000);
   assert.ok(milliseconds < 4_000, `they took ${milliseconds.toFixed(0)} ms`);

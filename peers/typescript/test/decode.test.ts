@@ -5,11 +5,12 @@ import {
   decodeAny,
   encode,
   isKind,
-  KINDS,
-  kindOf,
-  NCP_CONTRACT_HASH,
-  normalise,
   type Kind,
+  kindOf,
+  KINDS,
+  NCP_CONTRACT_HASH,
+  NCP_VERSION,
+  normalise,
 } from "@ncp-conformance/peer";
 import { refuses, rejects } from "./support.js";
 
@@ -49,7 +50,7 @@ test("the smallest frame of each kind is read, and each of its members is requir
 
 test("an absent field reads as its default", () => {
   assert.deepEqual(decode("command_frame", '{"kind":"command_frame"}'), {
-    ncp_version: "0.5",
+    ncp_version: NCP_VERSION,
     kind: "command_frame",
     seq: 0,
     t: 0,
@@ -207,19 +208,19 @@ test("a stimulus frame inside a request takes from it what it leaves out, in any
     assert.equal(frame.stimulus!.session_id, "q");
     assert.equal(frame.stimulus!.ncp_version, "0.7");
     assert.equal(frame.stimulus!.t, 2);
-    assert.equal(decode(kind, `{"stimulus":{},"session_id":"q","kind":"${kind}"${rest}}`).stimulus!.ncp_version, "0.5");
+    assert.equal(decode(kind, `{"stimulus":{},"session_id":"q","kind":"${kind}"${rest}}`).stimulus!.ncp_version, NCP_VERSION);
   }
 });
 
 test("a stimulus frame inside a request must fit the request", () => {
   const step = (stimulus: object, request: object = {}): string =>
     JSON.stringify({ kind: "step_request", session_id: "a", ...request, stimulus });
-  decode("step_request", step({ kind: "stimulus_frame", session_id: "a", ncp_version: "0.5" }));
+  decode("step_request", step({ kind: "stimulus_frame", session_id: "a", ncp_version: NCP_VERSION }));
   rejects("step_request", step({ kind: "step_request" }), "kind");
   rejects("step_request", step({ session_id: "b" }), "value");
   rejects("step_request", step({ session_id: "" }), "value");
   rejects("step_request", step({ ncp_version: "0.4" }), "value");
-  rejects("step_request", step({ ncp_version: "0.5" }, { ncp_version: "0.4" }), "value");
+  rejects("step_request", step({ ncp_version: NCP_VERSION }, { ncp_version: "0.4" }), "value");
   rejects("step_request", step({ kind: null }), "type");
   rejects("step_request", step({ session_id: null }), "type");
 });

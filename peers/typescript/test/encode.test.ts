@@ -4,11 +4,12 @@ import {
   create,
   decode,
   encode,
-  KINDS,
-  NCP_CONTRACT_HASH,
   type Input,
   type Kind,
+  KINDS,
   type Message,
+  NCP_CONTRACT_HASH,
+  NCP_VERSION,
 } from "@ncp-conformance/peer";
 import { refuses } from "./support.js";
 
@@ -20,7 +21,7 @@ function build(kind: Kind, fields: unknown): string {
 test("a message is written with every field of its table, in its order, and null for what is unset", () => {
   assert.equal(
     build("open_session", { session_id: "s", network: { kind: "spec" }, bindings: [{ entity: { path: "/w" } }] }),
-    '{"ncp_version":"0.5","kind":"open_session","session_id":"s",' +
+    `{"ncp_version":"${NCP_VERSION}","kind":"open_session","session_id":"s",` +
       '"network":{"kind":"spec","ref":"","model_name":null,"population_sizes":{},"params":{}},' +
       '"record":{"targets":[]},"stimulus":{"targets":[]},' +
       '"sim":{"dt_ms":0.1,"chunk_ms":10,"seed":null,"mode":"stream","duration_ms":null},' +
@@ -29,7 +30,7 @@ test("a message is written with every field of its table, in its order, and null
   );
   assert.equal(
     build("observation_frame", { session_id: "s", seq: 2, records: { p: { times: [0.5], senders: [3], unit: "mV" } } }),
-    '{"ncp_version":"0.5","kind":"observation_frame","session_id":"s","seq":2,"t":0,"sim_time_ms":0,' +
+    `{"ncp_version":"${NCP_VERSION}","kind":"observation_frame","session_id":"s","seq":2,"t":0,"sim_time_ms":0,` +
       '"records":{"p":{"port":"","target":"","observable":"V_m","times":[0.5],"values":[],"senders":[3],"unit":"mV","recordable":null}},' +
       '"calibrated_posterior":false,"is_simulation_output":true}',
   );

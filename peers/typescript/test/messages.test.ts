@@ -1,10 +1,12 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
+import { isDeepStrictEqual } from "node:util";
 import { KINDS, type Kind } from "@ncp-conformance/peer";
+import { plainValue } from "#dist/client/plain.js";
 import { TABLES } from "#dist/messages.js";
-import type { NamedField, Shape, Table } from "#dist/table.js";
-import { repositoryFile } from "./support.js";
+import type { Shape, Table } from "#dist/table.js";
+import { type ProjectedMessage, projection, repositoryFile } from "./support.js";
 
 const CHAPTERS = [
   "01-wire",
@@ -21,28 +23,13 @@ const CHAPTERS = [
   "12-security",
 ];
 
+const { enums, messages, error_frame } = projection();
+
 interface Row {
   readonly name: string;
   readonly type: string;
-  readonly absent: string;
-}
-
-/** The tables of the text by the name of their message: `| field | type | default | meaning |`. */
-function tablesOfTheText(): Map<string, Row[]> {
-  const tables = new Map<string, Row[]>();
-  for (const section of repositoryFile("spec/text/01-wire.md").split("\n### ").slice(1)) {
-    const rows = section.split("\n").flatMap((line): Row[] => {
-      const [, name, type, absent] = line
-        .replaceAll("\\|", "¦")
-        .split("|")
-        .map((cell) => cell.trim().replaceAll("`", "").replaceAll("¦", "|"));
-      return name === undefined || name === "field" || /^-+$/.test(name)
-        ? []
-        : [{ name, type: type ?? "", absent: absent ?? "" }];
-    });
-    tables.set(section.split(/[\s·]/)[0]!, rows);
-  }
-  return tables;
+  readonly required: boolean;
+  readonly absent: unknown;
 }
 
 function typeOf(shape: Shape): string {
@@ -63,39 +50,34 @@ function typeOf(shape: Shape): string {
     case "message":
       return shape.table.name;
     case "enum":
-      return [...ENUMS].find(([, words]) => words === [...shape.values].join(" "))?.[0] ?? "?";
+      return enumOf(shape) ?? "?";
     default:
       return shape.is;
   }
 }
 
-/** The enums of section 1.4 with their wire strings. */
-const ENUMS: ReadonlyMap<string, string> = new Map(
-  [
-    ...repositoryFile("spec/text/01-wire.md").matchAll(
-      /^\| `(\w+)` \| ((?:`\w+`(?:, )?)+) \| (?:descriptive|reads|the frame)/gm,
-    ),
-  ].map(([, name, words]) => [name!, words!.replaceAll("`", "").replaceAll(",", "")]),
-);
-
-function absentOf(field: NamedField): string {
-  if (field.shape.is === "kind" && field.required) return "none: it must be there";
-  if (field.required) return "required";
-  const value = field.absent();
-  if (value === null) return "absent";
-  if (value instanceof Map) return "{}";
-  if (Array.isArray(value) || value instanceof Float64Array) return "[]";
-  if (typeof value === "object") return "all defaults";
-  if (typeof value === "number")
-    return field.shape.is === "number" && Number.isInteger(value) ? value.toFixed(1) : String(value);
-  return typeof value === "string" ? `"${value}"` : String(value);
+/** The enum that has these strings, and does the same with others. */
+function enumOf({ values, unknown }: Shape & { is: "enum" }): string | undefined {
+  const policy = unknown === "hold" ? { read_as: "hold" } : unknown;
+  const found = Object.entries(enums).find(([, known]) => isDeepStrictEqual(Object.values(known.values), [...values]));
+  return isDeepStrictEqual(found?.[1].unknown, policy) ? found?.[0] : undefined;
 }
 
 function rowsOf(table: Table): Row[] {
   return table.fields.map((field) => ({
     name: field.name,
     type: typeOf(field.shape) + (field.optional ? "|null" : ""),
-    absent: absentOf(field),
+    required: field.required,
+    absent: field.required ? undefined : plainValue(field.absent()),
+  }));
+}
+
+function rowsOfTheContract({ required = [], fields }: ProjectedMessage): Row[] {
+  return Object.entries(fields).map(([name, { type, default: absent }]) => ({
+    name,
+    type,
+    required: required.includes(name),
+    absent,
   }));
 }
 
@@ -111,28 +93,25 @@ function withNested(table: Table, found = new Map<string, Table>()): Map<string,
   return found;
 }
 
-test("every message has the fields, types and defaults that the text's tables give, in their order", () => {
-  assert.equal(ENUMS.size, 8);
-  const text = tablesOfTheText();
+test("every message has the fields, types and defaults of the contract, in their order", () => {
   const compared = new Set<string>();
   for (const kind of KINDS) {
-    if (kind === "error" || kind === "bulk_observation") continue;
     for (const [name, table] of withNested(TABLES[kind])) {
       // A stimulus frame inside a request has other defaults: the request's.
       const inner = table.name === "StimulusFrame" && table !== TABLES.stimulus_frame;
-      const sameTypes = (row: Row): Row => (inner ? { ...row, absent: "" } : row);
-      assert.deepEqual(rowsOf(table).map(sameTypes), text.get(name)?.map(sameTypes), name);
+      const comparable = (row: Row): Row => (inner ? { ...row, required: false, absent: undefined } : row);
+      const expected = name === "ErrorFrame" ? error_frame : messages[name]!;
+      assert.deepEqual(rowsOf(table).map(comparable), rowsOfTheContract(expected).map(comparable), name);
       compared.add(name);
     }
   }
-  const messages = [...text].filter(([name, rows]) => rows.length > 0 && name !== "The").map(([name]) => name);
-  assert.deepEqual([...compared].sort(), messages.sort());
+  const all = Object.entries(messages).filter(([, { transparent }]) => transparent !== true);
+  assert.deepEqual([...compared].sort(), [...all.map(([name]) => name), "ErrorFrame"].sort());
 });
 
-test("the kinds are those that the text gives to its messages", () => {
-  const inText = [...repositoryFile("spec/text/01-wire.md").matchAll(/^### \w+ · `(\w+)`$/gm)].map(([, kind]) => kind!);
-  const expected = [...inText, "bulk_observation", "error"].sort();
-  assert.deepEqual([...KINDS].sort() as string[], expected);
+test("the kinds are those of the contract", () => {
+  const expected = [...Object.values(messages), error_frame].flatMap(({ kind }) => kind ?? []);
+  assert.deepEqual([...KINDS].sort() as string[], expected.sort());
   for (const kind of KINDS) {
     const field = TABLES[kind].byName.get("kind")!;
     assert.deepEqual(field.shape, { is: "kind", value: kind satisfies Kind });

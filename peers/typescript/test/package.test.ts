@@ -6,6 +6,7 @@ import { createServer, type AddressInfo } from "node:net";
 import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
+import { NCP_VERSION } from "@ncp-conformance/peer";
 import { commands, examples, Installed, PACKAGE } from "./installed.js";
 import { TestServer } from "./web-socket-server.js";
 
@@ -81,7 +82,7 @@ test("the README's client runs with the WebSocket of the runtime, without that o
 });
 
 test("the README's client runs a session as CommonJS", async () => {
-  assert.equal(await node("client.cjs"), "0.5 true match\n");
+  assert.equal(await node("client.cjs"), `${NCP_VERSION} true match\n`);
 });
 
 test("the README's server serves the README's client", async (t) => {
@@ -144,7 +145,7 @@ const CONSUMER = `
     void opened.nothing;
     return Object.values(records).flatMap((record) => record.values);
   }
-  export const client: NeuroSimClient = new NeuroSimClient(send, { strict: checkVersion("0.5") });
+  export const client: NeuroSimClient = new NeuroSimClient(send, { strict: checkVersion("1.0") });
 `;
 
 for (const [what, file, options] of [

@@ -142,3 +142,28 @@ export function bytes(...parts: (string | readonly number[])[]): Uint8Array {
 export function repositoryFile(path: string): string {
   return readFileSync(new URL(`../../../../${path}`, import.meta.url), "utf8");
 }
+
+/** A message as `proto/projection.json` has it, which is generated from the proto and the tables of the text. */
+export interface ProjectedMessage {
+  readonly kind?: string;
+  readonly transparent?: boolean;
+  readonly required?: readonly string[];
+  readonly fields: Readonly<Record<string, ProjectedField>>;
+}
+
+/** A field: its type in the notation of the text, and what it is read as when it is absent. */
+export interface ProjectedField {
+  readonly type: string;
+  readonly default?: unknown;
+}
+
+/** The contract's messages, enums and identity. */
+export function projection(): {
+  readonly wire: string;
+  readonly contract_hash: string;
+  readonly enums: Readonly<Record<string, { readonly values: Readonly<Record<string, string>>; readonly unknown: unknown }>>;
+  readonly messages: Readonly<Record<string, ProjectedMessage>>;
+  readonly error_frame: ProjectedMessage;
+} {
+  return JSON.parse(repositoryFile("proto/projection.json")) as ReturnType<typeof projection>;
+}

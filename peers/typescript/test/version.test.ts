@@ -10,44 +10,25 @@ import {
   negotiate,
   verifyContract,
 } from "@ncp-conformance/peer";
-import { refuses, repositoryFile } from "./support.js";
+import { projection, refuses, repositoryFile } from "./support.js";
+
+const OWN = NCP_VERSION;
+const MINOR = Number(OWN.slice(2));
 
 const MALFORMED = [
-  "",
-  ".",
-  "0.",
-  ".5",
-  "0.5.0",
-  "0..5",
-  "v0.5",
-  "0.5a",
-  " 0.5",
-  "0.5 ",
-  "0.5\n",
-  "\n0.5",
-  "+0.5",
-  "-0.5",
-  "0.-5",
-  "0.+5",
-  "0_0.5",
-  "0,5",
-  "0x0.5",
-  "٠.٥",
-  "０.５",
-  "0.5\0",
-  "1e0",
-  "NaN",
-  "zero",
-  "½",
+  ...[`${OWN}.0`, `v${OWN}`, `${OWN}a`, ` ${OWN}`, `${OWN} `, `${OWN}\n`, `\n${OWN}`, `+${OWN}`, `-${OWN}`],
+  ...[`0.-${MINOR}`, `0.+${MINOR}`, `0..${MINOR}`, `0,${MINOR}`, `0_${OWN}`, `0x${OWN}`, `${OWN}\0`, `.${MINOR}`],
+  ...["", ".", "0.", "٠.٥", "０.５", "1e0", "NaN", "zero", "½"],
 ];
 
 test("the library states version and contract hash of the text", () => {
-  assert.equal(NCP_VERSION, "0.5");
-  assert.equal(NCP_CONTRACT_HASH, "24e8e6e31e1dec8a");
+  const { wire, contract_hash } = projection();
+  assert.equal(NCP_VERSION, wire);
+  assert.equal(NCP_CONTRACT_HASH, contract_hash);
 });
 
 test("a compatible version is true, strict or not", () => {
-  for (const version of ["0.5", "00.5", "0.05", "000.0005", `0.${"0".repeat(1_000)}5`]) {
+  for (const version of [OWN, `0${OWN}`, `0.0${MINOR}`, `000.000${MINOR}`, `0.${"0".repeat(1_000)}${MINOR}`]) {
     assert.equal(checkVersion(version, false), true);
     assert.equal(checkVersion(version, true), true);
   }
@@ -56,8 +37,8 @@ test("a compatible version is true, strict or not", () => {
 test("an incompatible version is false, or an error when strict", () => {
   const huge = "9".repeat(1_000);
   for (const version of [
-    "0.4",
-    "0.6",
+    `0.${MINOR - 1}`,
+    `0.${MINOR + 1}`,
     "1.0",
     "1",
     "0",
@@ -81,28 +62,31 @@ test("anything but one or two unsigned integers is an error, strict or not", () 
     refuses("version", () => checkVersion(version, false));
     refuses("version", () => checkVersion(version, true));
   }
-  refuses("version", () => checkVersion(0.5 as unknown as string));
+  refuses("version", () => checkVersion(1.5 as unknown as string));
 });
+
+const OTHERS = ["", NCP_CONTRACT_HASH.toUpperCase(), "2cf0763ad61e4f1c"];
 
 test("the contract status compares letter for letter", () => {
   assert.equal(contractStatus(null), "not_advertised");
   assert.equal(contractStatus(undefined), "not_advertised");
-  assert.equal(contractStatus("24e8e6e31e1dec8a"), "match");
-  for (const hash of ["", "24E8E6E31E1DEC8A", "2cf0763ad61e4f1c", "24e8e6e31e1dec8a ", "24e8e6e31e1dec8"])
+  assert.equal(contractStatus(NCP_CONTRACT_HASH), "match");
+  for (const hash of [...OTHERS, `${NCP_CONTRACT_HASH} `, NCP_CONTRACT_HASH.slice(1)])
     assert.equal(contractStatus(hash), "mismatch");
 });
 
 test("the strict opt-in takes only this library's hash", () => {
-  verifyContract("24e8e6e31e1dec8a");
-  for (const hash of ["", "24E8E6E31E1DEC8A", "2cf0763ad61e4f1c", null, undefined])
+  verifyContract(NCP_CONTRACT_HASH);
+  for (const hash of [...OTHERS, null, undefined])
     refuses("contract", () => verifyContract(hash));
 });
 
 test("negotiation rejects by the version and answers the contract status", () => {
-  assert.equal(negotiate("0.5", "24e8e6e31e1dec8a"), "match");
-  assert.equal(negotiate("0.5", "x"), "mismatch");
-  assert.equal(negotiate("0.5", null), "not_advertised");
-  for (const version of ["0.4", "1.0", ...MALFORMED]) refuses("version", () => negotiate(version, "24e8e6e31e1dec8a"));
+  assert.equal(negotiate(OWN, NCP_CONTRACT_HASH), "match");
+  assert.equal(negotiate(OWN, "x"), "mismatch");
+  assert.equal(negotiate(OWN, null), "not_advertised");
+  for (const version of ["0.4", "1.0", ...MALFORMED])
+    refuses("version", () => negotiate(version, NCP_CONTRACT_HASH));
 });
 
 test("the schema of this repository has the contract hash", () => {

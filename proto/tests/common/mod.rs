@@ -4,7 +4,9 @@
 
 pub(crate) mod frames;
 
-use ncp_proto::{PROJECTION_TEXT, PROTO_TEXT, contract::Contract};
+use ncp_proto::{BASELINE_IMAGE, BASELINE_PROJECTION, PROJECTION_TEXT, PROTO_TEXT, contract::Contract};
+use prost::Message as _;
+use prost_types::{FileDescriptorProto, FileDescriptorSet};
 use protox::file::{File, FileResolver};
 use serde::Deserialize;
 
@@ -58,17 +60,17 @@ pub(crate) fn changes() -> Vec<Change> {
 impl Change {
     /// The proto to hold the change against.
     pub(crate) fn frozen_proto(&self) -> String {
-        edit(&plain_proto(), &self.before)
+        edit(&frozen_proto(), &self.before)
     }
 
     /// The changed proto.
     pub(crate) fn changed_proto(&self) -> String {
-        edit(&plain_proto(), &self.proto)
+        edit(&frozen_proto(), &self.proto)
     }
 
     /// The changed projection.
     pub(crate) fn changed_projection(&self) -> String {
-        edit(PROJECTION_TEXT, &self.projection)
+        edit(BASELINE_PROJECTION, &self.projection)
     }
 
     /// Whether the proto itself is changed, or compared with another.
@@ -81,6 +83,53 @@ impl Change {
 /// whitespace.
 pub(crate) fn plain_proto() -> String {
     format!("syntax = \"proto3\";\npackage ncp.v0;\n{}", ncp_spec::contract::canonical_text(PROTO_TEXT))
+}
+
+/// The frozen proto in the same form, from its image.
+pub(crate) fn frozen_proto() -> String {
+    let set = FileDescriptorSet::decode(BASELINE_IMAGE).unwrap();
+    format!("syntax = \"proto3\";\npackage ncp.v0;\n{}", written_out(&set.file[0]))
+}
+
+/// A proto's declarations from its descriptor, laid out as the canonical text is: in the order, and
+/// on the lines, that the source had.
+fn written_out(file: &FileDescriptorProto) -> String {
+    let contract =
+        Contract::new(&FileDescriptorSet { file: vec![file.clone()] }.encode_to_vec(), &PROJECTION_TEXT).unwrap();
+    let mut blocks = Vec::new();
+    // Where a declaration stands: its line, and whether it ends on it (a span of three numbers).
+    let span = |path: [i32; 2]| {
+        let span = &file
+            .source_code_info
+            .as_ref()
+            .unwrap()
+            .location
+            .iter()
+            .find(|location| location.path == path)
+            .unwrap()
+            .span;
+        (span[0], span.len() == 3)
+    };
+    for (index, message) in (0..).zip(&contract.messages) {
+        let (line, one_line) = span([4, index]);
+        let fields: Vec<_> =
+            message.fields.iter().map(|field| format!("{} {} = {};", field.ty, field.name, field.number)).collect();
+        let separator = if one_line { " " } else { "\n" };
+        blocks.push((
+            line,
+            [&[format!("message {} {{", message.name)], &fields[..], &["}".to_owned()]].concat().join(separator),
+        ));
+    }
+    for (index, item) in (0..).zip(&contract.enums) {
+        let values: Vec<_> = item.values.iter().map(|value| format!("{} = {};", value.name, value.number)).collect();
+        blocks.push((span([5, index]).0, format!("enum {} {{\n{}\n}}", item.name, values.join("\n"))));
+    }
+    for (index, service) in (0..).zip(&contract.services) {
+        let rpcs: Vec<_> = service.rpcs.iter().map(|rpc| format!("rpc {}{};", rpc.name, rpc.signature())).collect();
+        blocks.push((span([6, index]).0, format!("service {} {{\n{}\n}}", service.name, rpcs.join("\n"))));
+    }
+    blocks.sort();
+    blocks.into_iter().map(|(_, block)| block).collect::<Vec<_>>().join("\n")
 }
 
 /// The contract of a proto's and a projection's text.

@@ -5,7 +5,7 @@
  */
 
 import { DecodeError, NcpScientificBoundaryError, NcpServerError, ReplyError, VersionError } from "../errors.js";
-import type * as wire from "../generated/messages.js";
+import type * as wire from "../wire.js";
 import type { Kind, Messages } from "../messages.js";
 import { SessionClient, type RequestOptions, type Send } from "../session-client.js";
 import { plain } from "./plain.js";

@@ -1,10 +1,10 @@
 /**
- * Messages as plain JSON values, the form of the generated types.
+ * Messages as plain JSON values, the form of the types in `wire`.
  *
  * @module
  */
 
-import type * as wire from "../generated/messages.js";
+import type * as wire from "../wire.js";
 import type { Kind, Messages } from "../messages.js";
 
 /** The message with an object for every map, and an array of numbers for every typed array. */
@@ -12,7 +12,8 @@ export function plain<K extends Kind>(message: Messages[K] & { readonly kind: K 
   return plainValue(message) as wire.Messages[K];
 }
 
-function plainValue(value: unknown): unknown {
+/** The value with every map and typed array within it made plain. */
+export function plainValue(value: unknown): unknown {
   if (value instanceof Float64Array) return Array.from(value);
   if (Array.isArray(value)) return value.map(plainValue);
   if (typeof value !== "object" || value === null) return value;
