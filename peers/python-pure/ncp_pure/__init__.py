@@ -1,10 +1,10 @@
-"""NCP 0.5 in Python, with the standard library only, written from the text of the specification."""
+"""NCP in Python, with the standard library only, written from the text of the specification."""
 
 from . import bulk, observation
 from .buffer import ActionBuffer, max_horizon_len
 from .client import Client, check_reply
 from .codec import Mapping, RateCodec, default_uav
-from .contract import CONTRACT_HASH, contract_status, hash_of, negotiate, verify_contract
+from .contract import contract_status, hash_of, negotiate, verify_contract
 from .errors import (
     BulkError,
     ConfigError,
@@ -19,6 +19,7 @@ from .errors import (
 )
 from .estop import is_estop
 from .governor import SafetyGovernor
+from .identity import CONTRACT_HASH, WIRE_VERSION
 from .keys import DEFAULT_REALM, Keys, matches, validate_realm, validate_segment
 from .link import LinkMonitor, LinkState
 from .loop import ControlLoop
@@ -56,7 +57,7 @@ from .messages import (
 from .plane import PLANES, Qos
 from .reflex import ReflexController
 from .session import SessionService
-from .version import WIRE_VERSION, check_version
+from .version import check_version
 from .watchdog import CommandWatchdog
 from .wire import decode, encode, to_text
 

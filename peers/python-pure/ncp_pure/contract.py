@@ -3,10 +3,8 @@
 import re
 
 from .errors import ContractError
+from .identity import CONTRACT_HASH
 from .version import check_version
-
-CONTRACT_HASH = "24e8e6e31e1dec8a"
-"""The contract hash of the schema that this package implements [NCP-VER-020]."""
 
 
 def contract_status(peer_hash):

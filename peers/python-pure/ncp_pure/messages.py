@@ -1,9 +1,8 @@
-"""The messages of NCP 0.5: the tables of sections 1.4, 1.8 and 5.3 of the text."""
+"""The messages of NCP: the tables of sections 1.4, 1.8 and 5.3 of the text."""
 
 import base64
 import binascii
 
-from .contract import CONTRACT_HASH
 from .errors import DecodeError, EncodeError
 from .fields import (
     Choice,
@@ -22,7 +21,7 @@ from .fields import (
     SessionId,
     Type,
 )
-from .version import WIRE_VERSION
+from .identity import CONTRACT_HASH, WIRE_VERSION
 
 MODES = ("init", "active", "hold", "estop")
 """The modes of a command; only `active` moves a plant."""

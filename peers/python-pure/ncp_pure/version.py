@@ -3,9 +3,7 @@
 import re
 
 from .errors import VersionError
-
-WIRE_VERSION = "0.5"
-"""The wire version of this package [NCP-VER-021]."""
+from .identity import WIRE_VERSION
 
 _VERSION = re.compile(r"([0-9]+)(?:\.([0-9]+))?")
 

@@ -66,6 +66,10 @@ class Frames(unittest.TestCase):
     def test_the_contract_hash_is_that_of_the_schema(self):
         self.assertEqual(ncp.hash_of(PROTO.read_text("utf-8")), ncp.CONTRACT_HASH)
 
+    def test_version_and_hash_are_those_of_the_text(self):
+        text = json.loads(PROTO.with_name("projection.json").read_text("utf-8"))
+        self.assertEqual((ncp.WIRE_VERSION, ncp.CONTRACT_HASH), (text["wire"], text["contract_hash"]))
+
 
 class Reading(unittest.TestCase):
     def test_the_fast_way_to_read_numbers_reads_them_as_the_exact_way_does(self):

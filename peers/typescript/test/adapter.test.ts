@@ -67,7 +67,7 @@ test("every call of the protocol is answered", async () => {
     { name: "times", dtype: "f64", data: [1.5, 2.5, 9] },
     { name: "senders", dtype: "i64", data: ["7", "7", "9"] },
   ];
-  const closed = '{"kind":"session_closed","session_id":"s","ok":true}';
+  const closed = `{"ncp_version":"${NCP_VERSION}","kind":"session_closed","session_id":"s","ok":true}`;
   assert.deepEqual(
     await ask(
       ["decode", { kind: "session_closed", text: '{"session_id":"s","kind":"session_closed"}' }],
