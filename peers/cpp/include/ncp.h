@@ -105,7 +105,7 @@ typedef struct {
 extern "C" {
 #endif // __cplusplus
 
-// The version of the wire, "0.5".
+// The version of the wire, such as "1.2".
 char *ncp_version(void);
 
 // The realm that a NULL realm stands for.

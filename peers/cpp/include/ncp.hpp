@@ -109,7 +109,7 @@ private:
 
 } // namespace detail
 
-/// The version of the wire, "0.5".
+/// The version of the wire, such as "1.2".
 inline std::string version() { return detail::taken(ncp_version()); }
 
 /// The hash of the contract that the library keeps.

@@ -15,7 +15,7 @@ use ncp_spec::{CONTRACT_HASH, ErrorCode, WIRE_VERSION};
 use crate::abi::{Refusal, Text, entry, free_text, text_out, yes};
 use crate::json;
 
-/// The version of the wire, "0.5".
+/// The version of the wire, such as "1.2".
 #[unsafe(no_mangle)]
 pub extern "C" fn ncp_version() -> *mut c_char {
     entry(|| text_out(WIRE_VERSION))

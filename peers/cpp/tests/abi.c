@@ -7,9 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* OWN_VERSION and OWN_HASH are defined on the command line. */
+#define OWN_LENGTH (sizeof OWN_VERSION - 1)
 #define BAD "\xff\xfe"
 #define COMMAND "{\"mode\":\"active\",\"seq\":1,\"ttl_ms\":100,\"channels\":{\"velocity_setpoint\":{\"data\":[9,0,0],\"unit\":\"m/s\"}}}"
-#define WIRE(fields) "{\"kind\":\"command_frame\",\"ncp_version\":\"0.5\"," fields "}"
+#define WIRE(fields) "{\"kind\":\"command_frame\",\"ncp_version\":\"" OWN_VERSION "\"," fields "}"
 #define SENSOR "{\"kind\":\"sensor_frame\",\"seq\":1}"
 
 static int failures = 0;
@@ -46,15 +48,15 @@ static int is_code(const char *code) {
 
 static void seed(void) {
     CHECK(ncp_last_error() == NULL);
-    SAYS(ncp_version(), "0.5");
+    SAYS(ncp_version(), OWN_VERSION);
     SAYS(ncp_default_realm(), "ncp");
-    SAYS(ncp_contract_hash(), "24e8e6e31e1dec8a");
-    CHECK(ncp_check_version("0.5", 1) == 1);
+    SAYS(ncp_contract_hash(), OWN_HASH);
+    CHECK(ncp_check_version(OWN_VERSION, 1) == 1);
     CHECK(ncp_check_version("0.4", 0) == 0);
     NO_CODE(ncp_check_version("0.4", 1), "version");
     NO_CODE(ncp_check_version(NULL, 0), "missing");
     NO_CODE(ncp_check_version(BAD, 0), "malformed");
-    CHECK(ncp_contract_status("24e8e6e31e1dec8a") == 1);
+    CHECK(ncp_contract_status(OWN_HASH) == 1);
     CHECK(ncp_contract_status(NULL) == 0);
     CHECK(ncp_contract_status("2cf0763ad61e4f1c") == 2);
     NO_CODE(ncp_contract_status(BAD), "malformed");
@@ -106,17 +108,17 @@ static void wire(void) {
 
     CHECK(ncp_extension_version() == 1);
     SAYS(ncp_library_version(), ".");
-    CHECK(ncp_check_version_n("0.5+", 3, 1) == 1);
-    NO_CODE(ncp_check_version_n("0.5\0", 4, 0), "version");
+    CHECK(ncp_check_version_n(OWN_VERSION "+", OWN_LENGTH, 1) == 1);
+    NO_CODE(ncp_check_version_n(OWN_VERSION "\0", OWN_LENGTH + 1, 0), "version");
     NO_CODE(ncp_check_version_n(NULL, 0, 0), "missing");
     CHECK(ncp_contract_status_n(NULL, 0) == 0);
-    CHECK(ncp_contract_status_n("24e8e6e31e1dec8a\0", 17) == 2);
+    CHECK(ncp_contract_status_n(OWN_HASH "\0", 17) == 2);
     NO_CODE(ncp_contract_status_n(BAD, 2), "malformed");
     NO_CODE(ncp_contract_status_n(NULL, 3), "missing");
-    CHECK(ncp_verify_contract("24e8e6e31e1dec8a", 16) == 1);
-    NO_CODE(ncp_verify_contract("24e8e6e31e1dec8a", 15), "contract");
+    CHECK(ncp_verify_contract(OWN_HASH, 16) == 1);
+    NO_CODE(ncp_verify_contract(OWN_HASH, 15), "contract");
     NO_CODE(ncp_verify_contract(BAD, 2), "malformed");
-    CHECK(ncp_negotiate("0.5", 3, NULL, 0) == 0);
+    CHECK(ncp_negotiate(OWN_VERSION, OWN_LENGTH, NULL, 0) == 0);
     NO_CODE(ncp_negotiate("0.4", 3, NULL, 0), "version");
     NO_CODE(ncp_negotiate(NULL, 0, NULL, 0), "missing");
 
@@ -131,7 +133,7 @@ static void wire(void) {
     SAYS(ncp_build("sensor_frame", "{\"t\":\"NaN\"}"), "\"t\":\"NaN\"");
     NO_TEXT(ncp_build("sensor_frame", NULL), "missing");
     CHECK(ncp_check_reply(BYTES("{\"kind\":\"close_session\",\"session_id\":\"s\"}"),
-                          BYTES("{\"kind\":\"session_closed\",\"ncp_version\":\"0.5\",\"session_id\":\"s\",\"ok\":true}")) == 1);
+                          BYTES("{\"kind\":\"session_closed\",\"session_id\":\"s\",\"ok\":true}")) == 1);
     NO_CODE(ncp_check_reply(BYTES("{\"kind\":\"close_session\",\"session_id\":\"s\"}"),
                             BYTES("{\"kind\":\"error\",\"error\":\"no\"}")), "reply");
     NO_CODE(ncp_check_reply(NULL, 0, BYTES("{}")), "missing");

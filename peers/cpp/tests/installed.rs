@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
+use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
 use serde_json::Value;
 
 const CRATE: &str = env!("CARGO_MANIFEST_DIR");
@@ -89,6 +90,8 @@ fn compiler(program: &str, standard: &str) -> Command {
     let mut compiler = Command::new(program);
     compiler
         .args([standard, "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-g"])
+        .arg(format!("-DOWN_VERSION=\"{WIRE_VERSION}\""))
+        .arg(format!("-DOWN_HASH=\"{CONTRACT_HASH}\""))
         .arg("-I")
         .arg(prefix().join("include"))
         .current_dir(CRATE);

@@ -60,13 +60,13 @@ int main() {
     check(!ncp::decode("sensor_frame", frame).empty(), "a frame is read");
     const auto longer = [&] { ncp::decode("sensor_frame", frame + '\0'); };
     check(throws("malformed", longer), "and not cut at a NUL either");
-    check(throws("version", [] { ncp::check_version(std::string_view("0.5\0", 4)); }), "nor a version");
+    check(throws("version", [] { ncp::check_version(std::string_view(OWN_VERSION "\0", sizeof OWN_VERSION)); }), "nor a version");
     check(throws("key", [] { ncp::keys().sensor(std::string_view("u\0", 2)); }), "nor an id");
     check(throws("key", [] { ncp::keys().sensor(std::string_view()); }), "an empty id is none");
 
     check(ncp::contract_status(std::nullopt) == ncp::contract::not_advertised, "no hash");
     check(ncp::contract_status("") == ncp::contract::mismatch, "an empty hash is one");
-    check(ncp::negotiate("0.5", ncp::contract_hash()) == ncp::contract::match, "our own hash");
+    check(ncp::negotiate(OWN_VERSION, ncp::contract_hash()) == ncp::contract::match, "our own hash");
 
     const std::vector<float> values{1.5F, -0.0F};
     const std::string bytes = ncp::encode_block({ncp::column("v", values)});

@@ -44,13 +44,13 @@ def cases(peer, **members):
 
 class Conversation(unittest.TestCase):
     def test_what_a_module_prints_goes_to_the_log(self):
-        answers, log = ask("noisy", ("version.check", {"version": "0.5", "strict": False}))
+        answers, log = ask("noisy", ("version.check", {"version": "1.2", "strict": False}))
         self.assertEqual(answers, [{"result": {"compatible": True}}])
-        for line in ("imported", "to the original", "to the descriptor", "from a child", "0.5"):
+        for line in ("imported", "to the original", "to the descriptor", "from a child", "1.2"):
             self.assertIn(line, log.splitlines())
 
     def test_a_crash_is_internal_and_ends_nothing(self):
-        crashes = ("panic", "exit", "type", "deep", "value", "0.5")
+        crashes = ("panic", "exit", "type", "deep", "value", "1.2")
         answers, _ = ask("noisy", *[("version.check", {"version": how, "strict": True}) for how in crashes])
         codes = [answer.get("error", {}).get("code") for answer in answers]
         self.assertEqual(codes, ["internal", "internal", "internal", "internal", "invalid", None])

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import ncp
 
+PROJECTION = Path(__file__).parents[3] / "proto" / "projection.json"
 VELOCITY = {"velocity_setpoint": {"data": [1.0, 0.0, 0.0], "unit": "m/s"}}
 
 
@@ -19,9 +20,10 @@ def position(*axes):
 
 
 class Published(unittest.TestCase):
-    def test_the_constants_are_those_of_wire_0_5(self):
+    def test_the_constants_are_those_of_the_contract(self):
+        contract = json.loads(PROJECTION.read_text("utf-8"))
         self.assertEqual(
-            (ncp.NCP_VERSION, ncp.CONTRACT_HASH, ncp.DEFAULT_REALM), ("0.5", "24e8e6e31e1dec8a", "ncp")
+            (ncp.NCP_VERSION, ncp.CONTRACT_HASH, ncp.DEFAULT_REALM), (contract["wire"], contract["contract_hash"], "ncp")
         )
 
     def test_the_functions_take_the_published_arguments(self):
@@ -50,9 +52,9 @@ class Published(unittest.TestCase):
         self.assertEqual(other.session_glob("s"), "a/b/session/s/**")
 
     def test_a_version_is_compatible_or_not_and_strict_raises(self):
-        self.assertIs(ncp.check_version("0.5"), True)
+        self.assertIs(ncp.check_version(ncp.NCP_VERSION), True)
         self.assertIs(ncp.check_version("0.4"), False)
-        for version, strict in [("0.4", True), ("0.5.0", False), ("v1", False)]:
+        for version, strict in [("0.4", True), ("0.4.0", False), ("v1", False)]:
             with self.subTest(version), self.assertRaises(ncp.NcpError) as caught:
                 ncp.check_version(version, strict)
             self.assertEqual(caught.exception.code, "version")

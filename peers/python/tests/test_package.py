@@ -1,5 +1,6 @@
 """The package as it is installed: its wheel, its stubs."""
 
+import json
 import subprocess
 import sys
 import tempfile
@@ -45,7 +46,8 @@ ncp.check_version(5)
             subprocess.run(pip, check=True, cwd=folder)
             program = "import ncp; print(ncp.NCP_VERSION, ncp.Keys().rpc())"
             done = subprocess.run([python, "-c", program], capture_output=True, text=True, check=True, cwd=folder)
-        self.assertEqual(done.stdout.strip(), "0.5 ncp/rpc")
+        version = json.loads((ROOT / "proto/projection.json").read_text("utf-8"))["wire"]
+        self.assertEqual(done.stdout.strip(), f"{version} ncp/rpc")
 
     def test_the_wheel_carries_both_licences(self):
         (wheel,) = (ROOT / ".tools/python-wheels").glob("*.whl")

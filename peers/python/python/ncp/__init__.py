@@ -1,4 +1,4 @@
-"""NCP, the Neuro-Cybernetic Protocol, wire 0.5.
+"""NCP, the Neuro-Cybernetic Protocol.
 
 A text, str or bytes, is a *frame*: JSON as it travels, read as strictly as any frame is.
 A dict holds the *fields* of a message in your program: what it leaves out takes the defaults.
