@@ -198,6 +198,7 @@ fn field(cells: &[String]) -> Option<Field> {
         "required" => Default::Required,
         "absent" | "optional" => Default::Absent,
         "all defaults" => Default::Message,
+        "the wire version" => Default::Value(Json::string("0.5")),
         value => Default::Value(value_of(value.strip_prefix('`')?.strip_suffix('`')?)),
     };
     Some(Field { name, shape: shape_of(shape), optional, default })
