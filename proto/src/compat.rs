@@ -255,7 +255,11 @@ impl Check {
                     self.enumeration(item, now, closed);
                 }
                 None => {
-                    self.gone(Rule::EnumDeleted, format!("enum {}", item.name), format!("{} values", item.values.len()))
+                    self.gone(
+                        Rule::EnumDeleted,
+                        format!("enum {}", item.name),
+                        format!("{} values", item.values.len()),
+                    );
                 }
             }
         }
@@ -500,7 +504,7 @@ impl Check {
             match is.fields.get(name) {
                 Some(now) => self.projected_field(&format!("{place}, field {name}"), field, now),
                 None if place == ERROR_FRAME => {
-                    self.gone(Rule::FieldDeleted, format!("{place}, field {name}"), &field.ty)
+                    self.gone(Rule::FieldDeleted, format!("{place}, field {name}"), &field.ty);
                 }
                 None => {}
             }

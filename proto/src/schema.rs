@@ -301,11 +301,11 @@ fn enumeration(contract: &Contract, item: &EnumShape) -> Map<String, Value> {
     match &projected.unknown {
         // [NCP-WIRE-042]
         Unknown::Keep => {
-            choices.push(json!({"type": "string", "description": "Any other string: kept, and written unchanged."}))
+            choices.push(json!({"type": "string", "description": "Any other string: kept, and written unchanged."}));
         }
         // [NCP-WIRE-041]
         Unknown::ReadAs(string) => {
-            choices.push(json!({"type": "string", "description": format!("Any other string: read as `{string}`.")}))
+            choices.push(json!({"type": "string", "description": format!("Any other string: read as `{string}`.")}));
         }
         // [NCP-WIRE-044]
         Unknown::Reject => {}
