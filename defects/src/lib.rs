@@ -24,10 +24,12 @@
 //!
 //! - [`table`]: reads the files.
 //! - [`place`]: finds a place, and plants one defect.
+//! - [`copy`]: copies sources with one defect in them.
 //! - [`weave`]: puts many defects into one text, each behind a switch.
 
 #![forbid(unsafe_code)]
 
+pub mod copy;
 pub mod place;
 pub mod table;
 pub mod weave;
