@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-use crate::ErrorCode;
-use crate::wire::Kind;
+use ncp_spec::ErrorCode;
+use ncp_spec::wire::Kind;
 
 /// The realm that is meant when none is named. `// [NCP-KEY-006]`
 pub const DEFAULT_REALM: &str = "ncp";

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use thiserror::Error;
 
-use crate::ErrorCode;
+use ncp_spec::ErrorCode;
 
 /// The wire version that this crate speaks. `// [NCP-VER-021]`
 pub use ncp_text::WIRE_VERSION;

@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::{Dtype, MAX_BLOCK_LEN, MAX_COLUMNS, MAX_NAME_LEN};
-use crate::ErrorCode;
+use ncp_spec::ErrorCode;
 
 /// Why a buffer is no BulkBlock, or why columns cannot be written as one.
 ///

@@ -1,6 +1,6 @@
 //! The arrays of an observation as a block. `[NCP-OBS-001]`
 
-use crate::wire::Observation;
+use ncp_spec::wire::Observation;
 
 use super::{Block, BulkError, ColumnRef, ColumnView, Element, encode};
 
@@ -28,7 +28,7 @@ pub fn pack(times: &[f64], values: &[f64], senders: &[i64]) -> Result<Vec<u8>, B
 }
 
 /// Packs the arrays of an [`Observation`] as [`pack`] does. Its other fields have their
-/// own place in a [`BulkObservation`](crate::wire::BulkObservation).
+/// own place in a [`BulkObservation`](ncp_spec::wire::BulkObservation).
 ///
 /// # Errors
 /// As [`pack`].
