@@ -1,7 +1,5 @@
-//! Makes the broken kernels: copies of the kernel's source, each with one token changed.
-//!
-//! A change whose text does not occur exactly once is left out, and said to be missing: a kernel that was changed
-//! is held against its properties all the same.
+//! Makes the broken kernels: a copy of the kernel's decisions, or of its numbers, for each defect of the table, to be
+//! compiled as it is.
 
 use std::env;
 use std::error::Error;
@@ -9,75 +7,69 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-include!("broken.rs");
+use ncp_defects::copy::{CopyError, planted};
+use ncp_defects::{Defect, read};
 
-/// The words of the kernel are shared: a broken kernel speaks the same ones.
-const SHARED: [&str; 2] = ["scalar", "vocabulary"];
+/// What is copied: one of both.
+const DECISIONS: &str = "spec/kernel/src/decisions";
+const NUMBERS: &str = "spec/kernel/src/scalar.rs";
+const TABLE: &str = "defects/kernel.toml";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let source = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../spec/src/safety/kernel");
+    let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("..");
     let out = PathBuf::from(env::var("OUT_DIR")?);
-    println!("cargo:rerun-if-changed={}", source.display());
-    println!("cargo:rerun-if-changed=broken.rs");
-    println!("cargo:rerun-if-changed=edit.rs");
-    println!("cargo:rerun-if-changed=build.rs");
-    println!("cargo:rustc-check-cfg=cfg(kani)");
+    for source in [DECISIONS, NUMBERS, TABLE] {
+        println!("cargo::rerun-if-changed={}", root.join(source).display());
+    }
+    println!("cargo::rustc-check-cfg=cfg(kani)");
+    // A copy of the numbers stands under the feature that production has.
+    println!("cargo::rustc-check-cfg=cfg(feature, values(\"std\"))");
+    println!("cargo::rustc-cfg=feature=\"std\"");
 
-    let is_wanted = env::var_os("CARGO_FEATURE_BROKEN").is_some();
     let (mut modules, mut arms, mut missing) = (String::new(), String::new(), String::new());
-    for broken in BROKEN {
-        let changed = fs::read_to_string(source.join(broken.file))?.replace("\r\n", "\n");
-        let times = changed.matches(broken.from).count();
-        if times != 1 {
-            writeln!(missing, "({:?}, {times}),", broken.id)?;
-            continue;
+    for defect in read(&root.join(TABLE))? {
+        let source = if defect.edit.iter().any(|edit| edit.file == NUMBERS) { NUMBERS } else { DECISIONS };
+        match planted(&root, source, &out.join(&defect.name), &defect) {
+            Ok(copy) => add(&defect, &copy, &mut modules, &mut arms)?,
+            Err(error @ CopyError::Place(_)) => writeln!(missing, "({:?}, {:?}),", defect.name, error.to_string())?,
+            Err(error) => return Err(error.into()),
         }
-        let folder = out.join(broken.id);
-        fs::create_dir_all(&folder)?;
-        for file in fs::read_dir(&source)? {
-            let file = file?;
-            let name = file.file_name().to_string_lossy().into_owned();
-            let mut text = fs::read_to_string(file.path())?.replace("\r\n", "\n");
-            if name == broken.file {
-                text = text.replacen(broken.from, broken.to, 1);
-            }
-            text = text.replace("crate::wire::", "ncp_spec::wire::");
-            if name == "mod.rs" {
-                for shared in SHARED {
-                    text = text
-                        .replace(&format!("mod {shared};\n"), "")
-                        .replace(&format!("pub use {shared}::"), "pub use ncp_spec::safety::kernel::");
-                }
-            }
-            fs::write(folder.join(name), text)?;
-        }
-        if !is_wanted {
-            continue;
-        }
-        let path = folder.join("mod.rs");
-        let id = broken.id;
-        writeln!(modules, "#[path = {path:?}]\nmod {id};")?;
-        let numbers = if broken.file == "scalar.rs" {
-            let path = folder.join("scalar.rs");
-            writeln!(modules, "#[path = {path:?}]\nmod {id}_numbers;")?;
-            format!("super::{id}_numbers")
-        } else {
-            "ncp_spec::safety::kernel".to_owned()
-        };
-        writeln!(
-            modules,
-            "pub mod k_{id} {{ use super::*; crate::kernel::kernel! {{ /// A broken kernel.\nKernel = [super::{id}] [{numbers}] }} }}"
-        )?;
-        let harness = broken.property.replace('/', "::").replace('-', "_");
-        writeln!(arms, "{id:?} => Some(crate::properties::of!(k_{id}::Kernel, crate::properties::{harness})),")?;
     }
     let table = format!(
-        "{modules}\n/// The harness of its property on a broken kernel.\n#[must_use]\npub fn harness(id: &str) -> Option<crate::properties::Harness> {{\n match id {{\n{arms} _ => None }}\n}}\n"
+        "{modules}\n/// The harness of a property on a broken kernel.\n#[must_use]\n\
+         pub fn harness(name: &str, property: &str) -> Option<crate::harness::Harness> {{\n \
+         match (name, property) {{\n{arms} _ => None }}\n}}\n"
     );
     fs::write(out.join("broken_kernels.rs"), table)?;
     let missing = format!(
-        "/// The broken kernels whose text does not occur once in its file, with how often it does.\npub const MISSING: &[(&str, usize)] = &[\n{missing}];\n"
+        "/// The defects that have no place in the kernel, and why.\npub const MISSING: &[(&str, &str)] = \
+         &[\n{missing}];\n"
     );
     fs::write(out.join("broken_missing.rs"), missing)?;
+    Ok(())
+}
+
+/// A broken kernel, as a module and as the harnesses of its properties.
+fn add(defect: &Defect, copy: &Path, modules: &mut String, arms: &mut String) -> Result<(), Box<dyn Error>> {
+    let own = defect.properties.iter().filter(|property| !property.starts_with("machine/"));
+    let name = &defect.name;
+    let module = name.replace('-', "_");
+    for (nth, property) in own.enumerate() {
+        if nth == 0 {
+            let (file, parts) = if copy.is_dir() {
+                (copy.join("mod.rs"), format!("[super::{module}] [ncp_kernel]"))
+            } else {
+                (copy.to_owned(), format!("[ncp_kernel] [super::{module}]"))
+            };
+            writeln!(modules, "#[path = {file:?}]\nmod {module};")?;
+            writeln!(
+                modules,
+                "mod k_{module} {{ use super::*; crate::kernel::kernel! {{ /// A broken kernel.\nKernel = {parts} }} }}"
+            )?;
+        }
+        let claim = property.replace('/', "::").replace('-', "_");
+        let harness = format!("crate::harness::of!(k_{module}::Kernel, crate::properties::{claim})");
+        writeln!(arms, "({name:?}, {property:?}) => Some({harness}),")?;
+    }
     Ok(())
 }

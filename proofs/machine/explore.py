@@ -10,6 +10,7 @@ import json
 import os
 import sys
 import time
+import tomllib
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -22,7 +23,8 @@ from machine import Incomplete, Library
 from properties import PROPERTIES, SIGNATURES, outputs
 
 HERE = Path(__file__).resolve().parent
-KERNEL = HERE.parent.parent / "spec" / "src" / "safety" / "kernel"
+DEFECTS = HERE.parent.parent / "defects" / "kernel.toml"
+HINTS = HERE / "hints.toml"
 Z3_MS = 5_000
 # Where doubles are computed: z3 answers soon, or not at all.
 Z3_SHORT_MS = 500
@@ -58,39 +60,59 @@ def main():
     if evidence:
         evidence.mkdir(parents=True, exist_ok=True)
     wanted = [p for p in PROPERTIES if arguments.only in p.id]
-    defects = json.loads((HERE / "broken.json").read_text(encoding="utf-8"))
-    defects = [d for d in defects if arguments.only in d["property"] and not arguments.no_broken]
+    defects = [] if arguments.no_broken else planted(arguments.only)
     files = (arguments.library, arguments.broken if defects else None, evidence)
     # The slow ones first: none of them is left alone at the end.
     queue = sorted(wanted, key=lambda p: p.function not in SLOW)
     with ProcessPoolExecutor(arguments.jobs, initializer=begin, initargs=files) as pool:
         proved = {p.id: pool.submit(prove_here, p.id) for p in queue}
-        refuted = [pool.submit(refute_here, defect) for defect in defects]
+        refuted = [pool.submit(refute_here, *defect) for defect in defects]
         results = [proved[p.id].result() for p in wanted]
-        if any(result["result"] == "refuted" for result in results):
+        if any(result["verdict"] == "refuted" for result in results):
             print("the kernel is refuted: the broken kernels would mean nothing and are left out")
             pool.shutdown(cancel_futures=True)
             refuted = []
         refuted = [future.result() for future in refuted]
     report = {
-        "engine": "machine code",
+        "name": "machine",
         "version": "angr {}, bitwuzla {}, z3 {}".format(
             *(importlib.metadata.version(name) for name in ("angr", "bitwuzla", "z3-solver"))
         ),
-        "properties": results,
+        "results": results,
         "broken": refuted,
         "trusted": TRUSTED,
         "not_proved": NOT_PROVED,
-        "code_digest": digest(),
         "library_sha256": hashlib.sha256(arguments.library.read_bytes()).hexdigest(),
         "seconds": round(time.monotonic() - start, 1),
     }
     if arguments.json:
         text = json.dumps(report, indent=2, ensure_ascii=False) + "\n"
         arguments.json.write_text(text, encoding="utf-8")
-    good = all(r["result"] == "proved" for r in results) and all(r["refuted"] for r in refuted)
+    good = all(r["verdict"] == "proved" for r in results) and not any("missed" in r for r in refuted)
     print(f"{report['seconds']} s: " + ("all proved and refuted" if good else "NOT all"))
     return 0 if good else 1
+
+
+def planted(only):
+    """The planted defects, each with a property whose id has `only` in it and that has to refute it."""
+    defects = tomllib.loads(DEFECTS.read_text(encoding="utf-8"))["defect"]
+    hints = tomllib.loads(HINTS.read_text(encoding="utf-8"))
+    named = {wanted for defect in defects for wanted in defect["properties"] if wanted.startswith("machine/")}
+    unknown = (named - {wanted.id for wanted in PROPERTIES}) | (hints.keys() - {defect["name"] for defect in defects})
+    if unknown:
+        raise SystemExit(f"there is no such property, or no such defect: {sorted(unknown)}")
+    return [
+        (defect | {"hint": hints.get(defect["name"], {})}, wanted)
+        for defect in defects
+        if not defect.get("engines") or "machine" in defect["engines"]
+        for wanted in defect["properties"]
+        if wanted in named and only in wanted
+    ]
+
+
+def prefix(defect):
+    """What the names of a broken kernel's functions begin with."""
+    return defect["name"].replace("-", "_")
 
 
 def begin(library, broken, evidence):
@@ -107,19 +129,19 @@ def prove_here(name):
     return prove(HELD["library"], wanted, HELD["evidence"])
 
 
-def refute_here(defect):
-    return refute(HELD["broken"], *HELD["native"], defect)
+def refute_here(defect, wanted):
+    return refute(HELD["broken"], *HELD["native"], defect, next(p for p in PROPERTIES if p.id == wanted))
 
 
 def prove(library, wanted, evidence, prefix="ncp"):
     """Shows one property of one function on each of its paths, and that no path is missing."""
     start = time.monotonic()
     result = {
-        "id": wanted.id,
+        "property": wanted.id,
         "family": wanted.family,
         "rules": list(wanted.rules),
         "sentence": wanted.sentence,
-        "formal": wanted.formal,
+        "statement": wanted.formal,
         "bounds": wanted.bounds,
         "assumptions": list(wanted.assumptions),
     }
@@ -129,7 +151,7 @@ def prove(library, wanted, evidence, prefix="ncp"):
         )
     except Incomplete as error:
         print(f"not run  {wanted.id}: {error}")
-        return result | {"result": "not run", "why": str(error), "paths": 0, "seconds": 0}
+        return result | {"verdict": "not run", "detail": str(error), "paths": 0, "seconds": 0}
     z3_ms = Z3_SHORT_MS if SIGNATURES[wanted.function].computes else Z3_MS
     decisions = [
         (name, text, solver.decide(text, z3_ms, BITWUZLA_MS))
@@ -148,18 +170,20 @@ def prove(library, wanted, evidence, prefix="ncp"):
             file.write_text(text, encoding="utf-8")
     seconds = round(time.monotonic() - start, 2)
     if outcome == "refuted":
-        result["counterexample"] = shown_model(wanted, exploration, decisions)
-        print(result["counterexample"])
+        inputs = shown_model(wanted, exploration, decisions) or {}
+        result["counterexample"] = {"function": wanted.function, "inputs": inputs}
+        print(inputs)
     print(f"{outcome:8} {wanted.id}: {len(exploration.paths)} paths, {seconds} s", flush=True)
     return result | {
-        "result": outcome,
+        "verdict": outcome,
         "paths": len(exploration.paths),
         "seconds": seconds,
         "function": f"{prefix}_{wanted.function}",
         "address": hex(exploration.start),
         "instructions": len(exploration.instructions),
         "path_blocks": [[hex(block) for block in path.blocks] for path in exploration.paths],
-        "evidence": [
+        "obligations": len(decisions),
+        "answers": [
             {
                 "obligation": name,
                 "sha256": hashlib.sha256(text.encode()).hexdigest(),
@@ -200,41 +224,49 @@ def ends_wrongly(wanted, inputs, path):
     return claripy.And(*path.conditions, claripy.Not(wanted.conclusion(inputs, left)))
 
 
-def refute(code, broken, whole, defect):
+def refute(code, broken, whole, defect, wanted):
     """Finds a counterexample to a property in a broken kernel, and runs it natively."""
-    wanted = next(p for p in PROPERTIES if p.id == defect["property"])
-    report = {"id": defect["id"], "property": wanted.id, "about": defect["about"]}
-    report |= {"refuted": False}
+    report = {
+        "id": defect["name"],
+        "property": wanted.id,
+        "family": wanted.family,
+        "about": defect["about"],
+        "missed": "no counterexample",
+    }
     try:
         found = counterexample(code, wanted, defect)
     except Incomplete as error:
-        found, report["why"] = None, str(error)
+        found, report["missed"] = None, str(error)
     if found is not None:
         function, signature = wanted.function, SIGNATURES[wanted.function]
-        wrong = native.run(broken, f"{defect['id']}_{function}", function, signature, found)
+        wrong = native.run(broken, f"{prefix(defect)}_{function}", function, signature, found)
         right = native.run(whole, f"ncp_{function}", function, signature, found)
-        report["counterexample"] = {
+        shown = {
             "function": function,
             "inputs": native.shown(signature, found),
             "broken": native.shown_outputs(function, wrong),
             "kernel": native.shown_outputs(function, right),
         }
-        report["refuted"] = not holds(wanted, found, wrong) and holds(wanted, found, right)
-        case = vector.case(defect, wanted, found, right, wrong)
+        case = vector.case(defect["name"], wanted, found, right, wrong)
         if case:
-            report["vector"] = case
-    print(f"{'refuted' if report['refuted'] else 'NOT REFUTED':8} {defect['id']}", flush=True)
+            shown["vector"] = case
+        if not holds(wanted, found, wrong) and holds(wanted, found, right):
+            del report["missed"]
+            report["counterexample"] = shown
+        else:
+            report["missed"] = f"its counterexample shows nothing natively: {shown}"
+    print(f"{'NOT REFUTED' if 'missed' in report else 'refuted':8} {defect['name']}", flush=True)
     return report
 
 
 def counterexample(code, wanted, defect):
     """Inputs for which a path of a broken kernel ends where the property forbids.
 
-    A defect may say with which inputs it shows, which spares the search for them.
+    A hint says with which inputs a defect shows, which spares the search for them.
     """
     signature = SIGNATURES[wanted.function]
-    fixed = {name: native.bits(value) for name, value in defect.get("where", {}).items()}
-    symbol = f"{defect['id']}_{wanted.function}"
+    fixed = {name: native.bits(value) for name, value in defect["hint"].items()}
+    symbol = f"{prefix(defect)}_{wanted.function}"
     exploration = code.explore(symbol, signature, wanted.assume, fixed)
     names = {
         name: variable.args[0]
@@ -263,14 +295,6 @@ def holds(wanted, inputs, left):
     )
     answer = solver.decide(solver.smt([wrong]), Z3_MS, BITWUZLA_MS)
     return answer.verdict is solver.Verdict.UNSAT
-
-
-def digest():
-    """Of the source of the kernel and of the wrappers."""
-    total = hashlib.sha256()
-    for file in [*sorted(KERNEL.glob("*.rs")), *sorted((HERE / "src").glob("*.rs"))]:
-        total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
-    return total.hexdigest()
 
 
 def parse_arguments():

@@ -11,7 +11,7 @@ CLAMPED = ("out", "out_y", "out_z")
 MODES = ("init", "active", "hold", "estop")
 
 
-def case(defect, wanted, found, right, wrong):
+def case(name, wanted, found, right, wrong):
     """The case, or None when no call shows what went wrong, or by less than a peer may round.
 
     What it expects is what the kernel answered natively, which the property says is right.
@@ -26,7 +26,7 @@ def case(defect, wanted, found, right, wrong):
     # A peer may round a clamped velocity in its own way.
     tolerance = {"tolerance": TOLERANCE} if wanted.function == "clamp" else {}
     return {
-        "id": f"proofs/machine/{defect['id'].replace('_', '-')}",
+        "id": f"proofs/machine/{name}",
         "title": wanted.sentence,
         "requirements": list(wanted.rules),
         "roles": roles,

@@ -1,27 +1,32 @@
 //! The broken kernels: what each engine has to refute, or it would prove anything.
 
-include!("../broken.rs");
+use std::path::Path;
+
+use ncp_defects::{Defect, TableError, read};
+
 include!(concat!(env!("OUT_DIR"), "/broken_missing.rs"));
 
 /// Whether the broken kernels are part of this build.
 pub const IS_BUILT: bool = cfg!(feature = "broken");
 
-/// What is wrong with the table: a broken kernel that is none, as its text is not in the kernel once.
-#[must_use]
-pub fn missing() -> Vec<String> {
-    let broken = |id: &str| BROKEN.iter().find(|broken| broken.id == id);
-    let missing = MISSING.iter().filter_map(|(id, times)| Some((broken(id)?, times)));
-    missing
-        .map(|(broken, times)| {
-            format!("the broken kernel {} does not apply: its text occurs {times} times in {}", broken.id, broken.file)
-        })
-        .collect()
+/// The planted defects of the kernel, of its source and of its machine code.
+///
+/// # Errors
+/// The table cannot be read.
+pub fn defects() -> Result<Vec<Defect>, TableError> {
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../defects/kernel.toml"))
 }
 
-/// The harness of its property on a broken kernel: none of them is part of this build.
+/// What is wrong with the table: a defect that has no place in the kernel, or more than one.
+#[must_use]
+pub fn missing() -> Vec<String> {
+    MISSING.iter().map(|(_, why)| format!("a defect of the kernel does not apply: {why}")).collect()
+}
+
+/// The harness of a property on a broken kernel: none of them is part of this build.
 #[cfg(not(feature = "broken"))]
 #[must_use]
-pub const fn harness(_id: &str) -> Option<crate::properties::Harness> {
+pub const fn harness(_name: &str, _property: &str) -> Option<crate::harness::Harness> {
     None
 }
 
@@ -39,8 +44,7 @@ pub const fn harness(_id: &str) -> Option<crate::properties::Harness> {
     reason = "copies of the kernel, broken on purpose"
 )]
 mod kernels {
-    use ncp_spec::safety::kernel::{Channel, Decision, Limit, Plan, Reason, Received, Scalar, Seq};
-    use ncp_spec::wire::Mode;
+    use ncp_kernel::{Channel, Decision, Limit, Mode, Plan, Reason, Received, Scalar, Seq};
 
     include!(concat!(env!("OUT_DIR"), "/broken_kernels.rs"));
 }

@@ -1,5 +1,6 @@
-//! The digest of what is proved and of what proves it; the project's own commands read it too.
+//! The digests of what is proved and of what proves it: which results are about the sources as they are.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 use std::io;
@@ -7,64 +8,113 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// What the proofs are about, what says it, what shows it, and what decides whether it is shown: a change of any
-/// makes the report stale. How the report looks is none of that.
-pub const SOURCES: [&str; 42] = [
-    // What is proved: the kernel, what the model explores around it, and what reads untrusted bytes.
-    "spec/src/safety",
-    "spec/src/resilience",
-    "spec/src/session",
-    "spec/src/wire",
-    "spec/src/contract.rs",
-    "spec/src/reply.rs",
-    "spec/src/version.rs",
-    "spec/src/keys.rs",
-    "spec/src/bulk",
-    // The properties of the kernel, the engines, the broken kernels, and what is a problem of a report.
-    "proofs/src/properties",
-    "proofs/src/engines",
-    "proofs/src/kernel.rs",
-    "proofs/src/prover.rs",
-    "proofs/src/broken.rs",
-    "proofs/src/reference.rs",
-    "proofs/src/vector.rs",
-    "proofs/src/report.rs",
-    "proofs/src/main.rs",
-    "proofs/broken.rs",
-    "proofs/edit.rs",
-    "proofs/build.rs",
-    "proofs/evidence/solve.py",
-    // Its machine code.
-    "proofs/machine/src",
-    "proofs/machine/broken",
-    "proofs/machine/broken.json",
-    "proofs/machine/build.rs",
-    "proofs/machine/explore.py",
-    "proofs/machine/machine.py",
-    "proofs/machine/native.py",
-    "proofs/machine/properties.py",
-    "proofs/machine/prove.sh",
-    "proofs/machine/solver.py",
-    "proofs/machine/vector.py",
-    // The model.
-    "proofs/model/src",
-    // The readers.
-    "proofs/readers/src/properties",
-    "proofs/readers/src/broken.rs",
-    "proofs/readers/src/exhaustive.rs",
-    "proofs/readers/src/lib.rs",
-    "proofs/readers/src/main.rs",
-    "proofs/readers/src/readers.rs",
-    "proofs/readers/broken.rs",
-    "proofs/readers/build.rs",
+/// Results of proofs, and all that they depend on: what is proved, what says it, what shows it, and what decides
+/// whether it is shown. How a report looks is none of that.
+#[derive(Debug, Clone, Copy)]
+pub struct Artefact {
+    /// Its name.
+    pub name: &'static str,
+    /// Files and folders, from the root of the repository.
+    pub sources: &'static [&'static str],
+}
+
+/// All artefacts.
+pub const ARTEFACTS: [Artefact; 4] = [
+    // The properties of the kernel, by symbolic execution, by enumeration and by samples.
+    Artefact {
+        name: "kernel",
+        sources: &[
+            "spec/kernel/src",
+            "defects/kernel.toml",
+            "defects/src",
+            "proofs/build.rs",
+            "proofs/evidence/solve.py",
+            "proofs/src/broken.rs",
+            "proofs/src/counterexample.rs",
+            "proofs/src/engines",
+            "proofs/src/harness.rs",
+            "proofs/src/kernel.rs",
+            "proofs/src/main.rs",
+            "proofs/src/properties",
+            "proofs/src/prover.rs",
+            "proofs/src/report.rs",
+            // What the vectors of counterexamples expect.
+            "proofs/src/reference.rs",
+            "proofs/src/vector",
+            "proofs/src/vector.rs",
+            "spec/src/resilience",
+            "spec/src/safety",
+        ],
+    },
+    Artefact {
+        name: "machine",
+        sources: &[
+            "spec/kernel/src",
+            "defects/kernel.toml",
+            "defects/src",
+            "proofs/machine/broken",
+            "proofs/machine/build.rs",
+            "proofs/machine/explore.py",
+            "proofs/machine/hints.toml",
+            "proofs/machine/machine.py",
+            "proofs/machine/native.py",
+            "proofs/machine/properties.py",
+            "proofs/machine/prove.sh",
+            "proofs/machine/solver.py",
+            "proofs/machine/src",
+            "proofs/machine/vector.py",
+            "proofs/src/report.rs",
+        ],
+    },
+    Artefact {
+        name: "model",
+        sources: &[
+            "spec/kernel/src",
+            "spec/src/contract.rs",
+            "spec/src/reply.rs",
+            "spec/src/resilience",
+            "spec/src/safety",
+            "spec/src/session",
+            "spec/src/version.rs",
+            "spec/src/wire",
+            "proofs/model/src",
+            "proofs/src/report.rs",
+        ],
+    },
+    Artefact {
+        name: "readers",
+        sources: &[
+            "spec/src/bulk",
+            "spec/src/keys.rs",
+            "spec/src/version.rs",
+            "defects/readers.toml",
+            "defects/src",
+            "proofs/readers/build.rs",
+            "proofs/readers/src",
+            "proofs/src/counterexample.rs",
+            "proofs/src/engines/native.rs",
+            "proofs/src/prover.rs",
+            "proofs/src/report.rs",
+        ],
+    },
 ];
 
-/// SHA-256 over the names and the contents of the [`SOURCES`].
+impl Artefact {
+    /// SHA-256 over the names and the contents of its sources.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub fn digest(&self, root: &Path) -> io::Result<String> {
+        of_sources(root, self.sources)
+    }
+}
+
+/// The digest over all [`ARTEFACTS`].
 ///
 /// # Errors
 /// A file cannot be read.
 pub fn of(root: &Path) -> io::Result<String> {
-    of_sources(root, &SOURCES)
+    of_sources(root, &ARTEFACTS.map(|artefact| artefact.sources).concat())
 }
 
 /// The same over other files and folders.
@@ -79,14 +129,13 @@ pub fn of_sources(root: &Path, sources: &[&str]) -> io::Result<String> {
     of_files(root, files)
 }
 
-/// The same over these files, in the order of their names.
+/// The same over these files, each once, in the order of their names.
 ///
 /// # Errors
 /// A file cannot be read.
-pub fn of_files(root: &Path, mut files: Vec<PathBuf>) -> io::Result<String> {
-    files.sort();
+pub fn of_files(root: &Path, files: Vec<PathBuf>) -> io::Result<String> {
     let mut hash = Sha256::new();
-    for file in files {
+    for file in files.into_iter().collect::<BTreeSet<_>>() {
         let name = file.strip_prefix(root).unwrap_or(&file);
         hash.update(name.to_string_lossy().replace('\\', "/").as_bytes());
         hash.update([0]);

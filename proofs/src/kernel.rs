@@ -1,7 +1,6 @@
 //! The kernel as a harness calls it: the one of production, or a broken copy of its source.
 
-use ncp_spec::safety::kernel::{Channel, Decision, Limit, Plan, Reason, Received, Scalar, Seq};
-use ncp_spec::wire::Mode;
+use ncp_kernel::{Channel, Decision, Limit, Mode, Plan, Reason, Received, Scalar, Seq};
 
 /// The operations of the numbers on which production runs the kernel.
 #[allow(missing_docs, reason = "each is the operation of that name")]
@@ -270,5 +269,5 @@ pub(crate) use kernel;
 
 kernel! {
     /// The kernel that production runs.
-    Production = [ncp_spec::safety::kernel] [ncp_spec::safety::kernel]
+    Production = [ncp_kernel] [ncp_kernel]
 }

@@ -10,9 +10,11 @@
 #![forbid(unsafe_code)]
 
 pub mod broken;
+pub mod counterexample;
 pub mod digest;
 pub mod document;
 pub mod engines;
+pub mod harness;
 pub mod kani_engine;
 #[cfg(any(kani, test))]
 mod kani_proofs;

@@ -11,13 +11,18 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread;
 use std::time::Duration;
 
-use ncp_proofs::broken::{self, Broken};
+use ncp_defects::Defect;
+use ncp_proofs::broken;
+use ncp_proofs::counterexample::{Counterexample, ENDS};
+use ncp_proofs::digest::{self, ARTEFACTS};
 use ncp_proofs::engines::symbolic::{self, Solvers};
-use ncp_proofs::engines::{Counterexample, ENDS, Outcome, Patience, Verdict, compared, enumeration, standin};
+use ncp_proofs::engines::{Outcome, Patience, Verdict, bounds, enumeration, standin};
+use ncp_proofs::harness::{Harness, compared, harness};
 use ncp_proofs::kernel::Production;
-use ncp_proofs::properties::{Harness, PROPERTIES, Property, harness};
-use ncp_proofs::{digest, document, page, report, terminal};
-use serde_json::{Value, json};
+use ncp_proofs::properties::{PROPERTIES, Property};
+use ncp_proofs::report::{self, Answer, Broken, Found, Report, Run};
+use ncp_proofs::{document, page, terminal};
+use serde::{Deserialize, Serialize};
 
 const USAGE: &str = "\
 Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
@@ -27,13 +32,15 @@ Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|
 /// An engine: how it proves, and how it refutes a broken kernel.
 struct Engine {
     name: &'static str,
+    /// What its results depend on: the name of an artefact.
+    artefact: &'static str,
     version: &'static str,
     about: &'static str,
     how: How,
 }
 
 /// A counterexample, or why there is none.
-type Refutation = Result<Value, String>;
+type Refutation = Result<Found, String>;
 
 /// Where an engine's results come from.
 enum How {
@@ -52,6 +59,7 @@ enum How {
 const ENGINES: &[Engine] = &[
     Engine {
         name: "symbolic",
+        artefact: "kernel",
         version: "bitwuzla, cross-checked by z3",
         about: "Exhaustive: all paths of the kernel's own code over symbolic doubles and seqs.",
         how: How::Here {
@@ -60,7 +68,7 @@ const ENGINES: &[Engine] = &[
                 let mut outcome = symbolic::prove(property, harness, &place.solvers, &place.evidence);
                 if outcome.verdict == Verdict::Failed && !place.solvers.patience.is_over() {
                     // No proof, and no counterexample of the solver's: perhaps samples have one.
-                    let wide = standin::run(harness, 100 * SAMPLES, property.symbolic_length);
+                    let wide = standin::run(harness, 100 * SAMPLES, bounds::of(property.id).length);
                     if let Some(found) = wide.counterexample {
                         outcome.verdict = Verdict::Refuted;
                         outcome.counterexample = Some(found);
@@ -74,7 +82,7 @@ const ENGINES: &[Engine] = &[
                 Some(found.and_then(|found| {
                     let (found, origin) = found.unzip();
                     let mut shown = counterexample(property, harness, found)?;
-                    shown["found_by"] = json!(origin.map(symbolic::Origin::as_str));
+                    shown.found_by = origin.map(|origin| origin.as_str().to_owned());
                     Ok(shown)
                 }))
             },
@@ -82,6 +90,7 @@ const ENGINES: &[Engine] = &[
     },
     Engine {
         name: "enumeration",
+        artefact: "kernel",
         version: env!("CARGO_PKG_VERSION"),
         about: "Exhaustive over finite sets: every combination of the values that the property lists, as doubles.",
         how: How::Here {
@@ -95,24 +104,28 @@ const ENGINES: &[Engine] = &[
     },
     Engine {
         name: "machine",
+        artefact: "machine",
         version: "angr 9.2.213",
         about: "Exhaustive: all paths of the machine code that the compiler made of the kernel.",
         how: How::Elsewhere(".tools/machine.json"),
     },
     Engine {
         name: "model",
+        artefact: "model",
         version: "stateright",
         about: "Exhaustive over finite worlds: every state of the protocol over a bad network.",
         how: How::Elsewhere(".tools/model.json"),
     },
     Engine {
         name: "readers",
+        artefact: "readers",
         version: env!("CARGO_PKG_VERSION"),
         about: "Exhaustive within bounds: every input of what reads blocks, versions and keys, natively.",
         how: How::Elsewhere(".tools/readers.json"),
     },
     Engine {
         name: "kani-stand-in",
+        artefact: "kernel",
         version: env!("CARGO_PKG_VERSION"),
         about: "The harnesses of Kani on edges and samples. It proves nothing.",
         how: How::Here {
@@ -126,6 +139,7 @@ const ENGINES: &[Engine] = &[
     },
     Engine {
         name: "kani",
+        artefact: "kernel",
         version: "0.68",
         about: "Bounded model checking of the harnesses, wherever Kani can be installed: cargo kani -p ncp-proofs.",
         how: How::Elsewhere(".tools/kani.json"),
@@ -209,81 +223,89 @@ fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
 }
 
 /// What the engines say of the kernel: their results by their names, in the order of the properties.
-type Results = BTreeMap<String, Vec<Value>>;
+type Results = BTreeMap<String, Vec<Answer>>;
+
+/// What is found out about the kernel before the slower part of the command.
+#[derive(Serialize, Deserialize)]
+struct Before {
+    digest: String,
+    results: Results,
+}
 
 fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Error>> {
-    let now = digest::of(&place.root)?;
+    let digest = digest::of(&place.root)?;
     fs::create_dir_all(&place.drafts)?;
     let wanted: Vec<&Engine> =
         ENGINES.iter().filter(|engine| names.is_empty() || names.contains(&engine.name)).collect();
     let kernel = match stage {
-        Stage::Rest => found_before(place, &now)?,
+        Stage::Rest => found_before(place, &digest)?,
         Stage::Whole | Stage::Kernel => hold_kernel(place, &wanted)?,
     };
     let mut refuted = refuted(&kernel);
     if stage == Stage::Kernel && refuted.is_empty() {
-        let found = json!({ "digest": now, "results": kernel });
-        fs::write(place.root.join(KERNEL), found.to_string())?;
+        let found = Before { digest, results: kernel };
+        fs::write(place.root.join(KERNEL), serde_json::to_string(&found)?)?;
         return Ok(true);
     }
 
-    let mut left: BTreeMap<&str, Value> = BTreeMap::new();
+    let mut left: BTreeMap<&str, report::Engine> = BTreeMap::new();
     for engine in &wanted {
         if let How::Elsewhere(file) = engine.how {
             let result = report::elsewhere(head(engine), &place.root.join(file));
-            refuted.extend(refuted_elsewhere(engine, &result));
+            refuted.extend(refuted_of(engine.name, &result.results));
             left.insert(engine.name, result);
         }
     }
     let mut broken =
-        if refuted.is_empty() && broken::IS_BUILT { refute_broken(place, &wanted)? } else { Results::new() };
+        if refuted.is_empty() && broken::IS_BUILT { refute_broken(place, &wanted)? } else { BTreeMap::new() };
 
     let file = place.root.join("reports/proofs.json");
+    let before = fs::read_to_string(&file).ok().and_then(|text| serde_json::from_str::<Report>(&text).ok());
+    let before = before.unwrap_or_default();
+    let mut digests = BTreeMap::new();
+    for artefact in ARTEFACTS {
+        digests.insert(artefact.name.to_owned(), artefact.digest(&place.root)?);
+    }
     // What other engines found out about the same sources stays.
-    let before: Value = fs::read_to_string(&file)
-        .ok()
-        .and_then(|text| serde_json::from_str(&text).ok())
-        .filter(|report: &Value| report["digest"] == now.as_str())
-        .unwrap_or_default();
-    let mut engines = Vec::new();
+    let stays = |engine: &Engine| before.digests.get(engine.artefact) == digests.get(engine.artefact);
+    let (mut engines, mut run) = (Vec::new(), Run::new());
     for engine in ENGINES {
         if !wanted.iter().any(|wanted| wanted.name == engine.name) {
-            let old = before["engines"].as_array().into_iter().flatten();
-            engines.extend(old.filter(|old| old["name"] == engine.name).cloned());
+            if let Some(old) = before.engine(engine.name).filter(|_| stays(engine)) {
+                engines.push(old.clone());
+                run.extend(before.run.get_key_value(engine.name).map(|(name, run)| (name.clone(), run.clone())));
+            }
         } else if let Some(result) = left.remove(engine.name) {
             engines.push(result);
         } else {
-            let mut whole = head(engine);
-            whole["results"] = kernel.get(engine.name).cloned().unwrap_or_default().into();
-            whole["broken"] = broken.remove(engine.name).unwrap_or_default().into();
-            engines.push(whole);
+            let results = kernel.get(engine.name).cloned().unwrap_or_default();
+            let broken = broken.remove(engine.name).unwrap_or_default();
+            engines.push(report::Engine { results, broken, ..head(engine) });
         }
     }
     if names.is_empty() || names.contains(&"symbolic") {
-        report::name_version(&mut engines, "symbolic", &place.solvers.versions()?);
+        let version = place.solvers.versions()?;
+        engines.iter_mut().filter(|engine| engine.name == "symbolic").for_each(|e| e.version.clone_from(&version));
     }
-    let run = report::take_run(&mut engines, &before["run"]);
-    let mut report = json!({
-        "format": 2, "digest": now, "properties": report::properties(), "engines": engines, "run": run,
-    });
-    let mut problems: Vec<String> = broken::missing();
+    let run = report::take_run(&mut engines, &run);
+    let (format, properties) = (report::FORMAT, report::properties());
+    let mut report = Report { format, digest, digests, properties, engines, run, problems: broken::missing() };
     if refuted.is_empty() {
-        problems.extend(report::problems(&report));
+        report.problems.extend(report::problems(&report));
         if !broken::IS_BUILT {
-            problems.push("the broken kernels are not part of this build".to_owned());
+            report.problems.push("the broken kernels are not part of this build".to_owned());
         }
     } else {
-        problems.splice(0..0, refuted.iter().map(|(_, problem)| problem.clone()));
-        problems.push(terminal::SKIPPED.split_whitespace().collect::<Vec<_>>().join(" "));
+        report.problems.splice(0..0, refuted.iter().map(|(_, problem)| problem.clone()));
+        report.problems.push(terminal::SKIPPED.split_whitespace().collect::<Vec<_>>().join(" "));
     }
-    for problem in &problems {
+    for problem in &report.problems {
         println!("PROBLEM: {problem}");
     }
-    report["problems"] = json!(problems);
     fs::create_dir_all(place.root.join("reports"))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
     render(place, &report)?;
-    if problems.is_empty() {
+    if report.problems.is_empty() {
         println!("{}", terminal::proved(&report));
     }
     if !refuted.is_empty() {
@@ -292,48 +314,42 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
         ids.dedup();
         println!("{}", terminal::summary(&ids));
     }
-    Ok(problems.is_empty())
+    Ok(report.problems.is_empty())
 }
 
-fn head(engine: &Engine) -> Value {
-    json!({ "name": engine.name, "version": engine.version, "about": engine.about })
+fn head(engine: &Engine) -> report::Engine {
+    report::Engine {
+        name: engine.name.to_owned(),
+        version: engine.version.to_owned(),
+        about: engine.about.to_owned(),
+        ..report::Engine::default()
+    }
 }
 
 /// The refuted properties, each with the problem that it is.
 fn refuted(kernel: &Results) -> Vec<(String, String)> {
-    let mut refuted = Vec::new();
-    for (engine, results) in kernel {
-        for result in results.iter().filter(|result| result["verdict"] == "refuted") {
-            let id = result["property"].as_str().unwrap_or_default();
-            let problem = terminal::problem(engine, id, &result["counterexample"]);
-            refuted.push((id.to_owned(), problem));
-        }
-    }
-    refuted
+    kernel.iter().flat_map(|(engine, results)| refuted_of(engine, results)).collect()
 }
 
-/// What another program has refuted.
-fn refuted_elsewhere(engine: &Engine, left: &Value) -> Vec<(String, String)> {
-    let results = left["results"].as_array().into_iter().flatten();
-    let refuted = results.filter(|result| result["verdict"] == "refuted");
-    refuted
-        .map(|result| {
-            let id = result["property"].as_str().unwrap_or_default();
-            let (name, detail) = (engine.name, &result["counterexample"]);
-            (id.to_owned(), format!("{id} is refuted by {name}: {detail}"))
-        })
-        .collect()
+/// Those that one engine has refuted.
+fn refuted_of(engine: &str, results: &[Answer]) -> Vec<(String, String)> {
+    let refuted = results.iter().filter(|result| result.verdict == Verdict::Refuted);
+    let problem = |result: &Answer| match &result.counterexample {
+        Some(found) => terminal::problem(engine, &result.property, found),
+        None => format!("{} is refuted by {engine}: {}", result.property, result.detail),
+    };
+    refuted.map(|result| (result.property.clone(), problem(result))).collect()
 }
 
 /// What the first part of the command found out.
 fn found_before(place: &Place, digest: &str) -> Result<Results, Box<dyn Error>> {
     let file = place.root.join(KERNEL);
     let text = fs::read_to_string(&file).map_err(|error| format!("{KERNEL}: {error}"))?;
-    let found: Value = serde_json::from_str(&text)?;
-    if found["digest"] != digest {
+    let found: Before = serde_json::from_str(&text)?;
+    if found.digest != digest {
         return Err(format!("{KERNEL} is about other sources").into());
     }
-    Ok(serde_json::from_value(found["results"].clone())?)
+    Ok(found.results)
 }
 
 /// Holds the kernel against all properties: by the quick engines first, and by the others if none of these has
@@ -374,7 +390,7 @@ fn hold(
     engine: &Engine,
     property: &'static Property,
     is_refuted: bool,
-) -> Result<Option<Value>, String> {
+) -> Result<Option<Answer>, String> {
     let How::Here { is_quick, prove, refute } = engine.how else {
         return Ok(None);
     };
@@ -400,15 +416,13 @@ fn hold(
     let verdict = outcome.verdict.as_str();
     let (name, id, detail) = (engine.name, property.id, &outcome.detail);
     println!("{name:14} {id:32} {verdict} {detail}");
-    if let Some(found) = &outcome.counterexample {
-        let compared = compared(&harness, found, usize::MAX);
-        let found = terminal::with_compared(answer["counterexample"].take(), compared);
+    if let (Some(found), Some(shown)) = (&outcome.counterexample, &mut answer.counterexample) {
+        shown.compared = compared(&harness, found, usize::MAX);
         // One counterexample of a property is enough to read.
         let is_new = |mut shown: MutexGuard<'_, BTreeSet<_>>| shown.insert(property.id);
         if place.shown.lock().is_ok_and(is_new) {
-            println!("{}", terminal::refutation(engine.name, property, &found));
+            println!("{}", terminal::refutation(engine.name, property, shown));
         }
-        answer["counterexample"] = found;
     }
     // Whatever else is asked of a kernel that does not come to an end may have none, either.
     let is_endless = |found: &Counterexample| found.check == ENDS;
@@ -419,60 +433,69 @@ fn hold(
     Ok(Some(answer))
 }
 
-/// Refutes the broken kernels.
-fn refute_broken(place: &Place, engines: &[&Engine]) -> Result<Results, Box<dyn Error>> {
-    let jobs: Vec<(&Engine, &Broken)> = engines
-        .iter()
-        .flat_map(|engine| broken::BROKEN.iter().map(move |broken| (*engine, broken)))
-        .filter(|(_, broken)| broken::MISSING.iter().all(|(id, _)| *id != broken.id))
-        .collect();
+/// Refutes the broken kernels: each defect by each of its properties, by every engine that it does not leave out.
+fn refute_broken(place: &Place, engines: &[&Engine]) -> Result<BTreeMap<String, Vec<Broken>>, Box<dyn Error>> {
+    let mut defects = broken::defects()?;
+    defects.retain(|defect| broken::MISSING.iter().all(|(name, _)| *name != defect.name));
+    let mut jobs = Vec::new();
+    for engine in engines {
+        for defect in &defects {
+            let is_asked = defect.engines.is_empty() || defect.engines.iter().any(|name| name == engine.name);
+            let own = PROPERTIES.iter().filter(|property| defect.properties.iter().any(|id| id == property.id));
+            jobs.extend(own.filter(|_| is_asked).map(|property| (*engine, defect, property)));
+        }
+    }
     let answers = parallel(jobs.len(), |nth| {
-        let (engine, broken) = jobs.get(nth)?;
-        refute_one(place, engine, broken).transpose()
+        let (engine, defect, property) = jobs.get(nth)?;
+        refute_one(place, engine, defect, property).transpose()
     });
-    let mut results = Results::new();
-    for (answer, (engine, _)) in answers.into_iter().zip(&jobs) {
+    let mut results: BTreeMap<String, Vec<Broken>> = BTreeMap::new();
+    for (answer, (engine, ..)) in answers.into_iter().zip(&jobs) {
         if let Some(answer) = answer {
-            let results = results.entry(engine.name.to_owned()).or_default();
-            results.push(answer?);
+            results.entry(engine.name.to_owned()).or_default().push(answer?);
         }
     }
     Ok(results)
 }
 
-/// Refutes one broken kernel; nothing where the engine does not cover the property.
-fn refute_one(place: &Place, engine: &Engine, broken: &Broken) -> Result<Option<Value>, String> {
+/// Refutes one broken kernel by one property; nothing where the engine does not cover the property.
+fn refute_one(
+    place: &Place,
+    engine: &Engine,
+    defect: &Defect,
+    property: &'static Property,
+) -> Result<Option<Broken>, String> {
     let How::Here { refute, .. } = engine.how else {
         return Ok(None);
     };
-    let property = PROPERTIES.iter().find(|p| p.id == broken.property);
-    let (Some(property), Some(harness)) = (property, broken::harness(broken.id)) else {
-        return Err(format!("{} has no harness", broken.id));
+    let Some(harness) = broken::harness(&defect.name, property.id) else {
+        return Err(format!("{} has no harness of {}", defect.name, property.id));
     };
-    let Some(answer) = refute(property, &harness, place, broken.id) else {
+    let Some(answer) = refute(property, &harness, place, &defect.name) else {
         return Ok(None);
     };
-    let mut entry = json!({
-        "id": broken.id, "property": broken.property, "family": property.family.as_str(),
-        "file": broken.file, "from": broken.from, "to": broken.to,
-    });
-    match answer {
-        Ok(found) => {
-            let (check, inputs) = (&found["check"], terminal::inputs(&found));
-            let line = format!("refuted: {}: {inputs}", check.as_str().unwrap_or_default());
-            println!("{:14} {:32} {}", engine.name, broken.id, terminal::short(&line));
-            entry["counterexample"] = found;
-        }
-        Err(why) => {
-            println!("{:14} {:32} NOT REFUTED: {why}", engine.name, broken.id);
-            entry["missed"] = json!(why);
-        }
-    }
-    Ok(Some(entry))
+    let said = match &answer {
+        Ok(found) => terminal::short(&format!("refuted: {}: {}", found.check(), terminal::inputs(found))),
+        Err(why) => format!("NOT REFUTED: {why}"),
+    };
+    println!("{:14} {:32} {said}", engine.name, defect.name);
+    let edit = defect.edit.first();
+    let missed = answer.as_ref().err().cloned();
+    Ok(Some(Broken {
+        id: defect.name.clone(),
+        property: property.id.to_owned(),
+        family: property.family.as_str().to_owned(),
+        about: defect.about.clone(),
+        file: edit.map(|edit| edit.file.clone()),
+        from: edit.map(|edit| edit.code.clone()),
+        to: edit.map(|edit| edit.with.clone()),
+        counterexample: answer.ok(),
+        missed,
+    }))
 }
 
-fn render(place: &Place, report: &Value) -> Result<(), Box<dyn Error>> {
-    let document = page::document(report);
+fn render(place: &Place, report: &Report) -> Result<(), Box<dyn Error>> {
+    let document = page::document(&serde_json::to_value(report)?);
     let reports = place.root.join("reports");
     fs::write(reports.join("proofs.md"), document::markdown(&document))?;
     fs::write(reports.join("proofs.html"), document::html(&document))?;
@@ -504,7 +527,7 @@ fn parallel<T: Send>(count: usize, job: impl Fn(usize) -> Option<T> + Sync) -> V
     (0..count).map(|nth| answers.remove(&nth)).collect()
 }
 
-fn counterexample(property: &Property, harness: &Harness, found: Option<Counterexample>) -> Result<Value, String> {
+fn counterexample(property: &Property, harness: &Harness, found: Option<Counterexample>) -> Refutation {
     found
         .map(|found| report::counterexample(property.id, harness, &found))
         .ok_or_else(|| "no counterexample".to_owned())

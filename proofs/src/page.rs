@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 
 use crate::document::Block;
 use crate::engines::symbolic::Origin;
-use crate::report::{is_refuted, list, word};
 
 /// The report as a document.
 #[must_use]
@@ -304,13 +303,13 @@ fn repeat(engine: &str) -> Option<String> {
 fn code(engine: &str, id: &str) -> Vec<String> {
     let kernel = |names: &[&str]| {
         let files = names.iter();
-        let file = |name: &&str| format!("spec/src/safety/kernel/{name}.rs");
+        let file = |name: &&str| format!("spec/kernel/src/decisions/{name}.rs");
         files.map(file).collect::<Vec<_>>()
     };
     let (family, subject) = id.split_once('/').unwrap_or((id, ""));
     let subject = subject.split(['/', '-']).next().unwrap_or_default();
     let files: &[&str] = match (engine, family) {
-        ("machine", _) => &["spec/src/safety/kernel", "proofs/machine/src"],
+        ("machine", _) => &["spec/kernel/src", "proofs/machine/src"],
         ("model", _) => match subject {
             "plant" => &["spec/src/resilience/action_buffer.rs"],
             "latch" => &["spec/src/safety/governor.rs", "spec/src/resilience/action_buffer.rs"],
@@ -550,4 +549,16 @@ fn text(words: &str) -> Block {
 
 fn anchor(id: &str) -> String {
     id.replace('/', "-")
+}
+
+fn is_refuted(broken: &Value) -> bool {
+    broken["counterexample"].is_object()
+}
+
+fn word(value: &Value) -> String {
+    value.as_str().unwrap_or_default().to_owned()
+}
+
+fn list(value: &Value) -> Vec<Value> {
+    value.as_array().cloned().unwrap_or_default()
 }

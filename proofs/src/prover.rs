@@ -1,6 +1,6 @@
 //! What a harness asks of an engine: inputs, assumptions, checks, and the logic in which they are said.
 
-use ncp_spec::safety::kernel::{Scalar, Seq};
+use ncp_kernel::{Scalar, Seq};
 
 /// An engine as a harness sees it.
 ///

@@ -2,7 +2,16 @@
 
 use serde_json::{Value, json};
 
-use crate::vector::Event;
+/// A step of `watchdog.run`.
+#[derive(Debug, Clone, Copy)]
+pub enum Event {
+    /// A command: the clock in seconds, the ttl in ms, the seq.
+    Command(f64, f64, i64),
+    /// A reading of the clock, in seconds.
+    ShouldHold(f64),
+    /// A reset.
+    Reset,
+}
 
 /// What the text's watchdog answers to a trace.
 #[must_use]
@@ -33,27 +42,4 @@ pub fn run(events: &[Event]) -> Vec<Value> {
         });
     }
     answers
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::engines::native::{Draw, Sample};
-    use crate::kernel::Production;
-    use crate::vector;
-
-    #[test]
-    fn the_kernel_answers_every_sampled_trace_as_the_text_says() {
-        for seed in 0..20_000 {
-            let mut draw = Sample::new(seed, 8);
-            let events: Vec<Event> = (0..8)
-                .map(|_| match draw.choice(5) {
-                    0 | 1 => Event::Command(draw.scalar(), draw.scalar(), draw.seq()),
-                    2 | 3 => Event::ShouldHold(draw.scalar()),
-                    _ => Event::Reset,
-                })
-                .collect();
-            assert_eq!(run(&events), vector::run::<Production>(&events), "{events:?}");
-        }
-    }
 }

@@ -4,13 +4,31 @@
 pub mod gates;
 pub mod plant;
 
-use ncp_spec::wire::Mode;
+use ncp_kernel::Mode;
 use serde_json::{Value, json};
 
-use crate::engines::{Counterexample, ENDS, native::Drawn};
+use crate::counterexample::{Counterexample, Drawn, ENDS};
 use crate::kernel::Kernel;
-use crate::properties::Harness;
-use crate::reference;
+use crate::reference::{self, Event};
+
+/// A kernel behind the calls of the peer protocol.
+#[derive(Debug, Clone, Copy)]
+pub struct Calls {
+    /// What its watchdog answers to a trace.
+    pub watchdog: fn(&[Event]) -> Vec<Value>,
+    /// What a small governor around it answers to a trace.
+    pub governor: fn(&gates::Trace) -> Option<Vec<Value>>,
+    /// What a small action buffer around it answers to a trace.
+    pub buffer: fn(&[plant::Step]) -> Option<Vec<Value>>,
+}
+
+impl Calls {
+    /// Those of a kernel.
+    #[must_use]
+    pub fn of<K: Kernel>() -> Self {
+        Self { watchdog: run::<K>, governor: gates::run::<K>, buffer: plant::run::<K> }
+    }
+}
 
 /// A number as vectors spell it.
 #[must_use]
@@ -37,30 +55,30 @@ fn mode(nth: usize) -> Option<Mode> {
     modes.into_iter().nth(nth)
 }
 
-/// A case that the kernel of this harness fails, by a counterexample to this property. What it expects is
+/// A case that the kernel behind the calls fails, by a counterexample to this property. What it expects is
 /// what the text's watchdog, or the specification's governor or buffer, answers.
 #[must_use]
-pub fn case(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
-    try_case(property, harness, found).ok()
+pub fn case(property: &str, calls: &Calls, found: &Counterexample) -> Option<Value> {
+    try_case(property, calls, found).ok()
 }
 
 /// The same, or why there is none.
 ///
 /// # Errors
 /// What stands between this counterexample and a call of the protocol.
-pub fn try_case(property: &str, harness: &Harness, found: &Counterexample) -> Result<Value, WhyNone> {
+pub fn try_case(property: &str, calls: &Calls, found: &Counterexample) -> Result<Value, WhyNone> {
     if found.check == ENDS {
         return Err(WhyNone::Endless);
     }
     let inputs = Inputs(found);
-    if let Some(case) = watched(property, harness, found) {
+    if let Some(case) = watched(property, calls, found) {
         return Ok(case);
     }
-    let gates = match gates::case(property, &found.check, harness, &inputs) {
+    let gates = match gates::case(property, &found.check, calls, &inputs) {
         Ok(case) => return Ok(case),
         Err(why) => why,
     };
-    plant::case(property, harness, &inputs).map_err(|why| why.max(gates))
+    plant::case(property, calls, &inputs).map_err(|why| why.max(gates))
 }
 
 /// Why a counterexample is no case. The last one that is true says most.
@@ -87,7 +105,8 @@ impl WhyNone {
             Self::NoCall => "no call of the protocol takes inputs like those of its counterexample",
             Self::NoFrame => "its counterexample has numbers that JSON lacks",
             Self::Alike => {
-                "every call answers its counterexample alike: what is wrong does not leave the kernel, or another decision comes first"
+                "every call answers its counterexample alike: what is wrong does not leave the kernel, or another \
+                 decision comes first"
             }
             Self::Rounding => "the answers to its counterexample differ by no more than a peer's rounding may",
         }
@@ -95,7 +114,7 @@ impl WhyNone {
 }
 
 /// A case of `watchdog.run`.
-fn watched(property: &str, harness: &Harness, found: &Counterexample) -> Option<Value> {
+fn watched(property: &str, calls: &Calls, found: &Counterexample) -> Option<Value> {
     let inputs = Inputs(found);
     let events = match property {
         "watchdog/deadline" if found.check.starts_with("alive") => {
@@ -121,10 +140,10 @@ fn watched(property: &str, harness: &Harness, found: &Counterexample) -> Option<
         _ => return None,
     };
     let answers = reference::run(&events);
-    if answers == (harness.trace)(&events) {
+    if answers == (calls.watchdog)(&events) {
         return None;
     }
-    let steps: Vec<Value> = events.iter().map(Event::json).collect();
+    let steps: Vec<Value> = events.iter().map(step_json).collect();
     Some(json!({
         "roles": ["body"],
         "call": "watchdog.run",
@@ -156,26 +175,14 @@ fn step(inputs: &Inputs<'_>) -> Option<Vec<Event>> {
     Some(events)
 }
 
-/// A step of `watchdog.run`.
-#[derive(Debug, Clone, Copy)]
-pub enum Event {
-    /// A command: the clock in seconds, the ttl in ms, the seq.
-    Command(f64, f64, i64),
-    /// A reading of the clock, in seconds.
-    ShouldHold(f64),
-    /// A reset.
-    Reset,
-}
-
-impl Event {
-    fn json(&self) -> Value {
-        match *self {
-            Self::Command(now, ttl, seq) => {
-                json!({"op": "command", "now_s": number(now), "ttl_ms": number(ttl), "seq": seq})
-            }
-            Self::ShouldHold(now) => json!({"op": "should_hold", "now_s": number(now)}),
-            Self::Reset => json!({"op": "reset"}),
+/// A step as a vector spells it.
+fn step_json(event: &Event) -> Value {
+    match *event {
+        Event::Command(now, ttl, seq) => {
+            json!({"op": "command", "now_s": number(now), "ttl_ms": number(ttl), "seq": seq})
         }
+        Event::ShouldHold(now) => json!({"op": "should_hold", "now_s": number(now)}),
+        Event::Reset => json!({"op": "reset"}),
     }
 }
 
@@ -255,9 +262,9 @@ impl Inputs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engines::native::{Native, Sample, Source};
+    use crate::engines::native::{Draw, Native, Sample, Source};
+    use crate::harness::{Harness, harness};
     use crate::kernel::Production;
-    use crate::properties::harness;
 
     /// Inputs of a harness, as if they were a counterexample.
     pub(super) fn sampled(harness: &Harness, seed: u64) -> Counterexample {
@@ -275,10 +282,25 @@ mod tests {
             inputs: inputs.map(|(name, x)| (name.to_owned(), Drawn::Scalar(x))).to_vec(),
         };
         let mut harness = harness::<Production>("watchdog/deadline").unwrap();
-        assert_eq!(case("watchdog/deadline", &harness, &found), None);
-        harness.trace = |_| vec![json!({}), json!({"hold": false})];
-        let case = case("watchdog/deadline", &harness, &found).unwrap();
+        assert_eq!(case("watchdog/deadline", &harness.calls, &found), None);
+        harness.calls.watchdog = |_| vec![json!({}), json!({"hold": false})];
+        let case = case("watchdog/deadline", &harness.calls, &found).unwrap();
         assert_eq!(case["call"], "watchdog.run");
         assert_eq!(case["expect"]["value"]["steps"], json!([{}, {"hold": true}]));
+    }
+
+    #[test]
+    fn the_kernel_answers_every_sampled_trace_as_the_text_says() {
+        for seed in 0..20_000 {
+            let mut draw = Sample::new(seed, 8);
+            let events: Vec<Event> = (0..8)
+                .map(|_| match draw.choice(5) {
+                    0 | 1 => Event::Command(draw.scalar(), draw.scalar(), draw.seq()),
+                    2 | 3 => Event::ShouldHold(draw.scalar()),
+                    _ => Event::Reset,
+                })
+                .collect();
+            assert_eq!(reference::run(&events), run::<Production>(&events), "{events:?}");
+        }
     }
 }

@@ -1,12 +1,11 @@
 //! The harnesses hold on the kernel of production, and reach what they check.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::collections::BTreeSet;
-
-use ncp_proofs::broken::{BROKEN, missing};
+use ncp_proofs::broken::{defects, missing};
 use ncp_proofs::engines::{Verdict, enumeration, standin};
+use ncp_proofs::harness::harness;
 use ncp_proofs::kernel::Production;
-use ncp_proofs::properties::{Family, PROPERTIES, harness};
+use ncp_proofs::properties::{Family, PROPERTIES};
 use ncp_text::catalogue::Catalogue;
 
 #[test]
@@ -42,16 +41,22 @@ fn every_property_names_rules_of_the_text() {
 }
 
 #[test]
-fn every_family_has_five_broken_kernels_and_each_a_property() {
+fn every_family_has_five_broken_kernels_and_each_defect_a_property_and_its_rules() {
+    let defects = defects().unwrap();
+    let is_machine = |id: &String| id.starts_with("machine/");
+    let own = |id: &String| PROPERTIES.iter().find(|property| property.id == *id);
     for family in Family::ALL {
-        let mine = BROKEN.iter().filter(|b| b.id.starts_with(family.as_str()));
-        assert!(mine.count() >= 5, "{family:?}");
+        let is_mine = |id: &String| own(id).is_some_and(|property| property.family == family);
+        assert!(defects.iter().filter(|defect| defect.properties.iter().any(is_mine)).count() >= 5, "{family:?}");
     }
-    let ids: BTreeSet<_> = BROKEN.iter().map(|broken| broken.id).collect();
-    assert_eq!(ids.len(), BROKEN.len());
-    for broken in BROKEN {
-        let property = PROPERTIES.iter().find(|p| p.id == broken.property);
-        assert!(property.is_some_and(|p| broken.id.starts_with(p.family.as_str())), "{}", broken.id);
+    for defect in &defects {
+        assert!(!defect.properties.is_empty(), "{}", defect.name);
+        for id in &defect.properties {
+            assert!(is_machine(id) || own(id).is_some(), "{}: {id}", defect.name);
+            for rule in own(id).iter().flat_map(|property| property.rules) {
+                assert!(defect.rules.iter().any(|known| known == rule), "{}: {rule}", defect.name);
+            }
+        }
     }
 }
 

@@ -1,5 +1,5 @@
 //! The exported functions over broken copies of the kernel, which the proofs have to refute.
-//! `broken.json` says what is broken in each.
+//! `defects/kernel.toml` says what is broken in each.
 
 #![allow(unsafe_code, reason = "a function is exported by name with an attribute that counts as unsafe")]
 #![allow(missing_docs, unused, unreachable_pub, clippy::all, reason = "the copies are not to be used")]

@@ -8,4 +8,4 @@
 
 mod wrappers;
 
-wrappers::wrap!("ncp", ncp_spec::safety::kernel);
+wrappers::wrap!("ncp", ncp_kernel);

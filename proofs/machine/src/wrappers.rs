@@ -1,6 +1,6 @@
 //! One function a decision, over any module that has the kernel's functions.
 
-use ncp_spec::wire::Mode;
+use ncp_kernel::Mode;
 
 /// What the last accepted command left, as a plant says it.
 #[repr(C)]
@@ -82,7 +82,7 @@ pub(crate) const fn mode(number: u64) -> Mode {
     }
 }
 
-/// Exports the functions of a kernel under a prefix.
+/// Exports the functions of a kernel's decisions under a prefix.
 macro_rules! wrap {
     ($prefix:literal, $($kernel:tt)+) => {
         /// The exported functions.
@@ -92,7 +92,7 @@ macro_rules! wrap {
                 FIRST, GateStep, NO_POSITION, NO_VELOCITY, PLACED, SECOND, STOPPED, Seen, Step,
                 TIMED, has, mode,
             };
-            use ncp_spec::wire::Mode;
+            use ncp_kernel::Mode;
 
             type Plant = kernel::Plant<f64, i64>;
             type Watchdog = kernel::Watchdog<f64, i64>;
@@ -137,12 +137,12 @@ macro_rules! wrap {
             #[unsafe(export_name = concat!($prefix, "_limit"))]
             extern "C" fn limit(out: &mut f64, flags: u64, value: f64) -> u8 {
                 match kernel::limit(has(flags, FIRST).then_some(value)) {
-                    kernel::Limit::Disabled => 0,
-                    kernel::Limit::Enabled(bound) => {
+                    ncp_kernel::Limit::Disabled => 0,
+                    ncp_kernel::Limit::Enabled(bound) => {
                         *out = bound;
                         1
                     }
-                    kernel::Limit::Faulty => 2,
+                    ncp_kernel::Limit::Faulty => 2,
                 }
             }
 
@@ -210,10 +210,10 @@ macro_rules! wrap {
             ) {
                 plant(step, flags, last, received_s, ttl_ms, |plant| {
                     match plant.on_command(mode(mode_number), now_s, new_ttl_ms, seq) {
-                        kernel::Received::Accepted => 0,
-                        kernel::Received::Held => 1,
-                        kernel::Received::Stopped => 2,
-                        kernel::Received::Dropped => 3,
+                        ncp_kernel::Received::Accepted => 0,
+                        ncp_kernel::Received::Held => 1,
+                        ncp_kernel::Received::Stopped => 2,
+                        ncp_kernel::Received::Dropped => 3,
                     }
                 });
             }
@@ -255,10 +255,10 @@ macro_rules! wrap {
                     let last_s = has(flags, TIMED).then_some(last_s);
                     let position = || has(flags, PLACED).then_some([x, y, z]);
                     match gates.govern(&mut plan, now_s, last_s, position) {
-                        kernel::Decision::Passed => 0,
-                        kernel::Decision::Limited => 1,
-                        kernel::Decision::Held(_) => 2,
-                        kernel::Decision::Stopped(_) => 3,
+                        ncp_kernel::Decision::Passed => 0,
+                        ncp_kernel::Decision::Limited => 1,
+                        ncp_kernel::Decision::Held(_) => 2,
+                        ncp_kernel::Decision::Stopped(_) => 3,
                     }
                 });
             }
@@ -294,7 +294,7 @@ macro_rules! wrap {
                 velocity: [f64; 3],
             }
 
-            impl kernel::Plan<f64> for Tick {
+            impl ncp_kernel::Plan<f64> for Tick {
                 #[inline]
                 fn mode(&self) -> Mode {
                     self.mode
@@ -315,10 +315,10 @@ macro_rules! wrap {
                 fn limit(
                     &mut self,
                     _: usize,
-                    max_mps: kernel::Limit<f64>,
-                ) -> Result<bool, kernel::Reason> {
+                    max_mps: ncp_kernel::Limit<f64>,
+                ) -> Result<bool, ncp_kernel::Reason> {
                     let data = &mut self.velocity;
-                    let channel = kernel::Channel { data, is_velocity: true, in_mps: true };
+                    let channel = ncp_kernel::Channel { data, is_velocity: true, in_mps: true };
                     kernel::limit_tick(std::iter::once(channel), max_mps)
                 }
                 #[inline]

@@ -5,8 +5,9 @@ use std::fmt::Debug;
 use std::hash::Hash;
 use std::time::Instant;
 
-use serde::Serialize;
-use serde_json::{Value, json};
+use ncp_proofs::report::{Answer, Broken, Found, Shown, Verdict, Words, owned};
+use ncp_text::WIRE_VERSION;
+use serde_json::Value;
 use stateright::{Checker, Expectation, HasDiscoveries, Model};
 
 /// What is claimed of a protocol, beside the formula that its model has under the same name.
@@ -18,7 +19,7 @@ pub(crate) struct Claim {
     pub(crate) rules: &'static [&'static str],
     /// What it says, in words.
     pub(crate) sentence: &'static str,
-    /// What it says, formally.
+    /// What it says, formally. `{version}` stands for the version of the text, here and in what is broken.
     pub(crate) formal: &'static str,
 }
 
@@ -55,17 +56,16 @@ pub(crate) trait Protocol: Sized {
 }
 
 /// A counterexample, run natively.
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 pub(crate) struct Replay {
     /// What happens, step by step.
-    pub(crate) steps: Vec<String>,
+    steps: Vec<String>,
     /// What the broken variant answers, step by step.
-    pub(crate) broken: Value,
+    broken: Value,
     /// What the real code answers.
-    pub(crate) real: Value,
+    real: Value,
     /// The steps as a case of the vectors, with what the real code answers.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) vector: Option<Value>,
+    vector: Option<Value>,
 }
 
 impl Replay {
@@ -79,6 +79,11 @@ impl Replay {
         let real = run(None);
         Self { steps: steps(path), broken: run(Some(defect)), vector: vector(&real), real }
     }
+
+    fn shown(self) -> Found {
+        let Self { steps, broken, real, vector } = self;
+        Found { vector, ..Found::new(Shown::Path { steps, broken, real }) }
+    }
 }
 
 /// The events of a path, one by one.
@@ -86,60 +91,32 @@ fn steps<E: Debug>(path: &[E]) -> Vec<String> {
     path.iter().map(|event| format!("{event:?}")).collect()
 }
 
-/// One claim, checked.
-#[derive(Debug, Serialize)]
-pub(crate) struct Checked {
-    pub(crate) id: String,
-    pub(crate) family: &'static str,
-    pub(crate) rules: &'static [&'static str],
-    pub(crate) sentence: &'static str,
-    pub(crate) formal: &'static str,
-    pub(crate) bounds: String,
-    pub(crate) assumptions: Vec<&'static str>,
-    pub(crate) result: &'static str,
-    pub(crate) states: usize,
-    pub(crate) depth: usize,
-    pub(crate) seconds: f64,
-    pub(crate) evidence: Value,
-}
-
-/// One broken variant, checked.
-#[derive(Debug, Serialize)]
-pub(crate) struct Broken {
-    pub(crate) id: String,
-    pub(crate) property: String,
-    pub(crate) about: &'static str,
-    pub(crate) refuted: bool,
-    pub(crate) counterexample: Option<Replay>,
-}
-
 /// Checks all claims of a protocol.
-pub(crate) fn check<P: Protocol>(small: bool) -> Vec<Checked> {
+pub(crate) fn check<P: Protocol>(small: bool) -> Vec<Answer> {
     let runs: Vec<Run> = P::models(small).into_iter().map(run::<P>).collect();
     let complete = runs.iter().all(|run| run.complete);
     let seconds: f64 = runs.iter().map(|run| run.seconds).sum();
     let checked = |claim: &Claim| {
-        let counterexample = runs.iter().find_map(|run| run.violated.get(claim.name));
-        Checked {
-            id: id::<P>(claim.name),
-            family: P::FAMILY,
-            rules: claim.rules,
-            sentence: claim.sentence,
-            formal: claim.formal,
-            bounds: P::bounds(small),
-            assumptions: vec!["no two states of an exploration share a 64-bit fingerprint"],
-            result: match counterexample {
-                Some(_) => "refuted",
-                None if complete => "proved",
-                None => "not run",
-            },
-            states: runs.iter().map(|run| run.states).sum(),
-            depth: runs.iter().map(|run| run.depth).max().unwrap_or(0),
-            seconds: (seconds * 100.0).round() / 100.0,
-            evidence: json!({
-                "explorations": runs.iter().map(|run| &run.evidence).collect::<Vec<_>>(),
-                "counterexample": counterexample,
+        let steps = runs.iter().find_map(|run| run.violated.get(claim.name));
+        let verdict = match steps {
+            Some(_) => Verdict::Refuted,
+            None if complete => Verdict::Proved,
+            None => Verdict::NotRun,
+        };
+        let path = |steps: &Vec<String>| Shown::Path { steps: steps.clone(), broken: Value::Null, real: Value::Null };
+        Answer {
+            words: Some(Words {
+                family: P::FAMILY.to_owned(),
+                rules: owned(claim.rules),
+                sentence: claim.sentence.to_owned(),
+                statement: claim.formal.replace("{version}", WIRE_VERSION),
+                bounds: P::bounds(small),
+                assumptions: owned(&["no two states of an exploration share a 64-bit fingerprint"]),
             }),
+            states: Some(runs.iter().map(|run| run.states).sum()),
+            counterexample: steps.map(path).map(Found::new),
+            seconds: Some(seconds),
+            ..Answer::new(&id::<P>(claim.name), verdict)
         }
     };
     P::CLAIMS.iter().map(checked).collect()
@@ -153,15 +130,18 @@ pub(crate) fn refute<P: Protocol>() -> Vec<Broken> {
         let checker = checker.spawn_bfs().join();
         let path = checker.discovery(claim).map(stateright::Path::into_actions);
         let path = path.map(|path| shortened(&P::broken(defect), claim, path));
-        let counterexample = path.map(|path| P::replay(defect, &path));
         // The path alone is the checker's word; the replay has to show the difference too.
-        let differs = |replay: &Replay| replay.real != replay.broken;
+        let replay = path.map(|path| P::replay(defect, &path)).filter(|replay| replay.real != replay.broken);
         Broken {
             id: format!("{}/{name}", P::FAMILY),
             property: id::<P>(claim),
-            about,
-            refuted: counterexample.as_ref().is_some_and(differs),
-            counterexample,
+            family: P::FAMILY.to_owned(),
+            about: about.replace("{version}", WIRE_VERSION),
+            file: None,
+            from: None,
+            to: None,
+            missed: replay.is_none().then(|| "no counterexample".to_owned()),
+            counterexample: replay.map(Replay::shown),
         }
     };
     P::BROKEN.iter().map(refute).collect()
@@ -169,14 +149,12 @@ pub(crate) fn refute<P: Protocol>() -> Vec<Broken> {
 
 /// What one exploration found.
 struct Run {
-    states: usize,
-    depth: usize,
+    states: u64,
     seconds: f64,
     /// Whether it saw every state, and every witness that a claim is not empty.
     complete: bool,
     /// The claims that do not hold, each with a path to where.
     violated: BTreeMap<&'static str, Vec<String>>,
-    evidence: Value,
 }
 
 fn run<P: Protocol>(model: P::Model) -> Run {
@@ -184,32 +162,26 @@ fn run<P: Protocol>(model: P::Model) -> Run {
     let threads = std::thread::available_parallelism().map_or(1, Into::into);
     let checker = model.checker().threads(threads).spawn_bfs().join();
     let mut found = checker.discoveries();
-    let mut witnesses = vec![];
+    let mut unseen = vec![];
     let mut violated = BTreeMap::new();
     for property in checker.model().properties() {
         let path = found.remove(property.name);
-        if property.expectation == Expectation::Sometimes {
-            witnesses.push(json!({"name": property.name, "seen": path.is_some()}));
-        } else if let Some(path) = path {
-            violated.insert(property.name, steps(&path.into_actions()));
+        match (property.expectation, path) {
+            (Expectation::Sometimes, None) => unseen.push(property.name),
+            (Expectation::Sometimes, Some(_)) | (_, None) => {}
+            (_, Some(path)) => {
+                violated.insert(property.name, steps(&path.into_actions()));
+            }
         }
     }
-    // A claim that nothing could break says nothing: every witness has to be there.
-    let complete = checker.is_done() && witnesses.iter().all(|witness| witness["seen"] == true);
-    Run {
-        states: checker.unique_state_count(),
-        depth: checker.max_depth(),
-        seconds: start.elapsed().as_secs_f64(),
-        complete,
-        violated,
-        evidence: json!({
-            "states": checker.unique_state_count(),
-            "transitions": checker.state_count(),
-            "depth": checker.max_depth(),
-            "complete": checker.is_done(),
-            "witnesses": witnesses,
-        }),
+    let (states, seconds) = (checker.unique_state_count() as u64, start.elapsed().as_secs_f64());
+    let (transitions, depth) = (checker.state_count(), checker.max_depth());
+    println!("{}: {states} states, {transitions} transitions, depth {depth}, {seconds:.1} s", P::FAMILY);
+    for witness in &unseen {
+        println!("{}: never seen: {witness}", P::FAMILY);
     }
+    // A claim that nothing could break says nothing: every witness has to be there.
+    Run { states, seconds, complete: checker.is_done() && unseen.is_empty(), violated }
 }
 
 /// The path without the events that the violation does not need.

@@ -289,7 +289,8 @@ impl Protocol for Latches {
         Claim {
             name: "governor latches",
             rules: &["NCP-SAFE-004", "NCP-SAFE-006", "NCP-SAFE-007", "NCP-SAFE-008", "NCP-SAFE-043", "NCP-SAFE-044"],
-            sentence: "The governor is latched exactly when, since its reset, it was given an ESTOP, a position outside the fence or not finite, or a burst.",
+            sentence: "The governor is latched exactly when, since its reset, it was given an ESTOP, a position \
+                outside the fence or not finite, or a burst.",
             formal: "always: governor.is_stopped() ⟺ latched(governor)",
         },
         Claim {
@@ -301,7 +302,8 @@ impl Protocol for Latches {
         Claim {
             name: "plant obeys",
             rules: &["NCP-RES-021", "NCP-RES-023", "NCP-RES-025", "NCP-RES-030", "NCP-SAFE-001"],
-            sentence: "Over every network, the plant is latched exactly from the arrival of an ESTOP to its own reset, and moves exactly when it is not and the newest command that it obeyed is active.",
+            sentence: "Over every network, the plant is latched exactly from the arrival of an ESTOP to its own \
+                reset, and moves exactly when it is not and the newest command that it obeyed is active.",
             formal: "always: moves ⟺ ¬latched(plant) ∧ mode(newest obeyed) = active",
         },
         Claim {
@@ -358,7 +360,9 @@ impl Protocol for Latches {
 
     fn bounds(small: bool) -> String {
         format!(
-            "{} commands, each active, hold or estop, with the plant seen inside the fence, outside it, at NaN, or not at all; good limits and a negative one; one clock reading; any number of deliveries, bursts and resets",
+            "{} commands, each active, hold or estop, with the plant seen inside the fence, outside it, at NaN, or \
+             not at all; good limits and a negative one; one clock reading; any number of deliveries, bursts and \
+             resets",
             Self::models(small)[0].frames
         )
     }
@@ -442,14 +446,14 @@ mod tests {
     #[test]
     fn both_latches_keep_their_claims() {
         for checked in check::<Latches>(true) {
-            assert_eq!(checked.result, "proved", "{checked:?}");
+            assert!(checked.is_proved(), "{checked:?}");
         }
     }
 
     #[test]
     fn every_broken_governor_is_refuted() {
         for broken in refute::<Latches>() {
-            assert!(broken.refuted, "{broken:?}");
+            assert!(broken.is_refuted(), "{broken:?}");
         }
     }
 }

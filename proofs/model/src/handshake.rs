@@ -5,20 +5,32 @@
 //! written down here from the table of chapter 2.1, and not computed.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
-use ncp_spec::contract::{CONTRACT_HASH, ContractStatus, negotiate};
+use ncp_spec::contract::{ContractStatus, negotiate};
 use ncp_spec::reply::check_reply;
 use ncp_spec::session::{ReferenceBackend, SessionService};
 use ncp_spec::wire::{Message, decode_any};
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
 use crate::explore::{Claim, Protocol, Replay, Variant};
 use crate::signs::{Signs, always, sometimes};
 
-/// Versions, and whether the text calls them compatible with 0.5.
-const VERSIONS: [(&str, bool); 7] =
-    [("0.5", true), ("00.05", true), ("0.4", false), ("0.50", false), ("1.5", false), ("0.5.0", false), ("", false)];
+/// Versions, the text's own first, and whether the text calls them compatible with that.
+static VERSIONS: LazyLock<[(String, bool); 7]> = LazyLock::new(|| {
+    let (major, minor) = WIRE_VERSION.split_once('.').unwrap_or((WIRE_VERSION, "0"));
+    [
+        (WIRE_VERSION.to_owned(), true),
+        (format!("0{major}.0{minor}"), true),
+        (format!("{major}.4"), false),
+        (format!("{WIRE_VERSION}0"), false),
+        (format!("1.{minor}"), false),
+        (format!("{WIRE_VERSION}.0"), false),
+        (String::new(), false),
+    ]
+});
 const HASHES: [Option<&str>; 3] = [Some(CONTRACT_HASH), Some("0000000000000000"), None];
 
 /// An `open_session` of a client: its version and its hash.
@@ -104,15 +116,16 @@ pub(crate) struct Handshake {
 impl Handshake {
     /// What a server answers that has no session open.
     fn serve(&self, hello: Hello) -> String {
-        let version = VERSIONS[hello.version].0;
+        let version = &*VERSIONS[hello.version].0;
         let own_hash = hello.hash == 0;
+        let minor = WIRE_VERSION.trim_start_matches(|c| c != '.');
         let seen = match self.defect {
-            Some(Defect::NoGuard) => "0.5",
-            Some(Defect::Prefix) if version.starts_with("0.5") => "0.5",
-            Some(Defect::MinorOnly) if version.ends_with(".5") => "0.5",
-            Some(Defect::MalformedPasses) if version.is_empty() => "0.5",
-            Some(Defect::HashOverrules) if own_hash => "0.5",
-            Some(Defect::HashRefuses) if hello.hash == 1 => "0.4",
+            Some(Defect::NoGuard) => WIRE_VERSION,
+            Some(Defect::Prefix) if version.starts_with(WIRE_VERSION) => WIRE_VERSION,
+            Some(Defect::MinorOnly) if version.ends_with(minor) => WIRE_VERSION,
+            Some(Defect::MalformedPasses) if version.is_empty() => WIRE_VERSION,
+            Some(Defect::HashOverrules) if own_hash => WIRE_VERSION,
+            Some(Defect::HashRefuses) if hello.hash == 1 => &VERSIONS[2].0,
             _ => version,
         };
         let reply = SessionService::new(ReferenceBackend).serve(request(hello, seen).as_bytes());
@@ -125,7 +138,7 @@ impl Handshake {
         if !VERSIONS[hello.version].1 || self.defect == Some(Defect::ClientLooksAway) {
             return matches!(decode_any(reply.as_bytes()), Ok(Message::SessionOpened(m)) if m.ok);
         }
-        let request = decode_any(request(hello, VERSIONS[hello.version].0).as_bytes());
+        let request = decode_any(request(hello, &VERSIONS[hello.version].0).as_bytes());
         request.is_ok_and(|request| check_reply(&request, reply.as_bytes()).is_ok())
     }
 }
@@ -209,7 +222,7 @@ impl Model for Handshake {
 impl Handshake {
     fn arrive(&self, state: &mut State, hello: Hello) {
         let last = &mut state.last;
-        let (version, compatible) = VERSIONS[hello.version];
+        let (ref version, compatible) = VERSIONS[hello.version];
         if !VERSIONS[state.server].1 {
             // A foreign server may say yes to anything.
             let answer = Answer { to: hello, version: state.server, ok: true };
@@ -272,8 +285,9 @@ impl Protocol for Versions {
         Claim {
             name: "no session between incompatible versions",
             rules: &["NCP-VER-003", "NCP-VER-004", "NCP-SESS-003", "NCP-SESS-023", "NCP-SESS-024"],
-            sentence: "A client and a server never both take a session for open while the specification is the server and the client's version is not compatible with it.",
-            formal: "always: client opened ∧ server serves it ∧ server is 0.5 ⟹ compatible(client)",
+            sentence: "A client and a server never both take a session for open while the specification is the \
+                server and the client's version is not compatible with it.",
+            formal: "always: client opened ∧ server serves it ∧ server is {version} ⟹ compatible(client)",
         },
         Claim {
             name: "server guards",
@@ -296,7 +310,8 @@ impl Protocol for Versions {
         Claim {
             name: "status",
             rules: &["NCP-VER-022", "NCP-VER-023", "NCP-VER-024", "NCP-VER-030", "NCP-VER-031"],
-            sentence: "Negotiation gives the status of the hash for a compatible version, and rejects any other whatever the hash.",
+            sentence: "Negotiation gives the status of the hash for a compatible version, and rejects any other \
+                whatever the hash.",
             formal: "always: negotiate(version, hash) = status(hash) if compatible(version), else an error",
         },
         Claim {
@@ -308,8 +323,8 @@ impl Protocol for Versions {
     ];
     const BROKEN: &'static [Variant<Defect>] = &[
         (Defect::NoGuard, "no-guard", "The server looks at no version.", "server guards"),
-        (Defect::Prefix, "prefix", "What begins with 0.5 counts as 0.5.", "server guards"),
-        (Defect::MinorOnly, "minor-only", "What ends in .5 counts as 0.5.", "server guards"),
+        (Defect::Prefix, "prefix", "What begins with {version} counts as {version}.", "server guards"),
+        (Defect::MinorOnly, "minor-only", "What ends in its minor counts as {version}.", "server guards"),
         (Defect::MalformedPasses, "malformed-passes", "An empty version counts as the own.", "server guards"),
         (
             Defect::HashOverrules,
@@ -337,8 +352,12 @@ impl Protocol for Versions {
 
     fn bounds(small: bool) -> String {
         let Handshake { asks, restarts, .. } = Self::models(small)[0];
+        let versions = VERSIONS.iter().map(|(version, _)| &**version).filter(|version| !version.is_empty());
+        let versions = versions.collect::<Vec<_>>().join(", ");
         format!(
-            "clients of the versions 0.5, 00.05, 0.4, 0.50, 1.5, 0.5.0 and the empty one, with the own, another and no hash, {asks} of them one after another; a server that begins as 0.5 and starts anew at most {restarts} times as any of the versions; any number of deliveries"
+            "clients of the versions {versions} and the empty one, with the own, another and no hash, {asks} of them \
+             one after another; a server that begins as {WIRE_VERSION} and starts anew at most {restarts} times as \
+             any of the versions; any number of deliveries"
         )
     }
 
@@ -366,7 +385,7 @@ fn request(hello: Hello, version: &str) -> String {
 }
 
 fn text(answer: Answer) -> String {
-    let version = VERSIONS[answer.version].0;
+    let version = &VERSIONS[answer.version].0;
     let error = (!answer.ok).then_some("refused");
     json!({"kind": "session_opened", "ncp_version": version, "session_id": "s", "ok": answer.ok, "error": error})
         .to_string()
@@ -378,13 +397,13 @@ fn vector(event: &Event) -> Option<Value> {
         Event::Arrive(hello) => {
             let ok = VERSIONS[hello.version].1;
             let reply = json!({"$json": {"kind": "session_opened", "session_id": "s", "ok": ok}});
-            let requests = [request(hello, VERSIONS[hello.version].0)];
+            let requests = [request(hello, &VERSIONS[hello.version].0)];
             Some(
                 json!({"roles": ["server"], "call": "session.run", "args": {"requests": requests}, "expect": {"relation": "pattern", "value": {"replies": [reply]}}}),
             )
         }
         Event::Reply(answer) => {
-            let request = request(answer.to, VERSIONS[answer.to.version].0);
+            let request = request(answer.to, &VERSIONS[answer.to.version].0);
             let accept = VERSIONS[answer.version].1 && answer.ok;
             let expect = if accept { json!({"accept": true}) } else { json!({"reject": "reply"}) };
             Some(
@@ -403,14 +422,14 @@ mod tests {
     #[test]
     fn the_handshake_keeps_its_claims() {
         for checked in check::<Versions>(true) {
-            assert_eq!(checked.result, "proved", "{checked:?}");
+            assert!(checked.is_proved(), "{checked:?}");
         }
     }
 
     #[test]
     fn every_broken_handshake_is_refuted() {
         for broken in refute::<Versions>() {
-            assert!(broken.refuted, "{broken:?}");
+            assert!(broken.is_refuted(), "{broken:?}");
         }
     }
 }

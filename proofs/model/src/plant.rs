@@ -7,8 +7,8 @@
 
 use std::hash::{Hash, Hasher};
 
+use ncp_kernel::Plant;
 use ncp_spec::resilience::{ActionBuffer, is_estop};
-use ncp_spec::safety::kernel::Plant;
 use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode};
 use serde_json::{Value, json};
 use stateright::{Model, Property};
@@ -397,13 +397,15 @@ impl Protocol for PlantSide {
                 "NCP-RES-025",
                 "NCP-RES-032",
             ],
-            sentence: "Over every network and clock, a plant moves only on an advancing command that was received at r ≤ now with now − r ≤ min(ttl, 60 s), and that no HOLD, hold or reset has ended since.",
+            sentence: "Over every network and clock, a plant moves only on an advancing command that was received at \
+                r ≤ now with now − r ≤ min(ttl, 60 s), and that no HOLD, hold or reset has ended since.",
             formal: "always: moves(now) ⟹ ∃ accepted (r, ttl): r ≤ now ∧ now − r ≤ min(ttl, 60 s) ∧ not ended",
         },
         Claim {
             name: "no needless hold",
             rules: &["NCP-RES-003", "NCP-RES-012", "NCP-RES-026"],
-            sentence: "A plant moves where the text lets it: also at exactly the end of the ttl, and after a reset on a new command whatever its seq.",
+            sentence: "A plant moves where the text lets it: also at exactly the end of the ttl, and after a reset \
+                on a new command whatever its seq.",
             formal: "always: permitted(now) ⟹ moves(now)",
         },
         Claim {
@@ -433,7 +435,8 @@ impl Protocol for PlantSide {
         Claim {
             name: "buffer is its plant",
             rules: &["NCP-RES-025", "NCP-RES-026"],
-            sentence: "The action buffer, fed with the frames as text, moves and latches exactly as the kernel's plant.",
+            sentence: "The action buffer, fed with the frames as text, moves and latches exactly as the kernel's \
+                plant.",
             formal: "always: buffer.active(now) is some ⟺ plant.active(now) is some, and both latch alike",
         },
     ];
@@ -489,10 +492,12 @@ impl Protocol for PlantSide {
         let sent = if small {
             "seqs 1 and 2, of modes active (ttl 250 ms), hold and estop"
         } else {
-            "seqs 1 and 2, of modes active (ttl 0, 250 and 10⁹ ms), hold, hold with seq 0, estop, and estop in a malformed frame; and seqs 1 to 3, of modes active (ttl 250 ms), hold and estop"
+            "seqs 1 and 2, of modes active (ttl 0, 250 and 10⁹ ms), hold, hold with seq 0, estop, and estop in a \
+             malformed frame; and seqs 1 to 3, of modes active (ttl 250 ms), hold and estop"
         };
         format!(
-            "{sent}; all seqs once more after one restart of the sender; clock readings 0, 0.25, 0.5, 60, 60.25 s and NaN, in any order; any number of deliveries, questions and resets"
+            "{sent}; all seqs once more after one restart of the sender; clock readings 0, 0.25, 0.5, 60, 60.25 s \
+             and NaN, in any order; any number of deliveries, questions and resets"
         )
     }
 
@@ -654,14 +659,14 @@ mod tests {
     #[test]
     fn the_plant_keeps_its_claims() {
         for checked in check::<PlantSide>(true) {
-            assert_eq!(checked.result, "proved", "{checked:?}");
+            assert!(checked.is_proved(), "{checked:?}");
         }
     }
 
     #[test]
     fn every_broken_plant_is_refuted() {
         for broken in refute::<PlantSide>() {
-            assert!(broken.refuted, "{broken:?}");
+            assert!(broken.is_refuted(), "{broken:?}");
         }
     }
 

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use ncp_spec::reply::check_reply;
 use ncp_spec::session::{BackendError, Opened, SessionService, Simulation, SimulationBackend};
 use ncp_spec::wire::{ChannelMap, Message, Observation, OpenSession, SortedMap, decode_any};
+use ncp_text::WIRE_VERSION;
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
@@ -302,13 +303,15 @@ impl Protocol for Sessions {
         Claim {
             name: "one reply",
             rules: &["NCP-SESS-020", "NCP-SESS-021", "NCP-SESS-036"],
-            sentence: "Each request that arrives is answered by exactly one frame, of the kind that answers it or an error, with its session id; a torn one by an error.",
+            sentence: "Each request that arrives is answered by exactly one frame, of the kind that answers it or an \
+                error, with its session id; a torn one by an error.",
             formal: "always: arrival of a request ⟹ |replies| = 1 ∧ kind and session_id fit",
         },
         Claim {
             name: "steps only while open",
             rules: &["NCP-SESS-026", "NCP-SESS-027", "NCP-SESS-035"],
-            sentence: "A step succeeds exactly for a session that is open: none that was never opened, was closed, or was lost with a restart.",
+            sentence: "A step succeeds exactly for a session that is open: none that was never opened, was closed, \
+                or was lost with a restart.",
             formal: "always: reply to step is an observation_frame ⟺ open(session)",
         },
         Claim {
@@ -326,7 +329,8 @@ impl Protocol for Sessions {
         Claim {
             name: "seq and time",
             rules: &["NCP-SESS-030", "NCP-SESS-031", "NCP-SESS-033", "NCP-SESS-034", "NCP-SESS-035"],
-            sentence: "The n-th step of a session since it was opened has seq n and n steps of simulation time, whatever happens to the other session, and a second open changes nothing.",
+            sentence: "The n-th step of a session since it was opened has seq n and n steps of simulation time, \
+                whatever happens to the other session, and a second open changes nothing.",
             formal: "always: observation ⟹ seq = n ∧ sim_time_ms = 10 n",
         },
         Claim {
@@ -369,7 +373,8 @@ impl Protocol for Sessions {
 
     fn bounds(small: bool) -> String {
         format!(
-            "all sequences of at most {} events: open, step and close of either of two sessions, a torn request, a restart of the server",
+            "all sequences of at most {} events: open, step and close of either of two sessions, a torn request, a \
+             restart of the server",
             Self::models(small)[0].events
         )
     }
@@ -399,7 +404,7 @@ fn text(event: Event) -> Option<String> {
 fn text_of(event: Event) -> String {
     match event {
         Event::Request(Ask::Open, session) => format!(
-            r#"{{"kind":"open_session","ncp_version":"0.5","session_id":"{}","network":{{"kind":"builtin","ref":"ncp.reference.lif"}}}}"#,
+            r#"{{"kind":"open_session","ncp_version":"{WIRE_VERSION}","session_id":"{}","network":{{"kind":"builtin","ref":"ncp.reference.lif"}}}}"#,
             SESSIONS[session]
         ),
         Event::Request(Ask::Step, session) => {
@@ -439,14 +444,14 @@ mod tests {
     #[test]
     fn the_service_keeps_its_claims() {
         for checked in check::<Sessions>(true) {
-            assert_eq!(checked.result, "proved", "{checked:?}");
+            assert!(checked.is_proved(), "{checked:?}");
         }
     }
 
     #[test]
     fn every_broken_service_is_refuted() {
         for broken in refute::<Sessions>() {
-            assert!(broken.refuted, "{broken:?}");
+            assert!(broken.is_refuted(), "{broken:?}");
         }
     }
 }

@@ -1,6 +1,16 @@
 //! The broken readers: what the engine has to refute, or it would prove anything.
 
-include!("../broken.rs");
+use std::path::Path;
+
+use ncp_defects::{Defect, TableError, read};
+
+/// The planted defects of the readers.
+///
+/// # Errors
+/// The table cannot be read.
+pub fn defects() -> Result<Vec<Defect>, TableError> {
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../defects/readers.toml"))
+}
 
 #[cfg(feature = "broken")]
 /// The copies, which the build script makes of the readers' sources.

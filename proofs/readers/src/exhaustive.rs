@@ -3,7 +3,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-use ncp_proofs::engines::native::{Drawn, Enumerate, Native};
+use ncp_proofs::counterexample::Drawn;
+use ncp_proofs::engines::native::{Enumerate, Native};
 
 use crate::properties::{Enumerated, Property};
 

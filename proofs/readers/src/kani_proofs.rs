@@ -1,5 +1,5 @@
-//! The harnesses of the readers as proofs of Kani: `cargo kani -p ncp-readers`, where Kani can be installed; strings are
-//! of any bytes and classes there, of up to 8 bytes.
+//! The harnesses of the readers as proofs of Kani: `cargo kani -p ncp-readers`, where Kani can be installed; strings
+//! are of any bytes and classes there, of up to 8 bytes.
 
 ncp_proofs::kani_proofs! {
     crate::properties::kani_harness:

@@ -6,12 +6,14 @@ use std::process::ExitCode;
 use std::{fs, io, panic};
 
 use clap::Parser;
+use ncp_defects::{Defect, TableError};
 use ncp_proofs::engines::native::{Native, Replay};
-use ncp_readers::broken::{self, BROKEN, Broken};
+use ncp_proofs::report::{Answer, Broken, Engine, Found, Shown, Verdict, Words, owned};
+use ncp_readers::broken;
 use ncp_readers::exhaustive;
 use ncp_readers::properties::strings::LONGEST;
 use ncp_readers::properties::{PROPERTIES, Property, harness, is_shown, vector};
-use serde_json::{Value, json};
+use serde_json::json;
 use thiserror::Error;
 
 /// Runs every input within the bounds through the readers, and refutes the broken ones.
@@ -25,7 +27,11 @@ struct Arguments {
 #[derive(Debug, Error)]
 enum Failure {
     #[error("{0} has no harness")]
-    NoHarness(&'static str),
+    NoHarness(String),
+    #[error(transparent)]
+    Defects(#[from] TableError),
+    #[error("cannot write the result: {0}")]
+    Json(#[from] serde_json::Error),
     #[error("cannot write {0}: {1}")]
     Write(PathBuf, io::Error),
     #[error("a property is not proved, or a broken reader not refuted")]
@@ -34,13 +40,16 @@ enum Failure {
 
 const TRUSTED: [&str; 4] = [
     "rustc and the processor: the readers run as they were compiled",
-    "the models: that the automata, and the reader of blocks that marks the owner of every byte, say what the text says",
+    "the models: that the automata, and the reader of blocks that marks the owner of every byte, say what the text \
+     says",
     "std's reader of UTF-8: bytes that are not UTF-8 never reach a reader of strings",
-    "the class argument: within strings of 4 to 8 bytes, which are enumerated by classes, the readers answer characters of one class alike; shown for shorter strings and for single characters only",
+    "the class argument: within strings of 4 to 8 bytes, which are enumerated by classes, the readers answer \
+     characters of one class alike; shown for shorter strings and for single characters only",
 ];
 const NOT_PROVED: [&str; 4] = [
     "strings of more than 8 bytes, and so the longest segment (NCP-KEY-017)",
-    "directories of more than 3 columns, blocks of other lengths than the bounds name, and so the limits on size (NCP-BULK-015)",
+    "directories of more than 3 columns, blocks of other lengths than the bounds name, and so the limits on size \
+     (NCP-BULK-015)",
     "fields of entries beside the values that the bounds name",
     "what reads JSON",
 ];
@@ -56,89 +65,99 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut is_shown = true;
-    let mut properties = Vec::new();
+    let mut report = Engine {
+        name: "readers".to_owned(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        trusted: owned(&TRUSTED),
+        not_proved: owned(&NOT_PROVED),
+        ..Engine::default()
+    };
     for property in PROPERTIES {
-        let proved = prove(property)?;
-        is_shown &= proved["result"] == "proved";
-        properties.push(proved);
+        report.results.push(prove(property)?);
     }
     // A panic of a broken reader is a counterexample and not this program's end.
     panic::set_hook(Box::new(|_| {}));
-    let mut refuted = Vec::new();
-    for broken in BROKEN {
-        let found = refute(broken)?;
-        is_shown &= found["refuted"] == true;
-        refuted.push(found);
+    for defect in broken::defects()? {
+        for id in &defect.properties {
+            report.broken.push(refute(&defect, id)?);
+        }
     }
     if let Some(file) = &arguments.json {
-        let report = json!({
-            "engine": "exhaustive", "version": env!("CARGO_PKG_VERSION"),
-            "properties": properties, "broken": refuted, "trusted": TRUSTED, "not_proved": NOT_PROVED,
-        });
-        fs::write(file, format!("{report:#}\n")).map_err(|error| Failure::Write(file.clone(), error))?;
+        let text = serde_json::to_string_pretty(&report)? + "\n";
+        fs::write(file, text).map_err(|error| Failure::Write(file.clone(), error))?;
     }
+    let is_shown = report.results.iter().all(Answer::is_proved) && report.broken.iter().all(Broken::is_refuted);
     is_shown.then_some(()).ok_or(Failure::NotShown)
 }
 
 /// Runs all inputs of a property through the readers of production.
-fn prove(property: &'static Property) -> Result<Value, Failure> {
-    let harness = harness(property.id).ok_or(Failure::NoHarness(property.id))?;
+fn prove(property: &'static Property) -> Result<Answer, Failure> {
+    let harness = harness(property.id).ok_or_else(|| Failure::NoHarness(property.id.to_owned()))?;
     let outcome = exhaustive::run(property, harness.enumerate, None);
-    let why = match &outcome.counterexample {
+    let detail = match &outcome.counterexample {
         Some(found) => format!("{}: {:?}", found.check, found.choices),
         None => {
             format!("{} inputs judged, {} left aside", outcome.judged, outcome.inputs.saturating_sub(outcome.judged))
         }
     };
-    let result = match &outcome.counterexample {
-        Some(_) => "refuted",
-        None if outcome.is_proved() => "proved",
-        None => "failed",
+    let verdict = match &outcome.counterexample {
+        Some(_) => Verdict::Refuted,
+        None if outcome.is_proved() => Verdict::Proved,
+        None => Verdict::Failed,
     };
-    println!("{result:8} {}: {} inputs, {why}, {:.1} s", property.id, outcome.inputs, outcome.seconds);
-    Ok(json!({
-        "id": property.id, "family": property.family.as_str(), "rules": property.rules,
-        "sentence": property.sentence, "formal": property.statement, "bounds": property.bounds,
-        "assumptions": property.assumptions, "result": result, "why": why, "states": outcome.inputs,
-        "seconds": (outcome.seconds * 100.0).round() / 100.0,
-    }))
+    let Property { id, sentence, statement, bounds, .. } = *property;
+    println!("{:8} {id}: {} inputs, {detail}, {:.1} s", verdict.as_str(), outcome.inputs, outcome.seconds);
+    Ok(Answer {
+        words: Some(Words {
+            family: property.family.as_str().to_owned(),
+            rules: owned(property.rules),
+            sentence: sentence.to_owned(),
+            statement: statement.to_owned(),
+            bounds: bounds.to_owned(),
+            assumptions: owned(property.assumptions),
+        }),
+        detail,
+        states: Some(outcome.inputs),
+        counterexample: outcome.counterexample.as_ref().map(shown),
+        seconds: Some(outcome.seconds),
+        ..Answer::new(id, verdict)
+    })
 }
 
 /// Looks for an input that a broken reader fails; the readers of production have to keep it, and its vector has
 /// to show it.
-fn refute(broken: &'static Broken) -> Result<Value, Failure> {
-    let property = PROPERTIES.iter().find(|p| p.id == broken.property);
-    let bent = broken::harness(broken.id, broken.property);
-    let sound = harness(broken.property);
-    let (Some(property), Some(bent), Some(sound)) = (property, bent, sound) else {
-        return Err(Failure::NoHarness(broken.id));
+fn refute(defect: &Defect, id: &str) -> Result<Broken, Failure> {
+    let name = &defect.name;
+    let property = PROPERTIES.iter().find(|property| property.id == id);
+    let (Some(property), Some(bent), Some(sound)) = (property, broken::harness(name, id), harness(id)) else {
+        return Err(Failure::NoHarness(format!("{name} by {id}")));
     };
     let outcome = exhaustive::run(property, bent, None);
-    let mut entry = json!({
-        "id": broken.id, "property": broken.property,
-        "about": format!("{}: `{}` → `{}`", broken.file, flat(broken.from), flat(broken.to)),
-        "inputs": outcome.inputs,
-    });
     let found = outcome.counterexample.and_then(|found| {
         let mut replay = Native::new(Replay { choices: found.ways().into(), length: LONGEST, ..Replay::default() });
         (sound.replay)(&mut replay);
         let is_kept = replay.failed.is_none() && !replay.reached.is_empty();
-        let vector = vector(property, broken.id, &found.ways())?;
-        (is_kept && is_shown(property, found.check)).then_some((found, vector))
+        let vector = vector(property, name, &found.ways())?;
+        (is_kept && is_shown(property, found.check)).then(|| Found { vector: Some(vector), ..shown(&found) })
     });
-    entry["refuted"] = json!(found.is_some());
-    match found {
-        Some((found, vector)) => {
-            println!("refuted  {} after {} inputs: {}", broken.id, outcome.inputs, found.check);
-            entry["counterexample"] = json!({ "check": found.check, "inputs": found.choices });
-            entry["vector"] = vector;
-        }
-        None => println!("NOT REFUTED {}", broken.id),
+    match &found {
+        Some(found) => println!("refuted  {name} after {} inputs: {}", outcome.inputs, found.check()),
+        None => println!("NOT REFUTED {name}"),
     }
-    Ok(entry)
+    Ok(Broken {
+        id: name.clone(),
+        property: id.to_owned(),
+        family: property.family.as_str().to_owned(),
+        about: defect.about.clone(),
+        file: None,
+        from: None,
+        to: None,
+        missed: found.is_none().then(|| "no counterexample".to_owned()),
+        counterexample: found,
+    })
 }
 
-fn flat(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+fn shown(found: &exhaustive::Counterexample) -> Found {
+    let inputs = found.choices.iter().map(|(name, way)| (name.clone(), json!(way))).collect();
+    Found::new(Shown::Inputs { check: found.check.to_owned(), inputs })
 }

@@ -1,10 +1,8 @@
 //! The exhaustive engine on smaller bounds: the readers hold, the broken ones do not.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use std::collections::BTreeSet;
-
 use ncp_proofs::engines::native::{Native, Sample};
-use ncp_readers::broken::BROKEN;
+use ncp_readers::broken::defects;
 use ncp_readers::exhaustive;
 use ncp_readers::properties::keys::CLASSES as KEYS;
 use ncp_readers::properties::strings::{Alphabet, LONGEST, canonical};
@@ -57,41 +55,42 @@ mod broken_ones {
 
     /// What only strings and directories beyond the short bounds refute.
     const LONGER: [&str; 6] = [
-        "version_trimmed",
-        "version_five_digits",
-        "keys_short",
-        "keys_unchecked_glob",
-        "bulk_unsorted_names",
-        "bulk_encoder_duplicates",
+        "version-trimmed",
+        "version-five-digits",
+        "keys-short",
+        "keys-unchecked-glob",
+        "bulk-unsorted-names",
+        "bulk-encoder-duplicates",
     ];
 
     #[test]
     fn every_one_is_refuted_by_a_vector_that_the_sound_one_keeps() {
-        for broken in BROKEN.iter().filter(|b| !LONGER.contains(&b.id)) {
-            let property = PROPERTIES.iter().find(|p| p.id == broken.property).unwrap();
-            let enumerate = broken::harness(broken.id, broken.property).unwrap();
+        for defect in defects().unwrap().iter().filter(|defect| !LONGER.contains(&&*defect.name)) {
+            let (name, id) = (&*defect.name, &*defect.properties[0]);
+            let property = PROPERTIES.iter().find(|property| property.id == id).unwrap();
+            let enumerate = broken::harness(name, id).unwrap();
             let bound = Some(short(property).max(2));
             let outcome = exhaustive::run(property, enumerate, bound);
-            assert!(!outcome.is_proved(), "{}", broken.id);
+            assert!(!outcome.is_proved(), "{name}");
             let found = outcome.counterexample.unwrap();
-            assert!(is_shown(property, found.check), "{}: {found:?}", broken.id);
+            assert!(is_shown(property, found.check), "{name}: {found:?}");
             let choices = found.ways();
-            let case = vector(property, broken.id, &choices).unwrap();
+            let case = vector(property, name, &choices).unwrap();
             for member in ["id", "title", "requirements", "roles", "call", "args", "expect", "why"] {
-                assert!(!case[member].is_null(), "{}: {member}", broken.id);
+                assert!(!case[member].is_null(), "{name}: {member}");
             }
             let mut sound = Native::new(Replay { choices: choices.into(), length: LONGEST, ..Replay::default() });
             (harness(property.id).unwrap().replay)(&mut sound);
-            assert_eq!(sound.failed, None, "{}", broken.id);
-            assert!(!sound.reached.is_empty(), "{}", broken.id);
+            assert_eq!(sound.failed, None, "{name}");
+            assert!(!sound.reached.is_empty(), "{name}");
         }
     }
 
     #[test]
     fn one_that_panics_is_refuted_by_that() {
-        let broken = BROKEN.iter().find(|b| b.id == "bulk_panics").unwrap();
-        let property = PROPERTIES.iter().find(|p| p.id == broken.property).unwrap();
-        let enumerate = broken::harness(broken.id, broken.property).unwrap();
+        let (name, id) = ("bulk-panics", "bulk/entry");
+        let property = PROPERTIES.iter().find(|property| property.id == id).unwrap();
+        let enumerate = broken::harness(name, id).unwrap();
         let found = exhaustive::run(property, enumerate, None).counterexample.unwrap();
         assert_eq!(found.check, exhaustive::PANICS);
     }
@@ -99,16 +98,22 @@ mod broken_ones {
 
 #[test]
 fn each_family_of_readers_has_five_broken_ones_and_names_its_rules() {
-    let catalogue = Catalogue::load().unwrap();
+    let (catalogue, defects) = (Catalogue::load().unwrap(), defects().unwrap());
+    let breaks = |id: &str| PROPERTIES.iter().find(|property| property.id == id);
     for property in PROPERTIES {
-        let family = property.family.as_str();
-        assert!(BROKEN.iter().filter(|b| b.id.starts_with(family)).count() >= 5, "{family}");
+        let is_mine = |id: &String| breaks(id).is_some_and(|other| other.family == property.family);
+        assert!(defects.iter().filter(|defect| defect.properties.iter().any(is_mine)).count() >= 5, "{}", property.id);
         for rule in property.rules {
             assert!(catalogue.get(rule).is_some(), "{}: {rule}", property.id);
         }
     }
-    let ids: BTreeSet<_> = BROKEN.iter().map(|broken| broken.id).collect();
-    assert_eq!(ids.len(), BROKEN.len());
+    for defect in &defects {
+        let properties: Vec<_> = defect.properties.iter().map(|id| breaks(id).unwrap()).collect();
+        assert!(!properties.is_empty(), "{}", defect.name);
+        for rule in properties.iter().flat_map(|property| property.rules) {
+            assert!(defect.rules.iter().any(|known| known == rule), "{}: {rule}", defect.name);
+        }
+    }
 }
 
 #[test]

@@ -10,10 +10,11 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use ncp_proofs::engines::symbolic::{self, Solvers};
-use ncp_proofs::engines::{Outcome, Patience, Verdict, compared, enumeration, standin};
+use ncp_proofs::engines::{Outcome, Patience, Verdict, enumeration, standin};
+use ncp_proofs::harness::compared;
 use ncp_proofs::mutants::{MUTANTS, harness};
 use ncp_proofs::properties::{PROPERTIES, Property};
-use ncp_proofs::{report, terminal};
+use ncp_proofs::report;
 use serde_json::{Value, json};
 
 const WORKERS: usize = 2;
@@ -159,9 +160,8 @@ fn venv(root: &Path) -> PathBuf {
 fn refuted(id: &str, engine: &str, property: &Property, outcome: &Outcome) -> Option<Value> {
     let found = outcome.counterexample.as_ref()?;
     let harness = harness(id, property.id)?;
-    let compared = compared(&harness, found, usize::MAX);
-    let shown = report::counterexample(property.id, &harness, found);
-    let shown = terminal::with_compared(shown, compared);
+    let mut shown = report::counterexample(property.id, &harness, found);
+    shown.compared = compared(&harness, found, usize::MAX);
     Some(json!({
         "id": id, "said": format!("refuted by {}, {engine}", property.id), "property": property.id,
         "engine": engine, "counterexample": shown,

@@ -5,12 +5,10 @@ use std::sync::{Arc, Mutex, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::native::{Drawn, Native, Source};
-use super::{Counterexample, Outcome, Verdict, run_once, said};
-use crate::properties::Harness;
-
-/// The check that fails where the kernel does not come to an end.
-pub const ENDS: &str = "the kernel comes to an end";
+use super::native::{Native, Source};
+use super::outcome::{Outcome, Verdict};
+use crate::counterexample::{Counterexample, Drawn, ENDS};
+use crate::harness::{Harness, run_once, said};
 
 /// How often an engine is looked at.
 const LOOK: Duration = Duration::from_secs(2);
@@ -106,8 +104,9 @@ mod tests {
     use super::super::native::Sample;
     use super::*;
     use crate::engines::{enumeration, standin};
+    use crate::harness::harness;
     use crate::kernel::Production;
-    use crate::properties::{PROPERTIES, harness};
+    use crate::properties::PROPERTIES;
     use crate::prover::Prover;
 
     fn endless_at_two(native: &mut Native<Source>) {

@@ -2,16 +2,19 @@
 
 use std::time::Instant;
 
+use super::bounds::{self, Values};
 use super::ends::{self, Progress};
 use super::native::{Enumerate, Native, Source};
-use super::{Counterexample, Outcome, Verdict, run_once};
-use crate::properties::{Harness, Property, Values};
+use super::outcome::{Outcome, Verdict};
+use crate::counterexample::Counterexample;
+use crate::harness::{Harness, run_once};
+use crate::properties::Property;
 
 /// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
 /// no values.
 #[must_use]
 pub fn run(property: &Property, harness: &Harness, length: usize) -> Option<Outcome> {
-    let values = property.enumeration?;
+    let values = bounds::of(property.id).values?;
     let copy = *harness;
     Some(ends::watched(harness, move |progress| try_all(&copy, values, length, progress)))
 }

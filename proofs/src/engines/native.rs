@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::mpsc::Sender;
 
+use crate::counterexample::Drawn;
 use crate::prover::Prover;
 
 /// Where the inputs of a native run come from.
@@ -41,17 +42,6 @@ pub struct Native<D> {
     /// Who is told of each input at once.
     pub told: Option<Sender<(String, Drawn)>>,
     is_void: bool,
-}
-
-/// An input of a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Drawn {
-    /// A double.
-    Scalar(f64),
-    /// A seq.
-    Seq(i64),
-    /// One of several.
-    Choice(usize),
 }
 
 impl<D: Draw> Native<D> {

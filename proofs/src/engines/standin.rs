@@ -5,8 +5,9 @@ use std::time::Instant;
 
 use super::ends::{self, Progress};
 use super::native::{Native, Sample, Source};
-use super::{Counterexample, Outcome, Verdict, run_once};
-use crate::properties::Harness;
+use super::outcome::{Outcome, Verdict};
+use crate::counterexample::Counterexample;
+use crate::harness::{Harness, run_once};
 
 /// Runs the harness on so many samples, in sequences of at most this length.
 #[must_use]

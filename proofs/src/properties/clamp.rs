@@ -1,6 +1,6 @@
 //! The speed limit: the bound, the direction, and the ticks to which it is applied.
 
-use ncp_spec::safety::kernel::{Channel, Limit, Reason, Scalar};
+use ncp_kernel::{Channel, Limit, Reason, Scalar};
 
 use super::words::{all_finite, norm, positive};
 use crate::kernel::Kernel;

@@ -2,8 +2,7 @@
 
 use std::cell::Cell;
 
-use ncp_spec::safety::kernel::{Decision, Limit, Plan, Reason, Scalar};
-use ncp_spec::wire::Mode;
+use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 
 use super::words::{enforced, norm, positive};
 use crate::kernel::Kernel;
@@ -288,11 +287,8 @@ impl<K: Kernel, S: Scalar> Plan<S> for Ticks<K, S> {
     }
     fn limit(&mut self, tick: usize, max_mps: Limit<S>) -> Result<bool, Reason> {
         let velocity = self.ticks.get_mut(tick).and_then(Option::as_mut);
-        let channels = velocity.map(|data| ncp_spec::safety::kernel::Channel {
-            data: data.as_mut_slice(),
-            is_velocity: true,
-            in_mps: true,
-        });
+        let channels =
+            velocity.map(|data| ncp_kernel::Channel { data: data.as_mut_slice(), is_velocity: true, in_mps: true });
         K::limit_tick(channels.into_iter(), max_mps)
     }
     fn velocity(&self, tick: usize) -> Option<[S; 3]> {

@@ -1,7 +1,6 @@
 //! The latch of ESTOP, the order of the gates, and who may move the plant.
 
-use ncp_spec::safety::kernel::{Decision, Limit, Plan, Reason, Received, Scalar};
-use ncp_spec::wire::Mode;
+use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Received, Scalar};
 
 use super::geofence::{Asked, Ticks, limit_says};
 use super::words::{advances, alive, fresh, hold_takes_effect, positive};

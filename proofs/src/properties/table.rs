@@ -1,16 +1,34 @@
+//! What is claimed of the kernel, in words and in symbols.
+
+use super::{Family, Property};
+
+const NONE: &[&str] = &[];
+
 /// The properties of the kernel.
 pub const PROPERTIES: &[Property] = &[
     Property {
         id: "watchdog/deadline",
         family: Family::Watchdog,
-        rules: &["NCP-RES-002", "NCP-RES-003", "NCP-RES-004", "NCP-RES-005", "NCP-RES-007", "NCP-RES-008", "NCP-SAFE-031", "NCP-SAFE-032", "NCP-SAFE-033", "NCP-SAFE-034", "NCP-SAFE-035"],
-        sentence: "A command is alive exactly while clock and receipt are finite, the clock has not gone back, the ttl is finite and positive, and the age is above neither the ttl nor 60 s; a sensor frame is fresh exactly while the same holds of its timeout.",
-        statement: "∀ now, r, ttl ∈ F64: within_deadline(now, r, ttl) ⇔ fin(now) ∧ fin(r) ∧ r ≤ now ∧ fin(ttl) ∧ 0 < ttl ∧ (now ⊖ r) ⊗ 1000 ≤ ttl ∧ (now ⊖ r) ⊗ 1000 ≤ 60000; and is_fresh likewise without 60000",
+        rules: &[
+            "NCP-RES-002",
+            "NCP-RES-003",
+            "NCP-RES-004",
+            "NCP-RES-005",
+            "NCP-RES-007",
+            "NCP-RES-008",
+            "NCP-SAFE-031",
+            "NCP-SAFE-032",
+            "NCP-SAFE-033",
+            "NCP-SAFE-034",
+            "NCP-SAFE-035",
+        ],
+        sentence: "A command is alive exactly while clock and receipt are finite, the clock has not gone back, the \
+            ttl is finite and positive, and the age is above neither the ttl nor 60 s; a sensor frame is fresh \
+            exactly while the same holds of its timeout.",
+        statement: "∀ now, r, ttl ∈ F64: within_deadline(now, r, ttl) ⇔ fin(now) ∧ fin(r) ∧ r ≤ now ∧ fin(ttl) ∧ 0 < \
+            ttl ∧ (now ⊖ r) ⊗ 1000 ≤ ttl ∧ (now ⊖ r) ⊗ 1000 ≤ 60000; and is_fresh likewise without 60000",
         bounds: "none",
         assumptions: NONE,
-        unwind: 1,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: TIMES, seqs: &[0], length: 0 }),
     },
     Property {
         id: "watchdog/ttl",
@@ -20,105 +38,105 @@ pub const PROPERTIES: &[Property] = &[
         statement: "∀ ttl ∈ F64: enforced(ttl) is some t ⇔ fin(ttl) ∧ 0 < ttl; and t = min(ttl, 60000)",
         bounds: "none",
         assumptions: NONE,
-        unwind: 1,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: TIMES, seqs: &[0], length: 0 }),
     },
     Property {
         id: "watchdog/order",
         family: Family::Watchdog,
         rules: &["NCP-RES-009", "NCP-RES-012", "NCP-RES-023"],
-        sentence: "A command advances exactly when its seq is above the last one's or there is none; a HOLD takes effect exactly when its seq is not below the last one's, or is 0.",
-        statement: "∀ last ∈ I64 ∪ {none}, s ∈ I64: advances ⇔ last = none ∨ last < s; hold_takes_effect ⇔ last = none ∨ s = 0 ∨ last ≤ s",
+        sentence: "A command advances exactly when its seq is above the last one's or there is none; a HOLD takes \
+            effect exactly when its seq is not below the last one's, or is 0.",
+        statement: "∀ last ∈ I64 ∪ {none}, s ∈ I64: advances ⇔ last = none ∨ last < s; hold_takes_effect ⇔ last = \
+            none ∨ s = 0 ∨ last ≤ s",
         bounds: "none: all 64-bit seqs, the edges included",
         assumptions: NONE,
-        unwind: 1,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0], seqs: &[0, 1, 2, -1, i64::MAX, i64::MIN], length: 0 }),
     },
     Property {
         id: "watchdog/step",
         family: Family::Watchdog,
-        rules: &["NCP-RES-001", "NCP-RES-002", "NCP-RES-006", "NCP-RES-009", "NCP-RES-010", "NCP-RES-011", "NCP-RES-012", "NCP-RES-024"],
-        sentence: "In every state that a watchdog can reach, every event gives the answer and the next state of the model: only an advancing command sets the deadline, a HOLD is never ignored, a hold persists, and a reset revives nothing. With the first state this holds for sequences of any length, by induction.",
-        statement: "init = model.init; ∀ reachable states σ, events e: step(σ, e) = model.step(σ, e), where σ ∈ {(none, none), (q, (r, ttl)), (q, none)} for all q ∈ I64, r, ttl ∈ F64",
+        rules: &[
+            "NCP-RES-001",
+            "NCP-RES-002",
+            "NCP-RES-006",
+            "NCP-RES-009",
+            "NCP-RES-010",
+            "NCP-RES-011",
+            "NCP-RES-012",
+            "NCP-RES-024",
+        ],
+        sentence: "In every state that a watchdog can reach, every event gives the answer and the next state of the \
+            model: only an advancing command sets the deadline, a HOLD is never ignored, a hold persists, and a \
+            reset revives nothing. With the first state this holds for sequences of any length, by induction.",
+        statement: "init = model.init; ∀ reachable states σ, events e: step(σ, e) = model.step(σ, e), where σ ∈ \
+            {(none, none), (q, (r, ttl)), (q, none)} for all q ∈ I64, r, ttl ∈ F64",
         bounds: "none; the three forms of states are closed under all events",
         assumptions: NONE,
-        unwind: 1,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, 1.0, 2.0, f64::NAN, f64::INFINITY], seqs: &[0, 1, 2, i64::MIN], length: 0 }),
     },
     Property {
         id: "watchdog/sequence",
         family: Family::Watchdog,
         rules: &["NCP-RES-002", "NCP-RES-006", "NCP-RES-009", "NCP-RES-010", "NCP-RES-011", "NCP-RES-012"],
-        sentence: "The liveness rule over sequences: whenever the plant may move, an advancing command of the sequence is alive, no later command took its place, nothing has held the plant since, and no reset came after it. A stale, duplicate or reordered command so never extends a deadline.",
-        statement: "∀ sequences of command, hold, reading and reset: ¬should_hold(now) ⇒ ∃ i: alive(now, rᵢ, ttlᵢ) ∧ (∀ j < i: sⱼ < sᵢ) ∧ (∀ j > i: sⱼ ≤ sᵢ) ∧ nothing held since i, all after the last reset",
-        bounds: "symbolic: all times and seqs, sequences of 4 events; enumeration: all sequences of 6 events over the times {0, 1 s} as clock and ttl and the seqs {1, 2}",
+        sentence: "The liveness rule over sequences: whenever the plant may move, an advancing command of the \
+            sequence is alive, no later command took its place, nothing has held the plant since, and no reset came \
+            after it. A stale, duplicate or reordered command so never extends a deadline.",
+        statement: "∀ sequences of command, hold, reading and reset: ¬should_hold(now) ⇒ ∃ i: alive(now, rᵢ, ttlᵢ) ∧ \
+            (∀ j < i: sⱼ < sᵢ) ∧ (∀ j > i: sⱼ ≤ sᵢ) ∧ nothing held since i, all after the last reset",
+        bounds: "sequences of 4 events; of 6 for a few times and seqs",
         assumptions: &["Sequences of other lengths: by watchdog/step."],
-        unwind: 7,
-        symbolic_length: 4,
-        enumeration: Some(Values { scalars: &[0.0, 1.0], seqs: &[1, 2], length: 6 }),
     },
     Property {
         id: "geofence/inside",
         family: Family::Geofence,
         rules: &["NCP-SAFE-040", "NCP-SAFE-043", "NCP-SAFE-044", "NCP-SAFE-045"],
-        sentence: "A position is inside exactly when its three components are finite, the radius is finite and positive, and the norm is not above the radius.",
+        sentence: "A position is inside exactly when its three components are finite, the radius is finite and \
+            positive, and the norm is not above the radius.",
         statement: "∀ x, y, z, r ∈ F64: inside ⇔ fin(x) ∧ fin(y) ∧ fin(z) ∧ fin(r) ∧ 0 < r ∧ √(x⊗x ⊕ y⊗y ⊕ z⊗z) ≤ r",
         bounds: "none",
         assumptions: NONE,
-        unwind: 4,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, -0.0, 3.0, -4.0, 5.0, 1e200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
     },
     Property {
         id: "geofence/limit",
         family: Family::Geofence,
         rules: &["NCP-SAFE-012", "NCP-SAFE-013"],
-        sentence: "A limit is enabled exactly when finite and positive, faulty exactly when negative or not finite, and else disabled.",
+        sentence: "A limit is enabled exactly when finite and positive, faulty exactly when negative or not finite, \
+            and else disabled.",
         statement: "∀ v ∈ F64 ∪ {none}: limit(v) = Enabled(v) ⇔ fin(v) ∧ 0 < v; Faulty ⇔ ¬fin(v) ∨ v < 0",
         bounds: "none",
         assumptions: NONE,
-        unwind: 1,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: TIMES, seqs: &[0], length: 0 }),
     },
     Property {
         id: "geofence/projection",
         family: Family::Geofence,
         rules: &["NCP-SAFE-050", "NCP-SAFE-051", "NCP-SAFE-052", "NCP-SAFE-053", "NCP-SAFE-067", "NCP-SAFE-068"],
-        sentence: "No tick and no step that passes ends outside the fence, tick 0 alone not after the whole ttl; and no step is cut off but one that leads out or cannot be used, and what follows it.",
-        statement: "∀ p, r, ttl, dt, v₀ … vₙ: govern passes with k steps ⇒ inside(p) ∧ (k = 0 ⇒ inside(p ⊕ v₀⊗T)) ∧ (k > 0 ⇒ ∀ i ≤ k: inside(pᵢ₊₁)) ∧ (k < n ⇒ ¬(inside(pₖ₊₂) ∧ fin(vₖ₊₁))), where pᵢ₊₁ = pᵢ ⊕ vᵢ ⊗ (shareᵢ ⊘ 1000), computed in doubles",
+        sentence: "No tick and no step that passes ends outside the fence, tick 0 alone not after the whole ttl; and \
+            no step is cut off but one that leads out or cannot be used, and what follows it.",
+        statement: "∀ p, r, ttl, dt, v₀ … vₙ: govern passes with k steps ⇒ inside(p) ∧ (k = 0 ⇒ inside(p ⊕ v₀⊗T)) ∧ \
+            (k > 0 ⇒ ∀ i ≤ k: inside(pᵢ₊₁)) ∧ (k < n ⇒ ¬(inside(pₖ₊₂) ∧ fin(vₖ₊₁))), where pᵢ₊₁ = pᵢ ⊕ vᵢ ⊗ (shareᵢ \
+            ⊘ 1000), computed in doubles",
         bounds: "horizons of up to 3 steps",
-        assumptions: &["Positions are those computed in doubles, step by step; the rounding against real arithmetic is not part of it."],
-        unwind: 5,
-        symbolic_length: ALL,
-        enumeration: None,
+        assumptions: &["Positions are those computed in doubles, step by step; the rounding against real arithmetic \
+            is not part of it."],
     },
     Property {
         id: "geofence/projection-and-clamp",
         family: Family::Geofence,
         rules: &["NCP-SAFE-050", "NCP-SAFE-051", "NCP-SAFE-053", "NCP-SAFE-060", "NCP-SAFE-066"],
-        sentence: "With fence and speed limit at once, the projection follows the clamped velocities, and each that passes is within the limit.",
+        sentence: "With fence and speed limit at once, the projection follows the clamped velocities, and each that \
+            passes is within the limit.",
         statement: "as geofence/projection with vᵢ the clamped velocities; and ∀ i ≤ k: ‖vᵢ‖ ≤ max",
-        bounds: "commands without a horizon; geofence/projection covers horizons for all velocities, so for clamped ones too",
+        bounds: "commands without a horizon; geofence/projection covers horizons for all velocities, so for clamped \
+            ones too",
         assumptions: &["As geofence/projection."],
-        unwind: 5,
-        symbolic_length: ALL,
-        enumeration: None,
     },
     Property {
         id: "clamp/bound",
         family: Family::Clamp,
         rules: &["NCP-SAFE-060", "NCP-SAFE-064"],
-        sentence: "A velocity that the limit has passed is not above it, for every double; what is not finite, and a limit that is none, give no velocity.",
-        statement: "∀ v ∈ F64ⁿ, max ∈ F64: clamp(v, max) is some w ⇔ fin(v) ∧ fin(max) ∧ 0 < max; and then √(w₁⊗w₁ ⊕ …) ≤ max",
+        sentence: "A velocity that the limit has passed is not above it, for every double; what is not finite, and a \
+            limit that is none, give no velocity.",
+        statement: "∀ v ∈ F64ⁿ, max ∈ F64: clamp(v, max) is some w ⇔ fin(v) ∧ fin(max) ∧ 0 < max; and then √(w₁⊗w₁ ⊕ \
+            …) ≤ max",
         bounds: "1 to 3 components",
         assumptions: NONE,
-        unwind: 4,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 1e200, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
     },
     Property {
         id: "clamp/unchanged",
@@ -128,106 +146,144 @@ pub const PROPERTIES: &[Property] = &[
         statement: "clamp(v, max) is some w ⇒ (w is v unchanged ⇔ √(v₁⊗v₁ ⊕ …) ≤ max)",
         bounds: "1 to 3 components",
         assumptions: NONE,
-        unwind: 4,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 1e200, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
     },
     Property {
         id: "clamp/direction",
         family: Family::Clamp,
         rules: &["NCP-SAFE-061"],
-        sentence: "Every component is multiplied by one factor common to all; so the direction is kept but for one rounding of each product, at most 2⁻⁵³ of it (two roundings where the norm overflows), and at most 2⁻¹⁰⁷⁵ below the normal range.",
-        statement: "clamp(v, max) = w ≠ v ⇒ ∃ f ∀ i: wᵢ = uᵢ ⊗ f, or w = 0 where √((u₁⊗f)² ⊕ …) > max; u = v, or vᵢ ⊘ max|v| where the norm overflows; f = max ⊗ (1 − (n + 8)·2⁻⁵³) ⊘ ‖u‖",
+        sentence: "Every component is multiplied by one factor common to all; so the direction is kept but for one \
+            rounding of each product, at most 2⁻⁵³ of it (two roundings where the norm overflows), and at most \
+            2⁻¹⁰⁷⁵ below the normal range.",
+        statement: "clamp(v, max) = w ≠ v ⇒ ∃ f ∀ i: wᵢ = uᵢ ⊗ f, or w = 0 where √((u₁⊗f)² ⊕ …) > max; u = v, or vᵢ \
+            ⊘ max|v| where the norm overflows; f = max ⊗ (1 − (n + 8)·2⁻⁵³) ⊘ ‖u‖",
         bounds: "1 to 3 components",
-        assumptions: &["IEEE 754: a product or quotient is the exact one rounded to nearest; that gives the bound in the sentence."],
-        unwind: 4,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, -3.0, 4.0, 5.0, 0.9e154, 1.2e154, 1e200,
-            -1e300, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
+        assumptions: &["IEEE 754: a product or quotient is the exact one rounded to nearest; that gives the bound in \
+            the sentence."],
     },
     Property {
         id: "clamp/tick",
         family: Family::Clamp,
         rules: &["NCP-SAFE-011", "NCP-SAFE-063", "NCP-SAFE-064", "NCP-SAFE-065"],
-        sentence: "A tick passes exactly when every component of every channel is finite and, with the limit enabled, its velocity is 3 wide and in m/s; never with a faulty limit; then every channel in m/s is within the limit, and every other one as it was. What is not finite is said to be so.",
-        statement: "limit_tick(channels, limit) is ok ⇔ ¬faulty ∧ fin(channels) ∧ (enabled ⇒ velocity is named, 3 wide, in m/s); and then ∀ c in m/s: ‖c‖ ≤ max",
+        sentence: "A tick passes exactly when every component of every channel is finite and, with the limit \
+            enabled, its velocity is 3 wide and in m/s; never with a faulty limit; then every channel in m/s is \
+            within the limit, and every other one as it was. What is not finite is said to be so.",
+        statement: "limit_tick(channels, limit) is ok ⇔ ¬faulty ∧ fin(channels) ∧ (enabled ⇒ velocity is named, 3 \
+            wide, in m/s); and then ∀ c in m/s: ‖c‖ ≤ max",
         bounds: "two channels, of 2 to 4 and of 1 component",
         assumptions: NONE,
-        unwind: 4,
-        symbolic_length: ALL,
-        enumeration: None,
     },
     Property {
         id: "latch/gates",
         family: Family::Latch,
-        rules: &["NCP-SAFE-001", "NCP-SAFE-002", "NCP-SAFE-003", "NCP-SAFE-004", "NCP-SAFE-005", "NCP-SAFE-006", "NCP-SAFE-007", "NCP-SAFE-008", "NCP-SAFE-009", "NCP-SAFE-014", "NCP-SAFE-017", "NCP-SAFE-018", "NCP-SAFE-020", "NCP-SAFE-030", "NCP-SAFE-043"],
-        sentence: "In every state of the gates, the first gate of 7.3 that closes decides the command; ESTOP latches exactly by an ESTOP, a position outside, and a burst, and only a reset clears it; a config fault is never cleared; nothing but active passes. As each event gives the next state of the model in every state, ESTOP latches through sequences of any length.",
-        statement: "∀ limits, states, commands: decision = first closed gate of 7.3; estop′ ⇔ estop ∨ mode = estop ∨ outside; note_link, reset as in 7.1",
-        bounds: "commands without a horizon whose velocity is zero; gates 6 to 8 are clamp/tick and geofence/projection",
+        rules: &[
+            "NCP-SAFE-001",
+            "NCP-SAFE-002",
+            "NCP-SAFE-003",
+            "NCP-SAFE-004",
+            "NCP-SAFE-005",
+            "NCP-SAFE-006",
+            "NCP-SAFE-007",
+            "NCP-SAFE-008",
+            "NCP-SAFE-009",
+            "NCP-SAFE-014",
+            "NCP-SAFE-017",
+            "NCP-SAFE-018",
+            "NCP-SAFE-020",
+            "NCP-SAFE-030",
+            "NCP-SAFE-043",
+        ],
+        sentence: "In every state of the gates, the first gate of 7.3 that closes decides the command; ESTOP latches \
+            exactly by an ESTOP, a position outside, and a burst, and only a reset clears it; a config fault is \
+            never cleared; nothing but active passes. As each event gives the next state of the model in every \
+            state, ESTOP latches through sequences of any length.",
+        statement: "∀ limits, states, commands: decision = first closed gate of 7.3; estop′ ⇔ estop ∨ mode = estop ∨ \
+            outside; note_link, reset as in 7.1",
+        bounds: "commands without a horizon whose velocity is zero; gates 6 to 8 are clamp/tick and \
+            geofence/projection",
         assumptions: NONE,
-        unwind: 5,
-        symbolic_length: ALL,
-        enumeration: None,
     },
     Property {
         id: "latch/plant",
         family: Family::Latch,
-        rules: &["NCP-SAFE-001", "NCP-RES-020", "NCP-RES-021", "NCP-RES-023", "NCP-RES-024", "NCP-RES-025", "NCP-RES-026", "NCP-RES-027", "NCP-RES-028", "NCP-RES-029", "NCP-RES-030", "NCP-RES-031", "NCP-RES-032"],
-        sentence: "In every state that a plant can reach, every event gives the answer and the next state of the model: ESTOP latches whatever its seq, only active is followed, a HOLD is never ignored, the tick is ⌊age / dt⌋, none past the end, and nothing moves after a reset.",
-        statement: "∀ reachable states σ × estop, events e: step(σ, e) = model.step(σ, e); active = k ⇒ k ≤ (age ⊘ dt) < k + 1 ∧ k ≤ n",
+        rules: &[
+            "NCP-SAFE-001",
+            "NCP-RES-020",
+            "NCP-RES-021",
+            "NCP-RES-023",
+            "NCP-RES-024",
+            "NCP-RES-025",
+            "NCP-RES-026",
+            "NCP-RES-027",
+            "NCP-RES-028",
+            "NCP-RES-029",
+            "NCP-RES-030",
+            "NCP-RES-031",
+            "NCP-RES-032",
+        ],
+        sentence: "In every state that a plant can reach, every event gives the answer and the next state of the \
+            model: ESTOP latches whatever its seq, only active is followed, a HOLD is never ignored, the tick is \
+            ⌊age / dt⌋, none past the end, and nothing moves after a reset.",
+        statement: "∀ reachable states σ × estop, events e: step(σ, e) = model.step(σ, e); active = k ⇒ k ≤ (age ⊘ \
+            dt) < k + 1 ∧ k ≤ n",
         bounds: "horizons of up to 2 steps",
         assumptions: NONE,
-        unwind: 5,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, 1.0, 500.0,
-            1000.0, f64::NAN], seqs: &[0, 1, 2], length: 0 }),
     },
     Property {
         id: "latch/sequence",
         family: Family::Latch,
         rules: &["NCP-SAFE-004", "NCP-SAFE-005", "NCP-SAFE-006", "NCP-SAFE-007", "NCP-SAFE-008", "NCP-SAFE-020"],
-        sentence: "Through every sequence of six events ESTOP holds from the event that latches it to the reset, and each command is answered by the first gate that closes.",
-        statement: "∀ sequences of 6 over {active inside, outside, without position, stale; hold; estop; burst; no burst; reset}: decision and latch are the model's after each event",
+        sentence: "Through every sequence of six events ESTOP holds from the event that latches it to the reset, and \
+            each command is answered by the first gate that closes.",
+        statement: "∀ sequences of 6 over {active inside, outside, without position, stale; hold; estop; burst; no \
+            burst; reset}: decision and latch are the model's after each event",
         bounds: "9 kinds of events, sequences of 6: 531,441",
         assumptions: &["Other values and lengths: by latch/gates."],
-        unwind: 7,
-        symbolic_length: 6,
-        enumeration: Some(Values { scalars: &[0.0], seqs: &[0], length: 6 }),
     },
     Property {
         id: "latch/plant-sequence",
         family: Family::Latch,
         rules: &["NCP-RES-021", "NCP-RES-025", "NCP-RES-030", "NCP-RES-031"],
-        sentence: "Through every sequence of events at a plant nothing moves after an ESTOP until a reset, and after that until a new command.",
-        statement: "∀ sequences of active, hold, estop, reading and reset, all seqs: moves ⇔ commanded since the last hold or reset ∧ no estop since the last reset",
-        bounds: "symbolic: all seqs, sequences of up to 5 events; enumeration: the seqs {0, 1, 2}, sequences of 6; one clock reading",
+        sentence: "Through every sequence of events at a plant nothing moves after an ESTOP until a reset, and after \
+            that until a new command.",
+        statement: "∀ sequences of active, hold, estop, reading and reset, all seqs: moves ⇔ commanded since the \
+            last hold or reset ∧ no estop since the last reset",
+        bounds: "sequences of 5 events; of 6 for a few seqs; one clock reading",
         assumptions: &["Other times and lengths: by latch/plant."],
-        unwind: 7,
-        symbolic_length: 5,
-        enumeration: Some(Values { scalars: &[0.0], seqs: &[0, 1, 2], length: 6 }),
     },
     Property {
         id: "latch/horizon",
         family: Family::Latch,
         rules: &["NCP-SAFE-063", "NCP-SAFE-064", "NCP-SAFE-066", "NCP-SAFE-067", "NCP-SAFE-068"],
-        sentence: "A command with a horizon is held when its ticks have no length, or when tick 0 is not to be used, for the reason that is said of it; the horizon ends before the first step that is not to be used; every tick that is kept was limited as configured, and the decision says whether one changed or was cut off.",
-        statement: "∀ limits, dt, answers a₀ … aₙ of the ticks: ¬faulty ⇒ (n > 0 ∧ ¬pos(dt) ⇔ held for it); else a₀ = err r ⇒ held for r; else kept = min{i: aᵢ₊₁ is err} ∪ {n}, limited ⇔ kept < n ∨ ∃ i ≤ kept: aᵢ changed",
+        sentence: "A command with a horizon is held when its ticks have no length, or when tick 0 is not to be used, \
+            for the reason that is said of it; the horizon ends before the first step that is not to be used; every \
+            tick that is kept was limited as configured, and the decision says whether one changed or was cut off.",
+        statement: "∀ limits, dt, answers a₀ … aₙ of the ticks: ¬faulty ⇒ (n > 0 ∧ ¬pos(dt) ⇔ held for it); else a₀ \
+            = err r ⇒ held for r; else kept = min{i: aᵢ₊₁ is err} ∪ {n}, limited ⇔ kept < n ∨ ∃ i ≤ kept: aᵢ changed",
         bounds: "horizons of up to 3 steps; no fence",
         assumptions: &["What a tick answers: by clamp/tick."],
-        unwind: 6,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0, 1.0, -1.0, f64::NAN, f64::INFINITY], seqs: &[0], length: 0 }),
     },
     Property {
         id: "number/operations",
         family: Family::Number,
-        rules: &["NCP-RES-002", "NCP-RES-003", "NCP-RES-009", "NCP-RES-023", "NCP-RES-028", "NCP-SAFE-043", "NCP-SAFE-044", "NCP-SAFE-045", "NCP-SAFE-060"],
-        sentence: "The numbers on which production runs the kernel compute what their names say: sums, differences, products, quotients, roots and comparisons of doubles as IEEE 754 has them, the order of seqs, and whole numbers as indices.",
-        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, lt ⇔ a < b, le ⇔ a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = 0",
-        bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges; no engine goes beyond these here, and the machine code's proofs are about all doubles",
+        rules: &[
+            "NCP-RES-002",
+            "NCP-RES-003",
+            "NCP-RES-009",
+            "NCP-RES-023",
+            "NCP-RES-028",
+            "NCP-SAFE-043",
+            "NCP-SAFE-044",
+            "NCP-SAFE-045",
+            "NCP-SAFE-060",
+        ],
+        sentence: "The numbers on which production runs the kernel compute what their names say: sums, differences, \
+            products, quotients, roots and comparisons of doubles as IEEE 754 has them, the order of seqs, and whole \
+            numbers as indices.",
+        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, lt ⇔ a < b, le ⇔ \
+            a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = \
+            0",
+        bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges; no engine goes beyond these \
+            here, and the machine code's proofs are about all doubles",
         assumptions: &["What Rust's own operators do is what IEEE 754 says."],
-        unwind: 10,
-        symbolic_length: ALL,
-        enumeration: Some(Values { scalars: &[0.0], seqs: &[0], length: 0 }),
     },
 ];

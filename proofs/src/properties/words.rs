@@ -1,6 +1,6 @@
 //! What the text says, as formulas: written from its sentences, not from the kernel's code.
 
-use ncp_spec::safety::kernel::Scalar;
+use ncp_kernel::Scalar;
 
 use crate::prover::Prover;
 

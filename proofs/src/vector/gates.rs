@@ -9,16 +9,15 @@
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use ncp_spec::safety::kernel::{Channel, Decision, Limit, Plan, Reason};
+use ncp_kernel::{Channel, Decision, Limit, Plan, Reason};
 use ncp_spec::safety::{METRES, METRES_PER_SECOND, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL};
 use ncp_spec::wire::{
     ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame,
 };
 use serde_json::{Value, json};
 
-use super::{Inputs, WhyNone, number, optional_number};
+use super::{Calls, Inputs, WhyNone, number, optional_number};
 use crate::kernel::{Kernel, Production};
-use crate::properties::Harness;
 
 /// A channel of a tick: its name, its components and its unit.
 pub type Setpoint = (&'static str, Vec<f64>, &'static str);
@@ -64,14 +63,14 @@ pub struct Trace {
     steps: Vec<Step>,
 }
 
-/// A case that the kernel of the harness fails, of traces that a counterexample suggests.
+/// A case that the kernel behind the calls fails, of traces that a counterexample suggests.
 ///
 /// # Errors
 /// There are no such traces, or no trace shows it.
-pub(super) fn case(property: &str, check: &str, harness: &Harness, inputs: &Inputs<'_>) -> Result<Value, WhyNone> {
+pub(super) fn case(property: &str, check: &str, calls: &Calls, inputs: &Inputs<'_>) -> Result<Value, WhyNone> {
     let mut none = WhyNone::NoCall;
     for trace in traces(property, check, inputs).unwrap_or_default() {
-        let Some(broken) = (harness.govern)(&trace) else {
+        let Some(broken) = (calls.governor)(&trace) else {
             continue;
         };
         match shown(&trace, &broken) {
@@ -559,7 +558,8 @@ fn sequence(inputs: &Inputs<'_>) -> Trace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::properties::{PROPERTIES, harness};
+    use crate::harness::harness;
+    use crate::properties::PROPERTIES;
 
     #[test]
     fn the_small_governor_answers_as_that_of_the_specification() {

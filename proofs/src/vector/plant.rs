@@ -6,14 +6,13 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use ncp_kernel::{Mode, Received};
+use ncp_spec::WIRE_VERSION;
 use ncp_spec::resilience::ActionBuffer;
-use ncp_spec::safety::kernel::Received;
-use ncp_spec::wire::Mode;
 use serde_json::{Value, json};
 
-use super::{Inputs, WhyNone, number};
+use super::{Calls, Inputs, WhyNone, number};
 use crate::kernel::{Kernel, Production};
-use crate::properties::Harness;
 
 /// A step of a trace.
 #[derive(Debug, Clone)]
@@ -37,11 +36,11 @@ pub struct Command {
     steps: usize,
 }
 
-/// A case that the kernel of the harness fails, of traces that a counterexample suggests.
+/// A case that the kernel behind the calls fails, of traces that a counterexample suggests.
 ///
 /// # Errors
 /// There are no such traces, or no trace shows it.
-pub(super) fn case(property: &str, harness: &Harness, inputs: &Inputs<'_>) -> Result<Value, WhyNone> {
+pub(super) fn case(property: &str, calls: &Calls, inputs: &Inputs<'_>) -> Result<Value, WhyNone> {
     let mut none = WhyNone::NoCall;
     for steps in traces(property, inputs).unwrap_or_default() {
         let texts = steps.iter().map(Step::json).collect::<Option<Vec<_>>>();
@@ -49,7 +48,7 @@ pub(super) fn case(property: &str, harness: &Harness, inputs: &Inputs<'_>) -> Re
             none = none.max(WhyNone::NoFrame);
             continue;
         };
-        let (sound, broken) = (run::<Production>(&steps), (harness.follow)(&steps));
+        let (sound, broken) = (run::<Production>(&steps), (calls.buffer)(&steps));
         if sound.as_ref() != Some(&expected) || broken.is_none() {
             continue;
         }
@@ -144,7 +143,7 @@ impl Command {
         }
         let horizon = (1..=self.steps).map(|tick| json!({ "velocity_setpoint": setpoint(tick) }));
         let frame = json!({
-            "ncp_version": "0.5", "kind": "command_frame", "seq": self.seq, "t": 0.0, "frame_id": "world",
+            "ncp_version": WIRE_VERSION, "kind": "command_frame", "seq": self.seq, "t": 0.0, "frame_id": "world",
             "mode": self.mode.as_str(), "ttl_ms": self.ttl, "channels": { "velocity_setpoint": setpoint(0) },
             "horizon": horizon.collect::<Vec<_>>(), "horizon_dt_ms": self.dt,
         });
@@ -276,7 +275,8 @@ fn sequence(inputs: &Inputs<'_>) -> Vec<Step> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::properties::{PROPERTIES, harness};
+    use crate::harness::harness;
+    use crate::properties::PROPERTIES;
 
     #[test]
     fn the_small_buffer_answers_as_that_of_the_specification() {

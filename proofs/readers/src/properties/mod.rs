@@ -4,14 +4,14 @@
 pub mod bulk;
 pub mod keys;
 pub mod strings;
+mod table;
 pub mod version;
 
 use ncp_proofs::engines::native::{Enumerate, Native, Replay, Sample};
 use serde_json::{Value, json};
 
 use crate::readers::{Production, Readers};
-
-include!("table.rs");
+pub use table::PROPERTIES;
 
 /// What a property is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,17 +1,35 @@
 //! The version guard: it accepts exactly the grammar of 2.1, and compares by value.
 
 use ncp_proofs::prover::Prover;
+use ncp_text::WIRE_VERSION;
 use serde_json::{Value, json};
 
 use super::strings::{self, Alphabet, WHITE_SPACE, class};
 use crate::readers::Readers;
 
+/// The minor of the text's own version; its major is 0.
+const MINOR: char = WIRE_VERSION.as_bytes()[2] as char;
+
+/// The digits beside 0 and the minor.
+const OTHERS: [char; 8] = {
+    let digits = ['4', '6', '1', '9', '7', '3', '2', '8', '5'];
+    let (mut others, mut from, mut to) = (['0'; 8], 0, 0);
+    while to < others.len() {
+        if digits[from] != MINOR {
+            others[to] = digits[from];
+            to += 1;
+        }
+        from += 1;
+    }
+    others
+};
+
 /// What the text tells apart, and beyond that what readers of numbers are known to take for digits, signs,
 /// spaces or parts of a number.
 pub const CLASSES: Alphabet = &[
     class(1, &['0'], |c| c == '0'),
-    class(1, &['5'], |c| c == '5'),
-    class(1, &['4', '6', '1', '9', '7', '3', '2', '8'], |c| c.is_ascii_digit()),
+    class(1, &[MINOR], |c| c == MINOR),
+    class(1, &OTHERS, |c| c.is_ascii_digit()),
     class(1, &['.'], |c| c == '.'),
     class(1, &['+', '-'], |c| c == '+' || c == '-'),
     WHITE_SPACE,
@@ -23,7 +41,7 @@ pub const CLASSES: Alphabet = &[
 ];
 
 /// What stands beside a character of any kind.
-const CONTEXTS: &[&str] = &["", "0.", ".5", "0.5"];
+const CONTEXTS: &[&str] = &["", "0.", WIRE_VERSION.split_at(1).1, WIRE_VERSION];
 
 /// All strings of few bytes: the guard accepts exactly the grammar, and answers alike for characters of the
 /// same classes.
@@ -83,7 +101,7 @@ fn holds<R: Readers, P: Prover>(p: &mut P, version: &str) {
     strings::answers_alike(p, version, CLASSES, |version| [false, true].map(|strict| R::version(version, strict)));
 }
 
-/// The guard of 2.1 as an automaton over bytes: whether a version is compatible with 0.5, or none.
+/// The guard of 2.1 as an automaton over bytes: whether a version is compatible with the own, or none.
 fn guard(version: &str) -> Option<bool> {
     #[derive(Clone, Copy)]
     enum State {
@@ -98,7 +116,7 @@ fn guard(version: &str) -> Option<bool> {
     #[derive(Clone, Copy, PartialEq)]
     enum Minor {
         Zero,
-        Five,
+        Own,
         Other,
     }
     let mut state = State::Start;
@@ -110,7 +128,9 @@ fn guard(version: &str) -> Option<bool> {
             (State::Major(_), b'1'..=b'9') => State::Major(false),
             (State::Major(zero), b'.') => State::Dot(zero),
             (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'0') => State::Minor(zero, Minor::Zero),
-            (State::Dot(zero) | State::Minor(zero, Minor::Zero), b'5') => State::Minor(zero, Minor::Five),
+            (State::Dot(zero) | State::Minor(zero, Minor::Zero), digit) if char::from(digit) == MINOR => {
+                State::Minor(zero, Minor::Own)
+            }
             (State::Dot(zero) | State::Minor(zero, _), b'0'..=b'9') => State::Minor(zero, Minor::Other),
             _ => return None,
         };
@@ -118,6 +138,6 @@ fn guard(version: &str) -> Option<bool> {
     match state {
         State::Start | State::Dot(_) => None,
         State::Major(_) => Some(false),
-        State::Minor(zero, minor) => Some(zero && minor == Minor::Five),
+        State::Minor(zero, minor) => Some(zero && minor == Minor::Own),
     }
 }

@@ -2,7 +2,7 @@
 
 mod smt;
 mod solver;
-mod term;
+pub(crate) mod term;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
@@ -13,9 +13,12 @@ use std::time::{Duration, Instant};
 pub use solver::{Answer, SolverError, Solvers, read_answers, read_values};
 pub use term::{Symbolic, SymbolicScalar, SymbolicSeq};
 
-use super::native::{Drawn, Native, Replay, Source};
-use super::{Counterexample, Outcome, Patience, Verdict, enumeration, run_once, said, standin};
-use crate::properties::{Harness, Property};
+use super::native::{Native, Replay, Source};
+use super::outcome::{Outcome, Patience, Verdict};
+use super::{bounds, enumeration, standin};
+use crate::counterexample::{Counterexample, Drawn};
+use crate::harness::{Harness, run_once, said};
+use crate::properties::Property;
 use smt::Question;
 use term::{Guide, Path};
 
@@ -53,7 +56,7 @@ fn explore(property: &Property, harness: fn(&mut Symbolic), patience: &Patience)
     let mut all = Explored::default();
     let mut atoms: HashMap<u32, BTreeSet<u32>> = HashMap::new();
     loop {
-        let run = || term::run(property.symbolic_length, harness);
+        let run = || term::run(bounds::of(property.id).length, harness);
         let path = catch_unwind(AssertUnwindSafe(run)).map_err(|panic| said(&*panic))?;
         all.paths += 1;
         all.by_evaluation += path.by_evaluation;
@@ -166,7 +169,8 @@ fn try_prove(
         let name = format!("{}/{:03}.smt2", property.id, nth + 1);
         let file = evidence.join(&name);
         let title = format!(
-            "{}: {}\nEach answer has to be unsat, {} of them. A question is a check that fails where the kernel has taken\nthese decisions. x… are the doubles in the order in which the harness draws them, q… the seqs.",
+            "{}: {}\nEach answer has to be unsat, {} of them. A question is a check that fails where the kernel has \
+             taken\nthese decisions. x… are the doubles in the order in which the harness draws them, q… the seqs.",
             property.id,
             property.statement,
             chunk.len()
@@ -231,7 +235,7 @@ pub fn refute(
     let patience = Patience::of(REFUTE);
     if let Some((hint, origin)) = hint(property, harness) {
         term::clear();
-        let run = || term::run_guided(property.symbolic_length, harness.symbolic, hint.clone());
+        let run = || term::run_guided(bounds::of(property.id).length, harness.symbolic, hint.clone());
         let (path, broken) = catch_unwind(AssertUnwindSafe(run)).map_err(|panic| said(&*panic))?;
         let Some(&(check, formula)) = broken.first() else {
             return Err("what fails on doubles does not on terms".to_owned());
@@ -268,7 +272,7 @@ const HINTS: u64 = 3_000_000;
 
 /// Inputs that break the harness on doubles: of samples, or of the values that are enumerated.
 fn hint(property: &Property, harness: &Harness) -> Option<(Guide, Origin)> {
-    let most = property.symbolic_length;
+    let most = bounds::of(property.id).length;
     let sampled = standin::run(harness, HINTS, most).counterexample;
     let (found, origin) = match sampled {
         Some(found) => (found, Origin::Sampled),
@@ -326,7 +330,7 @@ fn counterexample(
     let value = |name: String| values.iter().find(|(n, _)| *n == name).map(|(_, bits)| *bits);
     let most = |set: &std::collections::BTreeSet<u32>| set.last().map_or(0, |last| last + 1);
     let choices = path.choices.iter().copied().collect();
-    let length = property.symbolic_length;
+    let length = bounds::of(property.id).length;
     let replay = inputs.map(|inputs| Replay {
         scalars: inputs.scalars.iter().copied().collect(),
         seqs: inputs.seqs.iter().copied().collect(),

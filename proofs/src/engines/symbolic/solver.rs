@@ -13,7 +13,7 @@ use std::time::Duration;
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
-use crate::engines::Patience;
+use crate::engines::outcome::Patience;
 
 /// The programs of the virtual environment.
 #[derive(Debug)]
@@ -85,7 +85,8 @@ fn read_answer(line: &str) -> Result<Answer, SolverError> {
 }
 
 /// Prints the versions of the packages.
-const VERSIONS: &str = "from importlib.metadata import version as v; print('bitwuzla', v('bitwuzla') + ', cross-checked by z3', v('z3-solver'))";
+const VERSIONS: &str = "from importlib.metadata import version as v; print('bitwuzla', v('bitwuzla') + ', \
+    cross-checked by z3', v('z3-solver'))";
 
 impl Solvers {
     /// The solvers with their versions, as they are installed.
@@ -309,7 +310,8 @@ mod tests {
 
     #[test]
     fn values_are_read_to_the_bit() {
-        let printed = "sat\n((x0 (fp #b1 #b01111111111 #b0000000000000000000000000000000000000000000000000001))\n (x2 (_ NaN 11 53)) (x3 (_ -zero 11 53)) (q0 #b11))\n";
+        let printed = "sat\n((x0 (fp #b1 #b01111111111 #b0000000000000000000000000000000000000000000000000001))\n \
+            (x2 (_ NaN 11 53)) (x3 (_ -zero 11 53)) (q0 #b11))\n";
         let values = read_values(printed);
         assert_eq!(values.len(), 4);
         assert_eq!(values[0].1, (-1.000_000_000_000_000_2_f64).to_bits());

@@ -8,7 +8,7 @@
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 
-use ncp_spec::safety::kernel::{Scalar, Seq};
+use ncp_kernel::{Scalar, Seq};
 
 use crate::prover::Prover;
 
