@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use ncp_proofs::report::{Answer, Broken, Found, Shown, Verdict, Words, owned};
 use ncp_text::WIRE_VERSION;
-use serde_json::Value;
+use serde_json::{Value, json};
 use stateright::{Checker, Expectation, HasDiscoveries, Model};
 
 /// What is claimed of a protocol, beside the formula that its model has under the same name.
@@ -84,6 +84,18 @@ impl Replay {
         let Self { steps, broken, real, vector } = self;
         Found { vector, ..Found::new(Shown::Path { steps, broken, real }) }
     }
+}
+
+/// A case of the vectors.
+#[expect(clippy::needless_pass_by_value, reason = "each is made for this")]
+pub(crate) fn case(role: &str, call: &str, args: Value, expect: Value) -> Value {
+    json!({"roles": [role], "call": call, "args": args, "expect": expect})
+}
+
+/// That an answer has at least these parts.
+#[expect(clippy::needless_pass_by_value, reason = "it is made for this")]
+pub(crate) fn pattern(value: Value) -> Value {
+    json!({"relation": "pattern", "value": value})
 }
 
 /// The events of a path, one by one.

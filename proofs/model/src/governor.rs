@@ -12,7 +12,7 @@ use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode, Safety
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
-use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::explore::{Claim, Protocol, Replay, Variant, case, pattern};
 use crate::signs::{Signs, always, sometimes};
 
 /// Where the sensor sees the plant, in m from the origin of a fence of 10 m; NaN is no place.
@@ -411,7 +411,8 @@ fn sensor(x_m: f64) -> SensorFrame {
 }
 
 fn vector(path: &[Event], faulty: bool, real: &Value) -> Value {
-    let limits = json!({"geofence_radius_m": 10.0, "max_speed_mps": if faulty { -1.0 } else { 5.0 }, "command_timeout_ms": 500.0});
+    let max_speed_mps = if faulty { -1.0 } else { 5.0 };
+    let limits = json!({"geofence_radius_m": 10.0, "max_speed_mps": max_speed_mps, "command_timeout_ms": 500.0});
     let mut seq = 0;
     let steps: Vec<Value> = path
         .iter()
@@ -435,7 +436,8 @@ fn vector(path: &[Event], faulty: bool, real: &Value) -> Value {
             Event::Arrive(_) | Event::ResetPlant => None,
         })
         .collect();
-    json!({"roles": ["commander"], "call": "governor.run", "args": {"limits": limits, "capabilities": null, "steps": steps}, "expect": {"relation": "pattern", "value": {"steps": real}}})
+    let args = json!({"limits": limits, "capabilities": null, "steps": steps});
+    case("commander", "governor.run", args, pattern(json!({"steps": real})))
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
-use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::explore::{Claim, Protocol, Replay, Variant, case, pattern};
 use crate::signs::{Signs, always, sometimes};
 
 /// Versions, the text's own first, and whether the text calls them compatible with that.
@@ -398,17 +398,14 @@ fn vector(event: &Event) -> Option<Value> {
             let ok = VERSIONS[hello.version].1;
             let reply = json!({"$json": {"kind": "session_opened", "session_id": "s", "ok": ok}});
             let requests = [request(hello, &VERSIONS[hello.version].0)];
-            Some(
-                json!({"roles": ["server"], "call": "session.run", "args": {"requests": requests}, "expect": {"relation": "pattern", "value": {"replies": [reply]}}}),
-            )
+            Some(case("server", "session.run", json!({"requests": requests}), pattern(json!({"replies": [reply]}))))
         }
         Event::Reply(answer) => {
             let request = request(answer.to, &VERSIONS[answer.to.version].0);
             let accept = VERSIONS[answer.version].1 && answer.ok;
             let expect = if accept { json!({"accept": true}) } else { json!({"reject": "reply"}) };
-            Some(
-                json!({"roles": ["commander"], "call": "reply.check", "args": {"request": request, "reply": text(answer)}, "expect": expect}),
-            )
+            let args = json!({"request": request, "reply": text(answer)});
+            Some(case("commander", "reply.check", args, expect))
         }
         Event::Ask(_) | Event::Restart(_) => None,
     }

@@ -13,7 +13,7 @@ use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode};
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
-use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::explore::{Claim, Protocol, Replay, Variant, case, pattern};
 use crate::signs::{Signs, always, sometimes};
 
 /// What the clock may read, in seconds: within a ttl of 250 ms, exactly at it, past it; the same for
@@ -644,7 +644,7 @@ fn vector(path: &[Event]) -> Value {
             }
         }
     }
-    json!({"roles": ["body"], "call": "buffer.run", "args": {"steps": steps}, "expect": {"relation": "pattern", "value": {"steps": answers}}})
+    case("body", "buffer.run", json!({"steps": steps}), pattern(json!({"steps": answers})))
 }
 
 fn number(value: f64) -> Value {

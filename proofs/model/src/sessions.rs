@@ -14,7 +14,7 @@ use ncp_text::WIRE_VERSION;
 use serde_json::{Value, json};
 use stateright::{Model, Property};
 
-use crate::explore::{Claim, Protocol, Replay, Variant};
+use crate::explore::{Claim, Protocol, Replay, Variant, case, pattern};
 use crate::signs::{Signs, always, sometimes};
 
 const SESSIONS: [&str; 2] = ["a", "b"];
@@ -404,7 +404,8 @@ fn text(event: Event) -> Option<String> {
 fn text_of(event: Event) -> String {
     match event {
         Event::Request(Ask::Open, session) => format!(
-            r#"{{"kind":"open_session","ncp_version":"{WIRE_VERSION}","session_id":"{}","network":{{"kind":"builtin","ref":"ncp.reference.lif"}}}}"#,
+            "{{\"kind\":\"open_session\",\"ncp_version\":\"{WIRE_VERSION}\",\"session_id\":\"{}\",\
+             \"network\":{{\"kind\":\"builtin\",\"ref\":\"ncp.reference.lif\"}}}}",
             SESSIONS[session]
         ),
         Event::Request(Ask::Step, session) => {
@@ -433,7 +434,7 @@ fn vector(path: &[Event]) -> Value {
         }
     }
     let requests: Vec<String> = path.iter().filter_map(|event| text(*event)).collect();
-    json!({"roles": ["server"], "call": "session.run", "args": {"requests": requests}, "expect": {"relation": "pattern", "value": {"replies": replies}}})
+    case("server", "session.run", json!({"requests": requests}), pattern(json!({"replies": replies})))
 }
 
 #[cfg(test)]
