@@ -147,7 +147,8 @@ mod tests {
     fn a_change_of_the_kernel_makes_the_report_stale() {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
-        for source in digest::SOURCES.map(|source| root.join(source)) {
+        for source in digest::ARTEFACTS.iter().flat_map(|artefact| artefact.sources) {
+            let source = root.join(source);
             if source.extension().is_none() {
                 fs::create_dir_all(source).unwrap();
                 continue;
@@ -155,7 +156,7 @@ mod tests {
             fs::create_dir_all(source.parent().unwrap()).unwrap();
             fs::write(source, "").unwrap();
         }
-        for folder in ["spec/src/safety/kernel", "reports"] {
+        for folder in ["spec/kernel/src/decisions", "reports"] {
             fs::create_dir_all(root.join(folder)).unwrap();
         }
         let kernel = root.join("spec/kernel/src/decisions/speed.rs");

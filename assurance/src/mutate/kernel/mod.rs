@@ -22,7 +22,7 @@ use crate::digest;
 use tokens::{Change, changes, variants};
 use xtask::project::Project;
 
-const KERNEL: &str = "spec/src/safety/kernel";
+const KERNEL: &str = "spec/kernel/src/decisions";
 const PLACE: &str = ".tools/mutants";
 const EXPLAINED: &str = "proofs/equivalent.toml";
 const REPORT: &str = "reports/mutations";
