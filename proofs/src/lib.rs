@@ -1,11 +1,20 @@
 //! Proofs of the safety kernel.
 //!
-//! - `properties`: what is claimed, in words, in symbols, and as a harness that any engine runs.
-//! - `prover`: what a harness asks of an engine.
-//! - `kernel`, `broken`: the kernel of production, and copies of its source with one token changed.
-//! - `engines`: symbolic execution, enumeration, and the stand-in for Kani's API.
-//! - `kani_engine`, `kani_proofs`: Kani as an engine, and the harnesses as proofs of it.
-//! - `report`, `page`, `document`, `digest`: what was found out, how it is shown, and about which sources.
+//! | module | what it holds |
+//! |---|---|
+//! | [`kernel`] | the kernel as a harness calls it |
+//! | [`prover`] | what a harness asks of an engine |
+//! | [`properties`] | what is claimed, in words, in symbols, and as harnesses that any engine runs |
+//! | [`counterexample`] | inputs that break a property |
+//! | [`reference`], [`vector`] | counterexamples as vectors |
+//! | [`harness`] | the harness of a property on a kernel, ready for each engine |
+//! | [`engines`] | symbolic execution, enumeration, and the stand-in for Kani's API |
+//! | [`kani_engine`], `kani_proofs` | Kani as an engine, and the harnesses as proofs of it |
+//! | [`broken`], `mutants` | copies of the kernel with a planted defect, and with one token changed |
+//! | [`report`], [`digest`] | what was found out, and about which sources |
+//! | [`document`], [`page`], [`terminal`] | how it is shown |
+//!
+//! Each row knows those above it, and none below.
 
 #![forbid(unsafe_code)]
 

@@ -1,8 +1,12 @@
 //! Proofs of what reads untrusted bytes: the decoder of blocks, the version guard, the segments of keys.
 //!
-//! - `properties`: what is claimed, in words, in symbols, and as a harness that any engine runs.
-//! - `exhaustive`: the engine, which runs a harness on every input within the bounds.
-//! - `readers`, `broken`: the readers of production, and copies of their sources with one edit each.
+//! | module | what it holds |
+//! |---|---|
+//! | [`readers`] | what reads blocks, versions and keys, as a harness calls it |
+//! | [`properties`] | what is claimed, in words, in symbols, and as a harness that any engine runs |
+//! | [`exhaustive`] | the engine, which runs a harness on every input within the bounds |
+//! | [`broken`] | the planted defects, and copies of the readers with one of them |
+//! | `kani_proofs` | the harnesses as proofs of Kani |
 
 #![forbid(unsafe_code)]
 
