@@ -37,6 +37,7 @@ pub const ARTEFACTS: [Artefact; 4] = [
             "proofs/src/main.rs",
             "proofs/src/properties",
             "proofs/src/prover.rs",
+            "proofs/src/provers",
             "proofs/src/report.rs",
             // What the vectors of counterexamples expect.
             "proofs/src/reference.rs",
@@ -92,8 +93,8 @@ pub const ARTEFACTS: [Artefact; 4] = [
             "proofs/readers/build.rs",
             "proofs/readers/src",
             "proofs/src/counterexample.rs",
-            "proofs/src/engines/native.rs",
             "proofs/src/prover.rs",
+            "proofs/src/provers/native.rs",
             "proofs/src/report.rs",
         ],
     },

@@ -4,18 +4,18 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::counterexample::{Counterexample, Drawn, ENDS};
-use crate::engines::native::{Draw, Native, Replay, Source};
-use crate::engines::symbolic::term::Symbolic;
 use crate::kernel::Kernel;
 use crate::properties::{clamp, geofence, latch, number, watchdog};
+use crate::provers::native::{Draw, Native, Replay, Source};
+use crate::provers::terms::Symbolic;
 use crate::vector::Calls;
 
 /// A harness on a kernel, for each kind of prover.
 macro_rules! of {
     ($kernel:ty, $($harness:ident)::+) => {
         $crate::harness::Harness {
-            symbolic: $($harness)::+::<$kernel, $crate::engines::symbolic::term::Symbolic>,
-            native: $($harness)::+::<$kernel, $crate::engines::native::Native<$crate::engines::native::Source>>,
+            symbolic: $($harness)::+::<$kernel, $crate::provers::terms::Symbolic>,
+            native: $($harness)::+::<$kernel, $crate::provers::native::Native<$crate::provers::native::Source>>,
             calls: $crate::vector::Calls::of::<$kernel>(),
         }
     };

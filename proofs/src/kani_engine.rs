@@ -1,7 +1,7 @@
 //! Kani as a prover: `cargo kani -p ncp-proofs`, where Kani can be installed. Elsewhere a module with the same
 //! functions stands in for Kani's, so that what stands here is compiled everywhere, and the proofs run by the tests.
 
-use crate::engines::native::Draw;
+use crate::provers::native::Draw;
 
 /// Any value at all.
 #[derive(Debug, Default)]
@@ -34,7 +34,7 @@ macro_rules! kani_proofs {
             #[cfg_attr(kani, kani::unwind($unwind))]
             fn $name() {
                 let any = $crate::kani_engine::Any;
-                $harness($id, &mut $crate::engines::native::Native::new(any));
+                $harness($id, &mut $crate::provers::native::Native::new(any));
             }
         )*
 
@@ -52,7 +52,7 @@ pub use kani::begin;
 mod kani {
     use std::cell::{Cell, RefCell};
 
-    use crate::engines::native::{Draw, Sample};
+    use crate::provers::native::{Draw, Sample};
 
     thread_local! {
         static SAMPLE: RefCell<Sample> = const { RefCell::new(Sample::new(0, usize::MAX)) };

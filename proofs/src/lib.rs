@@ -7,6 +7,7 @@
 //! | [`properties`] | what is claimed, in words, in symbols, and as harnesses that any engine runs |
 //! | [`counterexample`] | inputs that break a property |
 //! | [`reference`], [`vector`] | counterexamples as vectors |
+//! | [`provers`] | what answers a harness: doubles, and terms for a solver |
 //! | [`harness`] | the harness of a property on a kernel, ready for each engine |
 //! | [`engines`] | symbolic execution, enumeration, and the stand-in for Kani's API |
 //! | [`kani_engine`], `kani_proofs` | Kani as an engine, and the harnesses as proofs of it |
@@ -33,6 +34,7 @@ pub mod mutants;
 pub mod page;
 pub mod properties;
 pub mod prover;
+pub mod provers;
 pub mod reference;
 pub mod report;
 pub mod terminal;

@@ -262,9 +262,9 @@ impl Inputs<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engines::native::{Draw, Native, Sample, Source};
     use crate::harness::{Harness, harness};
     use crate::kernel::Production;
+    use crate::provers::native::{Draw, Native, Sample, Source};
 
     /// Inputs of a harness, as if they were a counterexample.
     pub(super) fn sampled(harness: &Harness, seed: u64) -> Counterexample {

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use ncp_proofs::counterexample::Drawn;
-use ncp_proofs::engines::native::{Enumerate, Native};
+use ncp_proofs::provers::native::{Enumerate, Native};
 
 use crate::properties::{Enumerated, Property};
 

@@ -7,7 +7,7 @@ use std::{fs, io, panic};
 
 use clap::Parser;
 use ncp_defects::{Defect, TableError};
-use ncp_proofs::engines::native::{Native, Replay};
+use ncp_proofs::provers::native::{Native, Replay};
 use ncp_proofs::report::{Answer, Broken, Engine, Found, Shown, Verdict, Words, owned};
 use ncp_readers::broken;
 use ncp_readers::exhaustive;

@@ -5,7 +5,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use ncp_proofs::engines::native::{Enumerate, Native};
+use ncp_proofs::provers::native::{Enumerate, Native};
 use ncp_readers::properties::bulk::block;
 use ncp_spec::bulk::{Block, Column, unpack};
 

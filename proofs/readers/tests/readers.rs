@@ -1,7 +1,7 @@
 //! The exhaustive engine on smaller bounds: the readers hold, the broken ones do not.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use ncp_proofs::engines::native::{Native, Sample};
+use ncp_proofs::provers::native::{Native, Sample};
 use ncp_readers::broken::defects;
 use ncp_readers::exhaustive;
 use ncp_readers::properties::keys::CLASSES as KEYS;
@@ -47,7 +47,7 @@ fn the_readers_hold_on_samples_of_the_whole_bounds() {
 
 #[cfg(feature = "broken")]
 mod broken_ones {
-    use ncp_proofs::engines::native::Replay;
+    use ncp_proofs::provers::native::Replay;
     use ncp_readers::broken;
     use ncp_readers::properties::{is_shown, vector};
 

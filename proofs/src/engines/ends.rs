@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::native::{Native, Source};
 use super::outcome::{Outcome, Verdict};
 use crate::counterexample::{Counterexample, Drawn, ENDS};
 use crate::harness::{Harness, run_once, said};
+use crate::provers::native::{Native, Source};
 
 /// How often an engine is looked at.
 const LOOK: Duration = Duration::from_secs(2);
@@ -101,13 +101,13 @@ fn endless(harness: &Harness, draw: Source) -> Option<Vec<(String, Drawn)>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::native::Sample;
     use super::*;
     use crate::engines::{enumeration, standin};
     use crate::harness::harness;
     use crate::kernel::Production;
     use crate::properties::PROPERTIES;
     use crate::prover::Prover;
+    use crate::provers::native::Sample;
 
     fn endless_at_two(native: &mut Native<Source>) {
         let way = native.choice("way", 3);

@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use super::bounds::{self, Values};
 use super::ends::{self, Progress};
-use super::native::{Enumerate, Native, Source};
 use super::outcome::{Outcome, Verdict};
 use crate::counterexample::Counterexample;
 use crate::harness::{Harness, run_once};
 use crate::properties::Property;
+use crate::provers::native::{Enumerate, Native, Source};
 
 /// Runs the harness on every combination, in sequences of at most this length; none for a property that lists
 /// no values.

@@ -3,7 +3,6 @@
 pub mod bounds;
 mod ends;
 pub mod enumeration;
-pub mod native;
 pub(crate) mod outcome;
 pub mod standin;
 pub mod symbolic;

@@ -4,10 +4,10 @@
 use std::time::Instant;
 
 use super::ends::{self, Progress};
-use super::native::{Native, Sample, Source};
 use super::outcome::{Outcome, Verdict};
 use crate::counterexample::Counterexample;
 use crate::harness::{Harness, run_once};
+use crate::provers::native::{Native, Sample, Source};
 
 /// Runs the harness on so many samples, in sequences of at most this length.
 #[must_use]

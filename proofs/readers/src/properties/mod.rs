@@ -7,7 +7,7 @@ pub mod strings;
 mod table;
 pub mod version;
 
-use ncp_proofs::engines::native::{Enumerate, Native, Replay, Sample};
+use ncp_proofs::provers::native::{Enumerate, Native, Replay, Sample};
 use serde_json::{Value, json};
 
 use crate::readers::{Production, Readers};

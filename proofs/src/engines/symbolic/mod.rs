@@ -2,7 +2,6 @@
 
 mod smt;
 mod solver;
-pub(crate) mod term;
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
@@ -11,16 +10,15 @@ use std::path::Path as FilePath;
 use std::time::{Duration, Instant};
 
 pub use solver::{Answer, SolverError, Solvers, read_answers, read_values};
-pub use term::{Symbolic, SymbolicScalar, SymbolicSeq};
 
-use super::native::{Native, Replay, Source};
 use super::outcome::{Outcome, Patience, Verdict};
 use super::{bounds, enumeration, standin};
 use crate::counterexample::{Counterexample, Drawn};
 use crate::harness::{Harness, run_once, said};
 use crate::properties::Property;
+use crate::provers::native::{Native, Replay, Source};
+use crate::provers::terms::{self, Guide, Path, Symbolic};
 use smt::Question;
-use term::{Guide, Path};
 
 /// More paths than these are a failure of the property.
 const MOST_PATHS: u64 = 4_000_000;
@@ -52,11 +50,11 @@ struct Explored {
 /// # Errors
 /// The path cap, a panic of the kernel, or no patience.
 fn explore(property: &Property, harness: fn(&mut Symbolic), patience: &Patience) -> Result<Explored, String> {
-    term::clear();
+    terms::clear();
     let mut all = Explored::default();
     let mut atoms: HashMap<u32, BTreeSet<u32>> = HashMap::new();
     loop {
-        let run = || term::run(bounds::of(property.id).length, harness);
+        let run = || terms::run(bounds::of(property.id).length, harness);
         let path = catch_unwind(AssertUnwindSafe(run)).map_err(|panic| said(&*panic))?;
         all.paths += 1;
         all.by_evaluation += path.by_evaluation;
@@ -72,7 +70,7 @@ fn explore(property: &Property, harness: fn(&mut Symbolic), patience: &Patience)
         if !path.checks.is_empty() {
             all.open.push(path);
         }
-        if !term::turn() {
+        if !terms::turn() {
             return Ok(all);
         }
         if all.paths >= MOST_PATHS {
@@ -234,8 +232,8 @@ pub fn refute(
 ) -> Result<Option<(Counterexample, Origin)>, String> {
     let patience = Patience::of(REFUTE);
     if let Some((hint, origin)) = hint(property, harness) {
-        term::clear();
-        let run = || term::run_guided(bounds::of(property.id).length, harness.symbolic, hint.clone());
+        terms::clear();
+        let run = || terms::run_guided(bounds::of(property.id).length, harness.symbolic, hint.clone());
         let (path, broken) = catch_unwind(AssertUnwindSafe(run)).map_err(|panic| said(&*panic))?;
         let Some(&(check, formula)) = broken.first() else {
             return Err("what fails on doubles does not on terms".to_owned());

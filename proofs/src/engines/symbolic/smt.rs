@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::term::{Guide, Node, node};
+use crate::provers::terms::{Guide, Node, node};
 
 /// The variables of a script.
 #[derive(Debug, Default)]

@@ -14,7 +14,7 @@ use crate::prover::Prover;
 
 /// A node of the graph of terms; terms are numbers of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Node {
+pub(crate) enum Node {
     Double(u64),
     Variable(u32),
     Add(u32, u32),
@@ -46,7 +46,7 @@ struct Fork {
 
 /// The graph of terms, and the path at work.
 #[derive(Debug, Default)]
-pub(super) struct World {
+pub(crate) struct World {
     nodes: Vec<Node>,
     numbers: HashMap<Node, u32>,
     forks: Vec<Fork>,
@@ -66,17 +66,17 @@ pub(super) struct World {
 
 /// Inputs that decide which path is run.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Guide {
-    pub(super) scalars: Vec<f64>,
-    pub(super) seqs: Vec<i64>,
-    pub(super) choices: Vec<usize>,
+pub(crate) struct Guide {
+    pub(crate) scalars: Vec<f64>,
+    pub(crate) seqs: Vec<i64>,
+    pub(crate) choices: Vec<usize>,
     /// What terms are for them, as far as it was asked.
-    pub(super) known: RefCell<HashMap<u32, Concrete>>,
+    pub(crate) known: RefCell<HashMap<u32, Concrete>>,
 }
 
 /// What a term is for given inputs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Concrete {
+pub(crate) enum Concrete {
     Double(f64),
     Seq(i64),
     Truth(bool),
@@ -84,17 +84,17 @@ pub(super) enum Concrete {
 
 /// What one path left.
 #[derive(Debug)]
-pub(super) struct Path {
+pub(crate) struct Path {
     /// The decisions on comparisons.
-    pub(super) literals: Vec<(u32, bool)>,
+    pub(crate) literals: Vec<(u32, bool)>,
     /// The checks that are not true by evaluation alone.
-    pub(super) checks: Vec<(&'static str, u32)>,
+    pub(crate) checks: Vec<(&'static str, u32)>,
     /// The choices, for a replay.
-    pub(super) choices: Vec<usize>,
+    pub(crate) choices: Vec<usize>,
     /// How many checks were true by evaluation alone: their answers were constants.
-    pub(super) by_evaluation: u64,
+    pub(crate) by_evaluation: u64,
     /// The names of all checks on it.
-    pub(super) reached: BTreeSet<&'static str>,
+    pub(crate) reached: BTreeSet<&'static str>,
 }
 
 thread_local! {
@@ -106,17 +106,17 @@ fn with<T>(f: impl FnOnce(&mut World) -> T) -> T {
 }
 
 /// Begins anew, without terms and paths.
-pub(super) fn clear() {
+pub(crate) fn clear() {
     with(|world| *world = World::default());
 }
 
 /// The node of a term.
-pub(super) fn node(term: u32) -> Node {
+pub(crate) fn node(term: u32) -> Node {
     with(|world| world.node(term))
 }
 
 /// Runs a harness once, on the path that comes next.
-pub(super) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
+pub(crate) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
     with(World::begin);
     harness(&mut Symbolic { length });
     with(|world| Path {
@@ -129,7 +129,7 @@ pub(super) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
 }
 
 /// Runs a harness once, on the path that these inputs take; and the checks on it that they break.
-pub(super) fn run_guided(length: usize, harness: fn(&mut Symbolic), guide: Guide) -> (Path, Vec<(&'static str, u32)>) {
+pub(crate) fn run_guided(length: usize, harness: fn(&mut Symbolic), guide: Guide) -> (Path, Vec<(&'static str, u32)>) {
     with(|world| world.guide = Some(guide));
     let path = run(length, harness);
     let broken = with(|world| {
@@ -142,7 +142,7 @@ pub(super) fn run_guided(length: usize, harness: fn(&mut Symbolic), guide: Guide
 }
 
 /// Turns the last decision that can be turned; false when all paths are done.
-pub(super) fn turn() -> bool {
+pub(crate) fn turn() -> bool {
     with(|world| {
         // What was not asked for again does not count.
         world.forks.truncate(world.at);
@@ -464,7 +464,7 @@ impl Seq for SymbolicSeq {
 #[derive(Debug)]
 pub struct Symbolic {
     /// The longest sequence of events.
-    pub(super) length: usize,
+    pub(crate) length: usize,
 }
 
 impl Prover for Symbolic {
