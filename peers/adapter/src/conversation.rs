@@ -199,8 +199,12 @@ mod tests {
     #[test]
     fn an_id_goes_back_as_it_came() {
         let mut output = Vec::new();
-        hold(&Nobody, BufReader::new(&b"{\"id\":18446744073709551616,\"call\":\"decode\",\"args\":{}}\n"[..]), &mut output)
-            .unwrap();
+        hold(
+            &Nobody,
+            BufReader::new(&b"{\"id\":18446744073709551616,\"call\":\"decode\",\"args\":{}}\n"[..]),
+            &mut output,
+        )
+        .unwrap();
         assert!(output.starts_with(b"{\"id\":18446744073709551616,\"error\":"));
     }
 }

@@ -6,6 +6,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::thread;
 
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde_json::{Value, json};
 
 const PROTOCOL: &str = include_str!("../../PROTOCOL.md");
@@ -90,7 +91,8 @@ fn with_parsed_text(mut result: Value) -> Value {
 fn the_transcript_of_the_protocol_page_is_what_this_peer_says() {
     let lines = |arrow| {
         let lines = section("A transcript").lines().filter_map(move |line| line.strip_prefix(arrow));
-        lines.map(|line| serde_json::from_str::<Value>(line).unwrap()).collect::<Vec<_>>()
+        let filled = lines.map(|line| line.replace("{version}", WIRE_VERSION).replace("{hash}", CONTRACT_HASH));
+        filled.map(|line| serde_json::from_str::<Value>(&line).unwrap()).collect::<Vec<_>>()
     };
     let (requests, answers) = (lines("→ "), lines("← "));
     assert_eq!(requests.len(), answers.len());
@@ -146,10 +148,11 @@ fn an_unknown_call_is_unsupported_whatever_its_arguments() {
 #[test]
 fn the_members_of_a_request_may_stand_in_any_order_and_be_escaped() {
     let mut peer = Peer::start();
-    peer.send(concat!(
-        r#" {"args": {"strict": false, "version": "0\u002e5"}, "call": "version\u002echeck", "more": [], "id": 3} "#,
-        "\r\n"
+    let escaped = WIRE_VERSION.replace('.', r"\u002e");
+    peer.send(&format!(
+        r#" {{"args": {{"strict": false, "version": "{escaped}"}}, "call": "version\u002echeck", "more": [], "id": 3}} "#
     ));
+    peer.send("\r\n");
     assert_eq!(peer.next_answer(), json!({"id": 3, "result": {"compatible": true}}));
 }
 
@@ -166,7 +169,7 @@ fn a_line_that_is_no_request_is_reported_and_costs_nothing_else() {
     assert!(status.success());
     assert_eq!(answers, "");
     assert_eq!(log.lines().count(), 5, "{log}");
-    assert!(log.lines().all(|line| line.starts_with("ncp-peer-rust: not a request: ")), "{log}");
+    assert!(log.lines().all(|line| line.starts_with("not a request: ")), "{log}");
 }
 
 #[test]
@@ -252,7 +255,7 @@ fn encode_sets_what_is_named_and_leaves_the_programs_defaults() {
     assert!(frame["channels"]["v"]["data"][1].as_f64().unwrap().is_sign_negative());
 
     let frame = text("open_session", json!({"session_id": "s", "sim": {"dt_ms": 0.5}, "network": {"ref": "n"}}));
-    assert_eq!(frame["contract_hash"], "24e8e6e31e1dec8a");
+    assert_eq!(frame["contract_hash"], CONTRACT_HASH);
     assert_eq!((&frame["sim"]["dt_ms"], &frame["sim"]["chunk_ms"]), (&json!(0.5), &json!(10.0)));
     assert_eq!((&frame["network"]["kind"], &frame["network"]["ref"]), (&json!("builtin"), &json!("n")));
 
@@ -297,13 +300,16 @@ fn arguments_that_the_page_does_not_allow_are_never_taken_for_a_refusal() {
 
 #[test]
 fn version_and_contract_calls_answer_as_their_chapter_says() {
-    let own = "24e8e6e31e1dec8a";
+    let own = CONTRACT_HASH;
     let other = "2cf0763ad61e4f1c";
     assert_eq!(refusal("version.check", &json!({"version": "0.4", "strict": true})), "version");
     assert_eq!(result("contract.status", &json!({"peer_hash": other})), json!({"status": "mismatch"}));
     assert_eq!(result("contract.verify", &json!({"peer_hash": own})), json!({}));
     assert_eq!(refusal("contract.verify", &json!({"peer_hash": other})), "contract");
-    assert_eq!(result("negotiate", &json!({"version": "0.5", "contract_hash": own})), json!({"contract": "match"}));
+    assert_eq!(
+        result("negotiate", &json!({"version": WIRE_VERSION, "contract_hash": own})),
+        json!({"contract": "match"})
+    );
     assert_eq!(refusal("negotiate", &json!({"version": "1", "contract_hash": own})), "version");
 }
 
@@ -359,8 +365,13 @@ fn an_observation_survives_its_block() {
 
 #[test]
 fn a_reply_is_held_against_its_request() {
-    let request = r#"{"ncp_version":"0.5","kind":"close_session","session_id":"s"}"#;
-    let reply = |ok| format!(r#"{{"ncp_version":"0.5","kind":"session_closed","session_id":"s","ok":{ok}}}"#);
+    let frame = |kind: &str| json!({"ncp_version": WIRE_VERSION, "kind": kind, "session_id": "s"});
+    let request = frame("close_session").to_string();
+    let reply = |ok: bool| {
+        let mut reply = frame("session_closed");
+        reply["ok"] = json!(ok);
+        reply.to_string()
+    };
     assert_eq!(result("reply.check", &json!({"request": request, "reply": reply(true)})), json!({}));
     assert_eq!(refusal("reply.check", &json!({"request": request, "reply": reply(false)})), "reply");
 }
@@ -380,8 +391,8 @@ fn a_governor_remembers_its_latch_and_shows_every_field_of_the_frame() {
     let steps = result("governor.run", &args)["steps"].clone();
     assert_eq!(
         steps[0]["frame"],
-        json!({"ncp_version": "0.5", "kind": "command_frame", "seq": 7, "t": "NaN", "frame_id": "world", "mode": "active",
-            "ttl_ms": 200.0, "channels": {"velocity_setpoint": {"data": [3.0, 4.0, 0.0], "unit": "m/s"}},
+        json!({"ncp_version": WIRE_VERSION, "kind": "command_frame", "seq": 7, "t": "NaN", "frame_id": "world",
+            "mode": "active", "ttl_ms": 200.0, "channels": {"velocity_setpoint": {"data": [3.0, 4.0, 0.0], "unit": "m/s"}},
             "horizon": [], "horizon_dt_ms": null})
     );
     assert_eq!(steps[1], json!({}));
@@ -394,7 +405,10 @@ fn a_governor_is_built_for_the_channels_that_were_negotiated() {
     let args = |unit: &str| {
         json!({
             "limits": {"max_speed_mps": 1},
-            "capabilities": {"sensor_channels": [], "command_channels": [{"name": "velocity_setpoint", "kind": "vec3", "unit": unit}]},
+            "capabilities": {
+                "sensor_channels": [],
+                "command_channels": [{"name": "velocity_setpoint", "kind": "vec3", "unit": unit}],
+            },
             "steps": [{"op": "govern", "now_s": 1, "last_sensor_s": 1, "sensor": null,
                 "command": {"channels": {"velocity_setpoint": {"data": [1, 0, 0], "unit": "m/s"}}}}],
         })
@@ -477,7 +491,10 @@ fn a_codec_and_a_reflex_turn_frames_into_rates_and_commands() {
 
 #[test]
 fn a_loop_and_a_server_run_as_a_whole() {
-    let sensor = |seq| json!({"op": "sensor", "now_s": 1, "sensor": {"seq": seq, "channels": {"pose_position": {"data": [1, 0, 0]}}}});
+    let sensor = |seq| {
+        let channels = json!({"pose_position": {"data": [1, 0, 0]}});
+        json!({"op": "sensor", "now_s": 1, "sensor": {"seq": seq, "channels": channels}})
+    };
     let mut args = json!({"period_ms": 150, "limits": {}, "config": {}, "steps": [
         {"op": "tick", "now_s": 0}, sensor(5), sensor(4), {"op": "tick", "now_s": 1.1}, {"op": "reset"},
     ]});
@@ -489,11 +506,10 @@ fn a_loop_and_a_server_run_as_a_whole() {
     args["period_ms"] = json!(0);
     assert_eq!(refusal("loop.run", &args), "value");
 
-    let requests = [
-        r#"{"kind":"close_session","session_id":"s"}"#,
-        r#"{"ncp_version":"0.5","kind":"open_session","session_id":"s","network":{"kind":"builtin","ref":"ncp.reference.rate"}}"#,
-        r#"{"kind":"close_session","session_id":"s"}"#,
-    ];
+    let network = json!({"kind": "builtin", "ref": "ncp.reference.rate"});
+    let open = json!({"ncp_version": WIRE_VERSION, "kind": "open_session", "session_id": "s", "network": network});
+    let close = json!({"kind": "close_session", "session_id": "s"});
+    let requests = [&close, &open, &close].map(Value::to_string);
     let replies = result("session.run", &json!({"requests": requests}))["replies"].clone();
     let ok = |nth: usize| {
         let reply: Value = serde_json::from_str(replies[nth].as_str().unwrap()).unwrap();
