@@ -7,7 +7,8 @@ use std::ffi::{CStr, CString, c_char, c_void};
 use std::path::{Path, PathBuf};
 use std::ptr::{NonNull, null};
 
-use crate::calls::CallError;
+use ncp_adapter::CallError;
+use ncp_adapter::value::{Column, Data};
 
 /// The version of the functions beyond the seed that this adapter knows.
 const EXTENSION: i32 = 1;
@@ -85,7 +86,7 @@ impl Library {
             // SAFETY: as above.
             unsafe { free(text.as_ptr()) };
         }
-        String::from_utf8(bytes).map_err(|_| broken("the library returned a text that is not UTF-8"))
+        String::from_utf8(bytes).map_err(|_| CallError::internal("the library returned a text that is not UTF-8"))
     }
 
     /// A return code: what the library says with it, or its refusal.
@@ -106,16 +107,20 @@ impl Library {
             let text = unsafe { CStr::from_ptr(text.as_ptr()) };
             Some(text.to_string_lossy().into_owned())
         };
-        CallError::Refused {
-            code: said("last_error_code").unwrap_or_else(|| "invalid".to_owned()),
-            message: said("last_error").unwrap_or_else(|| "the library refused".to_owned()),
-        }
+        CallError::refused(
+            said("last_error_code").unwrap_or_else(|| "invalid".to_owned()),
+            said("last_error").unwrap_or_else(|| "the library refused".to_owned()),
+        )
     }
 }
 
-/// What no library may do, whatever it is asked.
-pub(crate) fn broken(what: &str) -> CallError {
-    CallError::Refused { code: "internal".to_owned(), message: what.to_owned() }
+/// What the library says for yes or no.
+pub(crate) fn yes(code: i32) -> Result<bool, CallError> {
+    match code {
+        0 => Ok(false),
+        1 => Ok(true),
+        _ => Err(CallError::internal(format_args!("the library returned {code} for yes or no"))),
+    }
 }
 
 /// A text as C has it. One with a NUL has no such form, so that the call cannot be made.
@@ -340,7 +345,7 @@ impl Library {
             (plane.as_ptr() => *const c_char, &raw mut qos => *mut PlaneQos) -> i32))?;
         let word = |text: *const c_char| {
             if text.is_null() {
-                return Err(broken("the library left a word of the plane out"));
+                return Err(CallError::internal("the library left a word of the plane out"));
             }
             // SAFETY: the library put a lasting C string there.
             let text = unsafe { CStr::from_ptr(text) };
@@ -362,20 +367,6 @@ struct RawColumn {
     dtype: i32,
     rows: usize,
     data: *const c_void,
-}
-
-/// The name of a column and its values, in the machine's order.
-pub(crate) struct Column {
-    pub(crate) name: String,
-    pub(crate) data: Data,
-}
-
-/// The values of a column.
-pub(crate) enum Data {
-    F32(Vec<f32>),
-    F64(Vec<f64>),
-    I32(Vec<i32>),
-    I64(Vec<i64>),
 }
 
 /// The three arrays of an observation.
@@ -401,14 +392,14 @@ impl Library {
         let (name, data) =
             unsafe { (lent(column.name.cast(), column.name_len), lent(column.data.cast(), column.rows * size)) };
         let Ok(name) = String::from_utf8(name.to_vec()) else {
-            return Err(broken("the library lent a name that is not UTF-8"));
+            return Err(CallError::internal("the library lent a name that is not UTF-8"));
         };
         let data = match column.dtype {
             1 => Data::F32(values(data, f32::from_le_bytes)),
             2 => Data::F64(values(data, f64::from_le_bytes)),
             3 => Data::I32(values(data, i32::from_le_bytes)),
             4 => Data::I64(values(data, i64::from_le_bytes)),
-            _ => return Err(broken("the library named a dtype that there is not")),
+            _ => return Err(CallError::internal("the library named a dtype that there is not")),
         };
         Ok(Column { name, data })
     }
@@ -735,5 +726,19 @@ impl Library {
             request.as_ptr() => *const u8,
             request.len() => usize,
         ) -> *mut c_char))
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_code_that_is_neither_yes_nor_no_is_the_librarys_fault() {
+        assert!(yes(1).unwrap() && !yes(0).unwrap());
+        for code in [2, -2, i32::MAX] {
+            assert!(yes(code).unwrap_err().is_internal());
+        }
     }
 }

@@ -4,20 +4,20 @@
 //! back, and what the library does not export is unsupported. It is not linked with any
 //! implementation of NCP.
 //!
-//! - `conversation`: lines in, lines out.
-//! - `calls`: one function a call; `traces`: those that hold a whole trace.
+//! - `calls`: one method a call; `traces`: those that hold a whole trace.
+//! - `seed`: what the seed's functions can express.
 //! - `library`: the library's functions by name. All unsafe code is there.
-//! - `value`: numbers and bytes in the form that requests and answers give them.
+//!
+//! `ncp-adapter` holds the conversation.
 
 #![deny(unsafe_code)]
 
 mod calls;
-mod conversation;
 mod library;
+mod seed;
 mod traces;
-mod value;
 
-use std::io::{self, BufReader, BufWriter};
+use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -118,8 +118,7 @@ fn serve(options: &Options) -> Result<(), Error> {
         roles: options.roles.as_deref(),
         reference_networks: options.reference_networks,
     };
-    conversation::hold(&peer, BufReader::new(io::stdin().lock()), BufWriter::new(io::stdout().lock()))?;
-    Ok(())
+    Ok(ncp_adapter::serve(&peer)?)
 }
 
 #[cfg(test)]
