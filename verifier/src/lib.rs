@@ -10,8 +10,10 @@
 //! | [`run`](mod@run) | keeps requests in flight, and charges a fault to the case that causes it |
 //! | [`check`] | judges one answer by the relation that its case states |
 //! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
+//! | [`diagnosis`] | ranks the rules that a peer most likely breaks |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
+//! | [`stop`] | the wish that everything that runs comes to an end |
 //!
 //! No rule of NCP is written a second time here: what a frame, a block or a level means is asked of [`ncp_spec`].
 
@@ -19,9 +21,11 @@
 
 pub mod check;
 pub mod cli;
+pub mod diagnosis;
 pub mod json;
 pub mod peer;
 pub mod report;
 pub mod run;
+pub mod stop;
 pub mod suite;
 pub mod verdict;

@@ -11,7 +11,8 @@ use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
 use crate::peer::{Connection, Description, Launch, Manifest, StartError, handshake};
 use crate::report::{Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, junit, terminal};
-use crate::run::{self, CaseRun, Settings, Stop};
+use crate::run::{self, CaseRun, Settings};
+use crate::stop::Stop;
 use crate::suite::{Case, Need, Pattern, Suite};
 use crate::verdict::{Baseline, judge, judge_description};
 
@@ -140,8 +141,8 @@ fn check(
         return Err(CliError::Usage(nothing_selected(args)));
     }
     let asked = Asked {
-        level: level.as_str(),
-        roles: args.select.role.iter().map(|role| role.as_str()).collect(),
+        level,
+        roles: args.select.role.clone(),
         filters: args.select.filter.clone(),
         files: files.len(),
         cases: selected().count(),

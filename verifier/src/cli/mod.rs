@@ -19,7 +19,7 @@ use ncp_text::catalogue::{Level, Role};
 
 use crate::peer::{ManifestError, StartError};
 use crate::report::{Exit, Style};
-use crate::run::Stop;
+use crate::stop::Stop;
 use crate::suite::{Pattern, Selection, Suite, SuiteError};
 use crate::verdict::BaselineError;
 

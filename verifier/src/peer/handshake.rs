@@ -6,7 +6,7 @@ use super::connection::{Connection, Incoming};
 use super::protocol::{Answer, Reply, write_request};
 use super::{StartError, excerpt};
 use crate::json::Json;
-use crate::run::Stop;
+use crate::stop::Stop;
 
 /// How much of a line is shown.
 const SHOWN: usize = 200;

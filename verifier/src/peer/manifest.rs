@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 use super::connection::{describe_status, end_group};
 use super::{Launch, StartError, is_on_path};
-use crate::run::Stop;
+use crate::stop::Stop;
 
 /// The file's name within a peer's folder.
 const FILE: &str = "peer.toml";

@@ -5,6 +5,7 @@ use std::time::Duration;
 use quick_junit::{NonSuccessKind, Report as JunitReport, TestCase, TestCaseStatus, TestSuite};
 
 use super::model::{CaseReport, PeerReport, Report, State};
+use crate::verdict::Status;
 
 /// Renders a report as JUnit XML: a suite a peer, a test a case. Advice passes, with its text in the output; a peer
 /// that was not checked is one test, skipped or in error.
@@ -48,24 +49,25 @@ fn suite(peer: &PeerReport) -> TestSuite {
 }
 
 fn test(peer: &str, case: &CaseReport) -> TestCase {
+    let outcome = case.outcome.as_str();
     let differences: Vec<&str> = case.differences.iter().map(|difference| difference.text.as_str()).collect();
-    let what = case.what.clone().unwrap_or_else(|| differences.first().map_or(case.outcome, |first| first).to_owned());
-    let status = match (case.status, case.outcome) {
-        ("failed", "crash" | "timeout" | "protocol") => {
-            non_success(NonSuccessKind::Error, case.outcome, &what, case.log.as_deref().unwrap_or_default())
+    let what = case.what.clone().unwrap_or_else(|| differences.first().map_or(outcome, |first| first).to_owned());
+    let status = match case.status {
+        Status::Failed if case.outcome.is_fault() => {
+            non_success(NonSuccessKind::Error, outcome, &what, case.log.as_deref().unwrap_or_default())
         }
-        ("failed", _) => non_success(NonSuccessKind::Failure, case.outcome, &what, &differences.join("\n")),
-        ("not run" | "expected failure", _) => {
+        Status::Failed => non_success(NonSuccessKind::Failure, outcome, &what, &differences.join("\n")),
+        Status::NotRun | Status::ExpectedFailure => {
             let mut status = TestCaseStatus::skipped();
             status.set_message(case.reason.clone().unwrap_or(what));
             status
         }
-        _ => TestCaseStatus::success(),
+        Status::Passed | Status::UnexpectedPass | Status::Advice => TestCaseStatus::success(),
     };
     let mut test = TestCase::new(case.id.clone(), status);
     test.set_classname(format!("{peer}.{}", case.rules.join(".")));
     let mut output = vec![case.title.clone()];
-    output.extend((case.status == "advice").then(|| format!("advice: {}", differences.join("; "))));
+    output.extend((case.status == Status::Advice).then(|| format!("advice: {}", differences.join("; "))));
     output.extend(case.request.iter().map(|request| format!("sent: {request}")));
     output.extend(case.answer.iter().map(|answer| format!("got:  {answer}")));
     if output.len() > 1 {

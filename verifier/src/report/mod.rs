@@ -14,8 +14,7 @@ pub use junit::junit;
 pub use layout::{Style, wrap};
 pub use model::{
     Asked, CaseReport, Corpus, DifferenceReport, Exit, LevelReport, NotAsked, PeerReport, RateReport, Report,
-    RoleReport, Rule, RunReport, State, Tool, outcome_name,
+    RoleReport, Rule, RunReport, State, Tool,
 };
 pub use progress::Progress;
 pub use terminal::{Detail, terminal};
-pub(crate) use terminal::{by_rule, likeliest_first};

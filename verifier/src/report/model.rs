@@ -3,15 +3,16 @@
 use std::collections::BTreeSet;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use ncp_text::catalogue::{Level, Role};
+use ncp_text::catalogue::{Keyword, Level, Role};
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::check::{Differences, in_words};
-use crate::peer::{Description, excerpt};
-use crate::run::{Outcome, RunRecord};
+use crate::diagnosis::{self, Suspect};
+use crate::peer::{Call, Description, excerpt};
+use crate::run::{Outcome, OutcomeKind, RunRecord};
 use crate::suite::{Case, Suite};
-use crate::verdict::{Conclusion, Judged, RoleVerdict, Status, Tally, Verdict};
+use crate::verdict::{Conclusion, Judged, RoleVerdict, Status, Tally, Verdict, is_unsupported};
 
 /// The format of the result file.
 const FORMAT: u32 = 1;
@@ -103,9 +104,11 @@ pub struct Corpus {
 #[derive(Debug, Clone, Serialize)]
 pub struct Asked {
     /// The highest level that was judged.
-    pub level: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub level: Level,
     /// The roles that were asked for; empty: those that each peer claims.
-    pub roles: Vec<&'static str>,
+    #[serde(serialize_with = "by_names")]
+    pub roles: Vec<Role>,
     /// The filters; empty: all cases.
     pub filters: Vec<String>,
     /// Of how many files cases are meant.
@@ -126,11 +129,14 @@ pub struct Rule {
     /// Identifies its sentence.
     pub digest: String,
     /// Its keyword.
-    pub keyword: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub keyword: Keyword,
     /// Its level.
-    pub level: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub level: Level,
     /// The roles that it binds.
-    pub roles: Vec<&'static str>,
+    #[serde(serialize_with = "by_names")]
+    pub roles: Vec<Role>,
     /// Its sentence.
     pub sentence: String,
     /// File and line.
@@ -163,7 +169,8 @@ pub struct PeerReport {
     /// What it says about itself.
     pub description: Option<DescriptionReport>,
     /// The verdict, if it was checked.
-    pub conclusion: Option<&'static str>,
+    #[serde(serialize_with = "by_name_or_null")]
+    pub conclusion: Option<Conclusion>,
     /// The roles that were judged.
     pub roles: Vec<RoleReport>,
     /// All cases, whatever their role.
@@ -176,6 +183,12 @@ pub struct PeerReport {
     pub run: Option<RunReport>,
     /// Every case.
     pub cases: Vec<CaseReport>,
+    /// The rules of its cases that fail but the unsupported ones, those that it most likely breaks first.
+    #[serde(skip)]
+    pub broken: Vec<Suspect>,
+    /// The rules of the cases that differ from advice, but the unsupported ones.
+    #[serde(skip)]
+    pub advised: Vec<Suspect>,
 }
 
 /// Cases that a peer was not asked.
@@ -210,7 +223,8 @@ pub struct DescriptionReport {
 #[derive(Debug, Serialize)]
 pub struct RoleReport {
     /// The role.
-    pub role: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub role: Role,
     /// Whether the peer claims it.
     pub claimed: bool,
     /// The levels from the lowest that has a case of the role; one above it may have none.
@@ -221,7 +235,8 @@ pub struct RoleReport {
 #[derive(Debug, Serialize)]
 pub struct LevelReport {
     /// The level.
-    pub level: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub level: Level,
     /// Whether the role conforms at it.
     pub conformant: bool,
     /// Whether nothing failed that was not expected to.
@@ -285,17 +300,22 @@ pub struct CaseReport {
     /// The rules that it cites.
     pub rules: Vec<String>,
     /// The roles that need it.
-    pub roles: Vec<&'static str>,
+    #[serde(serialize_with = "by_names")]
+    pub roles: Vec<Role>,
     /// Its level.
-    pub level: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub level: Level,
     /// Whether it decides the verdict.
     pub binding: bool,
     /// The call.
-    pub call: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub call: Call,
     /// What became of it.
-    pub outcome: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub outcome: OutcomeKind,
     /// What it counts for.
-    pub status: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub status: Status,
     /// What was expected, in words, unless it passed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<String>,
@@ -368,7 +388,7 @@ impl Report {
             Exit::Interrupted
         } else if states(State::NotStarted) {
             Exit::NotStarted
-        } else if self.peers.iter().any(|peer| peer.conclusion == Some(Conclusion::NotConformant.as_str()))
+        } else if self.peers.iter().any(|peer| peer.conclusion == Some(Conclusion::NotConformant))
             || !states(State::Checked)
         {
             // With every peer skipped, nothing was shown to conform.
@@ -410,6 +430,8 @@ impl PeerReport {
             stale_expected_failures: Vec::new(),
             run: None,
             cases: Vec::new(),
+            broken: Vec::new(),
+            advised: Vec::new(),
         }
     }
 
@@ -427,6 +449,9 @@ impl PeerReport {
         for judged in &verdict.cases {
             totals.count(judged.status);
         }
+        let of = |status| {
+            move |judged: &Judged<'_>| judged.status == status && !is_unsupported(judged.run.outcome.kind(), status)
+        };
         Self {
             name,
             source,
@@ -441,7 +466,7 @@ impl PeerReport {
                 roles: description.roles.clone(),
                 reference_networks: description.reference_networks,
             }),
-            conclusion: Some(verdict.conclusion.as_str()),
+            conclusion: Some(verdict.conclusion),
             roles: verdict.roles.iter().map(RoleReport::new).collect(),
             totals,
             not_asked,
@@ -458,6 +483,8 @@ impl PeerReport {
                 notes: run.notes.clone(),
             }),
             cases: verdict.cases.iter().map(CaseReport::new).collect(),
+            broken: diagnosis::likeliest_first(&verdict.cases, of(Status::Failed)),
+            advised: diagnosis::by_rule(&verdict.cases, of(Status::Advice)),
         }
     }
 }
@@ -465,12 +492,12 @@ impl PeerReport {
 impl RoleReport {
     fn new(verdict: &RoleVerdict) -> Self {
         let levels = verdict.levels.iter().map(|level| LevelReport {
-            level: level.level.as_str(),
+            level: level.level,
             conformant: level.conformant,
             as_expected: level.as_expected,
             cases: level.tally.into(),
         });
-        Self { role: verdict.role.as_str(), claimed: verdict.claimed, levels: levels.collect() }
+        Self { role: verdict.role, claimed: verdict.claimed, levels: levels.collect() }
     }
 }
 
@@ -519,12 +546,12 @@ impl CaseReport {
             id: case.id.clone(),
             title: case.title.clone(),
             rules: case.requirements.iter().map(|rule| rule.id.clone()).collect(),
-            roles: names(&case.roles),
-            level: case.level.as_str(),
+            roles: case.roles.clone(),
+            level: case.level,
             binding: case.binding,
-            call: case.call.as_str(),
-            outcome: outcome_name(&run.outcome),
-            status: status.as_str(),
+            call: case.call,
+            outcome: run.outcome.kind(),
+            status: *status,
             expected: (!passed).then(|| in_words(&case.expect)),
             more_differences: differences.more,
             differences: differences
@@ -548,24 +575,6 @@ impl CaseReport {
     }
 }
 
-/// The name of an outcome in reports.
-#[must_use]
-pub fn outcome_name(outcome: &Outcome) -> &'static str {
-    match outcome {
-        Outcome::Pass => "pass",
-        Outcome::Fail(_) => "fail",
-        Outcome::Unsupported => "unsupported",
-        Outcome::Crash { .. } => "crash",
-        Outcome::Timeout { .. } => "timeout",
-        Outcome::Protocol { .. } => "protocol",
-        Outcome::NotRun { .. } => "not run",
-    }
-}
-
-fn names(roles: &[Role]) -> Vec<&'static str> {
-    roles.iter().map(|role| role.as_str()).collect()
-}
-
 fn rules(suite: &Suite) -> Vec<Rule> {
     let cited: BTreeSet<&str> =
         suite.with_describe().flat_map(|case: &Case| case.requirements.iter().map(|rule| rule.id.as_str())).collect();
@@ -576,9 +585,9 @@ fn rules(suite: &Suite) -> Vec<Rule> {
         .map(|rule| Rule {
             id: rule.id.clone(),
             digest: rule.digest.clone(),
-            keyword: rule.keyword.as_str(),
-            level: Level::as_str(rule.level),
-            roles: names(&rule.roles),
+            keyword: rule.keyword,
+            level: rule.level,
+            roles: rule.roles.clone(),
             sentence: rule.sentence.clone(),
             place: rule.place(),
         })
@@ -599,6 +608,36 @@ fn rfc3339(time: SystemTime) -> String {
     let month = if from_march < 10 { from_march + 3 } else { from_march - 9 };
     let year = year_of_era + era * 400 + u64::from(month <= 2);
     format!("{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z", second / 3600, second / 60 % 60, second % 60)
+}
+
+/// What is written by its name.
+trait Named {
+    fn name(&self) -> &'static str;
+}
+
+macro_rules! named {
+    ($($type:ty),+) => {$(
+        impl Named for $type {
+            fn name(&self) -> &'static str {
+                self.as_str()
+            }
+        }
+    )+};
+}
+
+named!(Call, Conclusion, Keyword, Level, OutcomeKind, Role, Status);
+
+fn by_name<S: Serializer>(value: &impl Named, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(value.name())
+}
+
+fn by_names<S: Serializer>(values: &[impl Named], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(values.iter().map(Named::name))
+}
+
+#[expect(clippy::ref_option, reason = "serde passes a reference")]
+fn by_name_or_null<S: Serializer>(value: &Option<impl Named>, serializer: S) -> Result<S::Ok, S::Error> {
+    value.as_ref().map(Named::name).serialize(serializer)
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]

@@ -1,12 +1,14 @@
 //! A report on a terminal, or in a pipe.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use ncp_text::catalogue::Level;
 
 use super::layout::{Style, wrap};
 use super::model::{CaseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};
+use crate::diagnosis::Suspect;
+use crate::verdict::{self, Conclusion, Status};
 
 /// How many failing cases a peer are shown in full, unless all are asked for.
 const IN_FULL: usize = 8;
@@ -82,7 +84,7 @@ impl Page<'_> {
     }
 
     fn table(&mut self) {
-        let mut levels: Vec<&str> = Vec::new();
+        let mut levels: Vec<Level> = Vec::new();
         for level in self.report.peers.iter().flat_map(|peer| &peer.roles).flat_map(|role| &role.levels) {
             if !levels.contains(&level.level) {
                 levels.push(level.level);
@@ -102,7 +104,7 @@ impl Page<'_> {
                     .filter_map(found)
                     .max()
                     .unwrap_or(0)
-                    .max(level.len())
+                    .max(level.as_str().len())
             })
             .collect();
         let one_line =
@@ -110,7 +112,7 @@ impl Page<'_> {
         if one_line && !levels.is_empty() {
             let mut head = format!("{:name_width$}  {:ROLE_WIDTH$}", "peer", "role");
             for (level, width) in levels.iter().zip(&cells) {
-                let _ = write!(head, "  {level:width$}");
+                let _ = write!(head, "  {:width$}", level.as_str());
             }
             let head = self.style.bold(head.trim_end());
             self.line(&head);
@@ -151,14 +153,14 @@ impl Page<'_> {
         }
     }
 
-    fn row(&mut self, name: &str, name_width: usize, role: &RoleReport, table: Option<(&Vec<&str>, &Vec<usize>)>) {
-        let head = format!("{name:name_width$}  {:ROLE_WIDTH$}", role.role);
+    fn row(&mut self, name: &str, name_width: usize, role: &RoleReport, table: Option<(&Vec<Level>, &Vec<usize>)>) {
+        let head = format!("{name:name_width$}  {:ROLE_WIDTH$}", role.role.as_str());
         let Some((levels, widths)) = table else {
             // Too narrow for all levels side by side: one below the other.
             for (i, level) in role.levels.iter().enumerate() {
                 let shown = if i == 0 { head.clone() } else { " ".repeat(head.chars().count()) };
                 let painted = self.painted(level, 0);
-                self.line(&format!("{shown}  {:6}  {painted}", level.level));
+                self.line(&format!("{shown}  {:6}  {painted}", level.level.as_str()));
             }
             return;
         };
@@ -216,25 +218,23 @@ impl Page<'_> {
 
     /// The failing cases but the unsupported ones, rule by rule.
     fn failures(&mut self, peer: &PeerReport) {
-        let failing: Vec<&CaseReport> =
-            peer.cases.iter().filter(|case| case.status == "failed" && !is_unsupported(case)).collect();
-        if failing.is_empty() {
+        let failing: usize = peer.broken.iter().map(|suspect| suspect.cases.len()).sum();
+        if failing == 0 {
             return;
         }
-        let verb = if failing.len() == 1 { "fails" } else { "fail" };
+        let verb = if failing == 1 { "fails" } else { "fail" };
         let total = plural(peer.totals.total, "case");
-        let count = self.style.red(&format!("{} of {total} {verb}", failing.len()));
+        let count = self.style.red(&format!("{failing} of {total} {verb}"));
         self.line(&format!("  {count}"));
-        let groups = likeliest_first(peer, by_rule(failing.iter().copied()));
         let limit = if self.detail == Detail::Verbose { usize::MAX } else { IN_FULL };
-        let shown = shares(groups.iter().map(|(_, cases)| cases.len()), limit);
+        let shown = shares(peer.broken.iter().map(|suspect| suspect.cases.len()), limit);
         let in_full: usize = shown.iter().sum();
         let mut rest: Vec<String> = Vec::new();
-        for ((rule, cases), shown) in groups.into_iter().zip(shown) {
+        for (Suspect { rule, cases }, shown) in peer.broken.iter().zip(shown) {
             if shown > 0 {
                 self.line("");
                 self.rule(rule, cases.len());
-                for case in cases.iter().take(shown) {
+                for case in cases.iter().take(shown).filter_map(|place| peer.cases.get(*place)) {
                     self.case(case);
                 }
             }
@@ -244,7 +244,7 @@ impl Page<'_> {
         }
         if !rest.is_empty() {
             self.line("");
-            let more = failing.len() - in_full;
+            let more = failing - in_full;
             self.paragraph(2, &format!("and {more} more (--verbose shows them), for: {}", rest.join(", ")));
         }
     }
@@ -254,14 +254,14 @@ impl Page<'_> {
             return self.line(&format!("  {id}"));
         };
         let title = self.style.bold(id);
-        let place = self.style.dim(&format!("{}, {}, {}", rule.keyword, rule.place, plural(cases, "case")));
+        let place = self.style.dim(&format!("{}, {}, {}", rule.keyword.as_str(), rule.place, plural(cases, "case")));
         self.line(&format!("  {title} {place}"));
         self.paragraph(2, &rule.sentence);
     }
 
     fn case(&mut self, case: &CaseReport) {
         let mark = self.style.red("✗");
-        self.line(&format!("    {mark} {} [{}]", case.id, case.outcome));
+        self.line(&format!("    {mark} {} [{}]", case.id, case.outcome.as_str()));
         self.paragraph(6, &case.title);
         if case.rules.len() > 1 {
             self.item(6, "also about", &case.rules[1..].join(", "));
@@ -306,7 +306,7 @@ impl Page<'_> {
     fn unsupported(&mut self, peer: &PeerReport) {
         let mut calls: BTreeMap<&str, u64> = BTreeMap::new();
         for case in peer.cases.iter().filter(|case| is_unsupported(case)) {
-            *calls.entry(case.call).or_default() += 1;
+            *calls.entry(case.call.as_str()).or_default() += 1;
         }
         if calls.is_empty() {
             return;
@@ -324,7 +324,7 @@ impl Page<'_> {
 
     fn expected(&mut self, peer: &PeerReport) {
         let mut reasons: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for case in peer.cases.iter().filter(|case| case.status == "expected failure") {
+        for case in peer.cases.iter().filter(|case| case.status == Status::ExpectedFailure) {
             reasons.entry(case.reason.as_deref().unwrap_or_default()).or_default().push(&case.id);
         }
         for (reason, ids) in reasons {
@@ -344,7 +344,7 @@ impl Page<'_> {
     }
 
     fn not_run(&mut self, peer: &PeerReport) {
-        let missed: Vec<&CaseReport> = peer.cases.iter().filter(|case| case.status == "not run").collect();
+        let missed: Vec<&CaseReport> = peer.cases.iter().filter(|case| case.status == Status::NotRun).collect();
         if let Some(first) = missed.first() {
             let why = first.what.as_deref().unwrap_or_default();
             let title = self.style.red(&format!("{} not run", plural_verb(missed.len(), "case was", "cases were")));
@@ -356,27 +356,25 @@ impl Page<'_> {
     }
 
     fn advice(&mut self, peer: &PeerReport) {
-        let differing: Vec<&CaseReport> =
-            peer.cases.iter().filter(|case| case.status == "advice" && !is_unsupported(case)).collect();
-        if differing.is_empty() {
+        let differing: usize = peer.advised.iter().map(|suspect| suspect.cases.len()).sum();
+        if differing == 0 {
             return;
         }
-        let title = format!(
-            "{} from a SHOULD, which fails nobody",
-            plural_verb(differing.len(), "case differs", "cases differ")
-        );
+        let title =
+            format!("{} from a SHOULD, which fails nobody", plural_verb(differing, "case differs", "cases differ"));
         let title = self.style.yellow(&title);
         self.line(&format!("  {title}"));
-        for (rule, cases) in by_rule(differing.iter().copied()) {
+        for Suspect { rule, cases } in &peer.advised {
+            let cases = || cases.iter().filter_map(|place| peer.cases.get(*place));
             let sentence =
-                self.report.rules.iter().find(|r| r.id == rule).map(|r| r.sentence.clone()).unwrap_or_default();
+                self.report.rules.iter().find(|r| r.id == *rule).map(|r| r.sentence.clone()).unwrap_or_default();
             self.item(4, rule, &sentence);
             if self.detail == Detail::Verbose {
-                for case in cases {
+                for case in cases() {
                     self.case(case);
                 }
             } else {
-                let ids: Vec<&str> = cases.iter().map(|case| case.id.as_str()).collect();
+                let ids: Vec<&str> = cases().map(|case| case.id.as_str()).collect();
                 self.ids(&ids);
             }
         }
@@ -398,7 +396,7 @@ impl Page<'_> {
             self.item(2, "note:", note);
         }
         let noted: Vec<&CaseReport> =
-            peer.cases.iter().filter(|case| case.note.is_some() && case.status == "passed").collect();
+            peer.cases.iter().filter(|case| case.note.is_some() && case.status == Status::Passed).collect();
         if self.detail == Detail::Verbose {
             for case in &noted {
                 self.paragraph(2, &format!("note: {}: {}", case.id, case.note.as_deref().unwrap_or_default()));
@@ -420,8 +418,8 @@ impl Page<'_> {
     fn verdict(&mut self) {
         let count = |states: &dyn Fn(&PeerReport) -> bool| self.report.peers.iter().filter(|peer| states(peer)).count();
         let checked = count(&|peer| peer.state == State::Checked);
-        let conformant = count(&|peer| peer.conclusion == Some("conformant"));
-        let as_expected = count(&|peer| peer.conclusion == Some("as expected"));
+        let conformant = count(&|peer| peer.conclusion == Some(Conclusion::Conformant));
+        let as_expected = count(&|peer| peer.conclusion == Some(Conclusion::AsExpected));
         let skipped = count(&|peer| peer.state == State::Skipped);
         let not_started = count(&|peer| peer.state == State::NotStarted);
         let asked = self.report.asked.level;
@@ -487,48 +485,6 @@ fn cell(level: &LevelReport) -> String {
     format!("{mark} {}/{}", thousands(passed as u64), thousands((total - advice) as u64))
 }
 
-/// Cases by the first rule that they cite, in the order in which the rules first occur.
-pub(crate) fn by_rule<'c>(cases: impl Iterator<Item = &'c CaseReport>) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
-    let mut groups: Vec<(&str, Vec<&CaseReport>)> = Vec::new();
-    for case in cases {
-        let rule = case.rules.first().map_or("", String::as_str);
-        match groups.iter_mut().find(|(known, _)| *known == rule) {
-            Some((_, group)) => group.push(case),
-            None => groups.push((rule, vec![case])),
-        }
-    }
-    groups
-}
-
-/// The rules of failing cases, those that the peer most likely breaks first.
-///
-/// What is broken at a level also fails cases of the levels above it, and hardly the other way round: so the lowest
-/// level comes first. Within a level it goes by how many of a rule's cases fail, times the share of all its cases that
-/// they are: a defect fails many cases of its own rule, and some of others in passing.
-pub(crate) fn likeliest_first<'c>(
-    peer: &PeerReport,
-    mut groups: Vec<(&'c str, Vec<&'c CaseReport>)>,
-) -> Vec<(&'c str, Vec<&'c CaseReport>)> {
-    let mut all: HashMap<&str, usize> = HashMap::new();
-    for rule in peer.cases.iter().filter_map(|case| case.rules.first()) {
-        *all.entry(rule).or_default() += 1;
-    }
-    let weight = |(rule, failing): &(&str, Vec<&CaseReport>)| {
-        let failing = failing.len() as f64;
-        failing * failing / all.get(rule).map_or(1.0, |all| *all as f64)
-    };
-    let level = |(_, failing): &(&str, Vec<&CaseReport>)| {
-        let levels = failing.iter().filter_map(|case| Level::parse(case.level));
-        levels.min()
-    };
-    // Stable: rules of one weight keep the order in which they first occur.
-    groups.sort_by(|a, b| {
-        let heavier = || weight(b).total_cmp(&weight(a));
-        level(a).cmp(&level(b)).then_with(heavier)
-    });
-    groups
-}
-
 /// How many of each group are shown when `room` are shown in all: one of each in turn, those that come first first.
 fn shares(sizes: impl Iterator<Item = usize>, room: usize) -> Vec<usize> {
     let sizes: Vec<usize> = sizes.collect();
@@ -547,7 +503,7 @@ fn shares(sizes: impl Iterator<Item = usize>, room: usize) -> Vec<usize> {
 
 /// Whether a case was answered by `unsupported`, and not expected to be.
 fn is_unsupported(case: &CaseReport) -> bool {
-    case.outcome == "unsupported" && matches!(case.status, "failed" | "advice")
+    verdict::is_unsupported(case.outcome, case.status)
 }
 
 /// What a peer says about itself, made harmless.
@@ -582,6 +538,8 @@ fn thousands(number: u64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use ncp_text::catalogue::Role;
+
     use super::super::model::{Asked, Corpus, Exit, Tool};
     use super::*;
 
@@ -593,7 +551,7 @@ mod tests {
         assert!(shares([].into_iter(), 8).is_empty());
     }
 
-    fn level(level: &'static str, passed: usize, failed: usize, conformant: bool) -> LevelReport {
+    fn level(level: Level, passed: usize, failed: usize, conformant: bool) -> LevelReport {
         let cases = TallyReport { total: passed + failed + 2, passed, failed, advice: 2, ..TallyReport::default() };
         LevelReport { level, conformant, as_expected: conformant, cases }
     }
@@ -603,13 +561,17 @@ mod tests {
         let skipped = "not on PATH: cmake, and without it nothing of this peer can be built or run".to_owned();
         let mut checked =
             PeerReport::unchecked("gateway".into(), "peers/gateway".into(), State::Checked, String::new());
-        checked.conclusion = Some("not conformant");
+        checked.conclusion = Some(Conclusion::NotConformant);
         checked.roles = vec![
             role(
-                "commander",
-                vec![level("wire", 2600, 0, true), level("safety", 411, 1, false), level("strict", 20, 0, false)],
+                Role::Commander,
+                vec![
+                    level(Level::Wire, 2600, 0, true),
+                    level(Level::Safety, 411, 1, false),
+                    level(Level::Strict, 20, 0, false),
+                ],
             ),
-            role("observer", vec![level("wire", 900, 0, true)]),
+            role(Role::Observer, vec![level(Level::Wire, 900, 0, true)]),
         ];
         Report {
             format: 1,
@@ -620,7 +582,7 @@ mod tests {
             contract_hash: "",
             corpus: Corpus { files: 90, cases: 7000, sha256: String::new() },
             asked: Asked {
-                level: "strict",
+                level: Level::Strict,
                 roles: Vec::new(),
                 filters: Vec::new(),
                 files: 80,
@@ -669,39 +631,6 @@ mod tests {
         the peer does not conform at level strict; 1
         skipped and so not shown to conform
         ");
-    }
-
-    #[test]
-    fn the_rule_most_of_whose_cases_fail_comes_first_at_the_lowest_level_that_fails() {
-        let case = |rule: &str, failed: bool| CaseReport {
-            id: String::new(),
-            title: String::new(),
-            rules: vec![rule.to_owned(), "also".to_owned()],
-            roles: Vec::new(),
-            level: if rule == "above" { "safety" } else { "wire" },
-            binding: true,
-            call: "decode",
-            outcome: if failed { "fail" } else { "pass" },
-            status: if failed { "failed" } else { "passed" },
-            expected: None,
-            differences: Vec::new(),
-            more_differences: 0,
-            what: None,
-            request: None,
-            answer: None,
-            log: None,
-            note: None,
-            reason: None,
-        };
-        let mut peer = PeerReport::unchecked(String::new(), String::new(), State::Checked, String::new());
-        for (rule, failing, passing) in [("above", 50, 0), ("one", 1, 0), ("few", 6, 94), ("most", 4, 1), ("tie", 1, 0)]
-        {
-            peer.cases.extend((0..failing).map(|_| case(rule, true)));
-            peer.cases.extend((0..passing).map(|_| case(rule, false)));
-        }
-        let failing = peer.cases.iter().filter(|case| case.status == "failed");
-        let order: Vec<&str> = likeliest_first(&peer, by_rule(failing)).into_iter().map(|(rule, _)| rule).collect();
-        assert_eq!(order, ["most", "one", "tie", "few", "above"]);
     }
 
     #[test]

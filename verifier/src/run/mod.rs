@@ -12,13 +12,14 @@
 mod worker;
 
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::check::Differences;
 use crate::json::Json;
 use crate::peer::{Answer, Call, Connection, Launch};
+use crate::stop::Stop;
 use crate::suite::Case;
 
 use worker::Worker;
@@ -50,29 +51,6 @@ impl Default for Settings {
             max_restarts: 32,
             repeat: 1,
         }
-    }
-}
-
-/// Asks everything that runs to come to an end, as on Ctrl-C.
-#[derive(Debug, Clone, Default)]
-pub struct Stop(Arc<AtomicBool>);
-
-impl Stop {
-    /// Asks.
-    pub fn set(&self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-
-    /// Whether it was asked.
-    #[must_use]
-    pub fn is_set(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
-    }
-
-    /// The flag itself, for a signal handler.
-    #[must_use]
-    pub fn flag(&self) -> Arc<AtomicBool> {
-        Arc::clone(&self.0)
     }
 }
 
@@ -125,17 +103,59 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// How much it weighs when a case was run more than once: the worst counts.
-    fn weight(&self) -> u8 {
+    /// Which it is, whatever came with it.
+    #[must_use]
+    pub fn kind(&self) -> OutcomeKind {
         match self {
-            Self::NotRun { .. } => 0,
-            Self::Pass => 1,
-            Self::Unsupported => 2,
-            Self::Fail(_) => 3,
-            Self::Protocol { .. } => 4,
-            Self::Timeout { .. } => 5,
-            Self::Crash { .. } => 6,
+            Self::NotRun { .. } => OutcomeKind::NotRun,
+            Self::Pass => OutcomeKind::Pass,
+            Self::Unsupported => OutcomeKind::Unsupported,
+            Self::Fail(_) => OutcomeKind::Fail,
+            Self::Protocol { .. } => OutcomeKind::Protocol,
+            Self::Timeout { .. } => OutcomeKind::Timeout,
+            Self::Crash { .. } => OutcomeKind::Crash,
         }
+    }
+}
+
+/// The kinds of [`Outcome`], by how much they weigh when a case was run more than once: the worst counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum OutcomeKind {
+    /// [`Outcome::NotRun`].
+    NotRun,
+    /// [`Outcome::Pass`].
+    Pass,
+    /// [`Outcome::Unsupported`].
+    Unsupported,
+    /// [`Outcome::Fail`].
+    Fail,
+    /// [`Outcome::Protocol`].
+    Protocol,
+    /// [`Outcome::Timeout`].
+    Timeout,
+    /// [`Outcome::Crash`].
+    Crash,
+}
+
+impl OutcomeKind {
+    /// As reports write it.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::NotRun => "not run",
+            Self::Pass => "pass",
+            Self::Unsupported => "unsupported",
+            Self::Fail => "fail",
+            Self::Protocol => "protocol",
+            Self::Timeout => "timeout",
+            Self::Crash => "crash",
+        }
+    }
+
+    /// Whether the peer did not answer as the protocol wants it, rather than wrongly.
+    #[must_use]
+    pub fn is_fault(self) -> bool {
+        matches!(self, Self::Crash | Self::Timeout | Self::Protocol)
     }
 }
 
@@ -261,7 +281,7 @@ pub fn run(
 
 /// Keeps the worse of what is known and what is new.
 fn keep_worst(known: &mut Option<CaseRun>, new: CaseRun) {
-    if known.as_ref().is_none_or(|known| known.outcome.weight() < new.outcome.weight()) {
+    if known.as_ref().is_none_or(|known| known.outcome.kind() < new.outcome.kind()) {
         *known = Some(new);
     }
 }

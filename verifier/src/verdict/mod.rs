@@ -11,7 +11,7 @@ pub use described::judge_description;
 
 use ncp_text::catalogue::{Level, Role};
 
-use crate::run::{CaseRun, Outcome};
+use crate::run::{CaseRun, Outcome, OutcomeKind};
 use crate::suite::Case;
 
 /// What a case counts for.
@@ -57,6 +57,12 @@ pub struct Judged<'s> {
     pub status: Status,
     /// Why it was expected to fail, if it was.
     pub reason: Option<String>,
+}
+
+/// Whether a case was answered by `unsupported`, and not expected to be.
+#[must_use]
+pub fn is_unsupported(outcome: OutcomeKind, status: Status) -> bool {
+    outcome == OutcomeKind::Unsupported && matches!(status, Status::Failed | Status::Advice)
 }
 
 /// How many cases count for what.
@@ -204,7 +210,7 @@ fn status(case: &Case, outcome: &Outcome, listed: bool, named: bool) -> Status {
 /// Whether a case that does not pass decides the verdict. A SHOULD leaves open what to answer, but not whether: a peer
 /// that crashes or hangs is not doing otherwise for a good reason.
 fn decides(case: &Case, outcome: &Outcome) -> bool {
-    case.binding || matches!(outcome, Outcome::Crash { .. } | Outcome::Timeout { .. } | Outcome::Protocol { .. })
+    case.binding || outcome.kind().is_fault()
 }
 
 /// Judges a role level by level; `None` if it has no case.

@@ -1,0 +1,100 @@
+//! From a verdict to what is most likely broken.
+//!
+//! A case is about the first rule that it cites. [`by_rule`] gathers cases by it; [`likeliest_first`] also ranks the
+//! rules.
+
+use std::collections::HashMap;
+
+use crate::verdict::Judged;
+
+/// Cases that are about one rule.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Suspect {
+    /// The rule.
+    pub rule: String,
+    /// The places of the cases among all that were judged; never empty.
+    pub cases: Vec<usize>,
+}
+
+/// The picked cases by their rule, in the order in which the rules first occur.
+pub fn by_rule(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Vec<Suspect> {
+    let mut suspects: Vec<Suspect> = Vec::new();
+    for (place, judged) in cases.iter().enumerate().filter(|(_, judged)| picked(judged)) {
+        let rule = rule_of(judged);
+        match suspects.iter_mut().find(|suspect| suspect.rule == rule) {
+            Some(suspect) => suspect.cases.push(place),
+            None => suspects.push(Suspect { rule: rule.to_owned(), cases: vec![place] }),
+        }
+    }
+    suspects
+}
+
+/// The rules of the picked cases, which fail: those that the peer most likely breaks first.
+///
+/// What is broken at a level also fails cases of the levels above it, and hardly the other way round: so the lowest
+/// level comes first. Within a level it goes by how many of a rule's cases fail, times the share of all its cases that
+/// they are: a defect fails many cases of its own rule, and some of others in passing.
+pub fn likeliest_first(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Vec<Suspect> {
+    let mut all: HashMap<&str, usize> = HashMap::new();
+    for judged in cases {
+        *all.entry(rule_of(judged)).or_default() += 1;
+    }
+    let weight = |suspect: &Suspect| {
+        let failing = suspect.cases.len() as f64;
+        failing * failing / all.get(suspect.rule.as_str()).map_or(1.0, |all| *all as f64)
+    };
+    let level = |suspect: &Suspect| {
+        let judged = suspect.cases.iter().filter_map(|place| cases.get(*place));
+        judged.map(|judged| judged.case.level).min()
+    };
+    let mut suspects = by_rule(cases, picked);
+    // Stable: rules of one weight keep the order in which they first occur.
+    suspects.sort_by(|a, b| {
+        let heavier = || weight(b).total_cmp(&weight(a));
+        level(a).cmp(&level(b)).then_with(heavier)
+    });
+    suspects
+}
+
+fn rule_of<'c>(judged: &Judged<'c>) -> &'c str {
+    judged.case.requirements.first().map_or("", |rule| rule.id.as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use ncp_text::catalogue::Role;
+
+    use super::*;
+    use crate::check::Differences;
+    use crate::run::{CaseRun, Outcome};
+    use crate::suite::{Case, testing};
+    use crate::verdict::Status;
+
+    /// A case about a rule, which fails or passes.
+    fn judged(case: &Case, fails: bool) -> Judged<'_> {
+        let (outcome, status) = match fails {
+            true => (Outcome::Fail(Differences::default()), Status::Failed),
+            false => (Outcome::Pass, Status::Passed),
+        };
+        Judged { case, run: CaseRun { outcome, answer: None, note: None }, status, reason: None }
+    }
+
+    #[test]
+    fn the_rule_most_of_whose_cases_fail_comes_first_at_the_lowest_level_that_fails() {
+        let also = "NCP-WIRE-001";
+        let of = |rule| testing::case(rule, &[rule, also], &[Role::Body]);
+        let [one, few, most, tie] = ["NCP-WIRE-002", "NCP-WIRE-003", "NCP-WIRE-004", "NCP-WIRE-005"].map(of);
+        let above = of("NCP-SAFE-001");
+        let counts = [(&above, 50, 0), (&one, 1, 0), (&few, 6, 94), (&most, 4, 1), (&tie, 1, 0)];
+        let mut cases = Vec::new();
+        for (case, failing, passing) in counts {
+            cases.extend((0..failing).map(|_| judged(case, true)));
+            cases.extend((0..passing).map(|_| judged(case, false)));
+        }
+        let failed = |judged: &Judged<'_>| judged.status == Status::Failed;
+        let order = |suspects: Vec<Suspect>| suspects.into_iter().map(|suspect| suspect.rule).collect::<Vec<_>>();
+        assert_eq!(order(by_rule(&cases, failed)), [&above, &one, &few, &most, &tie].map(|case| case.id.as_str()));
+        let ranked = order(likeliest_first(&cases, failed));
+        assert_eq!(ranked, [&most, &one, &tie, &few, &above].map(|case| case.id.as_str()));
+    }
+}
