@@ -3,6 +3,7 @@
 
 use std::fmt::Display;
 
+use ncp_spec::WIRE_VERSION;
 use ncp_spec::wire::{Kind, MAX_ENTRIES, MAX_ITEMS, MAX_LEVELS};
 
 /// Two names that one hash of 32 bits does not tell apart: those by which a reader notes members that
@@ -75,7 +76,7 @@ const VALUES: [&str; 8] = ["null", "true", "7", "-1.5", "\"x\"", "[]", "{}", "nu
 pub(crate) fn frames() -> Vec<(Kind, String)> {
     let mut frames = Vec::new();
     let mut add = |kind: Kind, members: &str| {
-        let version = format!(r#""ncp_version":"0.5","kind":"{kind}""#);
+        let version = format!(r#""ncp_version":"{WIRE_VERSION}","kind":"{kind}""#);
         let header = if kind == Kind::Error { format!(r#""kind":"{kind}""#) } else { version };
         frames.push((kind, format!("{{{header},{members}}}")));
     };
@@ -154,13 +155,9 @@ pub(crate) fn frames() -> Vec<(Kind, String)> {
     // [NCP-WIRE-091]: a frame that its defaults make too long to be sent again.
     let items = list(["{}"].into_iter().cycle().take(MAX_ITEMS));
     let params = entries(MAX_ENTRIES, "1e15");
-    add(
-        Kind::OpenSession,
-        &format!(
-            r#""session_id":"s","network":{{"model_name":"{}","params":{{{params}}}}},"record":{{"targets":[{items}]}},"stimulus":{{"targets":[{items}]}},"bindings":[{items}]"#,
-            "m".repeat(12_000),
-        ),
-    );
+    let network = format!(r#""network":{{"model_name":"{}","params":{{{params}}}}}"#, "m".repeat(12_000));
+    let targets = format!(r#""record":{{"targets":[{items}]}},"stimulus":{{"targets":[{items}]}}"#);
+    add(Kind::OpenSession, &format!(r#""session_id":"s",{network},{targets},"bindings":[{items}]"#));
     frames
 }
 

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use ncp_spec::WIRE_VERSION;
 use ncp_spec::reply::check_reply;
 use ncp_spec::session::ReferenceBackend;
 use ncp_spec::wire::{Kind, Message, OpenSession, decode_any};
@@ -23,7 +24,7 @@ plain! {
 }
 plain! {
     /// What a client says of the protocol.
-    words Version = ["0.5", "0.5.9", "0.4", "1.5", "five", ""];
+    words Version = [WIRE_VERSION, "1.2.3", "0.4", "1.5", "five", ""];
 }
 plain! {
     /// A request to open.
@@ -124,7 +125,7 @@ pub fn seed() -> Vec<u8> {
     let open = |id| {
         Request::Open(Opening {
             id: Name(id),
-            version: Version("0.5"),
+            version: Version(WIRE_VERSION),
             neurons: 1,
             records: true,
             dt_ms: 1.0,
@@ -169,15 +170,15 @@ impl Request {
                 })
             }
             Self::Step(going) => json!({
-                "ncp_version": "0.5", "kind": "step_request", "session_id": going.id.0,
+                "ncp_version": WIRE_VERSION, "kind": "step_request", "session_id": going.id.0,
                 "advance_ms": going.time_ms,
             }),
             Self::Run(going) => json!({
-                "ncp_version": "0.5", "kind": "run_request", "session_id": going.id.0,
+                "ncp_version": WIRE_VERSION, "kind": "run_request", "session_id": going.id.0,
                 "duration_ms": going.time_ms,
             }),
             Self::Close(id) => {
-                json!({"ncp_version": "0.5", "kind": "close_session", "session_id": id.0})
+                json!({"ncp_version": WIRE_VERSION, "kind": "close_session", "session_id": id.0})
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The version guard and the contract's status.
 
 use ncp_spec::contract::{ContractStatus, contract_status, negotiate, verify_contract};
+use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
 
 #[cfg(not(feature = "planted"))]
 use ncp_spec::version::check_version;
@@ -20,7 +21,7 @@ pub fn version(input: &[u8]) {
     assert_eq!(check_version(&text, false).ok(), expected);
     assert_eq!(check_version(&text, true).ok(), expected.filter(|same| *same));
 
-    let own = "24e8e6e31e1dec8a";
+    let own = CONTRACT_HASH;
     let of_text = if text == own { ContractStatus::Match } else { ContractStatus::Mismatch };
     assert_eq!(contract_status(Some(&text)), of_text);
     assert_eq!(verify_contract(Some(&text)).is_ok(), text == own);
@@ -32,8 +33,15 @@ pub fn version(input: &[u8]) {
     }
 }
 
-/// Whether a text is a version that is compatible with 0.5, by its digits: none if it is no version.
+/// Whether a text is a version that is compatible with that of the wire, by its digits: none if it is no version.
 fn judge(text: &str) -> Option<bool> {
+    let (own, version) = (numbers(WIRE_VERSION)?, numbers(text)?);
+    // Before the first major version, every minor one is a wire of its own.
+    Some(version.0 == own.0 && (!own.0.is_empty() || version.1 == own.1))
+}
+
+/// The digits of the major and the minor version, without leading zeros.
+fn numbers(text: &str) -> Option<(&str, &str)> {
     let mut parts = text.split('.').map(|part| {
         let is_number = !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         is_number.then(|| part.trim_start_matches('0'))
@@ -41,7 +49,7 @@ fn judge(text: &str) -> Option<bool> {
     let major = parts.next()??;
     let minor = parts.next().unwrap_or(Some(""))?;
     match parts.next() {
-        None => Some(major.is_empty() && minor == "5"),
+        None => Some((major, minor)),
         Some(_) => None,
     }
 }

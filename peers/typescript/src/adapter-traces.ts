@@ -33,7 +33,7 @@ import type { ChannelValue, CommandFrame, ControlStatus, Mode, SafetyLimits } fr
 import { RateCodec, UAV_CODEC, type DecoderMapping, type Range } from "./rate-codec.js";
 import { ReferenceBackend } from "./reference-backend.js";
 import { ReflexController, type ReflexConfig } from "./reflex.js";
-import type { RequestKind } from "./reply.js";
+import type { RequestKind } from "./requests.js";
 import { SessionService } from "./session-service.js";
 import { CommandWatchdog } from "./watchdog.js";
 

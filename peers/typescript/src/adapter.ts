@@ -39,7 +39,8 @@ import { Keys, matches } from "./keys.js";
 import { TABLES, type Input, type Kind } from "./messages.js";
 import { pack, unpack } from "./observation.js";
 import { PLANES, type Plane } from "./planes.js";
-import { checkReply, isRequestKind, type Request, type RequestKind } from "./reply.js";
+import { checkReply } from "./reply.js";
+import { isRequestKind, type Request, type RequestKind } from "./requests.js";
 import { checkVersion } from "./version.js";
 
 // --- the calls, in the order of the protocol's page ----------------------------------------------

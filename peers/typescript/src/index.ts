@@ -75,7 +75,8 @@ export {
 } from "./rate-codec.js";
 export { ReferenceBackend } from "./reference-backend.js";
 export { ReflexController, type ReflexConfig } from "./reflex.js";
-export { checkReply, isRequestKind, REPLIES, type ReplyTo, type Request, type RequestKind } from "./reply.js";
+export { checkReply } from "./reply.js";
+export { isRequestKind, REPLIES, type ReplyTo, type Request, type RequestKind } from "./requests.js";
 export { SessionClient, type RequestOptions, type Send } from "./session-client.js";
 export { SessionService, type Backend, type SessionServiceOptions, type Simulation } from "./session-service.js";
 export { checkVersion } from "./version.js";

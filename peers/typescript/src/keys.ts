@@ -6,13 +6,11 @@
 
 import { KeyError } from "./errors.js";
 import { SEGMENT_BYTES } from "./limits.js";
-import type { RequestKind } from "./reply.js";
+import { isRequestKind, type RequestKind } from "./requests.js";
 import { isWellFormed, utf8Length } from "./unicode.js";
 
 /** The realm of a deployment that names none. [NCP-KEY-006] */
 export const DEFAULT_REALM = "ncp";
-
-const VERBS: readonly RequestKind[] = ["open_session", "step_request", "run_request", "close_session"];
 
 /** Builds the keys of one realm. Every method throws {@link KeyError} for an id or a name that no key may hold. */
 export class Keys {
@@ -41,7 +39,7 @@ export class Keys {
    * @throws {@link KeyError} for anything but the kind of a request [NCP-STRICT-006]
    */
   rpcVerb(kind: RequestKind): string {
-    if (!VERBS.includes(kind)) throw new KeyError("a verb of the control plane is the kind of a request");
+    if (!isRequestKind(kind)) throw new KeyError("a verb of the control plane is the kind of a request");
     return `${this.rpc()}/${kind}`;
   }
 

@@ -6,30 +6,8 @@
 
 import { decode, kindOf } from "./decode.js";
 import { NcpError, NcpServerError, ReplyError } from "./errors.js";
-import type { CloseSession, Kind, Messages, OpenSession, RunRequest, StepRequest } from "./messages.js";
+import { REPLIES, type ReplyTo, type Request } from "./requests.js";
 import { checkVersion } from "./version.js";
-
-/** A request on the control plane. */
-export type Request = OpenSession | StepRequest | RunRequest | CloseSession;
-
-/** The kind of a request. */
-export type RequestKind = Request["kind"];
-
-/** The kind that answers each kind of request. [NCP-SESS-001] */
-export const REPLIES = {
-  open_session: "session_opened",
-  step_request: "observation_frame",
-  run_request: "observation_frame",
-  close_session: "session_closed",
-} as const satisfies Record<RequestKind, Kind>;
-
-/** The reply to a request of this type. */
-export type ReplyTo<R extends Request> = Messages[(typeof REPLIES)[R["kind"]]];
-
-/** Whether a kind is that of a request. */
-export function isRequestKind(kind: string): kind is RequestKind {
-  return Object.hasOwn(REPLIES, kind);
-}
 
 /**
  * Reads the reply to a request and accepts it only if it answers that request and reports no failure.

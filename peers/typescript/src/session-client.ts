@@ -7,7 +7,8 @@
 import { create, encode } from "./encode.js";
 import { NcpServerError } from "./errors.js";
 import type { Input, ObservationFrame, SessionOpened } from "./messages.js";
-import { checkReply, type ReplyTo, type Request } from "./reply.js";
+import { checkReply } from "./reply.js";
+import type { ReplyTo, Request } from "./requests.js";
 
 /** What may be said of one request. A transport need not heed it. */
 export interface RequestOptions {

@@ -17,7 +17,7 @@ import type {
   SimProvenance,
   StepRequest,
 } from "./messages.js";
-import { isRequestKind, type Request, type RequestKind } from "./reply.js";
+import { isRequestKind, type Request, type RequestKind } from "./requests.js";
 import { checkVersion } from "./version.js";
 
 /** What runs networks. */
