@@ -2,8 +2,9 @@
 """A peer to copy: replace the functions under CALLS by calls of your implementation.
 
 Run it with:  ncp-verify run --peer-cmd 'python3 peers/PROTOCOL-starter.py'
-It answers a few calls of an observer with the standard library, so that you see a run;
-all others are `unsupported`, and the report names them. The page PROTOCOL.md explains each call.
+It answers a few calls of an observer with the standard library, so that you see a run; the report
+names what is still to be filled in, and the calls that are `unsupported`. The page PROTOCOL.md
+explains each call.
 """
 
 import base64
@@ -58,8 +59,9 @@ def describe(_args):
         "name": "starter",
         "version": "0",
         "language": "Python",
-        "wire_version": "0.5",
-        "contract_hash": "24e8e6e31e1dec8a",
+        # as the implementation states them: my_ncp.WIRE_VERSION, my_ncp.CONTRACT_HASH
+        "wire_version": "?",
+        "contract_hash": "?",
         "roles": ["observer"],
     }
 

@@ -1,4 +1,4 @@
-//! Holds any NCP 0.5 peer against the frozen vectors and says, case by case, whether it conforms.
+//! Holds any peer of NCP against the frozen vectors and says, case by case, whether it conforms.
 //!
 //! The program `ncp-verify` is [`cli::main`] around this library. Its rooms, in the order in which a run passes them:
 //!

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde_json::{Value, json};
 
 mod common;
@@ -77,12 +78,18 @@ fn hostile(mode: &str, args: &[&str]) -> Run {
     verify(&[&["--peer-cmd", &command, "--timeout", if hangs { "1" } else { "10" }], args].concat())
 }
 
-/// What a peer that is a shell script says about itself.
-const DESCRIBE: &str = r#"echo '{"id":0,"result":{"name":"sh","version":"1","language":"sh","wire_version":"0.5","contract_hash":"24e8e6e31e1dec8a","roles":["body"]}}'"#;
+const BODY: &str = r#""roles":["body"]"#;
+
+/// What a peer that is a shell script says about itself; `more`: its roles, and what else it claims.
+fn describe(more: &str) -> String {
+    let said = json!({"name": "sh", "version": "1", "language": "sh", "wire_version": WIRE_VERSION});
+    let said = said.to_string().replace('}', &format!(r#","contract_hash":"{CONTRACT_HASH}",{more}}}"#));
+    format!(r#"echo '{{"id":0,"result":{said}}}'"#)
+}
 
 /// Runs a shell script as a peer, after it has described itself.
 fn script(script: &str) -> Run {
-    whole_script(&format!("read line\n{DESCRIBE}\n{script}"))
+    whole_script(&format!("read line\n{}\n{script}", describe(BODY)))
 }
 
 /// Runs a shell script as a peer, from its start.
@@ -97,8 +104,7 @@ fn whole_script(script: &str) -> Run {
 fn server(ok: bool, reference_networks: &str) -> Run {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("peer.sh");
-    let describe = DESCRIBE
-        .replace(r#""roles":["body"]"#, &format!(r#""roles":["server"],"reference_networks":{reference_networks}"#));
+    let describe = describe(&format!(r#""roles":["server"],"reference_networks":{reference_networks}"#));
     let reply = format!(r#"{{\"kind\":\"session_opened\",\"session_id\":\"a\",\"ok\":{ok}}}"#);
     let answer = format!(r#"printf '{{"id":%d,"result":{{"replies":["%s"]}}}}\n' $n '{reply}'"#);
     let script = format!("read line\n{describe}\nn=0\nwhile read line; do n=$((n+1)); {answer}; done\n");
@@ -341,7 +347,7 @@ fn a_peer_that_closes_its_output_and_runs_on_is_a_crash_of_the_case() {
 #[test]
 fn a_peer_that_stops_taking_requests_is_a_crash_of_the_case() {
     // It closes its input before it describes itself, and no case is sent before that: the first write is in vain.
-    let run = whole_script(&format!("read line\nexec <&-\n{DESCRIBE}\nsleep 60"));
+    let run = whole_script(&format!("read line\nexec <&-\n{}\nsleep 60", describe(BODY)));
     assert_eq!(run.exit, 1);
     let case = run.case("version/tiny/01-same");
     assert_eq!((case["outcome"].as_str(), case["what"].as_str()), (Some("crash"), Some("closed its standard input")));

@@ -120,7 +120,10 @@ impl RateCodec {
     }
 
     /// The fields of the command for the rates of the populations, in Hz.
-    #[pyo3(signature = (rates, t=0.0, seq=0, frame_id=None, mode=None), text_signature = "($self, rates, t=0.0, seq=0, frame_id='world', mode='active')")]
+    #[pyo3(
+        signature = (rates, t=0.0, seq=0, frame_id=None, mode=None),
+        text_signature = "($self, rates, t=0.0, seq=0, frame_id='world', mode='active')"
+    )]
     fn decode<'py>(
         &self,
         py: Python<'py>,
@@ -161,7 +164,10 @@ pub(crate) fn encode_rates(codec_json: PyBackedStr, sensor_json: Option<Frame>) 
 
 /// The command frame for the rates of the populations, both as JSON.
 #[pyfunction]
-#[pyo3(signature = (codec_json, rates_json, t=0.0, seq=0, frame_id=None, mode=None), text_signature = "(codec_json, rates_json, t=0.0, seq=0, frame_id='world', mode='active')")]
+#[pyo3(
+    signature = (codec_json, rates_json, t=0.0, seq=0, frame_id=None, mode=None),
+    text_signature = "(codec_json, rates_json, t=0.0, seq=0, frame_id='world', mode='active')"
+)]
 pub(crate) fn decode_command(
     codec_json: PyBackedStr,
     rates_json: PyBackedStr,

@@ -150,7 +150,7 @@ fn the_members_of_a_request_may_stand_in_any_order_and_be_escaped() {
     let mut peer = Peer::start();
     let escaped = WIRE_VERSION.replace('.', r"\u002e");
     peer.send(&format!(
-        r#" {{"args": {{"strict": false, "version": "{escaped}"}}, "call": "version\u002echeck", "more": [], "id": 3}} "#
+        r#" {{"args":{{"strict": false, "version": "{escaped}"}}, "call": "version\u002echeck", "more":[], "id": 3}} "#
     ));
     peer.send("\r\n");
     assert_eq!(peer.next_answer(), json!({"id": 3, "result": {"compatible": true}}));
@@ -392,8 +392,8 @@ fn a_governor_remembers_its_latch_and_shows_every_field_of_the_frame() {
     assert_eq!(
         steps[0]["frame"],
         json!({"ncp_version": WIRE_VERSION, "kind": "command_frame", "seq": 7, "t": "NaN", "frame_id": "world",
-            "mode": "active", "ttl_ms": 200.0, "channels": {"velocity_setpoint": {"data": [3.0, 4.0, 0.0], "unit": "m/s"}},
-            "horizon": [], "horizon_dt_ms": null})
+            "mode": "active", "ttl_ms": 200.0, "horizon": [], "horizon_dt_ms": null,
+            "channels": {"velocity_setpoint": {"data": [3.0, 4.0, 0.0], "unit": "m/s"}}})
     );
     assert_eq!(steps[1], json!({}));
     let modes: Vec<&Value> = [2, 3, 5].iter().map(|step| &steps[*step]["frame"]["mode"]).collect();
@@ -422,12 +422,13 @@ fn a_governor_is_built_for_the_channels_that_were_negotiated() {
 #[test]
 fn a_refused_step_is_an_entry_and_the_trace_goes_on() {
     let frame = r#"{"kind":"command_frame","seq":1,"mode":"active","ttl_ms":100,"channels":{"a":{"data":[-0.0,1]}}}"#;
+    let malformed_estop = "eyJraW5kIjoiY29tbWFuZF9mcmFtZSIsIm1vZGUiOiJlc3RvcCIsInNlcSI6IngifQ==";
     let args = json!({"steps": [
         {"op": "active", "now_s": 0},
         {"op": "command", "text": "{", "now_s": 0},
         {"op": "command", "text": frame, "now_s": 0},
         {"op": "active", "now_s": 0.05},
-        {"op": "command", "base64": "eyJraW5kIjoiY29tbWFuZF9mcmFtZSIsIm1vZGUiOiJlc3RvcCIsInNlcSI6IngifQ==", "now_s": 0.06},
+        {"op": "command", "base64": malformed_estop, "now_s": 0.06},
         {"op": "active", "now_s": 0.07},
     ]});
     let mut steps = result("buffer.run", &args)["steps"].clone();
@@ -436,7 +437,8 @@ fn a_refused_step_is_an_entry_and_the_trace_goes_on() {
     assert_eq!(
         steps,
         json!([
-            {"channels": null}, null, {}, {"channels": {"a": {"data": ["-0", 1.0], "unit": null}}}, {}, {"channels": null},
+            {"channels": null}, null, {}, {"channels": {"a": {"data": ["-0", 1.0], "unit": null}}}, {},
+            {"channels": null},
         ])
     );
 }

@@ -118,8 +118,9 @@ impl<'v> Walk<'v> {
             if in_expected.get(name, i).is_none() && !(lenient && value.is_null()) {
                 complete = false;
                 self.path.push(Step::Member(name));
-                let hint =
-                    (self.relation == Relation::Encoding).then_some("no member is written that the tables do not list"); // [NCP-WIRE-081]
+                // [NCP-WIRE-081]
+                let is_encoding = self.relation == Relation::Encoding;
+                let hint = is_encoding.then_some("no member is written that the tables do not list");
                 self.note(What::Added { got: value, hint });
                 self.path.pop();
             }

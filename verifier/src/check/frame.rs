@@ -98,25 +98,35 @@ fn settle(found: &mut Vec<Found<'_>>, expected: &str, got: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ncp_text::WIRE_VERSION;
     use proptest::prelude::*;
 
-    const FRAME: &str = r#"{"ncp_version":"0.5","kind":"command_frame","seq":7,"t":1.5,"frame_id":"world","mode":"active","ttl_ms":200.0,"channels":{"a":{"data":[5.0,-0.0],"unit":null},"b":{"data":[],"unit":"m/s"}},"horizon":[],"horizon_dt_ms":null}"#;
+    const MEMBERS: &str = concat!(
+        r#""kind":"command_frame","seq":7,"t":1.5,"frame_id":"world","mode":"active","ttl_ms":200.0,"#,
+        r#""channels":{"a":{"data":[5.0,-0.0],"unit":null},"b":{"data":[],"unit":"m/s"}},"#,
+        r#""horizon":[],"horizon_dt_ms":null"#
+    );
+
+    fn frame() -> String {
+        format!(r#"{{"ncp_version":"{WIRE_VERSION}",{MEMBERS}}}"#)
+    }
 
     fn message(got: &str) -> Vec<String> {
         let mut differences = Differences::default();
-        same_message(FRAME, got, &[], &mut differences);
+        same_message(&frame(), got, &[], &mut differences);
         differences.first.iter().map(ToString::to_string).collect()
     }
 
     fn encoding(got: &str) -> Vec<String> {
         let mut differences = Differences::default();
-        same_encoding(FRAME, got, &mut differences);
+        same_encoding(&frame(), got, &mut differences);
         differences.first.iter().map(ToString::to_string).collect()
     }
 
     fn changed(from: &str, to: &str) -> String {
-        assert!(FRAME.contains(from), "{from}");
-        FRAME.replacen(from, to, 1)
+        let frame = frame();
+        assert!(frame.contains(from), "{from}");
+        frame.replacen(from, to, 1)
     }
 
     #[test]
@@ -133,7 +143,7 @@ mod tests {
             changed(r#""frame_id":"world","#, ""),
             changed(r#""ttl_ms":200.0,"#, ""),
             changed(r#""seq":7"#, r#""future":{"x":[1]},"seq":7"#),
-            format!(" {} ", FRAME.replace(':', " : ")),
+            format!(" {} ", frame().replace(':', " : ")),
         ] {
             assert_eq!(message(&got), Vec::<String>::new(), "{got}");
         }
@@ -176,8 +186,9 @@ mod tests {
         let short = r#"{"kind":"command_frame","seq":7,"channels":{"a":{}}}"#;
         let whole = |unit: &str| {
             format!(
-                r#"{{"ncp_version":"0.5","kind":"command_frame","seq":7,"t":0,"frame_id":"world","mode":"hold","ttl_ms":2e2,
-                "channels":{{"a":{{"data":[],"unit":{unit}}}}},"horizon":[],"horizon_dt_ms":null}}"#
+                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":7,"t":0,"frame_id":"world",
+                "mode":"hold","ttl_ms":2e2,"channels":{{"a":{{"data":[],"unit":{unit}}}}},"horizon":[],
+                "horizon_dt_ms":null}}"#
             )
         };
         let differ = |got: &str| {
@@ -205,9 +216,9 @@ mod tests {
     fn what_is_to_be_ignored_is() {
         let mut differences = Differences::default();
         let got = changed("\"seq\":7", "\"seq\":8").replace("m/s", "m");
-        same_message(FRAME, &got, &["/seq".to_owned(), "/channels/b".to_owned()], &mut differences);
+        same_message(&frame(), &got, &["/seq".to_owned(), "/channels/b".to_owned()], &mut differences);
         assert!(differences.is_empty());
-        same_message(FRAME, &got, &["/se".to_owned(), "/channels/b/uni".to_owned()], &mut differences);
+        same_message(&frame(), &got, &["/se".to_owned(), "/channels/b/uni".to_owned()], &mut differences);
         assert_eq!(differences.first.len(), 2);
     }
 
@@ -224,7 +235,8 @@ mod tests {
 
     #[test]
     fn an_encoding_may_choose_white_space_and_the_spelling_of_doubles() {
-        for got in [changed("5.0,", "5,"), changed("200.0", "2e2"), changed("-0.0", "-0"), FRAME.replace(',', " ,\n")] {
+        for got in [changed("5.0,", "5,"), changed("200.0", "2e2"), changed("-0.0", "-0"), frame().replace(',', " ,\n")]
+        {
             assert_eq!(encoding(&got), Vec::<String>::new(), "{got}");
         }
     }
@@ -259,8 +271,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn members_in_any_order_are_one_message_and_another_encoding(order in Just((0..10_usize).collect::<Vec<_>>()).prop_shuffle()) {
-            let Json::Object(members) = Json::parse(FRAME).unwrap() else { panic!() };
+        fn members_in_any_order_are_one_message_and_another_encoding(
+            order in Just((0..10_usize).collect::<Vec<_>>()).prop_shuffle(),
+        ) {
+            let whole = frame();
+            let Json::Object(members) = Json::parse(&whole).unwrap() else { panic!() };
             let shuffled = Json::Object(order.iter().map(|i| members[*i].clone()).collect()).to_string();
             prop_assert!(message(&shuffled).is_empty());
             prop_assert_eq!(encoding(&shuffled).is_empty(), order.is_sorted());

@@ -1,6 +1,6 @@
 //! The command line of `ncp-verify`.
 //!
-//! Every error is one message on stderr and an exit code of PROTOCOL.md, section 7. What is asked for goes to stdout;
+//! Every error is one message on stderr and an exit code of PROTOCOL.md, section 8. What is asked for goes to stdout;
 //! what happens meanwhile goes to stderr.
 
 mod check;
@@ -76,7 +76,7 @@ fn listen(stop: &Stop) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Checks whether an implementation of NCP 0.5 conforms.
+/// Checks whether an implementation of NCP conforms.
 ///
 /// Without a command, builds and checks every bundled peer; with `run`, checks yours.
 #[derive(Debug, Parser)]
@@ -110,7 +110,7 @@ Examples:
   ncp-verify explain NCP-WIRE-007                       a rule and the cases that test it
 
 Exit codes:
-    0  conformant, or exactly as the peer's expected failures say
+    0  conformant, or as expected: just what the peer's expected failures say fails
     1  not conformant
     2  usage: the command line, a peer.toml, or a filter that selects nothing
     3  a peer could not be started, or did not answer `describe`
@@ -126,10 +126,16 @@ enum Command {
     List(ListArgs),
     /// Explain a case, a rule or a flag
     #[command(
-        after_help = "Examples:\n  ncp-verify explain wire/command_frame/seq/null\n  ncp-verify explain NCP-WIRE-007\n  ncp-verify explain lenient-integers"
+        after_help = EXPLAIN_HELP
     )]
     Explain(ExplainArgs),
 }
+
+const EXPLAIN_HELP: &str = "\
+Examples:
+  ncp-verify explain wire/command_frame/seq/null
+  ncp-verify explain NCP-WIRE-007
+  ncp-verify explain lenient-integers";
 
 const RUN_HELP: &str = "\
 A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
@@ -191,7 +197,8 @@ struct SelectArgs {
     /// Judge up to this level: wire, safety or strict [default: what the peer's peer.toml claims, else wire]
     #[arg(long, value_name = "LEVEL", value_parser = level)]
     level: Option<Level>,
-    /// Only cases whose id, rule, flag or call holds this text, or fits it as a whole if it has * or ? (may be repeated)
+    /// Only cases whose id, rule, flag or call holds this text, or fits it as a whole if it has * or ? (may be
+    /// repeated)
     #[arg(long, value_name = "PATTERN")]
     filter: Vec<String>,
 }

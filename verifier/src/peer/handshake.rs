@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn a_description_that_lacks_something_is_refused_by_name() {
         let whole =
-            r#"{"name":"n","version":"1","language":"C","wire_version":"0.5","contract_hash":"h","roles":["body"]}"#;
+            r#"{"name":"n","version":"1","language":"C","wire_version":"v","contract_hash":"h","roles":["body"]}"#;
         let description = read(&Json::parse(whole).unwrap()).unwrap();
         assert_eq!((description.name.as_str(), &description.roles), ("n", &vec!["body".to_owned()]));
         for member in ["name", "version", "language", "wire_version", "contract_hash", "roles"] {

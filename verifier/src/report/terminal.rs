@@ -578,7 +578,7 @@ mod tests {
             tool: Tool { name: "ncp-verify", version: "0" },
             started: String::new(),
             elapsed_s: 1.0,
-            wire_version: "0.5",
+            wire_version: "7.1",
             contract_hash: "",
             corpus: Corpus { files: 90, cases: 7000, sha256: String::new() },
             asked: Asked {
@@ -601,7 +601,7 @@ mod tests {
     fn levels_stand_side_by_side_where_there_is_room() {
         let text = terminal(&report(), Style { colour: false, width: 80 }, Detail::Normal);
         insta::assert_snapshot!(text, @"
-        NCP 0.5, level strict: 6,100 cases in 80 files
+        NCP 7.1, level strict: 6,100 cases in 80 files
 
         peer     role       wire           safety     strict
         gateway  commander  ✓ 2,600/2,600  ✗ 411/412  ✗ 20/20
@@ -617,7 +617,7 @@ mod tests {
     fn levels_stand_below_each_other_where_there_is_none() {
         let text = terminal(&report(), Style { colour: false, width: 44 }, Detail::Normal);
         insta::assert_snapshot!(text, @"
-        NCP 0.5, level strict: 6,100 cases in 80
+        NCP 7.1, level strict: 6,100 cases in 80
         files
 
         gateway  commander  wire    ✓ 2,600/2,600

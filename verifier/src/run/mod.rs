@@ -19,9 +19,9 @@ use std::time::{Duration, Instant};
 use crate::check::Differences;
 use crate::json::Json;
 use crate::peer::{Answer, Call, Connection, Launch};
-use crate::stop::Stop;
 use crate::suite::Case;
 
+pub use crate::stop::Stop;
 use worker::Worker;
 
 /// A peer that has not answered one case by this many faults will not begin to.

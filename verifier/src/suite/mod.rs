@@ -227,7 +227,9 @@ fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Resul
     let template = |raw: &str| Template::new(raw).map_err(|error| fault(error.to_string()));
     Ok(Case::new(Parts {
         id: DESCRIBE.to_owned(),
-        title: "The peer states the wire version and the contract hash of 0.5, and claims known roles.".to_owned(),
+        title: format!(
+            "The peer states the wire version and the contract hash of {WIRE_VERSION}, and claims known roles."
+        ),
         requirements: cited.into_iter().collect::<Result<_, _>>()?,
         flags: Vec::new(),
         roles: Role::ALL.to_vec(),
@@ -349,7 +351,7 @@ mod tests {
         let digest = |text: &str| suite(&[("wire/a.json", text)]).unwrap().digest().to_owned();
         assert_eq!(digest(&a), digest(&a));
         assert_ne!(digest(&a), digest(&b));
-        let line = format!("{}  wire/a.json\n", hex(&Sha256::digest(&a)));
+        let line = format!("{}  corpus/wire/a.json\n", hex(&Sha256::digest(&a)));
         assert_eq!(digest(&a), hex(&Sha256::digest(line)));
     }
 

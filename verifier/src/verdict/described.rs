@@ -54,8 +54,8 @@ mod tests {
             name: "n".into(),
             version: "1".into(),
             language: "C".into(),
-            wire_version: "0.5".into(),
-            contract_hash: "24e8e6e31e1dec8a".into(),
+            wire_version: WIRE_VERSION.into(),
+            contract_hash: CONTRACT_HASH.into(),
             roles: vec!["body".into()],
             reference_networks: false,
         }
@@ -76,11 +76,11 @@ mod tests {
         assert_eq!(
             faults(&old),
             [
-                r#"/wire_version: expected "0.5", got "0.4""#,
-                r#"/contract_hash: expected "24e8e6e31e1dec8a", got "2cf0763ad61e4f1c""#,
+                format!(r#"/wire_version: expected "{WIRE_VERSION}", got "0.4""#),
+                format!(r#"/contract_hash: expected "{CONTRACT_HASH}", got "2cf0763ad61e4f1c""#),
             ]
         );
-        let upper = Description { contract_hash: "24E8E6E31E1DEC8A".into(), ..description() };
+        let upper = Description { contract_hash: CONTRACT_HASH.to_uppercase(), ..description() };
         assert_eq!(faults(&upper).len(), 1);
         let pilot = Description { roles: vec!["body".into(), "pilot".into()], ..description() };
         assert_eq!(faults(&pilot), [r#"/roles/1: expected one of commander, body, server, observer, got "pilot""#]);
