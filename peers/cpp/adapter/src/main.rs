@@ -4,7 +4,8 @@
 //! back, and what the library does not export is unsupported. It is not linked with any
 //! implementation of NCP.
 //!
-//! - `calls`: one method a call; `traces`: those that hold a whole trace.
+//! - `calls`: one method a call.
+//! - `traces`: the calls that hold a whole trace.
 //! - `seed`: what the seed's functions can express.
 //! - `library`: the library's functions by name. All unsafe code is there.
 //!
