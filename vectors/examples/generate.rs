@@ -1,11 +1,12 @@
 //! Writes the corpus and its manifest to the folder of this crate.
 
+use std::error::Error;
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 
-fn main() -> io::Result<()> {
+fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let files = ncp_vectors::generate();
+    let files = ncp_vectors::generate()?;
     let corpus = root.join("corpus");
     if corpus.exists() {
         fs::remove_dir_all(&corpus)?;

@@ -38,6 +38,12 @@ impl Json {
         Self::String(text.into())
     }
 
+    /// A JSON text by its spelling; what is no JSON, as it is.
+    pub(crate) fn read(text: &str) -> Self {
+        let mut reader = Reader { rest: text.trim() };
+        reader.value().filter(|_| reader.rest.is_empty()).unwrap_or_else(|| Self::literal(text))
+    }
+
     /// The members, if it is an object.
     pub(crate) fn members(&self) -> &[(String, Json)] {
         match self {
@@ -198,6 +204,88 @@ impl Json {
             _ => {}
         }
     }
+}
+
+/// Reads JSON without white space between tokens but for single spaces.
+struct Reader<'a> {
+    rest: &'a str,
+}
+
+impl Reader<'_> {
+    fn eat(&mut self, token: &str) -> bool {
+        let rest = self.rest.trim_start().strip_prefix(token);
+        self.rest = rest.unwrap_or(self.rest);
+        rest.is_some()
+    }
+
+    fn value(&mut self) -> Option<Json> {
+        if self.eat("{") {
+            let mut members = Vec::new();
+            while !self.eat("}") {
+                if !members.is_empty() && !self.eat(",") {
+                    return None;
+                }
+                let name = self.string()?;
+                if !self.eat(":") {
+                    return None;
+                }
+                members.push((name, self.value()?));
+            }
+            return Some(Json::Object(members));
+        }
+        if self.eat("[") {
+            let mut items = Vec::new();
+            while !self.eat("]") {
+                if !items.is_empty() && !self.eat(",") {
+                    return None;
+                }
+                items.push(self.value()?);
+            }
+            return Some(Json::Array(items));
+        }
+        if self.rest.trim_start().starts_with('"') {
+            return self.string().map(Json::String);
+        }
+        let rest = self.rest.trim_start();
+        let (word, rest) = rest.split_at(rest.find([',', ']', '}', ' ']).unwrap_or(rest.len()));
+        self.rest = rest;
+        match word {
+            "null" => Some(Json::Null),
+            "true" | "false" => Some(Json::Bool(word == "true")),
+            _ => word.parse::<f64>().ok().filter(|_| word.starts_with(is_of_number)).map(|_| Json::literal(word)),
+        }
+    }
+
+    fn string(&mut self) -> Option<String> {
+        let mut units = Vec::new();
+        let mut chars = self.rest.trim_start().strip_prefix('"')?.chars();
+        loop {
+            let c = match chars.next()? {
+                '"' => break,
+                '\\' => match chars.next()? {
+                    'u' => {
+                        let digits: String = chars.by_ref().take(4).collect();
+                        units.push(u16::from_str_radix(&digits, 16).ok()?);
+                        continue;
+                    }
+                    'n' => '\n',
+                    'r' => '\r',
+                    't' => '\t',
+                    'b' => '\u{8}',
+                    'f' => '\u{c}',
+                    c => c,
+                },
+                c => c,
+            };
+            units.extend_from_slice(c.encode_utf16(&mut [0; 2]));
+        }
+        self.rest = chars.as_str();
+        String::from_utf16(&units).ok()
+    }
+}
+
+fn is_of_number(c: char) -> bool {
+    c.is_ascii_digit() || c == '-'
 }
 
 /// What fits on one line of a file.

@@ -9,9 +9,10 @@
 //! generator; the tests run every case against it.
 //!
 //! ```
-//! let files = ncp_vectors::generate();
+//! let files = ncp_vectors::generate()?;
 //! let (path, text) = &files[0];
 //! assert!(path.ends_with(".json") && text.starts_with('{'));
+//! # Ok::<(), ncp_vectors::ScenarioError>(())
 //! ```
 
 #![forbid(unsafe_code)]
@@ -19,7 +20,10 @@
 mod bulk;
 mod case;
 mod codec;
+mod command;
 mod control;
+mod scenario;
+mod patch;
 mod flags;
 mod hostile;
 mod json;
@@ -38,12 +42,16 @@ mod wire;
 
 use std::fmt::Write as _;
 
+pub use scenario::{Fault, ScenarioError};
 use sha2::{Digest as _, Sha256};
 
 /// Every file of the corpus: its path below `vectors/corpus/`, such as `wire/command_frame.json`, and its
 /// text. Sorted by path; the same in every run.
+///
+/// # Errors
+/// [`ScenarioError`] if a line of the scenario text is wrong.
 #[must_use]
-pub fn generate() -> Vec<(String, String)> {
+pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
     let areas = [
         wire::files(),
         version::files(),
@@ -51,7 +59,7 @@ pub fn generate() -> Vec<(String, String)> {
         bulk::files(),
         hostile::files(),
         safety::files(),
-        resilience::files(),
+        resilience::files()?,
         codec::files(),
         control::files(),
         session::files(),
@@ -59,7 +67,7 @@ pub fn generate() -> Vec<(String, String)> {
     ];
     let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();
     files.sort();
-    files
+    Ok(files)
 }
 
 /// The manifest of those files, `vectors/MANIFEST.sha256`: a line `<sha256>  corpus/<path>` for each, sorted by path.

@@ -3,6 +3,8 @@
 //! This is the source of the expectations. It shares no code with `ncp-spec`; a test holds the two
 //! against each other over the whole corpus.
 
+pub(crate) use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
+
 use crate::json::Json;
 use crate::text::{Default, Field, Message, Shape, Unknown, tables};
 
@@ -38,7 +40,7 @@ pub(crate) fn minimal(kind: &str) -> Json {
 }
 
 /// A frame that writes out every default, and leaves out only what is optional. Its
-/// `contract_hash` is the one of wire 0.5. Used as the ground of cases that are to accept: a peer
+/// `contract_hash` is one's own. Used as the ground of cases that are to accept: a peer
 /// whose defaults are wrong does not fail there.
 pub(crate) fn explicit(kind: &str) -> Json {
     let read = without_nulls(meaning(kind, &minimal(kind)));
@@ -75,7 +77,7 @@ pub(crate) fn full_message(name: &str) -> Json {
         return Json::Null;
     };
     let fields = message.fields.iter().map(|field| match field.name.as_str() {
-        "ncp_version" => (field.name.clone(), Json::string("0.5")),
+        "ncp_version" => (field.name.clone(), Json::string(WIRE_VERSION)),
         _ => (field.name.clone(), sample(message, field)),
     });
     Json::Object(fields.collect())
@@ -106,9 +108,6 @@ pub(crate) fn is_pin(field: &str) -> bool {
 pub(crate) fn double(value: f64) -> Json {
     Json::literal(format!("{value:?}"))
 }
-
-/// The contract hash of wire 0.5, by section 2.2.
-pub(crate) const CONTRACT_HASH: &str = "24e8e6e31e1dec8a";
 
 /// The session of all samples.
 pub(crate) const SESSION: &str = "s1";

@@ -6,7 +6,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use ncp_text::catalogue::{Catalogue, Level, Requirement, Role};
-use ncp_vectors::generate;
 use serde_json::Value;
 
 /// Binding rules of level `wire` without a case, each with the reason why no answer to a call can
@@ -25,7 +24,7 @@ const NOT_SHOWN: &[(&str, &str)] = &[
 
 /// The cases of the corpus.
 fn cases() -> Vec<Value> {
-    let files = generate().into_iter().map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
+    let files = ncp_vectors::generate().unwrap().into_iter().map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
     files.flat_map(|file| file["cases"].as_array().unwrap().clone()).collect()
 }
 

@@ -1,17 +1,19 @@
 //! Replaying a horizon, and how long one may be.
 
-use super::buffer_case as case;
-use super::model::{Event, active};
+use super::model::Event;
+use super::{buffer_case as case, buffer_row};
 use crate::case::{Case, File, Role};
+use crate::command::{Command, active};
 use crate::json::object;
+use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::trace::{any, int, name_of, num, within};
 
-pub(super) fn replay() -> File {
+pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
     cases.extend(lengths_of_a_tick());
-    cases.extend(traces());
+    cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
-    File::new("resilience", "horizon", about, cases)
+    Ok(File::new("resilience", "horizon", about, cases))
 }
 
 /// The tick at many ages, around each boundary that doubles hold exactly.
@@ -34,7 +36,7 @@ fn ticks() -> Vec<Case> {
                     continue;
                 }
                 let tick = quarter / 4;
-                let command = active(1).ttl(60_000.0).then(Some(dt), &values);
+                let command = active(1).ttl(60_000.0).along_x(dt, &values);
                 let rule = if tick > count { "NCP-RES-029" } else { "NCP-RES-028" };
                 cases.push(
                     case(format!("tick/{dt}-ms/{count}-steps/tick-{tick}/{name}"), &[rule, "NCP-RES-025"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
@@ -59,7 +61,7 @@ fn lengths_of_a_tick() -> Vec<Case> {
         ("minus-subnormal", Some(-5e-324)),
     ] {
         for age in [0.0, 0.125, 0.25, 0.3125] {
-            let command = active(1).then(dt, &[10.0, 20.0]);
+            let command = Command { dt, ..active(1).along_x(0.0, &[10.0, 20.0]) };
             cases.push(
                 case(format!("no-length/{name}/after-{age}-s"), if age > 0.25 { &["NCP-RES-002", "NCP-RES-027"] } else { &["NCP-RES-027", "NCP-RES-002"] }, &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
                     .title(format!("With a tick of length {name}, the plant follows tick 0 until the ttl ends, or holds; asked after {age} s."))
@@ -74,7 +76,7 @@ fn lengths_of_a_tick() -> Vec<Case> {
         ("tiny-at-once", 1e-300, 0.0),
         ("tiny-later", 1e-300, 0.25),
     ] {
-        let command = active(1).then(Some(dt), &[10.0, 20.0]);
+        let command = active(1).along_x(dt, &[10.0, 20.0]);
         cases.push(
             case(
                 format!("odd-length/{name}"),
@@ -95,7 +97,7 @@ fn lengths_of_a_tick() -> Vec<Case> {
                 case(
                     format!("no-horizon/dt-{}/after-{age}-s", name_of(dt)),
                     &["NCP-RES-026"],
-                    &[Event::Command(active(1).then(Some(dt), &[]), 4.0), Event::Ask(4.0 + age)],
+                    &[Event::Command(active(1).along_x(dt, &[]), 4.0), Event::Ask(4.0 + age)],
                 )
                 .title(format!(
                     "Without a horizon, a tick of {dt} ms changes nothing: the plant follows tick 0 after {age} s."
@@ -106,181 +108,6 @@ fn lengths_of_a_tick() -> Vec<Case> {
         }
     }
     cases
-}
-
-fn traces() -> Vec<Case> {
-    let ask = Event::Ask;
-    let plan = |seq: i64, ttl: f64| active(seq).ttl(ttl).then(Some(125.0), &[101.0, 102.0, 103.0]);
-    let at = Event::Command;
-    let table: Vec<(&str, &[&'static str], &str, Vec<Event>)> = vec![
-        (
-            "whole-replay",
-            &["NCP-RES-028", "NCP-RES-029"],
-            "A plant replays a horizon to its end and then holds.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.0), ask(2.125), ask(2.25), ask(2.375), ask(2.5), ask(2.625)],
-        ),
-        (
-            "ttl-ends-replay",
-            &["NCP-RES-002", "NCP-RES-025"],
-            "The ttl ends a replay before the horizon does.",
-            vec![at(plan(1, 250.0), 2.0), ask(2.0), ask(2.125), ask(2.25), ask(2.3125), ask(2.375)],
-        ),
-        (
-            "ttl-at-a-tick",
-            &["NCP-RES-003", "NCP-RES-028"],
-            "At exactly the ttl the plant still follows the tick that begins there.",
-            vec![at(plan(1, 375.0), 2.0), ask(2.375), ask(2.4375)],
-        ),
-        (
-            "new-command-restarts",
-            &["NCP-RES-028"],
-            "A newer command begins its own replay.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.125), at(plan(2, 1000.0), 2.25), ask(2.25), ask(2.375), ask(2.5)],
-        ),
-        (
-            "duplicate-restarts-nothing",
-            &["NCP-RES-009", "NCP-RES-028"],
-            "A duplicate does not begin the replay again.",
-            vec![
-                at(plan(1, 1000.0), 2.0),
-                ask(2.125),
-                at(plan(1, 1000.0), 2.125),
-                ask(2.25),
-                at(plan(1, 1000.0), 2.25),
-                ask(2.375),
-                ask(2.5),
-            ],
-        ),
-        (
-            "older-restarts-nothing",
-            &["NCP-RES-020", "NCP-RES-028"],
-            "An older command does not disturb the replay.",
-            vec![at(plan(5, 1000.0), 2.0), at(active(4), 2.125), ask(2.125), ask(2.25)],
-        ),
-        (
-            "hold-ends-replay",
-            &["NCP-RES-023", "NCP-RES-025"],
-            "A HOLD ends a replay.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.125), at(active(1).mode("hold"), 2.125), ask(2.125), ask(2.25)],
-        ),
-        (
-            "reset-ends-replay",
-            &["NCP-RES-031"],
-            "A reset ends a replay.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.125), Event::Reset, ask(2.125), ask(2.25)],
-        ),
-        (
-            "plain-after-replay",
-            &["NCP-RES-026"],
-            "A command without a horizon replaces one with a horizon.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.125), at(active(2), 2.125), ask(2.125), ask(2.375), ask(2.4375)],
-        ),
-        (
-            "sparse-questions",
-            &["NCP-RES-028"],
-            "The tick depends on the clock and not on how often it is asked.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.375)],
-        ),
-        (
-            "many-questions",
-            &["NCP-RES-028"],
-            "Asking often does not hasten the replay.",
-            (0..16_u32).map(|nth| ask(2.0 + f64::from(nth) / 64.0)).fold(
-                vec![at(plan(1, 1000.0), 2.0)],
-                |mut all, event| {
-                    all.push(event);
-                    all
-                },
-            ),
-        ),
-        (
-            "clock-backward",
-            &["NCP-RES-008", "NCP-RES-010"],
-            "A replay ends when the clock reads less than at the receipt.",
-            vec![at(plan(1, 1000.0), 2.0), ask(2.125), ask(1.875), ask(2.25)],
-        ),
-        (
-            "past-the-end-then-back",
-            &["NCP-RES-010", "NCP-RES-029"],
-            "A clock that steps back does not bring a replay back that has ended.",
-            vec![at(plan(1, 60_000.0), 2.0), ask(2.375), ask(2.5), ask(2.25), ask(2.375), ask(2.0)],
-        ),
-        (
-            "past-the-end-then-back-to-tick-0",
-            &["NCP-RES-010", "NCP-RES-029"],
-            "A clock that steps back to the receipt does not bring tick 0 back behind the end.",
-            vec![at(plan(1, 60_000.0), 2.0), ask(3.0), ask(2.0), ask(2.0625)],
-        ),
-        (
-            "past-the-end-then-next",
-            &["NCP-RES-010", "NCP-RES-029"],
-            "Behind the end of a replay the next command moves the plant, and a duplicate does not.",
-            vec![
-                at(plan(1, 60_000.0), 2.0),
-                ask(3.0),
-                at(plan(1, 60_000.0), 3.0),
-                ask(3.0),
-                at(plan(2, 60_000.0), 3.0),
-                ask(3.125),
-            ],
-        ),
-        (
-            "ttl-in-a-tick",
-            &["NCP-RES-002", "NCP-RES-025"],
-            "The ttl ends a replay in the middle of a tick.",
-            vec![at(plan(1, 187.5), 2.0), ask(2.1875), ask(2.25)],
-        ),
-        (
-            "ttl-before-tick-1",
-            &["NCP-RES-002", "NCP-RES-025"],
-            "A ttl shorter than a tick ends tick 0.",
-            vec![at(plan(1, 62.5), 2.0), ask(2.0625), ask(2.125)],
-        ),
-        (
-            "ttl-ends-unasked",
-            &["NCP-RES-002", "NCP-RES-025"],
-            "The ttl ends a replay that nobody has asked for.",
-            vec![at(plan(1, 250.0), 2.0), ask(2.375)],
-        ),
-        (
-            "ttl-ends-last-step",
-            &["NCP-RES-002", "NCP-RES-025"],
-            "The ttl ends the last step of a horizon.",
-            vec![at(plan(1, 437.5), 2.0), ask(2.375), ask(2.46875)],
-        ),
-        (
-            "past-the-end-with-ttl",
-            &["NCP-RES-029"],
-            "Behind its horizon the plant holds, though the ttl has not ended.",
-            vec![at(plan(1, 60_000.0), 2.0), ask(2.5), ask(3.0), ask(30.0), ask(62.0)],
-        ),
-        (
-            "capped-ttl",
-            &["NCP-RES-004"],
-            "A replay ends after a minute, whatever the ttl.",
-            vec![
-                at(active(1).ttl(1e9).then(Some(30_000.0), &[101.0, 102.0, 103.0]), 2.0),
-                ask(32.0),
-                ask(62.0),
-                ask(62.5),
-                ask(92.0),
-            ],
-        ),
-        (
-            "no-ttl",
-            &["NCP-RES-005"],
-            "A horizon without a ttl is not replayed.",
-            vec![at(plan(1, 0.0), 2.0), ask(2.0), ask(2.125)],
-        ),
-    ];
-    table
-        .into_iter()
-        .map(|(name, rules, title, events)| {
-            case(format!("trace/{name}"), rules, &events)
-                .title(title)
-                .because("The tick is \u{230a}(now \u{2212} received) / dt\u{230b} of the command that is held; past the horizon, the ttl or a hold there is none.")
-        })
-        .collect()
 }
 
 /// `max_horizon_len`.

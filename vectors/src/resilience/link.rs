@@ -4,17 +4,24 @@ use std::collections::BTreeSet;
 
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
+use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::trace::{any, int, name_of, no_result, num, steps, within};
 
-pub(super) fn file() -> File {
-    let mut cases = counts();
-    cases.extend(last_seqs());
-    cases.extend(bursts());
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let mut text = Scenarios::read(source!("resilience/link"))?;
+    let mut cases = text.cases("count", row_case)?;
+    cases.extend(counts());
+    cases.extend(text.cases("last-seq", last_seq)?);
+    cases.extend(gaps());
+    cases.extend(text.cases("burst", row_case)?);
+    cases.push(at_the_threshold());
+    cases.extend(text.rest(row_case)?);
+    cases.extend(bounded());
     cases.extend(parameters());
     cases.extend(extremes());
     let about =
         "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
-    File::new("resilience", "link", about, cases)
+    Ok(File::new("resilience", "link", about, cases))
 }
 
 /// A monitor in plain arithmetic. The text leaves open in what order one frame's gap and its
@@ -163,85 +170,42 @@ fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {
     case(path.to_owned(), rules, (None, None), (0.05, 5.0), seqs)
 }
 
+/// The seqs of a row: one after the other, `1..9` and `1..9/2` for every seq and every second one up to 9, and `5x3` for
+/// three times 5.
+fn seqs(row: &Row) -> Result<Vec<i64>, ScenarioError> {
+    let mut seqs = Vec::new();
+    for word in row.body.split(' ') {
+        let (word, by) = word.split_once('/').unwrap_or((word, "1"));
+        let integer = |word| row.place.integer(word);
+        if let Some((from, to)) = word.split_once("..") {
+            let by = usize::try_from(integer(by)?).unwrap_or(1);
+            seqs.extend((integer(from)?..=integer(to)?).step_by(by));
+        } else if let Some((seq, times)) = word.split_once('x') {
+            seqs.extend((0..integer(times)?).map(|_| integer(seq)).collect::<Result<Vec<_>, _>>()?);
+        } else {
+            seqs.push(integer(word)?);
+        }
+    }
+    Ok(seqs)
+}
+
+fn row_case(row: &Row) -> Result<Case, ScenarioError> {
+    let case = usual(&row.path, &row.rules, &seqs(row)?);
+    Ok(case.title(&row.title).flags(&row.flags).because(&row.why))
+}
+
+/// The `last_seq` alone.
+fn last_seq(row: &Row) -> Result<Case, ScenarioError> {
+    let seqs = seqs(row)?;
+    let highest = seqs.iter().scan(i64::MIN, |highest, seq| {
+        *highest = (*highest).max(*seq);
+        Some(object! { "last_seq" => int(*highest) })
+    });
+    Ok(row.case(&BOTH).call("link.run", args(None, None, &seqs)).shows(steps(highest.collect())))
+}
+
 fn counts() -> Vec<Case> {
-    let table: Vec<(&str, &[&'static str], &str, Vec<i64>)> = vec![
-        ("one-frame", &["NCP-RES-044"], "One frame is no loss.", vec![1]),
-        (
-            "first-is-late-start",
-            &["NCP-RES-044", "NCP-RES-040"],
-            "What came before the first frame is no loss.",
-            vec![1000, 1001],
-        ),
-        ("from-zero", &["NCP-RES-044"], "A stream may begin at 0.", vec![0, 1, 2]),
-        ("negative", &["NCP-RES-040", "NCP-RES-044"], "A stream may begin below 0.", vec![-5, -4, -1, 0, 2]),
-        ("in-order", &["NCP-RES-044", "NCP-RES-040"], "Frames in order lose nothing.", (1..=20).collect()),
-        ("one-gap", &["NCP-RES-040"], "One missing frame is one lost.", vec![1, 2, 4, 5]),
-        ("gap-of-three", &["NCP-RES-040"], "A gap of three is three lost.", vec![1, 5, 6]),
-        ("two-gaps", &["NCP-RES-040"], "Gaps add up.", vec![1, 3, 4, 6, 8]),
-        ("every-second", &["NCP-RES-040", "NCP-RES-044"], "Half of the frames are lost.", vec![1, 3, 5, 7, 9]),
-        ("late", &["NCP-RES-041"], "A late frame is taken back from the lost.", vec![1, 2, 4, 3, 5]),
-        (
-            "late-twice",
-            &["NCP-RES-042", "NCP-RES-041"],
-            "A late frame that comes twice is taken back once.",
-            vec![1, 3, 2, 2, 4],
-        ),
-        ("two-late", &["NCP-RES-041"], "Late frames may come in any order.", vec![1, 5, 3, 2, 4, 6]),
-        (
-            "reversed",
-            &["NCP-RES-041", "NCP-RES-043"],
-            "A reversed burst is no loss in the end.",
-            vec![1, 6, 5, 4, 3, 2, 7],
-        ),
-        ("swapped-pairs", &["NCP-RES-041", "NCP-RES-043"], "Swapped pairs lose nothing.", vec![1, 3, 2, 5, 4, 7, 6, 8]),
-        ("duplicate", &["NCP-RES-042"], "A duplicate changes nothing.", vec![1, 2, 2, 3, 3, 3, 4]),
-        ("duplicate-first", &["NCP-RES-042"], "A duplicate of the first frame changes nothing.", vec![5, 5, 5, 6]),
-        (
-            "old-duplicate",
-            &["NCP-RES-042", "NCP-RES-043"],
-            "An old duplicate changes nothing.",
-            vec![1, 2, 3, 4, 1, 2, 5],
-        ),
-        (
-            "before-first",
-            &["NCP-RES-042", "NCP-RES-043"],
-            "A frame from before the first is no loss taken back.",
-            vec![10, 3, 9, 11],
-        ),
-        ("duplicate-after-gap", &["NCP-RES-042"], "A duplicate after a gap takes nothing back.", vec![1, 5, 5, 1, 6]),
-        ("restart", &["NCP-RES-043"], "A stream that begins again moves nothing back.", vec![50, 51, 52, 1, 2, 3, 53]),
-        (
-            "late-before-first-gap",
-            &["NCP-RES-041", "NCP-RES-042"],
-            "Only what is missing is late.",
-            vec![3, 6, 4, 3, 2, 5],
-        ),
-        (
-            "gap-then-all-late",
-            &["NCP-RES-041", "NCP-RES-045"],
-            "When all that was missing comes late, the loss rate is 0.",
-            vec![1, 10, 2, 3, 4, 5, 6, 7, 8, 9],
-        ),
-        ("rate-half", &["NCP-RES-044"], "One lost of two expected is a half.", vec![1, 3]),
-        ("rate-large", &["NCP-RES-044", "NCP-RES-045"], "Ninety-eight lost of a hundred expected.", vec![1, 100]),
-        (
-            "rate-negative-seqs",
-            &["NCP-RES-045", "NCP-RES-044"],
-            "The loss rate of a stream from below 0 to above stays within 0 and 1.",
-            vec![-50, 50, 0, -1, 51],
-        ),
-        ("zero-is-a-seq", &["NCP-RES-040"], "0 is a seq like any other.", vec![-1, 0, 1]),
-        ("duplicates-only", &["NCP-RES-042", "NCP-RES-045"], "Nothing but duplicates is no loss.", vec![7; 12]),
-    ];
-    let mut cases: Vec<Case> = table
-        .into_iter()
-        .map(|(name, rules, title, seqs)| {
-            usual(&format!("count/{name}"), rules, &seqs)
-                .title(title)
-                .flags(&["wrong-loss"])
-                .because("Each seq between expected and an arriving one is lost, a late one is taken back, a duplicate changes nothing, and the loss rate is lost / (expected \u{2212} first).")
-        })
-        .collect();
+    let mut cases = Vec::new();
     // Every order of four frames after a first one.
     for (nth, order) in orders().into_iter().enumerate() {
         let mut seqs = vec![1];
@@ -278,40 +242,6 @@ fn counts() -> Vec<Case> {
     cases
 }
 
-/// The `last_seq`, which is advice once an older frame has arrived behind the newest.
-fn last_seqs() -> Vec<Case> {
-    let table: [(&str, &'static str, &[i64], &str); 5] = [
-        ("in-order", "NCP-RES-054", &[3, 4, 7, 7, 9], "`last_seq` is the highest seq, which arrived last."),
-        ("late", "NCP-RES-055", &[1, 5, 3, 2, 6, 4], "`last_seq` should stay the highest seq when late frames arrive."),
-        (
-            "duplicate",
-            "NCP-RES-055",
-            &[1, 2, 3, 1, 2],
-            "`last_seq` should stay the highest seq when duplicates arrive.",
-        ),
-        (
-            "before-first",
-            "NCP-RES-055",
-            &[10, 3, 9],
-            "`last_seq` should stay the highest seq when frames from before the first arrive.",
-        ),
-        ("below-zero", "NCP-RES-055", &[-9, -2, -3, -9], "`last_seq` should stay the highest seq below 0 too."),
-    ];
-    let case = |(name, rule, seqs, title): (&str, &'static str, &[i64], &str)| {
-        let highest = seqs.iter().scan(i64::MIN, |highest, seq| {
-            *highest = (*highest).max(*seq);
-            Some(object! { "last_seq" => int(*highest) })
-        });
-        Case::new(format!("last-seq/{name}"), &[rule], &BOTH)
-            .call("link.run", args(None, None, seqs))
-            .shows(steps(highest.collect()))
-            .title(title)
-            .flags(&["wrong-loss"])
-            .because("`last_seq` is the highest seq seen, and should be so whatever arrived after it.")
-    };
-    table.into_iter().map(case).collect()
-}
-
 /// Every order of 2, 3, 4, 5.
 fn orders() -> Vec<Vec<i64>> {
     let mut all = vec![Vec::new()];
@@ -329,7 +259,7 @@ fn orders() -> Vec<Vec<i64>> {
     all
 }
 
-fn bursts() -> Vec<Case> {
+fn gaps() -> Vec<Case> {
     let mut cases = Vec::new();
     for gap in [1, 2, 3, 4, 5, 6, 7, 10, 11, 20, 100, 255, 256, 257, 1000] {
         let rule = if gap > 256 { "NCP-RES-050" } else { "NCP-RES-046" };
@@ -342,80 +272,23 @@ fn bursts() -> Vec<Case> {
                 ),
         );
     }
-    // After the largest burst the sum is 10, and 0.05 comes off with each frame.
-    let recovery: Vec<i64> = std::iter::once(1).chain(1000..1110).collect();
-    cases.push(
-        usual("burst/clears", &["NCP-RES-049", "NCP-RES-046"], &recovery)
-            .title("A healthy link clears the largest burst within 101 frames.")
-            .flags(&["burst-detector"])
-            .because("The sum does not exceed twice the threshold, 10, and each delivery takes 0.05 off."),
-    );
-    let twice: Vec<i64> = [1, 500].into_iter().chain(1000..1110).collect();
-    cases.push(
-        usual("burst/clears-after-two", &["NCP-RES-049", "NCP-RES-046"], &twice)
-            .title("Two bursts one upon the other clear as fast as one.")
-            .flags(&["burst-detector"])
-            .because("The sum does not exceed twice the threshold."),
-    );
-    let spread: Vec<i64> = (0..60).map(|at| at + at / 20).collect();
-    cases.push(
-        usual("burst/usual-loss", &["NCP-RES-046"], &spread)
-            .title("A loss of one in twenty is usual and no burst.")
-            .flags(&["burst-detector"])
-            .because("At the reference loss what the missing seqs add the deliveries take off again."),
-    );
-    let usual_loss: Vec<i64> = (0..300).map(|at| at + at / 20).collect();
-    cases.push(
-        usual("burst/usual-loss-goes-on", &["NCP-RES-046"], &usual_loss)
-            .title("A loss of one in twenty is no burst either when it goes on.")
-            .flags(&["burst-detector"])
-            .because("Each delivery takes 0.05 off, so the sum does not grow with the time."),
-    );
-    let small: Vec<i64> = std::iter::once(1).chain(8..60).collect();
-    cases.push(
-        usual("burst/clears-a-small-one", &["NCP-RES-046", "NCP-RES-049"], &small)
-            .title("A burst that is just above the threshold is over after some deliveries.")
-            .flags(&["burst-detector"])
-            .because("A gap of six adds 5.7, each delivery takes 0.05 off, and at 5 the sum is no longer above the threshold."),
-    );
-    let dense: Vec<i64> = (0..30).map(|at| at * 2).collect();
-    cases.push(
-        usual("burst/every-second", &["NCP-RES-046"], &dense)
-            .title("A loss of every second frame becomes a burst.")
-            .flags(&["burst-detector"])
-            .because("Each pair adds 0.95 and takes off 0.05, until the sum is above 5."),
-    );
+    cases
+}
+
+/// Bursts of other parameters, where only the sum decides.
+fn at_the_threshold() -> Case {
     // Without a usual loss every sum is a whole number, so that the threshold itself can be met.
     let entry = |burst| object! { "burst" => Json::Bool(burst) };
-    cases.push(
         Case::new("burst/at-the-threshold", &["NCP-RES-046"], &BOTH)
             .call("link.run", args(Some(0.0), Some(5.0), &[1, 7, 9]))
             .shows(steps(vec![entry(false), entry(false), entry(true)]))
             .title("A sum of exactly the threshold is no burst, and one more loss is.")
             .flags(&["burst-detector"])
-            .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5."),
-    );
-    let after_good: Vec<i64> = (1..=60).chain([67, 68]).collect();
-    cases.push(
-        usual("burst/after-a-good-link", &["NCP-RES-046"], &after_good)
-            .title("Sixty deliveries do not make up for a gap of six.")
-            .flags(&["burst-detector"])
-            .because("The sum stays within 0 and twice the threshold, so deliveries save up nothing."),
-    );
-    let duplicates: Vec<i64> = [1, 20].into_iter().chain([20; 100]).collect();
-    cases.push(
-        usual("burst/duplicates-clear-nothing", &["NCP-RES-042", "NCP-RES-046"], &duplicates)
-            .title("Duplicates do not clear a burst.")
-            .flags(&["burst-detector"])
-            .because("A duplicate changes nothing, the detector included."),
-    );
-    let fast: Vec<i64> = (1..=200).collect();
-    cases.push(
-        usual("burst/none", &["NCP-RES-046"], &fast)
-            .title("A stream without loss is never a burst.")
-            .flags(&["burst-detector"])
-            .because("The sum stays at 0."),
-    );
+            .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5.")
+}
+
+fn bounded() -> Vec<Case> {
+    let mut cases = Vec::new();
     // With a tiny step, only the bound on the updates of one gap keeps the sum low.
     for gap in [1000, 100_000, 1_000_000_000] {
         let seqs = [1, 2 + gap];

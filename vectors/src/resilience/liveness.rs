@@ -1,8 +1,8 @@
 //! Every sequence of four events at a plant, with a question after each.
 
 use super::model::{Event, buffer, watchdog};
-use super::watchdog::next;
 use crate::case::{Case, File, Role};
+use crate::command::active;
 
 pub(super) fn files() -> Vec<File> {
     vec![of_watchdog(), of_buffer()]
@@ -41,9 +41,9 @@ fn of_watchdog() -> File {
             match letter {
                 'c' => {
                     seq += 1;
-                    events.push(Event::Command(next(seq), now));
+                    events.push(Event::Command(active(seq), now));
                 }
-                'd' => events.push(Event::Command(next(seq), now)),
+                'd' => events.push(Event::Command(active(seq), now)),
                 'w' => now += 0.25,
                 'b' => now -= 0.5,
                 _ => events.push(Event::Reset),
@@ -82,12 +82,12 @@ fn of_buffer() -> File {
         for letter in letters.chars() {
             seq += 2;
             match letter {
-                'a' => events.push(Event::Command(next(seq), now)),
-                'h' => events.push(Event::Command(next(seq).mode("hold"), now)),
-                'e' => events.push(Event::Command(next(seq).mode("estop"), now)),
+                'a' => events.push(Event::Command(active(seq), now)),
+                'h' => events.push(Event::Command(active(seq).mode("hold"), now)),
+                'e' => events.push(Event::Command(active(seq).mode("estop"), now)),
                 'o' => {
                     seq -= 2;
-                    events.push(Event::Command(next(seq - 1), now));
+                    events.push(Event::Command(active(seq - 1), now));
                 }
                 _ => {
                     events.push(Event::Reset);
@@ -98,7 +98,7 @@ fn of_buffer() -> File {
             now += 0.125;
         }
         events.push(Event::Ask(now));
-        let (args, pattern) = buffer(&events);
+        let (args, pattern) = buffer(&events, false);
         let rules = rules(
             &letters,
             &[

@@ -9,19 +9,33 @@ mod model;
 mod watchdog;
 
 use crate::case::{Case, File, Role};
-use model::{Event, active, buffer};
+use crate::command::active;
+use crate::scenario::{Row, ScenarioError};
+use model::{Event, buffer, events};
 
-pub(crate) fn files() -> Vec<File> {
-    let mut files =
-        vec![watchdog::file(), buffer::file(), estop::file(), horizon::replay(), horizon::lengths(), link::file()];
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    let mut files = vec![
+        watchdog::file()?,
+        buffer::file()?,
+        estop::file()?,
+        horizon::replay()?,
+        horizon::lengths(),
+        link::file()?,
+    ];
     files.extend(liveness::files());
-    files
+    Ok(files)
 }
 
 /// What becomes of an action buffer that sees these events.
 fn buffer_case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Case {
-    let (args, pattern) = buffer(events);
+    let (args, pattern) = buffer(events, false);
     Case::new(path, rules, &[Role::Body]).call("buffer.run", args).shows(pattern)
+}
+
+/// The same of a row.
+fn buffer_row(row: &Row) -> Result<Case, ScenarioError> {
+    let (args, pattern) = buffer(&events(row)?, false);
+    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(pattern))
 }
 
 /// A command that moves the plant.

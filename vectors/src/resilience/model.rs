@@ -2,74 +2,17 @@
 //!
 //! It knows three answers: the plant holds, it may not hold, or the text lets it do either.
 
+use ncp_text::WIRE_VERSION;
+
+use crate::command::{Channel, Command, active, channels_json};
 use crate::json::{Json, object};
-use crate::trace::{any, int, no_result, num, nums, steps};
-
-/// A command as the plant receives it.
-#[derive(Debug, Clone)]
-pub(super) struct Command {
-    pub(super) seq: i64,
-    pub(super) mode: &'static str,
-    pub(super) ttl: f64,
-    /// What tick 0 commands.
-    pub(super) value: f64,
-    /// What the ticks 1, 2, … command.
-    pub(super) horizon: Vec<f64>,
-    pub(super) dt: Option<f64>,
-    pub(super) t: f64,
-}
-
-/// A command of a quarter of a second that commands its own seq.
-pub(super) fn active(seq: i64) -> Command {
-    #[expect(clippy::cast_precision_loss, reason = "seqs are small, and a value is only to be told from others")]
-    let value = seq as f64;
-    Command { seq, mode: "active", ttl: 250.0, value, horizon: Vec::new(), dt: None, t: 3.0 }
-}
-
-impl Command {
-    pub(super) fn mode(mut self, mode: &'static str) -> Self {
-        self.mode = mode;
-        self
-    }
-
-    pub(super) fn ttl(mut self, ttl: f64) -> Self {
-        self.ttl = ttl;
-        self
-    }
-
-    pub(super) fn then(mut self, dt: Option<f64>, horizon: &[f64]) -> Self {
-        self.horizon = horizon.to_vec();
-        self.dt = dt;
-        self
-    }
-
-    /// The frame as it travels.
-    pub(super) fn json(&self) -> Json {
-        let channels =
-            |x: f64| object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]), "unit" => "m/s" } };
-        object! {
-            "ncp_version" => "0.5",
-            "kind" => "command_frame",
-            "seq" => int(self.seq),
-            "t" => num(self.t),
-            "frame_id" => "world",
-            "mode" => self.mode,
-            "ttl_ms" => Json::literal(format!("{:?}", self.ttl)),
-            "channels" => channels(self.value),
-            "horizon" => self.horizon.iter().map(|x| channels(*x)).collect::<Json>(),
-            // As a frame spells them, the sign of a zero included.
-            "horizon_dt_ms" => self.dt.map(|dt| Json::literal(format!("{dt:?}"))),
-        }
-    }
-
-    pub(super) fn text(&self) -> String {
-        self.json().text()
-    }
-}
+use crate::patch::patched;
+use crate::scenario::{Row, ScenarioError, Step};
+use crate::trace::{any, int, no_result, num, steps};
 
 /// What happens at a plant.
 #[derive(Debug, Clone)]
-pub(super) enum Event {
+pub(crate) enum Event {
     /// A command arrives.
     Command(Command, f64),
     /// Any other text arrives. Whether it is an ESTOP by rule 22.
@@ -83,18 +26,69 @@ pub(super) enum Event {
     Reset,
 }
 
-/// What a plant may answer.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Answer {
-    Hold,
-    Move(f64),
-    /// It holds or moves so.
-    Either(f64),
+/// The events that the steps of a row say: `ask`, `reset`, `go 5` or `hold 5` for a command of that seq, with settings
+/// behind it, and `frame estop 5` with changes of the frame behind it. `@1.5` sets the clock for the step and those
+/// behind it, `+0.5` moves it; `x9` before a step repeats it.
+pub(crate) fn events(row: &Row) -> Result<Vec<Event>, ScenarioError> {
+    let (mut events, mut now) = (Vec::new(), 0.0);
+    for step in row.steps() {
+        let times = step.verb().strip_prefix('x').and_then(|times| times.parse().ok());
+        let step = if times.is_some() { step.tail() } else { step };
+        for _ in 0..times.unwrap_or(1) {
+            for word in step.words() {
+                if let Some(time) = word.strip_prefix('@') {
+                    now = step.place.double(time)?;
+                } else if let Some(time) = word.strip_prefix('+') {
+                    now += step.place.double(time)?;
+                }
+            }
+            events.push(event(&step, now)?);
+        }
+    }
+    Ok(events)
 }
 
-/// What the plant of the text does.
+fn event(step: &Step, now: f64) -> Result<Event, ScenarioError> {
+    Ok(match step.verb() {
+        "ask" => Event::Ask(now),
+        "reset" => Event::Reset,
+        "frame" => {
+            let (step, changes) = step.tail().halves();
+            let frame = patched(command(&step)?.frame(), &changes, step.place)?;
+            Event::Text { text: Json::string(frame.text()), now, stops: false }
+        }
+        _ => Event::Command(command(step)?, now),
+    })
+}
+
+/// The command of a step: its mode, its seq, and its settings. A hyphen stands for what is absent.
+pub(crate) fn command(step: &Step) -> Result<Command, ScenarioError> {
+    let seq = match step.word(0, "seq")? {
+        "-" => None,
+        seq => Some(step.place.integer(seq)?),
+    };
+    let command = active(seq.unwrap_or(99));
+    let mode = match step.verb() {
+        "-" => None,
+        "go" => Some("active".to_owned()),
+        mode => Some(mode.to_owned()),
+    };
+    Command { seq, mode, ..command }.set(step)
+}
+
+/// What a plant may answer.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Answer {
+    Hold,
+    Move(Vec<Channel>),
+    /// It holds or moves so.
+    Either(Vec<Channel>),
+}
+
+/// What the plant of the text does, strict or not.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Plant {
+    strict: bool,
     last_seq: Option<i64>,
     /// The command that may be acted upon, when it came, and whether holding is allowed as well.
     held: Option<(Command, f64, bool)>,
@@ -116,24 +110,27 @@ impl Plant {
 
     pub(super) fn command(&mut self, command: &Command, now: f64) {
         self.read(now);
-        let advances = self.last_seq.is_none_or(|last| command.seq > last);
-        match command.mode {
-            "estop" => self.latched = true,
-            "active" => {
+        let seq = command.seq.unwrap_or(0);
+        let advances = self.last_seq.is_none_or(|last| seq > last);
+        match command.mode.as_deref() {
+            Some("estop") => self.latched = true,
+            // What a strict plant rejects or drops leaves nothing behind.
+            _ if self.strict && (command.version.as_deref() != Some(WIRE_VERSION) || seq < 1 || !advances) => {}
+            Some("active") => {
                 if advances {
-                    self.last_seq = Some(command.seq);
+                    self.last_seq = Some(seq);
                     self.held = Some((command.clone(), now, false));
                 }
             }
             _ => {
                 // A HOLD that is older need not be dropped.
-                if advances || command.seq == 0 || self.last_seq == Some(command.seq) {
+                if advances || seq == 0 || self.last_seq == Some(seq) {
                     self.held = None;
                 } else if let Some((_, _, may_hold)) = &mut self.held {
                     *may_hold = true;
                 }
-                if advances && command.seq != 0 {
-                    self.last_seq = Some(command.seq);
+                if advances && seq != 0 {
+                    self.last_seq = Some(seq);
                 }
             }
         }
@@ -141,7 +138,7 @@ impl Plant {
 
     /// Another command frame by the watchdog's call, which has no mode.
     pub(super) fn reset(&mut self) {
-        *self = Self { clock: self.clock, ..Self::default() };
+        *self = Self { strict: self.strict, clock: self.clock, ..Self::default() };
     }
 
     /// Whether and on what the plant acts at `now`.
@@ -164,18 +161,18 @@ impl Plant {
         // A horizon whose ticks have no length is held for, or tick 0 followed.
         let may_hold = may_hold || usable.is_none() && !command.horizon.is_empty();
         let value = match usable.filter(|_| !command.horizon.is_empty()) {
-            None => Some(command.value),
+            None => Some(command.channels),
             Some(dt) => {
                 let tick = ((now - received) * 1000.0 / dt).floor();
                 if tick < 1.0 {
-                    Some(command.value)
+                    Some(command.channels)
                 } else {
                     #[expect(
                         clippy::cast_possible_truncation,
                         clippy::cast_sign_loss,
                         reason = "a tick of at most a minute"
                     )]
-                    command.horizon.get(tick as usize - 1).copied()
+                    command.horizon.get(tick as usize - 1).cloned()
                 }
             }
         };
@@ -191,15 +188,15 @@ impl Plant {
     }
 }
 
-/// The arguments and the pattern of `buffer.run`.
-pub(super) fn buffer(events: &[Event]) -> (Json, Json) {
-    let mut plant = Plant::default();
+/// The arguments and the pattern of `buffer.run`, of a plant that is strict or not.
+pub(crate) fn buffer(events: &[Event], strict: bool) -> (Json, Json) {
+    let mut plant = Plant { strict, ..Plant::default() };
     let (mut args, mut results) = (Vec::new(), Vec::new());
     for event in events {
         match event {
             Event::Command(command, now) => {
                 plant.command(command, *now);
-                args.push(object! { "op" => "command", "text" => command.text(), "now_s" => num(*now) });
+                args.push(object! { "op" => "command", "text" => command.frame().text(), "now_s" => num(*now) });
                 results.push(no_result());
             }
             Event::Text { text, now, stops } => {
@@ -210,11 +207,10 @@ pub(super) fn buffer(events: &[Event]) -> (Json, Json) {
             }
             Event::Ask(now) => {
                 args.push(object! { "op" => "active", "now_s" => num(*now) });
-                let moving = |x: f64| object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]), "unit" => "m/s" } };
                 let channels = match plant.ask(*now) {
                     Answer::Hold => vec![Json::Null],
-                    Answer::Move(x) => vec![moving(x)],
-                    Answer::Either(x) => vec![moving(x), Json::Null],
+                    Answer::Move(channels) => vec![channels_json(&channels)],
+                    Answer::Either(channels) => vec![channels_json(&channels), Json::Null],
                 };
                 results.push(any(channels.into_iter().map(|channels| object! { "channels" => channels }).collect()));
             }
@@ -236,7 +232,7 @@ pub(super) fn watchdog(events: &[Event]) -> (Json, Json) {
         match event {
             Event::Command(command, now) => {
                 plant.command(command, *now);
-                args.push(object! { "op" => "command", "now_s" => num(*now), "ttl_ms" => num(command.ttl), "seq" => int(command.seq) });
+                args.push(object! { "op" => "command", "now_s" => num(*now), "ttl_ms" => num(command.ttl), "seq" => command.seq.map(int) });
                 results.push(no_result());
             }
             Event::Ask(now) => {

@@ -1,5 +1,6 @@
 //! What a server answers from `open_session` to `close_session`.
 
+use ncp_text::WIRE_VERSION;
 use super::{
     Open, case, close, closed, error, not_closed, not_opened, observation, observed, opened, record, recorded, run,
     step, stimulus,
@@ -395,7 +396,7 @@ fn durations() -> Vec<Case> {
 /// Networks that hardly anybody has; that they are refused, the text does not say.
 fn refused() -> Vec<Case> {
     let network = |kind: &str, reference: &str| {
-        object! { "ncp_version" => "0.5", "kind" => "open_session", "session_id" => "a", "network" => object! { "kind" => kind, "ref" => reference } }.text()
+        object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "a", "network" => object! { "kind" => kind, "ref" => reference } }.text()
     };
     [("builtin", "ncp.no.such.network"), ("handle", "no-such-handle"), ("builtin", "")]
         .into_iter()

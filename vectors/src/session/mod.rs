@@ -4,6 +4,7 @@ mod life;
 mod numbers;
 
 use crate::case::{Case, File, REFERENCE_NETWORKS, Role};
+use ncp_text::WIRE_VERSION;
 use crate::json::{Json, object};
 use crate::trace::{any, num, text_of};
 
@@ -52,7 +53,7 @@ impl Open {
             sizes = sizes.with("other", other.into());
         }
         object! {
-            "ncp_version" => "0.5",
+            "ncp_version" => WIRE_VERSION,
             "kind" => "open_session",
             "session_id" => self.id,
             "network" => object! {
@@ -81,7 +82,7 @@ pub(crate) fn stimulus(port: &str, kind: &str) -> Json {
 }
 
 pub(crate) fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -> String {
-    let mut request = object! { "ncp_version" => "0.5", "kind" => "step_request", "session_id" => id };
+    let mut request = object! { "ncp_version" => WIRE_VERSION, "kind" => "step_request", "session_id" => id };
     if let Some(advance) = advance {
         request = request.with("advance_ms", num(advance));
     }
@@ -95,12 +96,12 @@ pub(crate) fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -
 }
 
 pub(crate) fn run(id: &str, duration: f64) -> String {
-    object! { "ncp_version" => "0.5", "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }
+    object! { "ncp_version" => WIRE_VERSION, "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }
         .text()
 }
 
 pub(crate) fn close(id: &str) -> String {
-    object! { "ncp_version" => "0.5", "kind" => "close_session", "session_id" => id }.text()
+    object! { "ncp_version" => WIRE_VERSION, "kind" => "close_session", "session_id" => id }.text()
 }
 
 pub(crate) fn opened(id: &str) -> Json {

@@ -1,6 +1,7 @@
 //! Frames as a strict receiver reads them: their versions on every plane, and the stamps of commands.
 
 use super::INCOMPATIBLE;
+use ncp_text::WIRE_VERSION;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, meaning, minimal};
@@ -53,7 +54,7 @@ fn rejects(case: Case, kind: &str, frame: &Json, code: &str) -> Case {
 
 fn versions(kind: &str) -> Vec<Case> {
     let frame = good(kind);
-    let terse = stamped_by(minimal(kind), 7).with("ncp_version", "0.5".into());
+    let terse = stamped_by(minimal(kind), 7).with("ncp_version", WIRE_VERSION.into());
     let roomy = good(kind).and("novel", object! { "ncp_version" => "0.4" });
     let mut cases = vec![
         accepts(case(kind, "version/own", &["NCP-STRICT-012"]), kind, &frame)
@@ -97,11 +98,11 @@ fn almost_versions() -> Vec<Case> {
     for kind in crate::roles::ANY {
         let bare = good(kind).without("ncp_version");
         let near = [
-            ("other-name", bare.clone().and("version", "0.5".into()), "under another name"),
-            ("upper-case", bare.clone().and("NCP_VERSION", "0.5".into()), "under a name in capitals"),
+            ("other-name", bare.clone().and("version", WIRE_VERSION.into()), "under another name"),
+            ("upper-case", bare.clone().and("NCP_VERSION", WIRE_VERSION.into()), "under a name in capitals"),
             (
                 "nested",
-                bare.clone().and("header", object! { "ncp_version" => "0.5" }),
+                bare.clone().and("header", object! { "ncp_version" => WIRE_VERSION }),
                 "within a member that is ignored",
             ),
         ];
@@ -127,7 +128,7 @@ fn almost_versions() -> Vec<Case> {
                 .strictly()
                 .because("Two member names are the same when they are equal after their escapes are resolved."),
         );
-        let last = bare.and("novel", Json::Null).and("ncp_version", "0.5".into());
+        let last = bare.and("novel", Json::Null).and("ncp_version", WIRE_VERSION.into());
         cases.push(
             accepts(case(kind, "almost/last", &["NCP-STRICT-012"]), kind, &last)
                 .title(format!("{} whose version is its last member is read by a strict receiver.", a(kind)))
@@ -157,7 +158,7 @@ fn stimuli() -> Vec<Case> {
     let mut cases = Vec::new();
     for kind in ["step_request", "run_request"] {
         let values = object! { "values" => object! { "drive" => object! { "data" => crate::trace::nums(&[1.5]) } } };
-        let versioned = values.clone().with("ncp_version", "0.5".into());
+        let versioned = values.clone().with("ncp_version", WIRE_VERSION.into());
         let frame = good(kind).with("stimulus", values);
         cases.push(
             accepts(case(kind, "stimulus/without-version", &["NCP-STRICT-012"]), kind, &frame)

@@ -1,6 +1,7 @@
 //! The stimulus frame within a request, which may leave out what the request says.
 
 use super::fields;
+use ncp_text::WIRE_VERSION;
 use super::place::Place;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -194,7 +195,7 @@ fn misfits(kind: &'static str) -> Vec<Case> {
                 kind,
                 minimal(kind)
                     .with("ncp_version", string("0.4"))
-                    .with("stimulus", object! { "ncp_version" => "0.5" })
+                    .with("stimulus", object! { "ncp_version" => WIRE_VERSION })
                     .text(),
             )
             .rejects("value")

@@ -1,0 +1,35 @@
+//! Frames of scenario text: a frame in good order, and what is changed in it.
+
+use crate::json::Json;
+use crate::scenario::{Place, ScenarioError};
+
+/// The frame with changes, which have ` | ` between: `name=value` sets a member, `+name=value` adds one at the end, also
+/// when it is there already, and `-name` takes one away. A name may be a path with dots, or a JSON string. A value is
+/// JSON, or any other text that is to stand as it is.
+pub(crate) fn patched(frame: Json, changes: &str, place: Place) -> Result<Json, ScenarioError> {
+    let changes = changes.split(" | ").map(str::trim).filter(|change| !change.is_empty());
+    changes.into_iter().try_fold(frame, |frame, change| patch(frame, change, place))
+}
+
+fn patch(frame: Json, change: &str, place: Place) -> Result<Json, ScenarioError> {
+    if let Some(name) = change.strip_prefix('-') {
+        return Ok(frame.without(name));
+    }
+    let (adds, change) = match change.strip_prefix('+') {
+        Some(change) => (true, change),
+        None => (false, change),
+    };
+    // The first equals sign behind the name, which a quoted name may hold as well.
+    let quoted = change.starts_with('"').then(|| change.find("\"=")).flatten().map(|at| at + 1);
+    let at = quoted.or_else(|| change.find('=')).ok_or_else(|| place.wants("change of a frame", change))?;
+    let (name, value) = (&change[..at], Json::read(&change[at + 1..]));
+    let name = match quoted {
+        Some(_) => Json::read(name).as_str().unwrap_or(name).to_owned(),
+        None => name.to_owned(),
+    };
+    Ok(match name.split_once('.') {
+        _ if adds => frame.and(&name, value),
+        Some(_) if quoted.is_none() => frame.edit(&name.split('.').collect::<Vec<_>>(), |_| value),
+        _ => frame.with(&name, value),
+    })
+}
