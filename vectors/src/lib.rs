@@ -63,7 +63,7 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         codec::files(),
         control::files(),
         session::files(),
-        strict::files(),
+        strict::files()?,
     ];
     let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();
     files.sort();

@@ -440,14 +440,13 @@ impl Row {
         let (name, part) = word.split_once('.').unwrap_or((word, "value"));
         if let Some((_, of_value, value)) = self.values.iter().find(|(known, ..)| *known == name) {
             let parts = || value.split(':');
-            return Ok(match part {
-                "name" => *of_value,
+            return self.fill(match part {
+                "name" => of_value,
                 "first" => parts().next().unwrap_or_default(),
                 "second" => parts().nth(1).unwrap_or_default(),
                 "third" => parts().nth(2).unwrap_or_default(),
                 _ => value,
-            }
-            .to_owned());
+            });
         }
         if let Some((_, cell)) = self.cells.iter().find(|(known, _)| *known == word) {
             return self.fill(cell);

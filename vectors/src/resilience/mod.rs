@@ -11,7 +11,7 @@ mod watchdog;
 use crate::case::{Case, File, Role};
 use crate::command::active;
 use crate::scenario::{Row, ScenarioError};
-use model::{Event, buffer, events};
+pub(crate) use model::{Event, buffer, events};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut files = vec![
@@ -39,6 +39,6 @@ fn buffer_row(row: &Row) -> Result<Case, ScenarioError> {
 }
 
 /// A command that moves the plant.
-fn go(seq: i64, now: f64) -> Event {
+pub(crate) fn go(seq: i64, now: f64) -> Event {
     Event::Command(active(seq), now)
 }

@@ -8,9 +8,10 @@ mod server;
 
 use crate::case::{Case, File};
 use crate::json::Json;
+use crate::scenario::ScenarioError;
 
-pub(crate) fn files() -> Vec<File> {
-    vec![keys::file(), frames::file(), replies::file(), plant::file(), server::file()]
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    Ok(vec![keys::file(), frames::file(), replies::file(), plant::file()?, server::file()])
 }
 
 /// Versions with which one's own, 0.5, is not compatible, by name and spelling.
