@@ -61,7 +61,7 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         safety::files(),
         resilience::files()?,
         codec::files(),
-        control::files(),
+        control::files()?,
         session::files(),
         strict::files()?,
     ];

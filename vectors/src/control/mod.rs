@@ -5,19 +5,24 @@ mod tick;
 
 use crate::case::File;
 use crate::json::{Json, object};
+use crate::scenario::ScenarioError;
 use crate::trace::{int, num, nums};
 
-pub(crate) fn files() -> Vec<File> {
-    vec![reflex::file(), tick::file()]
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    Ok(vec![reflex::file(), tick::file()?])
 }
 
 /// The fields of a sensor frame with a position and perhaps a velocity.
 fn sensor(seq: i64, t: f64, position: &[f64], velocity: Option<&[f64]>) -> Json {
+    object! { "seq" => int(seq), "t" => num(t), "channels" => channels_at(position, velocity) }
+}
+
+fn channels_at(position: &[f64], velocity: Option<&[f64]>) -> Json {
     let mut channels = object! { "pose_position" => object! { "data" => nums(position), "unit" => "m" } };
     if let Some(velocity) = velocity {
         channels = channels.with("pose_velocity", object! { "data" => nums(velocity), "unit" => "m/s" });
     }
-    object! { "seq" => int(seq), "t" => num(t), "channels" => channels }
+    channels
 }
 
 /// A velocity of a command.

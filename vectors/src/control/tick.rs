@@ -1,13 +1,14 @@
 //! The control loop, tick by tick.
 
-use super::{sensor, velocity};
+use super::{channels_at, velocity};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
+use crate::scenario::{self, Row, ScenarioError, Scenarios, source};
 use crate::trace::{any, int, name_of, no_result, num, steps, within};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = newest();
-    cases.extend(gates());
+    cases.extend(Scenarios::read(source!("control/loop"))?.rest(row_case)?);
     cases.extend(ttls());
     cases.extend(links());
     cases.extend(modes());
@@ -15,7 +16,7 @@ pub(super) fn file() -> File {
     cases.extend(counters());
     cases.extend(periods());
     let about = "The control loop: which sensor frame a tick uses, what it sends, and what it says about it.";
-    File::new("control", "loop", about, cases)
+    Ok(File::new("control", "loop", about, cases))
 }
 
 /// A step of a trace with what it shows.
@@ -28,10 +29,12 @@ fn arrives(seq: i64, now: f64) -> Step {
 }
 
 fn arrives_at(seq: i64, t: f64, position: &[f64], now: f64) -> Step {
-    (
-        object! { "op" => "sensor", "sensor" => sensor(seq, t, position, Some(&[0.0; 3])), "now_s" => num(now) },
-        no_result(),
-    )
+    frame(seq, t, channels_at(position, Some(&[0.0; 3])), now)
+}
+
+fn frame(seq: i64, t: f64, channels: Json, now: f64) -> Step {
+    let sensor = object! { "seq" => int(seq), "t" => num(t), "channels" => channels };
+    (object! { "op" => "sensor", "sensor" => sensor, "now_s" => num(now) }, no_result())
 }
 
 /// A tick of which only the command is looked at.
@@ -54,16 +57,6 @@ fn moves_by(data: &[f64], now: f64) -> Step {
     commands(now, object! { "mode" => "active", "channels" => velocity(data) })
 }
 
-/// A command of that seq, whatever else it says.
-fn echoes(seq: i64, now: f64) -> Step {
-    commands(now, object! { "seq" => int(seq) })
-}
-
-/// A HOLD, whatever else the frame says.
-fn pauses(now: f64) -> Step {
-    commands(now, object! { "mode" => "hold" })
-}
-
 /// The governor's HOLD.
 fn holds(now: f64) -> Step {
     commands(now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) })
@@ -75,11 +68,6 @@ fn stops(now: f64) -> Step {
         now,
         object! { "mode" => "estop", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) },
     )
-}
-
-/// A HOLD of the controller itself.
-fn waits(now: f64) -> Step {
-    commands(now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) })
 }
 
 fn reset() -> Step {
@@ -142,251 +130,61 @@ fn newest() -> Vec<Case> {
                 .because(NEWEST),
         );
     }
-    let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
-        (
-            "echo",
-            &["NCP-CTRL-013"],
-            "Each tick echoes the seq of the frame that it used.",
-            vec![
-                arrives(5, 1.0),
-                echoes(5, 1.0),
-                echoes(5, 1.125),
-                arrives(6, 1.25),
-                echoes(6, 1.25),
-                echoes(6, 1.375),
-            ],
-        ),
-        (
-            "echo-of-the-newest",
-            &["NCP-CTRL-013", "NCP-CTRL-011"],
-            "Of several frames between two ticks, the seq of the newest is echoed.",
-            vec![arrives(11, 1.0), arrives(12, 1.0), arrives(13, 1.0), echoes(13, 1.0625)],
-        ),
-        (
-            "echo-unstamped",
-            &["NCP-CTRL-013"],
-            "A frame without a stamp is answered without one.",
-            vec![
-                arrives_at(0, 5.0, &[0.5, 0.0, 0.0], 1.0),
-                echoes(0, 1.0),
-                arrives_at(0, 6.0, &[0.25, 0.0, 0.0], 1.125),
-                echoes(0, 1.125),
-            ],
-        ),
-        (
-            "echo-held",
-            &["NCP-CTRL-013", "NCP-SAFE-070"],
-            "A tick whose command the governor holds echoes the seq too.",
-            vec![arrives(7, 1.0), echoes(7, 1.0), commands(9.0, object! { "mode" => "hold", "seq" => int(7) })],
-        ),
-        (
-            "several-between",
-            &["NCP-CTRL-011"],
-            "Of several frames between two ticks the newest is used.",
-            vec![arrives(1, 1.0), arrives(2, 1.0), arrives(3, 1.0), moves(3, 1.0625)],
-        ),
-        (
-            "duplicate-renews-nothing",
-            &["NCP-CTRL-012"],
-            "A duplicate does not renew the sensor's time.",
-            vec![arrives(1, 1.0), moves(1, 1.0), arrives(1, 1.375), moves(1, 1.5), pauses(1.5625)],
-        ),
-        (
-            "older-renews-nothing",
-            &["NCP-CTRL-012", "NCP-CTRL-011"],
-            "An older frame does not renew the sensor's time.",
-            vec![arrives(5, 1.0), moves(5, 1.0), arrives(4, 1.375), arrives(3, 1.4375), moves(5, 1.5), pauses(1.5625)],
-        ),
-        (
-            "unstamped-older-renews-nothing",
-            &["NCP-CTRL-012", "NCP-CTRL-011"],
-            "An older frame without a stamp does not renew the sensor's time.",
-            vec![
-                arrives_at(0, 5.0, &[0.5, 0.0, 0.0], 1.0),
-                moves_by(&[-0.5, 0.0, 0.0], 1.0),
-                arrives_at(0, 4.0, &[0.25, 0.0, 0.0], 1.375),
-                moves_by(&[-0.5, 0.0, 0.0], 1.5),
-                pauses(1.5625),
-            ],
-        ),
-        (
-            "newer-renews",
-            &["NCP-CTRL-012"],
-            "A newer frame renews the sensor's time.",
-            vec![
-                arrives(1, 1.0),
-                moves(1, 1.0),
-                moves(1, 1.5),
-                arrives(2, 1.5),
-                moves(2, 1.5),
-                moves(2, 2.0),
-                pauses(2.0625),
-                arrives(3, 2.0625),
-                moves(3, 2.0625),
-            ],
-        ),
-        (
-            "restarted-sensor",
-            &["NCP-CTRL-012", "NCP-CTRL-011"],
-            "A sensor whose seq begins again is not believed.",
-            vec![
-                arrives(10, 1.0),
-                moves(10, 1.0),
-                arrives(1, 1.25),
-                moves(10, 1.25),
-                arrives(2, 1.5),
-                arrives(3, 1.75),
-                pauses(1.75),
-                arrives(11, 1.75),
-                moves(11, 1.75),
-            ],
-        ),
-        (
-            "time-says-nothing-when-stamped",
-            &["NCP-CTRL-011"],
-            "While frames are stamped, their times say nothing.",
-            vec![
-                arrives_at(1, 900.0, &[0.25, 0.0, 0.0], 1.0),
-                arrives_at(2, 901.0, &[0.5, 0.0, 0.0], 1.0),
-                moves_by(&[-0.5, 0.0, 0.0], 1.0),
-            ],
-        ),
-        (
-            "no-frame",
-            &["NCP-CTRL-003"],
-            "Without a sensor frame the loop sends a HOLD.",
-            vec![waits(1.0), waits(1.125), arrives(1, 1.25), moves(1, 1.25)],
-        ),
-        (
-            "no-position",
-            &["NCP-CTRL-003"],
-            "With a frame without a position the loop sends a HOLD.",
-            vec![
-                (
-                    object! { "op" => "sensor", "sensor" => object! { "seq" => 1_u32, "t" => num(0.125), "channels" => Json::object() }, "now_s" => num(1.0) },
-                    no_result(),
-                ),
-                waits(1.0),
-                arrives(2, 1.0),
-                moves(2, 1.0),
-            ],
-        ),
-    ];
-    cases.extend(table.into_iter().map(|(name, rules, title, trace)| {
-        run(format!("newest/{name}"), rules, 50.0, Json::object(), trace)
-            .title(title)
-            .flags(&["last-to-arrive"])
-            .because(NEWEST)
-    }));
     cases
 }
 
-/// The governor at the end of the loop.
-fn gates() -> Vec<Case> {
-    let fence = || object! { "geofence_radius_m" => num(5.0) };
-    let speed = |limit: f64| object! { "max_speed_mps" => num(limit) };
-    let out = || arrives_at(2, 0.25, &[3.0, 4.0, 1.0], 1.25);
-    let slow_timeout = object! { "command_timeout_ms" => num(125.0) };
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
-    let table: Vec<(&str, &[&'static str], &str, Json, Vec<Step>)> = vec![
-        (
-            "stale",
-            &["NCP-CTRL-015", "NCP-SAFE-033"],
-            "A stale sensor holds.",
-            Json::object(),
-            vec![arrives(1, 1.0), moves(1, 1.0), moves(1, 1.5), holds(1.5625), holds(9.0)],
-        ),
-        (
-            "stale-timeout",
-            &["NCP-CTRL-015", "NCP-SAFE-033"],
-            "A shorter timeout holds sooner.",
-            slow_timeout,
-            vec![arrives(1, 1.0), moves(1, 1.0), moves(1, 1.125), holds(1.1875)],
-        ),
-        (
-            "clock-backward",
-            &["NCP-CTRL-015", "NCP-SAFE-035"],
-            "A clock that reads less than the sensor's time holds.",
-            Json::object(),
-            vec![arrives(1, 10.0), moves(1, 10.0), holds(9.0)],
-        ),
-        (
-            "outside",
-            &["NCP-CTRL-015", "NCP-SAFE-043"],
-            "A position outside the fence stops, and goes on stopping.",
-            fence(),
-            vec![arrives(1, 1.0), moves(1, 1.0), out(), stops(1.25), arrives(3, 1.375), stops(1.375)],
-        ),
-        (
-            "outside-reset",
-            &["NCP-CTRL-015", "NCP-SAFE-008"],
-            "After a reset, and inside again, the loop goes on.",
-            fence(),
-            vec![
-                arrives(1, 1.0),
-                out(),
-                stops(1.25),
-                arrives(3, 1.375),
-                stops(1.375),
-                reset(),
-                arrives(4, 1.5),
-                moves(4, 1.5),
-            ],
-        ),
-        (
-            "outside-reset-outside",
-            &["NCP-CTRL-015", "NCP-SAFE-043"],
-            "After a reset, and still outside, the loop stops again.",
-            fence(),
-            vec![out(), stops(1.25), reset(), arrives_at(3, 0.375, &[3.0, 4.0, 1.0], 1.3125), stops(1.3125)],
-        ),
-        (
-            "config-fault",
-            &["NCP-CTRL-015", "NCP-SAFE-017"],
-            "Limits that are none hold for good.",
-            speed(-1.0),
-            vec![arrives(1, 1.0), holds(1.0), reset(), arrives(2, 1.125), holds(1.125)],
-        ),
-        (
-            "speed-clamp",
-            &["NCP-CTRL-015", "NCP-SAFE-060"],
-            "The controller's velocity obeys the governor's limit.",
-            speed(1.0),
-            vec![arrives_at(1, 1.0, &[0.9, -1.2, 0.0], 1.0), moves_by(&[-0.6, 0.8, 0.0], 1.0)],
-        ),
-        (
-            "speed-clamp-saturated",
-            &["NCP-CTRL-015", "NCP-SAFE-060"],
-            "A saturated command obeys the governor's limit by its norm.",
-            speed(1.5),
-            vec![
-                arrives_at(1, 1.0, &[90.0, -90.0, 0.0], 1.0),
-                moves_by(&[-1.5 * 0.5_f64.sqrt(), 1.5 * 0.5_f64.sqrt(), 0.0], 1.0),
-            ],
-        ),
-        (
-            "speed-below",
-            &["NCP-CTRL-015", "NCP-SAFE-062"],
-            "A slow command passes.",
-            speed(3.0),
-            vec![arrives(8, 1.0), moves(8, 1.0)],
-        ),
-        (
-            "fence-inside",
-            &["NCP-CTRL-015", "NCP-SAFE-021"],
-            "Inside the fence the loop moves.",
-            fence(),
-            vec![arrives_at(1, 1.0, &[1.0, -1.0, 1.0], 1.0), moves_by(&[-1.0, 1.0, -1.0], 1.0)],
-        ),
-    ];
-    table
-        .into_iter()
-        .map(|(name, rules, title, limits, trace)| {
-            run(format!("gate/{name}"), rules, 50.0, limits, trace)
-                .title(title)
-                .because("The loop sends no command that the governor has not passed or made.")
-        })
-        .collect()
+/// The steps of a row; `loop.txt` says how they are written.
+fn trace(row: &Row) -> Result<Vec<Step>, ScenarioError> {
+    let mut now = 0.0;
+    row.steps().iter().map(|step| one_step(step, &mut now)).collect()
+}
+
+fn one_step(step: &scenario::Step, now: &mut f64) -> Result<Step, ScenarioError> {
+    let place = step.place;
+    let (mut t, mut at) = (None, None);
+    for word in step.words() {
+        match word.split_once('=') {
+            Some(("t", value)) => t = Some(place.double(value)?),
+            Some(("at", "-")) => at = Some(Json::object()),
+            Some(("at", value)) => at = Some(channels_at(&place.doubles(value)?, Some(&[0.0; 3]))),
+            _ => *now = word.strip_prefix('@').map_or(Ok(*now), |time| place.double(time))?,
+        }
+    }
+    let seq = || place.integer(step.word(0, "seq")?);
+    #[expect(clippy::cast_precision_loss, reason = "small seqs")]
+    Ok(match step.verb() {
+        "sensor" => {
+            let x = seq()? as f64;
+            let channels = at.unwrap_or_else(|| channels_at(&[x / 16.0, 0.0, 0.0], Some(&[0.0; 3])));
+            frame(seq()?, t.unwrap_or(x / 8.0), channels, *now)
+        }
+        "moves" => moves(seq()?, *now),
+        "moves-by" => moves_by(&place.doubles(step.word(0, "velocity")?)?, *now),
+        "echoes" => commands(*now, object! { "seq" => int(seq()?) }),
+        "holds-seq" => commands(*now, object! { "mode" => "hold", "seq" => int(seq()?) }),
+        "pauses" => commands(*now, object! { "mode" => "hold" }),
+        "waits" => commands(*now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) }),
+        "holds" => holds(*now),
+        "stops" => stops(*now),
+        "reset" => reset(),
+        verb => return Err(place.wants("step of a loop", verb)),
+    })
+}
+
+fn row_case(row: &Row) -> Result<Case, ScenarioError> {
+    let mut limits = Json::object();
+    for word in row.cell("limits").unwrap_or_default().split_whitespace() {
+        let (name, value) = word.split_once('=').unwrap_or_default();
+        let name = match name {
+            "fence" => "geofence_radius_m",
+            "speed" => "max_speed_mps",
+            "timeout" => "command_timeout_ms",
+            _ => return Err(row.place.wants("limit", word)),
+        };
+        limits = limits.with(name, num(row.place.double(value)?));
+    }
+    let case = run(&row.path, &row.rules, 50.0, limits, trace(row)?);
+    Ok(case.title(&row.title).flags(&row.flags).because(&row.why))
 }
 
 fn ttls() -> Vec<Case> {
