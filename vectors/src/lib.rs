@@ -62,7 +62,7 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         resilience::files()?,
         codec::files(),
         control::files()?,
-        session::files(),
+        session::files()?,
         strict::files()?,
     ];
     let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();

@@ -11,6 +11,24 @@ pub(crate) fn patched(frame: Json, changes: &str, place: Place) -> Result<Json, 
     changes.into_iter().try_fold(frame, |frame, change| patch(frame, change, place))
 }
 
+/// The text that a cell writes: behind `json`, the characters of a JSON string; else, also behind `raw`, the cell as it
+/// stands, in which `<s*9>` repeats `s`.
+pub(crate) fn written(cell: &str) -> String {
+    match cell.split_once(' ') {
+        Some(("json", text)) => Json::read(text).as_str().unwrap_or(text).to_owned(),
+        Some(("raw", text)) => repeated(text),
+        _ => repeated(cell),
+    }
+}
+
+fn repeated(text: &str) -> String {
+    let Some((before, (inside, after))) = text.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?))) else {
+        return text.to_owned();
+    };
+    let (part, times) = inside.split_once('*').unwrap_or((inside, "1"));
+    format!("{before}{}{}", part.repeat(times.parse().unwrap_or(1)), repeated(after))
+}
+
 fn patch(frame: Json, change: &str, place: Place) -> Result<Json, ScenarioError> {
     if let Some(name) = change.strip_prefix('-') {
         return Ok(frame.without(name));

@@ -457,6 +457,7 @@ impl Row {
             "older" => beside(-1),
             "newer" => beside(1),
             "hash" => CONTRACT_HASH.to_owned(),
+            "hash-in-capitals" => CONTRACT_HASH.to_uppercase(),
             _ => return Err(self.place.fault(Fault::Placeholder(word.to_owned()))),
         })
     }

@@ -4,7 +4,7 @@ use super::model::{Event, command};
 use super::{buffer_case, buffer_row, go};
 use crate::case::{Case, File};
 use crate::json::Json;
-use crate::patch::patched;
+use crate::patch::{patched, written};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -53,29 +53,17 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioErro
     Ok([case("moving", &moving, "moves"), case("first", &first, "has seen nothing")])
 }
 
-/// The text of a row: `raw` and the text as it stands, in which `<s*9>` repeats `s`; `json` and the text as a JSON
-/// string; or a command with its changes.
+/// The text of a row: `raw` or `json` and a text, or a command with its changes.
 fn text_of(row: &Row) -> Result<String, ScenarioError> {
     let cell = row.text("frame")?;
-    match cell.split_once(' ') {
-        Some(("raw", text)) => Ok(repeated(text)),
-        Some(("json", text)) => Ok(Json::read(text).as_str().unwrap_or_default().to_owned()),
-        _ if cell == "members" => {
-            let members: String = (0..300).map(|at| format!("\"x{at}\":{at},")).collect();
-            Ok(format!("{{{members}\"kind\":\"command_frame\",\"mode\":\"estop\"}}"))
-        }
-        _ => {
-            let mut steps = row.steps_of("frame")?;
-            let (step, changes) = steps.swap_remove(0).halves();
-            Ok(patched(command(&step)?.frame(), &changes, row.place)?.text())
-        }
+    if cell.starts_with("raw ") || cell.starts_with("json ") {
+        return Ok(written(&cell));
     }
-}
-
-fn repeated(text: &str) -> String {
-    let Some((before, (inside, after))) = text.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?))) else {
-        return text.to_owned();
-    };
-    let (part, times) = inside.split_once('*').unwrap_or((inside, "1"));
-    format!("{before}{}{}", part.repeat(times.parse().unwrap_or(1)), repeated(after))
+    if cell == "members" {
+        let members: String = (0..300).map(|at| format!("\"x{at}\":{at},")).collect();
+        return Ok(format!("{{{members}\"kind\":\"command_frame\",\"mode\":\"estop\"}}"));
+    }
+    let mut steps = row.steps_of("frame")?;
+    let (step, changes) = steps.swap_remove(0).halves();
+    Ok(patched(command(&step)?.frame(), &changes, row.place)?.text())
 }

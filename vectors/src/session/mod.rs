@@ -6,16 +6,17 @@ mod numbers;
 use crate::case::{Case, File, REFERENCE_NETWORKS, Role};
 use ncp_text::WIRE_VERSION;
 use crate::json::{Json, object};
+use crate::scenario::ScenarioError;
 use crate::trace::{any, num, text_of};
 
-pub(crate) fn files() -> Vec<File> {
-    vec![life::file(), numbers::file()]
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    Ok(vec![life::file()?, numbers::file()])
 }
 
 /// A session of the reference networks.
 #[derive(Clone)]
 pub(crate) struct Open {
-    id: &'static str,
+    id: String,
     network: &'static str,
     params: Vec<(&'static str, f64)>,
     size: u32,
@@ -28,9 +29,9 @@ pub(crate) struct Open {
 }
 
 impl Open {
-    pub(crate) fn lif(id: &'static str) -> Self {
+    pub(crate) fn lif(id: &str) -> Self {
         Self {
-            id,
+            id: id.to_owned(),
             network: "ncp.reference.lif",
             params: Vec::new(),
             size: 1,
@@ -42,7 +43,7 @@ impl Open {
         }
     }
 
-    pub(crate) fn rate(id: &'static str) -> Self {
+    pub(crate) fn rate(id: &str) -> Self {
         Self { network: "ncp.reference.rate", ..Self::lif(id) }
     }
 
@@ -55,7 +56,7 @@ impl Open {
         object! {
             "ncp_version" => WIRE_VERSION,
             "kind" => "open_session",
-            "session_id" => self.id,
+            "session_id" => self.id.as_str(),
             "network" => object! {
                 "kind" => "builtin",
                 "ref" => self.network,
@@ -168,7 +169,7 @@ fn id_of(request: &str) -> &str {
 
 /// Whether a request is well-formed and of a kind.
 fn is_of(request: &str, kind: &str) -> bool {
-    request.starts_with(&format!("{{\"ncp_version\":\"0.5\",\"kind\":\"{kind}\""))
+    request.starts_with(&format!("{{\"ncp_version\":\"{WIRE_VERSION}\",\"kind\":\"{kind}\""))
 }
 
 /// What a request is answered for a session that was refused; `None` if it is no request for one.
