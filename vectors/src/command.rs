@@ -3,7 +3,7 @@
 use ncp_text::WIRE_VERSION;
 
 use crate::json::{Json, object};
-use crate::scenario::{ScenarioError, Step};
+use crate::scenario::{Place, ScenarioError, Step};
 use crate::trace::{int, num, nums};
 
 pub(crate) const POSITION: &str = "pose_position";
@@ -17,6 +17,12 @@ pub(crate) struct Channel {
     pub(crate) name: String,
     pub(crate) data: Vec<f64>,
     pub(crate) unit: Option<String>,
+}
+
+impl Channel {
+    pub(crate) fn is_finite(&self) -> bool {
+        self.data.iter().all(|x| x.is_finite())
+    }
 }
 
 pub(crate) fn channel(name: &str, data: &[f64], unit: Option<&str>) -> Channel {
@@ -36,20 +42,24 @@ pub(crate) fn channels_json(channels: &[Channel]) -> Json {
     Json::Object(channels.iter().map(value).collect())
 }
 
-/// The channels that a word says: velocities, as `1,0,0`, or samples of named channels, as `grip=0.5` or
-/// `tow=0,30,40[m/s]`, with `&` between. A hyphen stands for no channel.
-pub(crate) fn channels(step: &Step, word: &str) -> Result<Vec<Channel>, ScenarioError> {
+/// The channels that a word says, with `&` between: samples of named channels, as `grip=0.5` or `tow=0,30,40[m/s]`, and of
+/// the one that needs no name, as `1,0,0`. A hyphen stands for no channel.
+pub(crate) fn channels(
+    place: Place,
+    word: &str,
+    nameless: impl Fn(&[f64]) -> Channel,
+) -> Result<Vec<Channel>, ScenarioError> {
     let one = |word: &str| match word.split_once('=') {
-        None => Ok(velocity(&step.place.doubles(word)?)),
+        None => Ok(nameless(&place.doubles(word)?)),
         Some((name, sample)) => {
             let (data, unit) = match sample.split_once('[') {
                 Some((data, unit)) => (data, Some(unit.trim_end_matches(']'))),
                 None => (sample, None),
             };
-            Ok(channel(name, &step.place.doubles(data)?, unit))
+            Ok(channel(name, &place.doubles(data)?, unit))
         }
     };
-    word.split('&').filter(|word| *word != "-").map(one).collect()
+    word.split('&').filter(|word| !matches!(*word, "" | "-")).map(one).collect()
 }
 
 /// The fields of a command frame. What is `None` is absent.
@@ -131,35 +141,44 @@ impl Command {
         self.then(dt, &velocities)
     }
 
-    /// Changed as the settings of a step say: `ttl=`, `dt=`, `t=`, `version=`, `mode=`, `x=` for the speed along x,
-    /// `v=` for the channels, `then=` for a horizon of speeds along x, and `horizon=` for one of channels, with slashes
-    /// between its ticks.
+    /// Changed as the settings of a step say.
     pub(crate) fn set(mut self, step: &Step) -> Result<Self, ScenarioError> {
-        let place = step.place;
-        let some = |text: &str| (text != "-").then(|| text.to_owned());
         for word in step.words() {
-            let Some((name, value)) = word.split_once('=') else { continue };
-            match name {
-                "version" => self.version = some(value),
-                // A space within it is written `\s`.
-                "mode" => self.mode = some(&value.replace("\\s", " ")),
-                "t" => self.t = place.double(value)?,
-                "ttl" => self.ttl = place.double(value)?,
-                "dt" => self.dt = if value == "-" { None } else { Some(place.double(value)?) },
-                "x" => self.channels = vec![velocity(&[place.double(value)?, 0.0, 0.0])],
-                "v" => self.channels = channels(step, value)?,
-                "horizon" => {
-                    let ticks = value.split('/').filter(|tick| !tick.is_empty());
-                    self.horizon = ticks.map(|tick| channels(step, tick)).collect::<Result<_, _>>()?;
-                }
-                "then" => {
-                    let speeds = place.doubles(value)?;
-                    self.horizon = speeds.iter().map(|x| vec![velocity(&[*x, 0.0, 0.0])]).collect();
-                }
-                _ => return Err(place.wants("setting of a command", word)),
+            if let Some((name, value)) = word.split_once('=')
+                && !self.setting(step.place, name, value)?
+            {
+                return Err(step.place.wants("setting of a command", word));
             }
         }
         Ok(self)
+    }
+
+    /// Changed as a setting says, if it is one of a command: `seq`, `ttl`, `dt`, `t`, `version`, `mode`, `x` for the speed
+    /// along x, `v` for the channels, `then` for a horizon of speeds along x, and `horizon` for one of channels, with
+    /// slashes between its ticks.
+    pub(crate) fn setting(&mut self, place: Place, name: &str, value: &str) -> Result<bool, ScenarioError> {
+        let some = |text: &str| (text != "-").then(|| text.to_owned());
+        match name {
+            "version" => self.version = some(value),
+            // A space within it is written `\\s`.
+            "mode" => self.mode = some(&value.replace("\\s", " ")),
+            "seq" => self.seq = Some(place.integer(value)?),
+            "t" => self.t = place.double(value)?,
+            "ttl" => self.ttl = place.double(value)?,
+            "dt" => self.dt = if value == "-" { None } else { Some(place.double(value)?) },
+            "x" => self.channels = vec![velocity(&[place.double(value)?, 0.0, 0.0])],
+            "v" => self.channels = channels(place, value, velocity)?,
+            "horizon" => {
+                let ticks = value.split('/').filter(|tick| !tick.is_empty());
+                self.horizon = ticks.map(|tick| channels(place, tick, velocity)).collect::<Result<_, _>>()?;
+            }
+            "then" => {
+                let speeds = place.doubles(value)?;
+                self.horizon = speeds.iter().map(|x| vec![velocity(&[*x, 0.0, 0.0])]).collect();
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
     }
 
     pub(crate) fn is(&self, mode: &str) -> bool {
@@ -201,11 +220,18 @@ impl Command {
             "horizon" => self.horizon.iter().map(|step| channels_json(step)).collect::<Json>(),
             "horizon_dt_ms" => self.dt.map(spelled),
         };
-        let absent = [
-            ("ncp_version", self.version.is_none()),
-            ("seq", self.seq.is_none()),
-            ("mode", self.mode.is_none()),
-        ];
+        let absent =
+            [("ncp_version", self.version.is_none()), ("seq", self.seq.is_none()), ("mode", self.mode.is_none())];
         absent.into_iter().fold(frame, |frame, (name, is)| if is { frame.without(name) } else { frame })
+    }
+
+    /// Whether a JSON text can hold it.
+    pub(crate) fn is_writable(&self) -> bool {
+        let all = |channels: &[Channel]| channels.iter().all(Channel::is_finite);
+        all(&self.channels)
+            && self.horizon.iter().all(|step| all(step))
+            && self.ttl.is_finite()
+            && self.t.is_finite()
+            && self.dt.is_none_or(f64::is_finite)
     }
 }

@@ -22,16 +22,16 @@ mod case;
 mod codec;
 mod command;
 mod control;
-mod scenario;
-mod patch;
 mod flags;
 mod hostile;
 mod json;
 mod keys;
 mod model;
+mod patch;
 mod resilience;
 mod roles;
 mod safety;
+mod scenario;
 mod session;
 mod strict;
 mod template;
@@ -58,7 +58,7 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         keys::files(),
         bulk::files(),
         hostile::files(),
-        safety::files(),
+        safety::files()?,
         resilience::files()?,
         codec::files(),
         control::files()?,

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `columns` | the cells behind a row's name; `rules title` if it is not given |
 //! | `path` | the path of a case; `<group>/{row}` if it is not given |
+//! | `event` | the body of each row that has none of its own |
 //! | `rules`, `flags`, `title`, `why` | as in a case; `rules` and `flags` with commas between, `title` unless a cell |
 //! | `each x` | a list of values with commas between: all rows for the first value, then all for the second |
 //! | `with x` | the same, but each row for all values before the next row |
@@ -207,6 +208,7 @@ struct Group {
     flags: Vec<&'static str>,
     title: &'static str,
     why: &'static str,
+    event: &'static str,
     each: Vec<Variable>,
     with: Vec<Variable>,
     rows: Vec<RawRow>,
@@ -235,6 +237,7 @@ impl Group {
             flags: Vec::new(),
             title: "{title}",
             why: "",
+            event: "",
             each: Vec::new(),
             with: Vec::new(),
             rows: Vec::new(),
@@ -251,6 +254,7 @@ impl Group {
             ("flags", "") => self.flags = list(value),
             ("title", "") => self.title = value,
             ("why", "") => self.why = value,
+            ("event", "") => self.event = value,
             ("each", name) => self.each.push((name, named(value))),
             ("with", name) => self.with.push((name, named(value))),
             _ => return Err(place.fault(Fault::UnknownKey(key.to_owned()))),
@@ -317,7 +321,8 @@ impl Group {
             row.title = row.fill(self.title)?;
         }
         row.why = row.fill(row.cell("why").unwrap_or(self.why))?;
-        row.body = row.fill(row.cell("event").unwrap_or(&row.body))?;
+        let body = if row.body.is_empty() { row.cell("event").unwrap_or(self.event) } else { &row.body };
+        row.body = row.fill(body)?;
         Ok(row)
     }
 }
@@ -496,6 +501,12 @@ impl Step {
     /// The words behind the first.
     pub(crate) fn words(&self) -> impl Iterator<Item = &str> {
         self.words.iter().skip(1).map(String::as_str)
+    }
+
+    /// How often it happens, and the step: `x9` before a step repeats it.
+    pub(crate) fn repeated(self) -> (usize, Self) {
+        let times = self.verb().strip_prefix('x').and_then(|times| times.parse().ok());
+        times.map_or((1, self.clone()), |times| (times, self.tail()))
     }
 
     /// The step up to a bar, and what stands behind it.

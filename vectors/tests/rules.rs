@@ -24,7 +24,8 @@ const NOT_SHOWN: &[(&str, &str)] = &[
 
 /// The cases of the corpus.
 fn cases() -> Vec<Value> {
-    let files = ncp_vectors::generate().unwrap().into_iter().map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
+    let files =
+        ncp_vectors::generate().unwrap().into_iter().map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
     files.flat_map(|file| file["cases"].as_array().unwrap().clone()).collect()
 }
 

@@ -13,8 +13,19 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("resilience/buffer"))?;
     let mut cases = Vec::new();
     for group in [
-        "mode", "mode-none", "mode-other", "mode-alone", "mode/unknown", "mode/not-estop", "mode-absent", "hold",
-        "hold-without-a-clock", "drop", "replace", "trace", "reset",
+        "mode",
+        "mode-none",
+        "mode-other",
+        "mode-alone",
+        "mode/unknown",
+        "mode/not-estop",
+        "mode-absent",
+        "hold",
+        "hold-without-a-clock",
+        "drop",
+        "replace",
+        "trace",
+        "reset",
     ] {
         cases.extend(text.cases(group, row_case)?);
     }
@@ -57,12 +68,16 @@ fn deadlines() -> Vec<Case> {
             };
             let events = [Event::Command(active(1).ttl(ttl), 4.0), Event::Ask(4.0 + age)];
             cases.push(
-                super::buffer_case(format!("deadline/ttl-{}/after-{age}-s", name_of(ttl)), &[rule, "NCP-RES-025"], &events)
-                    .title(format!(
-                        "The buffer keeps a command of {ttl} ms for the enforced ttl, and is asked after {age} s."
-                    ))
-                    .flags(if ttl > 60_000.0 { &["L02"] } else { &["off-by-a-boundary"] })
-                    .because("`active` is none whenever the deadline rules of 8.1 hold the plant."),
+                super::buffer_case(
+                    format!("deadline/ttl-{}/after-{age}-s", name_of(ttl)),
+                    &[rule, "NCP-RES-025"],
+                    &events,
+                )
+                .title(format!(
+                    "The buffer keeps a command of {ttl} ms for the enforced ttl, and is asked after {age} s."
+                ))
+                .flags(if ttl > 60_000.0 { &["L02"] } else { &["off-by-a-boundary"] })
+                .because("`active` is none whenever the deadline rules of 8.1 hold the plant."),
             );
         }
     }

@@ -279,12 +279,12 @@ fn gaps() -> Vec<Case> {
 fn at_the_threshold() -> Case {
     // Without a usual loss every sum is a whole number, so that the threshold itself can be met.
     let entry = |burst| object! { "burst" => Json::Bool(burst) };
-        Case::new("burst/at-the-threshold", &["NCP-RES-046"], &BOTH)
-            .call("link.run", args(Some(0.0), Some(5.0), &[1, 7, 9]))
-            .shows(steps(vec![entry(false), entry(false), entry(true)]))
-            .title("A sum of exactly the threshold is no burst, and one more loss is.")
-            .flags(&["burst-detector"])
-            .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5.")
+    Case::new("burst/at-the-threshold", &["NCP-RES-046"], &BOTH)
+        .call("link.run", args(Some(0.0), Some(5.0), &[1, 7, 9]))
+        .shows(steps(vec![entry(false), entry(false), entry(true)]))
+        .title("A sum of exactly the threshold is no burst, and one more loss is.")
+        .flags(&["burst-detector"])
+        .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5.")
 }
 
 fn bounded() -> Vec<Case> {

@@ -14,14 +14,8 @@ use crate::scenario::{Row, ScenarioError};
 pub(crate) use model::{Event, buffer, events};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
-    let mut files = vec![
-        watchdog::file()?,
-        buffer::file()?,
-        estop::file()?,
-        horizon::replay()?,
-        horizon::lengths(),
-        link::file()?,
-    ];
+    let mut files =
+        vec![watchdog::file()?, buffer::file()?, estop::file()?, horizon::replay()?, horizon::lengths(), link::file()?];
     files.extend(liveness::files());
     Ok(files)
 }

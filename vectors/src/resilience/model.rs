@@ -32,9 +32,8 @@ pub(crate) enum Event {
 pub(crate) fn events(row: &Row) -> Result<Vec<Event>, ScenarioError> {
     let (mut events, mut now) = (Vec::new(), 0.0);
     for step in row.steps() {
-        let times = step.verb().strip_prefix('x').and_then(|times| times.parse().ok());
-        let step = if times.is_some() { step.tail() } else { step };
-        for _ in 0..times.unwrap_or(1) {
+        let (times, step) = step.repeated();
+        for _ in 0..times {
             for word in step.words() {
                 if let Some(time) = word.strip_prefix('@') {
                     now = step.place.double(time)?;

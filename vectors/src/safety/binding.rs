@@ -1,24 +1,24 @@
 //! Limits and the negotiated channels.
 
-use super::model::Command;
-use super::model::{
-    Capabilities, Limits, M, MPS, POSITION, Sensor, Spec, Step, Trace, VELOCITY, channel, govern, scalar, vec3,
-    velocity,
-};
-use super::{case, good, near};
+use super::model::{Capabilities, Limits, Sensor, Spec, Step, Trace, govern, scalar, vec3};
+use super::{case, good, near, row_case};
 use crate::case::{Case, File};
+use crate::command::{Command, M, MPS, POSITION, VELOCITY, channel, velocity};
 use crate::json::object;
+use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::trace::{anything, steps};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let mut text = Scenarios::read(source!("safety/binding"))?;
     let mut cases = order();
-    cases.extend(undeclared());
-    cases.extend(units());
+    for group in ["undeclared", "not-needed", "unit/position", "unit/velocity"] {
+        cases.extend(text.cases(group, row_case)?);
+    }
     cases.extend(values());
     cases.extend(widths());
-    cases.extend(resets());
+    cases.extend(text.rest(row_case)?);
     let about = "How limits bind to the negotiated channels: by name, in their unit, and closed when they cannot.";
-    File::new("safety", "binding", about, cases)
+    Ok(File::new("safety", "binding", about, cases))
 }
 
 /// A command, and another.
@@ -26,17 +26,19 @@ fn twice() -> Vec<Step> {
     vec![govern(good(), near()), govern(good().seq(8), near())]
 }
 
-const DECOYS: [(&str, Spec, Spec); 4] = [
-    ("imu-and-gripper", vec3("imu_accel", Some("m/s2")), scalar("gripper", None)),
-    ("metres-and-speeds", vec3("goal_position", Some(M)), vec3("tow_velocity", Some(MPS))),
-    ("scalars", scalar("battery", Some("V")), scalar("light", Some("lm"))),
-    ("alike", vec3("pose_position_raw", Some(M)), vec3("velocity_setpoint_raw", Some(MPS))),
-];
+fn decoys() -> [(&'static str, Spec, Spec); 4] {
+    [
+        ("imu-and-gripper", vec3("imu_accel", Some("m/s2")), scalar("gripper", None)),
+        ("metres-and-speeds", vec3("goal_position", Some(M)), vec3("tow_velocity", Some(MPS))),
+        ("scalars", scalar("battery", Some("V")), scalar("light", Some("lm"))),
+        ("alike", vec3("pose_position_raw", Some(M)), vec3("velocity_setpoint_raw", Some(MPS))),
+    ]
+}
 
 /// Other channels before, after and around the canonical ones.
 fn order() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (name, sensor, command) in DECOYS {
+    for (name, sensor, command) in decoys() {
         for place in ["before", "after", "around"] {
             let arrange = |decoy: Spec, own: Spec| match place {
                 "before" => vec![decoy, own],
@@ -44,13 +46,15 @@ fn order() -> Vec<Case> {
                 _ => vec![decoy, own, scalar("zz", None)],
             };
             let capabilities = Capabilities {
-                sensors: arrange(sensor, vec3(POSITION, Some(M))),
-                commands: arrange(command, vec3(VELOCITY, Some(MPS))),
+                sensors: arrange(sensor.clone(), vec3(POSITION, Some(M))),
+                commands: arrange(command.clone(), vec3(VELOCITY, Some(MPS))),
             };
-            let decoy = channel(sensor.name, &[0.0; 3], sensor.unit);
+            let decoy = channel(&sensor.name, &[0.0; 3], sensor.unit.as_deref());
             let sensed = |at: &[f64]| Sensor::of(vec![decoy.clone(), channel(POSITION, at, Some(M))]);
-            let fast =
-                Command::of(vec![channel(command.name, &[0.25, 0.0, 0.0], command.unit), velocity(&[30.0, 40.0, 0.0])]);
+            let fast = Command::of(vec![
+                channel(&command.name, &[0.25, 0.0, 0.0], command.unit.as_deref()),
+                velocity(&[30.0, 40.0, 0.0]),
+            ]);
             for (what, rule, limits, step) in [
                 ("speed", "NCP-SAFE-011", Limits::speed(2.0), govern(fast.clone(), sensed(&[0.0; 3]))),
                 ("fence-inside", "NCP-SAFE-010", Limits::fence(5.0), govern(good(), sensed(&[1.0, 2.0, 2.0]))),
@@ -66,129 +70,6 @@ fn order() -> Vec<Case> {
         }
     }
     cases
-}
-
-/// Limits whose channel is not there.
-fn undeclared() -> Vec<Case> {
-    let mut cases = Vec::new();
-    let fence = Limits::fence(5.0);
-    let speed = Limits::speed(2.0);
-    let both = Limits::both(2.0, 5.0);
-    let nothing = || Capabilities { sensors: Vec::new(), commands: Vec::new() };
-    let only_sensor = || Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: Vec::new() };
-    let only_command = || Capabilities { sensors: Vec::new(), commands: vec![vec3(VELOCITY, Some(MPS))] };
-    let swapped = || Capabilities { sensors: vec![vec3(VELOCITY, Some(MPS))], commands: vec![vec3(POSITION, Some(M))] };
-    let renamed =
-        || Capabilities { sensors: vec![vec3("position", Some(M))], commands: vec![vec3("velocity", Some(MPS))] };
-    let cased = || Capabilities {
-        sensors: vec![vec3("POSE_POSITION", Some(M))],
-        commands: vec![vec3("VELOCITY_SETPOINT", Some(MPS))],
-    };
-    let table: [(&str, Limits, Capabilities); 14] = [
-        ("nothing/fence", fence, nothing()),
-        ("nothing/speed", speed, nothing()),
-        ("nothing/both", both, nothing()),
-        ("only-sensor/speed", speed, only_sensor()),
-        ("only-sensor/both", both, only_sensor()),
-        ("only-command/fence", fence, only_command()),
-        ("only-command/both", both, only_command()),
-        ("swapped/fence", fence, swapped()),
-        ("swapped/speed", speed, swapped()),
-        ("renamed/fence", fence, renamed()),
-        ("renamed/speed", speed, renamed()),
-        ("renamed/both", both, renamed()),
-        ("cased/fence", fence, cased()),
-        ("cased/speed", speed, cased()),
-    ];
-    for (name, limits, capabilities) in table {
-        cases.push(
-            case(format!("undeclared/{name}"), &["NCP-SAFE-014", "NCP-SAFE-018"], &Trace::negotiated(limits, capabilities, twice()))
-                .title(format!("A limit whose channel is not declared ({}) holds every command.", name.replace('/', ", ")))
-                .flags(&["first-channel"])
-                .because("An enabled limit whose channel the Capabilities do not declare puts the governor into config fail-closed."),
-        );
-    }
-    // A disabled limit needs no channel.
-    for (name, limits, capabilities) in [
-        ("none", Limits::NONE, nothing()),
-        ("zeros", Limits::both(0.0, 0.0), nothing()),
-        (
-            "fence-only",
-            fence,
-            Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: vec![vec3(VELOCITY, Some(MPS))] },
-        ),
-        ("speed-only", speed, only_command()),
-    ] {
-        cases.push(
-            case(format!("not-needed/{name}"), &["NCP-SAFE-012"], &Trace::negotiated(limits, capabilities, twice()))
-                .title(format!("A limit that is disabled needs no declared channel ({name})."))
-                .flags(&["over-strict"])
-                .because("A limit that is absent or 0 is disabled, and only an enabled one can be a fault."),
-        );
-    }
-    cases
-}
-
-/// Declared units.
-fn units() -> Vec<Case> {
-    let mut cases = Vec::new();
-    for unit in [
-        None,
-        Some(""),
-        Some("ft"),
-        Some("km"),
-        Some("mm"),
-        Some("M"),
-        Some("metre"),
-        Some("deg"),
-        Some("m/s"),
-        Some(" m"),
-    ] {
-        let capabilities =
-            Capabilities { sensors: vec![vec3(POSITION, unit)], commands: vec![vec3(VELOCITY, Some(MPS))] };
-        let name = unit_name(unit);
-        cases.push(
-            case(format!("unit/position/{name}"), &["NCP-SAFE-015", "NCP-SAFE-018"], &Trace::negotiated(Limits::fence(5.0), capabilities, twice()))
-                .title(format!("A fence on a position declared with the unit {name} holds every command."))
-                .flags(&["L10"])
-                .because("An enabled limit whose channel is declared without a unit, or in another than the table's, puts the governor into config fail-closed."),
-        );
-    }
-    for unit in [
-        None,
-        Some(""),
-        Some("kn"),
-        Some("km/h"),
-        Some("mps"),
-        Some("M/S"),
-        Some("m"),
-        Some("m/s2"),
-        Some("m s-1"),
-        Some("m/s "),
-    ] {
-        let capabilities =
-            Capabilities { sensors: vec![vec3(POSITION, Some(M))], commands: vec![vec3(VELOCITY, unit)] };
-        let name = unit_name(unit);
-        cases.push(
-            case(format!("unit/velocity/{name}"), &["NCP-SAFE-015", "NCP-SAFE-018"], &Trace::negotiated(Limits::speed(2.0), capabilities, twice()))
-                .title(format!("A speed limit on a velocity declared with the unit {name} holds every command."))
-                .flags(&["L10"])
-                .because("An enabled limit whose channel is declared without a unit, or in another than the table's, puts the governor into config fail-closed."),
-        );
-    }
-    cases
-}
-
-fn unit_name(unit: Option<&str>) -> String {
-    match unit {
-        None => "absent".to_owned(),
-        Some("") => "empty".to_owned(),
-        Some("M") => "capital-m".to_owned(),
-        Some("M/S") => "capital-m-per-s".to_owned(),
-        Some(" m") => "space-m".to_owned(),
-        Some("m/s ") => "m-per-s-space".to_owned(),
-        Some(unit) => unit.replace('/', "-per-").replace(' ', "-"),
-    }
 }
 
 /// Limits that are no limits.
@@ -266,56 +147,9 @@ fn values() -> Vec<Case> {
     cases
 }
 
-/// Every kind of fault, over resets.
-fn resets() -> Vec<Case> {
-    let negotiated = |position: Option<Spec>, velocity: Option<Spec>| Capabilities {
-        sensors: position.into_iter().collect(),
-        commands: velocity.into_iter().collect(),
-    };
-    let (position, velocity) = (vec3(POSITION, Some(M)), vec3(VELOCITY, Some(MPS)));
-    let (speed, fence) = (Limits::speed(2.0), Limits::fence(5.0));
-    let table: [(&str, &str, Limits, Option<Capabilities>); 10] = [
-        ("negative-speed", "a negative speed limit", Limits::speed(-1.0), None),
-        ("negative-fence", "a negative radius", Limits::fence(-1.0), None),
-        ("nan-speed", "a speed limit of NaN", Limits::speed(f64::NAN), None),
-        ("nan-fence", "a radius of NaN", Limits::fence(f64::NAN), None),
-        ("infinite-speed", "an infinite speed limit", Limits::speed(f64::INFINITY), None),
-        ("infinite-fence", "an infinite radius", Limits::fence(f64::INFINITY), None),
-        ("no-velocity", "an undeclared velocity", speed, Some(negotiated(Some(position), None))),
-        ("no-position", "an undeclared position", fence, Some(negotiated(None, Some(velocity)))),
-        (
-            "knots",
-            "a velocity declared in knots",
-            speed,
-            Some(negotiated(Some(position), Some(vec3(VELOCITY, Some("kn"))))),
-        ),
-        (
-            "feet",
-            "a position declared in feet",
-            fence,
-            Some(negotiated(Some(vec3(POSITION, Some("ft"))), Some(velocity))),
-        ),
-    ];
-    let one = |(name, words, limits, capabilities): (&str, &str, Limits, Option<Capabilities>)| {
-        let steps = vec![
-            govern(good(), near()),
-            Step::Reset,
-            govern(good().seq(8), near()),
-            Step::Reset,
-            Step::Reset,
-            govern(good().seq(9), near()),
-        ];
-        let trace = Trace { limits, capabilities, steps };
-        case(format!("reset/{name}"), &["NCP-SAFE-009", "NCP-SAFE-018"], &trace)
-            .title(format!("A reset does not end the config fail-closed for {words}."))
-            .because("The governor's reset does not clear a config fail-closed.")
-    };
-    table.into_iter().map(one).collect()
-}
-
 /// Declared widths, which the text only advises about.
 fn widths() -> Vec<Case> {
-    let wide = |name, kind, unit, size| Spec { name, kind, unit: Some(unit), size };
+    let wide = |name, kind, unit, size| Spec { kind, size, ..vec3(name, Some(unit)) };
     let mut cases = Vec::new();
     for (kind, size) in [("scalar", None), ("quat", None), ("array", Some(2)), ("array", Some(4)), ("array", Some(0))] {
         let name = size.map_or(kind.to_owned(), |size: i64| format!("{kind}-{size}"));

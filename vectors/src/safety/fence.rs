@@ -1,17 +1,17 @@
 //! Where the measured position lies.
 
-use super::model::{Capabilities, Channel, Command, Limits, M, POSITION, Sensor, Trace, channel, govern, velocity};
-use super::{case, near};
+use super::model::{Limits, Sensor, Trace, govern};
+use super::{case, row_case};
 use crate::case::{Case, File};
-use crate::trace::name_of;
+use crate::command::Command;
+use crate::scenario::{ScenarioError, Scenarios, source};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = places();
-    cases.extend(channels());
-    cases.extend(off());
+    cases.extend(Scenarios::read(source!("safety/fence"))?.rest(row_case)?);
     cases.extend(moved());
     let about = "The geofence and the measured position: inside, on and outside the ball, and positions that are none.";
-    File::new("safety", "fence", about, cases)
+    Ok(File::new("safety", "fence", about, cases))
 }
 
 /// A command that stays where it is.
@@ -100,160 +100,6 @@ fn places() -> Vec<Case> {
     cases
 }
 
-/// Channels from which no position can be read.
-fn channels() -> Vec<Case> {
-    let position = |data: &[f64], unit| channel(POSITION, data, unit);
-    let other = |data: &[f64]| channel("imu_accel", data, Some("m/s2"));
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
-    let table: [(&str, &'static str, &str, Vec<Channel>, &[&'static str]); 19] = [
-        ("no-channels", "NCP-SAFE-040", "has no channels", Vec::new(), &["L03"]),
-        ("another-channel", "NCP-SAFE-040", "has another channel only", vec![other(&[0.0; 3])], &["L03"]),
-        (
-            "another-name",
-            "NCP-SAFE-040",
-            "has its position under another name",
-            vec![channel("position", &[0.0; 3], Some(M))],
-            &["first-channel"],
-        ),
-        (
-            "another-case",
-            "NCP-SAFE-040",
-            "has its position under a name in another case",
-            vec![channel("Pose_Position", &[0.0; 3], Some(M))],
-            &["first-channel"],
-        ),
-        ("empty", "NCP-SAFE-040", "has an empty position", vec![position(&[], Some(M))], &["L03"]),
-        (
-            "empty-without-unit",
-            "NCP-SAFE-040",
-            "has an empty position without a unit",
-            vec![position(&[], None)],
-            &["L03"],
-        ),
-        ("one-wide", "NCP-SAFE-040", "has a position 1 wide", vec![position(&[1.0], Some(M))], &["L11"]),
-        ("two-wide", "NCP-SAFE-040", "has a position 2 wide", vec![position(&[1.0, 2.0], Some(M))], &["L11"]),
-        (
-            "four-wide",
-            "NCP-SAFE-040",
-            "has a position 4 wide",
-            vec![position(&[1.0, 2.0, 2.0, 0.0], Some(M))],
-            &["L11"],
-        ),
-        ("six-wide", "NCP-SAFE-040", "has a position 6 wide", vec![position(&[0.0; 6], Some(M))], &["L11"]),
-        (
-            "two-wide-outside",
-            "NCP-SAFE-040",
-            "has a position 2 wide and far away",
-            vec![position(&[90.0, 90.0], Some(M))],
-            &["L11"],
-        ),
-        (
-            "four-wide-outside",
-            "NCP-SAFE-040",
-            "has a position 4 wide and far away",
-            vec![position(&[90.0, 0.0, 0.0, 0.0], Some(M))],
-            &["L11"],
-        ),
-        ("feet", "NCP-SAFE-041", "has a position in feet", vec![position(&[1.0, 0.0, 0.0], Some("ft"))], &["L10"]),
-        (
-            "kilometres",
-            "NCP-SAFE-041",
-            "has a position in kilometres",
-            vec![position(&[1.0, 0.0, 0.0], Some("km"))],
-            &["L10"],
-        ),
-        (
-            "millimetres",
-            "NCP-SAFE-041",
-            "has a position in millimetres",
-            vec![position(&[4000.0, 0.0, 0.0], Some("mm"))],
-            &["L10"],
-        ),
-        (
-            "degrees",
-            "NCP-SAFE-041",
-            "has a position in degrees",
-            vec![position(&[1.0, 0.0, 0.0], Some("deg"))],
-            &["L10"],
-        ),
-        (
-            "metres-a-second",
-            "NCP-SAFE-041",
-            "has a position in m/s",
-            vec![position(&[1.0, 0.0, 0.0], Some("m/s"))],
-            &["L10"],
-        ),
-        (
-            "empty-unit",
-            "NCP-SAFE-041",
-            "has a position whose unit is the empty text",
-            vec![position(&[1.0, 0.0, 0.0], Some(""))],
-            &["L10"],
-        ),
-        (
-            "capital-unit",
-            "NCP-SAFE-041",
-            "has a position in `M`",
-            vec![position(&[1.0, 0.0, 0.0], Some("M"))],
-            &["L10"],
-        ),
-    ];
-    let mut cases = Vec::new();
-    for (name, rule, words, channels, flags) in table {
-        let steps = vec![govern(still(), Sensor::of(channels)), govern(still(), near())];
-        cases.push(
-            case(format!("channel/{name}"), &[rule], &Trace::new(Limits::fence(5.0), steps))
-                .title(format!("A command is held, and nothing latched, when the sensor frame {words}."))
-                .flags(flags)
-                .because("The governor holds when the position is missing, empty, not 3 wide or in another unit; what is no position is not the origin."),
-        );
-    }
-    let no_frame = super::model::Step::Govern { command: still(), now: 10.25, sensor: None, last: Some(10.0) };
-    cases.push(
-        case(
-            "channel/no-frame",
-            &["NCP-SAFE-040"],
-            &Trace::new(Limits::fence(5.0), vec![no_frame, govern(still(), near())]),
-        )
-        .title("A command is held when there is a sensor time and no sensor frame.")
-        .flags(&["L03"])
-        .because("The governor holds when the geofence is enabled and there is no position."),
-    );
-    // The position is found by its name, wherever it stands.
-    for (name, before) in
-        [("after-one", vec![other(&[0.0; 3])]), ("after-two", vec![channel("a", &[0.0; 3], Some(M)), other(&[9.0; 3])])]
-    {
-        for (place, at, rule) in
-            [("inside", [1.0, 2.0, 2.0], "NCP-SAFE-010"), ("outside", [6.0, 0.0, 0.0], "NCP-SAFE-010")]
-        {
-            let mut channels = before.clone();
-            channels.push(position(&at, Some(M)));
-            cases.push(
-                case(format!("channel/{name}/{place}"), &[rule], &Trace::new(Limits::fence(5.0), vec![govern(still(), Sensor::of(channels))]))
-                    .title(format!("The fence reads `pose_position` {place} behind other channels."))
-                    .flags(&["first-channel"])
-                    .because("The geofence acts on the sensor channel named `pose_position`, whatever other channels come first."),
-            );
-        }
-    }
-    for (place, at, rule) in [("inside", [1.0, 2.0, 2.0], "NCP-SAFE-042"), ("outside", [6.0, 0.0, 0.0], "NCP-SAFE-042")]
-    {
-        let sensor = Sensor::of(vec![position(&at, None)]);
-        let steps = vec![govern(still(), sensor)];
-        cases.push(
-            case(
-                format!("channel/without-unit/{place}"),
-                &[rule],
-                &Trace::negotiated(Limits::fence(5.0), Capabilities::canonical(&[]), steps),
-            )
-            .title(format!("A position without a unit is read in the negotiated one, {place} the fence."))
-            .flags(&["L10"])
-            .because("The governor reads a channel without a unit in the negotiated one, here m."),
-        );
-    }
-    cases
-}
-
 /// The centre is the origin, wherever the first position lay.
 fn moved() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -287,52 +133,6 @@ fn moved() -> Vec<Case> {
                 );
             }
         }
-    }
-    cases
-}
-
-/// Fences that are none.
-fn off() -> Vec<Case> {
-    let table: [(&str, Option<f64>); 2] = [("absent", None), ("zero", Some(0.0))];
-    let mut cases = Vec::new();
-    for (name, fence) in table {
-        let limits = Limits { fence, ..Limits::NONE };
-        for (what, sensor) in [
-            ("far", Sensor::at(&[1e6, 0.0, 0.0])),
-            ("no-position", Sensor::of(Vec::new())),
-            ("two-wide", Sensor::at(&[1.0, 2.0])),
-            ("feet", Sensor::of(vec![channel(POSITION, &[1.0; 3], Some("ft"))])),
-        ] {
-            let command = Command::of(vec![velocity(&[100.0, 0.0, 0.0])]);
-            cases.push(
-                case(
-                    format!("off/{name}/{what}"),
-                    &["NCP-SAFE-012"],
-                    &Trace::new(limits, vec![govern(command, sensor)]),
-                )
-                .title(format!("A fence that is {name} closes on nothing ({what})."))
-                .flags(&["L13"])
-                .because("A limit that is absent or 0 is disabled."),
-            );
-        }
-    }
-    for tilt in [0.0, 0.5, 1.5, 1e308] {
-        let limits = Limits { tilt: Some(tilt), ..Limits::both(2.0, 5.0) };
-        cases.push(
-            case(
-                format!("tilt/{}", name_of(tilt)),
-                &["NCP-SAFE-019"],
-                &Trace::new(
-                    limits,
-                    vec![govern(
-                        Command::moving(&[1.0, 0.0, 0.0]).and(channel("attitude", &[1.5, 0.0, 0.0], Some("rad"))),
-                        near(),
-                    )],
-                ),
-            )
-            .title(format!("A `max_tilt_rad` of {tilt} changes nothing."))
-            .because("`max_tilt_rad` is advice to the plant."),
-        );
     }
     cases
 }

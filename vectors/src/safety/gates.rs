@@ -1,21 +1,32 @@
 //! Every mode at every gate, and violations of two and three gates at once.
 
-use super::model::{Capabilities, Channel, Command, Limits, Outcome, POSITION, Sensor, Step, Trace, VELOCITY, govern};
-use super::{case, good, near};
+use super::model::{Capabilities, Limits, Outcome, Sensor, Step, Trace, govern, sensed};
+use super::{case, good, near, row_case};
 use crate::case::{Case, File};
+use crate::command::Command;
 use crate::json::object;
+use crate::scenario::{self, Fault, Row, ScenarioError, Scenarios, source};
 use crate::trace::{any, refused, steps};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let mut text = Scenarios::read(source!("safety/gates"))?;
+    let violations: Vec<_> = text.rows("violations")?.iter().map(Violation::of).collect::<Result<_, _>>()?;
+    let nothing = Violation {
+        name: "nothing",
+        words: "nothing else is wrong",
+        rule: "NCP-SAFE-021",
+        slot: 0,
+        change: Vec::new(),
+    };
     let mut cases = Vec::new();
-    for violation in VIOLATIONS {
-        cases.extend(in_every_mode(violation));
+    for violation in violations.iter().chain([&nothing]) {
+        cases.extend(in_every_mode(violation)?);
     }
-    cases.extend(in_every_mode(&NOTHING));
-    cases.extend(together());
+    cases.extend(together(&violations)?);
     cases.extend(modes());
+    cases.extend(text.rest(row_case)?);
     let about = "The gates of the governor: every mode at each of them, and which one decides when several close.";
-    File::new("safety", "gates", about, cases)
+    Ok(File::new("safety", "gates", about, cases))
 }
 
 /// What a governor is asked, with all that may be wrong with it.
@@ -53,161 +64,50 @@ impl Setup {
 /// Something that closes a gate.
 struct Violation {
     name: &'static str,
-    /// As the end of a sentence that begins with *when*.
     words: &'static str,
     rule: &'static str,
     /// Violations of one slot exclude each other.
     slot: u8,
-    apply: fn(&mut Setup),
+    change: Vec<scenario::Step>,
 }
 
-const NOTHING: Violation =
-    Violation { name: "nothing", words: "nothing else is wrong", rule: "NCP-SAFE-021", slot: 0, apply: |_| {} };
+impl Violation {
+    fn of(row: &Row) -> Result<Self, ScenarioError> {
+        let rule = row.rules.first().copied().ok_or(row.place.fault(Fault::Missing("rules")))?;
+        let slot = row.cell("slot")?.parse().map_err(|_| row.place.wants("slot", ""))?;
+        Ok(Self { name: row.name, words: row.cell("words")?, rule, slot, change: row.steps_of("change")? })
+    }
 
-const VIOLATIONS: &[Violation] = &[
-    Violation {
-        name: "latched-by-link",
-        words: "a burst has latched ESTOP",
-        rule: "NCP-SAFE-005",
-        slot: 1,
-        apply: |setup| setup.before.push(Step::Link(true)),
-    },
-    Violation {
-        name: "latched-by-command",
-        words: "an ESTOP command has latched ESTOP",
-        rule: "NCP-SAFE-004",
-        slot: 1,
-        apply: |setup| {
-            setup.before.push(govern(good().seq(6).mode("estop"), near()));
-        },
-    },
-    Violation {
-        name: "latched-by-fence",
-        words: "a breach of the fence has latched ESTOP",
-        rule: "NCP-SAFE-043",
-        slot: 1,
-        apply: |setup| {
-            setup.before.push(govern(good().seq(6), Sensor::at(&[0.0, 0.0, -6.0])));
-        },
-    },
-    Violation {
-        name: "config-fault",
-        words: "the limits cannot be enforced",
-        rule: "NCP-SAFE-017",
-        slot: 2,
-        apply: |setup| setup.limits.speed = Some(-1.0),
-    },
-    Violation {
-        name: "unbound-limit",
-        words: "the fence's channel is not declared",
-        rule: "NCP-SAFE-014",
-        slot: 2,
-        apply: |setup| {
-            let mut capabilities = Capabilities::canonical(&[]);
-            capabilities.sensors.clear();
-            setup.capabilities = Some(capabilities);
-        },
-    },
-    Violation {
-        name: "stale-sensor",
-        words: "the sensor is older than the timeout",
-        rule: "NCP-SAFE-033",
-        slot: 3,
-        apply: |setup| setup.last = Some(9.0),
-    },
-    Violation {
-        name: "no-sensor-time",
-        words: "there is no sensor time",
-        rule: "NCP-SAFE-030",
-        slot: 3,
-        apply: |setup| setup.last = None,
-    },
-    Violation {
-        name: "clock-backward",
-        words: "the clock reads less than the sensor's time",
-        rule: "NCP-SAFE-035",
-        slot: 3,
-        apply: |setup| setup.last = Some(10.5),
-    },
-    Violation {
-        name: "no-position",
-        words: "the position is missing",
-        rule: "NCP-SAFE-040",
-        slot: 4,
-        apply: |setup| {
-            setup.sensor.channels.retain(|channel| channel.name != POSITION);
-        },
-    },
-    Violation {
-        name: "outside",
-        words: "the position is outside the fence",
-        rule: "NCP-SAFE-043",
-        slot: 4,
-        apply: |setup| setup.sensor = Sensor::at(&[0.0, 6.0, 0.0]),
-    },
-    Violation {
-        name: "no-velocity",
-        words: "the command has no velocity",
-        rule: "NCP-SAFE-052",
-        slot: 5,
-        apply: |setup| setup.command.channels = vec![other_channel()],
-    },
-    Violation {
-        name: "leaves-fence",
-        words: "the velocity leads out of the fence",
-        rule: "NCP-SAFE-051",
-        slot: 5,
-        apply: |setup| {
-            if let Some(channel) = setup.command.channels.iter_mut().find(|c| c.name == VELOCITY) {
-                channel.data = vec![40.0, 0.0, 0.0];
+    /// The setup with what is wrong.
+    fn apply(&self, setup: &mut Setup) -> Result<(), ScenarioError> {
+        for step in &self.change {
+            let what = step.tail();
+            match step.verb() {
+                "before" => setup.before.push(Step::of(&what)?),
+                "limits" => setup.limits = setup.limits.set(step)?,
+                "undeclared" => {
+                    let capabilities = Capabilities { sensors: Vec::new(), ..Capabilities::canonical(&[]) };
+                    setup.capabilities = Some(capabilities);
+                }
+                "last" if what.verb() == "-" => setup.last = None,
+                "last" => setup.last = Some(step.place.double(what.verb())?),
+                "sensor" => setup.sensor = sensed(step.place, what.verb())?,
+                "command" => setup.command = setup.command.clone().set(step)?,
+                verb => return Err(step.place.wants("change of what a governor is asked", verb)),
             }
-        },
-    },
-    Violation {
-        name: "bad-horizon",
-        words: "the horizon's tick has no length",
-        rule: "NCP-SAFE-068",
-        slot: 6,
-        apply: |setup| {
-            setup.command = setup.command.clone().then(100.0, &[[1.0, 0.0, 0.0]]);
-            setup.command.dt = None;
-        },
-    },
-    Violation {
-        name: "estop",
-        words: "the command is an ESTOP",
-        rule: "NCP-SAFE-003",
-        slot: 7,
-        apply: |setup| setup.command.mode = "estop",
-    },
-    Violation {
-        name: "hold",
-        words: "the command is a HOLD",
-        rule: "NCP-SAFE-002",
-        slot: 7,
-        apply: |setup| setup.command.mode = "hold",
-    },
-    Violation {
-        name: "init",
-        words: "the command is in mode `init`",
-        rule: "NCP-SAFE-002",
-        slot: 7,
-        apply: |setup| setup.command.mode = "init",
-    },
-];
-
-fn other_channel() -> Channel {
-    super::model::channel("gripper", &[0.5], None)
+        }
+        Ok(())
+    }
 }
 
 /// A violation under each mode.
-fn in_every_mode(violation: &Violation) -> Vec<Case> {
+fn in_every_mode(violation: &Violation) -> Result<Vec<Case>, ScenarioError> {
     let modes: &[&'static str] = if violation.slot == 7 { &[] } else { &["active", "hold", "init", "estop"] };
     let mode_case = |mode: &&'static str| {
         let mode = *mode;
         let mut setup = Setup::new();
-        (violation.apply)(&mut setup);
-        setup.command.mode = mode;
+        violation.apply(&mut setup)?;
+        setup.command = setup.command.mode(mode);
         let trace = setup.trace();
         let decided = outcome(&trace);
         // What the mode decides is the mode's rule; else the violation's.
@@ -224,18 +124,17 @@ fn in_every_mode(violation: &Violation) -> Vec<Case> {
             }
             _ => vec![violation.rule, "NCP-SAFE-020"],
         };
-        case(format!("{}/{mode}", violation.name), &rules, &trace)
+        Ok(case(format!("{}/{mode}", violation.name), &rules, &trace)
             .title(format!("A command in mode `{mode}` when {} becomes {decided}.", violation.words))
             .flags(if mode == "estop" { &["lost-estop"] } else { &[] })
-            .because("The gates of section 7.3 in their order, for this command and for a good one after it.")
+            .because("The gates of section 7.3 in their order, for this command and for a good one after it."))
     };
     modes.iter().map(mode_case).collect()
 }
 
-/// Modes that do not move, under each limit and at several speeds.
+/// Wire strings that nobody knows; an interface may refuse them.
 fn modes() -> Vec<Case> {
     let mut cases = Vec::new();
-    // A wire string that nobody knows; an interface may refuse it.
     for mode in ["dance", "ACTIVE", "active "] {
         let trace = Trace::new(Limits::NONE, vec![govern(good().mode(mode), near())]);
         let hold = object! { "frame" => object! { "mode" => "hold" } };
@@ -248,41 +147,17 @@ fn modes() -> Vec<Case> {
                 .because("An unknown mode reads as `hold`, and the governor answers it with a HOLD frame."),
         );
     }
-    for mode in ["hold", "init"] {
-        for (with, limits) in [
-            ("no-limit", Limits::NONE),
-            ("speed-limit", Limits::speed(2.0)),
-            ("fence", Limits::fence(5.0)),
-            ("both", Limits::both(2.0, 5.0)),
-        ] {
-            for (what, velocity) in [("still", [0.0; 3]), ("slow", [1.0, 0.0, 0.0])] {
-                let command = Command::moving(&velocity).mode(mode);
-                cases.push(
-                    case(
-                        format!("mode/{mode}/{with}/{what}"),
-                        &["NCP-SAFE-002"],
-                        &Trace::new(limits, vec![govern(command, near())]),
-                    )
-                    .title(format!(
-                        "A command in mode `{mode}` becomes a HOLD frame, with {} ({what}).",
-                        with.replace('-', " ")
-                    ))
-                    .because("The governor answers a command in mode `init` or `hold` with a HOLD frame."),
-                );
-            }
-        }
-    }
     cases
 }
 
 /// Two and three violations at once, where their order can be seen: one of them latches ESTOP and
 /// another does not.
-fn together() -> Vec<Case> {
+fn together(violations: &[Violation]) -> Result<Vec<Case>, ScenarioError> {
     let mut sets: Vec<Vec<&Violation>> = Vec::new();
-    for (a, first) in VIOLATIONS.iter().enumerate() {
-        for (b, second) in VIOLATIONS.iter().enumerate().skip(a + 1) {
+    for (a, first) in violations.iter().enumerate() {
+        for (b, second) in violations.iter().enumerate().skip(a + 1) {
             sets.push(vec![first, second]);
-            for third in VIOLATIONS.iter().skip(b + 1) {
+            for third in violations.iter().skip(b + 1) {
                 sets.push(vec![first, second, third]);
             }
         }
@@ -291,7 +166,7 @@ fn together() -> Vec<Case> {
     let case_of = |set: Vec<&Violation>| {
         let mut setup = Setup::new();
         for violation in &set {
-            (violation.apply)(&mut setup);
+            violation.apply(&mut setup)?;
         }
         let trace = setup.trace();
         let decided = outcome(&trace);
@@ -305,12 +180,12 @@ fn together() -> Vec<Case> {
                 rules.push(violation.rule);
             }
         }
-        case(format!("order/{}", names.join("_and_")), &rules, &trace)
+        Ok(case(format!("order/{}", names.join("_and_")), &rules, &trace)
             .title(format!("When {}, the command becomes {decided}.", words.join(" and ")))
             .flags(&["gate-order"])
             .because(
                 "The first gate of section 7.3 that closes decides the frame, and a gate behind it latches nothing.",
-            )
+            ))
     };
     sets.into_iter().map(case_of).collect()
 }

@@ -12,26 +12,34 @@ mod stale;
 mod zeroing;
 
 use crate::case::{Case, File, Role};
-use model::{Command, Sensor, Trace};
+use crate::command::Command;
+use crate::scenario::{Row, ScenarioError};
+use model::{Sensor, Trace};
 
-pub(crate) fn files() -> Vec<File> {
-    vec![
-        binding::file(),
-        fence::file(),
-        gates::file(),
-        latch::file(),
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    Ok(vec![
+        binding::file()?,
+        fence::file()?,
+        gates::file()?,
+        latch::file()?,
         numbers::file(),
-        projection::file(),
-        speed::file(),
-        stale::file(),
-        zeroing::file(),
-    ]
+        projection::file()?,
+        speed::file()?,
+        stale::file()?,
+        zeroing::file()?,
+    ])
 }
 
 /// A case of `governor.run` whose answers are the model's.
 fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
     let case = Case::new(path, rules, &[Role::Commander]).call("governor.run", trace.args());
     if trace.has_writable_limits() { case.shows(trace.pattern()) } else { case.shows_or_refuses(trace.pattern()) }
+}
+
+/// A case of the trace of a row.
+fn row_case(row: &Row) -> Result<Case, ScenarioError> {
+    let case = case(&row.path, &row.rules, &Trace::of(row)?);
+    Ok(case.title(&row.title).flags(&row.flags).because(&row.why))
 }
 
 /// A command that passes every gate.

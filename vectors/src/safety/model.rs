@@ -3,13 +3,10 @@
 //! It answers what the text demands and, where the text leaves a choice, every answer that it
 //! allows: a governor may look further ahead, and drop more of a horizon than it must.
 
+use crate::command::{Channel, Command, M, MPS, POSITION, VELOCITY, channel, channels, channels_json};
 use crate::json::{Json, object};
+use crate::scenario::{self, Place, Row, ScenarioError};
 use crate::trace::{any, exactly, int, num, nums, refused};
-
-pub(super) const POSITION: &str = "pose_position";
-pub(super) const VELOCITY: &str = "velocity_setpoint";
-pub(super) const M: &str = "m";
-pub(super) const MPS: &str = "m/s";
 
 /// The fields of `SafetyLimits`.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +32,22 @@ impl Limits {
         Self { speed: Some(speed), fence: Some(fence), ..Self::NONE }
     }
 
+    /// With those of a step.
+    pub(super) fn set(mut self, step: &scenario::Step) -> Result<Self, ScenarioError> {
+        for word in step.words() {
+            let (name, value) = word.split_once('=').unwrap_or((word, ""));
+            let value = || if value == "-" { Ok(None) } else { step.place.double(value).map(Some) };
+            match name {
+                "speed" => self.speed = value()?,
+                "fence" => self.fence = value()?,
+                "tilt" => self.tilt = value()?,
+                "timeout" => self.timeout = value()?.unwrap_or(self.timeout),
+                _ => return Err(step.place.wants("limit", word)),
+            }
+        }
+        Ok(self)
+    }
+
     fn json(self) -> Json {
         object! {
             "max_speed_mps" => self.speed.map(num),
@@ -42,110 +55,6 @@ impl Limits {
             "geofence_radius_m" => self.fence.map(num),
             "command_timeout_ms" => num(self.timeout),
         }
-    }
-}
-
-/// A sample of a channel.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Channel {
-    pub(super) name: &'static str,
-    pub(super) data: Vec<f64>,
-    pub(super) unit: Option<&'static str>,
-}
-
-pub(super) fn channel(name: &'static str, data: &[f64], unit: Option<&'static str>) -> Channel {
-    Channel { name, data: data.to_vec(), unit }
-}
-
-pub(super) fn velocity(data: &[f64]) -> Channel {
-    channel(VELOCITY, data, Some(MPS))
-}
-
-fn channels_json(channels: &[Channel]) -> Json {
-    let value = |channel: &Channel| {
-        let value = object! { "data" => nums(&channel.data), "unit" => channel.unit };
-        (channel.name.to_owned(), value)
-    };
-    Json::Object(channels.iter().map(value).collect())
-}
-
-/// The fields of a command.
-#[derive(Debug, Clone)]
-pub(super) struct Command {
-    pub(super) seq: i64,
-    pub(super) t: f64,
-    pub(super) frame_id: &'static str,
-    pub(super) mode: &'static str,
-    pub(super) ttl: f64,
-    pub(super) channels: Vec<Channel>,
-    pub(super) horizon: Vec<Vec<Channel>>,
-    pub(super) dt: Option<f64>,
-}
-
-impl Command {
-    pub(super) fn of(channels: Vec<Channel>) -> Self {
-        Self { seq: 7, t: 1.5, frame_id: "world", mode: "active", ttl: 250.0, channels, horizon: Vec::new(), dt: None }
-    }
-
-    /// With that velocity and nothing else.
-    pub(super) fn moving(data: &[f64]) -> Self {
-        Self::of(vec![velocity(data)])
-    }
-
-    pub(super) fn mode(mut self, mode: &'static str) -> Self {
-        self.mode = mode;
-        self
-    }
-
-    pub(super) fn ttl(mut self, ttl: f64) -> Self {
-        self.ttl = ttl;
-        self
-    }
-
-    pub(super) fn seq(mut self, seq: i64) -> Self {
-        self.seq = seq;
-        self
-    }
-
-    /// And further channels.
-    pub(super) fn and(mut self, more: Channel) -> Self {
-        self.channels.push(more);
-        self
-    }
-
-    /// And a horizon of velocities.
-    pub(super) fn then(mut self, dt: f64, velocities: &[[f64; 3]]) -> Self {
-        self.horizon = velocities.iter().map(|data| vec![velocity(data)]).collect();
-        self.dt = Some(dt);
-        self
-    }
-
-    fn json(&self) -> Json {
-        let mut fields = object! {
-            "seq" => int(self.seq),
-            "t" => num(self.t),
-            "frame_id" => self.frame_id,
-            "mode" => self.mode,
-            "ttl_ms" => num(self.ttl),
-            "channels" => channels_json(&self.channels),
-        };
-        if !self.horizon.is_empty() {
-            fields = fields.and("horizon", self.horizon.iter().map(|step| channels_json(step)).collect());
-        }
-        match self.dt {
-            Some(dt) => fields.and("horizon_dt_ms", num(dt)),
-            None => fields,
-        }
-    }
-
-    /// Whether a JSON text can hold it.
-    pub(super) fn is_writable(&self) -> bool {
-        let all = |channels: &[Channel]| channels.iter().all(|c| finite(&c.data));
-        all(&self.channels)
-            && self.horizon.iter().all(|step| all(step))
-            && self.ttl.is_finite()
-            && self.t.is_finite()
-            && self.dt.is_none_or(f64::is_finite)
     }
 }
 
@@ -171,30 +80,30 @@ impl Sensor {
     }
 
     fn is_writable(&self) -> bool {
-        self.t.is_finite() && self.channels.iter().all(|c| finite(&c.data))
+        self.t.is_finite() && self.channels.iter().all(|c| c.is_finite())
     }
 }
 
 /// A declared channel.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Spec {
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) kind: &'static str,
-    pub(super) unit: Option<&'static str>,
+    pub(super) unit: Option<String>,
     pub(super) size: Option<i64>,
 }
 
-pub(super) const fn vec3(name: &'static str, unit: Option<&'static str>) -> Spec {
-    Spec { name, kind: "vec3", unit, size: None }
+pub(super) fn vec3(name: &str, unit: Option<&str>) -> Spec {
+    Spec { name: name.to_owned(), kind: "vec3", unit: unit.map(str::to_owned), size: None }
 }
 
-pub(super) const fn scalar(name: &'static str, unit: Option<&'static str>) -> Spec {
-    Spec { name, kind: "scalar", unit, size: None }
+pub(super) fn scalar(name: &str, unit: Option<&str>) -> Spec {
+    Spec { kind: "scalar", ..vec3(name, unit) }
 }
 
 impl Spec {
     fn json(&self) -> Json {
-        object! { "name" => self.name, "kind" => self.kind, "unit" => self.unit, "size" => self.size.map(int) }
+        object! { "name" => self.name.as_str(), "kind" => self.kind, "unit" => self.unit.as_deref(), "size" => self.size.map(int) }
     }
 }
 
@@ -234,12 +143,56 @@ pub(super) fn govern(command: Command, sensor: Sensor) -> Step {
     Step::Govern { command, now: 10.25, sensor: Some(sensor), last: Some(10.0) }
 }
 
+/// Declared channels, each as its name and its unit, or its name, its kind and its unit.
+fn specs(step: &scenario::Step) -> Result<Vec<Spec>, ScenarioError> {
+    let unit = |unit: &str| (unit != "none").then(|| Json::read(unit).as_str().unwrap_or(unit).replace("\\s", " "));
+    let spec = |word: &str| match word.split(':').collect::<Vec<_>>()[..] {
+        [name] => Ok(vec3(name, None)),
+        [name, of] => Ok(vec3(name, unit(of).as_deref())),
+        [name, "scalar", of] => Ok(scalar(name, unit(of).as_deref())),
+        _ => Err(step.place.wants("declared channel", word)),
+    };
+    step.words().filter(|word| *word != "-").map(spec).collect()
+}
+
+/// What is sensed at a place, or the channels that are.
+pub(super) fn sensed(place: Place, word: &str) -> Result<Sensor, ScenarioError> {
+    Ok(Sensor::of(channels(place, word, |data| channel(POSITION, data, Some(M)))?))
+}
+
 impl Step {
+    /// The step that a row says.
+    pub(super) fn of(step: &scenario::Step) -> Result<Self, ScenarioError> {
+        let place = step.place;
+        match step.verb() {
+            "govern" => {}
+            "link" => return Ok(Self::Link(true)),
+            "calm" => return Ok(Self::Link(false)),
+            "reset" => return Ok(Self::Reset),
+            verb => return Err(place.wants("step of a governor", verb)),
+        }
+        let (mut command, mut sensor) = (super::good(), Some(super::near()));
+        let (mut now, mut last) = (10.25, Some(10.0));
+        for word in step.words() {
+            let (name, value) = word.split_once('=').unwrap_or((word, ""));
+            match name {
+                "at" if value == "none" => sensor = None,
+                "at" => sensor = Some(sensed(place, value)?),
+                "sent" => sensor = sensor.map(|sensor| Ok(Sensor { t: place.double(value)?, ..sensor })).transpose()?,
+                "now" => now = place.double(value)?,
+                "last" => last = if value == "-" { None } else { Some(place.double(value)?) },
+                _ if command.setting(place, name, value)? => {}
+                _ => return Err(place.wants("setting of a governor", word)),
+            }
+        }
+        Ok(Self::Govern { command, now, sensor, last })
+    }
+
     fn json(&self) -> Json {
         match self {
             Self::Govern { command, now, sensor, last } => object! {
                 "op" => "govern",
-                "command" => command.json(),
+                "command" => command.fields(),
                 "now_s" => num(*now),
                 "sensor" => sensor.as_ref().map(Sensor::json),
                 "last_sensor_s" => last.map(num),
@@ -265,6 +218,28 @@ impl Trace {
 
     pub(super) fn negotiated(limits: Limits, capabilities: Capabilities, steps: Vec<Step>) -> Self {
         Self { limits, capabilities: Some(capabilities), steps }
+    }
+
+    /// The trace that the steps of a row say: `limits` with `speed=`, `fence=`, `timeout=` and `tilt=`; `sensors` and
+    /// `commands`, the channels that are declared, as `tow:m/s` or, if it is a scalar, `grip:scalar:N`; `govern`, which is a
+    /// good command at a good place but for the settings of [`Command::setting`], `at=` for the place or the channels that
+    /// are sensed, `sent=`, `now=` and `last=` for times; `link`, `calm` and `reset`. A hyphen is none of it.
+    pub(super) fn of(row: &Row) -> Result<Self, ScenarioError> {
+        let mut trace = Self::new(Limits::NONE, Vec::new());
+        for step in row.steps() {
+            let (times, step) = step.repeated();
+            match step.verb() {
+                "limits" => trace.limits = trace.limits.set(&step)?,
+                "sensors" => trace.declared().sensors = specs(&step)?,
+                "commands" => trace.declared().commands = specs(&step)?,
+                _ => trace.steps.extend(std::iter::repeat_n(Step::of(&step)?, times)),
+            }
+        }
+        Ok(trace)
+    }
+
+    fn declared(&mut self) -> &mut Capabilities {
+        self.capabilities.get_or_insert_with(|| Capabilities { sensors: Vec::new(), commands: Vec::new() })
     }
 
     /// The arguments of `governor.run`.
@@ -360,13 +335,13 @@ impl Outcome {
     fn pattern(&self, command: &Command, governor: &Governor<'_>) -> Json {
         let passed = |channels: &[Channel]| {
             let value = |channel: &Channel| {
-                let unit = match channel.unit {
+                let unit = match channel.unit.as_deref() {
                     Some(unit) => unit.into(),
                     // Left out as it was, or written down as it is read.
                     None => any(std::iter::once(Json::Null).chain(governor.unit(channel).map(Json::from)).collect()),
                 };
                 let value = object! { "data" => nums(&channel.data), "unit" => unit };
-                (channel.name.to_owned(), value)
+                (channel.name.clone(), value)
             };
             exactly(Json::Object(channels.iter().map(value).collect()))
         };
@@ -379,7 +354,7 @@ impl Outcome {
         };
         object! {
             "mode" => "active",
-            "seq" => int(command.seq),
+            "seq" => command.seq.map(int),
             "t" => num(command.t),
             "frame_id" => command.frame_id,
             "ttl_ms" => num(command.ttl),
@@ -416,7 +391,7 @@ impl<'a> Governor<'a> {
     fn new(limits: Limits, capabilities: Option<&'a Capabilities>, reading: Reading) -> Self {
         let broken = |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
         let declared = |specs: &[Spec], name: &str, unit: &str| {
-            specs.iter().any(|spec| spec.name == name && spec.unit == Some(unit))
+            specs.iter().any(|spec| spec.name == name && spec.unit.as_deref() == Some(unit))
         };
         let unbound = capabilities.is_some_and(|capabilities| {
             enabled(limits.fence).is_some() && !declared(&capabilities.sensors, POSITION, M)
@@ -442,7 +417,7 @@ impl<'a> Governor<'a> {
 
     /// The gates of section 7.3, in their order.
     fn govern(&mut self, command: &Command, now: f64, sensor: Option<&Sensor>, last: Option<f64>) -> Vec<Outcome> {
-        self.latched |= command.mode == "estop";
+        self.latched |= command.is("estop");
         if self.latched {
             return vec![Outcome::Estop];
         }
@@ -460,12 +435,12 @@ impl<'a> Governor<'a> {
         let mut place = None;
         if let Some(radius) = enabled(self.limits.fence) {
             let found = sensor.and_then(|sensor| sensor.channels.iter().find(|c| c.name == POSITION));
-            let usable = found.filter(|c| c.unit.is_none_or(|unit| unit == M) && c.data.len() == 3);
+            let usable = found.filter(|c| c.unit.as_deref().is_none_or(|unit| unit == M) && c.data.len() == 3);
             let Some(position) = usable else {
                 return vec![Outcome::Hold];
             };
             if !inside(&position.data, radius) {
-                let waits = command.mode != "active";
+                let waits = !command.is("active");
                 self.latched = !(waits && self.reading == Reading::ModeOnly);
                 return vec![if waits && self.reading != Reading::PositionFirst {
                     Outcome::Hold
@@ -475,7 +450,7 @@ impl<'a> Governor<'a> {
             }
             place = Some((position.data.clone(), radius));
         }
-        if command.mode != "active" {
+        if !command.is("active") {
             return vec![Outcome::Hold];
         }
         let Some(channels) = self.clamped(&command.channels) else {
@@ -503,7 +478,7 @@ impl<'a> Governor<'a> {
             None => vec![Outcome::Pass { channels, horizon }],
         };
         // So may a component of a step that is not finite, though it is enough to truncate before that step.
-        let strange = !command.horizon.iter().flatten().all(|c| finite(&c.data));
+        let strange = !command.horizon.iter().flatten().all(|c| c.is_finite());
         if (odd || strange) && !outcomes.contains(&Outcome::Hold) {
             outcomes.push(Outcome::Hold);
         }
@@ -512,8 +487,8 @@ impl<'a> Governor<'a> {
 
     /// The unit in which a channel is read: its own, or else the negotiated one.
     fn unit<'c>(&'c self, channel: &'c Channel) -> Option<&'c str> {
-        channel.unit.or_else(|| match self.capabilities {
-            Some(capabilities) => capabilities.commands.iter().find(|spec| spec.name == channel.name)?.unit,
+        channel.unit.as_deref().or_else(|| match self.capabilities {
+            Some(capabilities) => capabilities.commands.iter().find(|spec| spec.name == channel.name)?.unit.as_deref(),
             None => (channel.name == VELOCITY).then_some(MPS),
         })
     }
@@ -521,13 +496,13 @@ impl<'a> Governor<'a> {
     /// The velocity that the plant would follow.
     fn velocity(&self, channels: &[Channel]) -> Option<Vec<f64>> {
         let channel = channels.iter().find(|channel| channel.name == VELOCITY)?;
-        let usable = self.unit(channel) == Some(MPS) && channel.data.len() == 3 && finite(&channel.data);
+        let usable = self.unit(channel) == Some(MPS) && channel.data.len() == 3 && channel.is_finite();
         usable.then(|| channel.data.clone())
     }
 
     /// The channels of a tick within the speed limit; none when that cannot be.
     fn clamped(&self, channels: &[Channel]) -> Option<Vec<Channel>> {
-        if !channels.iter().all(|channel| finite(&channel.data)) {
+        if !channels.iter().all(|channel| channel.is_finite()) {
             return None;
         }
         let Some(most) = enabled(self.limits.speed) else {

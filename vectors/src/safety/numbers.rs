@@ -1,8 +1,9 @@
 //! Strange numbers in every numeric position of a command and a sensor frame.
 
-use super::model::{Command, Limits, M, MPS, POSITION, Sensor, Trace, VELOCITY, channel, govern, velocity};
+use super::model::{Limits, Sensor, Trace, govern};
 use super::{case, good, near};
 use crate::case::{Case, File};
+use crate::command::{Command, M, MPS, POSITION, VELOCITY, channel, velocity};
 use crate::json::{Json, object};
 use crate::trace::{any, name_of, refused, steps};
 

@@ -1,20 +1,25 @@
 //! Where a command leads within its ttl.
 
-use super::case;
-use super::model::{Capabilities, Command, Limits, MPS, Sensor, Trace, VELOCITY, channel, govern, vec3, velocity};
+use super::model::{Capabilities, Limits, Sensor, Trace, govern, vec3};
+use super::{case, row_case};
 use crate::case::{Case, File};
+use crate::command::{Command, MPS, VELOCITY, channel, velocity};
+use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::trace::name_of;
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let mut text = Scenarios::read(source!("safety/projection"))?;
     let mut cases = without_horizon();
-    cases.extend(velocities());
+    cases.extend(text.cases("path", row_case)?);
+    cases.extend(without_horizon_further());
+    cases.extend(text.cases("velocity", row_case)?);
     cases.extend(with_horizon());
-    cases.extend(horizons());
+    cases.extend(text.rest(row_case)?);
     cases.extend(steps_without_velocity());
     cases.extend(clamped_horizons());
     cases.extend(other_units());
     let about = "The look ahead of the geofence: commands with and without a horizon, up to exactly the fence.";
-    File::new("safety", "projection", about, cases)
+    Ok(File::new("safety", "projection", about, cases))
 }
 
 const FENCE: f64 = 5.0;
@@ -63,81 +68,12 @@ fn without_horizon() -> Vec<Case> {
             }
         }
     }
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
-    let table: [(&str, [f64; 3], [f64; 3], f64, &'static str, &str); 9] = [
-        (
-            "across",
-            [-4.0, 0.0, 0.0],
-            [32.0, 0.0, 0.0],
-            250.0,
-            "NCP-SAFE-021",
-            "From one side of the ball to the other, the end is inside",
-        ),
-        (
-            "across-too-far",
-            [-4.0, 0.0, 0.0],
-            [40.0, 0.0, 0.0],
-            250.0,
-            "NCP-SAFE-051",
-            "Through the ball and out, the end is outside",
-        ),
-        (
-            "inward",
-            [5.0, 0.0, 0.0],
-            [-4.0, 0.0, 0.0],
-            250.0,
-            "NCP-SAFE-021",
-            "From the fence inward, the command passes",
-        ),
-        (
-            "outward",
-            [5.0, 0.0, 0.0],
-            [0.25, 0.0, 0.0],
-            250.0,
-            "NCP-SAFE-051",
-            "From the fence outward, the command is held",
-        ),
-        (
-            "still-on-fence",
-            [5.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0],
-            250.0,
-            "NCP-SAFE-021",
-            "Still on the fence, the command passes",
-        ),
-        ("tangent", [5.0, 0.0, 0.0], [0.0, 4.0, 0.0], 250.0, "NCP-SAFE-051", "Along the tangent, the end is outside"),
-        ("up", [0.0, 0.0, 4.0], [0.0, 0.0, 8.0], 250.0, "NCP-SAFE-051", "Straight up, the end is outside"),
-        (
-            "to-a-corner",
-            [0.0, 0.0, 0.0],
-            [12.0, 16.0, 0.0],
-            250.0,
-            "NCP-SAFE-021",
-            "From the origin to (3, 4, 0), the end is on the fence",
-        ),
-        (
-            "past-a-corner",
-            [0.0, 0.0, 0.0],
-            [12.0, 16.0, 4.0],
-            250.0,
-            "NCP-SAFE-051",
-            "From the origin to (3, 4, 1), the end is outside",
-        ),
-    ];
-    for (name, at, v, ttl, rule, words) in table {
-        cases.push(
-            one(
-                format!("path/{name}"),
-                &[rule, "NCP-SAFE-054"],
-                Limits::fence(FENCE),
-                Command::moving(&v).ttl(ttl),
-                &at,
-            )
-            .title(format!("{words}."))
-            .flags(&["short-look-ahead"])
-            .because("The ball is convex, so that the end point p + v\u{b7}T decides."),
-        );
-    }
+    cases
+}
+
+/// Ttls beyond a minute, ticks of no horizon, and velocities that are clamped.
+fn without_horizon_further() -> Vec<Case> {
+    let mut cases = Vec::new();
     // Beyond a minute a ttl is a minute, for the look ahead too.
     for (ttl, speed, rule, ends) in [
         (120_000.0, 0.0625, "NCP-SAFE-021", "passes"),
@@ -192,35 +128,6 @@ fn without_horizon() -> Vec<Case> {
         );
     }
     cases
-}
-
-/// Velocities that cannot be projected.
-fn velocities() -> Vec<Case> {
-    let other = channel("gripper", &[1.0], None);
-    let table: [(&str, &str, Command); 7] = [
-        ("absent", "has no velocity", Command::of(vec![other.clone()])),
-        ("no-channels", "has no channels", Command::of(Vec::new())),
-        ("empty", "has an empty velocity", Command::moving(&[])),
-        ("two-wide", "has a velocity 2 wide", Command::moving(&[1.0, 0.0])),
-        ("four-wide", "has a velocity 4 wide", Command::moving(&[1.0, 0.0, 0.0, 0.0])),
-        ("knots", "has a velocity in knots", Command::of(vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))])),
-        (
-            "another-name",
-            "has a velocity under another name",
-            Command::of(vec![channel("velocity", &[1.0, 0.0, 0.0], Some(MPS))]),
-        ),
-    ];
-    table
-        .into_iter()
-        .map(|(name, words, command)| {
-            one(format!("velocity/{name}"), &["NCP-SAFE-052"], Limits::fence(FENCE), command, &[1.0, 2.0, 2.0])
-                .title(format!("Within a fence, a command is held that {words}."))
-                .flags(&["L11", "L10"])
-                .because(
-                    "With the geofence enabled, the governor holds when the command has no usable velocity to project.",
-                )
-        })
-        .collect()
 }
 
 /// Horizons deep inside, to the fence and beyond.
@@ -362,171 +269,5 @@ fn other_units() -> Vec<Case> {
             .because("The governor reads a channel without a unit in the negotiated one, and a step in another unit than m/s is not sent."),
         );
     }
-    cases
-}
-
-/// Single horizons.
-fn horizons() -> Vec<Case> {
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
-    let table: Vec<(&str, &[&'static str], &str, [f64; 3], Command)> = vec![
-        (
-            "first-tick-leaves",
-            &["NCP-SAFE-051"],
-            "Tick 0 of a horizon that leads out is held",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0]).then(250.0, &[[-8.0, 0.0, 0.0]]).ttl(1000.0),
-        ),
-        (
-            "first-step-leaves-tick-0-stays",
-            &["NCP-SAFE-050", "NCP-SAFE-053"],
-            "A horizon whose first step leads out is truncated to nothing, and tick 0 stays inside for the ttl",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[0.0, 0.5, 0.0]).then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]]).ttl(1000.0),
-        ),
-        (
-            "first-step-leaves-tick-0-leaves",
-            &["NCP-SAFE-053", "NCP-SAFE-050", "NCP-SAFE-054"],
-            "A horizon truncated to nothing is held when tick 0 for the whole ttl leads out",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[2.0, 0.0, 0.0]).then(250.0, &[[8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]]).ttl(1000.0),
-        ),
-        (
-            "truncated-to-nothing-at-the-minute",
-            &["NCP-SAFE-053", "NCP-SAFE-050", "NCP-SAFE-054"],
-            "A horizon truncated to nothing is held when tick 0 for a minute leads out",
-            [0.0, 0.0, 0.0],
-            Command::moving(&[0.25, 0.0, 0.0]).then(1000.0, &[[40.0, 0.0, 0.0]]).ttl(1e9),
-        ),
-        (
-            "returns",
-            &["NCP-SAFE-054"],
-            "A horizon that goes out to the fence and back stays inside",
-            [3.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0]).then(250.0, &[[-8.0, 0.0, 0.0], [-8.0, 0.0, 0.0]]).ttl(1000.0),
-        ),
-        (
-            "returns-too-late",
-            &["NCP-SAFE-050", "NCP-SAFE-054"],
-            "A horizon that comes back only after it was outside is truncated where it leaves",
-            [3.0, 0.0, 0.0],
-            Command::moving(&[4.0, 0.0, 0.0])
-                .then(250.0, &[[4.0, 0.0, 0.0], [4.0, 0.0, 0.0], [-16.0, 0.0, 0.0]])
-                .ttl(250.0 * 4.0),
-        ),
-        (
-            "leaves-after-the-ttl",
-            &["NCP-SAFE-054"],
-            "A step behind the end of the ttl moves nothing",
-            [0.0, 0.0, 0.0],
-            Command::moving(&[4.0, 0.0, 0.0]).then(250.0, &[[4.0, 0.0, 0.0], [400.0, 0.0, 0.0]]).ttl(500.0),
-        ),
-        (
-            "leaves-in-a-part-of-a-tick",
-            &["NCP-SAFE-050", "NCP-SAFE-054"],
-            "A step is projected for the part of its tick before the end of the ttl, which leads out here",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[0.0, 0.0, 0.0]).then(250.0, &[[16.0, 0.0, 0.0]]).ttl(375.0),
-        ),
-        (
-            "stays-in-a-part-of-a-tick",
-            &["NCP-SAFE-054"],
-            "A step is projected for the part of its tick before the end of the ttl, which stays inside here",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[0.0, 0.0, 0.0]).then(250.0, &[[8.0, 0.0, 0.0]]).ttl(375.0),
-        ),
-        (
-            "tick-longer-than-ttl",
-            &["NCP-SAFE-021", "NCP-SAFE-054"],
-            "Of a tick longer than the ttl only the ttl counts",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[4.0, 0.0, 0.0]).then(10_000.0, &[[400.0, 0.0, 0.0]]).ttl(250.0),
-        ),
-        (
-            "tick-longer-than-ttl-leaves",
-            &["NCP-SAFE-051", "NCP-SAFE-054"],
-            "A tick longer than the ttl that leads out within the ttl is held",
-            [4.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0]).then(10_000.0, &[[0.0, 0.0, 0.0]]).ttl(250.0),
-        ),
-        (
-            "diagonal",
-            &["NCP-SAFE-050", "NCP-SAFE-054"],
-            "A horizon in three dimensions is truncated by the norm",
-            [0.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0])
-                .then(250.0, &[[0.0, 8.0, 0.0], [0.0, 0.0, 8.0], [8.0, 0.0, 0.0], [0.0, 8.0, 8.0]])
-                .ttl(5000.0),
-        ),
-        (
-            "turns",
-            &["NCP-SAFE-021", "NCP-SAFE-054"],
-            "A horizon that turns in time stays inside",
-            [0.0, 0.0, 0.0],
-            Command::moving(&[8.0, 0.0, 0.0])
-                .then(250.0, &[[0.0, 8.0, 0.0], [-8.0, 0.0, 0.0], [0.0, -8.0, 0.0]])
-                .ttl(1000.0),
-        ),
-        (
-            "along-z",
-            &["NCP-SAFE-050", "NCP-SAFE-054"],
-            "A horizon straight up is truncated before it leaves",
-            [0.0, 0.0, 3.0],
-            Command::moving(&[0.0, 0.0, 4.0])
-                .then(250.0, &[[0.0, 0.0, 4.0], [0.0, 0.0, 4.0], [0.0, 0.0, 4.0]])
-                .ttl(1000.0),
-        ),
-        (
-            "exactly-to-the-fence",
-            &["NCP-SAFE-054"],
-            "A horizon whose last step ends exactly on the fence stays inside",
-            [0.0, 0.0, 0.0],
-            Command::moving(&[12.0, 0.0, 0.0]).then(250.0, &[[0.0, 16.0, 0.0]]).ttl(500.0),
-        ),
-        (
-            "just-past-the-fence",
-            &["NCP-SAFE-050", "NCP-SAFE-054"],
-            "A horizon whose last step ends just outside is truncated",
-            [0.0, 0.0, 0.0],
-            Command::moving(&[12.0, 0.0, 0.0]).then(250.0, &[[0.0, 16.125, 0.0]]).ttl(500.0),
-        ),
-    ];
-    let mut cases: Vec<Case> = table
-        .into_iter()
-        .map(|(name, rules, words, at, command)| {
-            one(format!("horizon/{name}"), rules, Limits::fence(FENCE), command, &at)
-                .title(format!("{words}."))
-                .flags(&["horizon-past-the-fence"])
-                .because("The plant follows each tick for its part before the ttl, and none of the ends may lie outside; dropping the whole horizon needs tick 0 to stay inside for the ttl.")
-        })
-        .collect();
-    // A unit that the frame leaves out is the negotiated one.
-    for (name, speed, rule) in [("stays", 8.0, "NCP-SAFE-042"), ("leaves", 8.5, "NCP-SAFE-042")] {
-        let mut command = Command::moving(&[speed, 0.0, 0.0]);
-        command.channels = vec![channel(VELOCITY, &[speed, 0.0, 0.0], None)];
-        let trace = Trace::negotiated(
-            Limits::fence(FENCE),
-            Capabilities::canonical(&[]),
-            vec![govern(command, Sensor::at(&[3.0, 0.0, 0.0]))],
-        );
-        cases.push(
-            case(format!("negotiated-unit/{name}"), &[rule, "NCP-SAFE-054"], &trace)
-                .title(format!("A velocity of {speed} without a unit is projected in the negotiated m/s."))
-                .flags(&["L10"])
-                .because("The governor reads a channel without a unit in the negotiated one."),
-        );
-    }
-    // Other channels lead nowhere.
-    let rates = channel("body_rates", &[100.0, 100.0, 100.0], Some("rad/s"));
-    cases.push(
-        one(
-            "other-channels".to_owned(),
-            &["NCP-SAFE-021"],
-            Limits::fence(FENCE),
-            Command::of(vec![rates, velocity(&[4.0, 0.0, 0.0])]),
-            &[4.0, 0.0, 0.0],
-        )
-        .title("Only the velocity is projected, not a channel in another unit.")
-        .because("The plant follows the clamped velocities of the command."),
-    );
     cases
 }

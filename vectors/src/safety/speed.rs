@@ -1,24 +1,24 @@
 //! The speed limit.
 
-use super::model::{
-    Capabilities, Channel, Command, Limits, MPS, Trace, VELOCITY, channel, govern, scalar, vec3, velocity,
-};
-use super::{case, near};
+use super::model::{Capabilities, Limits, Trace, govern, scalar, vec3};
+use super::{case, near, row_case};
 use crate::case::{Case, File};
+use crate::command::{Channel, Command, MPS, VELOCITY, channel, velocity};
 use crate::json::{Json, object};
+use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::trace::{any, name_of, num, nums, refused, steps, within};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = vectors();
     cases.extend(never_above());
     cases.extend(huge());
-    cases.extend(unusable());
+    cases.extend(Scenarios::read(source!("safety/speed"))?.rest(row_case)?);
     cases.extend(channels());
     cases.extend(horizons());
     cases.extend(off());
     let about =
         "The speed limit: vectors above, at and below it, those that cannot be scaled, further channels and horizons.";
-    File::new("safety", "speed", about, cases)
+    Ok(File::new("safety", "speed", about, cases))
 }
 
 fn one(path: String, rules: &[&'static str], limits: Limits, command: Command) -> Case {
@@ -157,52 +157,6 @@ fn huge() -> Vec<Case> {
         }
     }
     cases
-}
-
-/// Velocities that the limit cannot act on.
-fn unusable() -> Vec<Case> {
-    let in_unit = |unit: Option<&'static str>| Command::of(vec![channel(VELOCITY, &[0.5, 0.0, 0.0], unit)]);
-    let table: Vec<(&str, &str, Command, &[&'static str])> = vec![
-        ("absent", "is absent", Command::of(vec![channel("gripper", &[1.0], None)]), &[]),
-        ("no-channels", "is absent, like every other channel", Command::of(Vec::new()), &[]),
-        ("empty", "is empty", Command::moving(&[]), &["L11"]),
-        ("one-wide", "is 1 wide", Command::moving(&[0.5]), &["L11"]),
-        ("two-wide", "is 2 wide", Command::moving(&[0.5, 0.0]), &["L11"]),
-        ("four-wide", "is 4 wide", Command::moving(&[0.5, 0.0, 0.0, 0.0]), &["L11"]),
-        ("six-wide", "is 6 wide", Command::moving(&[0.5, 0.0, 0.0, 0.0, 0.0, 0.0]), &["L11"]),
-        ("knots", "is in knots", in_unit(Some("kn")), &["L10"]),
-        ("kilometres-an-hour", "is in km/h", in_unit(Some("km/h")), &["L10"]),
-        ("metres", "is in m", in_unit(Some("m")), &["L10"]),
-        ("centimetres-a-second", "is in cm/s", in_unit(Some("cm/s")), &["L10"]),
-        ("feet-a-second", "is in ft/s", in_unit(Some("ft/s")), &["L10"]),
-        ("miles-an-hour", "is in mph", in_unit(Some("mph")), &["L10"]),
-        ("metres-a-second-squared", "is in m/s2", in_unit(Some("m/s2")), &["L10"]),
-        ("capitals", "is in `M/S`", in_unit(Some("M/S")), &["L10"]),
-        ("spelled-out", "is in `mps`", in_unit(Some("mps")), &["L10"]),
-        ("empty-unit", "has the empty text for a unit", in_unit(Some("")), &["L10"]),
-        (
-            "another-name",
-            "has another name",
-            Command::of(vec![channel("velocity", &[0.5, 0.0, 0.0], Some(MPS))]),
-            &["first-channel"],
-        ),
-        (
-            "another-case",
-            "has a name in another case",
-            Command::of(vec![channel("Velocity_Setpoint", &[0.5, 0.0, 0.0], Some(MPS))]),
-            &["first-channel"],
-        ),
-    ];
-    table
-        .into_iter()
-        .map(|(name, words, command, flags)| {
-            let steps = vec![govern(command, near()), govern(Command::moving(&[1.0, 0.0, 0.0]), near())];
-            case(format!("unusable/{name}"), &["NCP-SAFE-063"], &Trace::new(Limits::speed(1.0), steps))
-                .title(format!("Under a speed limit a command is held whose velocity {words}, and the next one passes."))
-                .flags(flags)
-                .because("With the speed limit enabled, the governor holds when the velocity of tick 0 is absent, or not 3 wide, or has a unit other than `m/s`.")
-        })
-        .collect()
 }
 
 /// Further channels, in m/s and in other units.

@@ -3,22 +3,25 @@
 //! A case looks at one thing only: at the zeros, at widths and units, at what is added, at one member that is
 //! kept, or at the horizon. That the frame is a HOLD or an ESTOP is asked elsewhere.
 
-use super::model::{
-    Capabilities, Channel, Command, Limits, MPS, Sensor, Step, Trace, VELOCITY, channel, govern, scalar, vec3, velocity,
-};
+use super::model::{Capabilities, Limits, Sensor, Step, Trace, govern, scalar, vec3};
 use super::near;
 use crate::case::{Case, File, Role};
+use crate::command::{self, Channel, Command, MPS, VELOCITY, channel, velocity};
 use crate::json::{Json, object};
+use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::trace::{any, anything, int, name_of, no_result, num, nums, refused, steps};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let mut text = Scenarios::read(source!("safety/zeroing"))?;
+    let rows = text.rows("channels")?;
+    text.end()?;
     let mut cases = Vec::new();
     for way in WAYS {
-        cases.extend(channels(way));
+        cases.extend(channels(way, &rows)?);
         cases.extend(kept(way));
     }
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
-    File::new("safety", "zeroing", about, cases)
+    Ok(File::new("safety", "zeroing", about, cases))
 }
 
 /// A way to a HOLD or an ESTOP frame.
@@ -175,24 +178,24 @@ impl Part {
                 Self::Zeros => object! { "data" => nums(&vec![0.0; width]) },
                 _ => {
                     let data: Json = channel.data.iter().map(|_| anything()).collect();
-                    object! { "data" => data, "unit" => channel.unit }
+                    object! { "data" => data, "unit" => channel.unit.as_deref() }
                 }
             };
-            (channel.name.to_owned(), value)
+            (channel.name.clone(), value)
         };
         let added = || {
             let capabilities = negotiated();
             let lacks = |name: &str| channels.iter().all(|channel| channel.name != name);
             let specs = capabilities.commands.into_iter();
             specs
-                .filter(|spec| lacks(spec.name))
+                .filter(|spec| lacks(&spec.name))
                 .map(|spec| {
                     let zero = if spec.name == VELOCITY {
                         object! { "data" => nums(&[0.0; 3]), "unit" => MPS }
                     } else {
                         object! { "data" => nums(&[0.0]) }
                     };
-                    (spec.name.to_owned(), zero)
+                    (spec.name.clone(), zero)
                 })
                 .collect()
         };
@@ -205,78 +208,23 @@ impl Part {
 }
 
 /// The union of the command's channels and the negotiated ones.
-fn channels(way: &Way) -> Vec<Case> {
-    let table: [(&str, Part, &str, Vec<Channel>); 10] = [
-        (
-            "all",
-            Part::Zeros,
-            "all negotiated channels is zero in all of them",
-            vec![
-                velocity(&[1.0, 2.0, 3.0]),
-                channel("gripper", &[0.5, 0.25, 0.5], None),
-                channel("body_rates", &[1.0, 1.0, 1.0], Some("rad/s")),
-                channel("light", &[900.0, 1.0, 2.0], Some("lm")),
-            ],
-        ),
-        (
-            "others",
-            Part::Zeros,
-            "channels that were not negotiated is zero in them too",
-            vec![channel("winch", &[4.0, 5.0, 6.0], Some("N")), channel("flaps", &[1.0, 1.0, 1.0], None)],
-        ),
-        (
-            "negative",
-            Part::Zeros,
-            "negative and huge values is zero",
-            vec![velocity(&[-1.0, -1e308, 5e-324]), channel("gripper", &[-0.0, 1e308, -2.0], None)],
-        ),
-        (
-            "usual",
-            Part::Shape,
-            "all negotiated channels has them in their width and unit",
-            vec![
-                velocity(&[1.0, 2.0, 3.0]),
-                channel("gripper", &[0.5], None),
-                channel("body_rates", &[1.0, 1.0, 1.0], Some("rad/s")),
-                channel("light", &[900.0], Some("lm")),
-            ],
-        ),
-        (
-            "widths",
-            Part::Shape,
-            "channels of unusual widths keeps the widths",
-            vec![
-                velocity(&[1.0, 2.0]),
-                channel("gripper", &[0.5, 0.5, 0.5, 0.5], None),
-                channel("light", &[], Some("lm")),
-            ],
-        ),
-        (
-            "units",
-            Part::Shape,
-            "channels in other units than the negotiated ones keeps the units",
-            vec![channel(VELOCITY, &[1.0, 2.0, 3.0], Some("kn")), channel("light", &[1.0], Some("cd"))],
-        ),
-        (
-            "unknown",
-            Part::Shape,
-            "channels that were not negotiated keeps their widths and units",
-            vec![channel("winch", &[4.0, 5.0], Some("N")), channel("flaps", &[1.0], None)],
-        ),
-        ("some", Part::Added, "the velocity alone has the other negotiated channels", vec![velocity(&[1.0, 2.0, 3.0])]),
-        ("none", Part::Added, "no channels has all negotiated ones", Vec::new()),
-        ("no-velocity", Part::Added, "no velocity has one of three zeros", vec![channel("gripper", &[0.5], None)]),
-    ];
-    let one = |(name, part, words, channels): (&str, Part, &str, Vec<Channel>)| {
+fn channels(way: &Way, rows: &[Row]) -> Result<Vec<Case>, ScenarioError> {
+    let one = |row: &Row| {
+        let part = match row.cell("part")? {
+            "zeros" => Part::Zeros,
+            "shape" => Part::Shape,
+            "added" => Part::Added,
+            part => return Err(row.place.wants("part of a frame", part)),
+        };
+        let channels = command::channels(row.place, row.cell("v")?, velocity)?;
         let pattern = part.pattern(&channels);
-        let command = Command::of(channels);
-        let path = format!("channels/{name}/{}", way.name);
-        case(path, part.rule(), way, Some(negotiated()), command, pattern)
-            .title(format!("The {} frame ({}) of a command with {words}.", way.frame, way.name))
+        let path = format!("channels/{}/{}", row.name, way.name);
+        Ok(case(path, part.rule(), way, Some(negotiated()), Command::of(channels), pattern)
+            .title(format!("The {} frame ({}) of a command with {}.", way.frame, way.name, row.cell("words")?))
             .flags(&["moving-hold"])
-            .because(part.why())
+            .because(part.why()))
     };
-    table.into_iter().map(one).collect()
+    rows.iter().map(one).collect()
 }
 
 /// What stands beside the channels.

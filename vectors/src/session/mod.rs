@@ -4,10 +4,10 @@ mod life;
 mod numbers;
 
 use crate::case::{Case, File, REFERENCE_NETWORKS, Role};
-use ncp_text::WIRE_VERSION;
 use crate::json::{Json, object};
 use crate::scenario::ScenarioError;
 use crate::trace::{any, num, text_of};
+use ncp_text::WIRE_VERSION;
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     Ok(vec![life::file()?, numbers::file()])

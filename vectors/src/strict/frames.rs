@@ -1,12 +1,12 @@
 //! Frames as a strict receiver reads them: their versions on every plane, and the stamps of commands.
 
 use super::INCOMPATIBLE;
-use ncp_text::WIRE_VERSION;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, meaning, minimal};
 use crate::roles::{a, readers};
 use crate::text::tables;
+use ncp_text::WIRE_VERSION;
 
 pub(super) fn file() -> File {
     let kinds = tables().messages.iter().filter_map(|message| message.kind.as_deref());

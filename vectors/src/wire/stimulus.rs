@@ -1,12 +1,12 @@
 //! The stimulus frame within a request, which may leave out what the request says.
 
 use super::fields;
-use ncp_text::WIRE_VERSION;
 use super::place::Place;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, meaning, minimal};
 use crate::roles::{a, readers};
+use ncp_text::WIRE_VERSION;
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
