@@ -1,48 +1,128 @@
-//! What `cargo xtask test` checks, what fails fastest first.
+//! What `cargo xtask test` checks: in each lane, what fails fastest first.
 
 use std::fmt::Display;
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 
-use crate::count::{self, Count};
 use crate::generate;
-use xtask::setup;
-use crate::test::{Failure, Work};
+use crate::mutate_kernel;
+use crate::project::Project;
+use crate::prove;
+use crate::setup;
+use crate::tally::Tally;
+use crate::work::{Failure, Work};
 
 /// One named check.
 pub(crate) struct Check {
     pub(crate) name: &'static str,
     /// What it checks, for `--list`.
     pub(crate) about: &'static str,
-    /// Checks it, and gives the number of tests that passed.
-    pub(crate) run: fn(&mut Work<'_>) -> Result<Count, Failure>,
+    pub(crate) lane: Lane,
+    /// Whether it runs here without being asked for.
+    pub(crate) runs: fn(&Project) -> bool,
+    /// Checks it, and counts its tests.
+    pub(crate) run: fn(&mut Work<'_>) -> Result<Tally, Failure>,
 }
 
-/// All checks, in order.
+/// The checks of one lane run one after the other, beside those of the other lane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Lane {
+    /// What cargo builds without optimisation, and what needs no build.
+    Crates,
+    /// The other languages, and what cargo builds in release.
+    Peers,
+}
+
+/// All checks, in the order in which they begin.
 pub(crate) const CHECKS: &[Check] = &[
     Check {
         name: "format",
-        about: "the Rust code is formatted (rustfmt)",
+        about: "the Rust code is formatted (rustfmt), and no line is too long for it",
+        lane: Lane::Crates,
+        runs: always,
+        run: format,
+    },
+    Check {
+        name: "contract",
+        about: "proto and projection break nothing of the frozen contract (our own check)",
+        lane: Lane::Crates,
+        runs: always,
+        run: |_| nothing_wrong(&ncp_proto::compat::check_current(), ""),
+    },
+    Check {
+        name: "schemas",
+        about: "schemas/ holds what the contract generates",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| fresh(work, "schemas/"),
+    },
+    Check {
+        name: "vectors",
+        about: "vectors/ and its manifest hold what the generator generates",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| fresh(work, "vectors/"),
+    },
+    Check {
+        name: "proofs-fresh",
+        about: "reports/proofs.json and mutations.json are about the kernel and its properties as they are",
+        lane: Lane::Crates,
+        runs: always,
         run: |work| {
-            let cargo = work.project.cargo(&["fmt", "--all", "--check", "--", "--color", "never"]);
+            let mut wrong = prove::stale(work.project);
+            wrong.extend(mutate_kernel::problems(work.project));
+            nothing_wrong(&wrong, "")
+        },
+    },
+    Check {
+        name: "clippy",
+        about: "the Rust code is free of warnings (clippy, all targets)",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| {
+            let targets = ["clippy", "--workspace", "--all-targets", "--quiet", "--keep-going"];
+            work.program(work.project.cargo(&[&targets[..], &["--", "-D", "warnings"]].concat()))
+        },
+    },
+    Check {
+        name: "doc",
+        about: "the documentation builds without a warning (rustdoc)",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| {
+            let mut cargo = work.project.cargo(&["doc", "--workspace", "--no-deps", "--quiet", "--keep-going"]);
+            cargo.env("RUSTDOCFLAGS", "-D warnings");
             work.program(cargo)
         },
     },
     Check {
-        name: "contract",
-        about: "proto and projection break nothing of the frozen 0.5 (our own check)",
-        run: |_| nothing_wrong(&ncp_proto::compat::check_current(), ""),
+        name: "rust",
+        about: "all tests of all crates but those of cpp and fuzz-corpus",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| rust_tests(work, &[]),
     },
-    Check { name: "schemas", about: "schemas/ holds what the contract generates", run: |work| fresh(work, "schemas/") },
     Check {
-        name: "vectors",
-        about: "vectors/ and its manifest hold what the generator generates",
-        run: |work| fresh(work, "vectors/"),
+        name: "fuzz-corpus",
+        about: "every committed input of every fuzz target passes, and so does every seed",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| rust_tests(work, &[]),
+    },
+    Check {
+        name: "doctests",
+        about: "the examples in the documentation of all crates",
+        lane: Lane::Crates,
+        runs: always,
+        run: |work| work.program(work.project.cargo(&["test", "--workspace", "--doc", "--quiet", "--no-fail-fast"])),
     },
     Check {
         name: "buf-lint",
         about: "the proto follows buf's rules",
+        lane: Lane::Peers,
+        runs: always,
         run: |work| {
             let buf = work.set_up(setup::buf)?;
             work.program(work.project.program(buf, &["lint"], "proto"))
@@ -50,7 +130,9 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "buf-breaking",
-        about: "the proto breaks nothing of the frozen 0.5 image (buf: FILE and WIRE_JSON)",
+        about: "the proto breaks nothing of the frozen image (buf: FILE and WIRE_JSON)",
+        lane: Lane::Peers,
+        runs: always,
         run: |work| {
             let buf = work.set_up(setup::buf)?;
             let against = ["breaking", "--against", "baseline/ncp-0.5.binpb"];
@@ -58,16 +140,27 @@ pub(crate) const CHECKS: &[Check] = &[
         },
     },
     Check {
-        name: "clippy",
-        about: "the Rust code is free of warnings (clippy, all targets)",
+        name: "deny",
+        about: "licences, sources and duplicates of the dependencies (cargo-deny; without --only, where it is installed)",
+        lane: Lane::Peers,
+        runs: setup::has_deny,
         run: |work| {
-            let targets = ["clippy", "--workspace", "--all-targets", "--quiet", "--keep-going"];
-            work.program(work.project.cargo(&[&targets[..], &["--", "-D", "warnings"]].concat()))
+            let deny = work.set_up(setup::deny)?;
+            work.program(work.project.program(deny, &["deny", "check", "bans", "licenses", "sources"], ""))
         },
+    },
+    Check {
+        name: "python-pure",
+        about: "the own tests of the peer in pure Python (unittest)",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| python_tests(work, Path::new("python3"), "peers/python-pure", &[]),
     },
     Check {
         name: "typescript",
         about: "the TypeScript peer's own tests: library, client, generated types, packed package",
+        lane: Lane::Peers,
+        runs: always,
         run: |work| {
             work.set_up(setup::typescript)?;
             node_tests(work, &["test", "--silent"])
@@ -76,120 +169,153 @@ pub(crate) const CHECKS: &[Check] = &[
     Check {
         name: "browser",
         about: "the TypeScript package, imported by a page in a headless Chromium, runs a session",
+        lane: Lane::Peers,
+        runs: always,
         run: |work| {
             work.set_up(setup::browser)?;
             node_tests(work, &["run", "test:browser", "--silent"])
         },
     },
     Check {
-        name: "python-pure",
-        about: "the own tests of the peer in pure Python (unittest)",
-        run: |work| {
-            let discover = ["-m", "unittest", "discover"];
-            let python = work.project.program("python3", &discover, "peers/python-pure");
-            work.tests(python, count::unittest)
-        },
-    },
-    Check {
-        name: "cpp",
-        about: "C and C++: the header is fresh; installed, compiled, under valgrind; a broken build is named",
-        run: cpp,
-    },
-    Check {
         name: "python",
         about: "the Python peer's own tests: API, numpy, hostile input, stubs, wheel, adapter",
+        lane: Lane::Peers,
+        runs: always,
         run: |work| {
             let python = work.set_up(setup::python)?;
-            let tests = ["-m", "unittest", "discover", "-s", "tests"];
-            work.tests(work.project.program(python, &tests, "peers/python"), count::unittest)
-        },
-    },
-    Check {
-        name: "rust",
-        about: "all tests of all crates but fuzz, and those in their documentation",
-        run: |work| {
-            let all = ["test", "--workspace", "--exclude", FUZZ, "--no-fail-fast", "--quiet"];
-            work.tests(work.project.cargo(&all), count::cargo)
-        },
-    },
-    Check {
-        name: "fuzz-corpus",
-        about: "every committed input of every fuzz target passes, and so does every seed",
-        run: |work| {
-            let replay = ["test", "--no-fail-fast", "--quiet", "-p", FUZZ];
-            work.tests(work.project.cargo(&replay), count::cargo)
-        },
-    },
-    Check {
-        name: "buf-evidence",
-        about: "buf sees of each planted change what proto/README.md says that it sees",
-        run: |work| {
-            let buf = work.set_up(setup::buf)?;
-            let only = ["test", "--quiet", "-p", "ncp-proto", "--test", "buf", "--", "--ignored"];
-            let mut cargo = work.project.cargo(&only);
-            cargo.env("NCP_BUF", buf);
-            work.tests(cargo, count::cargo)
-        },
-    },
-    Check {
-        name: "trace",
-        about: "every binding rule is shown, and all evidence cites rules (cargo assure trace)",
-        run: |work| {
-            let trace = [ASSURE, &["trace", "--check"]].concat();
-            work.program(work.project.cargo(&trace))
+            python_tests(work, &python, "peers/python", &["-s", "tests"])
         },
     },
     Check {
         name: "conformance",
         about: "every bundled peer conforms at the level that it claims (ncp-verify, release)",
+        lane: Lane::Peers,
+        runs: always,
         run: conformance,
     },
     Check {
-        name: "mutants",
-        about: "the suite notices every mutant, and names the rule that it breaks (cargo assure mutants)",
+        name: "trace",
+        about: "every binding rule is shown, and all evidence cites rules (ncp-verify trace)",
+        lane: Lane::Peers,
+        runs: always,
         run: |work| {
-            let hunt = [ASSURE, &["mutants"]].concat();
-            work.tests(work.project.cargo(&hunt), count::mutants)
+            let trace = [VERIFY, &["trace", "--check"]].concat();
+            work.program(work.project.cargo(&trace))
+        },
+    },
+    Check {
+        name: "mutants",
+        about: "the suite notices every mutant, and names the rule that it breaks (ncp-verify mutants)",
+        lane: Lane::Peers,
+        runs: always,
+        run: mutants,
+    },
+    Check {
+        name: "cpp",
+        about: "C and C++: the header is fresh; installed, compiled, under valgrind; a broken build is named",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| {
+            work.set_up(setup::cpp)?;
+            let mut tally = fresh(work, "peers/cpp/include/ncp.h")?;
+            tally += rust_tests(work, &["--run-ignored", "all"])?;
+            Ok(tally)
+        },
+    },
+    Check {
+        name: "buf-evidence",
+        about: "buf sees of each planted change what proto/README.md says that it sees",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| {
+            work.set_up(setup::buf)?;
+            rust_tests(work, &["--run-ignored", "only"])
         },
     },
 ];
 
-/// The crate with what the fuzz targets check.
-const FUZZ: &str = "ncp-fuzz-bodies";
+/// The names of all checks.
+pub(crate) fn names() -> Vec<&'static str> {
+    CHECKS.iter().map(|check| check.name).collect()
+}
 
-/// How cargo runs the maintainers' command.
-const ASSURE: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-assurance", "--"];
+fn always(_: &Project) -> bool {
+    true
+}
 
 /// How cargo runs the verifier.
 const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];
 
+/// Rust code is as rustfmt would have it; it leaves alone a statement with a literal that does not fit.
+fn format(work: &mut Work<'_>) -> Result<Tally, Failure> {
+    let mut tally = work.program(work.project.cargo(&["fmt", "--all", "--check", "--", "--color", "never"]))?;
+    let listed = work.project.program("git", &["ls-files", "*.rs"], "").output();
+    let listed = listed.map_err(|error| Failure::of_one(format!("git ls-files: {error}")))?;
+    if !listed.status.success() {
+        return Err(Failure::of_one("git ls-files: this is no repository of git".to_owned()));
+    }
+    let mut overlong = Vec::new();
+    for file in String::from_utf8_lossy(&listed.stdout).lines() {
+        // A file that is deleted and not yet committed is listed, too.
+        let Ok(text) = fs::read_to_string(work.project.path(file)) else { continue };
+        overlong.extend(lines_over(COLUMNS, &text).map(|(line, columns)| format!("{file}:{line}: {columns} columns")));
+    }
+    tally += nothing_wrong(&overlong, &format!("\nrustfmt gives up on a line of more than {COLUMNS}: wrap it by hand"))?;
+    Ok(tally)
+}
+
+/// What `rustfmt.toml` says.
+const COLUMNS: usize = 120;
+
+/// The lines that are longer, by their number, with their length.
+fn lines_over(columns: usize, text: &str) -> impl Iterator<Item = (usize, usize)> {
+    let numbered = text.lines().enumerate().map(|(index, line)| (index + 1, line.chars().count()));
+    numbered.filter(move |(_, length)| *length > columns)
+}
+
 /// The generated files of a folder are what would be generated.
-fn fresh(work: &Work<'_>, folder: &str) -> Result<Count, Failure> {
+fn fresh(work: &Work<'_>, folder: &str) -> Result<Tally, Failure> {
     let stale = generate::check(work.project, folder).map_err(|error| Failure::of_one(error.to_string()))?;
     nothing_wrong(&stale, "\nif this is meant: cargo xtask generate")
 }
 
+/// Runs the tests that `.config/nextest.toml` names by the profile of the check's name. All profiles share one build.
+fn rust_tests(work: &mut Work<'_>, options: &[&str]) -> Result<Tally, Failure> {
+    let nextest = work.set_up(setup::nextest)?;
+    let profile = work.name;
+    let args = ["nextest", "run", "--workspace", "--cargo-quiet", "--profile", profile];
+    let mut program = work.project.program(nextest, &[&args[..], options].concat(), "");
+    program.env("NCP_BUF", setup::buf_path(work.project));
+    let report = work.project.path(&format!(".tools/nextest/{profile}/junit.xml"));
+    work.tests(program, &report)
+}
+
+/// Runs the unittests of a folder.
+fn python_tests(work: &mut Work<'_>, python: &Path, folder: &str, discover: &[&str]) -> Result<Tally, Failure> {
+    let (runner, report) = (work.project.path("xtask/unittest_junit.py"), work.report());
+    let mut program = work.project.program(python, &[], folder);
+    program.arg(runner).arg(&report).args(discover);
+    work.tests(program, &report)
+}
+
 /// Has npm run tests of the TypeScript peer.
-fn node_tests(work: &mut Work<'_>, npm: &[&str]) -> Result<Count, Failure> {
+fn node_tests(work: &mut Work<'_>, npm: &[&str]) -> Result<Tally, Failure> {
+    let report = work.report();
     let mut npm = work.project.program(setup::NPM, npm, "peers/typescript");
-    // This reporter repeats at the end what failed.
-    npm.env("NODE_OPTIONS", "--test-reporter=spec");
-    work.tests(npm, count::node)
+    // The reporter `spec` repeats at the end what failed.
+    let reporters = format!(
+        "--test-reporter=spec --test-reporter-destination=stdout \
+         --test-reporter=junit --test-reporter-destination={}",
+        report.display()
+    );
+    npm.env("NODE_OPTIONS", reporters);
+    work.tests(npm, &report)
 }
 
-fn cpp(work: &mut Work<'_>) -> Result<Count, Failure> {
-    work.set_up(setup::cpp)?;
-    let mut count = fresh(work, "peers/cpp/include/ncp.h")?;
-    let test = ["test", "--quiet", "-p", "ncp-peer-cpp", "--no-fail-fast"];
-    let all = [&test[..], &["--", "--include-ignored"]].concat();
-    count += work.tests(work.project.cargo(&all), count::cargo)?;
-    Ok(count)
-}
-
-fn conformance(work: &mut Work<'_>) -> Result<Count, Failure> {
+fn conformance(work: &mut Work<'_>) -> Result<Tally, Failure> {
     const RESULT: &str = ".tools/logs/conformance.json";
     let cargo = work.project.cargo(&[VERIFY, &["--json", RESULT]].concat());
-    let count = work.program(cargo)?;
+    let tally = work.program(cargo)?;
 
     // For the verifier a peer without its toolchain is skipped, which is no failure. Here it
     // is one: every bundled peer has to be shown to conform.
@@ -197,7 +323,23 @@ fn conformance(work: &mut Work<'_>) -> Result<Count, Failure> {
     let text = fs::read(work.project.path(RESULT)).map_err(|error| unreadable(&error))?;
     let result: Value = serde_json::from_slice(&text).map_err(|error| unreadable(&error))?;
     let unchecked = unchecked_peers(&result).ok_or_else(|| unreadable(&"no list of peers"))?;
-    nothing_wrong(&unchecked, "").map(|_| count)
+    nothing_wrong(&unchecked, "").map(|_| tally)
+}
+
+fn mutants(work: &mut Work<'_>) -> Result<Tally, Failure> {
+    const REPORTS: &str = ".tools/logs/mutants";
+    let hunted = work.program(work.project.cargo(&[VERIFY, &["mutants", "--reports", REPORTS]].concat()));
+    let text = fs::read_to_string(work.project.path(REPORTS).join("mutants.json"));
+    let totals = text.ok().and_then(|text| Some(serde_json::from_str::<Value>(&text).ok()?.get("totals")?.clone()));
+    let Some(totals) = totals else { return hunted };
+    let number = |fate: &str| totals[fate].as_u64().unwrap_or(0);
+    let (passed, failed) = (number("killed"), number("misnamed") + number("survived") + number("unfinished"));
+    let tally = Tally { passed, failed, times: Vec::new() };
+    match hunted {
+        Ok(_) => Ok(tally),
+        Err(failure) if failed == 0 => Err(failure),
+        Err(Failure { text, .. }) => Err(Failure { tally, text }),
+    }
 }
 
 /// The peers that a result of `ncp-verify` does not judge, with the reason.
@@ -211,9 +353,9 @@ fn unchecked_peers(result: &Value) -> Option<Vec<String>> {
 }
 
 /// One passed test if there is nothing wrong; else one failed test that shows it.
-fn nothing_wrong<T: Display>(wrong: &[T], remedy: &str) -> Result<Count, Failure> {
+fn nothing_wrong<T: Display>(wrong: &[T], remedy: &str) -> Result<Tally, Failure> {
     if wrong.is_empty() {
-        return Ok(Count::one(true));
+        return Ok(Tally::one(true));
     }
     let lines: Vec<String> = wrong.iter().map(T::to_string).collect();
     Err(Failure::of_one(lines.join("\n") + remedy))
@@ -234,5 +376,11 @@ mod tests {
         let unchecked = unchecked_peers(&result).unwrap();
         assert_eq!(unchecked, ["typescript was not checked: node is not on PATH"]);
         assert_eq!(unchecked_peers(&json!({})), None);
+    }
+
+    #[test]
+    fn a_line_is_measured_in_columns_rather_than_bytes() {
+        let text = format!("{}\n{}\n{}\n", "é".repeat(120), "x".repeat(121), "x".repeat(120));
+        assert_eq!(lines_over(120, &text).collect::<Vec<_>>(), [(2, 121)]);
     }
 }

@@ -1,6 +1,6 @@
-//! Where things are, how programs are started, and what is installed: what the project's commands share.
+//! What the project's own programs share.
 //!
-//! - [`project`]: the checked-out project.
+//! - [`project`]: where things are, and how programs are started.
 //! - [`setup`]: tools and packages, into folders that git ignores.
 
 #![forbid(unsafe_code)]

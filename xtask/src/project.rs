@@ -6,25 +6,20 @@ use std::process::{Command, Stdio};
 
 use thiserror::Error;
 
-/// The program was not started by cargo, which says where the project lies.
-#[derive(Debug, Error)]
-#[error("not started by cargo: CARGO_MANIFEST_DIR is not set")]
-pub struct NoProject;
-
 /// The checked-out project.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Project {
     root: PathBuf,
 }
 
 impl Project {
-    /// The project that this program belongs to.
+    /// The project whose program cargo runs: the program's package is a folder at the top.
     ///
     /// # Errors
-    /// The program was not started by cargo, which says where it lies.
-    pub fn find() -> Result<Self, NoProject> {
-        let crate_folder = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(NoProject)?;
-        Ok(Self::at(Path::new(&crate_folder).parent().ok_or(NoProject)?))
+    /// The program was not started by cargo, which says where its package lies.
+    pub fn find() -> Result<Self, NotStartedByCargo> {
+        let package = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(NotStartedByCargo)?;
+        Ok(Self::at(Path::new(&package).parent().ok_or(NotStartedByCargo)?))
     }
 
     /// The project in a folder.
@@ -40,7 +35,6 @@ impl Project {
     }
 
     /// A program, to be started in a folder of the project without input and colours.
-    #[must_use]
     pub fn program(&self, program: impl Into<OsString>, args: &[&str], folder: &str) -> Command {
         let mut command = Command::new(program.into());
         command
@@ -59,6 +53,11 @@ impl Project {
         self.program(cargo, args, "")
     }
 }
+
+/// The program was not started by cargo, which alone says where the project lies.
+#[derive(Debug, Error)]
+#[error("not started by cargo: CARGO_MANIFEST_DIR is not set")]
+pub struct NotStartedByCargo;
 
 /// A program and its arguments, as somebody would type them.
 #[must_use]

@@ -13,6 +13,10 @@ use crate::project::{self, Project};
 
 /// The version of the buf CLI, as the package `buf-bin` of PyPI has it.
 const BUF_VERSION: &str = "1.75.0";
+/// The version of cargo-nextest that is installed where there is none.
+const NEXTEST_VERSION: &str = "0.9.143";
+/// The version of cargo-deny that is installed where there is none.
+const DENY_VERSION: &str = "0.20.2";
 const VENV: &str = ".tools/venv";
 /// Where programs of crates.io are installed.
 const CARGO_ROOT: &str = ".tools";
@@ -34,15 +38,49 @@ pub type Say<'a> = &'a mut dyn FnMut(&str);
 /// The first thing that could not be installed.
 pub fn all(project: &Project) -> Result<(), SetupError> {
     let mut say = |line: &str| println!("{line}");
+    nextest(project, &mut say)?;
     buf(project, &mut say)?;
     browser(project, &mut say)?;
     cpp(project, &mut say)?;
     python(project, &mut say)?;
     println!(
-        "ready: buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, the module of {PYTHON}, \
+        "ready: cargo-nextest, buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, the module of {PYTHON}, \
          a C++ compiler, valgrind, Chromium"
     );
     Ok(())
+}
+
+/// Installs cargo-nextest, unless there is one, and returns its path.
+///
+/// # Errors
+/// As [`program`].
+pub fn nextest(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    subcommand(project, "cargo-nextest", NEXTEST_VERSION, say)
+}
+
+/// Installs cargo-deny, unless there is one, and returns its path. It takes some minutes to build.
+///
+/// # Errors
+/// As [`program`].
+pub fn deny(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    subcommand(project, "cargo-deny", DENY_VERSION, say)
+}
+
+/// Whether [`deny`] has nothing to install.
+#[must_use]
+pub fn has_deny(project: &Project) -> bool {
+    ["cargo-deny".into(), project.path(CARGO_ROOT).join("bin/cargo-deny")].iter().any(runs_as_subcommand)
+}
+
+/// A subcommand of cargo: the one on the path, whatever its version, or else the pinned one.
+fn subcommand(project: &Project, name: &str, pinned: &str, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    let on_path = PathBuf::from(name);
+    if runs_as_subcommand(&on_path) { Ok(on_path) } else { program(project, name, pinned, say) }
+}
+
+fn runs_as_subcommand(program: &PathBuf) -> bool {
+    let name = program.file_name().map(|name| name.to_string_lossy().replace("cargo-", "")).unwrap_or_default();
+    version(Command::new(program).arg(name)).is_some()
 }
 
 /// Installs the buf CLI, and returns its path.
@@ -50,8 +88,8 @@ pub fn all(project: &Project) -> Result<(), SetupError> {
 /// # Errors
 /// No Python, or one that cannot make a virtual environment, or no PyPI.
 pub fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    let buf = buf_path(project);
     let bin = project.path(VENV).join(if cfg!(windows) { "Scripts" } else { "bin" });
-    let buf = bin.join("buf");
     if version(&mut Command::new(&buf)).is_some_and(|version| version == BUF_VERSION) {
         return Ok(buf);
     }
@@ -63,6 +101,12 @@ pub fn buf(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
     let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", &package];
     carry_out(project.program(bin.join("python"), &pip, ""))?;
     Ok(buf)
+}
+
+/// Where [`buf`] installs it.
+#[must_use]
+pub fn buf_path(project: &Project) -> PathBuf {
+    project.path(VENV).join(if cfg!(windows) { "Scripts" } else { "bin" }).join("buf")
 }
 
 /// Installs the solvers of the proofs.
@@ -195,16 +239,46 @@ pub const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 /// Why something could not be set up.
 #[derive(Debug, Error)]
 pub enum SetupError {
+    /// A tool of the system is not there, and nothing here can install it.
     #[error("{tool} is missing: {remedy}")]
-    Missing { tool: &'static str, remedy: &'static str },
+    Missing {
+        /// The program.
+        tool: &'static str,
+        /// What a person can do.
+        remedy: &'static str,
+    },
+    /// Python makes no virtual environment.
     #[error("cannot make a virtual environment (on Debian: install python3-venv)\n{failure}")]
-    Venv { failure: Box<SetupError> },
+    Venv {
+        /// What failed.
+        failure: Box<SetupError>,
+    },
+    /// A program did not succeed.
     #[error("{command} ended with {status}\n{output}")]
-    Failed { command: String, status: String, output: String },
+    Failed {
+        /// The program and its arguments.
+        command: String,
+        /// How it ended.
+        status: String,
+        /// What it printed.
+        output: String,
+    },
+    /// A program could not be started.
     #[error("{command} could not be started: {source}")]
-    Start { command: String, source: io::Error },
+    Start {
+        /// The program and its arguments.
+        command: String,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file could not be read or written.
     #[error("{}: {source}", path.display())]
-    File { path: PathBuf, source: io::Error },
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
 }
 
 /// Installs the package of a tool that is missing, by Debian's apt-get.
