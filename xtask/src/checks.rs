@@ -7,9 +7,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::generate;
-use crate::mutate_kernel;
 use crate::project::Project;
-use crate::prove;
 use crate::setup;
 use crate::tally::Tally;
 use crate::work::{Failure, Work};
@@ -64,17 +62,6 @@ pub(crate) const CHECKS: &[Check] = &[
         lane: Lane::Crates,
         runs: always,
         run: |work| fresh(work, "vectors/"),
-    },
-    Check {
-        name: "proofs-fresh",
-        about: "reports/proofs.json and mutations.json are about the kernel and its properties as they are",
-        lane: Lane::Crates,
-        runs: always,
-        run: |work| {
-            let mut wrong = prove::stale(work.project);
-            wrong.extend(mutate_kernel::problems(work.project));
-            nothing_wrong(&wrong, "")
-        },
     },
     Check {
         name: "clippy",
@@ -194,18 +181,22 @@ pub(crate) const CHECKS: &[Check] = &[
         run: conformance,
     },
     Check {
-        name: "trace",
-        about: "every binding rule is shown, and all evidence cites rules (ncp-verify trace)",
+        name: "status",
+        about: "every artefact is about the sources as they are (cargo assure status)",
         lane: Lane::Peers,
         runs: always,
-        run: |work| {
-            let trace = [VERIFY, &["trace", "--check"]].concat();
-            work.program(work.project.cargo(&trace))
-        },
+        run: |work| work.program(work.project.cargo(&[ASSURE, &["status"]].concat())),
+    },
+    Check {
+        name: "trace",
+        about: "every binding rule is shown, and all evidence cites rules (cargo assure trace)",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| work.program(work.project.cargo(&[ASSURE, &["trace", "--check"]].concat())),
     },
     Check {
         name: "mutants",
-        about: "the suite notices every mutant, and names the rule that it breaks (ncp-verify mutants)",
+        about: "the suite notices every mutant, and names the rule that it breaks (cargo assure mutants)",
         lane: Lane::Peers,
         runs: always,
         run: mutants,
@@ -243,6 +234,9 @@ fn always(_: &Project) -> bool {
     true
 }
 
+/// How cargo runs the maintainers' command.
+const ASSURE: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-assurance", "--"];
+
 /// How cargo runs the verifier.
 const VERIFY: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-verifier", "--"];
 
@@ -260,7 +254,8 @@ fn format(work: &mut Work<'_>) -> Result<Tally, Failure> {
         let Ok(text) = fs::read_to_string(work.project.path(file)) else { continue };
         overlong.extend(lines_over(COLUMNS, &text).map(|(line, columns)| format!("{file}:{line}: {columns} columns")));
     }
-    tally += nothing_wrong(&overlong, &format!("\nrustfmt gives up on a line of more than {COLUMNS}: wrap it by hand"))?;
+    tally +=
+        nothing_wrong(&overlong, &format!("\nrustfmt gives up on a line of more than {COLUMNS}: wrap it by hand"))?;
     Ok(tally)
 }
 
@@ -328,8 +323,10 @@ fn conformance(work: &mut Work<'_>) -> Result<Tally, Failure> {
 
 fn mutants(work: &mut Work<'_>) -> Result<Tally, Failure> {
     const REPORTS: &str = ".tools/logs/mutants";
-    let hunted = work.program(work.project.cargo(&[VERIFY, &["mutants", "--reports", REPORTS]].concat()));
-    let text = fs::read_to_string(work.project.path(REPORTS).join("mutants.json"));
+    // What an earlier run left counts for nothing.
+    fs::remove_dir_all(work.project.path(REPORTS)).ok();
+    let hunted = work.program(work.project.cargo(&[ASSURE, &["mutants", "--reports", REPORTS]].concat()));
+    let text = fs::read_to_string(work.project.path(REPORTS).join("full/mutants.json"));
     let totals = text.ok().and_then(|text| Some(serde_json::from_str::<Value>(&text).ok()?.get("totals")?.clone()));
     let Some(totals) = totals else { return hunted };
     let number = |fate: &str| totals[fate].as_u64().unwrap_or(0);

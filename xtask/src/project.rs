@@ -17,9 +17,9 @@ impl Project {
     ///
     /// # Errors
     /// The program was not started by cargo, which says where its package lies.
-    pub fn find() -> Result<Self, NotStartedByCargo> {
-        let package = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(NotStartedByCargo)?;
-        Ok(Self::at(Path::new(&package).parent().ok_or(NotStartedByCargo)?))
+    pub fn find() -> Result<Self, NoProject> {
+        let package = std::env::var_os("CARGO_MANIFEST_DIR").ok_or(NoProject)?;
+        Ok(Self::at(Path::new(&package).parent().ok_or(NoProject)?))
     }
 
     /// The project in a folder.
@@ -57,7 +57,7 @@ impl Project {
 /// The program was not started by cargo, which alone says where the project lies.
 #[derive(Debug, Error)]
 #[error("not started by cargo: CARGO_MANIFEST_DIR is not set")]
-pub struct NotStartedByCargo;
+pub struct NoProject;
 
 /// A program and its arguments, as somebody would type them.
 #[must_use]

@@ -125,7 +125,8 @@ mod tests {
 
     #[test]
     fn what_a_test_printed_is_no_test() {
-        let text = r"<testsuite><testcase name='a'><system-out><![CDATA[<failure/>]]></system-out></testcase></testsuite>";
+        let text =
+            r"<testsuite><testcase name='a'><system-out><![CDATA[<failure/>]]></system-out></testcase></testsuite>";
         assert_eq!(counts(text), (1, 0));
         assert_eq!(counts("<testsuites></testsuites>"), (0, 0));
     }

@@ -22,8 +22,9 @@ pub(crate) fn list() {
 
 /// The checks of these names, in their own order; without a name, all but those that have to be asked for.
 pub(crate) fn select(project: &Project, only: &[String]) -> Vec<&'static Check> {
-    let is_selected =
-        |check: &Check| if only.is_empty() { (check.runs)(project) } else { only.iter().any(|name| name == check.name) };
+    let is_selected = |check: &Check| {
+        if only.is_empty() { (check.runs)(project) } else { only.iter().any(|name| name == check.name) }
+    };
     CHECKS.iter().filter(|check| is_selected(check)).collect()
 }
 
