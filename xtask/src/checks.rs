@@ -128,7 +128,7 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "deny",
-        about: "licences, sources and duplicates of the dependencies (cargo-deny; without --only, where it is installed)",
+        about: "the dependencies: licences, sources, bans (cargo-deny; without --only, where it is installed)",
         lane: Lane::Peers,
         runs: setup::has_deny,
         run: |work| {

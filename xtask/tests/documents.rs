@@ -1,7 +1,7 @@
 //! What the pages of the project say of itself is true: the commands that they name, the folders and the modules that
 //! they list, the files that they link to, and the workflows.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on has failed")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -200,7 +200,7 @@ impl Programs {
                 self.accept_value(rest[number - 1], word)?;
             } else if mentions_command(&help, word) {
                 path.push((*word).to_owned());
-                help = help + self.help(&path)?;
+                help += self.help(&path)?;
             } else if help.lines().filter(|line| line.starts_with("Usage:")).all(|line| line.contains("<COMMAND>")) {
                 return Err(format!("{} has no command {word}", path.join(" ")));
             }
@@ -328,7 +328,7 @@ fn inline_commands(text: &str, begins: usize) -> Vec<(usize, Vec<String>)> {
 
 /// The commands in one line of a shell.
 fn commands_of(line: &str) -> Vec<Vec<String>> {
-    let line = line.replace('\u{1}', " ").replace('\n', " ");
+    let line = line.replace(['\u{1}', '\n'], " ");
     let line = line.split(" #").next().unwrap().replace(['[', ']', '(', ')'], " ");
     let words = shlex::split(&line).unwrap_or_default();
     let is_end = |word: &String| matches!(word.as_str(), "&&" | "||" | "|" | ";" | ">" | "2>&1");

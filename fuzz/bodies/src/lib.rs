@@ -19,6 +19,16 @@
 //! | [`codec`] | `codec` | the formulas of chapter 9 |
 //! | [`session`] | `session` | a model of who is open, and the client's own check |
 //! | [`peer`] | `peer_protocol` | serde_json |
+//!
+//! What they share:
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `edges` | frames at the edges of what may be read and written |
+//! | [`memory`] | counts what is allocated |
+//! | `message` | what a program does with a message that it holds |
+//! | [`plain`] | structured inputs that can be written as well as read |
+//! | [`seeds`] | the first inputs of every target, made of the golden vectors |
 
 #![forbid(unsafe_code)]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a target reports by panicking")]
