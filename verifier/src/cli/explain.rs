@@ -1,16 +1,20 @@
 //! `ncp-verify explain`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
 use std::sync::Arc;
 
 use ncp_text::catalogue::Requirement;
+use ncp_text::citations::{FunctionRole, RustFile, cited};
+use serde::Deserialize;
+use walkdir::WalkDir;
 
 use super::workspace::Workspace;
 use super::{CliError, print};
 use crate::peer::excerpt;
 use crate::report::{Exit, Style, wrap};
 use crate::suite::{Case, Expect, Suite};
-use crate::trace::{EvidenceKind, Trace};
 
 /// How many characters of an input are shown.
 const SHOWN: usize = 800;
@@ -20,6 +24,20 @@ const SHOWN_OF_LARGE: usize = 200;
 const SUGGESTED: usize = 3;
 /// How alike an id has to be to be suggested, from 0 to 1.
 const ALIKE: f64 = 0.75;
+/// Where the source tree cites rules: what stands there, the folder, and how the names of its files end.
+const CITING: [(&str, &str, &str); 11] = [
+    ("Code", "spec/kernel/src", "rs"),
+    ("Code", "spec/src", "rs"),
+    ("Code", "proto/src", "rs"),
+    ("Code", "peers/python-pure/ncp_pure", "py"),
+    ("Code", "peers/typescript/src", "ts"),
+    ("Tests", "spec/tests", "rs"),
+    ("Tests", "proto/tests", "rs"),
+    ("Fuzz targets", "fuzz/bodies/src", "rs"),
+    ("Proofs", "proofs", "rs"),
+    ("Proofs", "proofs/machine", "py"),
+    ("Planted defects", "defects", "toml"),
+];
 /// What is said where an expectation leaves a refusal open.
 const OR_REJECT: &str = "an error will do as well, unless its code is `internal`";
 
@@ -56,12 +74,58 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
 
 /// What the source tree says of a finding that no case can show: why, and the rules that answer it.
 fn finding(id: &str) -> Option<(String, BTreeSet<String>)> {
-    let trace = Trace::read(&Workspace::here()?.root).ok()?;
-    let mut findings = trace.findings().iter();
-    let finding = findings.find(|finding| finding.id.eq_ignore_ascii_case(id))?;
-    let why = finding.exclusion.as_ref()?;
-    let why = format!("{}: no case is flagged with this finding. {why}", finding.id);
-    Some((why, finding.rules.clone()))
+    #[derive(Deserialize)]
+    struct Exclusions {
+        findings: BTreeMap<String, Excluded>,
+    }
+    #[derive(Deserialize)]
+    struct Excluded {
+        rules: BTreeSet<String>,
+        why: String,
+    }
+
+    let text = fs::read_to_string(Workspace::here()?.root.join("spec/exclusions.toml")).ok()?;
+    let Exclusions { findings } = toml::from_str(&text).ok()?;
+    let (id, Excluded { rules, why }) = findings.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(id))?;
+    Some((format!("{id}: no case is flagged with this finding. {why}"), rules))
+}
+
+/// Where the source tree cites one of these rules: by what stands there, each place once.
+fn citing(root: &Path, rules: &[&str]) -> BTreeMap<&'static str, Vec<String>> {
+    let mut places: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for (what, folder, extension) in CITING {
+        let entries = WalkDir::new(root.join(folder)).sort_by_file_name().into_iter().filter_map(Result::ok);
+        for entry in entries.filter(|entry| entry.path().extension().is_some_and(|own| own == extension)) {
+            let Ok(text) = fs::read_to_string(entry.path()) else { continue };
+            let file = entry.path().strip_prefix(root).unwrap_or(entry.path()).to_string_lossy().replace('\\', "/");
+            let about = |id: &str| rules.contains(&id);
+            let mut add = |what, line: usize, name: &str| {
+                let known = places.entry(what).or_default();
+                let place = format!("  {file}:{line} {name}").trim_end().to_owned();
+                if !known.contains(&place) {
+                    known.push(place);
+                }
+            };
+            let loose = if extension == "rs" {
+                let RustFile { functions, elsewhere } = RustFile::read(&text);
+                for function in functions.iter().filter(|function| function.cites.iter().any(|one| about(&one.id))) {
+                    let what = match function.role {
+                        FunctionRole::Code => what,
+                        FunctionRole::Test => "Tests",
+                        FunctionRole::Property => "Properties",
+                    };
+                    add(what, function.line, &function.name);
+                }
+                elsewhere
+            } else {
+                cited(&text)
+            };
+            for citation in loose.iter().filter(|citation| about(&citation.id)) {
+                add(what, citation.line, "");
+            }
+        }
+    }
+    places
 }
 
 struct Page {
@@ -157,32 +221,16 @@ impl Page {
         self.evidence(rules.iter().map(|rule| rule.id.as_str()));
     }
 
-    /// Where rules are carried out and tested, as the source tree has it.
+    /// Where the source tree cites rules.
     fn evidence<'r>(&mut self, rules: impl Iterator<Item = &'r str>) {
-        let Some(trace) = Workspace::here().and_then(|here| Trace::read(&here.root).ok()) else {
+        let Some(workspace) = Workspace::here() else {
             self.heading("Code");
             self.paragraph(2, "is shown within the source tree of the suite");
             return;
         };
-        let rules: Vec<&str> = rules.collect();
-        let about = |id: &str| rules.contains(&id);
-        for kind in EvidenceKind::ALL {
-            let mut places: Vec<String> = Vec::new();
-            for rule in trace.rules().iter().filter(|rule| about(&rule.requirement.id)) {
-                for evidence in rule.evidence.iter().filter(|one| one.kind == kind) {
-                    let place = evidence.shown_place();
-                    if !places.contains(&place) {
-                        places.push(place);
-                    }
-                }
-            }
-            // The cases themselves are listed.
-            if !places.is_empty() && kind != EvidenceKind::Vector {
-                self.heading(kind.title());
-                for place in places {
-                    self.line(&format!("  {place}"));
-                }
-            }
+        for (what, places) in citing(&workspace.root, &rules.collect::<Vec<_>>()) {
+            self.heading(what);
+            places.iter().for_each(|place| self.line(place));
         }
     }
 
