@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use ncp_text::catalogue::Requirement;
 use ncp_text::citations::{FunctionRole, RustFile, cited};
-use serde::Deserialize;
+use ncp_text::exclusions::Exclusions;
 use walkdir::WalkDir;
 
 use super::workspace::Workspace;
@@ -74,20 +74,10 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
 
 /// What the source tree says of a finding that no case can show: why, and the rules that answer it.
 fn finding(id: &str) -> Option<(String, BTreeSet<String>)> {
-    #[derive(Deserialize)]
-    struct Exclusions {
-        findings: BTreeMap<String, Excluded>,
-    }
-    #[derive(Deserialize)]
-    struct Excluded {
-        rules: BTreeSet<String>,
-        why: String,
-    }
-
-    let text = fs::read_to_string(Workspace::here()?.root.join("spec/exclusions.toml")).ok()?;
-    let Exclusions { findings } = toml::from_str(&text).ok()?;
-    let (id, Excluded { rules, why }) = findings.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(id))?;
-    Some((format!("{id}: no case is flagged with this finding. {why}"), rules))
+    let text = fs::read_to_string(Workspace::here()?.root.join(Exclusions::FILE)).ok()?;
+    let Exclusions { findings, .. } = Exclusions::parse(&text).ok()?;
+    let (id, excluded) = findings.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(id))?;
+    Some((format!("{id}: no case is flagged with this finding. {}", excluded.why), excluded.rules))
 }
 
 /// Where the source tree cites one of these rules: by what stands there, each place once.
@@ -121,11 +111,17 @@ fn citing(root: &Path, rules: &[&str]) -> BTreeMap<&'static str, Vec<String>> {
                 cited(&text)
             };
             for citation in loose.iter().filter(|citation| about(&citation.id)) {
-                add(what, citation.line, "");
+                add(what, citation.line, entry(&text, extension, citation.line));
             }
         }
     }
     places
+}
+
+/// The name of the entry of a table that a line belongs to; other files have none.
+fn entry<'t>(text: &'t str, extension: &str, line: usize) -> &'t str {
+    let names = text.lines().take(line).filter_map(|line| line.strip_prefix("name = \""));
+    names.last().filter(|_| extension == "toml").map_or("", |name| name.trim_end_matches('"'))
 }
 
 struct Page {
