@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 /// What the proofs are about, what says it, what shows it, and what decides whether it is shown: a change of any
 /// makes the report stale. How the report looks is none of that.
-pub const SOURCES: [&str; 43] = [
+pub(crate) const SOURCES: [&str; 43] = [
     // What is proved: the kernel, what the model explores around it, and what reads untrusted bytes.
     "spec/kernel/src",
     "spec/src/safety",
@@ -64,7 +64,7 @@ pub const SOURCES: [&str; 43] = [
 ///
 /// # Errors
 /// A file cannot be read.
-pub fn of(root: &Path) -> io::Result<String> {
+pub(crate) fn of(root: &Path) -> io::Result<String> {
     of_sources(root, &SOURCES)
 }
 
@@ -72,7 +72,7 @@ pub fn of(root: &Path) -> io::Result<String> {
 ///
 /// # Errors
 /// A file cannot be read.
-pub fn of_sources(root: &Path, sources: &[&str]) -> io::Result<String> {
+pub(crate) fn of_sources(root: &Path, sources: &[&str]) -> io::Result<String> {
     let mut files = Vec::new();
     for source in sources {
         collect(&root.join(source), &mut files)?;
@@ -84,7 +84,7 @@ pub fn of_sources(root: &Path, sources: &[&str]) -> io::Result<String> {
 ///
 /// # Errors
 /// A file cannot be read.
-pub fn of_files(root: &Path, mut files: Vec<PathBuf>) -> io::Result<String> {
+pub(crate) fn of_files(root: &Path, mut files: Vec<PathBuf>) -> io::Result<String> {
     files.sort();
     let mut hash = Sha256::new();
     for file in files {

@@ -5,20 +5,32 @@
 //!
 //! | module | what it does |
 //! |---|---|
+//! | `artefact` | the one table: what is made, of which sources, by which command |
+//! | `status` | says what is stale, and makes just that anew |
 //! | `trace` | leads from every rule to what shows it, and back |
 //! | `mutants` | holds the suite against peers with planted defects |
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
 //! | `prove` | drives the engines of `proofs/` |
 //! | `fuzz` | drives the targets of `fuzz/` |
+//! | `lock` | what git keeps of what was found: digests, counts, and fates by id |
+//! | `reports` | where the short pages and the long reports go |
+//! | `document` | one document, written as Markdown and as HTML |
 //! | `digest` | over the files on which an artefact depends |
+//! | `console` | colours, widths and Ctrl-C |
 
 #![forbid(unsafe_code)]
 
+mod artefact;
+mod console;
 mod digest;
+mod document;
 mod fuzz;
+mod lock;
 mod mutants;
 mod mutate;
 mod prove;
+mod reports;
+mod status;
 mod trace;
 
 use std::io;
@@ -40,6 +52,10 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Say of every artefact whether it is fresh, and if not, what changed since it was made
+    Status(status::StatusArgs),
+    /// Make what is stale anew, in order, and nothing else
+    Refresh(status::RefreshArgs),
     /// Trace every rule to what shows it, and back, in the source tree
     Trace(trace::command::TraceArgs),
     /// Measure what the suite detects: run it against the Rust peer with one planted defect after the other
@@ -67,7 +83,7 @@ fn main() -> ExitCode {
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("error: {error}");
-            ExitCode::from(if matches!(error, Error::Usage { .. }) { 2 } else { 1 })
+            ExitCode::from(if matches!(error, Error::Usage { .. }) { 2 } else { 4 })
         }
     }
 }
@@ -76,6 +92,8 @@ fn main() -> ExitCode {
 fn run(cli: &Cli) -> Result<bool, Error> {
     let project = Project::find()?;
     match &cli.command {
+        Command::Status(args) => Ok(status::status(&project, args)?),
+        Command::Refresh(args) => Ok(status::refresh(&project, args)?),
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
         Command::Mutate(command) => mutate::run(&project, command),
@@ -103,6 +121,14 @@ enum Error {
     Hunt(#[from] mutants::MutantsError),
     #[error("the suite: {0}")]
     Suite(#[from] ncp_verifier::suite::SuiteError),
+    #[error(transparent)]
+    Status(#[from] status::StatusError),
+    #[error(transparent)]
+    Lock(#[from] lock::LockError),
+    #[error(transparent)]
+    Report(#[from] reports::ReportError),
+    #[error("signals cannot be handled: {0}")]
+    Signals(io::Error),
     #[error("changed kernels: {0}")]
     Mutants(String),
     #[error("{}: {source}", path.display())]

@@ -1,24 +1,30 @@
-//! `ncp-verify mutants`.
+//! `cargo assure mutants`.
 
 use std::io::IsTerminal as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use ncp_verifier::peer::{Launch, Setup};
-use ncp_verifier::report::{Progress, Style};
+use ncp_verifier::peer::Setup;
+use ncp_verifier::report::Progress;
 use ncp_verifier::run::Stop;
 use ncp_verifier::suite::Suite;
 use xtask::project::Project;
 
-use super::{Fate, Hunt, Mutant, MutantsError, MutantsReport, Trial};
-use crate::Error;
+use super::{Fate, Hunt, Mutant, MutantsError, MutantsReport, Trial, planted};
+use crate::artefact::Artefact;
+use crate::console::{self, Styles, counted};
+use crate::{Error, reports};
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub(crate) struct MutantsArgs {
     /// Only this mutant; writes no reports (may be repeated)
     #[arg(long, value_name = "NAME")]
     only: Vec<String>,
+    /// One peer with all defects of those that --only names
+    #[arg(long, requires = "only")]
+    together: bool,
     /// Only list the mutants
     #[arg(long)]
     list: bool,
@@ -28,87 +34,97 @@ pub(crate) struct MutantsArgs {
     /// Seconds that the trial of one mutant may take
     #[arg(long, value_name = "S", default_value = "120", value_parser = seconds)]
     limit: Duration,
-    /// The program that holds the mutants, instead of building it
+    /// The folder with the tables of defects
+    #[arg(long, value_name = "DIR", default_value = TABLES)]
+    defects: PathBuf,
+    /// The program that holds the defects, started with `--defect NAME`, instead of building it
     #[arg(long, value_name = "FILE")]
     program: Option<PathBuf>,
-    /// Where to write the reports [default: reports]
+    /// The vectors of this folder instead of those built in
     #[arg(long, value_name = "DIR")]
-    reports: Option<PathBuf>,
+    vectors: Option<PathBuf>,
+    /// Where to write the reports; the lock is only written to the project's own
+    #[arg(long, value_name = "DIR", default_value = reports::PAGES)]
+    reports: PathBuf,
 }
 
-/// The package that holds the mutants, and its program.
-const PACKAGE: &str = "ncp-peer-mutants";
-/// Where the reports go, from the workspace's root.
-const REPORTS: &str = "reports";
+const HELP: &str = "\
+Copies the Rust peer into .tools/planted, with a switch at every place that a defect of defects/peer changes, and writes
+reports/mutants.md, reports/lock/mutants.toml and the long reports in reports/full.
+Ends with 1 if the suite does not notice a mutant, or does not name the rule that it breaks.
 
-/// Holds the suite against every mutant.
-pub(super) fn mutants(suite: &Suite, args: &MutantsArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
-    let here = current_dir()?;
-    let workspace = Workspace::find(&here);
-    let root = workspace.as_ref().map_or(here, |found| found.root.clone());
-    let program = match (&args.program, &workspace) {
-        (Some(program), _) => std::path::absolute(program).unwrap_or_else(|_| program.clone()),
-        (None, Some(workspace)) => build(workspace, stop)?,
-        (None, None) => {
-            return Err(CliError::Usage("the sources of the mutants are not here".to_owned()));
-        }
-    };
-    let mutants = chosen(mutants::list(&program, suite).map_err(fault)?, &args.only)?;
+Examples:
+  cargo assure mutants --list
+  cargo assure mutants --only lenient-integer-fraction
+  cargo assure mutants --only fence-open-ball --only speed-per-axis --together";
+
+/// Where the tables of defects are, from the root of the project.
+const TABLES: &str = "defects/peer";
+/// The artefact that this command makes.
+const ARTEFACT: &str = "mutants";
+
+/// Holds the suite against every mutant; `false` if one is not killed.
+pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Error> {
+    let (styles, stop) = (Styles::detect(), console::stop().map_err(Error::Signals)?);
+    let suite = args.vectors.as_deref().map_or_else(Suite::embedded, Suite::load)?;
+    let root = project.path("");
+    // What changes while the mutants are on trial was not tried.
+    let sources = Artefact::named(ARTEFACT).map(|own| own.digests(&root)).transpose();
+    let sources = sources.map_err(|source| Error::File { path: root.clone(), source })?.unwrap_or_default();
+
+    let defects = ncp_defects::read(&root.join(&args.defects)).map_err(MutantsError::from)?;
+    let mutants = chosen(super::list(&defects, &suite)?, args)?;
     if args.list {
-        let lines = mutants.iter().map(|Mutant { name, about, finding, rules }| {
-            format!("{}  {finding}  {}\n    {about}\n", styles.out.bold(name), rules.join(" "))
-        });
-        print(&lines.collect::<String>())?;
-        return Ok(Exit::Conformant);
+        for Mutant { name, about, finding, rules, .. } in mutants {
+            println!("{}  {finding}  {}\n    {about}", styles.out.bold(&name), rules.join(" "));
+        }
+        return Ok(true);
     }
-    let hunt = Hunt { program: &program, suite, jobs: usize::from(args.jobs), limit: args.limit, stop };
+    let program = match &args.program {
+        Some(program) => std::path::absolute(program).unwrap_or_else(|_| program.clone()),
+        None => build(project, &defects, &stop)?,
+    };
+    let hunt = Hunt { program: &program, suite: &suite, jobs: usize::from(args.jobs), limit: args.limit, stop: &stop };
     let said = Progress::spinner(
-        format!("{}, {} cases", plural(mutants.len()), suite.cases().len()),
+        format!("{}, {} cases", counted(mutants.len(), "mutant"), suite.cases().len()),
         std::io::stderr().is_terminal(),
     );
-    let trials = mutants::hunt(&hunt, &mutants, &|trial| said.say(&line(trial, styles))).map_err(fault);
+    let trials = super::hunt(&hunt, &mutants, &|trial| said.say(&line(trial, styles)));
     said.done();
-    let report = MutantsReport::new(suite, trials?);
+    let report = MutantsReport::new(&suite, trials?);
     // What some of them show is no report on all.
     if args.only.is_empty() {
-        let folder = args.reports.clone().unwrap_or_else(|| root.join(REPORTS));
-        let json =
-            report.to_json().map_err(|error| CliError::Harness(format!("the report cannot be written: {error}")))?;
-        write(&folder.join("mutants.json"), &json)?;
-        write(&folder.join("mutants.md"), &report.to_markdown())?;
+        let folder = root.join(&args.reports);
+        reports::page(&folder, ARTEFACT, &report.page())?;
+        reports::full(&folder, ARTEFACT, &report, &report.full_page())?;
+        if args.program.is_none() {
+            report.lock(sources).write(&root, ARTEFACT)?;
+        }
     }
-    print(&summary(&report, styles))?;
-    Ok(if report.totals.all_killed() { Exit::Conformant } else { Exit::NotConformant })
+    print!("{}", summary(&report, styles));
+    Ok(report.totals.all_killed())
 }
 
-/// Builds the program that holds the mutants.
-fn build(workspace: &Workspace, stop: &Stop) -> Result<PathBuf, CliError> {
-    let cargo = ["cargo", "build", "--release", "--quiet", "-p", PACKAGE];
-    let setup = Setup {
-        say: "build the mutants".to_owned(),
-        launch: Launch::new(cargo.map(str::to_owned).to_vec(), &workspace.root),
-    };
+/// Brings the copy with the defects up to date and builds it.
+fn build(project: &Project, defects: &[ncp_defects::Defect], stop: &Stop) -> Result<PathBuf, MutantsError> {
+    let planted = planted::weave(project, defects)?;
+    let setup = Setup { say: "build the mutants".to_owned(), launch: planted.build() };
     let said = Progress::spinner(setup.say.clone(), std::io::stderr().is_terminal());
     let built = setup.run(stop);
     said.done();
     built?;
-    let name = format!("{PACKAGE}{}", std::env::consts::EXE_SUFFIX);
-    Ok(workspace.target().join(Path::new("release")).join(name))
+    Ok(planted.program())
 }
 
 /// The mutants that were named; all, if none was.
-fn chosen(mutants: Vec<Mutant>, only: &[String]) -> Result<Vec<Mutant>, CliError> {
+fn chosen(mutants: Vec<Mutant>, args: &MutantsArgs) -> Result<Vec<Mutant>, Error> {
+    let MutantsArgs { only, together, .. } = args;
     if let Some(unknown) = only.iter().find(|name| !mutants.iter().any(|mutant| mutant.name == **name)) {
-        return Err(CliError::Usage(format!("there is no mutant {unknown}; see ncp-verify mutants --list")));
+        return Err(Error::Usage { what: format!("there is no mutant {unknown}; see cargo assure mutants --list") });
     }
-    Ok(mutants.into_iter().filter(|mutant| only.is_empty() || only.contains(&mutant.name)).collect())
-}
-
-fn fault(error: MutantsError) -> CliError {
-    match error {
-        MutantsError::Start(error) => CliError::Start(error),
-        other => CliError::Harness(other.to_string()),
-    }
+    let is_chosen = |mutant: &Mutant| only.is_empty() || only.contains(&mutant.name);
+    let chosen: Vec<Mutant> = mutants.into_iter().filter(is_chosen).collect();
+    Ok(if *together { vec![Mutant::together(&chosen)] } else { chosen })
 }
 
 fn line(trial: &Trial, styles: Styles) -> String {
@@ -116,19 +132,16 @@ fn line(trial: &Trial, styles: Styles) -> String {
         Fate::Killed => (styles.error.green("✓"), trial.mutant.name.clone()),
         _ => (styles.error.red("✗"), styles.error.red(&trial.mutant.name)),
     };
-    let rule = trial.mutant.rules.first().map_or("", String::as_str);
-    format!("{mark} {name}  {rule}, {} failing", trial.failing_cases)
+    format!("{mark} {name}  {}, {} failing", trial.mutant.owed().join(" "), trial.failing_cases)
 }
 
 fn summary(report: &MutantsReport, styles: Styles) -> String {
     let totals = report.totals;
-    let mut text = String::new();
-    for remark in report.remarks() {
-        text.push_str(&format!("{}\n", styles.out.red(&remark)));
-    }
+    let remarks = report.remarks().into_iter().map(|remark| format!("{}\n", styles.out.red(&remark)));
     let line = format!(
-        "{}: {} killed, of which {} by the rule that the verdict names first and {} by one of its first three; {} misnamed, {} survived, {} not finished",
-        plural(report.mutants.len()),
+        "{}: {} killed, of which {} by the rule that the verdict names first and {} by one of its first three; \
+         {} misnamed, {} survived, {} not finished",
+        counted(report.mutants.len(), "mutant"),
         totals.killed,
         totals.named_first,
         totals.named_early,
@@ -136,11 +149,14 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
         totals.survived,
         totals.unfinished
     );
-    text.push_str(&if totals.all_killed() { styles.out.green(&line) } else { styles.out.red(&line) });
-    text.push('\n');
-    text
+    let line = if totals.all_killed() { styles.out.green(&line) } else { styles.out.red(&line) };
+    format!("{}{line}\n", remarks.collect::<String>())
 }
 
-fn plural(mutants: usize) -> String {
-    format!("{mutants} mutant{}", if mutants == 1 { "" } else { "s" })
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| "a number of seconds".to_owned())?;
+    if !(0.001..=86_400.0).contains(&seconds) {
+        return Err("between 0.001 and 86400 seconds".to_owned());
+    }
+    Ok(Duration::from_secs_f64(seconds))
 }

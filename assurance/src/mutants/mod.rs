@@ -1,122 +1,136 @@
-//! How much the suite detects: the Rust peer with one defect after the other.
+//! How much the suite detects: the Rust peer with one planted defect after the other.
 //!
-//! A mutant is a peer that differs from the executable specification by one defect, and names the rule that the defect
-//! breaks. [`hunt`] runs the suite against every mutant and finds out what becomes of it: the suite has to fail it, and
-//! has to name that rule. [`MutantsReport`] holds what was found, and renders it.
+//! A mutant is a peer that differs from the executable specification by a planted defect, and names the rule that the
+//! defect breaks. [`hunt`] runs the suite against every mutant and finds out what becomes of it: the suite has to fail
+//! it, and has to name that rule. [`MutantsReport`] holds what was found.
 //!
 //! The cases with requests above 64 KiB take longer than all others together. They are run only against a mutant whose
 //! rule the others do not name.
+//!
+//! - `planted`: the copy of the sources that holds every defect behind a switch.
+//! - `trial`: what becomes of one mutant.
+//! - `report`: what was found of all.
+//! - `command`: the command line.
 
 pub(crate) mod command;
+mod planted;
 mod report;
 mod trial;
 
-pub use report::MutantsReport;
-pub use trial::{Fate, Named, Trial};
+pub(crate) use report::MutantsReport;
+pub(crate) use trial::{Fate, Trial};
 
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::sync::Mutex;
-use std::sync::PoisonError;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
-
+use ncp_defects::{Defect, TableError};
 use ncp_verifier::peer::StartError;
 use ncp_verifier::run::Stop;
 use ncp_verifier::suite::Suite;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
-/// A mutant, as the program that holds all of them lists it.
+/// A peer with a planted defect, or with several.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Mutant {
-    /// Its name.
-    pub name: String,
+pub(crate) struct Mutant {
+    /// Its name: that of the defect.
+    pub(crate) name: String,
     /// The defect, in a sentence.
-    pub about: String,
+    pub(crate) about: String,
     /// The audited finding that it brings back; `decision`: it inverts one; `classic`: a common mistake.
-    pub finding: String,
-    /// The rules that it breaks; the suite must name the first.
-    pub rules: Vec<String>,
+    pub(crate) finding: String,
+    /// The rules that it breaks.
+    pub(crate) rules: Vec<String>,
+    /// How many of the rules, from the first, the suite must name: one for each defect.
+    #[serde(skip)]
+    owed: usize,
+    /// The defects that are switched on.
+    #[serde(skip)]
+    defects: Vec<String>,
+}
+
+impl Mutant {
+    /// The peer with one defect.
+    fn of(defect: &Defect) -> Self {
+        let Defect { name, about, finding, rules, .. } = defect.clone();
+        Self { defects: vec![name.clone()], name, about, finding, rules, owed: 1 }
+    }
+
+    /// The peer with all defects of several.
+    fn together(mutants: &[Self]) -> Self {
+        let all = |part: fn(&Self) -> &str, between| mutants.iter().map(part).collect::<Vec<_>>().join(between);
+        let mut rules: Vec<String> = Vec::new();
+        for rule in mutants.iter().flat_map(Self::owed) {
+            if !rules.contains(rule) {
+                rules.push(rule.clone());
+            }
+        }
+        Self {
+            name: all(|one| &one.name, " + "),
+            about: all(|one| &one.about, " "),
+            finding: all(|one| &one.finding, " + "),
+            owed: rules.len(),
+            rules,
+            defects: mutants.iter().flat_map(|one| one.defects.clone()).collect(),
+        }
+    }
+
+    /// The rules that the suite must name.
+    pub(crate) fn owed(&self) -> &[String] {
+        self.rules.get(..self.owed).unwrap_or_default()
+    }
 }
 
 /// How to hunt.
 #[derive(Debug, Clone)]
-pub struct Hunt<'h> {
+pub(crate) struct Hunt<'h> {
     /// The program that holds the mutants.
-    pub program: &'h Path,
+    pub(crate) program: &'h Path,
     /// The suite.
-    pub suite: &'h Suite,
+    pub(crate) suite: &'h Suite,
     /// How many mutants are on trial side by side.
-    pub jobs: usize,
+    pub(crate) jobs: usize,
     /// How long the trial of one may take.
-    pub limit: Duration,
+    pub(crate) limit: Duration,
     /// Ends everything.
-    pub stop: &'h Stop,
+    pub(crate) stop: &'h Stop,
 }
 
 /// Why there is nothing to report.
-#[derive(Debug, thiserror::Error)]
-pub enum MutantsError {
-    /// The program does not list its mutants.
-    #[error("{program} --list: {why}")]
-    List {
-        /// The program.
-        program: String,
-        /// What is wrong.
-        why: String,
-    },
-    /// A mutant says that it breaks a rule that the text does not have, or no rule.
+#[derive(Debug, Error)]
+pub(crate) enum MutantsError {
+    #[error(transparent)]
+    Table(#[from] TableError),
     #[error("the mutant {mutant} breaks no rule of the text: {rule:?}")]
-    Rule {
-        /// The mutant.
-        mutant: String,
-        /// What it says.
-        rule: String,
-    },
+    Rule { mutant: String, rule: String },
+    #[error("the copy with the planted defects: {0}")]
+    Planted(#[from] planted::PlantedError),
     /// The program does not start, or does not speak the peer protocol.
     #[error(transparent)]
     Start(#[from] StartError),
     /// Without a defect, the peer does not conform: so what fails with one says nothing.
     #[error("without a mutant the peer fails {count} cases, {first} first")]
-    Sick {
-        /// How many.
-        count: usize,
-        /// The first.
-        first: String,
-    },
-    /// Ctrl-C.
+    Sick { count: usize, first: String },
     #[error("interrupted")]
     Interrupted,
 }
 
-/// The mutants of a program.
-///
-/// # Errors
-/// The program cannot be run, does not print a list, or a mutant names no rule of the text.
-pub fn list(program: &Path, suite: &Suite) -> Result<Vec<Mutant>, MutantsError> {
-    let fault = |why: String| MutantsError::List { program: program.display().to_string(), why };
-    let output =
-        Command::new(program).arg("--list").stdin(Stdio::null()).output().map_err(|error| fault(error.to_string()))?;
-    if !output.status.success() {
-        return Err(fault(output.status.to_string()));
-    }
-    let mutants: Vec<Mutant> = serde_json::from_slice(&output.stdout).map_err(|error| fault(error.to_string()))?;
-    for Mutant { name, rules, .. } in &mutants {
+/// The mutants of the defects in a folder.
+fn list(defects: &[Defect], suite: &Suite) -> Result<Vec<Mutant>, MutantsError> {
+    for Defect { name, rules, .. } in defects {
         let unknown = rules.iter().find(|rule| suite.requirement(rule).is_none());
         if rules.is_empty() || unknown.is_some() {
             return Err(MutantsError::Rule { mutant: name.clone(), rule: unknown.cloned().unwrap_or_default() });
         }
     }
-    Ok(mutants)
+    Ok(defects.iter().map(Mutant::of).collect())
 }
 
 /// Puts every mutant on trial, after the peer without a defect. `told` hears of each trial as it ends.
-///
-/// # Errors
-/// The peer does not start, does not conform without a defect, or all was interrupted.
-pub fn hunt(hunt: &Hunt<'_>, mutants: &[Mutant], told: &(dyn Fn(&Trial) + Sync)) -> Result<Vec<Trial>, MutantsError> {
+fn hunt(hunt: &Hunt<'_>, mutants: &[Mutant], told: &(dyn Fn(&Trial) + Sync)) -> Result<Vec<Trial>, MutantsError> {
     trial::healthy(hunt)?;
     let next = AtomicUsize::new(0);
     let trials: Mutex<Vec<(usize, Result<Trial, MutantsError>)>> = Mutex::default();

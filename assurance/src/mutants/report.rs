@@ -1,60 +1,61 @@
-//! What was found, as JSON and as Markdown.
+//! What was found of all mutants: as a model, as documents, and as what git keeps.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
-use serde::Serialize;
+use ncp_verifier::suite::Suite;
+use serde::{Deserialize, Serialize};
 
 use super::{Fate, Trial};
-use ncp_verifier::suite::Suite;
+use crate::document::{Block, heading, table, text};
+use crate::lock::Lock;
 
 /// The format of the JSON file.
 const FORMAT: u32 = 1;
+/// How many rules somebody reads before giving up.
+const EARLY: usize = 3;
 
 /// What a hunt found.
-#[derive(Debug, Serialize)]
-pub struct MutantsReport {
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct MutantsReport {
     /// The format of this model.
-    pub format: u32,
+    pub(crate) format: u32,
     /// How many cases the suite has.
-    pub cases: usize,
+    pub(crate) cases: usize,
     /// The SHA-256 of `vectors/MANIFEST.sha256`.
-    pub corpus_sha256: String,
+    pub(crate) corpus_sha256: String,
     /// How many mutants came to which end.
-    pub totals: Totals,
-    /// The trials, in the order of the table.
-    pub mutants: Vec<Trial>,
+    pub(crate) totals: Totals,
+    /// The trials, in the order of the tables.
+    pub(crate) mutants: Vec<Trial>,
 }
 
 /// How many mutants came to which end.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-pub struct Totals {
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Totals {
     /// The suite fails them and names their rule.
-    pub killed: usize,
+    pub(crate) killed: usize,
     /// Of those: the rule is the first that the verdict names.
-    pub named_first: usize,
+    pub(crate) named_first: usize,
     /// Of those: the rule is among the first three that the verdict names.
-    pub named_early: usize,
+    pub(crate) named_early: usize,
     /// The suite fails them for other rules.
-    pub misnamed: usize,
+    pub(crate) misnamed: usize,
     /// The suite does not notice them.
-    pub survived: usize,
+    pub(crate) survived: usize,
     /// The trial took too long.
-    pub unfinished: usize,
+    pub(crate) unfinished: usize,
 }
 
 impl Totals {
     /// Whether every mutant was killed.
-    #[must_use]
-    pub fn all_killed(self) -> bool {
+    pub(crate) fn all_killed(self) -> bool {
         self.misnamed + self.survived + self.unfinished == 0
     }
 }
 
 impl MutantsReport {
     /// Puts a report together.
-    #[must_use]
-    pub fn new(suite: &Suite, mutants: Vec<Trial>) -> Self {
+    pub(crate) fn new(suite: &Suite, mutants: Vec<Trial>) -> Self {
         let mut totals = Totals::default();
         for trial in &mutants {
             *match trial.fate {
@@ -70,32 +71,17 @@ impl MutantsReport {
         Self { format: FORMAT, cases: suite.cases().len(), corpus_sha256: suite.digest().to_owned(), totals, mutants }
     }
 
-    /// The JSON file.
-    ///
-    /// # Errors
-    /// Only if a number in it cannot be written, which does not occur.
-    pub fn to_json(&self) -> Result<String, serde_json::Error> {
-        Ok(serde_json::to_string_pretty(self)? + "\n")
-    }
-
-    /// The page for people. It holds no times, so that it changes only when the findings do.
-    #[must_use]
-    pub fn to_markdown(&self) -> String {
-        let mut page = String::from("# Mutants\n\n");
-        // Writing to a string does not fail.
-        let _ = self.write(&mut page);
-        page
-    }
-
     /// The mutants that were not killed, a line each.
-    #[must_use]
-    pub fn remarks(&self) -> Vec<String> {
+    pub(crate) fn remarks(&self) -> Vec<String> {
         let remark = |trial: &Trial| {
             let Trial { mutant, fate, named, .. } = trial;
-            let (name, rule) = (&mutant.name, mutant.rules.first().map_or("", String::as_str));
+            let (name, rule) = (&mutant.name, mutant.owed().join(", "));
             match fate {
                 Fate::Killed => None,
-                Fate::Misnamed => Some(format!("{name} breaks {rule}, but the verdict names {}", rules(named))),
+                Fate::Misnamed => {
+                    let named: Vec<&str> = named.iter().map(|named| named.rule.as_str()).collect();
+                    Some(format!("{name} breaks {rule}, but the verdict names {}", few(&named)))
+                }
                 Fate::Survived => Some(format!("{name} survived: no case of {rule} notices it. {}", mutant.about)),
                 Fate::Unfinished => Some(format!("{name}: its trial took too long")),
             }
@@ -103,85 +89,114 @@ impl MutantsReport {
         self.mutants.iter().filter_map(remark).collect()
     }
 
-    fn write(&self, page: &mut String) -> std::fmt::Result {
+    /// What git keeps of it, with the digests of the sources.
+    pub(crate) fn lock(&self, sources: BTreeMap<String, String>) -> Lock {
         let Totals { killed, named_first, named_early, misnamed, survived, unfinished } = self.totals;
-        writeln!(
-            page,
-            "Made by `ncp-verify mutants`: the Rust peer with one defect after the other (`peers/mutants`), each held \
-             against the {} cases of the corpus `{}`.\n",
-            self.cases,
-            self.corpus_sha256.get(..16).unwrap_or_default()
-        )?;
-        writeln!(
-            page,
-            "| mutants | killed | rule named first | among the first {EARLY} | rule not named | survived | not finished |"
-        )?;
-        writeln!(page, "|---|---|---|---|---|---|---|")?;
-        writeln!(
-            page,
-            "| {} | {killed} | {named_first} | {named_early} | {misnamed} | {survived} | {unfinished} |\n",
-            self.mutants.len()
-        )?;
-        writeln!(
-            page,
-            "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 KiB \
-             were run only where no other case did. The verdict names the likeliest rule first: that of \
-             the lowest level, and within a level by how many of a rule's cases fail and what share of all they are. *Named first* means that the verdict on this \
-             mutant begins with that rule; where it does not, the rules before it stand in brackets."
-        )?;
+        let counts = [
+            ("cases", self.cases),
+            ("killed", killed),
+            ("misnamed", misnamed),
+            ("named_early", named_early),
+            ("named_first", named_first),
+            ("survived", survived),
+            ("unfinished", unfinished),
+        ];
+        let fate = |trial: &Trial| {
+            let place = trial.place.map(|place| format!(", its rule named as number {place}"));
+            format!("{}, {} failing{}", trial.fate, trial.failing_cases, place.unwrap_or_default())
+        };
+        Lock {
+            sources,
+            counts: counts.map(|(end, count)| (end.to_owned(), count as u64)).into(),
+            fates: self.mutants.iter().map(|trial| (trial.mutant.name.clone(), fate(trial))).collect(),
+            rules: BTreeMap::new(),
+        }
+    }
+
+    /// The short page. It holds no times, so that it changes only when the findings do.
+    pub(crate) fn page(&self) -> Vec<Block> {
+        let Totals { killed, named_first, named_early, misnamed, survived, unfinished } = self.totals;
+        let counts = [self.mutants.len(), killed, named_first, named_early, misnamed, survived, unfinished];
+        let mut page = vec![
+            heading(1, "Mutants"),
+            text(format!(
+                "Made by `cargo assure mutants`: the Rust peer with one planted defect after the other (`defects/peer`), \
+                 each held against the {} cases of the corpus `{}`. `reports/lock/mutants.toml` has the fate of each; \
+                 the command writes the whole report to `reports/full`.",
+                self.cases,
+                self.corpus_sha256.get(..16).unwrap_or_default()
+            )),
+            table(
+                &[
+                    "mutants",
+                    "killed",
+                    "rule named first",
+                    "among the first 3",
+                    "rule not named",
+                    "survived",
+                    "not finished",
+                ],
+                [counts.map(|count| count.to_string()).to_vec()],
+            ),
+            text(
+                "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 KiB \
+                 were run only where no other case did. The verdict names the likeliest rule first: that of the lowest \
+                 level, and within a level by how many of a rule's cases fail and what share of all they are. *Named \
+                 first* means that the verdict on this mutant begins with that rule.",
+            ),
+        ];
         let remarks = self.remarks();
         if !remarks.is_empty() {
-            writeln!(page)?;
+            page.push(Block::List(remarks.into_iter().map(|remark| format!("**{remark}**")).collect()));
         }
-        for remark in remarks {
-            writeln!(page, "- **{remark}**")?;
-        }
-        writeln!(page, "\n## Audited findings\n\n| finding | mutants |\n|---|---|")?;
         let mut findings: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
         for trial in self.mutants.iter().filter(|trial| trial.mutant.finding.starts_with('L')) {
             findings.entry(&trial.mutant.finding).or_default().push(&trial.mutant.name);
         }
-        for (finding, names) in findings {
-            writeln!(page, "| {finding} | {} |", names.join(", "))?;
-        }
-        writeln!(
-            page,
-            "\n## All mutants\n\n| mutant | the defect | finding | rule | failing cases | the shortest |\n|---|---|---|---|---|---|"
-        )?;
-        for trial in &self.mutants {
-            let Trial { mutant, fate, failing_cases, crashes, named, shortest_case, .. } = trial;
-            let rule = mutant.rules.first().map_or("", String::as_str);
-            let before: Vec<Named<'_>> =
-                named.iter().take_while(|named| named.rule != rule).map(|named| named.rule.as_str()).collect();
-            let rule = match (fate, &before[..]) {
-                (Fate::Killed, []) => rule.to_owned(),
-                (Fate::Killed, before) => format!("{rule} ({})", few(before)),
-                _ => format!("**{rule}**"),
-            };
-            let crashes = match crashes {
-                0 => String::new(),
-                crashes => format!(", {crashes} by a crash"),
-            };
-            writeln!(
-                page,
-                "| {} | {} | {} | {rule} | {failing_cases}{crashes} | {} |",
-                mutant.name,
-                mutant.about.replace('|', "\\|"),
-                mutant.finding,
-                shortest_case.as_deref().map_or("none".to_owned(), |id| format!("`{id}`")),
-            )?;
-        }
-        Ok(())
+        page.push(heading(2, "Audited findings"));
+        let rows = findings.into_iter().map(|(finding, names)| vec![finding.to_owned(), names.join(", ")]);
+        page.push(table(&["finding", "mutants"], rows));
+        page.push(heading(2, "Named late"));
+        page.push(text("Killed, but the verdict names three rules or more before the one that is broken."));
+        let late = self.mutants.iter().filter(|trial| trial.place.is_some_and(|place| place > EARLY));
+        page.push(table(&HEAD, late.map(row)));
+        page
+    }
+
+    /// The whole page.
+    pub(crate) fn full_page(&self) -> Vec<Block> {
+        let mut page = self.page();
+        page.push(heading(2, "All mutants"));
+        page.push(table(&HEAD, self.mutants.iter().map(row)));
+        page
     }
 }
 
-/// How many rules somebody reads before giving up.
-const EARLY: usize = 3;
+const HEAD: [&str; 6] = ["mutant", "the defect", "finding", "rule", "failing cases", "the shortest"];
 
-type Named<'r> = &'r str;
-
-fn rules(named: &[super::Named]) -> String {
-    few(&named.iter().map(|named| named.rule.as_str()).collect::<Vec<_>>())
+/// A mutant with its rule; the rules that the verdict names before it stand in brackets.
+fn row(trial: &Trial) -> Vec<String> {
+    let Trial { mutant, fate, failing_cases, crashes, named, shortest_case, .. } = trial;
+    let rule = mutant.rules.first().map_or("", String::as_str);
+    let named = named.iter().map(|named| named.rule.as_str());
+    let before: Vec<&str> = named.take_while(|named| *named != rule).collect();
+    let rule = match (fate, &before[..]) {
+        (Fate::Killed, []) => rule.to_owned(),
+        (Fate::Killed, before) => format!("{rule} ({})", few(before)),
+        _ => format!("**{rule}**"),
+    };
+    let crashes = match crashes {
+        0 => String::new(),
+        crashes => format!(", {crashes} by a crash"),
+    };
+    vec![
+        mutant.name.clone(),
+        mutant.about.clone(),
+        mutant.finding.clone(),
+        rule,
+        format!("{failing_cases}{crashes}"),
+        shortest_case.as_deref().map_or("none".to_owned(), |id| format!("`{id}`")),
+    ]
 }
 
 /// The first few of many rules.

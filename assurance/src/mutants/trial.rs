@@ -1,11 +1,12 @@
 //! The trial of one mutant.
 
+use std::fmt;
 use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use ncp_text::catalogue::{Level, Role};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::{Hunt, Mutant, MutantsError};
 use ncp_verifier::peer::{Connection, Description, Launch, handshake};
@@ -15,9 +16,9 @@ use ncp_verifier::suite::Case;
 use ncp_verifier::verdict::{Baseline, judge, judge_description};
 
 /// What became of a mutant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Fate {
+pub(crate) enum Fate {
     /// The suite fails it and names its rule. A mutant that only breaks a SHOULD is told so.
     Killed,
     /// The suite fails it, but for other rules.
@@ -28,35 +29,46 @@ pub enum Fate {
     Unfinished,
 }
 
+impl fmt::Display for Fate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Killed => "killed",
+            Self::Misnamed => "misnamed",
+            Self::Survived => "survived",
+            Self::Unfinished => "unfinished",
+        })
+    }
+}
+
 /// The trial of a mutant.
-#[derive(Debug, Clone, Serialize)]
-pub struct Trial {
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Trial {
     /// The mutant.
     #[serde(flatten)]
-    pub mutant: Mutant,
+    pub(crate) mutant: Mutant,
     /// What became of it.
-    pub fate: Fate,
-    /// The place of its rule among those that the verdict names, from 1.
-    pub place: Option<usize>,
+    pub(crate) fate: Fate,
+    /// The place of its rule among those that the verdict names, from 1; of several rules, the last one's.
+    pub(crate) place: Option<usize>,
     /// How many cases fail.
-    pub failing_cases: usize,
+    pub(crate) failing_cases: usize,
     /// How many of them end the process, or make it hang.
-    pub crashes: usize,
+    pub(crate) crashes: usize,
     /// The rules that the verdict names, in its order.
-    pub named: Vec<Named>,
+    pub(crate) named: Vec<Named>,
     /// The case with the shortest request that fails: of those of its rule, if there are any.
-    pub shortest_case: Option<String>,
+    pub(crate) shortest_case: Option<String>,
     /// How long it took, in seconds.
-    pub elapsed_s: f64,
+    pub(crate) elapsed_s: f64,
 }
 
 /// A rule that the verdict names.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Named {
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Named {
     /// The rule.
-    pub rule: String,
+    pub(crate) rule: String,
     /// How many failing cases are about it.
-    pub cases: usize,
+    pub(crate) cases: usize,
 }
 
 /// Makes sure that the peer conforms as long as it has no defect.
@@ -74,8 +86,7 @@ pub(super) fn healthy(hunt: &Hunt<'_>) -> Result<(), MutantsError> {
 pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, MutantsError> {
     let start = Instant::now();
     let (large, small): (Vec<&Case>, Vec<&Case>) = hunt.suite.cases().iter().partition(|case| case.is_large());
-    let rule = mutant.rules.first().map_or("", String::as_str);
-    let names = |cases: &[CaseReport]| cases.iter().any(|case| is_about(case, rule));
+    let names = |cases: &[CaseReport]| mutant.owed().iter().all(|rule| cases.iter().any(|case| is_about(case, rule)));
     let (failing, in_time) =
         limited(hunt, |stop| failing(hunt, Some(mutant), &[&small, &large], |cases| !names(cases), stop));
     let Findings { failing, named } = failing?;
@@ -85,11 +96,14 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
         (true, false, false) => Fate::Misnamed,
         (true, true, _) => Fate::Survived,
     };
-    let shortest = failing.iter().min_by_key(|case| (!is_about(case, rule), request_len(case)));
+    let shortest =
+        failing.iter().min_by_key(|case| (!mutant.owed().iter().any(|rule| is_about(case, rule)), request_len(case)));
+    let place = |rule: &String| named.iter().position(|named| named.rule == *rule).map(|before| before + 1);
+    let places: Option<Vec<usize>> = mutant.owed().iter().map(place).collect();
     Ok(Trial {
         mutant: mutant.clone(),
         fate,
-        place: named.iter().position(|named| named.rule == rule).map(|before| before + 1),
+        place: places.and_then(|places| places.into_iter().max()),
         failing_cases: failing.len(),
         crashes: failing.iter().filter(|case| matches!(case.outcome, "crash" | "timeout" | "protocol")).count(),
         named,
@@ -124,7 +138,8 @@ fn failing(
     stop: &Stop,
 ) -> Result<Findings, MutantsError> {
     let mut argv = vec![hunt.program.to_string_lossy().into_owned()];
-    argv.extend(mutant.into_iter().flat_map(|mutant| ["--mutant".to_owned(), mutant.name.clone()]));
+    let defects = mutant.into_iter().flat_map(|mutant| &mutant.defects);
+    argv.extend(defects.flat_map(|defect| ["--defect".to_owned(), defect.clone()]));
     let launch = Launch::new(argv, ".");
     let settings = Settings {
         // A mutant that crashes is run to its end too: the time bounds it.

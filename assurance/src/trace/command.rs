@@ -1,18 +1,20 @@
-//! `ncp-verify trace`.
+//! `cargo assure trace`.
 
-use std::io::IsTerminal as _;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use ncp_verifier::report::{Style, wrap};
+use ncp_verifier::report::wrap;
 use xtask::project::Project;
 
-use super::{Fault, Trace, json, markdown};
-use crate::Error;
+use super::{Accepted, Fault, Trace, TraceError, report};
+use crate::console::{Styles, counted};
+use crate::{Error, document, lock, reports};
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub(crate) struct TraceArgs {
-    /// The source tree [default: the one at or above this folder]
+    /// The source tree [default: the project's]
     #[arg(long, value_name = "DIR")]
     root: Option<PathBuf>,
     /// Write nothing; fail also when what is written is stale
@@ -23,75 +25,80 @@ pub(crate) struct TraceArgs {
     accept: bool,
 }
 
-/// How the matrix is written.
-type Render = fn(&Trace) -> String;
+const HELP: &str = "\
+Writes reports/traceability.md, reports/lock/trace.toml and the long reports in reports/full. Exit code 1 says that a
+binding rule has no evidence, that a case, a property or a public function cites no rule or one that the text does not
+have, or that evidence is gone, or its rule reads differently, since it was last accepted.";
 
-/// Where the matrix is written, within the tree.
-const REPORTS: [(&str, Render); 2] = [("reports/traceability.md", markdown), ("reports/traceability.json", json)];
-/// What was accepted, within the tree.
-const LOCK: &str = "spec/evidence.lock";
+/// The name of the report.
+const REPORT: &str = "traceability";
 
-/// Builds the matrix of the tree, says what is wrong with it, and writes the reports.
-pub(super) fn trace(args: &TraceArgs, style: Style) -> Result<Exit, CliError> {
-    let here = || Workspace::here().map(|workspace| workspace.root);
-    let root = args
-        .root
-        .clone()
-        .or_else(here)
-        .ok_or_else(|| CliError::Usage("there is no source tree here; --root FOLDER names it".to_owned()))?;
+/// Builds the matrix of the tree, says what is wrong with it, and writes the reports; `false` if something is wrong.
+pub(crate) fn trace(project: &Project, args: &TraceArgs) -> Result<bool, Error> {
+    let style = Styles::detect().out;
+    let root = args.root.clone().unwrap_or_else(|| project.path(""));
     let mut trace = Trace::read(&root)?;
     let acceptable = trace.faults().iter().all(Fault::can_be_accepted);
     if args.accept && acceptable {
         trace.accept()?;
         trace = Trace::read(&root)?;
     }
-    let sound = trace.faults().is_empty();
-    let mut out = String::new();
-    let mut stale = Vec::new();
-    for (file, render) in REPORTS {
-        keep(&root, file, &render(&trace), args.check, &mut stale)?;
-    }
-    // Evidence that is new needs no acceptance; what was accepted is kept while something is wrong.
-    if sound {
-        keep(&root, LOCK, &trace.lock(), args.check, &mut stale)?;
+    let stale = differing(&root, &trace)?;
+    if !args.check {
+        let folder = root.join(reports::PAGES);
+        reports::full(&folder, REPORT, &report::matrix(&trace), &report::full_page(&trace))?;
+        for (path, text) in &stale {
+            let made = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(path, text));
+            made.map_err(|source| Error::File { path: path.clone(), source })?;
+        }
     }
 
-    out.push_str(&summary(&trace));
+    println!("{}", summary(&trace));
     for fault in trace.faults() {
         let shown = wrap(&fault.to_string(), style.width, "  ", "    ");
-        out.push_str(&format!("{} {}\n", style.red("✗"), shown.trim_start()));
+        println!("{} {}", style.red("✗"), shown.trim_start());
     }
-    for file in &stale {
-        out.push_str(&format!("{} {file} is stale; write it anew: cargo verify trace\n", style.red("✗")));
+    if args.check {
+        shown(&root, &stale).iter().for_each(|line| println!("{} {line}: cargo assure trace", style.red("✗")));
     }
-    let faults = trace.faults().len();
-    if faults > 0 {
-        out.push_str(&match (acceptable, args.accept) {
-            (true, false) => {
-                format!("{}: read what is named; if it is meant: cargo verify trace --accept\n", counted(faults))
-            }
-            _ => format!("{}\n", counted(faults)),
-        });
-    } else if stale.is_empty() {
-        let files: Vec<&str> = REPORTS.iter().map(|(file, _)| *file).collect();
-        out.push_str(&format!("report: {}\n", files.join(", ")));
+    let faults = counted(trace.faults().len(), "fault");
+    match trace.faults() {
+        [] if !args.check => println!("report: {}/{REPORT}.md", reports::PAGES),
+        [] => {}
+        _ if acceptable && !args.accept => {
+            println!("{faults}: read what is named; if it is meant: cargo assure trace --accept");
+        }
+        _ => println!("{faults}"),
     }
-    print(&out)?;
-    Ok(if sound && stale.is_empty() { Exit::Conformant } else { Exit::NotConformant })
+    Ok(trace.faults().is_empty() && (!args.check || stale.is_empty()))
 }
 
-/// Writes a file if it differs; with `check`, only notes that it would be.
-fn keep(root: &Path, file: &str, text: &str, check: bool, stale: &mut Vec<String>) -> Result<(), CliError> {
-    let path = root.join(file);
-    if std::fs::read_to_string(&path).is_ok_and(|written| written == text) {
-        return Ok(());
+/// What is wrong with the matrix of a tree, and what git keeps of it and is stale.
+///
+/// # Errors
+/// The tree cannot be read.
+pub(crate) fn stale(root: &Path) -> Result<Vec<String>, TraceError> {
+    let trace = Trace::read(root)?;
+    let mut lines: Vec<String> = trace.faults().iter().map(ToString::to_string).collect();
+    lines.extend(shown(root, &differing(root, &trace)?));
+    Ok(lines)
+}
+
+/// What git keeps and would be written otherwise: the files and their texts.
+fn differing(root: &Path, trace: &Trace) -> Result<Vec<(PathBuf, String)>, TraceError> {
+    let page = root.join(reports::PAGES).join(format!("{REPORT}.md"));
+    let mut files = vec![(page, document::markdown(&report::page(trace)))];
+    // Evidence that is new needs no acceptance; what was accepted is kept while something is wrong.
+    if trace.faults().is_empty() {
+        files.push((lock::path(root, Accepted::NAME), trace.lock()?));
     }
-    if check {
-        stale.push(file.to_owned());
-        return Ok(());
-    }
-    let written = path.parent().map_or(Ok(()), std::fs::create_dir_all).and_then(|()| std::fs::write(&path, text));
-    written.map_err(|error| CliError::Harness(format!("{}: {error}", path.display())))
+    files.retain(|(path, text)| !fs::read_to_string(path).is_ok_and(|written| written == *text));
+    Ok(files)
+}
+
+fn shown(root: &Path, files: &[(PathBuf, String)]) -> Vec<String> {
+    let name = |path: &Path| path.strip_prefix(root).unwrap_or(path).display().to_string();
+    files.iter().map(|(path, _)| format!("{} is stale", name(path))).collect()
 }
 
 fn summary(trace: &Trace) -> String {
@@ -107,15 +114,8 @@ fn summary(trace: &Trace) -> String {
             none += 1;
         }
     }
-    let binding = shown + excluded + none;
     format!(
-        "{rules} rules, {binding} of them binding: {shown} shown, {excluded} excluded with a reason, {none} without evidence\n"
+        "{rules} rules, {} of them binding: {shown} shown, {excluded} excluded with a reason, {none} without evidence",
+        shown + excluded + none
     )
-}
-
-fn counted(faults: usize) -> String {
-    match faults {
-        1 => "1 fault".to_owned(),
-        many => format!("{many} faults"),
-    }
 }

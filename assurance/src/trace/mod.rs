@@ -7,21 +7,20 @@
 //! - backward: a case, a property, or a public function of the safety-relevant modules that cites
 //!   no rule, and a citation of a rule that the text does not have;
 //! - in time: evidence that is gone, or whose rule reads differently, since a person last accepted
-//!   it. `spec/evidence.lock` holds what was accepted.
+//!   it. `reports/lock/trace.toml` holds what was accepted.
 //!
 //! Code that names a rule says where the rule is carried out. That is shown, but is no evidence: only
 //! what can fail is. A mutant is counted and is no evidence either: it shows that the vectors of its
 //! rule bite, not that the rule holds. So neither is in the lock, which stays short enough to be read.
 //!
-//! - `rust`: functions of Rust files, with what they cite.
 //! - `sources`: collects citations from the tree.
-//! - `lock`: what was accepted, and what is excluded.
-//! - `report`: the matrix as Markdown and JSON.
+//! - `lock`: what was accepted.
+//! - `report`: the matrix as a model and as documents.
+//! - `command`: the command line.
 
 pub(crate) mod command;
 mod lock;
 mod report;
-mod rust;
 mod sources;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -31,27 +30,28 @@ use std::path::{Path, PathBuf};
 use ncp_text::catalogue::{Catalogue, CatalogueError, Requirement};
 use ncp_text::{CHAPTERS, Chapter};
 
-pub use report::{json, markdown};
+use ncp_text::exclusions::{Exclusions, ExclusionsError, Lack};
 
-use lock::{Exclusions, Lock};
+use crate::lock::LockError;
+use lock::Accepted;
 use sources::Sources;
 
 /// What shows, or carries out, a rule.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Evidence {
+pub(crate) struct Evidence {
     /// What it is.
-    pub kind: EvidenceKind,
+    pub(crate) kind: EvidenceKind,
     /// Where it is: a file of the tree, and a function or an item of it where there is one.
-    pub place: String,
+    pub(crate) place: String,
     /// The line, from 1, where there is one.
-    pub line: Option<usize>,
+    pub(crate) line: Option<usize>,
     /// How many cases, if it is a vector file; else 1.
-    pub count: usize,
+    pub(crate) count: usize,
 }
 
 /// A kind of evidence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum EvidenceKind {
+pub(crate) enum EvidenceKind {
     /// A function of the executable specification that carries the rule out.
     Code,
     /// Golden vectors, to which every peer is held.
@@ -66,18 +66,17 @@ pub enum EvidenceKind {
     Proof,
     /// A scenario between running programs.
     Live,
-    /// A peer with this one defect, which the corpus finds.
+    /// A peer with this one planted defect, which the corpus finds.
     Mutant,
 }
 
 impl EvidenceKind {
     /// All kinds.
-    pub const ALL: [Self; 8] =
+    pub(crate) const ALL: [Self; 8] =
         [Self::Code, Self::Vector, Self::Test, Self::Property, Self::Fuzz, Self::Proof, Self::Live, Self::Mutant];
 
     /// As the report names it.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
+    pub(crate) const fn as_str(self) -> &'static str {
         match self {
             Self::Code => "code",
             Self::Vector => "vectors",
@@ -91,8 +90,7 @@ impl EvidenceKind {
     }
 
     /// As a heading.
-    #[must_use]
-    pub const fn title(self) -> &'static str {
+    pub(crate) const fn title(self) -> &'static str {
         match self {
             Self::Code => "Code",
             Self::Vector => "Vectors",
@@ -106,15 +104,14 @@ impl EvidenceKind {
     }
 
     /// Whether it can fail when the rule is broken, and so shows something.
-    #[must_use]
-    pub const fn shows(self) -> bool {
+    pub(crate) const fn shows(self) -> bool {
         !matches!(self, Self::Code | Self::Mutant)
     }
 }
 
 /// The matrix of rules and evidence, and its faults.
 #[derive(Debug)]
-pub struct Trace {
+pub(crate) struct Trace {
     root: PathBuf,
     rules: Vec<Rule>,
     findings: Vec<Finding>,
@@ -123,31 +120,31 @@ pub struct Trace {
 
 /// A rule with what shows it.
 #[derive(Debug)]
-pub struct Rule {
+pub(crate) struct Rule {
     /// The rule.
-    pub requirement: Requirement,
+    pub(crate) requirement: Requirement,
     /// Its evidence, sorted.
-    pub evidence: Vec<Evidence>,
+    pub(crate) evidence: Vec<Evidence>,
     /// Why nothing shows it, if that is accepted.
-    pub exclusion: Option<String>,
+    pub(crate) exclusion: Option<String>,
 }
 
 /// An audited finding, `L01` to `L35`.
 #[derive(Debug)]
-pub struct Finding {
+pub(crate) struct Finding {
     /// Its id.
-    pub id: String,
+    pub(crate) id: String,
     /// The cases that are flagged with it.
-    pub cases: usize,
+    pub(crate) cases: usize,
     /// The rules that those cases cite; of one without cases, the rules that answer it.
-    pub rules: BTreeSet<String>,
+    pub(crate) rules: BTreeSet<String>,
     /// Why no case can show it, if that is so.
-    pub exclusion: Option<String>,
+    pub(crate) exclusion: Option<String>,
 }
 
 /// Something that is wrong with the matrix.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Fault {
+pub(crate) enum Fault {
     /// A chapter that the catalogue does not list.
     #[error("spec/text/{0} is no chapter of the catalogue: its rules count nowhere")]
     UnlistedChapter(String),
@@ -229,15 +226,14 @@ pub enum Fault {
 
 impl Fault {
     /// Whether a person may accept it, having looked: what changed since the last time.
-    #[must_use]
-    pub const fn can_be_accepted(&self) -> bool {
+    pub(crate) const fn can_be_accepted(&self) -> bool {
         matches!(self, Self::RuleGone { .. } | Self::EvidenceGone { .. } | Self::SentenceChanged { .. })
     }
 }
 
 /// Why the tree cannot be read.
 #[derive(Debug, thiserror::Error)]
-pub enum TraceError {
+pub(crate) enum TraceError {
     /// A file or a folder.
     #[error("{}: {source}", path.display())]
     File {
@@ -249,6 +245,12 @@ pub enum TraceError {
     /// The text is faulty.
     #[error("spec/text/{0}")]
     Text(#[from] CatalogueError),
+    /// The list of exclusions is faulty.
+    #[error("spec/exclusions.toml: {0}")]
+    Exclusions(#[from] ExclusionsError),
+    /// A lock.
+    #[error(transparent)]
+    Lock(#[from] LockError),
     /// A vector file, the lock, the exclusions or a report that evidence is read from.
     #[error("{path}: {message}")]
     Content {
@@ -264,10 +266,11 @@ impl Trace {
     ///
     /// # Errors
     /// [`TraceError`] when something cannot be read. What can be read and is wrong is a [`Fault`].
-    pub fn read(root: &Path) -> Result<Self, TraceError> {
+    pub(crate) fn read(root: &Path) -> Result<Self, TraceError> {
         let (catalogue, unlisted) = catalogue(root)?;
         let sources = Sources::read(root)?;
-        let exclusions = Exclusions::read(root)?;
+        let exclusions = exclusions(root)?;
+        let reasons: BTreeMap<&str, &str> = exclusions.without(Lack::Evidence).collect();
         let mut faults: Vec<Fault> = unlisted.into_iter().map(Fault::UnlistedChapter).collect();
         faults.extend(unknown(&catalogue, &sources));
         faults.extend(sources.orphans.iter().cloned());
@@ -276,48 +279,47 @@ impl Trace {
             .iter()
             .map(|requirement| Rule {
                 evidence: sources.evidence(&requirement.id),
-                exclusion: exclusions.rules.get(&requirement.id).cloned(),
+                exclusion: reasons.get(requirement.id.as_str()).map(|why| (*why).to_owned()),
                 requirement: requirement.clone(),
             })
             .collect();
         let findings = findings(&sources, &exclusions);
         let mut trace = Self { root: root.to_owned(), rules, findings, faults };
         trace.forward(&exclusions);
-        trace.in_time(&Lock::read(root)?, &sources);
+        trace.in_time(&Accepted::read(root)?, &sources);
         Ok(trace)
     }
 
     /// Every rule, in the order of the text.
-    #[must_use]
-    pub fn rules(&self) -> &[Rule] {
+    pub(crate) fn rules(&self) -> &[Rule] {
         &self.rules
     }
 
     /// Every audited finding.
-    #[must_use]
-    pub fn findings(&self) -> &[Finding] {
+    pub(crate) fn findings(&self) -> &[Finding] {
         &self.findings
     }
 
     /// What is wrong.
-    #[must_use]
-    pub fn faults(&self) -> &[Fault] {
+    pub(crate) fn faults(&self) -> &[Fault] {
         &self.faults
     }
 
-    /// Takes the evidence as it is for accepted: writes `spec/evidence.lock`.
+    /// Takes the evidence as it is for accepted: writes `reports/lock/trace.toml`.
     ///
     /// # Errors
     /// [`TraceError::File`] when it cannot be written.
-    pub fn accept(&self) -> Result<(), TraceError> {
-        let path = self.root.join(Lock::FILE);
-        std::fs::write(&path, self.lock()).map_err(|source| TraceError::File { path, source })
+    pub(crate) fn accept(&self) -> Result<(), TraceError> {
+        let path = crate::lock::path(&self.root, Accepted::NAME);
+        std::fs::write(&path, self.lock()?).map_err(|source| TraceError::File { path, source })
     }
 
     /// What [`accept`](Self::accept) writes.
-    #[must_use]
-    pub fn lock(&self) -> String {
-        Lock::of(&self.rules).to_string()
+    ///
+    /// # Errors
+    /// What the lock cannot hold.
+    pub(crate) fn lock(&self) -> Result<String, TraceError> {
+        Ok(Accepted::of(&self.rules).text()?)
     }
 
     fn forward(&mut self, exclusions: &Exclusions) {
@@ -349,7 +351,7 @@ impl Trace {
         }
     }
 
-    fn in_time(&mut self, lock: &Lock, sources: &Sources) {
+    fn in_time(&mut self, lock: &Accepted, sources: &Sources) {
         for file in &sources.missing_vectors {
             let place = format!("vectors/{file}");
             let rules = lock.rules.iter();
@@ -388,8 +390,7 @@ impl Rule {
     }
 
     /// How much evidence of a kind there is: cases, or items.
-    #[must_use]
-    pub fn count(&self, kind: EvidenceKind) -> usize {
+    pub(crate) fn count(&self, kind: EvidenceKind) -> usize {
         let of_kind = self.evidence.iter().filter(|one| one.kind == kind);
         of_kind.map(|one| one.count).sum()
     }
@@ -409,6 +410,16 @@ fn catalogue(root: &Path) -> Result<(Catalogue, Vec<String>), TraceError> {
     let listed: BTreeSet<&str> = CHAPTERS.iter().map(|chapter| chapter.file).collect();
     let unlisted = sources::names(&folder, "md")?.into_iter().filter(|name| !listed.contains(name.as_str())).collect();
     Ok((catalogue, unlisted))
+}
+
+/// The exclusions of the tree; none where there is no list.
+fn exclusions(root: &Path) -> Result<Exclusions, TraceError> {
+    let path = root.join(Exclusions::FILE);
+    match std::fs::read_to_string(&path) {
+        Ok(text) => Ok(Exclusions::parse(&text)?),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Exclusions::default()),
+        Err(source) => Err(TraceError::File { path, source }),
+    }
 }
 
 /// The ids that are cited and are not in the text.

@@ -1,100 +1,145 @@
 //! The matrix, for people and for programs.
 
-use std::fmt::Write as _;
+use std::collections::BTreeSet;
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::{Evidence, EvidenceKind, Rule, Trace};
+use crate::document::{Block, heading, table, text};
 
-/// The matrix as JSON.
-#[must_use]
-pub fn json(trace: &Trace) -> String {
-    let rules: Vec<Value> = trace.rules().iter().map(rule).collect();
-    let findings: Vec<Value> = trace
-        .findings()
-        .iter()
-        .map(|finding| {
-            json!({
-                "id": finding.id,
-                "cases": finding.cases,
-                "rules": finding.rules,
-                "exclusion": finding.exclusion,
-            })
-        })
-        .collect();
-    let faults: Vec<String> = trace.faults().iter().map(ToString::to_string).collect();
-    let report = json!({ "format": 1, "faults": faults, "rules": rules, "findings": findings });
-    format!("{report:#}\n")
+/// The matrix as a model.
+#[derive(Debug, Serialize)]
+pub(crate) struct Matrix<'t> {
+    format: u32,
+    faults: Vec<String>,
+    rules: Vec<MatrixRule<'t>>,
+    findings: Vec<MatrixFinding<'t>>,
 }
 
-fn rule(rule: &Rule) -> Value {
-    let requirement = &rule.requirement;
-    let roles: Vec<&str> = requirement.roles.iter().map(|role| role.as_str()).collect();
-    let evidence: Vec<Value> = rule
-        .evidence
-        .iter()
-        .map(|evidence| {
-            json!({
-                "kind": evidence.kind.as_str(),
-                "place": evidence.place,
-                "count": evidence.count,
-            })
-        })
-        .collect();
-    json!({
-        "id": requirement.id,
-        "keyword": requirement.keyword.as_str(),
-        "level": requirement.level.as_str(),
-        "roles": roles,
-        "chapter": requirement.file,
-        "section": requirement.section,
-        "digest": requirement.digest,
-        "sentence": requirement.sentence,
-        "evidence": evidence,
-        "exclusion": rule.exclusion,
-    })
+#[derive(Debug, Serialize)]
+struct MatrixRule<'t> {
+    id: &'t str,
+    keyword: &'t str,
+    level: &'t str,
+    roles: Vec<&'t str>,
+    chapter: &'t str,
+    section: &'t str,
+    digest: &'t str,
+    sentence: &'t str,
+    evidence: Vec<MatrixEvidence<'t>>,
+    exclusion: Option<&'t str>,
 }
 
-/// The matrix as Markdown. Its links lead from `reports/` into the tree.
-#[must_use]
-pub fn markdown(trace: &Trace) -> String {
-    let mut page = String::from(HEAD);
-    faults(&mut page, trace);
-    summary(&mut page, trace);
-    findings(&mut page, trace);
-    excluded(&mut page, trace);
-    matrix(&mut page, trace);
+#[derive(Debug, Serialize)]
+struct MatrixEvidence<'t> {
+    kind: &'t str,
+    place: &'t str,
+    count: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct MatrixFinding<'t> {
+    id: &'t str,
+    cases: usize,
+    rules: &'t BTreeSet<String>,
+    exclusion: Option<&'t str>,
+}
+
+/// The matrix as a model.
+pub(crate) fn matrix(trace: &Trace) -> Matrix<'_> {
+    let findings = trace.findings().iter().map(|finding| MatrixFinding {
+        id: &finding.id,
+        cases: finding.cases,
+        rules: &finding.rules,
+        exclusion: finding.exclusion.as_deref(),
+    });
+    Matrix {
+        format: 1,
+        faults: trace.faults().iter().map(ToString::to_string).collect(),
+        rules: trace.rules().iter().map(rule).collect(),
+        findings: findings.collect(),
+    }
+}
+
+fn rule(rule: &Rule) -> MatrixRule<'_> {
+    let Rule { requirement, evidence, exclusion } = rule;
+    let evidence = evidence.iter().map(|Evidence { kind, place, count, .. }| MatrixEvidence {
+        kind: kind.as_str(),
+        place,
+        count: *count,
+    });
+    MatrixRule {
+        id: &requirement.id,
+        keyword: requirement.keyword.as_str(),
+        level: requirement.level.as_str(),
+        roles: requirement.roles.iter().map(|role| role.as_str()).collect(),
+        chapter: requirement.file,
+        section: &requirement.section,
+        digest: &requirement.digest,
+        sentence: &requirement.sentence,
+        evidence: evidence.collect(),
+        exclusion: exclusion.as_deref(),
+    }
+}
+
+/// The short page: how many rules are shown by what, and what nothing shows. Its links lead from `reports/` into the
+/// tree.
+pub(crate) fn page(trace: &Trace) -> Vec<Block> {
+    let kinds = KINDS.map(str::to_owned).to_vec();
+    let mut page = vec![heading(1, "Traceability: what shows each rule"), text(ABOUT), Block::List(kinds)];
+    if !trace.faults().is_empty() {
+        page.push(heading(2, "Faults"));
+        page.push(Block::List(trace.faults().iter().map(ToString::to_string).collect()));
+    }
+    page.extend(summary(trace));
+    page.extend(findings(trace));
+    page.extend(excluded(trace));
     page
 }
 
-const HEAD: &str = "\
-# Traceability: what shows each rule
-
-Made by `cargo verify trace` from the text, the corpus, the code and the tests; `cargo xtask test` fails when it is stale. \
-`cargo verify explain <id>` leads from a rule, a finding or a case to the text, the cases and the lines of code.
-
-- **code**: functions and files that carry the rule out, here in `ncp-spec` and in the two peers that were written from \
-the text alone (TypeScript, pure Python). This is where to look, and is no evidence.
-- **vectors**: cases of the golden corpus that cite the rule; every peer is held to them.
-- **tests**, **properties**: tests of the executable specification over chosen and over random input.
-- **fuzz**, **proofs**, **live**: fuzz targets, proved properties, scenarios between running programs.
-- **mutants**: peers with that one defect, which the vectors find. They show that the vectors bite, and are no evidence \
-for the rule.
-
-A column without an entry is left out.
-
-";
-
-fn faults(page: &mut String, trace: &Trace) {
-    if trace.faults().is_empty() {
-        return;
+/// The whole page: also what shows each rule. Its links lead from `reports/full/` into the tree.
+pub(crate) fn full_page(trace: &Trace) -> Vec<Block> {
+    let kinds = present(trace);
+    let mut page = page(trace);
+    page.push(heading(2, "Every rule"));
+    page.push(text("A column without an entry is left out."));
+    let chapters = trace.rules().chunk_by(|one, next| one.requirement.file == next.requirement.file);
+    for rules in chapters {
+        page.extend(rules.first().map(|rule| heading(3, rule.requirement.file)));
+        let names = kinds.iter().map(|kind| kind.as_str());
+        let head: Vec<&str> = ["rule", "binds"].into_iter().chain(names).collect();
+        let rows = rules.iter().map(|rule| {
+            let requirement = &rule.requirement;
+            let mut cells = vec![
+                format!("**{}** {}", requirement.id, requirement.sentence),
+                format!("{}, {}", requirement.keyword, requirement.level),
+            ];
+            cells.extend(kinds.iter().map(|kind| {
+                let of_kind = rule.evidence.iter().filter(|one| one.kind == *kind);
+                of_kind.map(entry).collect::<Vec<_>>().join(", ")
+            }));
+            cells
+        });
+        page.push(table(&head, rows));
     }
-    page.push_str("## Faults\n\n");
-    for fault in trace.faults() {
-        line(page, &format!("- {fault}"));
-    }
-    page.push('\n');
+    page
 }
+
+const ABOUT: &str = "\
+Made by `cargo assure trace` from the text, the corpus, the code and the tests; `cargo assure status` says when it is \
+stale. What was accepted stands in `reports/lock/trace.toml`, and the command writes what shows each single rule to \
+`reports/full`. `cargo verify explain <id>` leads from a rule, a finding or a case to the text, the cases and the lines \
+of code.";
+
+const KINDS: [&str; 5] = [
+    "**code**: functions and files that carry the rule out, in `ncp-kernel` and `ncp-spec`, and in the two peers that \
+     were written from the text alone (TypeScript, pure Python). This is where to look, and is no evidence.",
+    "**vectors**: cases of the golden corpus that cite the rule; every peer is held to them.",
+    "**tests**, **properties**: tests of the executable specification over chosen and over random input.",
+    "**fuzz**, **proofs**, **live**: fuzz targets, proved properties, scenarios between running programs.",
+    "**mutants**: peers with that one planted defect, which the vectors find. They show that the vectors bite, and are \
+     no evidence for the rule.",
+];
 
 /// The kinds of which there is any.
 fn present(trace: &Trace) -> Vec<EvidenceKind> {
@@ -102,13 +147,11 @@ fn present(trace: &Trace) -> Vec<EvidenceKind> {
     EvidenceKind::ALL.into_iter().filter(any).collect()
 }
 
-fn summary(page: &mut String, trace: &Trace) {
+fn summary(trace: &Trace) -> [Block; 3] {
     let kinds = present(trace);
-    page.push_str("## By chapter\n\nHow many of the rules have evidence of a kind.\n\n");
-    header(page, &["chapter", "rules", "binding"], &kinds, &["excluded"]);
-    let mut chapters: Vec<&str> = trace.rules().iter().map(|r| r.requirement.file).collect();
+    let mut chapters: Vec<&str> = trace.rules().iter().map(|rule| rule.requirement.file).collect();
     chapters.dedup();
-    for chapter in chapters.iter().copied().map(Some).chain([None]) {
+    let rows = chapters.into_iter().map(Some).chain([None]).map(|chapter| {
         let of_chapter = |rule: &&Rule| chapter.is_none_or(|file| rule.requirement.file == file);
         let rules: Vec<&Rule> = trace.rules().iter().filter(of_chapter).collect();
         let count = |wanted: &dyn Fn(&Rule) -> bool| rules.iter().filter(|rule| wanted(rule)).count().to_string();
@@ -119,92 +162,42 @@ fn summary(page: &mut String, trace: &Trace) {
         ];
         cells.extend(kinds.iter().map(|kind| count(&|rule| rule.count(*kind) > 0)));
         cells.push(count(&|rule| rule.exclusion.is_some()));
-        row(page, &cells);
-    }
-    page.push('\n');
+        cells
+    });
+    let names = kinds.iter().map(|kind| kind.as_str());
+    let head: Vec<&str> = ["chapter", "rules", "binding"].into_iter().chain(names).chain(["excluded"]).collect();
+    [heading(2, "By chapter"), text("How many of the rules have evidence of a kind."), table(&head, rows)]
 }
 
-fn findings(page: &mut String, trace: &Trace) {
-    page.push_str("## Audited findings\n\nThe cases that are flagged with a finding fail a peer that has it.\n\n");
-    header(page, &["finding", "cases", "rules"], &[], &[]);
-    for finding in trace.findings() {
-        let rules = match &finding.exclusion {
-            Some(reason) => reason.clone(),
-            None => finding.rules.iter().cloned().collect::<Vec<_>>().join(", "),
-        };
-        let cases = match finding.cases {
-            0 => "-".to_owned(),
-            cases => cases.to_string(),
-        };
-        row(page, &[finding.id.clone(), cases, rules]);
-    }
-    page.push('\n');
+fn findings(trace: &Trace) -> [Block; 3] {
+    let rows = trace.findings().iter().map(|finding| {
+        let rules = || finding.rules.iter().cloned().collect::<Vec<_>>().join(", ");
+        let cases = if finding.cases == 0 { "-".to_owned() } else { finding.cases.to_string() };
+        vec![finding.id.clone(), cases, finding.exclusion.clone().unwrap_or_else(rules)]
+    });
+    [
+        heading(2, "Audited findings"),
+        text("The cases that are flagged with a finding fail a peer that has it."),
+        table(&["finding", "cases", "rules"], rows),
+    ]
 }
 
-fn excluded(page: &mut String, trace: &Trace) {
-    page.push_str("## What nothing shows, and why\n\n");
-    header(page, &["rule", "sentence", "why"], &[], &[]);
-    for rule in trace.rules() {
-        if let Some(reason) = &rule.exclusion {
-            let Rule { requirement, .. } = rule;
-            row(page, &[requirement.id.clone(), requirement.sentence.clone(), reason.clone()]);
-        }
-    }
-    page.push('\n');
-}
-
-fn matrix(page: &mut String, trace: &Trace) {
-    let kinds = present(trace);
-    page.push_str("## Every rule\n");
-    let mut chapter = "";
-    for rule in trace.rules() {
-        let Rule { requirement, .. } = rule;
-        if requirement.file != chapter {
-            chapter = requirement.file;
-            line(page, &format!("\n### {chapter}\n"));
-            header(page, &["rule", "binds"], &kinds, &[]);
-        }
-        let mut cells = vec![
-            format!("**{}** {}", requirement.id, requirement.sentence),
-            format!("{}, {}", requirement.keyword, requirement.level),
-        ];
-        cells.extend(kinds.iter().map(|kind| {
-            let of_kind = rule.evidence.iter().filter(|one| one.kind == *kind);
-            of_kind.map(entry).collect::<Vec<_>>().join("<br>")
-        }));
-        row(page, &cells);
-    }
+fn excluded(trace: &Trace) -> [Block; 2] {
+    let rows = trace.rules().iter().filter_map(|rule| {
+        let Rule { requirement, exclusion, .. } = rule;
+        Some(vec![requirement.id.clone(), requirement.sentence.clone(), exclusion.clone()?])
+    });
+    [heading(2, "What nothing shows, and why"), table(&["rule", "sentence", "why"], rows)]
 }
 
 /// A link to the file of a piece of evidence.
 fn entry(evidence: &Evidence) -> String {
-    let Evidence { place, count, .. } = evidence;
+    let Evidence { kind, place, count, .. } = evidence;
     let (file, item) = place.split_once(' ').unwrap_or((place, ""));
     let name = match item {
         "" => file.rsplit('/').next().unwrap_or(file),
         item => item,
     };
-    let name = name.replace('_', "\\_");
-    match evidence.kind {
-        EvidenceKind::Vector => format!("[{name}](../{file}) {count}"),
-        _ => format!("[{name}](../{file})"),
-    }
-}
-
-fn header(page: &mut String, before: &[&str], kinds: &[EvidenceKind], after: &[&str]) {
-    let kinds = kinds.iter().map(|kind| kind.as_str());
-    let cells: Vec<String> =
-        before.iter().copied().chain(kinds).chain(after.iter().copied()).map(str::to_owned).collect();
-    row(page, &cells);
-    line(page, &format!("|{}", "---|".repeat(cells.len())));
-}
-
-fn row(page: &mut String, cells: &[String]) {
-    let cells: Vec<String> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
-    line(page, &format!("| {} |", cells.join(" | ")));
-}
-
-fn line(page: &mut String, text: &str) {
-    // Writing to a string cannot fail.
-    let _ = writeln!(page, "{text}");
+    let link = format!("[{}](../../{file})", name.replace('_', "\\_"));
+    if *kind == EvidenceKind::Vector { format!("{link} {count}") } else { link }
 }

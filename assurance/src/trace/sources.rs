@@ -3,28 +3,32 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use ncp_defects::Defect;
 use serde::Deserialize;
 use walkdir::WalkDir;
 
-use super::rust::{Citation, FunctionRole, RustFile, cited};
+use crate::lock::Lock;
+
+use ncp_text::citations::{Citation, FunctionRole, RustFile, cited};
+
 use super::{Evidence, EvidenceKind, Fault, TraceError};
 
 /// Folders of Rust code whose functions carry out rules, and whose tests show them.
-const CODE: [&str; 2] = ["spec/src", "proto/src"];
+const CODE: [&str; 3] = ["spec/kernel/src", "spec/src", "proto/src"];
 /// Folders of Rust tests.
 const TESTS: [&str; 2] = ["spec/tests", "proto/tests"];
 /// The modules in which every public function has to say which rule it serves.
-const ACCOUNTABLE: [&str; 4] = ["spec/src/wire/", "spec/src/safety/", "spec/src/resilience/", "spec/src/bulk/"];
-/// It reads rules; those of its examples are invented.
-const CATALOGUE: &str = "spec/text/src/catalogue.rs";
+const ACCOUNTABLE: [&str; 5] =
+    ["spec/kernel/src/", "spec/src/wire/", "spec/src/safety/", "spec/src/resilience/", "spec/src/bulk/"];
 /// The wrappers of the fuzz targets, a file a target, and the functions of the same names that check.
 const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
 /// Implementations that were written from the text alone, and how the names of their files end.
 const INDEPENDENT: [(&str, &str); 2] = [("peers/typescript/src", "ts"), ("peers/python-pure/ncp_pure", "py")];
-/// The tables of mutants.
-const MUTANTS: &str = "peers/mutants/mutants";
-/// The report of the proofs.
-const PROOFS: &str = "reports/proofs.json";
+/// The tables of the defects that are planted in the Rust peer.
+const DEFECTS: &str = "defects/peer";
+/// The locks of the proofs, and the page that they are shown on.
+const PROOFS: [&str; 4] = ["proofs-kernel", "proofs-machine", "proofs-model", "proofs-readers"];
+const PROOFS_PAGE: &str = "reports/proofs.md";
 /// Prose that names rules.
 const PROSE: [&str; 3] = ["README.md", "peers/PROTOCOL.md", "schemas/README.md"];
 
@@ -135,9 +139,6 @@ impl Sources {
 
     fn rust(&mut self, root: &Path, folder: &str, only_tests: bool) -> Result<(), TraceError> {
         for file in files(root, folder, "rs")? {
-            if file == CATALOGUE {
-                continue;
-            }
             let RustFile { functions, elsewhere } = RustFile::read(&text(root, &file)?);
             let accountable = ACCOUNTABLE.iter().any(|folder| file.starts_with(folder));
             for function in functions {
@@ -214,43 +215,31 @@ impl Sources {
         Ok(())
     }
 
-    /// What an engine has proved, as the report of the proofs says; a test holds that report to the code.
+    /// What an engine has proved, as the locks of the proofs say: a fate is that of an engine and a claim.
     fn proofs(&mut self, root: &Path) -> Result<(), TraceError> {
-        if !root.join(PROOFS).is_file() {
-            return Ok(());
-        }
-        let report: ProofReport = serde_json::from_str(&text(root, PROOFS)?)
-            .map_err(|error| TraceError::Content { path: PROOFS.to_owned(), message: error.to_string() })?;
         let mut proved: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        for claim in report.engines.into_iter().flat_map(|engine| engine.results) {
-            let shared = report.properties.iter();
-            let mut shared = shared.filter(|property| property.id == claim.property);
-            let rules = claim.rules.or_else(|| Some(shared.next()?.rules.clone()));
-            if claim.verdict == "proved" {
-                let known = proved.entry(claim.property).or_default();
-                known.extend(rules.unwrap_or_default());
+        for name in PROOFS {
+            let Lock { fates, rules, .. } = Lock::read(root, name)?.unwrap_or_default();
+            let claims = fates.iter().filter(|(_, fate)| fate.starts_with("proved"));
+            for claim in claims.filter_map(|(id, _)| id.split_once(' ')).map(|(_, claim)| claim) {
+                proved.entry(claim.to_owned()).or_default().extend(rules.get(claim).into_iter().flatten().cloned());
             }
         }
-        for (property, rules) in proved {
+        for (claim, rules) in proved {
             for id in rules {
-                let evidence = Evidence {
-                    kind: EvidenceKind::Proof,
-                    place: format!("reports/proofs.md {property}"),
-                    line: None,
-                    count: 1,
-                };
-                self.add(&id, evidence);
+                let place = format!("{PROOFS_PAGE} {claim}");
+                self.add(&id, Evidence { kind: EvidenceKind::Proof, place, line: None, count: 1 });
             }
         }
         Ok(())
     }
 
     fn mutants(&mut self, root: &Path) -> Result<(), TraceError> {
-        for file in files(root, MUTANTS, "toml")? {
+        for file in files(root, DEFECTS, "toml")? {
             let content = text(root, &file)?;
-            let table: MutantFile = toml::from_str(&content)
+            let defects = ncp_defects::read(&root.join(&file))
                 .map_err(|error| TraceError::Content { path: file.clone(), message: error.to_string() })?;
-            for MutantEntry { name, rules } in table.mutant {
+            for Defect { name, rules, .. } in defects {
                 let entry = format!("name = \"{name}\"");
                 let line = content.lines().position(|line| line == entry);
                 let evidence = Evidence {
@@ -282,8 +271,7 @@ impl Sources {
 
 impl Evidence {
     /// The place with its line, or with the number of cases.
-    #[must_use]
-    pub fn shown_place(&self) -> String {
+    pub(crate) fn shown_place(&self) -> String {
         let Self { place, line, count, .. } = self;
         match (line, place.split_once(' ')) {
             (Some(line), Some((file, item))) => format!("{file}:{line} {item}"),
@@ -293,33 +281,6 @@ impl Evidence {
             (None, None) => format!("{place} ({count} cases)"),
         }
     }
-}
-
-/// What is read of the report of the proofs.
-#[derive(Deserialize)]
-struct ProofReport {
-    properties: Vec<ProofProperty>,
-    engines: Vec<ProofEngine>,
-}
-
-#[derive(Deserialize)]
-struct ProofProperty {
-    id: String,
-    rules: Vec<String>,
-}
-
-#[derive(Deserialize)]
-struct ProofEngine {
-    #[serde(default)]
-    results: Vec<ProofClaim>,
-}
-
-#[derive(Deserialize)]
-struct ProofClaim {
-    property: String,
-    /// Its own rules, if it is not one of the shared properties.
-    rules: Option<Vec<String>>,
-    verdict: String,
 }
 
 /// What is read of a vector file.
@@ -335,18 +296,6 @@ struct VectorCase {
     requirements: Vec<String>,
     #[serde(default)]
     flags: Vec<String>,
-}
-
-/// What is read of a table of mutants.
-#[derive(Deserialize)]
-struct MutantFile {
-    mutant: Vec<MutantEntry>,
-}
-
-#[derive(Deserialize)]
-struct MutantEntry {
-    name: String,
-    rules: Vec<String>,
 }
 
 /// Every `vectors/corpus/<area>/<name>.json`, sorted.

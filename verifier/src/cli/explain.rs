@@ -111,7 +111,7 @@ fn citing(root: &Path, rules: &[&str]) -> BTreeMap<&'static str, Vec<String>> {
                 cited(&text)
             };
             for citation in loose.iter().filter(|citation| about(&citation.id)) {
-                add(what, citation.line, entry(&text, extension, citation.line));
+                add(what, citation.line, table_entry(&text, extension, citation.line));
             }
         }
     }
@@ -119,7 +119,7 @@ fn citing(root: &Path, rules: &[&str]) -> BTreeMap<&'static str, Vec<String>> {
 }
 
 /// The name of the entry of a table that a line belongs to; other files have none.
-fn entry<'t>(text: &'t str, extension: &str, line: usize) -> &'t str {
+fn table_entry<'t>(text: &'t str, extension: &str, line: usize) -> &'t str {
     let names = text.lines().take(line).filter_map(|line| line.strip_prefix("name = \""));
     names.last().filter(|_| extension == "toml").map_or("", |name| name.trim_end_matches('"'))
 }

@@ -1,0 +1,286 @@
+//! The one table of artefacts: what is made, of which sources, by which command.
+//!
+//! The order is that in which they are made: what stands later may depend on what stands before it.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::path::Path;
+
+use crate::digest;
+
+/// Something that is made from the sources and kept in git.
+#[derive(Debug)]
+pub(crate) struct Artefact {
+    /// Its name: also that of its lock, `reports/lock/<name>.toml`.
+    pub(crate) name: &'static str,
+    /// The files and folders that are made, from the root of the project.
+    pub(crate) makes: &'static [&'static str],
+    /// The files and folders on which they depend.
+    pub(crate) sources: &'static [&'static str],
+    /// How it shows whether it is fresh.
+    pub(crate) freshness: Freshness,
+    /// What makes it, after `cargo`.
+    pub(crate) command: &'static [&'static str],
+}
+
+/// How an artefact shows whether it is fresh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Freshness {
+    /// It is generated quickly: `cargo xtask generate --check` makes it once more and compares.
+    Generated,
+    /// The matrix of rules and evidence: it is read from the tree once more and compared.
+    Traced,
+    /// It takes minutes or hours to make: its lock holds the digests of the sources of which it was made.
+    Locked,
+}
+
+impl Artefact {
+    /// The artefact of a name.
+    pub(crate) fn named(name: &str) -> Option<&'static Self> {
+        ARTEFACTS.iter().find(|artefact| artefact.name == name)
+    }
+
+    /// The digest of each source as it is now; a source that is not there has none.
+    ///
+    /// # Errors
+    /// A file cannot be read.
+    pub(crate) fn digests(&self, root: &Path) -> io::Result<BTreeMap<String, String>> {
+        let there = self.sources.iter().filter(|source| root.join(source).exists());
+        there.map(|source| Ok(((*source).to_owned(), short(&digest::of_sources(root, &[source])?)))).collect()
+    }
+}
+
+/// As much of a digest as tells two states of a source apart.
+fn short(digest: &str) -> String {
+    digest.get(..16).unwrap_or(digest).to_owned()
+}
+
+const GENERATE: &[&str] = &["xtask", "generate"];
+const CORPUS: &str = "vectors/MANIFEST.sha256";
+
+/// Every artefact.
+pub(crate) const ARTEFACTS: &[Artefact] = &[
+    Artefact {
+        name: "projection",
+        makes: &["proto/projection.json"],
+        sources: &["proto/ncp.proto", "spec/text"],
+        freshness: Freshness::Generated,
+        command: GENERATE,
+    },
+    Artefact {
+        name: "schemas",
+        makes: &["schemas"],
+        sources: &["proto/ncp.proto", "proto/projection.json", "proto/src", "spec/text"],
+        freshness: Freshness::Generated,
+        command: GENERATE,
+    },
+    Artefact {
+        name: "typescript",
+        makes: &["peers/typescript/src/generated"],
+        sources: &["proto/ncp.proto", "proto/projection.json", "proto/src", "spec/text"],
+        freshness: Freshness::Generated,
+        command: GENERATE,
+    },
+    Artefact {
+        name: "header",
+        makes: &["peers/cpp/include/ncp.h"],
+        sources: &["peers/cpp/src", "peers/cpp/cbindgen.toml"],
+        freshness: Freshness::Generated,
+        command: GENERATE,
+    },
+    Artefact {
+        name: "corpus",
+        makes: &["vectors/corpus", CORPUS],
+        sources: &["vectors/src", "spec/text"],
+        freshness: Freshness::Generated,
+        command: GENERATE,
+    },
+    Artefact {
+        name: "mutants",
+        makes: &["reports/mutants.md"],
+        sources: &[
+            "defects/peer",
+            "peers/adapter/src",
+            "peers/rust/src",
+            "spec/kernel/src",
+            "spec/src",
+            "spec/text",
+            CORPUS,
+            "verifier/src/check",
+            "verifier/src/run",
+            "verifier/src/suite",
+            "verifier/src/verdict",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "mutants"],
+    },
+    Artefact {
+        name: "proofs-kernel",
+        makes: &["reports/proofs.md", "proofs/evidence"],
+        sources: &[
+            "spec/kernel/src",
+            "defects/kernel.toml",
+            "proofs/build.rs",
+            "proofs/src/broken.rs",
+            "proofs/src/engines",
+            "proofs/src/kernel.rs",
+            "proofs/src/properties",
+            "proofs/src/prover.rs",
+            "proofs/src/reference.rs",
+            "proofs/src/vector",
+            "proofs/src/vector.rs",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "symbolic", "--engine", "enumeration", "--engine", "kani-stand-in"],
+    },
+    Artefact {
+        name: "proofs-machine",
+        makes: &["reports/proofs.md"],
+        sources: &[
+            "spec/kernel/src",
+            "proofs/machine/broken",
+            "proofs/machine/broken.json",
+            "proofs/machine/build.rs",
+            "proofs/machine/explore.py",
+            "proofs/machine/machine.py",
+            "proofs/machine/native.py",
+            "proofs/machine/properties.py",
+            "proofs/machine/prove.sh",
+            "proofs/machine/solver.py",
+            "proofs/machine/src",
+            "proofs/machine/vector.py",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "machine"],
+    },
+    Artefact {
+        name: "proofs-model",
+        makes: &["reports/proofs.md"],
+        sources: &[
+            "spec/kernel/src",
+            "spec/src/contract.rs",
+            "spec/src/reply.rs",
+            "spec/src/resilience",
+            "spec/src/safety",
+            "spec/src/session",
+            "spec/src/version.rs",
+            "spec/src/wire",
+            "proofs/model/src",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "model"],
+    },
+    Artefact {
+        name: "proofs-readers",
+        makes: &["reports/proofs.md"],
+        sources: &[
+            "spec/src/bulk",
+            "spec/src/keys.rs",
+            "spec/src/version.rs",
+            "defects/readers.toml",
+            "proofs/readers/build.rs",
+            "proofs/readers/src",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "readers"],
+    },
+    Artefact {
+        name: "mutate-kernel",
+        makes: &["reports/mutations.md"],
+        sources: &[
+            "spec/kernel/src",
+            "proofs/equivalent.toml",
+            "proofs/src/bin/mutants.rs",
+            "proofs/src/engines",
+            "proofs/src/properties",
+            "assurance/src/mutate/kernel",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "mutate", "kernel", "--count", "450", "--seed", "3"],
+    },
+    spec_module(
+        "mutate-spec-safety",
+        &["spec/src/safety", "spec/kernel/src", CORPUS],
+        &["assure", "mutate", "spec", "--module", "safety"],
+    ),
+    spec_module(
+        "mutate-spec-resilience",
+        &["spec/src/resilience", CORPUS],
+        &["assure", "mutate", "spec", "--module", "resilience"],
+    ),
+    spec_module("mutate-spec-bulk", &["spec/src/bulk", CORPUS], &["assure", "mutate", "spec", "--module", "bulk"]),
+    spec_module("mutate-spec-wire", &["spec/src/wire", CORPUS], &["assure", "mutate", "spec", "--module", "wire"]),
+    spec_module("mutate-spec-json", &["spec/src/wire/json", CORPUS], &["assure", "mutate", "spec", "--module", "json"]),
+    spec_module(
+        "mutate-spec-codec",
+        &["spec/src/codec.rs", CORPUS],
+        &["assure", "mutate", "spec", "--module", "codec"],
+    ),
+    Artefact {
+        name: "fuzz",
+        makes: &["reports/fuzz.md"],
+        sources: &["fuzz/bodies/src", "fuzz/fuzz_targets", "defects/fuzz.toml"],
+        freshness: Freshness::Locked,
+        command: &["assure", "fuzz", "--report"],
+    },
+    Artefact {
+        name: "trace",
+        makes: &["reports/traceability.md", "reports/lock/trace.toml"],
+        sources: &[
+            "spec/text",
+            "spec/exclusions.toml",
+            "spec/kernel/src",
+            "spec/src",
+            "spec/tests",
+            "proto/src",
+            "proto/tests",
+            "vectors/corpus",
+            "fuzz/bodies/src",
+            "defects/peer",
+            "peers/python-pure/ncp_pure",
+            "peers/typescript/src",
+            "reports/lock",
+        ],
+        freshness: Freshness::Traced,
+        command: &["assure", "trace"],
+    },
+];
+
+/// The mutants of a module of the specification.
+const fn spec_module(
+    name: &'static str,
+    sources: &'static [&'static str],
+    command: &'static [&'static str],
+) -> Artefact {
+    Artefact { name, makes: &["reports/cargo-mutants.md"], sources, freshness: Freshness::Locked, command }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::PathBuf;
+
+    use super::*;
+
+    fn root() -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+    }
+
+    #[test]
+    fn every_artefact_has_a_name_of_its_own_and_sources_that_are_there() {
+        let names: BTreeSet<&str> = ARTEFACTS.iter().map(|artefact| artefact.name).collect();
+        assert_eq!(names.len(), ARTEFACTS.len());
+        for Artefact { name, makes, sources, .. } in ARTEFACTS {
+            for path in makes.iter().chain(*sources) {
+                assert!(root().join(path).exists(), "{name}: {path}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_change_of_a_wire_message_leaves_the_proofs_of_the_kernel_alone() {
+        let kernel = Artefact::named("proofs-kernel").unwrap();
+        assert!(kernel.sources.iter().all(|source| !"spec/src/wire/messages.rs".starts_with(source)));
+        assert!(Artefact::named("mutants").unwrap().sources.contains(&"spec/src"));
+    }
+}

@@ -1,0 +1,123 @@
+//! What git keeps of what a command found: `reports/lock/<artefact>.toml`, short enough to be reviewed.
+//!
+//! The long reports are made by the command, into a folder that git ignores.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Where the locks are, from the root of the project.
+pub(crate) const FOLDER: &str = "reports/lock";
+
+/// What was found, and of which sources.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Lock {
+    /// The digest that each source had.
+    #[serde(default)]
+    pub(crate) sources: BTreeMap<String, String>,
+    /// How many came to which end.
+    #[serde(default)]
+    pub(crate) counts: BTreeMap<String, u64>,
+    /// What became of each, by its id.
+    #[serde(default)]
+    pub(crate) fates: BTreeMap<String, String>,
+    /// The rules that a proved claim shows, by the claim's id.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) rules: BTreeMap<String, Vec<String>>,
+}
+
+/// Why a lock cannot be read or written.
+#[derive(Debug, Error)]
+pub(crate) enum LockError {
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    Form { path: PathBuf, source: Box<toml::de::Error> },
+    #[error("the lock of {name} cannot be written: {source}")]
+    Write { name: String, source: toml::ser::Error },
+}
+
+impl Lock {
+    /// The lock of an artefact; none where nothing was ever made.
+    ///
+    /// # Errors
+    /// A lock that cannot be read.
+    pub(crate) fn read(root: &Path, name: &str) -> Result<Option<Self>, LockError> {
+        read(root, name)
+    }
+
+    /// Writes the lock of an artefact.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub(crate) fn write(&self, root: &Path, name: &str) -> Result<(), LockError> {
+        let text = text(name, self)?;
+        let path = path(root, name);
+        let made = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, text));
+        made.map_err(|source| LockError::File { path, source })
+    }
+}
+
+/// Where a lock is.
+pub(crate) fn path(root: &Path, name: &str) -> PathBuf {
+    root.join(FOLDER).join(format!("{name}.toml"))
+}
+
+/// A lock of any form.
+///
+/// # Errors
+/// One that is there and cannot be read.
+pub(crate) fn read<T: DeserializeOwned>(root: &Path, name: &str) -> Result<Option<T>, LockError> {
+    let path = path(root, name);
+    match fs::read_to_string(&path) {
+        Ok(text) => {
+            toml::from_str(&text).map(Some).map_err(|source| LockError::Form { path, source: Box::new(source) })
+        }
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(source) => Err(LockError::File { path, source }),
+    }
+}
+
+/// The text of a lock: a line for each entry, so that a change is easily read.
+///
+/// # Errors
+/// What TOML cannot hold.
+pub(crate) fn text<T: Serialize>(name: &str, lock: &T) -> Result<String, LockError> {
+    let body = toml::to_string(lock).map_err(|source| LockError::Write { name: name.to_owned(), source })?;
+    Ok(format!("# Written by cargo assure: what was found last, and of which sources.\n\n{body}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lock_is_read_as_it_was_written() {
+        let root = tempfile::tempdir().unwrap();
+        let one = |key: &str, value: &str| BTreeMap::from([(key.to_owned(), value.to_owned())]);
+        let lock = Lock {
+            sources: one("spec/src", "0123456789abcdef"),
+            counts: BTreeMap::from([("proved".to_owned(), 1)]),
+            fates: one("symbolic clamp/bound", "proved"),
+            rules: BTreeMap::from([("clamp/bound".to_owned(), vec!["NCP-SAFE-001".to_owned()])]),
+        };
+        assert_eq!(Lock::read(root.path(), "proofs").unwrap(), None);
+        lock.write(root.path(), "proofs").unwrap();
+        assert_eq!(Lock::read(root.path(), "proofs").unwrap(), Some(lock));
+    }
+
+    #[test]
+    fn a_lock_of_another_form_is_refused_with_its_path() {
+        let root = tempfile::tempdir().unwrap();
+        Lock::default().write(root.path(), "fuzz").unwrap();
+        fs::write(path(root.path(), "fuzz"), "counts = 1\n").unwrap();
+        let error = Lock::read(root.path(), "fuzz").unwrap_err().to_string();
+        assert!(error.contains("fuzz.toml"), "{error}");
+    }
+}

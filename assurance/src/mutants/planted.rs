@@ -1,0 +1,292 @@
+//! A copy of the Rust peer, and of all of the project that it depends on, with a switch at every place that a defect
+//! changes.
+//!
+//! The copy is a workspace of its own in a folder that git ignores. One build of it holds every defect;
+//! `ncp-peer-rust --defect NAME …` switches some of them on. The sources themselves stay as they are.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::{fs, io};
+
+use ncp_defects::Defect;
+use ncp_defects::weave::{self, Site, WeaveError};
+use ncp_verifier::peer::{Launch, StartError};
+use thiserror::Error;
+use toml::{Table, Value};
+use walkdir::WalkDir;
+use xtask::project::Project;
+
+/// Where the copy stands, from the root of the project.
+const COPY: &str = ".tools/planted";
+/// The package that is copied.
+const PEER: &str = "peers/rust";
+/// The package that every other one can reach, and that holds the switches.
+const KERNEL: &str = "ncp-kernel";
+/// The path of the switch.
+const SWITCH: &str = "::ncp_kernel::planted::is";
+/// What a package has for its tests only.
+const FOR_TESTS: [&str; 3] = ["benches", "examples", "tests"];
+
+/// A copy that is ready to be built.
+#[derive(Debug)]
+pub(crate) struct Planted {
+    folder: PathBuf,
+    package: String,
+}
+
+/// Why there is no copy.
+#[derive(Debug, Error)]
+pub(crate) enum PlantedError {
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    Form { path: PathBuf, source: Box<toml::de::Error> },
+    #[error("the copy of {file} cannot be written: {source}")]
+    Manifest { file: String, source: toml::ser::Error },
+    #[error("git ls-files: {0}")]
+    Git(String),
+    #[error("{file}: {source}")]
+    Weave { file: String, source: WeaveError },
+    #[error("{file} is no source of the Rust peer: {defects}")]
+    NoSource { file: String, defects: String },
+    #[error("{PEER} does not depend on {KERNEL}")]
+    NoKernel,
+    #[error(transparent)]
+    Build(#[from] StartError),
+}
+
+/// Brings the copy up to date. A file that stays as it was is left alone, so that cargo builds little anew.
+pub(crate) fn weave(project: &Project, defects: &[Defect]) -> Result<Planted, PlantedError> {
+    let root = project.path("");
+    let folder = project.path(COPY);
+    let mut workspace = manifest(&root.join("Cargo.toml"))?;
+    let packages = packages(&root, &workspace)?;
+    let kernel =
+        dependency(&workspace, KERNEL).filter(|kernel| packages.contains(kernel)).ok_or(PlantedError::NoKernel)?;
+
+    let mut sites: BTreeMap<&str, Vec<Site<'_>>> = BTreeMap::new();
+    for (number, defect) in defects.iter().enumerate() {
+        for edit in &defect.edit {
+            sites.entry(&edit.file).or_default().push(Site { number, name: &defect.name, edit });
+        }
+    }
+    let package_of =
+        |file: &str| packages.iter().filter(|package| is_within(file, package)).max_by_key(|one| one.len());
+    let changed: BTreeSet<&String> = sites.keys().filter_map(|file| package_of(file)).collect();
+
+    let mut copied = Copied { folder: &folder, files: BTreeSet::new() };
+    for file in tracked(project, &packages)? {
+        let Some(package) = package_of(&file) else { continue };
+        let path = root.join(&file);
+        if is_for_tests(&file, package) || !path.is_file() {
+            continue;
+        }
+        let bytes = fs::read(&path).map_err(|source| PlantedError::File { path: path.clone(), source })?;
+        let text = match String::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(binary) => {
+                copied.write(&file, binary.as_bytes())?;
+                continue;
+            }
+        };
+        let text = if file == format!("{package}/Cargo.toml") {
+            without_tests(&path, package != &kernel && changed.contains(package))?
+        } else if file.ends_with(".rs") && changed.contains(package) {
+            let sites = sites.remove(file.as_str()).unwrap_or_default();
+            let woven = weave::weave(&text, SWITCH, &sites);
+            let mut woven = woven.map_err(|source| PlantedError::Weave { file: file.clone(), source })?;
+            if file == format!("{kernel}/src/lib.rs") {
+                woven.push_str("\npub mod planted;\n");
+            }
+            // A switch is read at run time.
+            woven.replace("const fn ", "fn ")
+        } else {
+            text
+        };
+        copied.write(&file, text.as_bytes())?;
+    }
+    if let Some((file, sites)) = sites.first_key_value() {
+        let defects = sites.iter().map(|site| site.name).collect::<Vec<_>>().join(", ");
+        return Err(PlantedError::NoSource { file: (*file).to_owned(), defects });
+    }
+    copied.write(&format!("{kernel}/src/planted.rs"), switches(defects).as_bytes())?;
+    only(&mut workspace, &packages);
+    copied.write("Cargo.toml", toml_text("Cargo.toml", &workspace)?.as_bytes())?;
+    let lock = root.join("Cargo.lock");
+    let lock = fs::read(&lock).map_err(|source| PlantedError::File { path: lock, source })?;
+    copied.write("Cargo.lock", &lock)?;
+    copied.remove_others()?;
+    Ok(Planted { package: name(&root, PEER)?, folder })
+}
+
+impl Planted {
+    /// What builds it.
+    pub(crate) fn build(&self) -> Launch {
+        let cargo = ["cargo", "build", "--release", "--quiet", "--target-dir", "target", "-p", &self.package];
+        Launch::new(cargo.map(str::to_owned).to_vec(), &self.folder)
+    }
+
+    /// The program that is built.
+    pub(crate) fn program(&self) -> PathBuf {
+        self.folder.join("target/release").join(format!("{}{}", self.package, std::env::consts::EXE_SUFFIX))
+    }
+}
+
+/// The folders of the peer and of all packages of the project that it depends on.
+fn packages(root: &Path, workspace: &Table) -> Result<BTreeSet<String>, PlantedError> {
+    let mut packages = BTreeSet::new();
+    let mut open = vec![PEER.to_owned()];
+    while let Some(package) = open.pop() {
+        let manifest = manifest(&root.join(&package).join("Cargo.toml"))?;
+        let names = manifest.get("dependencies").and_then(Value::as_table);
+        open.extend(names.into_iter().flat_map(Table::keys).filter_map(|name| dependency(workspace, name)));
+        open.retain(|other| *other != package && !packages.contains(other));
+        packages.insert(package);
+    }
+    Ok(packages)
+}
+
+/// The folder of a package of the project, by its name.
+fn dependency(workspace: &Table, name: &str) -> Option<String> {
+    let dependencies = workspace.get("workspace")?.get("dependencies")?;
+    Some(dependencies.get(name)?.get("path")?.as_str()?.to_owned())
+}
+
+fn name(root: &Path, package: &str) -> Result<String, PlantedError> {
+    let manifest = manifest(&root.join(package).join("Cargo.toml"))?;
+    let name = manifest.get("package").and_then(|package| package.get("name")?.as_str());
+    Ok(name.unwrap_or_default().to_owned())
+}
+
+/// The files of some folders that git knows or would take, from the root of the project.
+fn tracked(project: &Project, folders: &BTreeSet<String>) -> Result<Vec<String>, PlantedError> {
+    let options = ["ls-files", "-z", "--cached", "--others", "--exclude-standard", "--"];
+    let mut git = project.program("git", &options, "");
+    let output = git.args(folders).stderr(Stdio::piped()).output();
+    let output = output.map_err(|error| PlantedError::Git(error.to_string()))?;
+    if !output.status.success() {
+        return Err(PlantedError::Git(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
+    }
+    let names = String::from_utf8_lossy(&output.stdout);
+    let names: BTreeSet<&str> = names.split_terminator('\0').collect();
+    Ok(names.into_iter().map(str::to_owned).collect())
+}
+
+fn is_within(file: &str, folder: &str) -> bool {
+    file.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
+}
+
+fn is_for_tests(file: &str, package: &str) -> bool {
+    let within = file.strip_prefix(package).unwrap_or(file).trim_start_matches('/');
+    FOR_TESTS.iter().any(|folder| is_within(within, folder))
+}
+
+/// A package's manifest without what only its tests need, and with the package of the switches.
+fn without_tests(path: &Path, switched: bool) -> Result<String, PlantedError> {
+    let mut manifest = manifest(path)?;
+    for key in ["dev-dependencies", "bench", "example", "test"] {
+        manifest.remove(key);
+    }
+    if switched {
+        let dependencies = manifest.entry("dependencies").or_insert_with(|| Table::new().into());
+        let inherited = Table::from_iter([("workspace".to_owned(), true.into())]);
+        dependencies.as_table_mut().map(|table| table.entry(KERNEL).or_insert(inherited.into()));
+    }
+    toml_text(&path.display().to_string(), &manifest)
+}
+
+/// Reduces a workspace to these packages. What they look like is checked where they come from.
+fn only(workspace: &mut Table, packages: &BTreeSet<String>) {
+    if let Some(Value::Table(workspace)) = workspace.get_mut("workspace") {
+        workspace.insert("members".to_owned(), packages.iter().cloned().collect::<Vec<_>>().into());
+        let allow = Table::from_iter([("warnings".to_owned(), "allow".into())]);
+        workspace.insert("lints".to_owned(), Table::from_iter([("rust".to_owned(), allow.into())]).into());
+    }
+}
+
+fn manifest(path: &Path) -> Result<Table, PlantedError> {
+    let text = fs::read_to_string(path).map_err(|source| PlantedError::File { path: path.to_owned(), source })?;
+    toml::from_str(&text).map_err(|source| PlantedError::Form { path: path.to_owned(), source: Box::new(source) })
+}
+
+fn toml_text(file: &str, table: &Table) -> Result<String, PlantedError> {
+    toml::to_string(table).map_err(|source| PlantedError::Manifest { file: file.to_owned(), source })
+}
+
+/// The module that knows which defects are switched on.
+fn switches(defects: &[Defect]) -> String {
+    let mut names = String::new();
+    for defect in defects {
+        // Writing to a string cannot fail.
+        let _ = writeln!(names, "    {:?},", defect.name);
+    }
+    SWITCHES.replace("@COUNT@", &defects.len().to_string()).replace("@NAMES@\n", &names)
+}
+
+const SWITCHES: &str = r#"//! Which planted defects are switched on: those that the command line names.
+
+use std::sync::LazyLock;
+use std::{env, eprintln, process};
+
+const NAMES: [&str; @COUNT@] = [
+@NAMES@
+];
+
+static ON: LazyLock<[bool; @COUNT@]> = LazyLock::new(|| {
+    let mut on = [false; @COUNT@];
+    let mut args = env::args().skip(1);
+    while let Some(arg) = args.next() {
+        let name = args.next().filter(|_| arg == "--defect");
+        match name.and_then(|name| NAMES.iter().position(|known| *known == name)) {
+            Some(number) => on[number] = true,
+            None => {
+                eprintln!("usage: ncp-peer-rust [--defect NAME]…; cargo assure mutants --list shows the names");
+                process::exit(2);
+            }
+        }
+    }
+    on
+});
+
+/// Whether the defect of this number is switched on.
+#[inline]
+pub fn is(number: usize) -> bool {
+    ON[number]
+}
+"#;
+
+/// What was copied.
+struct Copied<'f> {
+    folder: &'f Path,
+    files: BTreeSet<PathBuf>,
+}
+
+impl Copied<'_> {
+    /// Writes a file if it differs.
+    fn write(&mut self, file: &str, bytes: &[u8]) -> Result<(), PlantedError> {
+        let path = self.folder.join(file);
+        if !fs::read(&path).is_ok_and(|old| old == bytes) {
+            let made = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
+            made.map_err(|source| PlantedError::File { path: path.clone(), source })?;
+        }
+        self.files.insert(path);
+        Ok(())
+    }
+
+    /// Removes what an earlier copy had and this one has not.
+    fn remove_others(&self) -> Result<(), PlantedError> {
+        let is_own = |path: &Path| path != self.folder.join("target");
+        for entry in WalkDir::new(self.folder).into_iter().filter_entry(|entry| is_own(entry.path())) {
+            let path = match entry {
+                Ok(entry) if entry.file_type().is_file() => entry.into_path(),
+                _ => continue,
+            };
+            if !self.files.contains(&path) {
+                fs::remove_file(&path).map_err(|source| PlantedError::File { path, source })?;
+            }
+        }
+        Ok(())
+    }
+}
