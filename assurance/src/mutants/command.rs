@@ -7,7 +7,7 @@ use std::time::Duration;
 use clap::Args;
 use ncp_verifier::peer::Setup;
 use ncp_verifier::report::Progress;
-use ncp_verifier::run::Stop;
+use ncp_verifier::stop::Stop;
 use ncp_verifier::suite::Suite;
 use xtask::project::Project;
 

@@ -28,7 +28,7 @@ use std::time::Duration;
 
 use ncp_defects::{Defect, TableError};
 use ncp_verifier::peer::StartError;
-use ncp_verifier::run::Stop;
+use ncp_verifier::stop::Stop;
 use ncp_verifier::suite::Suite;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;

@@ -9,11 +9,13 @@ use ncp_text::catalogue::{Level, Role};
 use serde::{Deserialize, Serialize};
 
 use super::{Hunt, Mutant, MutantsError};
+use ncp_verifier::diagnosis;
 use ncp_verifier::peer::{Connection, Description, Launch, handshake};
-use ncp_verifier::report::{CaseReport, PeerReport, by_rule, likeliest_first};
-use ncp_verifier::run::{self, CaseRun, Deaf, Settings, Stop};
+use ncp_verifier::report::{CaseReport, PeerReport};
+use ncp_verifier::run::{self, CaseRun, Deaf, Settings};
+use ncp_verifier::stop::Stop;
 use ncp_verifier::suite::Case;
-use ncp_verifier::verdict::{Baseline, judge, judge_description};
+use ncp_verifier::verdict::{Baseline, Status, judge, judge_description};
 
 /// What became of a mutant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -105,7 +107,7 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
         fate,
         place: places.and_then(|places| places.into_iter().max()),
         failing_cases: failing.len(),
-        crashes: failing.iter().filter(|case| matches!(case.outcome, "crash" | "timeout" | "protocol")).count(),
+        crashes: failing.iter().filter(|case| case.outcome.is_fault()).count(),
         named,
         shortest_case: shortest.map(|case| case.id.clone()),
         elapsed_s: start.elapsed().as_secs_f64(),
@@ -181,15 +183,13 @@ fn not_passed(
     let report = PeerReport::checked(String::new(), String::new(), description, &verdict, record, Vec::new());
     let of =
         |status| -> Vec<CaseReport> { report.cases.iter().filter(|case| case.status == status).cloned().collect() };
-    let mut failing = of("failed");
-    if failing.is_empty() {
-        failing = of("advice");
-    }
-    let named = likeliest_first(&report, by_rule(failing.iter()))
+    let any_fails = verdict.cases.iter().any(|judged| judged.status == Status::Failed);
+    let told = if any_fails { Status::Failed } else { Status::Advice };
+    let named = diagnosis::likeliest_first(&verdict.cases, |judged| judged.status == told)
         .into_iter()
-        .map(|(rule, cases)| Named { rule: rule.to_owned(), cases: cases.len() })
+        .map(|suspect| Named { rule: suspect.rule, cases: suspect.cases.len() })
         .collect();
-    Findings { failing, named }
+    Findings { failing: of(told), named }
 }
 
 /// Does the work with a `Stop` of its own, which is set when the hunt's is or the time is over; whether it was in time.
