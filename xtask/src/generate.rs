@@ -109,7 +109,7 @@ type Files = BTreeMap<String, String>;
 
 fn generate(project: &Project) -> Result<Files, Error> {
     let schemas = ncp_proto::schema::generate();
-    let vectors = ncp_vectors::generate();
+    let vectors = ncp_vectors::generate()?;
     if schemas.is_empty() {
         return Err(Error::Generate("the projection cannot be read"));
     }

@@ -94,6 +94,8 @@ enum Error {
     Setup(#[from] setup::SetupError),
     #[error("cannot generate: {0}")]
     Generate(&'static str),
+    #[error(transparent)]
+    Scenario(#[from] ncp_vectors::ScenarioError),
     #[error("cannot generate the C header: {0}")]
     Header(String),
     #[error("{}: {source}", path.display())]
