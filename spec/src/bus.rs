@@ -1,7 +1,9 @@
-//! A bus within one process: queryable RPC, publish and subscribe, with Zenoh's key matching.
+//! The model of a transport: a bus within one process, with queryable RPC, publish and subscribe, and Zenoh's key
+//! matching.
 //!
-//! It shows what a transport must do, and carries the tests and examples that need one. Publishing never
-//! waits for a subscriber: a full queue drops its oldest frame. `[NCP-TRANS-009]`
+//! It does what chapter 11 asks of any transport, and no more: nothing leaves the process. The tests and the examples
+//! that need a transport run on it. Publishing never waits for a subscriber: a full queue drops its oldest frame.
+//! `[NCP-TRANS-009]`
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};

@@ -1,19 +1,30 @@
 //! The executable specification of the Neuro-Cybernetic Protocol (NCP).
 //!
-//! This crate says what NCP is, twice: as normative prose, one rule a sentence, in `text/`, and as
-//! code that does what the prose says. A comment such as `// [NCP-WIRE-007]` stands where the code
-//! implements that rule; the crate `ncp-text` holds the prose and parses the rules from it.
+//! This crate does what the normative text says. A comment such as `// [NCP-WIRE-007]` stands where the code implements
+//! that rule; the crate `ncp-text`, in `text/`, holds the prose, one rule a sentence, and parses from it what is stated
+//! as data. The decisions that keep a plant safe are a crate of their own, `ncp-kernel`, in `kernel/`.
 //!
-//! It has no transport, no async runtime and no `unsafe`. No input makes it panic, and decoding
-//! takes memory within a small constant times the input.
+//! It reaches no network, and has no async runtime and no `unsafe`. No input makes it panic, and decoding takes memory
+//! within a small constant times the input.
 //!
 //! | module | what it holds | chapter |
 //! |---|---|---|
 //! | [`wire`] | messages, enums, strict decoding, encoding | 1, 6 |
-//! | [`version`], [`contract`] | the version guard, the contract's identity, negotiation | 2 |
-//! | [`plane`], [`keys`] | quality of service, keys and their matching | 3 |
+//! | [`version`] | the wire version and its guard | 2.1 |
+//! | [`contract`] | the contract's identity, negotiation | 2.2, 2.3 |
+//! | [`plane`] | the planes and their quality of service | 3.1 |
+//! | [`keys`] | keys, segments and matching | 3.2 to 3.4 |
+//! | [`session`] | the simulation service and the reference backend | 4 |
 //! | [`reply`] | what a client accepts as a reply | 4 |
-//! | [`bulk`] | the binary column block | 5 |
+//! | [`bulk`] | the binary column block, and observations in it | 5 |
+//! | [`safety`] | the governor: the gates in their order | 7 |
+//! | [`resilience`] | the watchdog, the action buffer, the link monitor | 8 |
+//! | [`codec`] | the rate codec | 9 |
+//! | [`control`] | the control loop and the reflex controller | 10 |
+//! | [`bus`] | the model of a transport, within one process, and a client on it | 4, 11 |
+//!
+//! Beside them, [`ErrorCode`] names why something was refused. The strict profile (chapter 12.1) is a switch in the
+//! modules that it concerns.
 //!
 //! # Example
 //!
