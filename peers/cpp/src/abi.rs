@@ -45,20 +45,6 @@ macro_rules! refusals {
     )+};
 }
 
-refusals!(BulkError, ContractError, DecodeError, EncodeError, KeyError, NegotiateError, ReplyError, VersionError);
-
-impl From<ReflexError> for Refusal {
-    fn from(error: ReflexError) -> Self {
-        Self::new(ErrorCode::Value, error)
-    }
-}
-
-impl From<LoopError> for Refusal {
-    fn from(error: LoopError) -> Self {
-        Self::new(ErrorCode::Value, error)
-    }
-}
-
 impl From<serde_json::Error> for Refusal {
     fn from(error: serde_json::Error) -> Self {
         let code = match error.classify() {
@@ -67,6 +53,11 @@ impl From<serde_json::Error> for Refusal {
         };
         Self::new(code, error)
     }
+}
+
+refusals! {
+    BulkError, ContractError, DecodeError, EncodeError, KeyError, LoopError, NegotiateError, ReflexError, ReplyError,
+    VersionError
 }
 
 /// The body of every exported function: what it returns, or, when it fails or panics, the value that

@@ -91,16 +91,4 @@ macro_rules! refusal {
     )+};
 }
 
-refusal!(BulkError, ContractError, KeyError, NegotiateError, ReplyError, VersionError);
-
-impl From<ReflexError> for Error {
-    fn from(error: ReflexError) -> Self {
-        Self::refused(ErrorCode::Value, &error)
-    }
-}
-
-impl From<LoopError> for Error {
-    fn from(error: LoopError) -> Self {
-        Self::refused(ErrorCode::Value, &error)
-    }
-}
+refusal!(BulkError, ContractError, KeyError, LoopError, NegotiateError, ReflexError, ReplyError, VersionError);

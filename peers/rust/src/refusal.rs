@@ -43,16 +43,7 @@ macro_rules! refusal {
     )+};
 }
 
-refusal!(BulkError, ContractError, DecodeError, EncodeError, KeyError, NegotiateError, ReplyError, VersionError);
-
-impl From<ReflexError> for Refusal {
-    fn from(error: ReflexError) -> Self {
-        Self::new(ErrorCode::Value, error)
-    }
-}
-
-impl From<LoopError> for Refusal {
-    fn from(error: LoopError) -> Self {
-        Self::new(ErrorCode::Value, error)
-    }
+refusal! {
+    BulkError, ContractError, DecodeError, EncodeError, KeyError, LoopError, NegotiateError, ReflexError, ReplyError,
+    VersionError
 }

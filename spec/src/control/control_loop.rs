@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::Controller;
+use crate::ErrorCode;
 use crate::resilience::LinkMonitor;
 use crate::safety::{Decision, SafetyGovernor};
 use crate::wire::{CommandFrame, ControlStatus, MAX_ITEMS, SensorFrame, Text};
@@ -24,6 +25,14 @@ pub enum LoopError {
         /// What it is, in ms.
         period_ms: f64,
     },
+}
+
+impl LoopError {
+    /// Always [`ErrorCode::Value`]. `[NCP-CTRL-010]`
+    #[must_use]
+    pub const fn code(&self) -> ErrorCode {
+        ErrorCode::Value
+    }
 }
 
 /// What a tick sends.

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::Controller;
+use crate::ErrorCode;
 use crate::safety::{METRES_PER_SECOND, POSITION_CHANNEL, VELOCITY_CHANNEL};
 use crate::wire::{ChannelValue, CommandFrame, Mode, SensorFrame};
 use ncp_kernel::all_finite;
@@ -49,6 +50,14 @@ pub enum ReflexError {
     /// The target is not finite.
     #[error("the target is not finite")]
     Target,
+}
+
+impl ReflexError {
+    /// Always [`ErrorCode::Value`]. `[NCP-CTRL-005]`
+    #[must_use]
+    pub const fn code(&self) -> ErrorCode {
+        ErrorCode::Value
+    }
 }
 
 /// Commands a velocity towards a target.

@@ -123,7 +123,7 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
             }
         }
         (Answer::Result(result), Expect::Pattern { shape, tolerance, .. }) => {
-            pattern::fits(shape, *tolerance, result, &mut differences)
+            pattern::fits(shape, *tolerance, result, &mut differences);
         }
     }
     if differences.is_empty() { Judgement::Pass { note: None } } else { Judgement::Fail(differences) }
