@@ -110,7 +110,7 @@ Examples:
   ncp-verify explain NCP-WIRE-007                       a rule and the cases that test it
 
 Exit codes:
-    0  conformant, or as expected: just what the peer's expected failures say fails
+    0  conformant, or as expected: nothing fails but the peer's expected failures
     1  not conformant
     2  usage: the command line, a peer.toml, or a filter that selects nothing
     3  a peer could not be started, or did not answer `describe`
