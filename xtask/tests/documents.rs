@@ -1,5 +1,5 @@
 //! What the pages of the project say of itself is true: the commands that they name, the folders and the modules that
-//! they list, the files that they link to, and the workflows.
+//! they list, the files that they link to, the floors of the house, and the workflows.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
@@ -82,12 +82,41 @@ fn a_table_of_folders_lists_the_folders_that_are_there() {
 }
 
 #[test]
+fn every_crate_stands_only_on_the_rooms_that_the_architecture_names() {
+    let page = read("ARCHITECTURE.md");
+    let rows: Vec<Vec<&str>> = page.lines().map(|line| line.split('|').map(str::trim).collect()).collect();
+    let start = rows.iter().position(|row| row.get(1..3) == Some(&["room", "stands on"])).unwrap();
+    let rooms: BTreeMap<String, &str> =
+        rows[start + 2..].iter().map_while(|row| Some((target(row.get(1)?), *row.get(2)?))).collect();
+    let room_of =
+        |path: &Path| path.ancestors().find_map(|folder| folder.to_str().filter(|it| rooms.contains_key(*it)));
+
+    let crates = crates();
+    let mut wrong = Vec::new();
+    for manifest in files(&["*Cargo.toml"]) {
+        let folder = Path::new(&manifest).parent().unwrap();
+        let Some(room) = room_of(folder) else { continue };
+        let (rooms_below, manifest): (_, toml::Table) = (rooms[room], read(&manifest).parse().unwrap());
+        // A second source is independent in its tests, too.
+        let sections = ["dependencies", "build-dependencies", "dev-dependencies"];
+        for section in sections.iter().take(if room == "vectors" { 3 } else { 2 }) {
+            for name in manifest.get(*section).and_then(toml::Value::as_table).into_iter().flat_map(toml::Table::keys) {
+                let Some(below) = crates.get(name).and_then(|folder| room_of(folder)) else { continue };
+                let word = below.rsplit('/').next().unwrap();
+                if below != room && rooms_below != "all" && !rooms_below.split(", ").any(|known| known == word) {
+                    wrong.push(format!("{}: {section} has {name}, of the room {below}", folder.display()));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
 fn every_room_has_a_page() {
     let rooms = folders_in(Path::new("")).into_iter().chain(folders_in(Path::new("peers")));
     let rooms: Vec<_> = rooms.chain(["spec/text".into()]).collect();
     let without: Vec<_> = rooms.iter().filter(|room| !root().join(room).join("README.md").exists()).collect();
-    // The page of a peer of the skeletons, and of what is written by a program, is that of its parent.
-    let without: Vec<_> = without.into_iter().filter(|room| !room.starts_with("reports")).collect();
     assert!(without.is_empty(), "without a README.md: {without:?}");
 }
 
@@ -168,7 +197,6 @@ fn every_workflow_is_well_formed_and_bounded() {
 #[derive(Default)]
 struct Programs {
     helps: BTreeMap<Vec<String>, String>,
-    packages: BTreeSet<String>,
 }
 
 impl Programs {
@@ -178,7 +206,7 @@ impl Programs {
         let (program, rest) = match words.as_slice() {
             ["cargo", alias @ ("verify" | "xtask" | "assure"), rest @ ..] => (*alias, rest),
             ["ncp-verify", rest @ ..] => ("verify", rest),
-            ["cargo", rest @ ..] => return self.accept_package(rest),
+            ["cargo", rest @ ..] => return Self::accept_package(rest),
             _ => return Err("is no command".to_owned()),
         };
         let mut path = vec![program.to_owned()];
@@ -220,15 +248,9 @@ impl Programs {
     }
 
     /// The packages that a command of cargo names are of this workspace.
-    fn accept_package(&mut self, words: &[&str]) -> Result<(), String> {
-        if self.packages.is_empty() {
-            let manifests = files(&["*Cargo.toml"]);
-            let names = manifests.iter().map(|manifest| read(manifest));
-            let name = |text: String| text.lines().find_map(|line| line.strip_prefix("name = ").map(str::to_owned));
-            self.packages = names.filter_map(name).map(|name| name.trim_matches('"').to_owned()).collect();
-        }
+    fn accept_package(words: &[&str]) -> Result<(), String> {
         let named = words.windows(2).filter(|pair| matches!(pair[0], "-p" | "--package")).map(|pair| pair[1]);
-        match named.into_iter().find(|name| !self.packages.contains(*name)) {
+        match named.into_iter().find(|name| !crates().contains_key(*name)) {
             Some(unknown) => Err(format!("{unknown} is no package of this workspace")),
             None => Ok(()),
         }
@@ -412,6 +434,16 @@ fn resolve(home: &Path, path: &str) -> PathBuf {
         }
     }
     resolved
+}
+
+/// The packages of the project, with their folders.
+fn crates() -> BTreeMap<String, PathBuf> {
+    let manifests = files(&["*Cargo.toml"]).into_iter();
+    let named = manifests.filter_map(|manifest| {
+        let name = read(&manifest).lines().find_map(|line| line.strip_prefix("name = ").map(str::to_owned))?;
+        Some((name.trim_matches('"').to_owned(), Path::new(&manifest).parent()?.to_owned()))
+    });
+    named.collect()
 }
 
 /// The folders that git has in a folder, but for hidden ones.
