@@ -88,15 +88,17 @@ fn every_crate_stands_only_on_the_rooms_that_the_architecture_names() {
     let start = rows.iter().position(|row| row.get(1..3) == Some(&["room", "stands on"])).unwrap();
     let rooms: BTreeMap<String, &str> =
         rows[start + 2..].iter().map_while(|row| Some((target(row.get(1)?), *row.get(2)?))).collect();
-    let room_of =
-        |path: &Path| path.ancestors().find_map(|folder| folder.to_str().filter(|it| rooms.contains_key(*it)));
+    let room_of = |path: &Path| {
+        let folders = path.ancestors().filter_map(Path::to_str).map(str::to_owned);
+        folders.into_iter().find(|folder| rooms.contains_key(folder))
+    };
 
     let crates = crates();
     let mut wrong = Vec::new();
     for manifest in files(&["*Cargo.toml"]) {
         let folder = Path::new(&manifest).parent().unwrap();
         let Some(room) = room_of(folder) else { continue };
-        let (rooms_below, manifest): (_, toml::Table) = (rooms[room], read(&manifest).parse().unwrap());
+        let (rooms_below, manifest): (_, toml::Table) = (rooms[&room], read(&manifest).parse().unwrap());
         // A second source is independent in its tests, too.
         let sections = ["dependencies", "build-dependencies", "dev-dependencies"];
         for section in sections.iter().take(if room == "vectors" { 3 } else { 2 }) {
