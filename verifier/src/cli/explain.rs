@@ -1,6 +1,6 @@
 //! `ncp-verify explain`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use super::workspace::Workspace;
 use super::{CliError, print};
 use crate::peer::excerpt;
 use crate::report::{Exit, Style, wrap};
-use crate::suite::{Case, Expect, Suite};
+use crate::suite::{Case, Expect, Finding, Flag, Suite};
 
 /// How many characters of an input are shown.
 const SHOWN: usize = 800;
@@ -62,9 +62,10 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
         };
         page.rules(suite.requirements().iter().filter(cited));
         page.citing(suite, flagged);
-    } else if let Some((why, rules)) = finding(id) {
-        page.paragraph(0, &why);
-        page.rules(suite.requirements().iter().filter(|rule| rules.contains(&rule.id)));
+    } else if let Some((id, finding)) = Finding::of(id) {
+        page.finding(id, finding);
+        page.paragraph(2, &format!("No case is flagged with this finding. {}", unseen(id).unwrap_or_default()));
+        page.rules(suite.requirements().iter().filter(|rule| finding.rules.contains(&rule.id)));
     } else {
         return Err(CliError::Usage(unknown(suite, id)));
     }
@@ -72,12 +73,10 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
     Ok(Exit::Conformant)
 }
 
-/// What the source tree says of a finding that no case can show: why, and the rules that answer it.
-fn finding(id: &str) -> Option<(String, BTreeSet<String>)> {
+/// Why no case can show a finding, as the source tree says.
+fn unseen(id: &str) -> Option<String> {
     let text = fs::read_to_string(Workspace::here()?.root.join(Exclusions::FILE)).ok()?;
-    let Exclusions { findings, .. } = Exclusions::parse(&text).ok()?;
-    let (id, excluded) = findings.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(id))?;
-    Some((format!("{id}: no case is flagged with this finding. {}", excluded.why), excluded.rules))
+    Some(Exclusions::parse(&text).ok()?.findings.remove(id)?.why)
 }
 
 /// Where the source tree cites one of these rules: by what stands there, each place once.
@@ -197,11 +196,27 @@ impl Page {
     }
 
     fn flag(&mut self, flag: &str, suite: &Suite) {
+        if let Some((id, finding)) = Finding::of(flag) {
+            return self.finding(id, finding);
+        }
         let shown = self.style.bold(flag);
-        self.line(&format!("  {shown}"));
+        let class = Flag::of(flag).map_or_else(String::new, |flag| format!(", a bug of the class \u{ab}{}\u{bb}", flag.class));
+        self.line(&format!("  {shown}{class}"));
         for note in suite.notes(flag) {
             self.paragraph(2, note);
         }
+        if let Some(flag) = Flag::of(flag) {
+            self.paragraph(2, &format!("Effect: {}", flag.effect));
+        }
+    }
+
+    fn finding(&mut self, id: &str, finding: &Finding) {
+        let shown = self.style.bold(id);
+        let breaks = if finding.wire_breaking { ", mended by the strict profile alone" } else { "" };
+        self.line(&format!("  {shown}, an audited finding, severity {}{breaks}", finding.severity));
+        let title = finding.title.chars().take(1).flat_map(char::to_uppercase).chain(finding.title.chars().skip(1));
+        self.paragraph(2, &title.collect::<String>());
+        self.paragraph(2, &format!("Required: {}.", finding.required));
     }
 
     /// Some rules, and where they are carried out and tested.

@@ -7,6 +7,7 @@
 mod case;
 mod file;
 mod filter;
+mod flags;
 mod pattern;
 mod template;
 
@@ -14,6 +15,7 @@ mod template;
 pub(crate) use case::Text;
 pub use case::{Case, Expect, Need};
 pub use filter::{Pattern, Selection};
+pub use flags::{Finding, Flag};
 pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
