@@ -53,7 +53,7 @@ use sha2::{Digest as _, Sha256};
 #[must_use]
 pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
     let areas = [
-        wire::files(),
+        wire::files()?,
         version::files(),
         keys::files(),
         bulk::files(),

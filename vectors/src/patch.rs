@@ -4,8 +4,8 @@ use crate::json::Json;
 use crate::scenario::{Place, ScenarioError};
 
 /// The frame with changes, which have ` | ` between: `name=value` sets a member, `+name=value` adds one at the end, also
-/// when it is there already, and `-name` takes one away. A name may be a path with dots, or a JSON string. A value is
-/// JSON, or any other text that is to stand as it is.
+/// when it is there already, and `-name` takes one away; `~` adds members as they are spelled. A name may be a path with
+/// dots, or a JSON string. A value is JSON, or any other text that is to stand as it is.
 pub(crate) fn patched(frame: Json, changes: &str, place: Place) -> Result<Json, ScenarioError> {
     let changes = changes.split(" | ").map(str::trim).filter(|change| !change.is_empty());
     changes.into_iter().try_fold(frame, |frame, change| patch(frame, change, place))
@@ -33,6 +33,10 @@ fn patch(frame: Json, change: &str, place: Place) -> Result<Json, ScenarioError>
     if let Some(name) = change.strip_prefix('-') {
         return Ok(frame.without(name));
     }
+    if let Some(members) = change.strip_prefix('~') {
+        let text = frame.text();
+        return Ok(Json::literal(format!("{},{members}}}", text.strip_suffix('}').unwrap_or(&text))));
+    }
     let (adds, change) = match change.strip_prefix('+') {
         Some(change) => (true, change),
         None => (false, change),
@@ -43,7 +47,7 @@ fn patch(frame: Json, change: &str, place: Place) -> Result<Json, ScenarioError>
     let (name, value) = (&change[..at], Json::read(&change[at + 1..]));
     let name = match quoted {
         Some(_) => Json::read(name).as_str().unwrap_or(name).to_owned(),
-        None => name.to_owned(),
+        None => repeated(name),
     };
     Ok(match name.split_once('.') {
         _ if adds => frame.and(&name, value),

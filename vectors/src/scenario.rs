@@ -16,7 +16,7 @@
 //!
 //! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the value of
 //! `x`, `{x.name}` for its name, `{x.first}` for its first part; `{row}` for a row's name and `{cell}` for one of its
-//! cells; `{x:spaced}` has spaces for the hyphens. `{version}` is the wire version, `{older}` and `{newer}` are the minors
+//! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` is `x` with its article. `{version}` is the wire version, `{older}` and `{newer}` are the minors
 //! beside it, `{hash}` is the contract hash. A row, a rule or a flag that ends in `@value` is for that value alone.
 //!
 //! What a body says is the affair of the code that makes the group's cases, as the README of the crate shows; most are
@@ -27,6 +27,7 @@ use std::collections::VecDeque;
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 
 use crate::case::{Case, Role};
+use crate::roles::a;
 
 /// What is wrong with a line of scenario text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -402,6 +403,12 @@ impl Row {
         cell.map(|(_, text)| *text).ok_or(self.place.fault(Fault::Missing(column)))
     }
 
+    /// The kind of frame that the row is about, which its group gives as a cell or for each of several.
+    pub(crate) fn kind(&self) -> Result<&'static str, ScenarioError> {
+        let value = self.values.iter().find(|(name, ..)| *name == "kind").map(|(.., value)| *value);
+        value.map_or_else(|| self.cell("kind"), Ok)
+    }
+
     /// A cell with its placeholders filled in.
     pub(crate) fn text(&self, column: &'static str) -> Result<String, ScenarioError> {
         self.fill(self.cell(column)?)
@@ -441,6 +448,9 @@ impl Row {
     fn stands_for(&self, word: &str) -> Result<String, ScenarioError> {
         if let Some(word) = word.strip_suffix(":spaced") {
             return Ok(self.stands_for(word)?.replace('-', " "));
+        }
+        if let Some(word) = word.strip_suffix(":a") {
+            return Ok(a(&self.stands_for(word)?));
         }
         let (name, part) = word.split_once('.').unwrap_or((word, "value"));
         if let Some((_, of_value, value)) = self.values.iter().find(|(known, ..)| *known == name) {

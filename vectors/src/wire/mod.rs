@@ -13,6 +13,7 @@ mod spellings;
 mod stimulus;
 
 use crate::case::File;
+use crate::scenario::ScenarioError;
 
 /// The rule that a plain value is read as the frame gives it.
 pub(crate) const READ: &str = "NCP-WIRE-034";
@@ -20,11 +21,11 @@ pub(crate) const READ: &str = "NCP-WIRE-034";
 /// The rule that a field is written as the program set it.
 const WRITE: &str = "NCP-WIRE-093";
 
-pub(crate) fn files() -> Vec<File> {
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut files = fields::files();
     files.extend([
         spellings::file(),
-        members::file(),
+        members::file()?,
         kinds::file(),
         session_id::file(),
         stimulus::file(),
@@ -32,5 +33,5 @@ pub(crate) fn files() -> Vec<File> {
         reply::file(),
     ]);
     files.extend(encode::files());
-    files
+    Ok(files)
 }
