@@ -21,6 +21,11 @@ impl Role {
     /// All four.
     pub(crate) const ALL: [Self; 4] = [Self::Commander, Self::Body, Self::Server, Self::Observer];
 
+    /// By the name that the files write.
+    pub(crate) fn parse(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|role| role.as_str() == name)
+    }
+
     /// As the files write it.
     pub(crate) const fn as_str(self) -> &'static str {
         match self {

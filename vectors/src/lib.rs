@@ -54,8 +54,8 @@ use sha2::{Digest as _, Sha256};
 pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
     let areas = [
         wire::files()?,
-        version::files(),
-        keys::files(),
+        version::files()?,
+        keys::files()?,
         bulk::files(),
         hostile::files(),
         safety::files()?,

@@ -17,7 +17,7 @@
 //! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the value of
 //! `x`, `{x.name}` for its name, `{x.first}` for its first part; `{row}` for a row's name and `{cell}` for one of its
 //! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` is `x` with its article. `{version}` is the wire version, `{older}` and `{newer}` are the minors
-//! beside it, `{hash}` is the contract hash. A row, a rule or a flag that ends in `@value` is for that value alone.
+//! beside it, `{major}` and `{minor}` its parts, `{minor-wraps-at-8}` the minor and 2^8; `{hash}` is the contract hash. A row, a rule or a flag that ends in `@value` is for that value alone.
 //!
 //! What a body says is the affair of the code that makes the group's cases, as the README of the crate shows; most are
 //! [`Step`]s with semicolons between.
@@ -409,6 +409,12 @@ impl Row {
         value.map_or_else(|| self.cell("kind"), Ok)
     }
 
+    /// The roles that its cell names.
+    pub(crate) fn roles(&self) -> Result<Vec<Role>, ScenarioError> {
+        let role = |name: &str| Role::parse(name).ok_or_else(|| self.place.wants("role", name));
+        list(self.cell("roles")?).into_iter().map(role).collect()
+    }
+
     /// A cell with its placeholders filled in.
     pub(crate) fn text(&self, column: &'static str) -> Result<String, ScenarioError> {
         self.fill(self.cell(column)?)
@@ -426,14 +432,19 @@ impl Row {
 
     /// The text with what its placeholders stand for.
     pub(crate) fn fill(&self, text: &str) -> Result<String, ScenarioError> {
+        self.filled(text, 0)
+    }
+
+    /// The text, which so many placeholders within each other have led to.
+    fn filled(&self, text: &str, depth: usize) -> Result<String, ScenarioError> {
         let mut out = String::new();
         let mut rest = text;
         while let Some((before, inside)) = rest.split_once('{') {
             out.push_str(before);
-            let is_word = |c: char| c.is_ascii_lowercase() || matches!(c, '-' | '.' | ':');
+            let is_word = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || matches!(c, '-' | '.' | ':');
             match inside.split_once('}') {
                 Some((word, after)) if !word.is_empty() && word.chars().all(is_word) => {
-                    out.push_str(&self.stands_for(word)?);
+                    out.push_str(&self.stands_for(word, depth + 1)?);
                     rest = after;
                 }
                 _ => {
@@ -445,43 +456,60 @@ impl Row {
         Ok(out + rest)
     }
 
-    fn stands_for(&self, word: &str) -> Result<String, ScenarioError> {
+    fn stands_for(&self, word: &str, depth: usize) -> Result<String, ScenarioError> {
+        const DEEPEST: usize = 8;
+        if depth > DEEPEST {
+            return Err(self.place.fault(Fault::Placeholder(word.to_owned())));
+        }
         if let Some(word) = word.strip_suffix(":spaced") {
-            return Ok(self.stands_for(word)?.replace('-', " "));
+            return Ok(self.stands_for(word, depth)?.replace('-', " "));
         }
         if let Some(word) = word.strip_suffix(":a") {
-            return Ok(a(&self.stands_for(word)?));
+            return Ok(a(&self.stands_for(word, depth)?));
         }
         let (name, part) = word.split_once('.').unwrap_or((word, "value"));
         if let Some((_, of_value, value)) = self.values.iter().find(|(known, ..)| *known == name) {
             let parts = || value.split(':');
-            return self.fill(match part {
+            let value = match part {
                 "name" => of_value,
                 "first" => parts().next().unwrap_or_default(),
                 "second" => parts().nth(1).unwrap_or_default(),
                 "third" => parts().nth(2).unwrap_or_default(),
                 _ => value,
-            });
+            };
+            return self.filled(value, depth);
         }
         if let Some((_, cell)) = self.cells.iter().find(|(known, _)| *known == word) {
-            return self.fill(cell);
+            return self.filled(cell, depth);
         }
         Ok(match word {
             "row" => self.name.to_owned(),
             "version" => WIRE_VERSION.to_owned(),
             "older" => beside(-1),
             "newer" => beside(1),
+            "major" => parts(WIRE_VERSION).0.to_owned(),
+            "minor" => parts(WIRE_VERSION).1.to_owned(),
             "hash" => CONTRACT_HASH.to_owned(),
             "hash-in-capitals" => CONTRACT_HASH.to_uppercase(),
-            _ => return Err(self.place.fault(Fault::Placeholder(word.to_owned()))),
+            _ => {
+                let wrapped = word.strip_prefix("minor-wraps-at-").and_then(|bits| bits.parse::<u32>().ok());
+                let minor = parts(WIRE_VERSION).1.parse::<u128>().ok();
+                let wrapped = wrapped.zip(minor).map(|(bits, minor)| (minor + (1 << bits)).to_string());
+                wrapped.ok_or(self.place.fault(Fault::Placeholder(word.to_owned())))?
+            }
         })
     }
 }
 
 /// The version whose minor is that much greater than one's own.
 pub(crate) fn beside(by: i64) -> String {
-    let (major, minor) = WIRE_VERSION.split_once('.').unwrap_or((WIRE_VERSION, "0"));
+    let (major, minor) = parts(WIRE_VERSION);
     format!("{major}.{}", minor.parse::<i64>().unwrap_or_default() + by)
+}
+
+/// The major and the minor of a version.
+fn parts(version: &str) -> (&str, &str) {
+    version.split_once('.').unwrap_or((version, "0"))
 }
 
 fn steps(text: &str, place: Place) -> Vec<Step> {

@@ -1,26 +1,24 @@
 //! What the key builders build, and what they refuse.
 
 use super::segments::{self, Segment};
-use crate::case::Role::{self, Body, Commander, Observer, Server};
-use crate::case::{Case, File};
+use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
+use crate::scenario::{Fault, Row, ScenarioError, Scenarios, source};
 
-pub(super) fn files() -> Vec<File> {
-    let built = BUILDERS.iter().flat_map(Builder::built).collect();
-    let mut segments = Vec::new();
-    for builder in &BUILDERS {
-        segments.extend(builder.segments());
-    }
-    let mut realms = Vec::new();
+pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
+    let mut text = Scenarios::read(source!("keys/build"))?;
+    let builders = text.rows("builders")?.iter().map(Builder::of).collect::<Result<Vec<_>, _>>()?;
+    text.end()?;
+    let built = builders.iter().flat_map(Builder::built).collect();
+    let segments = builders.iter().flat_map(Builder::segments).collect();
     // Between them every role builds these.
-    for builder in BUILDERS.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob")) {
-        realms.extend(builder.realms());
-    }
-    vec![
+    let some = builders.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
+    let realms = some.flat_map(Builder::realms).collect();
+    Ok(vec![
         File::new("keys", "build", "The keys and globs of section 3.2.", built),
         File::new("keys", "segments", "Session ids and stream names that the builders accept and refuse.", segments),
         File::new("keys", "realms", "Realms, which are checked segment by segment.", realms),
-    ]
+    ])
 }
 
 /// The realm of the cases that are about something else: named, so that they do not depend on the
@@ -35,77 +33,22 @@ struct Builder {
     takes_session: bool,
     takes_name: bool,
     rule: &'static str,
-    roles: &'static [Role],
+    roles: Vec<Role>,
 }
 
-const BUILDERS: [Builder; 8] = [
-    Builder {
-        key: "rpc",
-        rest: "rpc",
-        takes_session: false,
-        takes_name: false,
-        rule: "NCP-KEY-001",
-        roles: &[Commander, Server],
-    },
-    Builder {
-        key: "sensor",
-        rest: "session/{id}/sensor",
-        takes_session: true,
-        takes_name: true,
-        rule: "NCP-KEY-002",
-        roles: &[Commander, Body, Observer],
-    },
-    Builder {
-        key: "command",
-        rest: "session/{id}/command",
-        takes_session: true,
-        takes_name: true,
-        rule: "NCP-KEY-003",
-        roles: &[Commander, Body, Observer],
-    },
-    Builder {
-        key: "observation",
-        rest: "session/{id}/observation",
-        takes_session: true,
-        takes_name: false,
-        rule: "NCP-KEY-004",
-        roles: &[Server, Observer],
-    },
-    Builder {
-        key: "sensor_glob",
-        rest: "session/{id}/sensor/**",
-        takes_session: true,
-        takes_name: false,
-        rule: "NCP-KEY-005",
-        roles: &[Observer],
-    },
-    Builder {
-        key: "command_glob",
-        rest: "session/{id}/command/**",
-        takes_session: true,
-        takes_name: false,
-        rule: "NCP-KEY-005",
-        roles: &[Observer],
-    },
-    Builder {
-        key: "session_glob",
-        rest: "session/{id}/**",
-        takes_session: true,
-        takes_name: false,
-        rule: "NCP-KEY-005",
-        roles: &[Observer],
-    },
-    Builder {
-        key: "fleet_glob",
-        rest: "session/**",
-        takes_session: false,
-        takes_name: false,
-        rule: "NCP-KEY-005",
-        roles: &[Observer],
-    },
-];
-
 impl Builder {
+    fn of(row: &Row) -> Result<Self, ScenarioError> {
+        let takes = row.cell("takes")?;
+        Ok(Self {
+            key: row.name,
+            rest: row.cell("rest")?,
+            takes_session: takes.contains("session"),
+            takes_name: takes.contains("name"),
+            rule: row.rules.first().copied().ok_or(row.place.fault(Fault::Missing("rules")))?,
+            roles: row.roles()?,
+        })
+    }
+
     /// The key in realms of one segment and of more, and with a name where it takes one.
     fn built(&self) -> Vec<Case> {
         let realms = [
@@ -322,7 +265,7 @@ impl Builder {
     }
 
     fn case(&self, what: &str, rules: &[&'static str]) -> Case {
-        Case::new(format!("{}/{what}", self.key), rules, self.roles)
+        Case::new(format!("{}/{what}", self.key), rules, &self.roles)
     }
 
     fn args(&self, realm: Option<&str>, session: &str, name: Option<&str>) -> Json {

@@ -6,9 +6,10 @@ mod planes;
 pub(crate) mod segments;
 
 use crate::case::File;
+use crate::scenario::ScenarioError;
 
-pub(crate) fn files() -> Vec<File> {
-    let mut files = build::files();
-    files.extend([matching::file(), planes::file()]);
-    files
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    let mut files = build::files()?;
+    files.extend([matching::file()?, planes::file()?]);
+    Ok(files)
 }

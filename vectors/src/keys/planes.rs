@@ -1,65 +1,19 @@
 //! The quality of service of the four planes.
 
-use crate::case::Role::{self, Body, Commander, Server};
 use crate::case::{Case, File};
 use crate::json::object;
+use crate::scenario::{Row, ScenarioError, Scenarios, source};
 
-pub(super) fn file() -> File {
-    let cases = PLANES.iter().map(|plane| {
-        let Plane { name, congestion, priority, express, rule, roles } = plane;
-        Case::new(*name, &[rule], roles)
-            .title(format!(
-                "The {name} plane has congestion control `{congestion}`, priority `{priority}` and is{} express.",
-                if *express { "" } else { " not" }
-            ))
-            .flags(&["wrong-qos"])
-            .call("plane.qos", object! { "plane" => *name })
-            .gives(object! { "congestion" => *congestion, "priority" => *priority, "express" => *express })
-            .because("The row of the plane in section 3.1.")
-    });
-    File::new("keys", "planes", "The quality of service of the four planes.", cases.collect())
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let cases = Scenarios::read(source!("keys/planes"))?.rest(plane)?;
+    Ok(File::new("keys", "planes", "The quality of service of the four planes.", cases))
 }
 
-struct Plane {
-    name: &'static str,
-    congestion: &'static str,
-    priority: &'static str,
-    express: bool,
-    rule: &'static str,
-    roles: &'static [Role],
+fn plane(row: &Row) -> Result<Case, ScenarioError> {
+    let qos = object! {
+        "congestion" => row.cell("congestion")?,
+        "priority" => row.cell("priority")?,
+        "express" => row.cell("is")? == "is",
+    };
+    Ok(row.case(&row.roles()?).call("plane.qos", object! { "plane" => row.name }).gives(qos))
 }
-
-const PLANES: [Plane; 4] = [
-    Plane {
-        name: "control",
-        congestion: "block",
-        priority: "Data",
-        express: false,
-        rule: "NCP-PLANE-001",
-        roles: &[Commander, Server],
-    },
-    Plane {
-        name: "perception",
-        congestion: "drop",
-        priority: "DataHigh",
-        express: false,
-        rule: "NCP-PLANE-002",
-        roles: &[Commander, Body],
-    },
-    Plane {
-        name: "action",
-        congestion: "drop",
-        priority: "RealTime",
-        express: true,
-        rule: "NCP-PLANE-003",
-        roles: &[Commander, Body],
-    },
-    Plane {
-        name: "observation",
-        congestion: "block",
-        priority: "Data",
-        express: false,
-        rule: "NCP-PLANE-004",
-        roles: &[Server],
-    },
-];

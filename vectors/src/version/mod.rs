@@ -4,7 +4,10 @@ mod contract;
 mod guard;
 
 use crate::case::File;
+use crate::scenario::ScenarioError;
 
-pub(crate) fn files() -> Vec<File> {
-    vec![guard::file(), contract::status_file(), contract::negotiate_file()]
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    let mut files = vec![guard::file()?];
+    files.extend(contract::files()?);
+    Ok(files)
 }
