@@ -1,14 +1,15 @@
-//! `ncp-verify mutants` on a program that holds some: what it says of each, what it writes, how it ends.
+//! `cargo assure mutants` on a program that holds some: what it says of each, what it writes, how it ends.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 struct Run {
     exit: i32,
@@ -16,29 +17,43 @@ struct Run {
     stderr: String,
     /// The reports, if they were written.
     json: Option<Value>,
-    markdown: Option<String>,
+    page: Option<String>,
+    full: Option<String>,
 }
 
-/// Runs the command on a program whose mutants are modes of the hostile peer, each with the rule that it breaks.
+/// The verifier's hostile peer, whose modes are the mutants.
+static HOSTILE: LazyLock<PathBuf> = LazyLock::new(|| {
+    let cargo = ["build", "--quiet", "-p", "ncp-verifier", "--example", "hostile-peer"];
+    assert!(Command::new(env!("CARGO")).args(cargo).status().unwrap().success());
+    Path::new(env!("CARGO_BIN_EXE_ncp-assurance")).parent().unwrap().join("examples/hostile-peer")
+});
+
+/// Runs the command on a program whose defects are modes of the hostile peer, each with the rule that it breaks.
 fn hunt_in(healthy: &str, mutants: &[(&str, &str)], args: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
-    let peer = Path::new(env!("CARGO_BIN_EXE_ncp-verify")).parent().unwrap().join("examples/hostile-peer");
-    let list: Vec<Value> = mutants
-        .iter()
-        .map(|(name, rule)| json!({"name": name, "about": format!("It is {name}."), "finding": "L24", "rules": [rule]}))
-        .collect();
-    fs::write(folder.path().join("list.json"), json!(list).to_string()).unwrap();
+    let table = |(name, rule): &(&str, &str)| {
+        let edit = "edit = [{ file = \"\", code = \"\", with = \"()\" }]";
+        format!(
+            "[[defect]]\nname = \"{name}\"\nabout = \"It is {name}.\"\nfinding = \"L24\"\nrules = [\"{rule}\"]\n{edit}\n"
+        )
+    };
+    let table: String = mutants.iter().map(table).collect();
+    fs::write(folder.path().join("defects.toml"), table).unwrap();
     let program = folder.path().join("program");
-    let script = format!(
-        "#!/bin/sh\ncase \"$1\" in\n--list) cat '{}/list.json';;\n--mutant) exec '{peer}' \"$2\";;\n*) exec '{peer}' {healthy};;\nesac\n",
-        folder.path().display(),
-        peer = peer.display(),
-    );
+    let peer = HOSTILE.display();
+    // Of several defects, the hostile peer has the first.
+    let script =
+        format!("#!/bin/sh\ncase \"$1\" in\n--defect) exec '{peer}' \"$2\";;\n*) exec '{peer}' {healthy};;\nesac\n");
     fs::write(&program, script).unwrap();
     fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
     let reports = folder.path().join("reports");
-    let output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
-        .args(["mutants", "--vectors", "tests/data/vectors", "--program"])
+    let vectors = Path::new(env!("CARGO_MANIFEST_DIR")).join("../verifier/tests/data/vectors");
+    let output = Command::new(env!("CARGO_BIN_EXE_ncp-assurance"))
+        .args(["mutants", "--vectors"])
+        .arg(vectors)
+        .arg("--defects")
+        .arg(folder.path().join("defects.toml"))
+        .arg("--program")
         .arg(&program)
         .arg("--reports")
         .arg(&reports)
@@ -51,8 +66,9 @@ fn hunt_in(healthy: &str, mutants: &[(&str, &str)], args: &[&str]) -> Run {
         exit: output.status.code().unwrap(),
         stdout: String::from_utf8(output.stdout).unwrap(),
         stderr: String::from_utf8(output.stderr).unwrap(),
-        json: read("mutants.json").map(|text| serde_json::from_str(&text).unwrap()),
-        markdown: read("mutants.md"),
+        json: read("full/mutants.json").map(|text| serde_json::from_str(&text).unwrap()),
+        page: read("mutants.md"),
+        full: read("full/mutants.md"),
     }
 }
 
@@ -71,12 +87,13 @@ fn a_mutant_that_fails_by_its_rule_is_killed_and_reported() {
     assert_eq!(mutant["place"], 1);
     assert_eq!(mutant["failing_cases"], 1);
     assert_eq!(mutant["shortest_case"], "version/tiny/07-target");
-    let page = run.markdown.unwrap();
+    let page = run.full.unwrap();
     assert!(
         page.contains("| wrong-answer | It is wrong-answer. | L24 | NCP-VER-004 | 1 | `version/tiny/07-target` |"),
         "{page}"
     );
     assert!(page.contains("| L24 | wrong-answer |"), "{page}");
+    assert!(run.page.unwrap().contains("| L24 | wrong-answer |"));
 }
 
 #[test]
@@ -85,7 +102,7 @@ fn a_mutant_that_no_case_notices_survives_and_fails_the_run() {
     assert_eq!(run.exit, 1);
     let said = "harmless survived: no case of NCP-VER-008 notices it. It is harmless.";
     assert!(run.stdout.contains(said), "{}", run.stdout);
-    assert!(run.markdown.unwrap().contains(said));
+    assert!(run.page.unwrap().contains(said));
     assert_eq!(run.json.unwrap()["totals"]["survived"], 1);
 }
 
@@ -102,7 +119,7 @@ fn a_mutant_that_crashes_is_named_so() {
     let run = hunt(&[("die-on-target", "NCP-VER-004")]);
     assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
     assert_eq!(run.json.unwrap()["mutants"][0]["crashes"], 1);
-    assert!(run.markdown.unwrap().contains("| 1, 1 by a crash |"));
+    assert!(run.full.unwrap().contains("| 1, 1 by a crash |"));
 }
 
 #[test]
@@ -136,10 +153,24 @@ fn only_tries_the_named_mutant_and_writes_no_report() {
     let both = [("wrong-answer", "NCP-VER-004"), ("harmless", "NCP-VER-008")];
     let run = hunt_in("honest", &both, &["--only", "wrong-answer"]);
     assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
-    assert!(run.json.is_none() && run.markdown.is_none());
+    assert!(run.json.is_none() && run.page.is_none());
     let run = hunt_in("honest", &both, &["--only", "no-such"]);
     assert_eq!(run.exit, 2);
     assert!(run.stderr.contains("there is no mutant no-such"), "{}", run.stderr);
+}
+
+#[test]
+fn several_defects_together_are_one_mutant_that_owes_the_rule_of_each() {
+    let both = [("wrong-answer", "NCP-VER-004"), ("harmless", "NCP-VER-008")];
+    let together = ["--only", "wrong-answer", "--only", "harmless", "--together"];
+    let run = hunt_in("honest", &both, &together);
+    assert_eq!(run.exit, 1);
+    let said = "wrong-answer + harmless breaks NCP-VER-004, NCP-VER-008, but the verdict names NCP-VER-004";
+    assert!(run.stdout.contains(said), "{}", run.stdout);
+    let same = [("wrong-answer", "NCP-VER-004"), ("harmless", "NCP-VER-004")];
+    let run = hunt_in("honest", &same, &together);
+    assert_eq!(run.exit, 0, "{}", run.stdout);
+    assert!(run.stdout.contains("1 mutant: 1 killed"), "{}", run.stdout);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! `ncp-verify trace` on small trees of its own: what passes, and what each fault is called.
+//! `cargo assure trace` on small trees of its own: what passes, and what each fault is called.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
@@ -48,10 +48,10 @@ impl Tree {
         tree.write("proto/tests/none.rs", "");
         tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
         tree.write("peers/python-pure/ncp_pure/one.py", "# [NCP-TEST-001]\n");
-        tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-001"));
+        tree.write("defects/peer/wire.toml", &mutant("NCP-TEST-001"));
         tree.write("vectors/corpus/wire/one.json", &vectors(&["NCP-TEST-001"]));
         tree.write("vectors/MANIFEST.sha256", "00  corpus/wire/one.json\n");
-        let mut exclusions = "[rules]\n".to_owned();
+        let mut exclusions = "# Rules.\n".to_owned();
         for number in 1..=35 {
             write!(exclusions, "\n[findings.L{number:02}]\nrules = []\nwhy = \"Nothing in this tree is audited.\"\n")
                 .unwrap();
@@ -89,7 +89,7 @@ impl Tree {
     }
 
     fn trace(&self, args: &[&str]) -> (i32, String) {
-        let output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
+        let output = Command::new(env!("CARGO_BIN_EXE_ncp-assurance"))
             .args(["trace", "--root"])
             .arg(self.root())
             .args(args)
@@ -117,7 +117,10 @@ fn vectors(rules: &[&str]) -> String {
 }
 
 fn mutant(rule: &str) -> String {
-    format!("# A table.\n\n[[mutant]]\nname = \"one-left-out\"\nabout = \"It does nothing.\"\nrules = [\"{rule}\"]\n")
+    format!(
+        "# A table.\n\n[[defect]]\nname = \"one-left-out\"\nabout = \"It does nothing.\"\nrules = [\"{rule}\"]\n\
+         edit = [{{ file = \"a.rs\", code = \"a\", with = \"b\" }}]\n"
+    )
 }
 
 #[test]
@@ -126,12 +129,12 @@ fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
     assert!(out.contains("3 rules, 2 of them binding: 2 shown, 0 excluded with a reason"), "{out}");
-    let page = tree.read("reports/traceability.md");
-    assert!(page.contains("NCP-TEST-001") && page.contains("[one.json](../vectors/corpus/wire/one.json) 1"));
-    let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
+    let page = tree.read("reports/full/traceability.md");
+    assert!(page.contains("NCP-TEST-001") && page.contains("[one.json](../../vectors/corpus/wire/one.json) 1"));
+    let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
     let evidence = &report["rules"][1]["evidence"];
     assert_eq!(evidence, &json!([{"kind": "properties", "place": "spec/tests/other.rs it_does_another", "count": 1}]));
-    assert!(tree.read("spec/evidence.lock").contains("vectors/corpus/wire/one.json"));
+    assert!(tree.read("reports/lock/trace.toml").contains("vectors/corpus/wire/one.json"));
     assert_eq!(tree.trace(&["--check"]).0, 0);
 }
 
@@ -142,7 +145,7 @@ fn a_fuzz_target_shows_what_the_function_of_its_name_cites() {
     tree.write("fuzz/bodies/src/all.rs", "// [NCP-TEST-003]\npub fn things(input: &[u8]) {}\n");
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
-    let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
+    let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
     assert_eq!(
         report["rules"][2]["evidence"],
         json!([{"kind": "fuzz", "place": "fuzz/bodies/src/all.rs things", "count": 1}])
@@ -193,7 +196,7 @@ fn a_sentence_that_changes_has_to_be_accepted_again() {
     tree.fails_with(&[
         "the sentence of NCP-TEST-002 changed",
         "spec/tests/other.rs it_does_another",
-        "cargo verify trace --accept",
+        "cargo assure trace --accept",
     ]);
     let (exit, out) = tree.trace(&["--accept"]);
     assert_eq!(exit, 0, "{out}");
@@ -239,8 +242,8 @@ fn code_alone_shows_nothing_and_an_exclusion_says_why() {
     tree.write("spec/src/wire/four.rs", "/// [NCP-TEST-004]\npub fn four() {}\n");
     tree.fails_with(&["NCP-TEST-004 is binding, and nothing shows it"]);
 
-    let reason = "[rules]\nNCP-TEST-004 = \"No call can show it.\"\n";
-    tree.replace("spec/exclusions.toml", "[rules]\n", reason);
+    let reason = "[rules.NCP-TEST-004]\nwithout = [\"evidence\"]\nwhy = \"No call can show it.\"\n";
+    tree.replace("spec/exclusions.toml", "# Rules.\n", reason);
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
     assert!(tree.read("reports/traceability.md").contains("No call can show it."));
@@ -252,16 +255,16 @@ fn code_alone_shows_nothing_and_an_exclusion_says_why() {
 #[test]
 fn a_mutant_is_counted_for_its_rule_and_shows_nothing_by_itself() {
     let tree = Tree::accepted();
-    let report: Value = serde_json::from_str(&tree.read("reports/traceability.json")).unwrap();
-    let place = "peers/mutants/mutants/wire.toml one-left-out";
+    let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
+    let place = "defects/peer/wire.toml one-left-out";
     let evidence = report["rules"][0]["evidence"].as_array().unwrap();
     assert!(evidence.contains(&json!({"kind": "mutants", "place": place, "count": 1})));
-    let page = tree.read("reports/traceability.md");
-    assert!(page.contains("[one-left-out](../peers/mutants/mutants/wire.toml)"), "{page}");
-    assert!(!tree.read("spec/evidence.lock").contains("peers/mutants"));
+    let page = tree.read("reports/full/traceability.md");
+    assert!(page.contains("[one-left-out](../../defects/peer/wire.toml)"), "{page}");
+    assert!(!tree.read("reports/lock/trace.toml").contains("defects/peer"));
 
     // Rule 2 has a mutant now, and no property any more.
-    tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-002"));
+    tree.write("defects/peer/wire.toml", &mutant("NCP-TEST-002"));
     tree.write("spec/tests/other.rs", "");
     tree.fails_with(&["NCP-TEST-002 is binding, and nothing shows it"]);
 }
@@ -269,12 +272,12 @@ fn a_mutant_is_counted_for_its_rule_and_shows_nothing_by_itself() {
 #[test]
 fn a_mutant_of_a_rule_that_the_text_does_not_have_is_a_fault() {
     let tree = Tree::accepted();
-    tree.write("peers/mutants/mutants/wire.toml", &mutant("NCP-TEST-404"));
-    tree.fails_with(&["NCP-TEST-404 is not in the text; orphaned are peers/mutants/mutants/wire.toml:4 one-left-out"]);
-    tree.write("peers/mutants/mutants/wire.toml", "[[mutant]]\n");
+    tree.write("defects/peer/wire.toml", &mutant("NCP-TEST-404"));
+    tree.fails_with(&["NCP-TEST-404 is not in the text; orphaned are defects/peer/wire.toml:4 one-left-out"]);
+    tree.write("defects/peer/wire.toml", "[[defect]]\n");
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 4, "{out}");
-    assert!(out.contains("peers/mutants/mutants/wire.toml"), "{out}");
+    assert!(out.contains("defects/peer/wire.toml"), "{out}");
 }
 
 #[test]
@@ -298,23 +301,21 @@ fn a_tree_that_is_none_is_said() {
 
 #[test]
 fn what_is_proved_shows_its_rules_and_what_is_only_tried_does_not() {
-    let report = |verdict: &str| {
-        let result = json!({"property": "clamp/bound", "verdict": verdict});
-        json!({
-            "properties": [{"id": "clamp/bound", "rules": ["NCP-TEST-004"]}],
-            "engines": [{"name": "symbolic", "results": [result]}, {"name": "kani", "not_run": true}],
-        })
-        .to_string()
+    let lock = |verdict: &str| {
+        let sources = "[sources]\n[counts]\n";
+        format!(
+            "{sources}[fates]\n\"symbolic clamp/bound\" = \"{verdict}\"\n[rules]\n\"clamp/bound\" = [\"NCP-TEST-004\"]\n"
+        )
     };
     let tree = Tree::accepted();
     let chapter = format!("spec/text/{}", CHAPTERS[1].file);
     let rule = "- **[NCP-TEST-004]** A peer MUST do a fourth. *(wire; all)*\n";
     tree.write(&chapter, &format!("{TEXT}{rule}"));
-    tree.write("reports/proofs.json", &report("tried"));
+    tree.write("reports/lock/proofs-kernel.toml", &lock("tried"));
     tree.fails_with(&["NCP-TEST-004 is binding, and nothing shows it"]);
-    tree.write("reports/proofs.json", &report("proved"));
+    tree.write("reports/lock/proofs-kernel.toml", &lock("proved for the listed values"));
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 0, "{out}");
-    let page = tree.read("reports/traceability.md");
-    assert!(page.contains("[clamp/bound](../reports/proofs.md)"), "{page}");
+    let page = tree.read("reports/full/traceability.md");
+    assert!(page.contains("[clamp/bound](../../reports/proofs.md)"), "{page}");
 }

@@ -72,6 +72,7 @@ pub(crate) fn weave(project: &Project, defects: &[Defect]) -> Result<Planted, Pl
             sites.entry(&edit.file).or_default().push(Site { number, name: &defect.name, edit });
         }
     }
+    let shared = shared(&root, &workspace)?;
     let package_of =
         |file: &str| packages.iter().filter(|package| is_within(file, package)).max_by_key(|one| one.len());
     let changed: BTreeSet<&String> = sites.keys().filter_map(|file| package_of(file)).collect();
@@ -92,7 +93,7 @@ pub(crate) fn weave(project: &Project, defects: &[Defect]) -> Result<Planted, Pl
             }
         };
         let text = if file == format!("{package}/Cargo.toml") {
-            without_tests(&path, package != &kernel && changed.contains(package))?
+            without_tests(&path, (package != &kernel && changed.contains(package)).then_some(&shared))?
         } else if file.ends_with(".rs") && changed.contains(package) {
             let sites = sites.remove(file.as_str()).unwrap_or_default();
             let woven = weave::weave(&text, SWITCH, &sites);
@@ -183,16 +184,29 @@ fn is_for_tests(file: &str, package: &str) -> bool {
     FOR_TESTS.iter().any(|folder| is_within(within, folder))
 }
 
-/// A package's manifest without what only its tests need, and with the package of the switches.
-fn without_tests(path: &Path, switched: bool) -> Result<String, PlantedError> {
+/// What every package with a switch depends on: the package of the switches, and what the code of a defect may name,
+/// which is what the peer itself may.
+fn shared(root: &Path, workspace: &Table) -> Result<Table, PlantedError> {
+    let mut manifest = manifest(&root.join(PEER).join("Cargo.toml"))?;
+    let mut shared =
+        Table::from_iter([(KERNEL.to_owned(), Table::from_iter([("workspace".to_owned(), true.into())]).into())]);
+    if let Some(Value::Table(dependencies)) = manifest.remove("dependencies") {
+        shared.extend(dependencies.into_iter().filter(|(name, _)| dependency(workspace, name).is_none()));
+    }
+    Ok(shared)
+}
+
+/// A package's manifest without what only its tests need, and with these dependencies besides its own.
+fn without_tests(path: &Path, shared: Option<&Table>) -> Result<String, PlantedError> {
     let mut manifest = manifest(path)?;
     for key in ["dev-dependencies", "bench", "example", "test"] {
         manifest.remove(key);
     }
-    if switched {
-        let dependencies = manifest.entry("dependencies").or_insert_with(|| Table::new().into());
-        let inherited = Table::from_iter([("workspace".to_owned(), true.into())]);
-        dependencies.as_table_mut().map(|table| table.entry(KERNEL).or_insert(inherited.into()));
+    let dependencies = manifest.entry("dependencies").or_insert_with(|| Table::new().into());
+    if let (Some(dependencies), Some(shared)) = (dependencies.as_table_mut(), shared) {
+        for (name, dependency) in shared {
+            dependencies.entry(name).or_insert(dependency.clone());
+        }
     }
     toml_text(&path.display().to_string(), &manifest)
 }
