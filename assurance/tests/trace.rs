@@ -44,6 +44,7 @@ impl Tree {
         tree.write(&format!("spec/text/{}", CHAPTERS[1].file), TEXT);
         tree.write("spec/src/wire/one.rs", CODE);
         tree.write("spec/tests/other.rs", TESTS);
+        tree.write("spec/kernel/src/lib.rs", "");
         tree.write("proto/src/lib.rs", "");
         tree.write("proto/tests/none.rs", "");
         tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
