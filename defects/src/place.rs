@@ -75,6 +75,15 @@ pub fn plant(source: &str, file: &str, defect: &Defect) -> Result<String, PlaceE
     Ok(planted)
 }
 
+/// Where the character at `offset` of a text stands in the source, in bytes: once for every place of the text, however
+/// the source is formatted.
+#[must_use]
+pub fn places_of(source: &str, text: &str, offset: usize) -> Vec<usize> {
+    let dense = Dense::of(source);
+    let before = Dense::of(text.get(..offset).unwrap_or_default()).text.len();
+    dense.places(text, 0).filter_map(|place| dense.at.get(place.start + before).copied()).collect()
+}
+
 /// A text without its white space and trailing commas, and where each byte of it stood.
 struct Dense {
     text: String,
@@ -143,6 +152,12 @@ mod tests {
         let source = "if a\n    < b {\n    c(é, d,)\n}";
         assert_eq!(planted(source, vec![edit(None, "a < b", "a <= b")]).unwrap(), "if a <= b {\n    c(é, d,)\n}");
         assert_eq!(planted(source, vec![edit(None, "c( é,\n d )", "e")]).unwrap(), "if a\n    < b {\n    e\n}");
+    }
+
+    #[test]
+    fn a_character_is_found_in_every_place_of_its_text() {
+        assert_eq!(places_of("a <\n b; a < b", "a < b", 2), [2, 10]);
+        assert!(places_of("a > b", "a < b", 2).is_empty());
     }
 
     #[test]
