@@ -15,6 +15,8 @@
 //! | `lock` | what git keeps of what was found: digests, counts, and fates by id |
 //! | `reports` | where the short pages and the long reports go |
 //! | `document` | one document, written as Markdown and as HTML |
+//! | `planted` | copies the project's sources with planted defects |
+//! | `kept` | keeps measurements: lock, page, and the whole |
 //! | `digest` | over the files on which an artefact depends |
 //! | `console` | colours, widths and Ctrl-C |
 
@@ -26,8 +28,10 @@ mod digest;
 mod document;
 mod fuzz;
 mod lock;
+mod kept;
 mod mutants;
 mod mutate;
+mod planted;
 mod prove;
 mod reports;
 mod status;
@@ -64,17 +68,11 @@ enum Command {
     #[command(subcommand)]
     Mutate(mutate::Mutate),
     /// Prove the kernel, its readers and the protocol anew
-    Prove {
-        /// Only these engines; what the others said of the same sources stays
-        #[arg(long, value_name = "NAME")]
-        engine: Vec<String>,
-    },
-    /// Fuzz every target for a while; fuzz/README.md has the other modes
-    Fuzz {
-        /// The options of fuzz/README.md
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        options: Vec<String>,
-    },
+    #[command(after_help = prove::EXAMPLES)]
+    Prove(prove::ProveArgs),
+    /// Fuzz every target for a while, replay its inputs, or ask what it finds and reaches
+    #[command(after_help = fuzz::EXAMPLES)]
+    Fuzz(fuzz::FuzzArgs),
 }
 
 fn main() -> ExitCode {
@@ -83,7 +81,8 @@ fn main() -> ExitCode {
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("error: {error}");
-            ExitCode::from(if matches!(error, Error::Usage { .. }) { 2 } else { 4 })
+            let is_usage = matches!(error, Error::Usage { .. } | Error::Fuzz(fuzz::FuzzError::NoTarget { .. }));
+            ExitCode::from(if is_usage { 2 } else { 4 })
         }
     }
 }
@@ -97,13 +96,9 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
         Command::Mutate(command) => mutate::run(&project, command),
-        Command::Prove { engine } => prove::run(&project, &words(engine)),
-        Command::Fuzz { options } => fuzz::run(&project, &words(options)),
+        Command::Prove(args) => Ok(prove::run(&project, args)?),
+        Command::Fuzz(args) => Ok(fuzz::run(&project, args)?),
     }
-}
-
-fn words(options: &[String]) -> Vec<&str> {
-    options.iter().map(String::as_str).collect()
 }
 
 /// Why a command could not do its work.
@@ -129,8 +124,14 @@ enum Error {
     Report(#[from] reports::ReportError),
     #[error("signals cannot be handled: {0}")]
     Signals(io::Error),
-    #[error("changed kernels: {0}")]
-    Mutants(String),
+    #[error(transparent)]
+    ChangedKernel(#[from] mutate::kernel::KernelError),
+    #[error(transparent)]
+    ChangedSpec(#[from] mutate::spec::SpecError),
+    #[error(transparent)]
+    Prove(#[from] prove::ProveError),
+    #[error(transparent)]
+    Fuzz(#[from] fuzz::FuzzError),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
 }

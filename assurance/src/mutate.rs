@@ -1,10 +1,14 @@
 //! Changes of the sources that nobody planted: who notices them.
 //!
-//! - `kernel`: one token of the kernel at a time, held against the properties.
-//! - `spec`: mutants of the specification by cargo-mutants, held against the golden cases and the tests.
+//! | module | what it does |
+//! |---|---|
+//! | `kernel` | changes one token of the kernel at a time, and holds each changed kernel against the properties |
+//! | `spec` | has cargo-mutants change the specification, and holds each mutant against the golden cases and the tests |
+//! | `cargo` | reads what cargo prints for programs |
 
-mod kernel;
-mod spec;
+mod cargo;
+pub(crate) mod kernel;
+pub(crate) mod spec;
 
 use clap::Subcommand;
 use xtask::project::Project;
@@ -14,29 +18,18 @@ use crate::Error;
 #[derive(Debug, Subcommand)]
 pub(crate) enum Mutate {
     /// Change one token of the kernel, so many times, and hold each changed one against the properties
-    Kernel {
-        /// The options of proofs/README.md
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        options: Vec<String>,
-    },
-    /// Mutate the specification by cargo-mutants
-    Spec {
-        /// `--module NAME`, `--missed`, `--report`, `--check`
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        options: Vec<String>,
-    },
+    #[command(after_help = kernel::EXAMPLES)]
+    Kernel(kernel::KernelArgs),
+    /// Have cargo-mutants change the specification, and ask the golden cases and the tests who notices
+    #[command(after_help = spec::EXAMPLES)]
+    Spec(spec::SpecArgs),
 }
 
+/// # Errors
+/// As the command has them; `false` if a change goes unnoticed and nothing says why it may.
 pub(crate) fn run(project: &Project, command: &Mutate) -> Result<bool, Error> {
-    let words = |options: &'_ [String]| options.to_vec();
     match command {
-        Mutate::Kernel { options } => {
-            let options = words(options);
-            kernel::run(project, &options.iter().map(String::as_str).collect::<Vec<_>>())
-        }
-        Mutate::Spec { options } => {
-            let options = words(options);
-            spec::run(project, &options.iter().map(String::as_str).collect::<Vec<_>>())
-        }
+        Mutate::Kernel(args) => Ok(kernel::run(project, args)?),
+        Mutate::Spec(args) => Ok(spec::run(project, args)?),
     }
 }

@@ -1,21 +1,26 @@
-//! The proofs: sets the solvers up, runs the engines, and says whether the report is about the sources.
+//! Drives the proofs: sets the solvers up, and runs the engines.
 
 use std::ffi::OsString;
 use std::fs;
-use std::path::Path;
+use std::io;
+use std::path::PathBuf;
+use std::process::Command;
 use std::thread;
 use std::time::Instant;
 
-use serde_json::Value;
-
-use crate::Error;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use serde::Deserialize;
+use thiserror::Error;
 use xtask::project::Project;
-use xtask::setup;
+use xtask::setup::{self, SetupError};
 
 use crate::digest;
 
 /// Whether the machine code of this machine can be explored.
 const RUNS_MACHINE: bool = cfg!(all(target_os = "linux", target_arch = "x86_64"));
+/// The engines, as `proofs/README.md` describes them.
+const ENGINES: [&str; 7] = ["symbolic", "enumeration", "machine", "model", "readers", "kani-stand-in", "kani"];
 /// What the first stage finds out about the kernel, for the second.
 const KERNEL: &str = ".tools/proofs-kernel.json";
 const REPORT: &str = "reports/proofs.json";
@@ -24,12 +29,39 @@ const MACHINE: &str = ".tools/machine.json";
 const MODEL: &str = ".tools/model.json";
 const READERS: &str = ".tools/readers.json";
 
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  cargo assure prove                               all engines: about ten minutes
+  cargo assure prove --engine symbolic --engine model
+  cargo assure prove --check                       only: is the report about the sources as they are?";
+
+#[derive(Debug, Args)]
+pub(crate) struct ProveArgs {
+    /// Only this engine; may be given again. What the others said of the same sources stays
+    #[arg(long = "engine", value_name = "NAME", value_parser = PossibleValuesParser::new(ENGINES))]
+    engines: Vec<String>,
+    /// Run nothing: only say whether the report is about the sources as they are
+    #[arg(long, conflicts_with = "engines")]
+    check: bool,
+}
+
+impl ProveArgs {
+    fn wants(&self, engine: &str) -> bool {
+        self.engines.is_empty() || self.engines.iter().any(|wanted| wanted == engine)
+    }
+}
+
 /// Runs the engines; `false` if a property is not proved or a broken kernel not refuted.
 ///
 /// # Errors
 /// The solvers cannot be set up, or a program cannot be started.
-pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
-    let is_wanted_machine = RUNS_MACHINE && (args.is_empty() || args.contains(&"machine"));
+pub(crate) fn run(project: &Project, args: &ProveArgs) -> Result<bool, ProveError> {
+    if args.check {
+        let problem = stale(project)?;
+        problem.iter().for_each(|problem| println!("{problem}"));
+        return Ok(problem.is_none());
+    }
+    let is_wanted_machine = RUNS_MACHINE && args.wants("machine");
     thread::scope(|scope| {
         // What explores machine code takes half a minute to install, and comes late.
         let ahead = is_wanted_machine.then(|| scope.spawn(|| install_angr(project)));
@@ -41,8 +73,7 @@ pub(crate) fn run(project: &Project, args: &[&str]) -> Result<bool, Error> {
 }
 
 /// Runs the engines; `angr` waits for what explores machine code, and says whether it is there.
-fn engines(project: &Project, args: &[&str], angr: impl FnOnce() -> bool) -> Result<bool, Error> {
-    let is_wanted = |engine: &str| args.is_empty() || args.contains(&engine);
+fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> Result<bool, ProveError> {
     let began = Instant::now();
     let part = |what: &str| {
         let seconds = began.elapsed().as_secs();
@@ -52,33 +83,32 @@ fn engines(project: &Project, args: &[&str], angr: impl FnOnce() -> bool) -> Res
     setup::solvers(project, &mut |line| println!("{line}"))?;
     // First the kernel itself, without the broken ones: whoever has changed it wants to hear that at once.
     forget(project, KERNEL);
-    for (engine, file) in [("model", MODEL), ("machine", MACHINE)] {
-        if is_wanted(engine) {
+    for (engine, file) in [("model", MODEL), ("machine", MACHINE), ("readers", READERS)] {
+        if args.wants(engine) {
             forget(project, file);
         }
     }
+    let chosen: Vec<&str> = args.engines.iter().flat_map(|engine| ["--engine", engine]).collect();
     let program = |options: &[&str], stage: &str| {
         let start = ["run", "--quiet", "--release", "-p", "ncp-proofs"];
-        project.cargo(&[&start[..], options, &["--", "--stage", stage], args].concat())
+        project.cargo(&[&start[..], options, &["--", "--stage", stage], &chosen].concat())
     };
     part("the kernel: on values, on samples, and for all doubles by the solvers");
     if !start(program(&[], "kernel"))? {
         return Ok(false);
     }
     let mut good = true;
-    if is_wanted("model") {
+    if args.wants("model") {
         part("the protocol over a bad network, by model checking");
-        let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--"];
-        good &= start(project.cargo(&[&words[..], &["--json", MODEL]].concat()))?;
+        let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--", "--json", MODEL];
+        good &= start(project.cargo(&words))?;
     }
-    if is_wanted("readers") {
+    if args.wants("readers") {
         part("what reads blocks, versions and keys, on every input within the bounds");
-        forget(project, READERS);
-        let program = ["-p", "ncp-readers", "--features", "broken", "--"];
-        let words = [&["run", "--quiet", "--release"], &program[..]].concat();
-        good &= start(project.cargo(&[&words[..], &["--json", READERS]].concat()))?;
+        let program = ["-p", "ncp-readers", "--features", "broken", "--", "--json", READERS];
+        good &= start(project.cargo(&[&["run", "--quiet", "--release"], &program[..]].concat()))?;
     }
-    if is_wanted("machine") {
+    if args.wants("machine") {
         part("the machine code of the kernel, by symbolic execution");
         good &= machine(project, angr)?;
     }
@@ -90,7 +120,7 @@ fn engines(project: &Project, args: &[&str], angr: impl FnOnce() -> bool) -> Res
 
 /// Explores the machine code, where that can be done: on other machines it is not run, which is no failure,
 /// and the report says so.
-fn machine(project: &Project, angr: impl FnOnce() -> bool) -> Result<bool, Error> {
+fn machine(project: &Project, angr: impl FnOnce() -> bool) -> Result<bool, ProveError> {
     if !RUNS_MACHINE {
         println!("machine code: not run here, as it is for x86-64 Linux");
         return Ok(true);
@@ -115,28 +145,49 @@ fn forget(project: &Project, file: &str) {
     fs::remove_file(project.path(file)).ok();
 }
 
-fn start(mut command: std::process::Command) -> Result<bool, Error> {
-    let status = command.status().map_err(|source| Error::File { path: command.get_program().into(), source })?;
+fn start(mut command: Command) -> Result<bool, ProveError> {
+    let status = command.status();
+    let status = status.map_err(|source| ProveError::Start { program: command.get_program().into(), source })?;
     Ok(status.success())
 }
 
-/// What is wrong with the report: missing, or about other sources.
-pub(crate) fn stale(project: &Project) -> Vec<String> {
-    stale_at(&project.path("")).err().map(|why| format!("{REPORT}: {why}; cargo xtask prove")).into_iter().collect()
+/// What is wrong with the report: missing, about other sources, or of something that is not shown.
+fn stale(project: &Project) -> Result<Option<String>, ProveError> {
+    /// What of the report says whether it holds.
+    #[derive(Deserialize)]
+    struct Report {
+        digest: String,
+        problems: Vec<String>,
+    }
+
+    let problem = |why: &str| Ok(Some(format!("{REPORT}: {why}; cargo assure prove")));
+    let path = project.path(REPORT);
+    let Ok(text) = fs::read(&path) else {
+        return problem("there is none");
+    };
+    let report: Report = serde_json::from_slice(&text).map_err(|source| ProveError::Report { path, source })?;
+    let root = project.path("");
+    let now = digest::of(&root).map_err(|source| ProveError::File { path: root, source })?;
+    if report.digest != now {
+        return problem("the kernel or its harnesses have changed since they were proved");
+    }
+    match report.problems.as_slice() {
+        [] => Ok(None),
+        problems => problem(&format!("not everything is shown: {}", problems.join("; "))),
+    }
 }
 
-fn stale_at(root: &Path) -> Result<(), String> {
-    let text = fs::read_to_string(root.join(REPORT)).map_err(|error| error.to_string())?;
-    let report: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
-    let now = digest::of(root).map_err(|error| error.to_string())?;
-    if report["digest"] != now.as_str() {
-        return Err("the kernel or its harnesses have changed since they were proved".to_owned());
-    }
-    match report["problems"].as_array() {
-        Some(problems) if problems.is_empty() => Ok(()),
-        Some(problems) => Err(format!("not everything is shown: {problems:?}")),
-        None => Err("it does not say whether everything is shown".to_owned()),
-    }
+/// Why the proofs could not be run.
+#[derive(Debug, Error)]
+pub(crate) enum ProveError {
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    #[error("{} cannot be started: {source}", program.display())]
+    Start { program: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    Report { path: PathBuf, source: serde_json::Error },
 }
 
 #[cfg(test)]
@@ -147,8 +198,7 @@ mod tests {
     fn a_change_of_the_kernel_makes_the_report_stale() {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
-        for source in digest::ARTEFACTS.iter().flat_map(|artefact| artefact.sources) {
-            let source = root.join(source);
+        for source in digest::SOURCES.map(|source| root.join(source)) {
             if source.extension().is_none() {
                 fs::create_dir_all(source).unwrap();
                 continue;
@@ -156,12 +206,14 @@ mod tests {
             fs::create_dir_all(source.parent().unwrap()).unwrap();
             fs::write(source, "").unwrap();
         }
-        for folder in ["spec/kernel/src/decisions", "reports"] {
-            fs::create_dir_all(root.join(folder)).unwrap();
-        }
         let kernel = root.join("spec/kernel/src/decisions/speed.rs");
+        for folder in [kernel.parent().unwrap(), &root.join("reports")] {
+            fs::create_dir_all(folder).unwrap();
+        }
         fs::write(&kernel, "a.le(b)").unwrap();
-        assert!(stale_at(root).unwrap_err().contains("No such file"));
+        let project = Project::at(root);
+        let stale = || stale(&project).unwrap().unwrap_or_default();
+        assert!(stale().contains("there is none"));
 
         let digest = digest::of(root).unwrap();
         let report = |problems: &str| {
@@ -169,10 +221,10 @@ mod tests {
             fs::write(root.join(REPORT), text).unwrap();
         };
         report("[\"clamp/bound: no engine proves it\"]");
-        assert!(stale_at(root).unwrap_err().contains("clamp/bound"));
+        assert!(stale().contains("clamp/bound"));
         report("[]");
-        assert_eq!(stale_at(root), Ok(()));
+        assert_eq!(stale(), "");
         fs::write(&kernel, "a.lt(b)").unwrap();
-        assert!(stale_at(root).unwrap_err().contains("have changed"));
+        assert!(stale().contains("have changed"));
     }
 }

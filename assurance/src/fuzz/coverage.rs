@@ -3,13 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use serde_json::{Value, json};
-
-use super::report::Report;
-use super::{BODIES, say};
-use crate::Error;
+use serde::Deserialize;
 use xtask::project::Project;
 use xtask::setup::{self, SetupError};
+
+use super::report::{Coverage, Lines};
+use super::{BODIES, FuzzError, say};
 
 /// The version of cargo-llvm-cov.
 const CARGO_LLVM_COV: &str = "0.9.1";
@@ -21,7 +20,7 @@ const ENOUGH: f64 = 95.0;
 ///
 /// # Errors
 /// No LLVM tools that read what this compiler writes.
-pub(super) fn measure(project: &Project, llvm_path: Option<&Path>, report: &mut Report) -> Result<bool, Error> {
+pub(super) fn measure(project: &Project, llvm_path: Option<&Path>) -> Result<(bool, Coverage), FuzzError> {
     let (cov, profdata) = llvm(llvm_path)?;
     let cargo_llvm_cov = setup::program(project, "cargo-llvm-cov", CARGO_LLVM_COV, &mut say)?;
     println!("replaying the corpora with coverage");
@@ -39,31 +38,24 @@ pub(super) fn measure(project: &Project, llvm_path: Option<&Path>, report: &mut 
         setup::carry_out(program)?;
     }
 
-    let text = std::fs::read(&output).map_err(|source| Error::File { path: output.clone(), source })?;
-    let exported: Value = serde_json::from_slice(&text).unwrap_or_default();
-    let files = lines(&exported, project);
-    let mut right = true;
+    let text = std::fs::read(&output).map_err(|source| FuzzError::File { path: output.clone(), source })?;
+    let exported = serde_json::from_slice(&text).map_err(|source| FuzzError::Form { path: output, source })?;
+    let files = lines(exported, project);
+    let mut is_enough = true;
     let mut folders = Vec::new();
     for folder in FOLDERS {
-        let within = files.iter().filter(|(file, ..)| file.starts_with(folder));
-        let (count, covered) = within.fold((0, 0), |(count, covered), file| (count + file.1, covered + file.2));
+        let within = || files.iter().filter(|lines| lines.place.starts_with(folder));
+        let (count, covered) = (within().map(|lines| lines.count).sum(), within().map(|lines| lines.covered).sum());
         let percent = percent(count, covered);
-        right &= count > 0 && percent >= ENOUGH;
+        is_enough &= count > 0 && percent >= ENOUGH;
         println!("{folder:16} {covered:>5} of {count:>5} lines, {percent:.1} %");
-        folders.push(json!({"folder": folder, "lines": count, "covered": covered}));
+        folders.push(Lines { place: folder.to_owned(), count, covered });
     }
-    for (file, count, covered) in &files {
-        println!("  {file:36} {covered:>5} of {count:>5}");
+    for Lines { place, count, covered } in &files {
+        println!("  {place:36} {covered:>5} of {count:>5}");
     }
-    let tool = version(&cov).unwrap_or_default();
-    report.covered(json!({
-        "tool": format!("cargo-llvm-cov {CARGO_LLVM_COV}, {tool}"),
-        "folders": folders,
-        "files": files.iter().map(|(file, count, covered)| {
-            json!({"file": file, "lines": count, "covered": covered})
-        }).collect::<Vec<_>>(),
-    }));
-    Ok(right)
+    let tool = format!("cargo-llvm-cov {CARGO_LLVM_COV}, {}", version(&cov).unwrap_or_default());
+    Ok((is_enough, Coverage { digest: super::report::digest_of(project)?, tool, folders, files }))
 }
 
 pub(super) fn percent(count: u64, covered: u64) -> f64 {
@@ -71,20 +63,46 @@ pub(super) fn percent(count: u64, covered: u64) -> f64 {
     if count == 0 { 0.0 } else { 100.0 * covered as f64 / count as f64 }
 }
 
+/// What `llvm-cov export` writes: the members that are asked for.
+#[derive(Deserialize)]
+struct Exported {
+    data: Vec<Data>,
+}
+
+#[derive(Deserialize)]
+struct Data {
+    files: Vec<File>,
+}
+
+#[derive(Deserialize)]
+struct File {
+    filename: String,
+    summary: Summary,
+}
+
+#[derive(Deserialize)]
+struct Summary {
+    lines: Counts,
+}
+
+#[derive(Deserialize)]
+struct Counts {
+    count: u64,
+    covered: u64,
+}
+
 /// The files of [`FOLDERS`], how many lines of each have code, and how many of those ran.
-fn lines(exported: &Value, project: &Project) -> Vec<(String, u64, u64)> {
+fn lines(exported: Exported, project: &Project) -> Vec<Lines> {
     let root = project.path("").to_string_lossy().into_owned();
-    let files = exported["data"][0]["files"].as_array().into_iter().flatten();
+    let files = exported.data.into_iter().take(1).flat_map(|data| data.files);
     let mut lines: Vec<_> = files
-        .filter_map(|file| {
-            let name = file["filename"].as_str()?.strip_prefix(&root)?;
-            let summary = &file["summary"]["lines"];
-            let counted = (summary["count"].as_u64()?, summary["covered"].as_u64()?);
-            let is_wanted = FOLDERS.iter().any(|folder| name.starts_with(folder));
-            is_wanted.then(|| (name.to_owned(), counted.0, counted.1))
+        .filter_map(|File { filename, summary: Summary { lines: Counts { count, covered } } }| {
+            let place = filename.strip_prefix(&root)?.to_owned();
+            let is_wanted = FOLDERS.iter().any(|folder| place.starts_with(folder));
+            is_wanted.then_some(Lines { place, count, covered })
         })
         .collect();
-    lines.sort();
+    lines.sort_by(|a, b| a.place.cmp(&b.place));
     lines
 }
 
@@ -137,6 +155,8 @@ fn version(tool: &Path) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::json;
+
     use super::*;
 
     #[test]
@@ -148,9 +168,9 @@ mod tests {
             file("/p/spec/src/wire/map.rs", 4), file("/p/spec/src/keys.rs", 9),
             file("/q/spec/src/wire/map.rs", 9), file("/p/spec/src/bulk/block.rs", 3),
         ]}]});
-        let lines = lines(&exported, &project);
-        let expected = [("spec/src/bulk/block.rs", 3, 3), ("spec/src/wire/map.rs", 4, 3)];
-        assert_eq!(lines, expected.map(|(file, count, covered)| (file.to_owned(), count, covered)));
+        let lines = lines(serde_json::from_value(exported).unwrap(), &project);
+        let lines: Vec<_> = lines.iter().map(|Lines { place, count, covered }| (&**place, *count, *covered)).collect();
+        assert_eq!(lines, [("spec/src/bulk/block.rs", 3, 3), ("spec/src/wire/map.rs", 4, 3)]);
         assert!((percent(4, 3) - 75.0).abs() < 1e-9 && percent(0, 0) == 0.0);
     }
 }

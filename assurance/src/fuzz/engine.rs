@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::Error;
 use xtask::project::{self, Project};
 use xtask::setup::{self, Say, SetupError};
+
+use super::{FuzzError, Hunt};
+use crate::planted::SWITCH;
 
 /// The version of cargo-fuzz.
 pub(super) const CARGO_FUZZ: &str = "0.13.2";
@@ -66,19 +68,22 @@ impl Engine {
         })
     }
 
-    /// Builds all targets.
+    /// The same for a copy of the project, whose builds and results are kept apart.
+    pub(super) fn of_the_copy(mut self) -> Self {
+        self.folder.push("planted");
+        self
+    }
+
+    /// Builds all targets of a project.
     ///
     /// # Errors
     /// What the compiler says.
-    pub(super) fn build(&self, project: &Project, planted: bool, say: Say<'_>) -> Result<(), SetupError> {
+    pub(super) fn build(&self, project: &Project, say: Say<'_>) -> Result<(), SetupError> {
         say(&format!("building the fuzz targets ({self})"));
         let folder = self.folder.to_string_lossy();
         let mut args = vec!["build", "--codegen-units", "16", "--target-dir", &folder];
         if !self.address {
             args.extend(["--sanitizer", "none"]);
-        }
-        if planted {
-            args.extend(["--features", "planted"]);
         }
         let mut build = project.program(&self.cargo_fuzz, &args, "fuzz");
         // It is to find the toolchain's own cargo, not the one that started this program.
@@ -95,26 +100,29 @@ impl Engine {
     ///
     /// # Errors
     /// It cannot be started.
-    pub(super) fn fuzz(&self, project: &Project, name: &str, time: Duration) -> Result<Run, Error> {
+    pub(super) fn fuzz(&self, project: &Project, name: &str, time: Duration) -> Result<Run, FuzzError> {
         let work = self.work(name);
         super::create(&work)?;
-        self.start(project, name, &work, time)
+        self.start(project, self.target(project, name), name, name, &work, time)
     }
 
-    /// Fuzzes a target from its corpus on until it finds something, and forgets what it learned.
+    /// Fuzzes a target from its corpus on until it finds a planted defect, and forgets what it learned.
     ///
     /// # Errors
     /// It cannot be started.
-    pub(super) fn hunt(&self, project: &Project, name: &str, time: Duration) -> Result<Run, Error> {
-        let work = self.fresh("hunt", name)?;
-        self.start(project, name, &work, time)
+    pub(super) fn hunt(&self, project: &Project, hunt: &Hunt<'_>, time: Duration) -> Result<Run, FuzzError> {
+        let label = format!("{}-{}", hunt.target, hunt.defect.name);
+        let work = self.fresh("hunt", &label)?;
+        let mut target = self.target(project, hunt.target);
+        target.env(SWITCH, hunt.number.to_string());
+        self.start(project, target, hunt.target, &label, &work, time)
     }
 
     /// The fewest inputs of some folders that reach what all reach, in a folder of their own.
     ///
     /// # Errors
     /// It cannot be started, or finds an input with which something is wrong.
-    pub(super) fn merge(&self, project: &Project, name: &str, from: &[&Path]) -> Result<PathBuf, Error> {
+    pub(super) fn merge(&self, project: &Project, name: &str, from: &[&Path]) -> Result<PathBuf, FuzzError> {
         let merged = self.fresh("merged", name)?;
         let mut merge = self.target(project, name);
         // Edges without the counts of their passes: a small set that reaches every line.
@@ -135,7 +143,7 @@ impl Engine {
     }
 
     /// A folder that is there and empty.
-    fn fresh(&self, what: &str, name: &str) -> Result<PathBuf, Error> {
+    fn fresh(&self, what: &str, name: &str) -> Result<PathBuf, FuzzError> {
         let folder = self.folder(what).join(name);
         super::create(&folder)?;
         for file in super::files(&folder)? {
@@ -153,14 +161,22 @@ impl Engine {
         target
     }
 
-    fn start(&self, project: &Project, name: &str, work: &Path, time: Duration) -> Result<Run, Error> {
-        let artifacts = self.folder("artifacts").join(name);
+    /// Starts a target, and keeps what it says and finds under a label.
+    fn start(
+        &self,
+        project: &Project,
+        mut target: Command,
+        name: &str,
+        label: &str,
+        work: &Path,
+        time: Duration,
+    ) -> Result<Run, FuzzError> {
+        let artifacts = self.folder("artifacts").join(label);
         let logs = self.folder("logs");
         super::create(&artifacts)?;
         super::create(&logs)?;
-        let log = logs.join(format!("{name}.log"));
-        let unusable = |source| Error::File { path: log.clone(), source };
-        let mut target = self.target(project, name);
+        let log = logs.join(format!("{label}.log"));
+        let unusable = |source| FuzzError::File { path: log.clone(), source };
         target
             .arg(format!("-max_total_time={}", time.as_secs()))
             .arg(format!("-artifact_prefix={}/", artifacts.display()))
@@ -181,7 +197,7 @@ impl Engine {
         let printed = String::from_utf8_lossy(&printed);
         let crash = crash(&printed);
         if crash.is_none() && !status.success() {
-            return Err(Error::Setup(SetupError::Failed {
+            return Err(FuzzError::Setup(SetupError::Failed {
                 command: shown,
                 status: status.to_string(),
                 output: printed.into_owned(),

@@ -1,200 +1,315 @@
-//! `reports/fuzz.json`, which holds what was measured, and `reports/fuzz.md`, which is made of it.
+//! What was measured: the lock, the page, and the whole of it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs;
-use std::path::PathBuf;
 
-use serde_json::{Map, Value, json};
-
-use super::coverage::percent;
-use super::engine::{Engine, Run};
-use super::{CORPUS, Target, files, grouped};
-use crate::Error;
+use ncp_defects::Defect;
+use serde::{Deserialize, Serialize};
 use xtask::project::Project;
 
-const JSON: &str = "reports/fuzz.json";
-const MARKDOWN: &str = "reports/fuzz.md";
+use super::coverage::percent;
+use super::engine::Engine;
+use super::{CORPUS, FuzzError, Hunt, Run, Target, files, grouped};
+use crate::digest;
+use crate::kept;
 
-/// What was measured, now and before: each command replaces its own part.
-pub(super) struct Report(Value);
+/// The name under which it is kept.
+const NAME: &str = "fuzz";
+/// What a measurement is about: what is attacked, and what attacks it.
+pub(crate) const SOURCES: [&str; 8] = [
+    "spec/src",
+    "spec/kernel/src",
+    "proto/src",
+    "verifier/src/json.rs",
+    "verifier/src/peer",
+    "fuzz/bodies/src",
+    "fuzz/fuzz_targets",
+    super::DEFECTS,
+];
+
+/// Everything.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    /// The targets as they are, by name.
+    targets: BTreeMap<String, Facts>,
+    #[serde(flatten)]
+    lock: Lock,
+}
+
+/// What the sources say of a target.
+#[derive(Debug, Default, Serialize)]
+struct Facts {
+    finds: String,
+    /// The rules for which it is evidence.
+    rules: BTreeSet<String>,
+    /// The committed corpus.
+    inputs: usize,
+    bytes: u64,
+}
+
+/// What stands in git: what was measured, now and before. Each command replaces its own part.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Lock {
+    fuzzing: Option<Fuzzing>,
+    planted: Option<Planted>,
+    coverage: Option<Coverage>,
+}
+
+/// Fuzzing, for a while.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Fuzzing {
+    /// Of the [`SOURCES`], as in the other parts.
+    digest: String,
+    engine: String,
+    /// By name.
+    targets: BTreeMap<String, Fuzzed>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Fuzzed {
+    executions: u64,
+    /// Edges of the program's flow that were reached.
+    edges: u64,
+    seconds: f64,
+    found: bool,
+}
+
+/// The hunt for planted defects.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Planted {
+    digest: String,
+    engine: String,
+    /// By the name of the defect, and by that of the target.
+    defects: BTreeMap<String, BTreeMap<String, Hunted>>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Hunted {
+    by: Option<FoundBy>,
+    seconds: f64,
+    executions: u64,
+}
+
+/// What finds a planted defect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum FoundBy {
+    /// A committed input, before anything was mutated.
+    Corpus,
+    Fuzzing,
+}
+
+/// Lines of the decoders that the committed corpora reach.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Coverage {
+    pub(super) digest: String,
+    pub(super) tool: String,
+    pub(super) folders: Vec<Lines>,
+    pub(super) files: Vec<Lines>,
+}
+
+/// The lines of a file or a folder.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Lines {
+    pub(super) place: String,
+    /// Lines that have code, and how many of them ran.
+    pub(super) count: u64,
+    pub(super) covered: u64,
+}
 
 impl Report {
     /// What was measured before, with the targets as they are.
-    pub(super) fn read(project: &Project, targets: &[Target]) -> Self {
-        let before = fs::read(project.path(JSON)).unwrap_or_default();
-        let mut report: Value = serde_json::from_slice(&before).unwrap_or_default();
-        if !report["targets"].is_object() {
-            report = json!({"format": 1, "targets": {}, "fuzzing": null, "planted": null, "coverage": null});
-        }
-        let (rules, sizes) = (rules(project), sizes(project));
-        for target in targets {
-            let entry = &mut report["targets"][target.name.as_str()];
-            entry["finds"] = target.finds.as_str().into();
-            entry["rules"] = rules(&target.name).into();
-            let (count, bytes) = sizes(&target.name);
-            entry["corpus"] = json!({"inputs": count, "bytes": bytes});
-        }
-        Self(report)
+    ///
+    /// # Errors
+    /// The lock is not of the form.
+    pub(super) fn read(project: &Project, targets: &[Target]) -> Result<Self, FuzzError> {
+        let rules = rules(project);
+        let facts = |target: &Target| {
+            let inputs = files(&project.path(CORPUS).join(&target.name)).unwrap_or_default();
+            let facts = Facts {
+                finds: target.finds.clone(),
+                rules: rules(&target.name),
+                inputs: inputs.len(),
+                bytes: inputs.iter().filter_map(|file| Some(file.metadata().ok()?.len())).sum(),
+            };
+            (target.name.clone(), facts)
+        };
+        Ok(Self { targets: targets.iter().map(facts).collect(), lock: kept::read(project, NAME)?.unwrap_or_default() })
     }
 
     /// Takes note of fuzzing.
-    pub(super) fn ran(&mut self, engine: &Engine, targets: &[Target], runs: &[Run]) {
-        self.0["fuzzing"] = json!({"engine": engine.to_string()});
-        for (target, run) in targets.iter().zip(runs) {
-            self.0["targets"][target.name.as_str()]["run"] = json!({
-                "executions": run.executions,
-                "edges": run.edges,
-                "seconds": tenths(run.seconds),
-                "found": run.crash.is_some(),
-            });
-        }
-    }
-
-    /// Takes note of the hunt for planted bugs.
-    pub(super) fn hunted(&mut self, engine: &Engine, targets: &[Target], runs: &[Run]) {
-        self.0["planted"] = json!({"engine": engine.to_string()});
-        for (target, run) in targets.iter().zip(runs) {
-            self.0["targets"][target.name.as_str()]["planted"] = json!({
-                "bug": target.planted,
-                "found": run.crash.is_some(),
-                "by_the_corpus": run.from_corpus,
-                "seconds": tenths(run.seconds),
-                "executions": run.executions,
-            });
-        }
-    }
-
-    /// Takes note of the coverage.
-    pub(super) fn covered(&mut self, coverage: Value) {
-        self.0["coverage"] = coverage;
-    }
-
-    /// Writes both files.
     ///
     /// # Errors
-    /// One cannot be written.
-    pub(super) fn write(&self, project: &Project) -> Result<(), Error> {
-        let texts = [(JSON, format!("{:#}\n", self.0)), (MARKDOWN, self.markdown())];
-        for (file, text) in texts {
-            let path = project.path(file);
-            fs::write(&path, text).map_err(|source| Error::File { path, source })?;
-            println!("wrote {file}");
-        }
+    /// A source cannot be read.
+    pub(super) fn ran(&mut self, project: &Project, engine: &Engine, runs: &[(&Target, Run)]) -> Result<(), FuzzError> {
+        let digest = digest_of(project)?;
+        let before = self.lock.fuzzing.take().filter(|before| before.digest == digest);
+        let mut targets = before.map(|before| before.targets).unwrap_or_default();
+        targets.extend(runs.iter().map(|(target, run)| {
+            let fuzzed = Fuzzed {
+                executions: run.executions,
+                edges: run.edges,
+                seconds: tenths(run.seconds),
+                found: run.crash.is_some(),
+            };
+            (target.name.clone(), fuzzed)
+        }));
+        self.lock.fuzzing = Some(Fuzzing { digest, engine: engine.to_string(), targets });
         Ok(())
     }
 
-    fn markdown(&self) -> String {
-        let mut page = HEAD.to_owned();
-        let targets = self.0["targets"].as_object().cloned().unwrap_or_default();
-        fuzzing(&mut page, &self.0["fuzzing"], &targets);
-        planted(&mut page, &self.0["planted"], &targets);
-        coverage(&mut page, &self.0["coverage"]);
-        rules_of(&mut page, &targets);
-        page
+    /// Takes note of the hunt for planted defects.
+    ///
+    /// # Errors
+    /// A source cannot be read.
+    pub(super) fn hunted(
+        &mut self,
+        project: &Project,
+        engine: &Engine,
+        hunts: &[(&Hunt<'_>, Run)],
+    ) -> Result<(), FuzzError> {
+        let digest = digest_of(project)?;
+        let before = self.lock.planted.take().filter(|before| before.digest == digest);
+        let mut defects = before.map(|before| before.defects).unwrap_or_default();
+        for (hunt, run) in hunts {
+            let by = if run.from_corpus { FoundBy::Corpus } else { FoundBy::Fuzzing };
+            let by = run.crash.is_some().then_some(by);
+            let hunted = Hunted { by, seconds: tenths(run.seconds), executions: run.executions };
+            defects.entry(hunt.defect.name.clone()).or_default().insert(hunt.target.to_owned(), hunted);
+        }
+        self.lock.planted = Some(Planted { digest, engine: engine.to_string(), defects });
+        Ok(())
     }
+
+    /// Takes note of the coverage.
+    pub(super) fn covered(&mut self, coverage: Coverage) {
+        self.lock.coverage = Some(coverage);
+    }
+
+    /// Keeps it.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub(super) fn write(&self, project: &Project, defects: &[Defect]) -> Result<(), FuzzError> {
+        kept::write(project, NAME, &self.lock, &page(self, defects), self)?;
+        println!("wrote {}", kept::page_file(NAME));
+        Ok(())
+    }
+}
+
+/// What people read.
+fn page(report: &Report, defects: &[Defect]) -> String {
+    let mut page = HEAD.to_owned();
+    fuzzing(&mut page, report);
+    planted(&mut page, report.lock.planted.as_ref(), defects);
+    coverage(&mut page, report.lock.coverage.as_ref());
+    page
 }
 
 const HEAD: &str = "\
 # Fuzzing: what was tried, and what it reaches
 
-Made by `cargo xtask fuzz --report`, `--planted --report` and `--coverage --report`, each of which measures one part anew; \
-`fuzz/README.md` says how to repeat it. `cargo xtask test` replays every committed input.
+Made by `cargo assure fuzz --report`, `--planted --report` and `--coverage --report`, each of which measures one part \
+anew; `fuzz/README.md` says how to repeat it. `cargo xtask test` replays every committed input. For which rules a target \
+is evidence stands above its function in `fuzz/bodies/src`, and in `reports/traceability.md`.
 
-Fuzzing looks for what is wrong and proves nothing: that nothing was found is worth as much as the number of executions, the \
-lines reached, and the planted bugs that the same targets do find.
+Fuzzing looks for what is wrong and proves nothing: that nothing was found is worth as much as the number of executions, \
+the lines reached, and the planted defects that the same targets do find.
 
 ";
 
-fn fuzzing(page: &mut String, run: &Value, targets: &Map<String, Value>) {
+fn fuzzing(page: &mut String, report: &Report) {
     page.push_str("## The last run\n\n");
-    let Some(engine) = run["engine"].as_str() else {
+    let Some(Fuzzing { engine, targets, .. }) = &report.lock.fuzzing else {
         page.push_str("Not run here.\n\n");
         return;
     };
-    let _ = writeln!(page, "{engine}, libFuzzer.\n");
-    page.push_str(
-        "| target | would find | corpus | executions | seconds | edges | found |\n|---|---|---|---|---|---|---|\n",
+    let _ = write!(
+        page,
+        "{engine}, libFuzzer.\n\n| target | would find | corpus | executions | seconds | edges | found |\n\
+         |---|---|---|---|---|---|---|\n"
     );
-    let mut total = 0;
-    for (name, target) in targets {
-        let (run, corpus) = (&target["run"], &target["corpus"]);
-        total += number(&run["executions"]);
+    for (name, run) in targets {
+        let none = Facts::default();
+        let Facts { finds, inputs, bytes, .. } = report.targets.get(name).unwrap_or(&none);
         let _ = writeln!(
             page,
-            "| {name} | {} | {} inputs, {} bytes | {} | {} | {} | {} |",
-            text(&target["finds"]),
-            number(&corpus["inputs"]),
-            grouped(number(&corpus["bytes"])),
-            grouped(number(&run["executions"])),
-            run["seconds"],
-            grouped(number(&run["edges"])),
-            if run["found"] == true { "something" } else { "nothing" },
+            "| {name} | {finds} | {inputs} inputs, {} bytes | {} | {} | {} | {} |",
+            grouped(*bytes),
+            grouped(run.executions),
+            run.seconds,
+            grouped(run.edges),
+            if run.found { "something" } else { "nothing" },
         );
     }
+    let total = grouped(targets.values().map(|run| run.executions).sum());
     let _ = writeln!(
         page,
-        "\n{} executions in all. An edge is a step from one basic block to another, in the target and in all that it calls.\n",
-        grouped(total)
+        "\n{total} executions in all. An edge is a step from one basic block to another, in the target and in all that \
+         it calls.\n"
     );
 }
 
-fn planted(page: &mut String, hunt: &Value, targets: &Map<String, Value>) {
-    page.push_str("## Planted bugs\n\nEach target is pointed at a build with one bug of its class (`fuzz/bodies/src/planted.rs`), and has two minutes to find it.\n\n");
-    let Some(engine) = hunt["engine"].as_str() else {
+fn planted(page: &mut String, planted: Option<&Planted>, defects: &[Defect]) {
+    let _ = writeln!(
+        page,
+        "## Planted defects\n\nEach target is pointed at a build with one defect of its class (`{}`), and has two \
+         minutes to find it.\n",
+        super::DEFECTS
+    );
+    let Some(Planted { engine, defects: hunted, .. }) = planted else {
         page.push_str("Not run here.\n\n");
         return;
     };
-    let _ = writeln!(page, "{engine}, libFuzzer.\n");
-    page.push_str("| target | bug | found | seconds | executions |\n|---|---|---|---|---|\n");
-    for (name, target) in targets {
-        let planted = &target["planted"];
-        let found = match (&planted["found"], &planted["by_the_corpus"]) {
-            (Value::Bool(true), Value::Bool(true)) => "by the corpus",
-            (Value::Bool(true), _) => "by fuzzing",
-            _ => "NO",
-        };
-        let _ = writeln!(
-            page,
-            "| {name} | {} | {found} | {} | {} |",
-            text(&planted["bug"]),
-            planted["seconds"],
-            grouped(number(&planted["executions"])),
-        );
-    }
-    page.push('\n');
-}
-
-fn coverage(page: &mut String, coverage: &Value) {
-    page.push_str("## Lines of the decoders that the corpora reach\n\n");
-    let Some(tool) = coverage["tool"].as_str() else {
-        page.push_str("Not measured here.\n\n");
-        return;
-    };
-    let _ = writeln!(page, "{tool}. The committed inputs alone, replayed without fuzzing.\n");
-    page.push_str("| where | lines with code | run | % |\n|---|---|---|---|\n");
-    let parts = [("folders", "folder"), ("files", "file")];
-    for (list, name) in parts {
-        for part in coverage[list].as_array().into_iter().flatten() {
-            let (count, covered) = (number(&part["lines"]), number(&part["covered"]));
-            let place = text(&part[name]);
-            let place = if list == "folders" { format!("**{place}**") } else { place.to_owned() };
-            let _ = writeln!(page, "| {place} | {count} | {covered} | {:.1} |", percent(count, covered));
+    let _ = write!(
+        page,
+        "{engine}, libFuzzer.\n\n| target | defect | found | seconds | executions |\n|---|---|---|---|---|\n"
+    );
+    for Defect { name, about, .. } in defects {
+        for (target, Hunted { by, seconds, executions }) in hunted.get(name).into_iter().flatten() {
+            let found = match by {
+                Some(FoundBy::Corpus) => "by the corpus",
+                Some(FoundBy::Fuzzing) => "by fuzzing",
+                None => "NO",
+            };
+            let _ = writeln!(page, "| {target} | {about} | {found} | {seconds} | {} |", grouped(*executions));
         }
     }
     page.push('\n');
 }
 
-fn rules_of(page: &mut String, targets: &Map<String, Value>) {
-    page.push_str("## For which rules each target is evidence\n\n");
-    for (name, target) in targets {
-        let rules = target["rules"].as_array().into_iter().flatten().map(text);
-        let _ = writeln!(page, "- **{name}**: {}", rules.collect::<Vec<_>>().join(", "));
+fn coverage(page: &mut String, coverage: Option<&Coverage>) {
+    page.push_str("## Lines of the decoders that the corpora reach\n\n");
+    let Some(Coverage { tool, folders, files, .. }) = coverage else {
+        page.push_str("Not measured here.\n");
+        return;
+    };
+    let _ = write!(
+        page,
+        "{tool}. The committed inputs alone, replayed without fuzzing.\n\n\
+         | where | lines with code | run | % |\n|---|---|---|---|\n"
+    );
+    let mut row = |place: &str, count, covered| {
+        let _ = writeln!(page, "| {place} | {count} | {covered} | {:.1} |", percent(count, covered));
+    };
+    for Lines { place, count, covered } in folders {
+        row(&format!("**{place}**"), *count, *covered);
+    }
+    for Lines { place, count, covered } in files {
+        row(place, *count, *covered);
     }
 }
 
 /// The rules that the comment of a target's function cites.
-fn rules(project: &Project) -> impl Fn(&str) -> Vec<String> + use<> {
+fn rules(project: &Project) -> impl Fn(&str) -> BTreeSet<String> + use<> {
     let bodies = files(&project.path("fuzz/bodies/src")).unwrap_or_default();
     let texts: Vec<_> = bodies.iter().filter_map(|file| fs::read_to_string(file).ok()).collect();
     move |name| {
@@ -205,27 +320,14 @@ fn rules(project: &Project) -> impl Fn(&str) -> Vec<String> + use<> {
             before.get(start..)
         });
         let words = comment.unwrap_or_default().split(['[', ']']);
-        let rules: BTreeSet<_> = words.filter(|word| word.starts_with("NCP-")).collect();
-        rules.into_iter().map(str::to_owned).collect()
+        words.filter(|word| word.starts_with("NCP-")).map(str::to_owned).collect()
     }
 }
 
-/// How many inputs a corpus has, and how many bytes.
-fn sizes(project: &Project) -> impl Fn(&str) -> (usize, u64) + use<> {
-    let corpora: PathBuf = project.path(CORPUS);
-    move |name| {
-        let inputs = files(&corpora.join(name)).unwrap_or_default();
-        let bytes = inputs.iter().filter_map(|file| Some(file.metadata().ok()?.len())).sum();
-        (inputs.len(), bytes)
-    }
-}
-
-fn text(value: &Value) -> &str {
-    value.as_str().unwrap_or_default()
-}
-
-fn number(value: &Value) -> u64 {
-    value.as_u64().unwrap_or_default()
+/// The digest of the [`SOURCES`].
+pub(super) fn digest_of(project: &Project) -> Result<String, FuzzError> {
+    let root = project.path("");
+    digest::of_sources(&root, &SOURCES).map_err(|source| FuzzError::File { path: root, source })
 }
 
 fn tenths(seconds: f64) -> f64 {
@@ -244,15 +346,31 @@ mod tests {
         let code = "// [NCP-A-001]\n\n/// Does.\n// [NCP-B-002] [NCP-B-001]\npub fn things(input: &[u8]) {}\n";
         fs::write(bodies.join("x.rs"), code).unwrap();
         let rules = rules(&Project::at(folder.path()));
-        assert_eq!(rules("things"), ["NCP-B-001", "NCP-B-002"]);
+        assert_eq!(rules("things"), ["NCP-B-001", "NCP-B-002"].map(str::to_owned).into());
         assert!(rules("others").is_empty());
     }
 
     #[test]
     fn what_was_not_run_is_said_not_to_be() {
         let folder = tempfile::tempdir().unwrap();
-        let page = Report::read(&Project::at(folder.path()), &[]).markdown();
+        let report = Report::read(&Project::at(folder.path()), &[]).unwrap();
+        let page = page(&report, &[]);
         assert_eq!(page.matches("Not run here.").count(), 2);
         assert!(page.contains("Not measured here."));
+    }
+
+    #[test]
+    fn a_lock_is_read_as_it_was_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let project = Project::at(folder.path());
+        let hunted = Hunted { by: Some(FoundBy::Corpus), seconds: 0.5, executions: 7 };
+        let defects = BTreeMap::from([("it".to_owned(), BTreeMap::from([("keys".to_owned(), hunted)]))]);
+        let planted = Some(Planted { digest: "d".to_owned(), engine: "e".to_owned(), defects });
+        let mut report = Report::read(&project, &[]).unwrap();
+        report.lock = Lock { fuzzing: None, planted, coverage: None };
+        report.write(&project, &[]).unwrap();
+        let again = Report::read(&project, &[]).unwrap();
+        assert_eq!(again.lock.planted.unwrap().defects["it"]["keys"].by, Some(FoundBy::Corpus));
+        assert!(again.lock.fuzzing.is_none());
     }
 }

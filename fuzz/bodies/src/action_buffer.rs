@@ -1,12 +1,7 @@
 //! Traces of the action buffer, against a small model of sections 8.1 and 8.2.
 
-use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode};
-
-#[cfg(not(feature = "planted"))]
 use ncp_spec::resilience::ActionBuffer;
-
-#[cfg(feature = "planted")]
-use crate::planted::ActionBuffer;
+use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode};
 
 use crate::governor::{ModeName, mode};
 use crate::plain::{plain, read};

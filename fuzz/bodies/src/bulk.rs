@@ -2,14 +2,8 @@
 
 use arbitrary::{Result, Unstructured};
 use ncp_spec::ErrorCode;
-use ncp_spec::bulk::{Block, Column, ColumnData, Dtype, Element, pack_observation, unpack};
+use ncp_spec::bulk::{Block, Column, ColumnData, Dtype, Element, encode, pack_observation, unpack};
 use ncp_spec::wire::Observation;
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::bulk::encode;
-
-#[cfg(feature = "planted")]
-use crate::planted::{encode_block as encode, parse_and_copy, to_columns};
 
 use crate::memory;
 use crate::plain::{Plain, plain, read};
@@ -29,7 +23,7 @@ pub fn bulk_decode(input: &[u8]) {
         assert!(!error.to_string().is_empty());
         assert!(matches!(error.code(), ErrorCode::Block | ErrorCode::Limit));
     }
-    let columns = block.as_ref().ok().map(to_columns);
+    let columns = block.as_ref().ok().map(Block::to_columns);
     assert_eq!(columns, expected);
     if let (Ok(block), Some(columns)) = (block, expected) {
         assert_eq!((block.len(), block.is_empty()), (columns.len(), columns.is_empty()));
@@ -84,7 +78,7 @@ pub fn bulk_roundtrip(input: &[u8]) {
 pub fn bulk_memory(input: &[u8]) {
     let (parsed, bytes) = memory::counted(|| Block::parse(input).is_ok());
     assert!(bytes <= input.len(), "{bytes} bytes to check {}", input.len());
-    let (columns, bytes) = memory::counted(|| parse_and_copy(input));
+    let (columns, bytes) = memory::counted(|| Block::parse(input).ok().map(|block| block.to_columns()));
     let own = columns.as_ref().map_or(0, |columns| columns.capacity() * size_of::<Column>());
     assert_eq!(columns.is_some(), parsed);
     // What is checked first is given back before the copy; both count here.
@@ -157,16 +151,6 @@ impl Values {
             Self::I64(values) => ColumnData::I64(values),
         }
     }
-}
-
-#[cfg(not(feature = "planted"))]
-fn to_columns(block: &Block<'_>) -> Vec<Column> {
-    block.to_columns()
-}
-
-#[cfg(not(feature = "planted"))]
-fn parse_and_copy(input: &[u8]) -> Option<Vec<Column>> {
-    Block::parse(input).ok().map(|block| block.to_columns())
 }
 
 trait Bits {

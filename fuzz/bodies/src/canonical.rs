@@ -1,12 +1,6 @@
 //! The canonical text of a proto file.
 
-use ncp_spec::contract::fnv1a_64;
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::contract::canonical_text;
-
-#[cfg(feature = "planted")]
-use crate::planted::canonical_text;
+use ncp_spec::contract::{canonical_text, fnv1a_64};
 
 /// The canonical text is the one that a second canonicaliser finds; where nothing in it could begin a
 /// comment or a string it is its own canonical text, and edits that must not count leave the hash.

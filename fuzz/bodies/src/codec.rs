@@ -2,14 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use ncp_spec::codec::{Mapping, Rates};
+use ncp_spec::codec::{Mapping, RateCodec, Rates};
 use ncp_spec::wire::{ChannelValue, Mode, SensorFrame};
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::codec::RateCodec;
-
-#[cfg(feature = "planted")]
-use crate::planted::RateCodec;
 
 use crate::plain::{plain, read};
 

@@ -3,17 +3,12 @@
 use ncp_spec::ErrorCode;
 use ncp_spec::version::check_version;
 use ncp_spec::wire::{
-    DecodeError, DecodeProblem, JsonType, Kind, Message, NESTED, build, decode_any, decode_any_strict, decode_strict,
+    DecodeError, DecodeProblem, JsonType, Kind, Message, NESTED, build, decode, decode_any, decode_any_strict,
+    decode_strict,
 };
 use serde_json::Value;
 
 use crate::message;
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::wire::decode;
-
-#[cfg(feature = "planted")]
-use crate::planted::{decode, encode};
 
 /// The kind and the frame of an input.
 #[must_use]
@@ -97,7 +92,7 @@ pub fn frame_roundtrip(input: &[u8]) {
     };
     message::has_maps_like_trees(&message);
     message::refuses_one_too_many(&message);
-    let text = match encode(&message) {
+    let text = match message.encode() {
         Ok(text) => text,
         // What was read can be sent, unless the fields that it left out make it too long.
         Err(error) => {
@@ -109,10 +104,10 @@ pub fn frame_roundtrip(input: &[u8]) {
     message::refuses_what_is_spoilt(&message);
     let again = kind.read(text.as_bytes());
     assert_eq!(again, message);
-    assert_eq!(encode(&again).as_deref(), Ok(text.as_str()));
+    assert_eq!(again.encode().as_deref(), Ok(text.as_str()));
     // As an adapter sees the fields, and sets them.
     let built = build(kind, message.fields().as_bytes()).expect("its own fields are known");
-    assert_eq!(encode(&built).as_deref(), Ok(text.as_str()));
+    assert_eq!(built.encode().as_deref(), Ok(text.as_str()));
     if let Err(error) = build(kind, frame) {
         assert_eq!(error.code(), ErrorCode::Invalid, "{error}");
         assert_eq!(error.offset().and_then(|at| frame.get(at)), Some(&b'"'));
@@ -133,11 +128,6 @@ pub fn frame_roundtrip(input: &[u8]) {
         let fields: Vec<_> = kind.table().fields.iter().map(|field| field.name).collect();
         assert_eq!(written.keys().collect::<Vec<_>>(), fields);
     }
-}
-
-#[cfg(not(feature = "planted"))]
-fn encode(message: &Message) -> Result<String, ncp_spec::wire::EncodeError> {
-    message.encode()
 }
 
 /// An error has a reason, a place and a text that tells both; where the kind was right, the frame is

@@ -1,15 +1,9 @@
 //! Traces of the safety governor, against the invariants of chapter 7.
 
-use ncp_spec::safety::{Decision, POSITION_CHANNEL, VELOCITY_CHANNEL};
+use ncp_spec::safety::{Decision, POSITION_CHANNEL, SafetyGovernor, VELOCITY_CHANNEL};
 use ncp_spec::wire::{
     ChannelKind, ChannelMap, ChannelSpec, ChannelValue, CommandFrame, Mode, SafetyLimits, SensorFrame, Text,
 };
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::safety::SafetyGovernor;
-
-#[cfg(feature = "planted")]
-use crate::planted::SafetyGovernor;
 
 use crate::plain::{plain, read};
 

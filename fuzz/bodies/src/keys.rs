@@ -1,13 +1,7 @@
 //! Keys: two texts with a line feed between them, a pattern and a key.
 
-use ncp_spec::keys::{Keys, MAX_SEGMENT_BYTES, validate_segment};
+use ncp_spec::keys::{Keys, MAX_SEGMENT_BYTES, matches, validate_segment};
 use zenoh_keyexpr::{OwnedKeyExpr, keyexpr};
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::keys::matches;
-
-#[cfg(feature = "planted")]
-use crate::planted::matches;
 
 /// A pattern matches a key exactly when Zenoh says so; a segment is accepted by the rules of the text
 /// and no others, and then stands unchanged in a key that Zenoh takes.

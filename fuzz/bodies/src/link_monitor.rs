@@ -2,11 +2,7 @@
 
 use std::collections::BTreeSet;
 
-#[cfg(not(feature = "planted"))]
 use ncp_spec::resilience::LinkMonitor;
-
-#[cfg(feature = "planted")]
-use crate::planted::LinkMonitor;
 
 use crate::plain::{plain, read};
 

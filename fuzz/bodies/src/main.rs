@@ -46,9 +46,7 @@ fn run(args: &[&str]) -> io::Result<bool> {
             }
         }
         ["list", "--json"] => {
-            let targets = TARGETS
-                .iter()
-                .map(|target| json!({"name": target.name, "finds": target.finds, "planted": target.planted}));
+            let targets = TARGETS.iter().map(|target| json!({"name": target.name, "finds": target.finds}));
             println!("{}", Value::from_iter(targets));
         }
         ["replay", name, files @ ..] if let Some(target) = target(name) => {

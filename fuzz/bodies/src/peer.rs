@@ -2,16 +2,8 @@
 
 use ncp_spec::wire::decode_any;
 use ncp_verifier::json::{Json, JsonFault};
-use ncp_verifier::peer::{Answer, ReplyFault, excerpt};
+use ncp_verifier::peer::{Answer, Reply, ReplyFault, excerpt};
 use serde_json::Value;
-
-#[cfg(not(feature = "planted"))]
-fn parse(line: &[u8]) -> Result<ncp_verifier::peer::Reply<'_>, ReplyFault> {
-    ncp_verifier::peer::Reply::parse(line)
-}
-
-#[cfg(feature = "planted")]
-use crate::planted::parse_reply as parse;
 
 /// A line is taken for the answer that another JSON reader finds in it, and for none otherwise.
 ///
@@ -30,7 +22,7 @@ pub fn peer_protocol(input: &[u8]) {
     let shown = excerpt(input, 40);
     assert!(!shown.chars().any(char::is_control), "a terminal would act on {shown:?}");
 
-    let read = parse(input);
+    let read = Reply::parse(input);
     let value = serde_json::from_slice::<Value>(input);
     match &read {
         Ok(reply) => {

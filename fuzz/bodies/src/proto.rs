@@ -1,14 +1,8 @@
 //! The protobuf form. The first byte chooses the kind and, by its highest bit, what the rest is: a
 //! frame, or protobuf.
 
-use ncp_proto::convert::{Lost, ToProtoError, to_binary};
+use ncp_proto::convert::{Lost, ToProtoError, from_binary, to_binary};
 use ncp_spec::wire::{Kind, decode};
-
-#[cfg(not(feature = "planted"))]
-use ncp_proto::convert::from_binary;
-
-#[cfg(feature = "planted")]
-use crate::planted::from_binary;
 
 use crate::frame::split;
 

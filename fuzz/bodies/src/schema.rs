@@ -3,15 +3,9 @@
 use std::sync::LazyLock;
 
 use jsonschema::Validator;
-use ncp_spec::wire::{DecodeProblem, Kind, Rule};
+use ncp_spec::wire::{DecodeProblem, Kind, Rule, decode};
 use ncp_verifier::json::{Json, JsonFault};
 use serde_json::Value;
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::wire::decode;
-
-#[cfg(feature = "planted")]
-use crate::planted::decode_lax as decode;
 
 use crate::frame::split;
 

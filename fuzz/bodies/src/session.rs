@@ -5,16 +5,9 @@ use std::collections::BTreeMap;
 
 use ncp_spec::WIRE_VERSION;
 use ncp_spec::reply::check_reply;
-use ncp_spec::session::ReferenceBackend;
+use ncp_spec::session::{ReferenceBackend, SessionService};
 use ncp_spec::wire::{Kind, Message, OpenSession, decode_any};
-
 use serde_json::{Value, json};
-
-#[cfg(not(feature = "planted"))]
-use ncp_spec::session::SessionService;
-
-#[cfg(feature = "planted")]
-use crate::planted::SessionService;
 
 use crate::plain::{plain, read, write};
 

@@ -2,12 +2,7 @@
 
 use ncp_spec::contract::{ContractStatus, contract_status, negotiate, verify_contract};
 use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
-
-#[cfg(not(feature = "planted"))]
 use ncp_spec::version::check_version;
-
-#[cfg(feature = "planted")]
-use crate::planted::check_version;
 
 /// A version is compatible exactly when its digits say so, strict or not; a hash never decides.
 ///

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::Value;
+use serde::de::Error as _;
+use serde::{Deserialize, Serialize};
 
 /// A mutant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,9 +25,10 @@ pub(super) struct Outcome {
 }
 
 /// What became of a mutant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(super) enum Fate {
-    Caught(By),
+    CaughtBy(By),
     Missed,
     TimedOut,
     /// It does not compile.
@@ -34,7 +36,8 @@ pub(super) enum Fate {
 }
 
 /// What notices mutants.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(super) enum By {
     /// The golden cases.
     Cases,
@@ -67,16 +70,24 @@ impl Outcome {
     }
 }
 
-/// The mutants of a list, in the order of the files and of the places within them.
-pub(super) fn listed(list: &Value) -> Option<Vec<Mutant>> {
-    let place = |mutant: &Value| {
-        let (name, file) = (mutant["name"].as_str()?, mutant["file"].as_str()?);
-        let (line, rest) = name.strip_prefix(file)?.strip_prefix(':')?.split_once(':')?;
+/// The mutants that `--list --json` prints, in the order of the files and of the places within them; none where a name
+/// is not of the form `file:line:column: what`.
+pub(super) fn listed(list: &[u8]) -> Option<Vec<Mutant>> {
+    #[derive(Deserialize)]
+    struct Listed {
+        name: String,
+        file: String,
+    }
+
+    let place = |Listed { name, file }: Listed| {
+        let (line, rest) = name.strip_prefix(&*file)?.strip_prefix(':')?.split_once(':')?;
         let (column, what) = rest.split_once(": ")?;
         let (line, column): (u32, u32) = (line.parse().ok()?, column.parse().ok()?);
-        Some((file.to_owned(), line, column, what.to_owned(), name.to_owned()))
+        let what = what.to_owned();
+        Some((file, line, column, what, name))
     };
-    let mut places: Vec<_> = list.as_array()?.iter().map(place).collect::<Option<_>>()?;
+    let list: Vec<Listed> = serde_json::from_slice(list).ok()?;
+    let mut places: Vec<_> = list.into_iter().map(place).collect::<Option<_>>()?;
     places.sort();
     let mut times: BTreeMap<String, u32> = BTreeMap::new();
     let mutant = |(file, _, _, what, name)| {
@@ -92,27 +103,55 @@ pub(super) fn listed(list: &Value) -> Option<Vec<Mutant>> {
     Some(places.into_iter().map(mutant).collect())
 }
 
-/// The outcomes of a run. One that was broken off has no end, and is told with its beginning only.
-pub(super) fn told(outcomes: &Value, by: By) -> Option<Vec<Outcome>> {
-    let time = |member: &str| outcomes[member].as_str().map(to_the_second);
-    let start = time("start_time")?;
-    let run = [start.clone(), time("end_time").unwrap_or(start)];
-    let tried = outcomes["outcomes"].as_array()?.iter();
-    let mutants = tried.filter(|outcome| outcome["scenario"]["Mutant"].is_object());
-    let outcome = |outcome: &Value| {
-        Some(Outcome {
-            name: outcome["scenario"]["Mutant"]["name"].as_str()?.to_owned(),
-            fate: match outcome["summary"].as_str()? {
-                "CaughtMutant" => Fate::Caught(by),
-                "MissedMutant" => Fate::Missed,
-                "Timeout" => Fate::TimedOut,
-                "Unviable" => Fate::Unviable,
-                _ => return None,
-            },
-            run: run.clone(),
-        })
+/// The outcomes of a run, as `outcomes.json` has them. One that was broken off has no end, and is told with its
+/// beginning only.
+///
+/// # Errors
+/// It is not of the form, or holds an outcome that nobody knows.
+pub(super) fn told(outcomes: &[u8], by: By) -> serde_json::Result<Vec<Outcome>> {
+    #[derive(Deserialize)]
+    struct File {
+        start_time: String,
+        end_time: Option<String>,
+        outcomes: Vec<Tried>,
+    }
+    #[derive(Deserialize)]
+    struct Tried {
+        scenario: Scenario,
+        summary: Summary,
+    }
+    #[derive(Deserialize)]
+    enum Scenario {
+        Baseline,
+        Mutant { name: String },
+    }
+    #[derive(Deserialize)]
+    enum Summary {
+        CaughtMutant,
+        MissedMutant,
+        Timeout,
+        Unviable,
+        /// Of the baseline, as is the next.
+        Success,
+        Failure,
+    }
+
+    let File { start_time, end_time, outcomes } = serde_json::from_slice(outcomes)?;
+    let run = [to_the_second(&start_time), to_the_second(&end_time.unwrap_or(start_time))];
+    let outcome = |tried: Tried| {
+        let Scenario::Mutant { name } = tried.scenario else { return None };
+        let fate = match tried.summary {
+            Summary::CaughtMutant => Fate::CaughtBy(by),
+            Summary::MissedMutant => Fate::Missed,
+            Summary::Timeout => Fate::TimedOut,
+            Summary::Unviable => Fate::Unviable,
+            Summary::Success | Summary::Failure => {
+                return Some(Err(serde_json::Error::custom(format_args!("{name} is neither caught nor missed"))));
+            }
+        };
+        Some(Ok(Outcome { name, fate, run: run.clone() }))
     };
-    mutants.map(outcome).collect()
+    outcomes.into_iter().filter_map(outcome).collect()
 }
 
 /// A time without the fraction of its second.
@@ -129,7 +168,7 @@ pub(super) fn updated(outcomes: Vec<Outcome>, later: Vec<Outcome>) -> Vec<Outcom
     let mut all: BTreeMap<String, Outcome> = outcomes.into_iter().map(by_name).collect();
     for outcome in later {
         let before = all.get(&outcome.name).map(|before| before.fate);
-        if !matches!(before, Some(Fate::Caught(_) | Fate::Unviable)) {
+        if !matches!(before, Some(Fate::CaughtBy(_) | Fate::Unviable)) {
             all.insert(outcome.name.clone(), outcome);
         }
     }
@@ -138,7 +177,7 @@ pub(super) fn updated(outcomes: Vec<Outcome>, later: Vec<Outcome>) -> Vec<Outcom
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 
@@ -149,7 +188,7 @@ mod tests {
             {"file": "a.rs", "name": "a.rs:9:10: replace < with <= in f"},
             {"file": "b.rs", "name": "b.rs:1:2: replace S::g -> Option<u8> with Some(0)"},
         ]);
-        let mutants = listed(&list).unwrap();
+        let mutants = listed(list.to_string().as_bytes()).unwrap();
         assert_eq!(mutants[0].name, "a.rs:9:10: replace < with <= in f");
         let keys: Vec<_> = mutants.into_iter().map(|mutant| mutant.key).collect();
         assert_eq!(
@@ -160,7 +199,7 @@ mod tests {
                 "b.rs: replace S::g -> Option<u8> with Some(0)",
             ]
         );
-        assert_eq!(listed(&json!([{"file": "a.rs", "name": "b.rs:1:1: x"}])), None);
+        assert_eq!(listed(br#"[{"file": "a.rs", "name": "b.rs:1:1: x"}]"#), None);
     }
 
     fn run(summaries: &[(&str, &str)]) -> Value {
@@ -175,24 +214,26 @@ mod tests {
     fn the_tests_are_asked_of_what_the_cases_miss_only() {
         let first = run(&[("a", "CaughtMutant"), ("b", "MissedMutant"), ("c", "MissedMutant"), ("d", "Unviable")]);
         let second = run(&[("b", "CaughtMutant"), ("c", "MissedMutant"), ("d", "Timeout")]);
-        let first = told(&first, By::Cases).unwrap();
+        let first = told(first.to_string().as_bytes(), By::Cases).unwrap();
         assert_eq!(first[0].run, ["2026-01-02T03:04:05Z", "2026-01-02T03:05:06Z"]);
-        let fates: Vec<_> =
-            updated(first, told(&second, By::Tests).unwrap()).into_iter().map(|outcome| outcome.fate).collect();
-        assert_eq!(fates, [Fate::Caught(By::Cases), Fate::Caught(By::Tests), Fate::Missed, Fate::Unviable]);
+        let fates: Vec<_> = updated(first, told(second.to_string().as_bytes(), By::Tests).unwrap())
+            .into_iter()
+            .map(|outcome| outcome.fate)
+            .collect();
+        assert_eq!(fates, [Fate::CaughtBy(By::Cases), Fate::CaughtBy(By::Tests), Fate::Missed, Fate::Unviable]);
     }
 
     #[test]
     fn of_a_run_that_was_broken_off_what_it_tried_counts() {
         let mut broken_off = run(&[("a", "CaughtMutant")]);
         broken_off["end_time"] = Value::Null;
-        let outcomes = told(&broken_off, By::Cases).unwrap();
+        let outcomes = told(broken_off.to_string().as_bytes(), By::Cases).unwrap();
         assert_eq!(outcomes.len(), 1);
         assert_eq!(outcomes[0].run[1], "2026-01-02T03:04:05Z");
     }
 
     #[test]
     fn an_unknown_outcome_is_not_guessed() {
-        assert_eq!(told(&run(&[("a", "Lost")]), By::Cases), None);
+        assert!(told(run(&[("a", "Lost")]).to_string().as_bytes(), By::Cases).is_err());
     }
 }

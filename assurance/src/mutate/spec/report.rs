@@ -1,4 +1,4 @@
-//! `reports/cargo-mutants.json`, which holds what was tried, and `reports/cargo-mutants.md`, which is made of it.
+//! What was tried: the lock, the page, and the fate of every mutant.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -6,71 +6,102 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
-
-use super::outcome::{By, Fate, Mutant, Outcome};
-use super::{CARGO_MUTANTS, MODULES, Module};
-use crate::Error;
-use crate::digest::of_files;
+use serde::{Deserialize, Serialize};
 use xtask::project::Project;
 
-const JSON: &str = "reports/cargo-mutants.json";
-const MARKDOWN: &str = "reports/cargo-mutants.md";
+use super::outcome::{By, Fate, Mutant, Outcome};
+use super::{CARGO_MUTANTS, MODULES, Module, SpecError};
+use crate::digest::of_files;
+use crate::kept;
+
+/// The name under which it is kept.
+const NAME: &str = "cargo-mutants";
 /// By mutant: why no test can notice it.
 const EQUIVALENT: &str = "spec/equivalent.toml";
 /// The digests of the golden cases.
 const MANIFEST: &str = "vectors/MANIFEST.sha256";
-/// The columns of numbers: a member of a module, and its heading.
-const COUNTS: [(&str, &str); 6] = [
-    ("mutants", "mutants"),
-    ("unviable", "do not compile"),
-    ("caught_by_cases", "caught by the golden cases"),
-    ("caught_by_tests", "caught by the tests alone"),
-    ("timed_out", "ran too long"),
-    ("missed", "missed"),
-];
 
 /// What was tried, now and before: a run replaces its module.
-pub(super) struct Report(Value);
+pub(super) struct Report {
+    lock: Lock,
+    /// Of the modules that were run now: what became of each mutant.
+    fates: BTreeMap<&'static str, BTreeMap<String, Fate>>,
+}
+
+/// What stands in git.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Lock {
+    /// By name.
+    #[serde(default)]
+    modules: BTreeMap<String, Tried>,
+}
+
+/// A run over the mutants of a module. A list names its mutants.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Tried {
+    tool: String,
+    /// SHA-256 of the module's files, and of the manifest of the golden cases.
+    sources: String,
+    cases: String,
+    started: Option<String>,
+    ended: Option<String>,
+    mutants: usize,
+    /// How many of them do not compile.
+    unviable: usize,
+    caught_by_cases: usize,
+    /// What no golden case shows.
+    caught_by_tests: Vec<String>,
+    timed_out: Vec<String>,
+    missed: Vec<String>,
+    /// Where the run was broken off.
+    not_tried: Vec<String>,
+}
+
+/// Everything: the lock, and the fate of every mutant of the modules that were run last.
+#[derive(Serialize)]
+struct Full<'a> {
+    #[serde(flatten)]
+    lock: &'a Lock,
+    fates: &'a BTreeMap<&'static str, BTreeMap<String, Fate>>,
+}
 
 impl Report {
     /// What was tried before.
-    pub(super) fn read(project: &Project) -> Self {
-        let before = fs::read(project.path(JSON)).unwrap_or_default();
-        let mut report: Value = serde_json::from_slice(&before).unwrap_or_default();
-        if !report["modules"].is_object() {
-            report = json!({"format": 1, "modules": {}});
-        }
-        Self(report)
+    ///
+    /// # Errors
+    /// The lock cannot be read.
+    pub(super) fn read(project: &Project) -> Result<Self, SpecError> {
+        Ok(Self { lock: kept::read(project, NAME)?.unwrap_or_default(), fates: BTreeMap::new() })
     }
 
     /// Takes note of a run over a module.
     pub(super) fn ran(&mut self, module: &Module, digests: &Digests, mutants: &[Mutant], outcomes: &[Outcome]) {
-        let fates: BTreeMap<&str, Fate> =
-            outcomes.iter().map(|outcome| (outcome.name.as_str(), outcome.fate)).collect();
-        let keys = |fate: Option<Fate>| -> Vec<&str> {
-            mutants
-                .iter()
-                .filter(|mutant| fates.get(mutant.name.as_str()).copied() == fate)
-                .map(|mutant| mutant.key.as_str())
-                .collect()
+        let by_name: BTreeMap<&str, Fate> = outcomes.iter().map(|outcome| (&*outcome.name, outcome.fate)).collect();
+        let keys = |fate: Option<Fate>| -> Vec<String> {
+            let met = mutants.iter().filter(|mutant| by_name.get(&*mutant.name).copied() == fate);
+            met.map(|mutant| mutant.key.clone()).collect()
         };
         let count = |fate| keys(Some(fate)).len();
         let runs = || outcomes.iter().map(|outcome| &outcome.run);
-        self.0["modules"][module.name] = json!({
-            "tool": format!("cargo-mutants {CARGO_MUTANTS}"),
-            "sources": digests.sources,
-            "cases": digests.cases,
-            "started": runs().map(|run| &run[0]).min(),
-            "ended": runs().map(|run| &run[1]).max(),
-            "mutants": mutants.len(),
-            "unviable": count(Fate::Unviable),
-            "caught_by_cases": count(Fate::Caught(By::Cases)),
-            "caught_by_tests": keys(Some(Fate::Caught(By::Tests))),
-            "timed_out": keys(Some(Fate::TimedOut)),
-            "missed": keys(Some(Fate::Missed)),
-            "not_tried": keys(None),
-        });
+        let tried = Tried {
+            tool: format!("cargo-mutants {CARGO_MUTANTS}"),
+            sources: digests.sources.clone(),
+            cases: digests.cases.clone(),
+            started: runs().map(|[started, _]| started.clone()).min(),
+            ended: runs().map(|[_, ended]| ended.clone()).max(),
+            mutants: mutants.len(),
+            unviable: count(Fate::Unviable),
+            caught_by_cases: count(Fate::CaughtBy(By::Cases)),
+            caught_by_tests: keys(Some(Fate::CaughtBy(By::Tests))),
+            timed_out: keys(Some(Fate::TimedOut)),
+            missed: keys(Some(Fate::Missed)),
+            not_tried: keys(None),
+        };
+        self.lock.modules.insert(module.name.to_owned(), tried);
+        let fates = mutants.iter().filter_map(|mutant| Some((mutant.key.clone(), *by_name.get(&*mutant.name)?)));
+        self.fates.insert(module.name, fates.collect());
     }
 
     /// What is wrong, a line each: a module that was not tried as it is now, a mutant that is missed and not
@@ -78,125 +109,123 @@ impl Report {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub(super) fn problems(&self, project: &Project) -> Result<Vec<String>, Error> {
+    pub(super) fn problems(&self, project: &Project) -> Result<Vec<String>, SpecError> {
         let mut problems = Vec::new();
         let why = equivalent(project)?;
         let mut missed = BTreeSet::new();
         for module in &MODULES {
-            let (name, tried) = (module.name, &self.0["modules"][module.name]);
-            if !tried.is_object() {
-                problems.push(format!("{name}: not tried; cargo xtask mutate-spec"));
+            let name = module.name;
+            let Some(tried) = self.lock.modules.get(name) else {
+                problems.push(format!("{name}: not tried; cargo assure mutate spec --module {name}"));
                 continue;
+            };
+            if tried.sources != Digests::of(project, module)?.sources {
+                problems.push(format!("{name}: changed since it was tried; cargo assure mutate spec --module {name}"));
             }
-            if tried["sources"] != Digests::of(project, module)?.sources.as_str() {
-                problems.push(format!("{name}: changed since it was tried; cargo xtask mutate-spec --module {name}"));
-            }
-            problems.extend(texts(&tried["not_tried"]).map(|key| format!("not tried: {key}")));
-            missed.extend(texts(&tried["missed"]));
+            problems.extend(tried.not_tried.iter().map(|key| format!("not tried: {key}")));
+            missed.extend(&tried.missed);
         }
         let unexplained = missed.iter().filter(|key| !why.contains_key(**key));
         problems.extend(unexplained.map(|key| format!("missed, and not explained: {key}")));
-        let stale = why.keys().filter(|key| !missed.contains(key.as_str()));
+        let stale = why.keys().filter(|key| !missed.contains(key));
         problems.extend(stale.map(|key| format!("{EQUIVALENT} explains what is not missed: {key}")));
-        let page = fs::read_to_string(project.path(MARKDOWN)).unwrap_or_default();
-        if problems.is_empty() && page.replace("\r\n", "\n") != self.markdown(&why) {
-            problems.push(format!("{MARKDOWN} is not what {JSON} and {EQUIVALENT} say"));
+        if problems.is_empty() && kept::read_page(project, NAME) != page(&self.lock, &why) {
+            let (page, lock) = (kept::page_file(NAME), kept::lock_file(NAME));
+            problems.push(format!("{page} is not what {lock} and {EQUIVALENT} say"));
         }
         Ok(problems)
     }
 
-    /// Writes both files.
+    /// Keeps it.
     ///
     /// # Errors
-    /// One cannot be written.
-    pub(super) fn write(&self, project: &Project) -> Result<(), Error> {
-        let page = self.markdown(&equivalent(project)?);
-        for (file, text) in [(JSON, format!("{:#}\n", self.0)), (MARKDOWN, page)] {
-            let path = project.path(file);
-            fs::write(&path, text).map_err(|source| Error::File { path, source })?;
-        }
-        Ok(())
+    /// A file cannot be written.
+    pub(super) fn write(&self, project: &Project) -> Result<(), SpecError> {
+        let page = page(&self.lock, &equivalent(project)?);
+        let full = Full { lock: &self.lock, fates: &self.fates };
+        Ok(kept::write(project, NAME, &self.lock, &page, &full)?)
     }
 
     /// All modules in a line.
     pub(super) fn summary(&self) -> String {
-        let sum = |member| MODULES.iter().map(|module| self.count(module, member)).sum::<u64>();
-        COUNTS.map(|(member, heading)| format!("{} {heading}", sum(member))).join(", ")
+        summary(&self.lock)
     }
+}
 
-    /// A number of a module, or how many a list of it has.
-    fn count(&self, module: &Module, member: &str) -> u64 {
-        let value = &self.0["modules"][module.name][member];
-        let listed = || value.as_array().map(|list| list.len() as u64);
-        value.as_u64().or_else(listed).unwrap_or_default()
+/// What people read: the counts, and what nothing notices, each with its reason.
+fn page(lock: &Lock, why: &BTreeMap<String, String>) -> String {
+    let headings = counts(&Tried::default()).map(|(heading, _)| heading);
+    let mut page = format!("{HEAD}| module | tried with | began | ended | {} |\n", headings.join(" | "));
+    page.push_str("|---|---|---|---|---|---|---|---|---|---|\n");
+    for module in &MODULES {
+        let none = Tried::default();
+        let tried = lock.modules.get(module.name).unwrap_or(&none);
+        let tool = if tried.tool.is_empty() { "not tried" } else { &tried.tool };
+        let time = |time: &Option<String>| time.clone().unwrap_or_else(|| "not tried".to_owned());
+        let files = module.files.iter().map(|files| format!("`{files}`")).collect::<Vec<_>>().join(", ");
+        let counts = counts(tried).map(|(_, count)| count.to_string()).join(" | ");
+        let (began, ended) = (time(&tried.started), time(&tried.ended));
+        let _ = writeln!(page, "| {} ({files}) | {tool} | {began} | {ended} | {counts} |", module.name);
     }
-
-    fn markdown(&self, why: &BTreeMap<String, String>) -> String {
-        let mut page = HEAD.to_owned();
-        page.push_str("| module | tried with | began | ended |");
-        for (_, heading) in COUNTS {
-            let _ = write!(page, " {heading} |");
-        }
-        page.push_str("\n|---|---|---|---|---|---|---|---|---|---|\n");
-        for module in &MODULES {
-            let tried = &self.0["modules"][module.name];
-            let text = |member: &str| tried[member].as_str().unwrap_or("not tried");
-            let _ = write!(
-                page,
-                "| {} (`{}`) | {} | {} | {} |",
-                module.name,
-                module.files,
-                text("tool"),
-                text("started"),
-                text("ended")
-            );
-            for (member, _) in COUNTS {
-                let _ = write!(page, " {} |", self.count(module, member));
-            }
-            page.push('\n');
-        }
-        let _ = writeln!(page, "\nIn all: {}.", self.summary());
-        let lists = [
-            ("missed", "Missed", "Of each is said why it cannot be noticed."),
-            (
-                "caught_by_tests",
-                "Caught by the tests alone",
-                "What no golden case shows: no call of the peer protocol asks for it, or only proptest's values reach it.",
-            ),
-            ("timed_out", "Ran too long", "They count as noticed: a test that does not end is a test that fails."),
-            ("not_tried", "Not tried", "The run was broken off."),
-        ];
-        for (member, heading, about) in lists {
-            let tried = MODULES.iter().map(|module| &self.0["modules"][module.name]);
-            let keys: Vec<&str> = tried.flat_map(|tried| texts(&tried[member])).collect();
-            if keys.is_empty() {
-                continue;
-            }
-            let _ = writeln!(page, "\n## {heading}\n\n{about}\n");
-            for key in keys {
-                let _ = match why.get(key) {
-                    _ if member != "missed" => writeln!(page, "- `{key}`"),
-                    Some(why) => writeln!(page, "- `{key}`: {why}"),
-                    None => writeln!(page, "- `{key}`: **not explained**"),
-                };
-            }
-        }
-        page
+    let _ = writeln!(page, "\nIn all: {}.", summary(lock));
+    let tried = || MODULES.iter().filter_map(|module| lock.modules.get(module.name));
+    let missed: Vec<&String> = tried().flat_map(|tried| &tried.missed).collect();
+    if !missed.is_empty() {
+        page.push_str("\n## Missed\n\nOf each is said why it cannot be noticed.\n\n");
     }
+    for key in missed {
+        let why = why.get(key).map_or("**not explained**", String::as_str);
+        let _ = writeln!(page, "- `{key}`: {why}");
+    }
+    let not_tried: Vec<&String> = tried().flat_map(|tried| &tried.not_tried).collect();
+    if !not_tried.is_empty() {
+        page.push_str("\n## Not tried\n\nThe run was broken off.\n\n");
+    }
+    for key in not_tried {
+        let _ = writeln!(page, "- `{key}`");
+    }
+    page
 }
 
 const HEAD: &str = "\
 # Mutants of the specification
 
-Made by `cargo xtask mutate-spec`, which has cargo-mutants change the specification in one place after the other, and asks \
-whether that is noticed. A mutant is first held against the golden cases that can reach its module, by a verifier that was built without the \
-mutation. What they miss is held against the unit tests of `ncp-spec` and those of its test programs that are about the module. \
-`.cargo/mutants.toml` is the configuration; `xtask/src/mutate_spec/mod.rs` names the modules, their cases and their tests; `spec/equivalent.toml` says why a mutant that is missed is none.
+Made by `cargo assure mutate spec`, which has cargo-mutants change the specification in one place after the other, and \
+asks whether that is noticed. A mutant is first held against the golden cases that can reach its module, by a verifier \
+that was built without the mutation. What they miss is held against the unit tests of `ncp-spec` and those of its test \
+programs that are about the module: what these alone catch is shown by no golden case, since no call of the peer \
+protocol asks for it or only the values of proptest reach it. A mutant that ran too long counts as noticed: a test \
+without an end is a test that fails. `.cargo/mutants.toml` is the configuration; `assurance/src/mutate/spec/mod.rs` \
+names the modules, their cases and their tests; `spec/equivalent.toml` says why a mutant that is missed behaves as the \
+specification does. `reports/lock/cargo-mutants.toml` names the mutants that the cases did not catch, and \
+`reports/full/cargo-mutants.json` the fate of each once the command has run.
 
-`cargo xtask mutate-spec --check` says whether the sources are still those that were tried. `reports/mutants.md` is about \
-something else: peers with one defect each, chosen by hand, and the rule that each breaks.
+`cargo assure mutate spec --check` says whether the sources are still those that were tried. `reports/mutants.md` is \
+about something else: peers with one defect each, chosen by hand, and the rule that each breaks.
 
 ";
+
+/// The columns of numbers, with their headings.
+fn counts(tried: &Tried) -> [(&'static str, usize); 6] {
+    [
+        ("mutants", tried.mutants),
+        ("do not compile", tried.unviable),
+        ("caught by the golden cases", tried.caught_by_cases),
+        ("caught by the tests alone", tried.caught_by_tests.len()),
+        ("ran too long", tried.timed_out.len()),
+        ("missed", tried.missed.len()),
+    ]
+}
+
+fn summary(lock: &Lock) -> String {
+    let mut sums = counts(&Tried::default());
+    for tried in MODULES.iter().filter_map(|module| lock.modules.get(module.name)) {
+        for (sum, (_, count)) in sums.iter_mut().zip(counts(tried)) {
+            sum.1 += count;
+        }
+    }
+    sums.map(|(heading, sum)| format!("{sum} {heading}")).join(", ")
+}
 
 /// What a run over a module is about.
 pub(super) struct Digests {
@@ -211,24 +240,30 @@ impl Digests {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub(super) fn of(project: &Project, module: &Module) -> Result<Self, Error> {
+    pub(super) fn of(project: &Project, module: &Module) -> Result<Self, SpecError> {
         let root = project.path("");
-        let of = |path: &str| digest(&root, path).map_err(|source| Error::File { path: root.join(path), source });
-        Ok(Self { sources: of(module.files)?, cases: of(MANIFEST)? })
+        let digest = || {
+            let mut files = Vec::new();
+            for pattern in module.files {
+                matching(&root, pattern, &mut files)?;
+            }
+            Ok((of_files(&root, files)?, of_files(&root, vec![root.join(MANIFEST)])?))
+        };
+        let (sources, cases) = digest().map_err(|source| SpecError::File { path: root.clone(), source })?;
+        Ok(Self { sources, cases })
     }
 }
 
-/// The digest of the files that a pattern of a module means.
-fn digest(root: &Path, pattern: &str) -> io::Result<String> {
-    let mut files = Vec::new();
+/// The files that a pattern of a module means.
+fn matching(root: &Path, pattern: &str, files: &mut Vec<PathBuf>) -> io::Result<()> {
     if let Some(folder) = pattern.strip_suffix("/**/*.rs") {
-        collect(&root.join(folder), true, &mut files)?;
+        collect(&root.join(folder), true, files)
     } else if let Some(folder) = pattern.strip_suffix("/*.rs") {
-        collect(&root.join(folder), false, &mut files)?;
+        collect(&root.join(folder), false, files)
     } else {
         files.push(root.join(pattern));
+        Ok(())
     }
-    of_files(root, files)
 }
 
 fn collect(folder: &Path, is_deep: bool, files: &mut Vec<PathBuf>) -> io::Result<()> {
@@ -244,16 +279,10 @@ fn collect(folder: &Path, is_deep: bool, files: &mut Vec<PathBuf>) -> io::Result
 }
 
 /// The committed explanations.
-fn equivalent(project: &Project) -> Result<BTreeMap<String, String>, Error> {
+fn equivalent(project: &Project) -> Result<BTreeMap<String, String>, SpecError> {
     let path = project.path(EQUIVALENT);
-    let failed = |source| Error::File { path: path.clone(), source };
-    let text = fs::read_to_string(&path).map_err(failed)?;
-    toml::from_str(&text).map_err(|error| failed(io::Error::other(error.to_string())))
-}
-
-/// The texts of a list.
-fn texts(list: &Value) -> impl Iterator<Item = &str> {
-    list.as_array().into_iter().flatten().filter_map(Value::as_str)
+    let text = fs::read_to_string(&path).map_err(|source| SpecError::File { path: path.clone(), source })?;
+    toml::from_str(&text).map_err(|source| SpecError::Explained { path, source: Box::new(source) })
 }
 
 #[cfg(test)]
@@ -262,26 +291,21 @@ mod tests {
 
     const WITH_LINE: &str = "spec/src/codec.rs:1:1: x";
     const KEY: &str = "spec/src/codec.rs: x";
+    const KERNEL: &str = "spec/kernel/src/decisions/speed.rs";
 
     /// A project whose files are empty, and a report that every module was tried with nothing missed.
     fn tried() -> (tempfile::TempDir, Project, Report) {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
-        for path in [
-            "spec/src/safety/kernel",
-            "spec/src/resilience",
-            "spec/src/bulk",
-            "spec/src/wire/json",
-            "reports",
-            "vectors",
-        ] {
+        for path in ["spec/src/safety", "spec/src/resilience", "spec/src/bulk", "spec/src/wire/json", "vectors"] {
             fs::create_dir_all(root.join(path)).unwrap();
         }
-        for file in [EQUIVALENT, MANIFEST, "spec/src/codec.rs", "spec/kernel/src/decisions/speed.rs"] {
+        fs::create_dir_all(root.join(KERNEL).parent().unwrap()).unwrap();
+        for file in [EQUIVALENT, MANIFEST, "spec/src/codec.rs", KERNEL] {
             fs::write(root.join(file), "").unwrap();
         }
         let project = Project::at(root);
-        let mut report = Report::read(&project);
+        let mut report = Report::read(&project).unwrap();
         for module in &MODULES {
             report.ran(module, &Digests::of(&project, module).unwrap(), &[], &[]);
         }
@@ -290,7 +314,7 @@ mod tests {
 
     fn problems(project: &Project, report: &Report) -> String {
         report.write(project).unwrap();
-        Report::read(project).problems(project).unwrap().join("\n")
+        Report::read(project).unwrap().problems(project).unwrap().join("\n")
     }
 
     /// Has one mutant of the codec fare so, or not be tried.
@@ -311,8 +335,8 @@ mod tests {
         assert_eq!(problems(&project, &report), format!("missed, and not explained: {KEY}"));
         fs::write(project.path(EQUIVALENT), format!("{KEY:?} = \"Both are 0.\"\n")).unwrap();
         assert_eq!(problems(&project, &report), "");
-        assert!(fs::read_to_string(project.path(MARKDOWN)).unwrap().contains("x`: Both are 0."));
-        for fate in [Fate::Caught(By::Cases), Fate::TimedOut, Fate::Unviable] {
+        assert!(kept::read_page(&project, NAME).contains("x`: Both are 0."));
+        for fate in [Fate::CaughtBy(By::Cases), Fate::TimedOut, Fate::Unviable] {
             codec(&project, &mut report, Some(fate));
             let stale = format!("{EQUIVALENT} explains what is not missed: {KEY}");
             assert_eq!(problems(&project, &report), stale, "{fate:?}");
@@ -324,7 +348,7 @@ mod tests {
         let (_folder, project, mut report) = tried();
         codec(&project, &mut report, None);
         assert_eq!(problems(&project, &report), format!("not tried: {KEY}"));
-        report.0["modules"]["codec"] = Value::Null;
+        report.lock.modules.remove("codec");
         assert!(problems(&project, &report).starts_with("codec: not tried"));
     }
 
@@ -332,7 +356,7 @@ mod tests {
     fn a_change_makes_the_report_of_its_module_stale() {
         let (_folder, project, report) = tried();
         report.write(&project).unwrap();
-        fs::write(project.path("spec/kernel/src/decisions/speed.rs"), "a.lt(b)").unwrap();
+        fs::write(project.path(KERNEL), "a.lt(b)").unwrap();
         let found = problems(&project, &report);
         assert!(found.starts_with("safety: changed") && found.lines().count() == 1, "{found}");
     }
@@ -341,9 +365,9 @@ mod tests {
     fn a_page_that_was_changed_by_hand_is_noticed() {
         let (_folder, project, report) = tried();
         report.write(&project).unwrap();
-        fs::write(project.path(MARKDOWN), "all is well").unwrap();
-        let found = Report::read(&project).problems(&project).unwrap();
+        fs::write(project.path(&kept::page_file(NAME)), "all is well").unwrap();
+        let found = Report::read(&project).unwrap().problems(&project).unwrap();
         assert_eq!(found.len(), 1, "{found:?}");
-        assert!(found[0].starts_with(MARKDOWN));
+        assert!(found[0].starts_with(&kept::page_file(NAME)));
     }
 }

@@ -1,0 +1,243 @@
+//! The changed kernels as modules of `ncp-proofs`: which of them compile, and what holds against them.
+//!
+//! A copy is the folder of the decisions with the one change, as it is: it names the kernel's words by the name of
+//! their crate. `ncp-proofs` includes the table of the copies, which the environment names.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use xtask::project::Project;
+
+use super::super::cargo;
+use super::{DECISIONS, KernelError, Mutant, SCALAR};
+
+const PLACE: &str = ".tools/mutants";
+/// Names the table for `ncp-proofs`.
+const TABLE: &str = "NCP_MUTANTS";
+/// More rounds of the compiler than its phases need.
+const ROUNDS: usize = 20;
+
+/// The copies of the kernel, in a folder of their own.
+pub(super) struct Copies<'p> {
+    project: &'p Project,
+    /// The kernel's files, by their names from the root.
+    sources: &'p BTreeMap<String, String>,
+    place: PathBuf,
+}
+
+/// How a changed kernel is held against the properties.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ask {
+    /// On samples and on enumerated values: the quick engines.
+    Numbers,
+    /// For all doubles, by the solvers.
+    Solvers,
+}
+
+/// What `ncp-mutants` says of a changed kernel.
+#[derive(Debug, Clone, Deserialize)]
+pub(super) struct Answer {
+    pub(super) id: String,
+    /// In a sentence.
+    pub(super) said: String,
+    #[serde(flatten)]
+    pub(super) refuted: Option<Refuted>,
+}
+
+/// What refutes a changed kernel.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Refuted {
+    pub(super) property: String,
+    pub(super) engine: String,
+    pub(super) counterexample: Counterexample,
+}
+
+/// Inputs on which a changed kernel breaks a property.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Counterexample {
+    /// The check that fails.
+    pub(super) check: String,
+    /// By name; what JSON has no number for is spelled.
+    pub(super) inputs: Vec<(String, Value)>,
+    /// How the kernel differs from the text.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) compared: Option<String>,
+    /// The same as a case of a vector, or why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vector: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_vector: Option<String>,
+}
+
+impl<'p> Copies<'p> {
+    /// No copies yet; those of an earlier run are removed.
+    ///
+    /// # Errors
+    /// They cannot be removed.
+    pub(super) fn new(project: &'p Project, sources: &'p BTreeMap<String, String>) -> Result<Self, KernelError> {
+        let place = project.path(PLACE);
+        if place.exists() {
+            fs::remove_dir_all(&place).map_err(|source| KernelError::File { path: place.clone(), source })?;
+        }
+        Ok(Self { project, sources, place })
+    }
+
+    /// Those of some mutants that the compiler accepts. It stops at the errors of one phase, and is asked again
+    /// without them.
+    ///
+    /// # Errors
+    /// A file, or an error of the compiler that is in no mutant.
+    pub(super) fn that_compile(&self, mut mutants: Vec<Mutant>) -> Result<Vec<Mutant>, KernelError> {
+        const CHECK: [&str; 8] =
+            ["check", "--quiet", "-p", "ncp-proofs", "--lib", "--features", "mutants", "--message-format=json"];
+        for mutant in &mutants {
+            self.write(mutant)?;
+        }
+        for _ in 0..ROUNDS {
+            let output = self.cargo(&mutants, Ask::Numbers, &CHECK)?.output();
+            let output = output.map_err(|source| KernelError::Start { program: "cargo", source })?;
+            if output.status.success() {
+                return Ok(mutants);
+            }
+            let lines = cargo::lines(&output.stdout);
+            let bad: BTreeSet<&str> =
+                cargo::errors(&lines).flat_map(cargo::Diagnostic::files).filter_map(id_in).collect();
+            let before = mutants.len();
+            mutants.retain(|mutant| !bad.contains(&*mutant.id));
+            if mutants.len() == before {
+                let shown = cargo::errors(&lines).find_map(|error| error.rendered.clone());
+                let said = shown.unwrap_or_else(|| String::from_utf8_lossy(&output.stderr).into_owned());
+                return Err(KernelError::NoCopy { said });
+            }
+        }
+        Err(KernelError::ErrorsWithoutEnd)
+    }
+
+    /// Builds some mutants, and holds each against all properties; the answers, one each.
+    ///
+    /// # Errors
+    /// A file, or a program that fails.
+    pub(super) fn hold(&self, mutants: &[Mutant], ask: Ask) -> Result<Vec<Answer>, KernelError> {
+        const RUN: [&str; 8] = ["run", "--quiet", "-p", "ncp-proofs", "--features", "mutants", "--bin", "ncp-mutants"];
+        let mut command = self.cargo(mutants, ask, &RUN)?;
+        if ask == Ask::Solvers {
+            command.args(["--", "--symbolic"]);
+        }
+        let failed = |source| KernelError::Start { program: "ncp-mutants", source };
+        let mut child = command.stdout(Stdio::piped()).spawn().map_err(failed)?;
+        let mut answers = Vec::new();
+        if let Some(output) = child.stdout.take() {
+            for line in BufReader::new(output).lines() {
+                let line = line.map_err(failed)?;
+                if let Ok(answer) = serde_json::from_str::<Answer>(&line) {
+                    println!("{} {}", answer.id, answer.said);
+                    answers.push(answer);
+                }
+            }
+        }
+        let status = child.wait().map_err(failed)?;
+        if status.success() { Ok(answers) } else { Err(KernelError::Failed { status: status.to_string() }) }
+    }
+
+    /// cargo, with the table of these mutants.
+    fn cargo(&self, mutants: &[Mutant], ask: Ask, args: &[&str]) -> Result<Command, KernelError> {
+        let table = self.place.join("mutants.rs");
+        save(&table, &self.table(mutants, ask))?;
+        let mut command = self.project.cargo(args);
+        command.args(["--profile", "changed"]).env(TABLE, table);
+        Ok(command)
+    }
+
+    /// The table that `ncp-proofs` includes.
+    fn table(&self, mutants: &[Mutant], ask: Ask) -> String {
+        let harness = match ask {
+            Ask::Numbers => "native_harness",
+            Ask::Solvers => "harness",
+        };
+        let (mut modules, mut ids, mut arms) = (String::new(), String::new(), String::new());
+        for mutant in mutants {
+            let id = &mutant.id;
+            let path = self.place.join(id).join("glue.rs");
+            let _ = writeln!(modules, "#[path = {path:?}]\npub mod {id};");
+            let _ = writeln!(ids, "({id:?}, {:?}),", mutant.file_name());
+            let _ = writeln!(arms, "{id:?} => crate::harness::{harness}::<{id}::Mutant>(property),");
+        }
+        format!(
+            "{modules}/// The changed kernels: the name of each, and the file that is changed.\n\
+             pub const MUTANTS: &[(&str, &str)] = &[\n{ids}];\n\
+             /// The harness of a property on a changed kernel.\n#[must_use]\n\
+             pub fn harness(id: &str, property: &str) -> Option<crate::harness::Harness> {{\n\
+             match id {{\n{arms}_ => None,\n}}\n}}\n"
+        )
+    }
+
+    /// Writes the copy of a mutant: the decisions, or the numbers, with its change.
+    fn write(&self, mutant: &Mutant) -> Result<(), KernelError> {
+        let folder = self.place.join(&mutant.id);
+        let is_number = mutant.file == SCALAR;
+        let wanted = |file: &str| if is_number { file == SCALAR } else { file.starts_with(DECISIONS) };
+        for (file, text) in self.sources.iter().filter(|(file, _)| wanted(file)) {
+            let mut text = text.clone();
+            if *file == mutant.file {
+                text = mutant.change.of(&text);
+            }
+            if is_number {
+                // The feature is the kernel's, and its doubles are what is changed.
+                text = text.replace("#[cfg(feature = \"std\")]\n", "");
+            }
+            save(&folder.join(super::file_name(file)), &text)?;
+        }
+        let path = folder.join(if is_number { "scalar.rs" } else { "mod.rs" });
+        let kernel = if is_number { "[ncp_kernel] [self::changed]" } else { "[self::changed] [ncp_kernel]" };
+        let glue = format!(
+            "use ncp_kernel::{{Channel, Decision, Limit, Mode, Plan, Reason, Received, Scalar, Seq}};\n\
+             #[path = {path:?}]\nmod changed;\n\
+             crate::kernel::kernel! {{ /// A changed kernel.\nMutant = {kernel} }}\n"
+        );
+        save(&folder.join("glue.rs"), &glue)
+    }
+}
+
+/// The id of the mutant in whose folder a file is.
+fn id_in(file: &str) -> Option<&str> {
+    let is_id = |part: &&str| {
+        let digits = part.strip_prefix("m_");
+        digits.is_some_and(|digits| digits.len() == 5 && digits.bytes().all(|b| b.is_ascii_digit()))
+    };
+    file.split(['/', '\\']).rev().find(is_id)
+}
+
+fn save(path: &Path, text: &str) -> Result<(), KernelError> {
+    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+    folder.and_then(|()| fs::write(path, text)).map_err(|source| KernelError::File { path: path.to_owned(), source })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mutant_of_a_file_is_that_of_its_folder() {
+        assert_eq!(id_in("/x/.tools/mutants/m_00017/speed.rs"), Some("m_00017"));
+        assert_eq!(id_in("C:\\x\\m_00018\\glue.rs"), Some("m_00018"));
+        assert_eq!(id_in("/x/m_1/kernel.rs"), None);
+    }
+
+    #[test]
+    fn an_answer_is_read_with_what_refutes_it_and_without() {
+        let open: Answer = serde_json::from_str(r#"{"id":"m_00001","said":"no numbers refute it"}"#).unwrap();
+        assert!(open.refuted.is_none());
+        let refuted = r#"{"id":"m_00002","said":"refuted by clamp/bound, symbolic","property":"clamp/bound",
+            "engine":"symbolic","counterexample":{"check":"within","inputs":[["x",1.5],["y","NaN"]],"no_vector":"why"}}"#;
+        let refuted = serde_json::from_str::<Answer>(refuted).unwrap().refuted.unwrap();
+        assert_eq!(refuted.property, "clamp/bound");
+        assert_eq!(refuted.counterexample.inputs[0], ("x".to_owned(), Value::from(1.5)));
+        assert_eq!(refuted.counterexample.no_vector.as_deref(), Some("why"));
+    }
+}
