@@ -3,7 +3,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | `kernel` | changes one token of the kernel at a time, and holds each changed kernel against the properties |
-//! | `spec` | has cargo-mutants change the specification, and holds each mutant against the golden cases and the tests |
+//! | `spec` | has cargo-mutants change the specification, and holds each mutant against the cases and the tests |
 //! | `cargo` | reads what cargo prints for programs |
 
 mod cargo;

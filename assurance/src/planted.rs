@@ -1,7 +1,7 @@
 //! A copy of the project's sources with planted defects, each behind a switch.
 //!
-//! Whole crates are copied, with their places relative to each other, so that no path in them changes. A file is written
-//! only where its text is another one, so that cargo builds anew what depends on it and no more.
+//! Whole crates are copied, with their places relative to each other, so that no path in them changes. A file is
+//! written only where its text is another one, so that cargo builds anew what depends on it and no more.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -144,7 +144,8 @@ mod tests {
         }
         save(&root.join("to/a/src/old.rs"), b"old").unwrap();
         save(&root.join(".gitignore"), b"/to/\n").unwrap();
-        let table = "[[defect]]\nname = \"two\"\nabout = \"It is 2.\"\n[[defect.edit]]\nfile = \"a/src/lib.rs\"\ncode = \"1\"\nwith = \"2\"\n";
+        let edit = "[[defect.edit]]\nfile = \"a/src/lib.rs\"\ncode = \"1\"\nwith = \"2\"\n";
+        let table = format!("[[defect]]\nname = \"two\"\nabout = \"It is 2.\"\n{edit}");
         save(&root.join("table.toml"), table.as_bytes()).unwrap();
         let defects = ncp_defects::read(&root.join("table.toml")).unwrap();
         let copied = copy(&project, &["a"], "to", &defects).unwrap();

@@ -297,8 +297,8 @@ fn explain(project: &Project, target: &Target, run: &Run) {
          read it        cargo run -p {BODIES} -- show {name} {file}\n  \
          once more      cargo run -p {BODIES} -- replay {name} {file}\n  \
          shorten it     cargo fuzz tmin {name} {file}   (in fuzz/)\n  \
-         keep it        mend the specification, copy the input to {CORPUS}/{name}/, and write what `show`\n                 \
-         prints as a case of vectors/, so that every peer is asked too\n",
+         keep it        mend the specification, copy the input to {CORPUS}/{name}/, and write what\n                 \
+         `show` prints as a case of vectors/, so that every peer is asked too\n",
         indented(&crash.said),
         run.log.display(),
     );

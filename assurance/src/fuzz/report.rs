@@ -218,11 +218,11 @@ const HEAD: &str = "\
 # Fuzzing: what was tried, and what it reaches
 
 Made by `cargo assure fuzz --report`, `--planted --report` and `--coverage --report`, each of which measures one part \
-anew; `fuzz/README.md` says how to repeat it. `cargo xtask test` replays every committed input. For which rules a target \
-is evidence stands above its function in `fuzz/bodies/src`, and in `reports/traceability.md`.
+anew; `fuzz/README.md` says how to repeat it. `cargo xtask test` replays every committed input. For which rules a \
+target is evidence stands above its function in `fuzz/bodies/src`, and in `reports/traceability.md`.
 
-Fuzzing looks for what is wrong and proves nothing: that nothing was found is worth as much as the number of executions, \
-the lines reached, and the planted defects that the same targets do find.
+Fuzzing looks for what is wrong and proves nothing: that nothing was found is worth as much as the number of \
+executions, the lines reached, and the planted defects that the same targets do find.
 
 ";
 

@@ -91,8 +91,9 @@ mod tests {
         let span = |file: &str, is_primary: bool| json!({ "file_name": file, "is_primary": is_primary });
         let mut expanded = span("kernel.rs", true);
         expanded["expansion"] = json!({ "span": span("m_00018/glue.rs", false), "macro_decl_name": "kernel!" });
-        let message = json!({ "level": "error", "spans": [span("m_00017/a.rs", true), span("m_00016/a.rs", false), expanded],
-            "children": [{ "spans": [span("m_00015/a.rs", true)] }] });
+        let spans = [span("m_00017/a.rs", true), span("m_00016/a.rs", false), expanded];
+        let children = json!([{ "spans": [span("m_00015/a.rs", true)] }]);
+        let message = json!({ "level": "error", "spans": spans, "children": children });
         let output = json!({ "reason": "compiler-message", "message": message, "target": {"name": "x"} }).to_string();
         let lines = lines(format!("noise\n{output}\n").as_bytes());
         let files: Vec<&str> = errors(&lines).flat_map(Diagnostic::files).collect();

@@ -17,8 +17,8 @@ const USAGE: &str = "\
 Usage: ncp-fuzz list [--json]           the targets, and what each would find
        ncp-fuzz replay <target> <file>… check inputs, such as a crash; panics when one is wrong
        ncp-fuzz show <target> <file>    an input as a person reads it
-       ncp-fuzz seed <folder>           write the seeds that vectors/ gives, in all/<target>, and those that
-                                        stay in rules/<target>
+       ncp-fuzz seed <folder>           write the seeds that vectors/ gives, in all/<target>,
+                                        and those that stay, in rules/<target>
 ";
 
 fn main() -> ExitCode {

@@ -1,4 +1,4 @@
-//! The golden cases against a mutated specification: the test `cases`, which `cargo xtask mutate-spec` has
+//! The golden cases against a mutated specification: the test `cases`, which `cargo assure mutate spec` has
 //! cargo-mutants run for every mutant.
 //!
 //! The tests of `ncp-peer-rust` do much the same. But they link the verifier, which asks `ncp-spec` what a

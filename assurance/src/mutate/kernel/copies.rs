@@ -88,6 +88,11 @@ impl<'p> Copies<'p> {
         Ok(Self { project, sources, place })
     }
 
+    /// The project whose kernel is changed.
+    pub(super) fn project(&self) -> &Project {
+        self.project
+    }
+
     /// Those of some mutants that the compiler accepts. It stops at the errors of one phase, and is asked again
     /// without them.
     ///
@@ -234,7 +239,7 @@ mod tests {
         let open: Answer = serde_json::from_str(r#"{"id":"m_00001","said":"no numbers refute it"}"#).unwrap();
         assert!(open.refuted.is_none());
         let refuted = r#"{"id":"m_00002","said":"refuted by clamp/bound, symbolic","property":"clamp/bound",
-            "engine":"symbolic","counterexample":{"check":"within","inputs":[["x",1.5],["y","NaN"]],"no_vector":"why"}}"#;
+            "engine":"symbolic","counterexample":{"check":"in","inputs":[["x",1.5],["y","NaN"]],"no_vector":"why"}}"#;
         let refuted = serde_json::from_str::<Answer>(refuted).unwrap().refuted.unwrap();
         assert_eq!(refuted.property, "clamp/bound");
         assert_eq!(refuted.counterexample.inputs[0], ("x".to_owned(), Value::from(1.5)));

@@ -24,6 +24,7 @@ use std::path::PathBuf;
 use clap::Args;
 use thiserror::Error;
 use xtask::project::Project;
+use xtask::setup::{self, SetupError};
 
 use self::copies::{Ask, Copies};
 use self::explained::{EXPLAINED, Explained};
@@ -142,6 +143,7 @@ fn hold<'e>(
     let open: Vec<Mutant> = chosen.iter().filter(is_open).filter(is_asked).cloned().collect();
     if !open.is_empty() {
         println!("{} are left for the symbolic engine", open.len());
+        setup::solvers(copies.project(), &mut |line| println!("{line}"))?;
         fates.extend(ask(copies, &open, Ask::Solvers)?);
     }
     let fate = |mutant: Mutant| {
@@ -183,7 +185,10 @@ fn mutants(sources: &BTreeMap<String, String>) -> Vec<Mutant> {
     let words = sources.get(VOCABULARY).map_or("", String::as_str);
     let variants = variants(words);
     let mut mutants = Vec::new();
-    for (file, text) in sources.iter().filter(|(file, _)| !LEFT_ALONE.contains(&&***file)) {
+    let mut files: Vec<_> = sources.iter().filter(|(file, _)| !LEFT_ALONE.contains(&&***file)).collect();
+    // The numbers of the changes, and so what a seed chooses, do not depend on the folders.
+    files.sort_by_key(|(file, _)| file_name(file));
+    for (file, text) in files {
         for change in changes(text, &variants) {
             let before = text.get(..change.start).unwrap_or_default();
             let begin = before.rfind('\n').map_or(0, |at| at + 1);
@@ -240,6 +245,8 @@ pub(crate) enum KernelError {
     File { path: PathBuf, source: io::Error },
     #[error(transparent)]
     Kept(#[from] KeptError),
+    #[error(transparent)]
+    Setup(#[from] SetupError),
     #[error("{EXPLAINED}: {source}")]
     Explained { source: Box<toml::de::Error> },
     #[error("{EXPLAINED}: no reason is given of a change in {text:?}")]

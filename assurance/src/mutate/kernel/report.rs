@@ -190,10 +190,10 @@ pub(super) fn shown(mutant: &Mutant, fate: &Fate) -> String {
 fn page(lock: &Lock) -> String {
     let Counts { refuted, equivalent, open } = lock.total();
     let mut page = format!(
-        "# Changes of one token\n\n`cargo assure mutate kernel --count {} --seed {}`: of {} changes of one token of the \
-         kernel that the grammar of `assurance/src/mutate/kernel/tokens.rs` knows, {} that compile, held against every \
-         property. A refuted one has a concrete counterexample, which `reports/full/{NAME}.json` holds once the command \
-         has run. An equivalent one changes no behaviour; [`{EXPLAINED}`](../{EXPLAINED}) says why of each.\n\n\
+        "# Changes of one token\n\n`cargo assure mutate kernel --count {} --seed {}`: of {} changes of one token of \
+         the kernel that the grammar of `assurance/src/mutate/kernel/tokens.rs` knows, {} that compile, held against \
+         every property. A refuted one has a concrete counterexample, which `reports/full/{NAME}.json` holds once the \
+         command has run. An equivalent one changes no behaviour; [`{EXPLAINED}`](../{EXPLAINED}) says why of each.\n\n\
          | file | changes | refuted | equivalent | open |\n|---|---|---|---|---|\n",
         lock.count,
         lock.seed,

@@ -3,12 +3,13 @@
 //! | token | what may stand there |
 //! |---|---|
 //! | operator | the others of its kind: comparison, logic, arithmetic, assignment, range |
-//! | method of a number, of an option | the others of its kind: `lt`, `le`; `add`, `sub`, `mul`, `div`; `is_some`, `is_none`; … |
+//! | method of a number, of an option | the others of its kind: `lt`, `le`; `add`, `sub`; `is_some`, `is_none`; … |
 //! | literal | 0, one more, one less, the double, the negative |
 //! | `!`, `return`, `*`, `-`, `?` | nothing |
 //! | the beginning of a condition | a `!` before it |
 //! | `break`, `true`, `Ok`, `Some` … | `continue`, `false`, `Err`, `None` … |
-//! | name of a local, a field, a method, a function, a variant | another one of the same kind in the same function, file or type |
+//! | name of a local, a field, a method, a function, a variant | another one of the same kind in the same |
+//! | | function, file or type |
 //!
 //! Most of the last do not compile; these are found out by the compiler. Left alone are comments, attributes, imports
 //! and types: they decide nothing.

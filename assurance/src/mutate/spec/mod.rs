@@ -95,7 +95,7 @@ Examples:
 #[derive(Debug, Args)]
 pub(crate) struct SpecArgs {
     /// Only this module of the specification; may be given again
-    #[arg(long = "module", value_name = "NAME", value_parser = PossibleValuesParser::new(MODULES.map(|module| module.name)))]
+    #[arg(long = "module", value_name = "NAME", value_parser = names())]
     modules: Vec<String>,
     /// Only what the last run did not see noticed
     #[arg(long)]
@@ -122,6 +122,10 @@ pub(crate) fn run(project: &Project, args: &SpecArgs) -> Result<bool, SpecError>
     let problems = report.problems(project)?;
     problems.iter().for_each(|problem| println!("{problem}"));
     Ok(problems.is_empty())
+}
+
+fn names() -> PossibleValuesParser {
+    PossibleValuesParser::new(MODULES.map(|module| module.name))
 }
 
 fn carry_out(project: &Project, args: &SpecArgs, report: &mut Report) -> Result<(), SpecError> {
