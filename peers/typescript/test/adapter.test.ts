@@ -3,6 +3,7 @@ import { spawn } from "node:child_process";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { NCP_CONTRACT_HASH, NCP_VERSION } from "@ncp-conformance/peer";
+import { defaultsOf } from "./support.js";
 
 const ADAPTER = fileURLToPath(new URL("../adapter.js", import.meta.url));
 
@@ -196,14 +197,7 @@ test("every call with a trace is answered, a step an entry", async () => {
     ],
     ["session.run", { requests: ['{"kind":"close_session","session_id":"s"}', "?"] }],
   );
-  const head = {
-    ncp_version: NCP_VERSION,
-    kind: "command_frame",
-    frame_id: "world",
-    ttl_ms: 200,
-    horizon: [],
-    horizon_dt_ms: null,
-  };
+  const head = defaultsOf("CommandFrame");
   assert.deepEqual(entry(governor, 0), {
     frame: { ...head, seq: 0, t: 0, mode: "active", channels: velocity(3, 4, "-0") },
   });
@@ -231,17 +225,7 @@ test("every call with a trace is answered, a step an entry", async () => {
   assert.equal(entry(loop, 0)["command"]!["mode"], "hold");
   assert.deepEqual(entry(loop, 2), {
     command: { ...head, seq: 4, t: 2, mode: "active", channels: velocity(1, 0, 0) },
-    status: {
-      ncp_version: NCP_VERSION,
-      kind: "control_status",
-      seq: 2,
-      t: 2,
-      mode: "active",
-      sim_time_ms: 0,
-      loop_latency_ms: 0,
-      safety_ok: true,
-      note: null,
-    },
+    status: { ...defaultsOf("ControlStatus"), seq: 2, t: 2, mode: "active" },
   });
   const { replies } = (session as { result: { replies: string[] } }).result;
   assert.deepEqual(JSON.parse(replies[0]!), { ncp_version: NCP_VERSION, kind: "session_closed", session_id: "s", ok: false });

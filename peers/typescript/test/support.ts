@@ -167,3 +167,9 @@ export function projection(): {
 } {
   return JSON.parse(repositoryFile("proto/projection.json")) as ReturnType<typeof projection>;
 }
+
+/** What a frame of this message reads as, plain, that gives nothing but its kind. */
+export function defaultsOf(message: string): Record<string, unknown> {
+  const { kind, fields } = projection().messages[message]!;
+  return { ...Object.fromEntries(Object.entries(fields).map(([name, field]) => [name, field.default])), kind };
+}
