@@ -251,7 +251,7 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     let mut left: BTreeMap<&str, report::Engine> = BTreeMap::new();
     for engine in &wanted {
         if let How::Elsewhere(file) = engine.how {
-            let result = report::elsewhere(head(engine), &place.root.join(file));
+            let result = report::elsewhere(head(engine), &place.root.join(file))?;
             refuted.extend(refuted_of(engine.name, &result.results));
             left.insert(engine.name, result);
         }
@@ -495,7 +495,7 @@ fn refute_one(
 }
 
 fn render(place: &Place, report: &Report) -> Result<(), Box<dyn Error>> {
-    let document = page::document(&serde_json::to_value(report)?);
+    let document = page::document(report);
     let reports = place.root.join("reports");
     fs::write(reports.join("proofs.md"), document::markdown(&document))?;
     fs::write(reports.join("proofs.html"), document::html(&document))?;

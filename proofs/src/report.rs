@@ -4,10 +4,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
+use thiserror::Error;
 
 use crate::counterexample::{Counterexample, Drawn};
 pub use crate::engines::Verdict;
@@ -380,15 +381,26 @@ pub fn counterexample(property: &str, harness: &Harness, found: &Counterexample)
     whole
 }
 
-/// The results of an engine that another program has run, from the file that it left.
-#[must_use]
-pub fn elsewhere(head: Engine, file: &Path) -> Engine {
-    let left = fs::read_to_string(file).ok().and_then(|text| serde_json::from_str::<Engine>(&text).ok());
-    let Some(left) = left else {
-        return Engine { not_run: true, ..head };
+/// The results of an engine that another program has run, from the file that it left; without a file it was not run.
+///
+/// # Errors
+/// The file has another form.
+pub fn elsewhere(head: Engine, file: &Path) -> Result<Engine, FormError> {
+    let Ok(text) = fs::read_to_string(file) else {
+        return Ok(Engine { not_run: true, ..head });
     };
+    let left = serde_json::from_str::<Engine>(&text);
+    let left = left.map_err(|source| FormError { path: file.to_owned(), source })?;
     let version = if left.version.is_empty() { head.version } else { left.version };
-    Engine { name: head.name, about: head.about, version, ..left }
+    Ok(Engine { name: head.name, about: head.about, version, ..left })
+}
+
+/// What a program left is no [`Engine`].
+#[derive(Debug, Error)]
+#[error("{}: {source}", path.display())]
+pub struct FormError {
+    path: PathBuf,
+    source: serde_json::Error,
 }
 
 /// Takes out of the results what differs from one run to the next: how long it took, and how much the second solver
@@ -597,8 +609,14 @@ mod tests {
     #[test]
     fn an_engine_that_left_no_file_is_not_run_here() {
         let head = Engine { name: "kani".to_owned(), ..Engine::default() };
-        let engine = elsewhere(head, Path::new("no such file"));
+        let engine = elsewhere(head, Path::new("no such file")).unwrap();
         assert!(engine.not_run && engine.results.is_empty());
+    }
+
+    #[test]
+    fn a_file_of_another_form_is_refused() {
+        let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+        assert!(elsewhere(Engine::default(), &manifest).is_err());
     }
 
     #[test]

@@ -68,6 +68,13 @@ pub fn of(property: &str) -> Bounds {
                  clock reading",
             ),
         ),
+        "number/operations" => (
+            LONGEST,
+            Some(
+                "all pairs of 24 doubles and of 7 seqs, of every kind and the edges; no engine goes beyond these here, \
+                 and the machine code's proofs are about all doubles",
+            ),
+        ),
         _ => (LONGEST, None),
     };
     Bounds { length, values, words }

@@ -282,8 +282,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, lt ⇔ a < b, le ⇔ \
             a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = \
             0",
-        bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges; no engine goes beyond these \
-            here, and the machine code's proofs are about all doubles",
+        bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges",
         assumptions: &["What Rust's own operators do is what IEEE 754 says."],
     },
 ];
