@@ -112,7 +112,9 @@ mod tests {
             <testsuites>
                 <testcase name="a" time="0.5" classname="test"/>
                 <testsuite name="s" tests="2" failures="1">
-                    <testcase name="b &gt; c" time="2.25"><failure message="&lt;testcase/&gt;">1 != 2</failure></testcase>
+                    <testcase name="b &gt; c" time="2.25">
+                        <failure message="&lt;testcase/&gt;">1 != 2</failure>
+                    </testcase>
                     <testcase name="d"><error/></testcase>
                     <testcase name="e"><skipped message="no numpy"/></testcase>
                 </testsuite>
