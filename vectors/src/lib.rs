@@ -42,7 +42,7 @@ mod wire;
 
 use std::fmt::Write as _;
 
-pub use scenario::{Fault, ScenarioError};
+pub use scenario::{Fault, ScenarioError, formatted};
 use sha2::{Digest as _, Sha256};
 
 /// Every file of the corpus: its path below `vectors/corpus/`, such as `wire/command_frame.json`, and its

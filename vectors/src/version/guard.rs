@@ -59,10 +59,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
             }
             let verb = if rules.first() == Some(&"NCP-VER-009") { "should answer" } else { "answers" };
             let case = Case::new(format!("{how}/{name}"), &rules, &Role::ALL)
-                .title(format!(
-                    "A {how} version guard {verb} {} with {answer}.",
-                    version.text()
-                ))
+                .title(format!("A {how} version guard {verb} {} with {answer}.", version.text()))
                 .flags(&[match is {
                     Is::Malformed => "lenient-versions",
                     _ if advisory => "version-overflow",

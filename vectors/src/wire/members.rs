@@ -241,11 +241,11 @@ fn not_repeated(row: &Row) -> Result<Case, ScenarioError> {
 fn escaped_kind() -> Case {
     let frame = explicit("close_session").text().replace("\"kind\"", r#""k\u0069nd""#);
     Case::new("close_session/not-repeated/escaped-kind", &[READ], readers("close_session"))
-            .title("A `close_session` whose `kind` is spelled with an escape in its name is read.")
-            .flags(&["raw-names"])
-            .decode("close_session", frame)
-            .means(explicit("close_session").text())
-            .because("Member names are equal when they are so after their escapes are resolved.")
+        .title("A `close_session` whose `kind` is spelled with an escape in its name is read.")
+        .flags(&["raw-names"])
+        .decode("close_session", frame)
+        .means(explicit("close_session").text())
+        .because("Member names are equal when they are so after their escapes are resolved.")
 }
 
 /// Steps of a horizon that look like the proto's `SetpointStep`, whose one member is `channels`.

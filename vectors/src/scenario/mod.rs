@@ -22,12 +22,15 @@
 //! What a body says is the affair of the code that makes the group's cases, as the README of the crate shows; most are
 //! [`Step`]s with semicolons between.
 
+mod format;
+
 use std::collections::VecDeque;
 
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 
 use crate::case::{Case, Role};
 use crate::roles::a;
+pub use format::formatted;
 
 /// What is wrong with a line of scenario text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -151,7 +154,7 @@ impl Scenarios {
                 continue;
             }
             if text.is_empty() {
-                is_header &= groups.back().is_none_or(|group| group.place.line + 1 == line);
+                is_header = false;
                 continue;
             }
             let group = groups.back_mut().ok_or(place.fault(Fault::NoGroup))?;
@@ -582,5 +585,58 @@ impl Place {
             "-max" => Ok(-9_007_199_254_740_991),
             _ => word.parse().map_err(|_| self.wants("integer", word)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const fn source(text: &'static str) -> Source {
+        Source { file: "area/name", text }
+    }
+
+    /// What is said about the text.
+    fn complaint(text: &'static str) -> String {
+        let read = Scenarios::read(source(text));
+        let rows = read.and_then(|mut scenarios| scenarios.rows("g").and_then(|rows| scenarios.end().map(|()| rows)));
+        rows.map_or_else(|error| error.to_string(), |rows| format!("{rows:?}"))
+    }
+
+    #[test]
+    fn a_row_is_a_case_for_each_value_and_has_what_its_group_says() {
+        let text = "[g]\ncolumns: rules words\npath: {mode.name}/{row}\ntitle: {mode} is {words} in {version}.\n\
+                    each mode: hold, none=-\nflags: f, g@none\nevent: {mode} 5\n\none  R-1,R-2  so\ntwo@none  R-1  -\n";
+        let rows = Scenarios::read(source(text)).unwrap().rows("g").unwrap();
+        let paths: Vec<_> = rows.iter().map(|row| row.path.as_str()).collect();
+        assert_eq!(paths, ["hold/one", "none/one", "none/two"]);
+        assert_eq!(rows[0].title, format!("hold is so in {WIRE_VERSION}."));
+        assert_eq!((&rows[0].flags[..], &rows[1].flags[..]), (&["f"][..], &["f", "g"][..]));
+        assert_eq!((rows[0].body.as_str(), rows[0].rules.len()), ("hold 5", 2));
+    }
+
+    #[test]
+    fn every_fault_is_named_with_its_file_and_line() {
+        let at = |line: usize, fault: &str| format!("vectors/scenarios/area/name.txt:{line}: {fault}");
+        let table = [
+            ("one  R  T\n", 1, "there is no group yet; it begins with `[name]`"),
+            ("[g]\none  R  T\n", 2, "`one  R  T` is no `key: value`, and rows begin behind an empty line"),
+            ("[g]\nwhat: x\n", 2, "`what` is no key of a group"),
+            ("[g]\n\none  R\n", 3, "the row has 2 cells, and its group has the columns name rules title"),
+            ("[g]\n\n    ask\n", 3, "there is no row above this body"),
+            ("[g]\n\none  R  {nothing}\n", 3, "`{nothing}` stands for nothing here"),
+            ("[g]\nwhy: {why}\ncolumns: why\n\none  {why}\n", 5, "`{why}` stands for nothing here"),
+            ("[h]\n\none  R  T\n", 1, "the group `g` should stand here"),
+            ("[g]\n\n[h]\n", 3, "nothing makes cases of this group"),
+        ];
+        for (text, line, fault) in table {
+            assert_eq!(complaint(text), at(line, fault));
+        }
+    }
+
+    #[test]
+    fn a_version_beside_ones_own_differs_by_its_minor() {
+        assert_eq!(beside(0), WIRE_VERSION);
+        assert_ne!(beside(1), beside(-1));
     }
 }
