@@ -3,7 +3,7 @@
 use super::{CARRIERS, rejected, with_raw};
 use crate::case::{Case, File};
 use crate::json::Json;
-use crate::model::{explicit, meaning, minimal};
+use crate::model::{WIRE_VERSION, explicit, meaning, minimal};
 use crate::roles::{a, readers};
 
 /// What stands around, before, after and instead of the object.
@@ -63,7 +63,7 @@ fn no_object(kind: &str) -> Vec<Case> {
         ("frame-as-string", Json::string(&frame).text(), "a string that holds the frame"),
         ("empty-array", "[]".to_owned(), "an empty array"),
         ("frame-in-array", format!("[{frame}]"), "an array that holds the frame"),
-        ("positional", format!("[\"0.5\",\"{kind}\",\"s1\"]"), "an array of the fields' values"),
+        ("positional", format!("[\"{WIRE_VERSION}\",\"{kind}\",\"s1\"]"), "an array of the fields' values"),
         ("pairs", format!("[[\"kind\",\"{kind}\"],[\"session_id\",\"s1\"]]"), "an array of names and values"),
     ];
     let mut cases: Vec<Case> = others

@@ -1,10 +1,11 @@
 //! Frames as a strict receiver reads them: their versions on every plane, and the stamps of commands.
 
-use super::INCOMPATIBLE;
+use super::incompatible;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, meaning, minimal};
 use crate::roles::{a, readers};
+use crate::scenario::beside;
 use crate::text::tables;
 use ncp_text::WIRE_VERSION;
 
@@ -55,7 +56,7 @@ fn rejects(case: Case, kind: &str, frame: &Json, code: &str) -> Case {
 fn versions(kind: &str) -> Vec<Case> {
     let frame = good(kind);
     let terse = stamped_by(minimal(kind), 7).with("ncp_version", WIRE_VERSION.into());
-    let roomy = good(kind).and("novel", object! { "ncp_version" => "0.4" });
+    let roomy = good(kind).and("novel", object! { "ncp_version" => beside(-1) });
     let mut cases = vec![
         accepts(case(kind, "version/own", &["NCP-STRICT-012"]), kind, &frame)
             .title(format!("{} of one's own version is read by a strict receiver.", a(kind)))
@@ -82,12 +83,12 @@ fn versions(kind: &str) -> Vec<Case> {
         .flags(&["L07"])
         .because("A strict receiver rejects a frame without `ncp_version`, on every plane."),
     ];
-    cases.extend(INCOMPATIBLE.map(|(what, version)| {
-        let other = frame.clone().with("ncp_version", version.into());
+    cases.extend(incompatible().map(|(what, version)| {
+        let other = frame.clone().with("ncp_version", version.as_str().into());
         rejects(case(kind, &format!("version/{what}"), &["NCP-STRICT-003"]), kind, &other, "version")
             .title(format!("{} of the version `{version}` is rejected by a strict receiver.", a(kind)))
             .flags(&["L07"])
-            .because("The version guard of chapter 2 does not hold that version compatible with 0.5.")
+            .because(format!("The version guard of chapter 2 does not hold that version compatible with {WIRE_VERSION}."))
     }));
     cases
 }

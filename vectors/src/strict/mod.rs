@@ -6,21 +6,30 @@ mod plant;
 mod replies;
 mod server;
 
+use ncp_text::WIRE_VERSION;
+
 use crate::case::{Case, File};
 use crate::json::Json;
-use crate::scenario::ScenarioError;
+use crate::scenario::{ScenarioError, beside};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     Ok(vec![keys::file(), frames::file(), replies::file(), plant::file()?, server::file()])
 }
 
-/// Versions with which one's own, 0.5, is not compatible, by name and spelling.
-const INCOMPATIBLE: [(&str, &str); 5] =
-    [("older", "0.4"), ("newer", "0.6"), ("major", "1.0"), ("three-parts", "0.5.0"), ("malformed", "latest")];
+/// Versions with which one's own is not compatible, by name and spelling.
+fn incompatible() -> [(&'static str, String); 5] {
+    [
+        ("older", beside(-1)),
+        ("newer", beside(1)),
+        ("major", "1.0".to_owned()),
+        ("three-parts", format!("{WIRE_VERSION}.0")),
+        ("malformed", "latest".to_owned()),
+    ]
+}
 
-/// Why a strict receiver rejects a frame for its version: it is absent, or one of [`INCOMPATIBLE`].
-fn unfit_versions() -> Vec<(&'static str, Option<&'static str>)> {
-    let others = INCOMPATIBLE.map(|(what, version)| (what, Some(version)));
+/// Why a strict receiver rejects a frame for its version: it is absent, or [`incompatible`].
+fn unfit_versions() -> Vec<(&'static str, Option<String>)> {
+    let others = incompatible().map(|(what, version)| (what, Some(version)));
     std::iter::once(("absent", None)).chain(others).collect()
 }
 

@@ -1,6 +1,8 @@
 //! What a strict client accepts as the reply to its request.
 
-use super::INCOMPATIBLE;
+use ncp_text::WIRE_VERSION;
+
+use super::incompatible;
 use crate::case::Role::Commander;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -38,14 +40,14 @@ fn cases(request: &str, reply: &str) -> Vec<Case> {
             .rejects("missing")
             .because("A strict receiver rejects a frame without `ncp_version`, on every plane."),
     ];
-    cases.extend(INCOMPATIBLE.map(|(what, version)| {
-        case(what, &["NCP-STRICT-003"], fitting.clone().with("ncp_version", version.into()))
+    cases.extend(incompatible().map(|(what, version)| {
+        case(what, &["NCP-STRICT-003"], fitting.clone().with("ncp_version", version.as_str().into()))
             .title(format!(
                 "A strict client rejects a `{reply}` of the version `{version}` as the reply to a `{request}`."
             ))
             .flags(&["L07"])
             .rejects("version")
-            .because("The version guard of chapter 2 does not hold that version compatible with 0.5.")
+            .because(format!("The version guard of chapter 2 does not hold that version compatible with {WIRE_VERSION}."))
     }));
     cases
 }

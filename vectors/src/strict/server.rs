@@ -1,5 +1,7 @@
 //! A strict server: requests without a version, and requests at another key than their own.
 
+use ncp_text::WIRE_VERSION;
+
 use super::keys::VERBS;
 use super::{against_version, unfit_versions};
 use crate::case::{Case, File};
@@ -43,9 +45,9 @@ fn request(kind: &str) -> Exchange {
 
 /// The request without its version, or with another.
 fn with_version(request: &str, version: Option<&str>) -> String {
-    let own = r#""ncp_version":"0.5","#;
+    let own = format!("\"ncp_version\":\"{WIRE_VERSION}\",");
     let other = version.map_or(String::new(), |version| format!("\"ncp_version\":\"{version}\","));
-    request.replacen(own, &other, 1)
+    request.replacen(&own, &other, 1)
 }
 
 /// The case, with the kind in the key at which each request comes.
@@ -84,18 +86,18 @@ fn lives() -> Vec<Case> {
 }
 
 fn openings() -> Vec<Case> {
-    let open_with = |(what, version): (&str, Option<&str>)| {
+    let open_with = |(what, version): (&str, Option<String>)| {
         let refusal = match what {
             "three-parts" | "malformed" => any(vec![not_opened(ID), error()]),
             _ => not_opened(ID),
         };
         let trace = vec![
-            (with_version(&Open::lif(ID).text(), version), refusal),
+            (with_version(&Open::lif(ID).text(), version.as_deref()), refusal),
             (step(ID, Some(10.0), None), error()),
             open(),
             step_after(0.0),
         ];
-        case(format!("open/{what}"), &["NCP-STRICT-008", against_version(version)], trace)
+        case(format!("open/{what}"), &["NCP-STRICT-008", against_version(version.as_deref())], trace)
             .strictly()
             .title(format!("A strict server does not open a session for a request whose version is {what}."))
             .flags(&["L07"])
@@ -113,12 +115,12 @@ fn unversioned() -> Vec<Case> {
             let (text, answer) = request(kind);
             let trace = vec![
                 open(),
-                (with_version(&text, version), error()),
+                (with_version(&text, version.as_deref()), error()),
                 // What was not carried out is still to be done.
                 (text, answer),
             ];
             cases.push(
-                case(format!("{kind}/{what}"), &["NCP-STRICT-009", against_version(version)], trace)
+                case(format!("{kind}/{what}"), &["NCP-STRICT-009", against_version(version.as_deref())], trace)
                     .strictly()
                     .title(format!("A strict server does not carry out a `{kind}` whose version is {what}."))
                     .flags(&["L07"])

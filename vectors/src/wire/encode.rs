@@ -5,7 +5,7 @@ use super::place::{Ground, put};
 use crate::case::Role::{self, Server};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{CONTRACT_HASH, explicit, explicit_message, full, meaning, minimal};
+use crate::model::{CONTRACT_HASH, WIRE_VERSION, explicit, explicit_message, full, meaning, minimal};
 use crate::roles::{a, writers};
 use crate::text::{Default, Message, Shape, Unknown, tables};
 
@@ -144,7 +144,7 @@ impl Encoder {
                     .flags(&["program-defaults"])
                     .encode(self.kind, fields)
                     .means(expected.text())
-                    .because("A build of wire 0.5 has the contract hash of wire 0.5."),
+                    .because(format!("A build of wire {WIRE_VERSION} has the contract hash of wire {WIRE_VERSION}.")),
             );
         }
         cases

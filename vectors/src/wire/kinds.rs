@@ -3,7 +3,7 @@
 use super::READ;
 use crate::case::{Case, File};
 use crate::json::Json;
-use crate::model::{explicit, full, meaning, minimal};
+use crate::model::{WIRE_VERSION, explicit, full, meaning, minimal};
 use crate::roles::{a, readers};
 use crate::text::tables;
 
@@ -128,7 +128,7 @@ fn versions() -> Vec<Case> {
         let frame = explicit(kind);
         cases.push(
             Case::new(format!("{kind}/version/own"), &["NCP-WIRE-033"], readers(kind))
-                .title(format!("{} of version `0.5` is decoded.", a(kind)))
+                .title(format!("{} of version `{WIRE_VERSION}` is decoded.", a(kind)))
                 .flags(&["version-in-decoder"])
                 .decode(kind, frame.text())
                 .means(meaning(kind, &frame).text())

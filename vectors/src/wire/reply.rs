@@ -3,8 +3,9 @@
 use crate::case::Role::Commander;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{explicit, minimal};
+use crate::model::{WIRE_VERSION, explicit, minimal};
 use crate::roles::a;
+use crate::scenario::beside;
 
 /// The requests and the kinds that answer them.
 const PAIRS: [(&str, &str); 4] = [
@@ -128,22 +129,22 @@ fn wrong_sessions(request: &str, reply: &str) -> Vec<Case> {
 
 fn wrong_versions(request: &str, reply: &str) -> Vec<Case> {
     [
-        ("older", "0.4"),
-        ("newer", "0.6"),
-        ("next-major", "1.0"),
-        ("no-minor", "0"),
-        ("three-parts", "0.5.0"),
-        ("empty", ""),
-        ("line-feed", "0.5\n"),
+        ("older", beside(-1)),
+        ("newer", beside(1)),
+        ("next-major", "1.0".to_owned()),
+        ("no-minor", "0".to_owned()),
+        ("three-parts", format!("{WIRE_VERSION}.0")),
+        ("empty", String::new()),
+        ("line-feed", format!("{WIRE_VERSION}\n")),
     ]
     .into_iter()
     .map(|(what, version)| {
-        let frame = explicit(reply).with("ncp_version", version.into());
+        let frame = explicit(reply).with("ncp_version", version.as_str().into());
         ask(request, &format!("version/{what}"), &["NCP-SESS-003"], &minimal(request), &frame.text())
             .title(format!("A client rejects a reply of version {} to its `{request}`.", Json::string(version).text()))
             .flags(&["unchecked-reply-version"])
             .rejects("version")
-            .because("The version guard does not hold the version compatible with 0.5.")
+            .because(format!("The version guard does not hold the version compatible with {WIRE_VERSION}."))
     })
     .collect()
 }

@@ -6,6 +6,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, meaning, minimal};
 use crate::roles::{a, readers};
+use crate::scenario::beside;
 use ncp_text::WIRE_VERSION;
 
 pub(super) fn file() -> File {
@@ -77,14 +78,14 @@ fn fits(kind: &'static str) -> Vec<Case> {
         (
             "other-version-in-both",
             explicit(kind)
-                .with("ncp_version", with_version("0.4"))
-                .with("stimulus", stimulus().with("ncp_version", with_version("0.4"))),
+                .with("ncp_version", with_version(&beside(-1)))
+                .with("stimulus", stimulus().with("ncp_version", with_version(&beside(-1)))),
             "has the request's version, which is an older one,",
         ),
         (
             "version-where-the-request-has-none",
             explicit(kind).without("ncp_version").with("stimulus", stimulus()),
-            "says 0.5 where the request leaves its version out",
+            &format!("says {WIRE_VERSION} where the request leaves its version out"),
         ),
         (
             "other-session-in-both",
@@ -102,7 +103,7 @@ fn fits(kind: &'static str) -> Vec<Case> {
                 .flags(&["nested-stimulus"])
                 .decode(kind, frame.text())
                 .means(meaning(kind, &frame).text())
-                .because("What stands there agrees with the request; a request without a version has 0.5.")
+                .because(format!("What stands there agrees with the request; a request without a version has {WIRE_VERSION}."))
         })
         .map(|case| {
             if case.path.ends_with("/other-version-in-both") {
@@ -146,10 +147,10 @@ fn misfits(kind: &'static str) -> Vec<Case> {
             format!("has the session `{session}`"),
         ));
     }
-    for (name, version) in [("older", "0.4"), ("newer", "0.6"), ("empty", ""), ("malformed", "x")] {
+    for (name, version) in [("older", beside(-1)), ("newer", beside(1)), ("empty", String::new()), ("malformed", "x".to_owned())] {
         table.push((
             format!("version-{name}"),
-            object! { "ncp_version" => version },
+            object! { "ncp_version" => version.as_str() },
             "NCP-WIRE-038",
             "value",
             format!("has the version `{version}`"),
@@ -189,7 +190,7 @@ fn misfits(kind: &'static str) -> Vec<Case> {
         .collect();
     cases.push(
         Case::new(format!("{kind}/misfit/version-of-absent"), &["NCP-WIRE-038"], readers(kind))
-            .title(format!("{} of version 0.4 whose stimulus frame says 0.5 is rejected.", a(kind)))
+            .title(format!("{} of version {} whose stimulus frame says {WIRE_VERSION} is rejected.", a(kind), beside(-1)))
             .flags(&["nested-stimulus"])
             .decode(
                 kind,
@@ -199,7 +200,7 @@ fn misfits(kind: &'static str) -> Vec<Case> {
                     .text(),
             )
             .rejects("value")
-            .because("0.5 is the receiver's version, but not the request's."),
+            .because(format!("{WIRE_VERSION} is the receiver's version, but not the request's.")),
     );
     cases
 }
