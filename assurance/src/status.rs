@@ -159,6 +159,9 @@ impl<'p> Eyes<'p> {
         let Some(lock) = Lock::read(&root, artefact.name)? else {
             return Ok(vec!["it was never made".to_owned()]);
         };
+        if lock.sources.is_empty() {
+            return Ok(vec!["nobody noted of which sources it was made".to_owned()]);
+        }
         let now = artefact.digests(&root).map_err(|source| StatusError::Digest { name: artefact.name, source })?;
         Ok(differences(&lock.sources, &now))
     }

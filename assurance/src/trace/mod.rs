@@ -89,20 +89,6 @@ impl EvidenceKind {
         }
     }
 
-    /// As a heading.
-    pub(crate) const fn title(self) -> &'static str {
-        match self {
-            Self::Code => "Code",
-            Self::Vector => "Vectors",
-            Self::Test => "Tests",
-            Self::Property => "Properties",
-            Self::Fuzz => "Fuzz targets",
-            Self::Proof => "Proofs",
-            Self::Live => "Live scenarios",
-            Self::Mutant => "Mutants",
-        }
-    }
-
     /// Whether it can fail when the rule is broken, and so shows something.
     pub(crate) const fn shows(self) -> bool {
         !matches!(self, Self::Code | Self::Mutant)
