@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-/// A piece of a document. Texts may hold `` `code` `` and `[words](link)`.
+/// A piece of a document. Texts may hold `` `code` ``, `**bold**` and `[words](link)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(dead_code, reason = "only some pages hold formulas and details")]
 pub(crate) enum Block {
@@ -86,27 +86,14 @@ pub(crate) fn html(blocks: &[Block]) -> String {
     });
     let title = title.unwrap_or_default();
     format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
         body(blocks)
     )
 }
 
-const STYLE: &str = "\
-:root { color-scheme: light dark; --line: #8886; --soft: #8881; --good: #18703c; --bad: #b3261e; --link: #0b57d0; }
-@media (prefers-color-scheme: dark) { :root { --good: #7bd69b; --bad: #ff8a80; --link: #8ab4f8; } }
-body { font: 16px/1.5 system-ui, sans-serif; margin: 0; }
-main { max-width: 64rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
-h1 { line-height: 1.2; } h2 { margin-top: 2.5rem; border-bottom: 1px solid var(--line); } h3 { margin-top: 2rem; }
-a { color: var(--link); }
-code, pre { font: 0.85em/1.45 ui-monospace, monospace; background: var(--soft); border-radius: 3px; overflow-wrap: anywhere; }
-code { padding: 0.1em 0.25em; } pre { padding: 0.75rem; white-space: pre-wrap; }
-td code.line { white-space: nowrap; }
-.wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.9em; width: 100%; }
-th, td { border: 1px solid var(--line); padding: 0.3rem 0.5rem; text-align: left; vertical-align: top; }
-th { background: var(--soft); } .good { color: var(--good); font-weight: 600; } .bad { color: var(--bad); font-weight: 600; }
-summary { cursor: pointer; } details { margin: 0.5rem 0; }
-@media print { details::details-content { content-visibility: visible; block-size: auto; } main { max-width: none; padding: 0; } body { font-size: 10pt; } tr, h2, h3 { break-inside: avoid; break-after: auto; } a { color: inherit; } }
-";
+const STYLE: &str = include_str!("document.css");
 
 fn body(blocks: &[Block]) -> String {
     let mut text = String::new();
@@ -126,7 +113,8 @@ fn body(blocks: &[Block]) -> String {
                 let rows: String = rows.iter().map(|cells| row(cells)).collect();
                 writeln!(
                     text,
-                    "<div class=\"wide\"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>"
+                    "<div class=\"wide\"><table>\n<thead><tr>{head}</tr></thead>\n\
+                     <tbody>\n{rows}</tbody>\n</table></div>"
                 )
             }
             Block::Details(title, inner) => {
@@ -154,7 +142,7 @@ fn row(cells: &[String]) -> String {
     format!("<tr>{cells}</tr>\n")
 }
 
-/// Code and links of a text.
+/// Code, links and bold words of a text.
 fn inline(words: &str) -> String {
     let mut text = String::new();
     for (nth, part) in words.split('`').enumerate() {
@@ -172,7 +160,8 @@ fn inline(words: &str) -> String {
         }
         text.push_str(&escaped(rest));
     }
-    text
+    let parts = text.split("**").enumerate();
+    parts.map(|(nth, part)| if nth % 2 == 1 { format!("<strong>{part}</strong>") } else { part.to_owned() }).collect()
 }
 
 /// The first link of a text: what stands before it, its words, where it leads, and what follows.
@@ -195,14 +184,17 @@ mod tests {
     fn both_forms_say_the_same() {
         let blocks = [
             Block::Heading(1, "top".into(), "A < B".into()),
-            Block::Text("See `a | b` and [there](x.smt2).".into()),
+            Block::Text("See `a | b` and [there](x.smt2), **now**.".into()),
             Block::Table(vec!["p".into()], vec![vec!["proved".into()]]),
         ];
-        assert_eq!(markdown(&blocks), "# A < B\n\nSee `a | b` and [there](x.smt2).\n\n| p |\n|---|\n| proved |\n");
+        assert_eq!(
+            markdown(&blocks),
+            "# A < B\n\nSee `a | b` and [there](x.smt2), **now**.\n\n| p |\n|---|\n| proved |\n"
+        );
         let page = html(&blocks);
         for part in [
             "<h1 id=\"top\">A &lt; B</h1>",
-            "<code>a | b</code> and <a href=\"x.smt2\">there</a>.",
+            "<code>a | b</code> and <a href=\"x.smt2\">there</a>, <strong>now</strong>.",
             "<td class=\"good\">proved</td>",
         ] {
             assert!(page.contains(part), "{part}\n{page}");

@@ -34,7 +34,8 @@ fn hunt_in(healthy: &str, mutants: &[(&str, &str)], args: &[&str]) -> Run {
     let table = |(name, rule): &(&str, &str)| {
         let edit = "edit = [{ file = \"\", code = \"\", with = \"()\" }]";
         format!(
-            "[[defect]]\nname = \"{name}\"\nabout = \"It is {name}.\"\nfinding = \"L24\"\nrules = [\"{rule}\"]\n{edit}\n"
+            "[[defect]]\nname = \"{name}\"\nabout = \"It is {name}.\"\nfinding = \"L24\"\n\
+             rules = [\"{rule}\"]\n{edit}\n"
         )
     };
     let table: String = mutants.iter().map(table).collect();

@@ -305,7 +305,8 @@ fn what_is_proved_shows_its_rules_and_what_is_only_tried_does_not() {
     let lock = |verdict: &str| {
         let sources = "[sources]\n[counts]\n";
         format!(
-            "{sources}[fates]\n\"symbolic clamp/bound\" = \"{verdict}\"\n[rules]\n\"clamp/bound\" = [\"NCP-TEST-004\"]\n"
+            "{sources}[fates]\n\"symbolic clamp/bound\" = \"{verdict}\"\n[rules]\n\
+             \"clamp/bound\" = [\"NCP-TEST-004\"]\n"
         )
     };
     let tree = Tree::accepted();

@@ -15,7 +15,7 @@
 //!
 //! [[defect.edit]]
 //! file = "spec/kernel/src/decisions/gates.rs"  # from the root of the repository
-//! after = "let mode = plan.mode();"            # where the code stands more than once: a text that stands once before it
+//! after = "let mode = plan.mode();"            # where the code stands twice: a text that stands once before it
 //! code = "mode == Mode::Estop"                 # what is replaced
 //! with = "false"                               # by what
 //! ```

@@ -120,9 +120,9 @@ impl MutantsReport {
         let mut page = vec![
             heading(1, "Mutants"),
             text(format!(
-                "Made by `cargo assure mutants`: the Rust peer with one planted defect after the other (`defects/peer`), \
-                 each held against the {} cases of the corpus `{}`. `reports/lock/mutants.toml` has the fate of each; \
-                 the command writes the whole report to `reports/full`.",
+                "Made by `cargo assure mutants`: the Rust peer with one planted defect after the other \
+                 (`defects/peer`), each held against the {} cases of the corpus `{}`. The fate of each stands in \
+                 `reports/lock/mutants.toml`; the command writes the whole report to `reports/full`.",
                 self.cases,
                 self.corpus_sha256.get(..16).unwrap_or_default()
             )),
@@ -139,10 +139,10 @@ impl MutantsReport {
                 [counts.map(|count| count.to_string()).to_vec()],
             ),
             text(
-                "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 KiB \
-                 were run only where no other case did. The verdict names the likeliest rule first: that of the lowest \
-                 level, and within a level by how many of a rule's cases fail and what share of all they are. *Named \
-                 first* means that the verdict on this mutant begins with that rule.",
+                "A mutant is killed when a case fails that cites the broken rule first. Cases with requests above 64 \
+                 KiB were run only where no other case did. The verdict names the likeliest rule first: that of the \
+                 lowest level, and within a level by how many of a rule's cases fail and what share of all they are. \
+                 *Named first* means that the verdict on this mutant begins with that rule.",
             ),
         ];
         let remarks = self.remarks();

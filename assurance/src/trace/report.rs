@@ -128,8 +128,8 @@ pub(crate) fn full_page(trace: &Trace) -> Vec<Block> {
 const ABOUT: &str = "\
 Made by `cargo assure trace` from the text, the corpus, the code and the tests; `cargo assure status` says when it is \
 stale. What was accepted stands in `reports/lock/trace.toml`, and the command writes what shows each single rule to \
-`reports/full`. `cargo verify explain <id>` leads from a rule, a finding or a case to the text, the cases and the lines \
-of code.";
+`reports/full`. `cargo verify explain <id>` leads from a rule, a finding or a case to the text, the cases and the \
+lines of code.";
 
 const KINDS: [&str; 5] = [
     "**code**: functions and files that carry the rule out, in `ncp-kernel` and `ncp-spec`, and in the two peers that \
@@ -198,6 +198,6 @@ fn entry(evidence: &Evidence) -> String {
         "" => file.rsplit('/').next().unwrap_or(file),
         item => item,
     };
-    let link = format!("[{}](../../{file})", name.replace('_', "\\_"));
+    let link = format!("[{}](../../{file})", name);
     if *kind == EvidenceKind::Vector { format!("{link} {count}") } else { link }
 }

@@ -271,8 +271,8 @@ fn expectation(expect: &Expect) -> Vec<String> {
         Expect::Json(value) => vec!["a result that is equal as a JSON value:".to_owned(), text(&value.expand())],
         Expect::Message { text: frame, ignore, or_reject } => {
             let mut lines = vec![
-                "a result whose `text` is this message; the order of members, the spelling of numbers, null for absent and \
-                 members left out that have their default do not count:"
+                "a result whose `text` is this message; the order of members, the spelling of numbers, null for \
+                 absent and members left out that have their default do not count:"
                     .to_owned(),
                 text(&frame.get()),
             ];
@@ -285,8 +285,8 @@ fn expectation(expect: &Expect) -> Vec<String> {
             lines
         }
         Expect::Encoding(frame) => vec![
-            "a result whose `text` has these members in this order, unset optionals null, integers spelled as integers, \
-             doubles equal bit by bit; white space is free:"
+            "a result whose `text` has these members in this order, unset optionals null, integers spelled as \
+             integers, doubles equal bit by bit; white space is free:"
                 .to_owned(),
             text(&frame.get()),
         ],
@@ -296,12 +296,13 @@ fn expectation(expect: &Expect) -> Vec<String> {
             vec![format!("a result whose `block` is exactly these {} bytes:", bytes.len()), hex.join(" ") + more]
         }
         Expect::Columns(columns) => {
-            vec!["a result whose `block` is a valid block that holds exactly these columns:".to_owned(), text(&columns.expand())]
+            let words = "a result whose `block` is a valid block that holds exactly these columns:";
+            vec![words.to_owned(), text(&columns.expand())]
         }
         Expect::Pattern { shape, tolerance, or_reject } => {
             let mut lines = vec![
-                "a result that has this shape; members of objects that it does not name are free, and null is as good as \
-                 absent:"
+                "a result that has this shape; members of objects that it does not name are free, and null is as \
+                 good as absent:"
                     .to_owned(),
                 text(&shape.to_string()),
             ];
