@@ -304,3 +304,104 @@ impl Copied<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::process::Command;
+
+    use ncp_defects::Edit;
+
+    use super::*;
+
+    fn defect(name: &str, file: &str, code: &str, with: &str) -> Defect {
+        let edit = Edit { file: file.to_owned(), after: None, code: code.to_owned(), with: with.to_owned() };
+        let table = format!("name = {name:?}\nabout = \"It.\"\nedit = []\n");
+        Defect { edit: vec![edit], ..toml::from_str(&table).unwrap() }
+    }
+
+    /// A project of a peer, a kernel and a package that the peer does not need.
+    fn project(root: &Path) -> Project {
+        let write = |file: &str, text: &str| {
+            let path = root.join(file);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        write(
+            "Cargo.toml",
+            "[workspace]\nmembers = [\"spec/kernel\", \"peers/rust\", \"other\"]\n[workspace.dependencies]\n\
+             ncp-kernel = { path = \"spec/kernel\" }\nother = { path = \"other\" }\nserde_json = \"1\"\n",
+        );
+        write("Cargo.lock", "version = 4\n");
+        write(
+            "spec/kernel/Cargo.toml",
+            "[package]\nname = \"ncp-kernel\"\n[dev-dependencies]\nother.workspace = true\n",
+        );
+        write("spec/kernel/src/lib.rs", "pub const fn less(a: u8, b: u8) -> bool { a < b }\n");
+        write("spec/kernel/tests/less.rs", "fn main() {}\n");
+        write(
+            "peers/rust/Cargo.toml",
+            "[package]\nname = \"ncp-peer-rust\"\n[dependencies]\nncp-kernel.workspace = true\nserde_json.workspace = true\n",
+        );
+        write("peers/rust/src/main.rs", "fn main() { print!(\"{}\", ncp_kernel::less(1, 1)) }\n");
+        write("other/Cargo.toml", "[package]\nname = \"other\"\n");
+        assert!(Command::new("git").args(["init", "--quiet"]).arg(root).status().unwrap().success());
+        Project::at(root)
+    }
+
+    #[test]
+    fn whole_packages_are_copied_with_switches_and_without_what_tests_need() {
+        let folder = tempfile::tempdir().unwrap();
+        let project = project(folder.path());
+        let defects = [
+            defect("at-most", "spec/kernel/src/lib.rs", "a < b", "a <= b"),
+            defect("swapped", "peers/rust/src/main.rs", "less(1, 1)", "less(1, 2)"),
+        ];
+        let planted = weave(&project, &defects).unwrap();
+        let read = |file: &str| fs::read_to_string(planted.folder.join(file)).unwrap();
+        let woven = "pub fn less(a: u8, b: u8) -> bool { (if ::ncp_kernel::planted::is(0) { a <= b } else { a < b }) }";
+        assert!(read("spec/kernel/src/lib.rs").starts_with(woven));
+        assert!(read("spec/kernel/src/lib.rs").contains("pub mod planted;"));
+        assert!(read("peers/rust/src/main.rs").contains("::ncp_kernel::planted::is(1)"));
+        assert!(!read("spec/kernel/Cargo.toml").contains("other"));
+        assert!(read("Cargo.toml").contains("members = [\"peers/rust\", \"spec/kernel\"]"));
+        assert!(!planted.folder.join("spec/kernel/tests").exists() && !planted.folder.join("other").exists());
+
+        // A second time, only what changed is written, and what is gone goes.
+        fs::write(planted.folder.join("peers/rust/src/old.rs"), "").unwrap();
+        let kernel = planted.folder.join("spec/kernel/src/lib.rs");
+        let written = fs::metadata(&kernel).unwrap().modified().unwrap();
+        weave(&project, &defects).unwrap();
+        assert_eq!(fs::metadata(&kernel).unwrap().modified().unwrap(), written);
+        assert!(!planted.folder.join("peers/rust/src/old.rs").exists());
+    }
+
+    #[test]
+    fn a_defect_of_no_source_of_the_peer_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let stray = defect("stray", "other/src/lib.rs", "a", "b");
+        let error = weave(&project(folder.path()), &[stray]).unwrap_err().to_string();
+        assert_eq!(error, "other/src/lib.rs is no source of the Rust peer: stray");
+    }
+
+    #[test]
+    fn the_command_line_switches_defects_on_alone_and_together_and_an_unknown_one_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let defects = ["one", "two"].map(|name| defect(name, "", "", ""));
+        fs::write(folder.path().join("planted.rs"), switches(&defects)).unwrap();
+        let main = "mod planted;\nfn main() { print!(\"{} {}\", planted::is(0), planted::is(1)) }\n";
+        fs::write(folder.path().join("main.rs"), main).unwrap();
+        let program = folder.path().join("program");
+        let rustc = ["--edition", "2024", "-o", "program", "main.rs"];
+        assert!(Command::new("rustc").args(rustc).current_dir(folder.path()).status().unwrap().success());
+        let run = |args: &[&str]| {
+            let output = Command::new(&program).args(args).output().unwrap();
+            (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
+        };
+        assert_eq!(run(&[]), (0, "false false".to_owned()));
+        assert_eq!(run(&["--defect", "two"]), (0, "false true".to_owned()));
+        assert_eq!(run(&["--defect", "two", "--defect", "one"]), (0, "true true".to_owned()));
+        for wrong in [&["--defect", "three"][..], &["--defect"], &["one"]] {
+            assert_eq!(run(wrong), (2, String::new()), "{wrong:?}");
+        }
+    }
+}
