@@ -16,7 +16,6 @@
 //! | `reports` | where the short pages and the long reports go |
 //! | `document` | one document, written as Markdown and as HTML |
 //! | `planted` | copies the project's sources with planted defects |
-//! | `kept` | keeps measurements: lock, page, and the whole |
 //! | `digest` | over the files on which an artefact depends |
 //! | `console` | colours, widths and Ctrl-C |
 
@@ -28,7 +27,6 @@ mod digest;
 mod document;
 mod fuzz;
 mod lock;
-mod kept;
 mod mutants;
 mod mutate;
 mod planted;

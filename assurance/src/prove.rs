@@ -10,12 +10,9 @@ use std::time::Instant;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use serde::Deserialize;
 use thiserror::Error;
 use xtask::project::Project;
 use xtask::setup::{self, SetupError};
-
-use crate::digest;
 
 /// Whether the machine code of this machine can be explored.
 const RUNS_MACHINE: bool = cfg!(all(target_os = "linux", target_arch = "x86_64"));
@@ -23,7 +20,6 @@ const RUNS_MACHINE: bool = cfg!(all(target_os = "linux", target_arch = "x86_64")
 const ENGINES: [&str; 7] = ["symbolic", "enumeration", "machine", "model", "readers", "kani-stand-in", "kani"];
 /// What the first stage finds out about the kernel, for the second.
 const KERNEL: &str = ".tools/proofs-kernel.json";
-const REPORT: &str = "reports/proofs.json";
 /// Where the engines that are programs of their own leave their results.
 const MACHINE: &str = ".tools/machine.json";
 const MODEL: &str = ".tools/model.json";
@@ -32,17 +28,13 @@ const READERS: &str = ".tools/readers.json";
 pub(crate) const EXAMPLES: &str = "\
 Examples:
   cargo assure prove                               all engines: about ten minutes
-  cargo assure prove --engine symbolic --engine model
-  cargo assure prove --check                       only: is the report about the sources as they are?";
+  cargo assure prove --engine symbolic --engine model";
 
 #[derive(Debug, Args)]
 pub(crate) struct ProveArgs {
     /// Only this engine; may be given again. What the others said of the same sources stays
     #[arg(long = "engine", value_name = "NAME", value_parser = PossibleValuesParser::new(ENGINES))]
     engines: Vec<String>,
-    /// Run nothing: only say whether the report is about the sources as they are
-    #[arg(long, conflicts_with = "engines")]
-    check: bool,
 }
 
 impl ProveArgs {
@@ -56,11 +48,6 @@ impl ProveArgs {
 /// # Errors
 /// The solvers cannot be set up, or a program cannot be started.
 pub(crate) fn run(project: &Project, args: &ProveArgs) -> Result<bool, ProveError> {
-    if args.check {
-        let problem = stale(project)?;
-        problem.iter().for_each(|problem| println!("{problem}"));
-        return Ok(problem.is_none());
-    }
     let is_wanted_machine = RUNS_MACHINE && args.wants("machine");
     thread::scope(|scope| {
         // What explores machine code takes half a minute to install, and comes late.
@@ -151,32 +138,6 @@ fn start(mut command: Command) -> Result<bool, ProveError> {
     Ok(status.success())
 }
 
-/// What is wrong with the report: missing, about other sources, or of something that is not shown.
-fn stale(project: &Project) -> Result<Option<String>, ProveError> {
-    /// What of the report says whether it holds.
-    #[derive(Deserialize)]
-    struct Report {
-        digest: String,
-        problems: Vec<String>,
-    }
-
-    let problem = |why: &str| Ok(Some(format!("{REPORT}: {why}; cargo assure prove")));
-    let path = project.path(REPORT);
-    let Ok(text) = fs::read(&path) else {
-        return problem("there is none");
-    };
-    let report: Report = serde_json::from_slice(&text).map_err(|source| ProveError::Report { path, source })?;
-    let root = project.path("");
-    let now = digest::of(&root).map_err(|source| ProveError::File { path: root, source })?;
-    if report.digest != now {
-        return problem("the kernel or its harnesses have changed since they were proved");
-    }
-    match report.problems.as_slice() {
-        [] => Ok(None),
-        problems => problem(&format!("not everything is shown: {}", problems.join("; "))),
-    }
-}
-
 /// Why the proofs could not be run.
 #[derive(Debug, Error)]
 pub(crate) enum ProveError {
@@ -184,47 +145,4 @@ pub(crate) enum ProveError {
     Setup(#[from] SetupError),
     #[error("{} cannot be started: {source}", program.display())]
     Start { program: PathBuf, source: io::Error },
-    #[error("{}: {source}", path.display())]
-    File { path: PathBuf, source: io::Error },
-    #[error("{}: {source}", path.display())]
-    Report { path: PathBuf, source: serde_json::Error },
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_change_of_the_kernel_makes_the_report_stale() {
-        let folder = tempfile::tempdir().unwrap();
-        let root = folder.path();
-        for source in digest::SOURCES.map(|source| root.join(source)) {
-            if source.extension().is_none() {
-                fs::create_dir_all(source).unwrap();
-                continue;
-            }
-            fs::create_dir_all(source.parent().unwrap()).unwrap();
-            fs::write(source, "").unwrap();
-        }
-        let kernel = root.join("spec/kernel/src/decisions/speed.rs");
-        for folder in [kernel.parent().unwrap(), &root.join("reports")] {
-            fs::create_dir_all(folder).unwrap();
-        }
-        fs::write(&kernel, "a.le(b)").unwrap();
-        let project = Project::at(root);
-        let stale = || stale(&project).unwrap().unwrap_or_default();
-        assert!(stale().contains("there is none"));
-
-        let digest = digest::of(root).unwrap();
-        let report = |problems: &str| {
-            let text = format!("{{\"digest\":{digest:?},\"problems\":{problems}}}");
-            fs::write(root.join(REPORT), text).unwrap();
-        };
-        report("[\"clamp/bound: no engine proves it\"]");
-        assert!(stale().contains("clamp/bound"));
-        report("[]");
-        assert_eq!(stale(), "");
-        fs::write(&kernel, "a.lt(b)").unwrap();
-        assert!(stale().contains("have changed"));
-    }
 }

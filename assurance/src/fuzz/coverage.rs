@@ -55,7 +55,7 @@ pub(super) fn measure(project: &Project, llvm_path: Option<&Path>) -> Result<(bo
         println!("  {place:36} {covered:>5} of {count:>5}");
     }
     let tool = format!("cargo-llvm-cov {CARGO_LLVM_COV}, {}", version(&cov).unwrap_or_default());
-    Ok((is_enough, Coverage { digest: super::report::digest_of(project)?, tool, folders, files }))
+    Ok((is_enough, Coverage { tool, folders, files }))
 }
 
 pub(super) fn percent(count: u64, covered: u64) -> f64 {

@@ -25,8 +25,9 @@ use xtask::setup::{self, SetupError};
 
 use self::engine::{Engine, Run};
 use self::report::Report;
-use crate::kept::KeptError;
+use crate::lock::LockError;
 use crate::planted::{self, PlantedError};
+use crate::reports::ReportError;
 
 /// What each target checks, and the replay of the corpora.
 const BODIES: &str = "ncp-fuzz-bodies";
@@ -155,7 +156,7 @@ fn fuzz(project: &Project, args: &FuzzArgs, targets: &[Target], report: &mut Rep
     let executions: u64 = runs.iter().map(|(_, run)| run.executions).sum();
     println!("{} targets, {} executions, {} found something", runs.len(), grouped(executions), found.len());
     let is_right = found.is_empty();
-    report.ran(project, &engine, &runs)?;
+    report.ran(&engine, &runs);
     Ok(is_right)
 }
 
@@ -194,7 +195,7 @@ fn hunt(
     })?;
     let missed = runs.iter().filter(|(_, run)| run.crash.is_none()).count();
     println!("{} planted defects, {missed} not found", runs.len());
-    report.hunted(project, &engine, &runs)?;
+    report.hunted(&engine, &runs);
     Ok(missed == 0)
 }
 
@@ -333,7 +334,9 @@ pub(crate) enum FuzzError {
     #[error(transparent)]
     Setup(#[from] SetupError),
     #[error(transparent)]
-    Kept(#[from] KeptError),
+    Lock(#[from] LockError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
     #[error(transparent)]
     Table(#[from] TableError),
     #[error(transparent)]

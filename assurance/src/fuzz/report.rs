@@ -1,7 +1,6 @@
 //! What was measured: the lock, the page, and the whole of it.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 use std::fs;
 
 use ncp_defects::Defect;
@@ -11,22 +10,12 @@ use xtask::project::Project;
 use super::coverage::percent;
 use super::engine::Engine;
 use super::{CORPUS, FuzzError, Hunt, Run, Target, files, grouped};
-use crate::digest;
-use crate::kept;
+use crate::artefact::Artefact;
+use crate::document::{Block, heading, table, text};
+use crate::{lock, reports};
 
 /// The name under which it is kept.
 const NAME: &str = "fuzz";
-/// What a measurement is about: what is attacked, and what attacks it.
-pub(crate) const SOURCES: [&str; 8] = [
-    "spec/src",
-    "spec/kernel/src",
-    "proto/src",
-    "verifier/src/json.rs",
-    "verifier/src/peer",
-    "fuzz/bodies/src",
-    "fuzz/fuzz_targets",
-    super::DEFECTS,
-];
 
 /// Everything.
 #[derive(Debug, Serialize)]
@@ -48,10 +37,14 @@ struct Facts {
     bytes: u64,
 }
 
-/// What stands in git: what was measured, now and before. Each command replaces its own part.
+/// What git keeps: what was measured. Each command replaces its own part, and what was measured of other sources is
+/// dropped.
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Lock {
+struct Lock {
+    /// The digest that each source had.
+    #[serde(default)]
+    sources: BTreeMap<String, String>,
     fuzzing: Option<Fuzzing>,
     planted: Option<Planted>,
     coverage: Option<Coverage>,
@@ -61,8 +54,6 @@ pub(super) struct Lock {
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Fuzzing {
-    /// Of the [`SOURCES`], as in the other parts.
-    digest: String,
     engine: String,
     /// By name.
     targets: BTreeMap<String, Fuzzed>,
@@ -82,7 +73,6 @@ struct Fuzzed {
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Planted {
-    digest: String,
     engine: String,
     /// By the name of the defect, and by that of the target.
     defects: BTreeMap<String, BTreeMap<String, Hunted>>,
@@ -109,7 +99,6 @@ enum FoundBy {
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Coverage {
-    pub(super) digest: String,
     pub(super) tool: String,
     pub(super) folders: Vec<Lines>,
     pub(super) files: Vec<Lines>,
@@ -129,7 +118,7 @@ impl Report {
     /// What was measured before, with the targets as they are.
     ///
     /// # Errors
-    /// The lock is not of the form.
+    /// The lock is not of the form, or a source cannot be read.
     pub(super) fn read(project: &Project, targets: &[Target]) -> Result<Self, FuzzError> {
         let rules = rules(project);
         let facts = |target: &Target| {
@@ -142,42 +131,29 @@ impl Report {
             };
             (target.name.clone(), facts)
         };
-        Ok(Self { targets: targets.iter().map(facts).collect(), lock: kept::read(project, NAME)?.unwrap_or_default() })
+        let root = project.path("");
+        let sources = Artefact::named(NAME).map(|artefact| artefact.digests(&root)).transpose();
+        let sources = sources.map_err(|source| FuzzError::File { path: root.clone(), source })?.unwrap_or_default();
+        let before: Option<Lock> = lock::read(&root, NAME)?;
+        let lock = before.filter(|before| before.sources == sources).unwrap_or_default();
+        Ok(Self { targets: targets.iter().map(facts).collect(), lock: Lock { sources, ..lock } })
     }
 
     /// Takes note of fuzzing.
-    ///
-    /// # Errors
-    /// A source cannot be read.
-    pub(super) fn ran(&mut self, project: &Project, engine: &Engine, runs: &[(&Target, Run)]) -> Result<(), FuzzError> {
-        let digest = digest_of(project)?;
-        let before = self.lock.fuzzing.take().filter(|before| before.digest == digest);
+    pub(super) fn ran(&mut self, engine: &Engine, runs: &[(&Target, Run)]) {
+        let before = self.lock.fuzzing.take();
         let mut targets = before.map(|before| before.targets).unwrap_or_default();
         targets.extend(runs.iter().map(|(target, run)| {
-            let fuzzed = Fuzzed {
-                executions: run.executions,
-                edges: run.edges,
-                seconds: tenths(run.seconds),
-                found: run.crash.is_some(),
-            };
+            let Run { executions, edges, .. } = *run;
+            let fuzzed = Fuzzed { executions, edges, seconds: tenths(run.seconds), found: run.crash.is_some() };
             (target.name.clone(), fuzzed)
         }));
-        self.lock.fuzzing = Some(Fuzzing { digest, engine: engine.to_string(), targets });
-        Ok(())
+        self.lock.fuzzing = Some(Fuzzing { engine: engine.to_string(), targets });
     }
 
     /// Takes note of the hunt for planted defects.
-    ///
-    /// # Errors
-    /// A source cannot be read.
-    pub(super) fn hunted(
-        &mut self,
-        project: &Project,
-        engine: &Engine,
-        hunts: &[(&Hunt<'_>, Run)],
-    ) -> Result<(), FuzzError> {
-        let digest = digest_of(project)?;
-        let before = self.lock.planted.take().filter(|before| before.digest == digest);
+    pub(super) fn hunted(&mut self, engine: &Engine, hunts: &[(&Hunt<'_>, Run)]) {
+        let before = self.lock.planted.take();
         let mut defects = before.map(|before| before.defects).unwrap_or_default();
         for (hunt, run) in hunts {
             let by = if run.from_corpus { FoundBy::Corpus } else { FoundBy::Fuzzing };
@@ -185,8 +161,7 @@ impl Report {
             let hunted = Hunted { by, seconds: tenths(run.seconds), executions: run.executions };
             defects.entry(hunt.defect.name.clone()).or_default().insert(hunt.target.to_owned(), hunted);
         }
-        self.lock.planted = Some(Planted { digest, engine: engine.to_string(), defects });
-        Ok(())
+        self.lock.planted = Some(Planted { engine: engine.to_string(), defects });
     }
 
     /// Takes note of the coverage.
@@ -199,113 +174,90 @@ impl Report {
     /// # Errors
     /// A file cannot be written.
     pub(super) fn write(&self, project: &Project, defects: &[Defect]) -> Result<(), FuzzError> {
-        kept::write(project, NAME, &self.lock, &page(self, defects), self)?;
-        println!("wrote {}", kept::page_file(NAME));
+        let (path, text) = (lock::path(&project.path(""), NAME), lock::text(NAME, &self.lock)?);
+        let made = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, text));
+        made.map_err(|source| FuzzError::File { path, source })?;
+        let (folder, page) = (project.path(reports::PAGES), self.page(defects));
+        reports::page(&folder, NAME, &page)?;
+        reports::full(&folder, NAME, self, &page)?;
+        println!("wrote reports/{NAME}.md");
         Ok(())
     }
-}
 
-/// What people read.
-fn page(report: &Report, defects: &[Defect]) -> String {
-    let mut page = HEAD.to_owned();
-    fuzzing(&mut page, report);
-    planted(&mut page, report.lock.planted.as_ref(), defects);
-    coverage(&mut page, report.lock.coverage.as_ref());
-    page
-}
-
-const HEAD: &str = "\
-# Fuzzing: what was tried, and what it reaches
-
-Made by `cargo assure fuzz --report`, `--planted --report` and `--coverage --report`, each of which measures one part \
-anew; `fuzz/README.md` says how to repeat it. `cargo xtask test` replays every committed input. For which rules a \
-target is evidence stands above its function in `fuzz/bodies/src`, and in `reports/traceability.md`.
-
-Fuzzing looks for what is wrong and proves nothing: that nothing was found is worth as much as the number of \
-executions, the lines reached, and the planted defects that the same targets do find.
-
-";
-
-fn fuzzing(page: &mut String, report: &Report) {
-    page.push_str("## The last run\n\n");
-    let Some(Fuzzing { engine, targets, .. }) = &report.lock.fuzzing else {
-        page.push_str("Not run here.\n\n");
-        return;
-    };
-    let _ = write!(
-        page,
-        "{engine}, libFuzzer.\n\n| target | would find | corpus | executions | seconds | edges | found |\n\
-         |---|---|---|---|---|---|---|\n"
-    );
-    for (name, run) in targets {
-        let none = Facts::default();
-        let Facts { finds, inputs, bytes, .. } = report.targets.get(name).unwrap_or(&none);
-        let _ = writeln!(
-            page,
-            "| {name} | {finds} | {inputs} inputs, {} bytes | {} | {} | {} | {} |",
-            grouped(*bytes),
-            grouped(run.executions),
-            run.seconds,
-            grouped(run.edges),
-            if run.found { "something" } else { "nothing" },
-        );
+    /// What people read.
+    fn page(&self, defects: &[Defect]) -> Vec<Block> {
+        let mut page = vec![heading(1, "Fuzzing: what was tried, and what it reaches")];
+        page.extend(ABOUT.map(text));
+        page.push(heading(2, "The last run"));
+        page.extend(self.lock.fuzzing.as_ref().map_or_else(not_run, |fuzzing| self.fuzzed(fuzzing)));
+        page.extend([heading(2, "Planted defects"), text(ABOUT_PLANTED)]);
+        page.extend(self.lock.planted.as_ref().map_or_else(not_run, |planted| hunted(planted, defects)));
+        page.push(heading(2, "Lines of the decoders that the corpora reach"));
+        page.extend(self.lock.coverage.as_ref().map_or_else(not_run, covered));
+        page
     }
-    let total = grouped(targets.values().map(|run| run.executions).sum());
-    let _ = writeln!(
-        page,
-        "\n{total} executions in all. An edge is a step from one basic block to another, in the target and in all that \
-         it calls.\n"
-    );
+
+    fn fuzzed(&self, Fuzzing { engine, targets }: &Fuzzing) -> Vec<Block> {
+        let none = Facts::default();
+        let rows = targets.iter().map(|(name, Fuzzed { executions, edges, seconds, found })| {
+            let Facts { finds, inputs, bytes, .. } = self.targets.get(name).unwrap_or(&none);
+            let corpus = format!("{inputs} inputs, {} bytes", grouped(*bytes));
+            let found = if *found { "something" } else { "nothing" };
+            let numbers = [grouped(*executions), seconds.to_string(), grouped(*edges)];
+            [name.clone(), finds.clone(), corpus].into_iter().chain(numbers).chain([found.to_owned()]).collect()
+        });
+        let total = grouped(targets.values().map(|run| run.executions).sum());
+        vec![
+            text(format!("{engine}, libFuzzer.")),
+            table(&["target", "would find", "corpus", "executions", "seconds", "edges", "found"], rows),
+            text(format!(
+                "{total} executions in all. An edge is a step from one basic block to another, in the target and in \
+                 all that it calls."
+            )),
+        ]
+    }
 }
 
-fn planted(page: &mut String, planted: Option<&Planted>, defects: &[Defect]) {
-    let _ = writeln!(
-        page,
-        "## Planted defects\n\nEach target is pointed at a build with one defect of its class (`{}`), and has two \
-         minutes to find it.\n",
-        super::DEFECTS
-    );
-    let Some(Planted { engine, defects: hunted, .. }) = planted else {
-        page.push_str("Not run here.\n\n");
-        return;
-    };
-    let _ = write!(
-        page,
-        "{engine}, libFuzzer.\n\n| target | defect | found | seconds | executions |\n|---|---|---|---|---|\n"
-    );
-    for Defect { name, about, .. } in defects {
-        for (target, Hunted { by, seconds, executions }) in hunted.get(name).into_iter().flatten() {
+const ABOUT: [&str; 2] = [
+    "Made by `cargo assure fuzz --report`, `--planted --report` and `--coverage --report`, each of which measures \
+     one part anew and drops what was measured of other sources; `fuzz/README.md` says how to repeat it. `cargo \
+     xtask test` replays every committed input. For which rules a target is evidence stands above its function in \
+     `fuzz/bodies/src`, and in `reports/traceability.md`.",
+    "Fuzzing looks for what is wrong and proves nothing: that nothing was found is worth as much as the number of \
+     executions, the lines reached, and the planted defects that the same targets do find.",
+];
+
+const ABOUT_PLANTED: &str = "Each target is pointed at a build with one defect of its class (`defects/fuzz.toml`), and \
+                             has two minutes to find it.";
+
+fn not_run() -> Vec<Block> {
+    vec![text("Not run here.")]
+}
+
+fn hunted(Planted { engine, defects: hunted }: &Planted, defects: &[Defect]) -> Vec<Block> {
+    let rows = defects.iter().flat_map(|Defect { name, about, .. }| {
+        hunted.get(name).into_iter().flatten().map(move |(target, Hunted { by, seconds, executions })| {
             let found = match by {
                 Some(FoundBy::Corpus) => "by the corpus",
                 Some(FoundBy::Fuzzing) => "by fuzzing",
                 None => "NO",
             };
-            let _ = writeln!(page, "| {target} | {about} | {found} | {seconds} | {} |", grouped(*executions));
-        }
-    }
-    page.push('\n');
+            vec![target.clone(), about.clone(), found.to_owned(), seconds.to_string(), grouped(*executions)]
+        })
+    });
+    vec![text(format!("{engine}, libFuzzer.")), table(&["target", "defect", "found", "seconds", "executions"], rows)]
 }
 
-fn coverage(page: &mut String, coverage: Option<&Coverage>) {
-    page.push_str("## Lines of the decoders that the corpora reach\n\n");
-    let Some(Coverage { tool, folders, files, .. }) = coverage else {
-        page.push_str("Not measured here.\n");
-        return;
+fn covered(Coverage { tool, folders, files }: &Coverage) -> Vec<Block> {
+    let row = |place: String, count: u64, covered: u64| {
+        vec![place, count.to_string(), covered.to_string(), format!("{:.1}", percent(count, covered))]
     };
-    let _ = write!(
-        page,
-        "{tool}. The committed inputs alone, replayed without fuzzing.\n\n\
-         | where | lines with code | run | % |\n|---|---|---|---|\n"
-    );
-    let mut row = |place: &str, count, covered| {
-        let _ = writeln!(page, "| {place} | {count} | {covered} | {:.1} |", percent(count, covered));
-    };
-    for Lines { place, count, covered } in folders {
-        row(&format!("**{place}**"), *count, *covered);
-    }
-    for Lines { place, count, covered } in files {
-        row(place, *count, *covered);
-    }
+    let folders = folders.iter().map(|Lines { place, count, covered }| row(format!("**{place}**"), *count, *covered));
+    let files = files.iter().map(|Lines { place, count, covered }| row(place.clone(), *count, *covered));
+    vec![
+        text(format!("{tool}. The committed inputs alone, replayed without fuzzing.")),
+        table(&["where", "lines with code", "run", "%"], folders.chain(files)),
+    ]
 }
 
 /// The rules that the comment of a target's function cites.
@@ -322,12 +274,6 @@ fn rules(project: &Project) -> impl Fn(&str) -> BTreeSet<String> + use<> {
         let words = comment.unwrap_or_default().split(['[', ']']);
         words.filter(|word| word.starts_with("NCP-")).map(str::to_owned).collect()
     }
-}
-
-/// The digest of the [`SOURCES`].
-pub(super) fn digest_of(project: &Project) -> Result<String, FuzzError> {
-    let root = project.path("");
-    digest::of_sources(&root, &SOURCES).map_err(|source| FuzzError::File { path: root, source })
 }
 
 fn tenths(seconds: f64) -> f64 {
@@ -354,23 +300,23 @@ mod tests {
     fn what_was_not_run_is_said_not_to_be() {
         let folder = tempfile::tempdir().unwrap();
         let report = Report::read(&Project::at(folder.path()), &[]).unwrap();
-        let page = page(&report, &[]);
-        assert_eq!(page.matches("Not run here.").count(), 2);
-        assert!(page.contains("Not measured here."));
+        let page = crate::document::markdown(&report.page(&[]));
+        assert_eq!(page.matches("Not run here.").count(), 3);
     }
 
     #[test]
-    fn a_lock_is_read_as_it_was_written() {
+    fn what_was_measured_is_kept_until_its_sources_change() {
         let folder = tempfile::tempdir().unwrap();
         let project = Project::at(folder.path());
+        fs::create_dir_all(project.path("fuzz/bodies/src")).unwrap();
         let hunted = Hunted { by: Some(FoundBy::Corpus), seconds: 0.5, executions: 7 };
         let defects = BTreeMap::from([("it".to_owned(), BTreeMap::from([("keys".to_owned(), hunted)]))]);
-        let planted = Some(Planted { digest: "d".to_owned(), engine: "e".to_owned(), defects });
         let mut report = Report::read(&project, &[]).unwrap();
-        report.lock = Lock { fuzzing: None, planted, coverage: None };
+        report.lock.planted = Some(Planted { engine: "e".to_owned(), defects });
         report.write(&project, &[]).unwrap();
         let again = Report::read(&project, &[]).unwrap();
         assert_eq!(again.lock.planted.unwrap().defects["it"]["keys"].by, Some(FoundBy::Corpus));
-        assert!(again.lock.fuzzing.is_none());
+        fs::write(project.path("fuzz/bodies/src/keys.rs"), "").unwrap();
+        assert!(Report::read(&project, &[]).unwrap().lock.planted.is_none());
     }
 }

@@ -30,7 +30,8 @@ use self::copies::{Ask, Copies};
 use self::explained::{EXPLAINED, Explained};
 use self::report::{Fate, Report};
 use self::tokens::{Change, changes, variants};
-use crate::kept::KeptError;
+use crate::lock::LockError;
+use crate::reports::ReportError;
 
 const DECISIONS: &str = "spec/kernel/src/decisions";
 const SCALAR: &str = "spec/kernel/src/scalar.rs";
@@ -104,7 +105,7 @@ pub(crate) fn run(project: &Project, args: &KernelArgs) -> Result<bool, KernelEr
         println!("{}", report::shown(&mutant, &fate));
         fates.push((mutant, fate));
     }
-    Ok(Report::of(project, args, all.len(), &fates)?.write(project)? && is_good)
+    Ok(Report::of(args, all.len(), &fates).write(project)? && is_good)
 }
 
 /// As many changes as are wanted that compile, in the order of the files.
@@ -244,7 +245,9 @@ pub(crate) enum KernelError {
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
     #[error(transparent)]
-    Kept(#[from] KeptError),
+    Lock(#[from] LockError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
     #[error(transparent)]
     Setup(#[from] SetupError),
     #[error("{EXPLAINED}: {source}")]

@@ -1,58 +1,36 @@
 //! What became of the changed kernels: the lock, the page, and the whole of it.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use xtask::project::Project;
 
 use super::copies::Refuted;
 use super::explained::EXPLAINED;
 use super::{KernelArgs, KernelError, Mutant};
-use crate::digest;
-use crate::kept;
+use crate::artefact::Artefact;
+use crate::document::{Block, heading, table, text};
+use crate::lock::Lock;
+use crate::reports;
 
-/// The name under which it is kept.
-pub(super) const NAME: &str = "mutations";
-/// What the report is about, and what it depends on.
-pub(crate) const SOURCES: [&str; 7] = [
-    super::DECISIONS,
-    super::SCALAR,
-    "proofs/src/properties",
-    "proofs/src/engines",
-    "proofs/src/bin/mutants.rs",
-    EXPLAINED,
-    "assurance/src/mutate/kernel",
-];
+/// The name under which its lock is kept.
+const NAME: &str = "mutate-kernel";
+/// The name of its page.
+const PAGE: &str = "mutations";
 
 /// Everything.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
-    #[serde(flatten)]
-    lock: Lock,
-    mutants: Vec<Entry>,
-}
-
-/// What stands in git: the digest of the sources, and how many changes met with which fate.
-#[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Lock {
-    /// Of the [`SOURCES`].
-    digest: String,
     /// How many changes were wanted, and the seed that chose them.
     count: usize,
     seed: u64,
     /// How many changes there are.
     changes: usize,
-    /// A line for each change that is neither refuted nor explained.
-    open: Vec<String>,
-    /// By the file that is changed.
-    files: BTreeMap<String, Counts>,
-    /// By the property that refutes first, and by the engine.
-    refuted_by: BTreeMap<String, BTreeMap<String, usize>>,
+    mutants: Vec<Entry>,
 }
 
 /// How many changes met with each fate.
-#[derive(Debug, Default, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Default, Clone, Copy)]
 struct Counts {
     refuted: usize,
     equivalent: usize,
@@ -86,39 +64,8 @@ pub(super) enum Fate {
 }
 
 impl Report {
-    /// # Errors
-    /// A source cannot be read.
-    pub(super) fn of(
-        project: &Project,
-        args: &KernelArgs,
-        changes: usize,
-        fates: &[(Mutant, Fate)],
-    ) -> Result<Self, KernelError> {
-        let mut lock = Lock {
-            digest: digest_of(project)?,
-            count: args.count,
-            seed: args.seed,
-            changes,
-            open: Vec::new(),
-            files: BTreeMap::new(),
-            refuted_by: BTreeMap::new(),
-        };
-        for (mutant, fate) in fates {
-            let counts = lock.files.entry(mutant.file_name().to_owned()).or_default();
-            match fate {
-                Fate::Refuted(by) => {
-                    counts.refuted += 1;
-                    let engines = lock.refuted_by.entry(by.property.clone()).or_default();
-                    *engines.entry(by.engine.clone()).or_default() += 1;
-                }
-                Fate::Equivalent(_) => counts.equivalent += 1,
-                Fate::Open(_) => {
-                    counts.open += 1;
-                    lock.open.push(shown(mutant, fate));
-                }
-            }
-        }
-        let entries = fates.iter().map(|(mutant, fate)| Entry {
+    pub(super) fn of(args: &KernelArgs, changes: usize, fates: &[(Mutant, Fate)]) -> Self {
+        let mutants = fates.iter().map(|(mutant, fate)| Entry {
             file: mutant.file.clone(),
             line: mutant.line,
             column: mutant.column,
@@ -127,7 +74,7 @@ impl Report {
             to: mutant.change.to.clone(),
             fate: fate.clone(),
         });
-        Ok(Self { lock, mutants: entries.collect() })
+        Self { count: args.count, seed: args.seed, changes, mutants: mutants.collect() }
     }
 
     /// Keeps it; whether no change is open.
@@ -135,14 +82,104 @@ impl Report {
     /// # Errors
     /// A file cannot be written.
     pub(super) fn write(&self, project: &Project) -> Result<bool, KernelError> {
-        kept::write(project, NAME, &self.lock, &page(&self.lock), self)?;
-        let Counts { refuted, equivalent, open } = self.lock.total();
-        let page = kept::page_file(NAME);
-        println!(
-            "{} changes: {refuted} refuted, {equivalent} equivalent, {open} NOT REFUTED; {page}",
-            self.mutants.len()
-        );
+        self.lock(sources(project)?).write(&project.path(""), NAME)?;
+        let (folder, page) = (project.path(reports::PAGES), self.page());
+        reports::page(&folder, PAGE, &page)?;
+        reports::full(&folder, PAGE, self, &page)?;
+        let Counts { refuted, equivalent, open } = self.total();
+        let all = self.mutants.len();
+        println!("{all} changes: {refuted} refuted, {equivalent} equivalent, {open} NOT REFUTED; reports/{PAGE}.md");
         Ok(open == 0)
+    }
+
+    /// What git keeps: how many changes of each file met with which fate, by what they are refuted, and what is open.
+    fn lock(&self, sources: BTreeMap<String, String>) -> Lock {
+        let mut lock = Lock { sources, ..Lock::default() };
+        let mut note = |name: String, count: usize| lock.counts.insert(name, count as u64);
+        note("wanted".to_owned(), self.count);
+        note("changes".to_owned(), self.changes);
+        for (file, Counts { refuted, equivalent, open }) in self.by_file() {
+            for (fate, count) in [("refuted", refuted), ("equivalent", equivalent), ("open", open)] {
+                note(format!("{file} {fate}"), count);
+            }
+        }
+        for ((property, engine), count) in self.by_refuter() {
+            note(format!("refuted by {property}, {engine}"), count);
+        }
+        lock.counts.insert("seed".to_owned(), self.seed);
+        lock.fates = self.open().map(|entry| (entry.id(), "open".to_owned())).collect();
+        lock
+    }
+
+    /// What people read.
+    fn page(&self) -> Vec<Block> {
+        let Self { count, seed, changes, mutants } = self;
+        let about = format!(
+            "`cargo assure mutate kernel --count {count} --seed {seed}`: of {changes} changes of one token of the \
+             kernel that the grammar of `assurance/src/mutate/kernel/tokens.rs` knows, {} that compile, held against \
+             every property. A refuted one has a concrete counterexample, which `reports/full/{PAGE}.json` holds once \
+             the command has run. An equivalent one changes no behaviour; [`{EXPLAINED}`](../{EXPLAINED}) says why of \
+             each.",
+            mutants.len()
+        );
+        let row = |name: &str, Counts { refuted, equivalent, open }: Counts| {
+            let numbers = [refuted + equivalent + open, refuted, equivalent, open].map(|number| number.to_string());
+            [&[name.to_owned()][..], &numbers].concat()
+        };
+        let files = self.by_file().into_iter().map(|(file, counts)| row(file, counts));
+        let refuters = self.by_refuter().into_iter();
+        let refuters = refuters
+            .map(|((property, engine), count)| [property, engine, &count.to_string()].map(str::to_owned).to_vec());
+        let mut page = vec![
+            heading(1, "Changes of one token"),
+            text(about),
+            table(&["file", "changes", "refuted", "equivalent", "open"], files.chain([row("all", self.total())])),
+            table(&["first refuted by", "engine", "changes"], refuters),
+        ];
+        page.extend(self.open().map(|entry| text(format!("Open: {}, in `{}`", entry.id(), entry.text))));
+        page
+    }
+
+    fn open(&self) -> impl Iterator<Item = &Entry> {
+        self.mutants.iter().filter(|entry| matches!(entry.fate, Fate::Open(_)))
+    }
+
+    fn by_file(&self) -> BTreeMap<&str, Counts> {
+        let mut files: BTreeMap<&str, Counts> = BTreeMap::new();
+        for Entry { file, fate, .. } in &self.mutants {
+            let counts = files.entry(super::file_name(file)).or_default();
+            match fate {
+                Fate::Refuted(_) => counts.refuted += 1,
+                Fate::Equivalent(_) => counts.equivalent += 1,
+                Fate::Open(_) => counts.open += 1,
+            }
+        }
+        files
+    }
+
+    fn by_refuter(&self) -> BTreeMap<(&str, &str), usize> {
+        let mut by = BTreeMap::new();
+        for Entry { fate, .. } in &self.mutants {
+            if let Fate::Refuted(Refuted { property, engine, .. }) = fate {
+                *by.entry((property.as_str(), engine.as_str())).or_default() += 1;
+            }
+        }
+        by
+    }
+
+    fn total(&self) -> Counts {
+        self.by_file().into_values().fold(Counts::default(), |sum, counts| Counts {
+            refuted: sum.refuted + counts.refuted,
+            equivalent: sum.equivalent + counts.equivalent,
+            open: sum.open + counts.open,
+        })
+    }
+}
+
+impl Entry {
+    fn id(&self) -> String {
+        let Self { file, line, column, from, to, .. } = self;
+        format!("{file}:{line}:{column}: `{from}` → `{to}`")
     }
 }
 
@@ -151,21 +188,20 @@ impl Report {
 /// # Errors
 /// A file cannot be read.
 pub(super) fn problems(project: &Project) -> Result<Vec<String>, KernelError> {
-    let file = kept::lock_file(NAME);
-    let Some(lock) = kept::read::<Lock>(project, NAME)? else {
-        return Ok(vec![format!("{file}: there is none; cargo assure mutate kernel")]);
+    let again = |why: &str| format!("{NAME}: {why}; cargo assure mutate kernel");
+    let Some(lock) = Lock::read(&project.path(""), NAME)? else {
+        return Ok(vec![again("it was never made")]);
     };
-    let mut problems = Vec::new();
-    if lock.digest != digest_of(project)? {
-        let Lock { count, seed, .. } = lock;
-        let command = format!("cargo assure mutate kernel --count {count} --seed {seed}");
-        problems.push(format!("{file}: the kernel, its properties or the changes are others now; {command}"));
-    }
-    problems.extend(lock.open.iter().map(|open| format!("a change is not refuted: {open}")));
-    if problems.is_empty() && kept::read_page(project, NAME) != page(&lock) {
-        problems.push(format!("{} is not what {file} says", kept::page_file(NAME)));
-    }
-    Ok(problems)
+    let stale = (lock.sources != sources(project)?)
+        .then(|| again("the kernel, its properties or the changes are others than those that were tried"));
+    Ok(stale.into_iter().chain(lock.fates.keys().map(|open| format!("a change is not refuted: {open}"))).collect())
+}
+
+/// The digests of what the report is about.
+fn sources(project: &Project) -> Result<BTreeMap<String, String>, KernelError> {
+    let root = project.path("");
+    let digests = Artefact::named(NAME).map(|artefact| artefact.digests(&root)).transpose();
+    Ok(digests.map_err(|source| KernelError::File { path: root, source })?.unwrap_or_default())
 }
 
 /// A change and its fate, in a line, and one more with the code where nothing refutes it.
@@ -186,53 +222,6 @@ pub(super) fn shown(mutant: &Mutant, fate: &Fate) -> String {
     }
 }
 
-/// What people read.
-fn page(lock: &Lock) -> String {
-    let Counts { refuted, equivalent, open } = lock.total();
-    let mut page = format!(
-        "# Changes of one token\n\n`cargo assure mutate kernel --count {} --seed {}`: of {} changes of one token of \
-         the kernel that the grammar of `assurance/src/mutate/kernel/tokens.rs` knows, {} that compile, held against \
-         every property. A refuted one has a concrete counterexample, which `reports/full/{NAME}.json` holds once the \
-         command has run. An equivalent one changes no behaviour; [`{EXPLAINED}`](../{EXPLAINED}) says why of each.\n\n\
-         | file | changes | refuted | equivalent | open |\n|---|---|---|---|---|\n",
-        lock.count,
-        lock.seed,
-        lock.changes,
-        refuted + equivalent + open,
-    );
-    let all = [("all", lock.total())];
-    for (file, counts) in lock.files.iter().map(|(file, counts)| (file.as_str(), *counts)).chain(all) {
-        let Counts { refuted, equivalent, open } = counts;
-        let sum = refuted + equivalent + open;
-        let _ = writeln!(page, "| {file} | {sum} | {refuted} | {equivalent} | {open} |");
-    }
-    page += "\n| first refuted by | engine | changes |\n|---|---|---|\n";
-    for (property, engines) in &lock.refuted_by {
-        for (engine, changes) in engines {
-            let _ = writeln!(page, "| {property} | {engine} | {changes} |");
-        }
-    }
-    for open in &lock.open {
-        let _ = write!(page, "\nOpen: {open}\n");
-    }
-    page
-}
-
-impl Lock {
-    fn total(&self) -> Counts {
-        self.files.values().fold(Counts::default(), |sum, counts| Counts {
-            refuted: sum.refuted + counts.refuted,
-            equivalent: sum.equivalent + counts.equivalent,
-            open: sum.open + counts.open,
-        })
-    }
-}
-
-fn digest_of(project: &Project) -> Result<String, KernelError> {
-    let root = project.path("");
-    digest::of_sources(&root, &SOURCES).map_err(|source| KernelError::File { path: root, source })
-}
-
 #[cfg(test)]
 mod tests {
     use std::fs;
@@ -242,18 +231,16 @@ mod tests {
     #[test]
     fn a_change_of_the_kernel_or_of_a_property_makes_the_report_stale() {
         let folder = tempfile::tempdir().unwrap();
-        let root = folder.path();
-        for source in SOURCES.map(|source| root.join(source)) {
-            if source.extension().is_none() {
-                fs::create_dir_all(source).unwrap();
-            } else {
-                fs::create_dir_all(source.parent().unwrap()).unwrap();
-                fs::write(source, "").unwrap();
-            }
-        }
-        let project = Project::at(root);
+        let project = Project::at(folder.path());
+        let write = |file: &str, text: &str| {
+            let path = project.path(file);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        write("spec/kernel/src/decisions/speed.rs", "a.le(b)");
+        write("proofs/src/properties/clamp.rs", "more");
         let problems = || problems(&project).unwrap().join("\n");
-        assert!(problems().contains("there is none"));
+        assert!(problems().contains("never made"));
         let args = KernelArgs { count: 1, seed: 1, ask_all: false, check: false };
         let mutant = Mutant {
             id: "m_00000".to_owned(),
@@ -263,14 +250,17 @@ mod tests {
             column: 3,
             change: super::super::tokens::Change { start: 2, from: "<".to_owned(), to: "<=".to_owned() },
         };
-        let fate = |fate| Report::of(&project, &args, 1, &[(mutant.clone(), fate)]).unwrap().write(&project).unwrap();
+        let fate = |fate| Report::of(&args, 1, &[(mutant.clone(), fate)]).write(&project).unwrap();
         assert!(!fate(Fate::Open("undecided".to_owned())));
-        assert!(problems().contains("not refuted: a.rs:1:3"));
+        assert_eq!(problems(), "a change is not refuted: a.rs:1:3: `<` → `<=`");
         assert!(fate(Fate::Equivalent("Both are 0.".to_owned())));
         assert_eq!(problems(), "");
-        fs::write(project.path(&kept::page_file(NAME)), "all is well").unwrap();
-        assert!(problems().contains("is not what"));
-        fs::write(root.join("proofs/src/properties/clamp.rs"), "less").unwrap();
-        assert!(problems().contains("others now"));
+        let page = fs::read_to_string(project.path("reports/mutations.md")).unwrap();
+        assert!(page.contains("| a.rs | 1 | 0 | 1 | 0 |"), "{page}");
+        for source in ["spec/kernel/src/decisions/speed.rs", "proofs/src/properties/clamp.rs"] {
+            fate(Fate::Equivalent("Both are 0.".to_owned()));
+            write(source, "less");
+            assert!(problems().contains("others than those"), "{source}");
+        }
     }
 }

@@ -21,9 +21,10 @@ use xtask::project::Project;
 use xtask::setup::{self, SetupError};
 
 use self::outcome::{By, Mutant, Outcome};
-use self::report::{Digests, Report};
+use self::report::Report;
 use super::cargo;
-use crate::kept::KeptError;
+use crate::lock::LockError;
+use crate::reports::ReportError;
 
 /// The version of cargo-mutants.
 const CARGO_MUTANTS: &str = "27.1.0";
@@ -140,14 +141,14 @@ fn carry_out(project: &Project, args: &SpecArgs, report: &mut Report) -> Result<
     };
     let is_wanted = |module: &&Module| args.modules.is_empty() || args.modules.iter().any(|name| name == module.name);
     for module in MODULES.iter().filter(is_wanted) {
-        let digests = Digests::of(project, module)?;
+        let mutated = report::mutated(project, module)?;
         let run = Run { project, cargo_mutants: &cargo_mutants, module, folder: project.path(RUNS).join(module.name) };
         match &verifier {
-            Some(verifier) => run.carry_out(verifier, &digests, args.missed)?,
-            None if !run.is_kept(&digests) => continue,
+            Some(verifier) => run.carry_out(verifier, &mutated, args.missed)?,
+            None if !run.is_kept(&mutated) => continue,
             None => {}
         }
-        report.ran(module, &digests, &run.list()?, &run.outcomes()?);
+        report.ran(project, module, &run.list()?, &run.outcomes()?)?;
         report.write(project)?;
     }
     Ok(())
@@ -202,15 +203,14 @@ struct Run<'a> {
 impl Run<'_> {
     /// Tries the mutants of the module, or those that were missed so far: by the golden cases, and what
     /// these miss by the tests.
-    fn carry_out(&self, verifier: &Path, digests: &Digests, missed: bool) -> Result<(), SpecError> {
+    fn carry_out(&self, verifier: &Path, mutated: &str, missed: bool) -> Result<(), SpecError> {
         let Module { name, cases, tests, .. } = *self.module;
         // Of other sources nothing is kept: the lines in the names of their mutants mean others now.
-        let missed = missed && self.is_kept(digests);
+        let missed = missed && self.is_kept(mutated);
         if !missed {
             fs::remove_dir_all(&self.folder).ok();
             let made = fs::create_dir_all(&self.folder);
-            made.and_then(|()| fs::write(self.folder.join(NOTE), &digests.sources))
-                .map_err(|source| self.no_file(source))?;
+            made.and_then(|()| fs::write(self.folder.join(NOTE), mutated)).map_err(|source| self.no_file(source))?;
         }
 
         println!("{name}: the golden cases");
@@ -237,9 +237,9 @@ impl Run<'_> {
     }
 
     /// Whether what the last run left is about the sources as they are.
-    fn is_kept(&self, digests: &Digests) -> bool {
+    fn is_kept(&self, mutated: &str) -> bool {
         let noted = fs::read_to_string(self.folder.join(NOTE));
-        noted.is_ok_and(|noted| noted == digests.sources)
+        noted.is_ok_and(|noted| noted == mutated)
     }
 
     /// The mutants of the module.
@@ -325,7 +325,9 @@ pub(crate) enum SpecError {
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
     #[error(transparent)]
-    Kept(#[from] KeptError),
+    Lock(#[from] LockError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
     #[error(transparent)]
     Setup(#[from] SetupError),
     #[error("{}: {source}", path.display())]

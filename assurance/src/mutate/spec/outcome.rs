@@ -20,8 +20,6 @@ pub(super) struct Outcome {
     /// The mutant's name, with the line.
     pub(super) name: String,
     pub(super) fate: Fate,
-    /// When the run began and ended in which this was seen.
-    pub(super) run: [String; 2],
 }
 
 /// What became of a mutant.
@@ -103,16 +101,13 @@ pub(super) fn listed(list: &[u8]) -> Option<Vec<Mutant>> {
     Some(places.into_iter().map(mutant).collect())
 }
 
-/// The outcomes of a run, as `outcomes.json` has them. One that was broken off has no end, and is told with its
-/// beginning only.
+/// The outcomes of a run, as `outcomes.json` has them, also of one that was broken off.
 ///
 /// # Errors
 /// It is not of the form, or holds an outcome that nobody knows.
 pub(super) fn told(outcomes: &[u8], by: By) -> serde_json::Result<Vec<Outcome>> {
     #[derive(Deserialize)]
     struct File {
-        start_time: String,
-        end_time: Option<String>,
         outcomes: Vec<Tried>,
     }
     #[derive(Deserialize)]
@@ -136,8 +131,7 @@ pub(super) fn told(outcomes: &[u8], by: By) -> serde_json::Result<Vec<Outcome>> 
         Failure,
     }
 
-    let File { start_time, end_time, outcomes } = serde_json::from_slice(outcomes)?;
-    let run = [to_the_second(&start_time), to_the_second(&end_time.unwrap_or(start_time))];
+    let File { outcomes } = serde_json::from_slice(outcomes)?;
     let outcome = |tried: Tried| {
         let Scenario::Mutant { name } = tried.scenario else { return None };
         let fate = match tried.summary {
@@ -149,17 +143,9 @@ pub(super) fn told(outcomes: &[u8], by: By) -> serde_json::Result<Vec<Outcome>> 
                 return Some(Err(serde_json::Error::custom(format_args!("{name} is neither caught nor missed"))));
             }
         };
-        Some(Ok(Outcome { name, fate, run: run.clone() }))
+        Some(Ok(Outcome { name, fate }))
     };
     outcomes.into_iter().filter_map(outcome).collect()
-}
-
-/// A time without the fraction of its second.
-fn to_the_second(time: &str) -> String {
-    match time.split_once('.') {
-        Some((time, _)) => format!("{time}Z"),
-        None => time.to_owned(),
-    }
 }
 
 /// Outcomes, with what a later stage made of those that were not noticed before.
@@ -215,7 +201,6 @@ mod tests {
         let first = run(&[("a", "CaughtMutant"), ("b", "MissedMutant"), ("c", "MissedMutant"), ("d", "Unviable")]);
         let second = run(&[("b", "CaughtMutant"), ("c", "MissedMutant"), ("d", "Timeout")]);
         let first = told(first.to_string().as_bytes(), By::Cases).unwrap();
-        assert_eq!(first[0].run, ["2026-01-02T03:04:05Z", "2026-01-02T03:05:06Z"]);
         let fates: Vec<_> = updated(first, told(second.to_string().as_bytes(), By::Tests).unwrap())
             .into_iter()
             .map(|outcome| outcome.fate)
@@ -229,7 +214,6 @@ mod tests {
         broken_off["end_time"] = Value::Null;
         let outcomes = told(broken_off.to_string().as_bytes(), By::Cases).unwrap();
         assert_eq!(outcomes.len(), 1);
-        assert_eq!(outcomes[0].run[1], "2026-01-02T03:04:05Z");
     }
 
     #[test]

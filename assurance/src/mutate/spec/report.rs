@@ -1,69 +1,54 @@
-//! What was tried: the lock, the page, and the fate of every mutant.
+//! What was tried: a lock for each module, the page, and the fate of every mutant.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use xtask::project::Project;
 
 use super::outcome::{By, Fate, Mutant, Outcome};
 use super::{CARGO_MUTANTS, MODULES, Module, SpecError};
+use crate::artefact::Artefact;
 use crate::digest::of_files;
-use crate::kept;
+use crate::document::{Block, heading, table, text};
+use crate::lock::Lock;
+use crate::reports;
 
-/// The name under which it is kept.
-const NAME: &str = "cargo-mutants";
+/// The name of its page.
+const PAGE: &str = "cargo-mutants";
 /// By mutant: why no test can notice it.
 const EQUIVALENT: &str = "spec/equivalent.toml";
-/// The digests of the golden cases.
-const MANIFEST: &str = "vectors/MANIFEST.sha256";
+/// The counts of a lock, with what the page calls them.
+const COUNTS: [(&str, &str); 3] =
+    [("mutants", "mutants"), ("unviable", "do not compile"), ("caught by the cases", "caught by the golden cases")];
+/// The fates of a lock, with what the page calls them. A lock names no mutant that has another one.
+const FATES: [(&str, &str); 4] = [
+    (BY_TESTS, "caught by the tests alone"),
+    (TIMED_OUT, "ran too long"),
+    (MISSED, "missed"),
+    (NOT_TRIED, "not tried"),
+];
+const BY_TESTS: &str = "caught by the tests";
+const TIMED_OUT: &str = "timed out";
+const MISSED: &str = "missed";
+/// The run was broken off.
+const NOT_TRIED: &str = "not tried";
 
 /// What was tried, now and before: a run replaces its module.
 pub(super) struct Report {
-    lock: Lock,
+    /// By the name of the module.
+    locks: BTreeMap<&'static str, Lock>,
     /// Of the modules that were run now: what became of each mutant.
     fates: BTreeMap<&'static str, BTreeMap<String, Fate>>,
 }
 
-/// What stands in git.
-#[derive(Debug, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Lock {
-    /// By name.
-    #[serde(default)]
-    modules: BTreeMap<String, Tried>,
-}
-
-/// A run over the mutants of a module. A list names its mutants.
-#[derive(Debug, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Tried {
-    tool: String,
-    /// SHA-256 of the module's files, and of the manifest of the golden cases.
-    sources: String,
-    cases: String,
-    started: Option<String>,
-    ended: Option<String>,
-    mutants: usize,
-    /// How many of them do not compile.
-    unviable: usize,
-    caught_by_cases: usize,
-    /// What no golden case shows.
-    caught_by_tests: Vec<String>,
-    timed_out: Vec<String>,
-    missed: Vec<String>,
-    /// Where the run was broken off.
-    not_tried: Vec<String>,
-}
-
-/// Everything: the lock, and the fate of every mutant of the modules that were run last.
+/// Everything: the locks, and the fate of every mutant of the modules that were run last.
 #[derive(Serialize)]
 struct Full<'a> {
-    #[serde(flatten)]
-    lock: &'a Lock,
+    tool: String,
+    modules: &'a BTreeMap<&'static str, Lock>,
     fates: &'a BTreeMap<&'static str, BTreeMap<String, Fate>>,
 }
 
@@ -71,37 +56,51 @@ impl Report {
     /// What was tried before.
     ///
     /// # Errors
-    /// The lock cannot be read.
+    /// A lock cannot be read.
     pub(super) fn read(project: &Project) -> Result<Self, SpecError> {
-        Ok(Self { lock: kept::read(project, NAME)?.unwrap_or_default(), fates: BTreeMap::new() })
+        let mut locks = BTreeMap::new();
+        for module in &MODULES {
+            locks.extend(Lock::read(&project.path(""), &artefact(module))?.map(|lock| (module.name, lock)));
+        }
+        Ok(Self { locks, fates: BTreeMap::new() })
     }
 
     /// Takes note of a run over a module.
-    pub(super) fn ran(&mut self, module: &Module, digests: &Digests, mutants: &[Mutant], outcomes: &[Outcome]) {
+    ///
+    /// # Errors
+    /// A source cannot be read.
+    pub(super) fn ran(
+        &mut self,
+        project: &Project,
+        module: &Module,
+        mutants: &[Mutant],
+        outcomes: &[Outcome],
+    ) -> Result<(), SpecError> {
         let by_name: BTreeMap<&str, Fate> = outcomes.iter().map(|outcome| (&*outcome.name, outcome.fate)).collect();
-        let keys = |fate: Option<Fate>| -> Vec<String> {
-            let met = mutants.iter().filter(|mutant| by_name.get(&*mutant.name).copied() == fate);
-            met.map(|mutant| mutant.key.clone()).collect()
+        let fates: Vec<(&String, Option<Fate>)> =
+            mutants.iter().map(|mutant| (&mutant.key, by_name.get(&*mutant.name).copied())).collect();
+        let count = |of: Fate| fates.iter().filter(|(_, fate)| *fate == Some(of)).count() as u64;
+        let counts = [mutants.len() as u64, count(Fate::Unviable), count(Fate::CaughtBy(By::Cases))];
+        let named = fates.iter().filter_map(|(key, fate)| {
+            let fate = match fate {
+                Some(Fate::Unviable | Fate::CaughtBy(By::Cases)) => return None,
+                Some(Fate::CaughtBy(By::Tests)) => BY_TESTS,
+                Some(Fate::TimedOut) => TIMED_OUT,
+                Some(Fate::Missed) => MISSED,
+                None => NOT_TRIED,
+            };
+            Some(((*key).clone(), fate.to_owned()))
+        });
+        let lock = Lock {
+            sources: sources(project, module)?,
+            counts: COUNTS.iter().zip(counts).map(|((name, _), count)| ((*name).to_owned(), count)).collect(),
+            fates: named.collect(),
+            ..Lock::default()
         };
-        let count = |fate| keys(Some(fate)).len();
-        let runs = || outcomes.iter().map(|outcome| &outcome.run);
-        let tried = Tried {
-            tool: format!("cargo-mutants {CARGO_MUTANTS}"),
-            sources: digests.sources.clone(),
-            cases: digests.cases.clone(),
-            started: runs().map(|[started, _]| started.clone()).min(),
-            ended: runs().map(|[_, ended]| ended.clone()).max(),
-            mutants: mutants.len(),
-            unviable: count(Fate::Unviable),
-            caught_by_cases: count(Fate::CaughtBy(By::Cases)),
-            caught_by_tests: keys(Some(Fate::CaughtBy(By::Tests))),
-            timed_out: keys(Some(Fate::TimedOut)),
-            missed: keys(Some(Fate::Missed)),
-            not_tried: keys(None),
-        };
-        self.lock.modules.insert(module.name.to_owned(), tried);
-        let fates = mutants.iter().filter_map(|mutant| Some((mutant.key.clone(), *by_name.get(&*mutant.name)?)));
+        self.locks.insert(module.name, lock);
+        let fates = fates.into_iter().filter_map(|(key, fate)| Some((key.clone(), fate?)));
         self.fates.insert(module.name, fates.collect());
+        Ok(())
     }
 
     /// What is wrong, a line each: a module that was not tried as it is now, a mutant that is missed and not
@@ -111,27 +110,27 @@ impl Report {
     /// A file cannot be read.
     pub(super) fn problems(&self, project: &Project) -> Result<Vec<String>, SpecError> {
         let mut problems = Vec::new();
-        let why = equivalent(project)?;
-        let mut missed = BTreeSet::new();
         for module in &MODULES {
             let name = module.name;
-            let Some(tried) = self.lock.modules.get(name) else {
-                problems.push(format!("{name}: not tried; cargo assure mutate spec --module {name}"));
-                continue;
-            };
-            if tried.sources != Digests::of(project, module)?.sources {
-                problems.push(format!("{name}: changed since it was tried; cargo assure mutate spec --module {name}"));
+            let again = |why: &str| format!("{name}: {why}; cargo assure mutate spec --module {name}");
+            match self.locks.get(name) {
+                None => problems.push(again("not tried")),
+                Some(lock) if lock.sources != sources(project, module)? => {
+                    problems.push(again("changed since it was tried"));
+                }
+                Some(_) => {}
             }
-            problems.extend(tried.not_tried.iter().map(|key| format!("not tried: {key}")));
-            missed.extend(&tried.missed);
         }
+        let why = equivalent(project)?;
+        let missed: BTreeSet<&String> = self.named(MISSED).collect();
+        problems.extend(self.named(NOT_TRIED).map(|key| format!("not tried: {key}")));
         let unexplained = missed.iter().filter(|key| !why.contains_key(**key));
         problems.extend(unexplained.map(|key| format!("missed, and not explained: {key}")));
         let stale = why.keys().filter(|key| !missed.contains(key));
         problems.extend(stale.map(|key| format!("{EQUIVALENT} explains what is not missed: {key}")));
-        if problems.is_empty() && kept::read_page(project, NAME) != page(&self.lock, &why) {
-            let (page, lock) = (kept::page_file(NAME), kept::lock_file(NAME));
-            problems.push(format!("{page} is not what {lock} and {EQUIVALENT} say"));
+        let written = fs::read_to_string(project.path(&format!("{}/{PAGE}.md", reports::PAGES))).unwrap_or_default();
+        if problems.is_empty() && written.replace("\r\n", "\n") != crate::document::markdown(&self.page(&why)) {
+            problems.push(format!("reports/{PAGE}.md is not what the locks and {EQUIVALENT} say"));
         }
         Ok(problems)
     }
@@ -141,117 +140,110 @@ impl Report {
     /// # Errors
     /// A file cannot be written.
     pub(super) fn write(&self, project: &Project) -> Result<(), SpecError> {
-        let page = page(&self.lock, &equivalent(project)?);
-        let full = Full { lock: &self.lock, fates: &self.fates };
-        Ok(kept::write(project, NAME, &self.lock, &page, &full)?)
+        for module in &MODULES {
+            if let Some(lock) = self.locks.get(module.name) {
+                lock.write(&project.path(""), &artefact(module))?;
+            }
+        }
+        let (folder, page) = (project.path(reports::PAGES), self.page(&equivalent(project)?));
+        let full = Full { tool: format!("cargo-mutants {CARGO_MUTANTS}"), modules: &self.locks, fates: &self.fates };
+        reports::page(&folder, PAGE, &page)?;
+        Ok(reports::full(&folder, PAGE, &full, &page)?)
     }
 
     /// All modules in a line.
     pub(super) fn summary(&self) -> String {
-        summary(&self.lock)
+        let sums = columns().map(|(name, heading)| {
+            let sum: u64 = self.locks.values().map(|lock| number(lock, name)).sum();
+            format!("{sum} {heading}")
+        });
+        sums.collect::<Vec<_>>().join(", ")
     }
-}
 
-/// What people read: the counts, and what nothing notices, each with its reason.
-fn page(lock: &Lock, why: &BTreeMap<String, String>) -> String {
-    let headings = counts(&Tried::default()).map(|(heading, _)| heading);
-    let mut page = format!("{HEAD}| module | tried with | began | ended | {} |\n", headings.join(" | "));
-    page.push_str("|---|---|---|---|---|---|---|---|---|---|\n");
-    for module in &MODULES {
-        let none = Tried::default();
-        let tried = lock.modules.get(module.name).unwrap_or(&none);
-        let tool = if tried.tool.is_empty() { "not tried" } else { &tried.tool };
-        let time = |time: &Option<String>| time.clone().unwrap_or_else(|| "not tried".to_owned());
-        let files = module.files.iter().map(|files| format!("`{files}`")).collect::<Vec<_>>().join(", ");
-        let counts = counts(tried).map(|(_, count)| count.to_string()).join(" | ");
-        let (began, ended) = (time(&tried.started), time(&tried.ended));
-        let _ = writeln!(page, "| {} ({files}) | {tool} | {began} | {ended} | {counts} |", module.name);
-    }
-    let _ = writeln!(page, "\nIn all: {}.", summary(lock));
-    let tried = || MODULES.iter().filter_map(|module| lock.modules.get(module.name));
-    let missed: Vec<&String> = tried().flat_map(|tried| &tried.missed).collect();
-    if !missed.is_empty() {
-        page.push_str("\n## Missed\n\nOf each is said why it cannot be noticed.\n\n");
-    }
-    for key in missed {
-        let why = why.get(key).map_or("**not explained**", String::as_str);
-        let _ = writeln!(page, "- `{key}`: {why}");
-    }
-    let not_tried: Vec<&String> = tried().flat_map(|tried| &tried.not_tried).collect();
-    if !not_tried.is_empty() {
-        page.push_str("\n## Not tried\n\nThe run was broken off.\n\n");
-    }
-    for key in not_tried {
-        let _ = writeln!(page, "- `{key}`");
-    }
-    page
-}
-
-const HEAD: &str = "\
-# Mutants of the specification
-
-Made by `cargo assure mutate spec`, which has cargo-mutants change the specification in one place after the other, and \
-asks whether that is noticed. A mutant is first held against the golden cases that can reach its module, by a verifier \
-that was built without the mutation. What they miss is held against the unit tests of `ncp-spec` and those of its test \
-programs that are about the module: what these alone catch is shown by no golden case, since no call of the peer \
-protocol asks for it or only the values of proptest reach it. A mutant that ran too long counts as noticed: a test \
-without an end is a test that fails. `.cargo/mutants.toml` is the configuration; `assurance/src/mutate/spec/mod.rs` \
-names the modules, their cases and their tests; `spec/equivalent.toml` says why a mutant that is missed behaves as the \
-specification does. `reports/lock/cargo-mutants.toml` names the mutants that the cases did not catch, and \
-`reports/full/cargo-mutants.json` the fate of each once the command has run.
-
-`cargo assure mutate spec --check` says whether the sources are still those that were tried. `reports/mutants.md` is \
-about something else: peers with one defect each, chosen by hand, and the rule that each breaks.
-
-";
-
-/// The columns of numbers, with their headings.
-fn counts(tried: &Tried) -> [(&'static str, usize); 6] {
-    [
-        ("mutants", tried.mutants),
-        ("do not compile", tried.unviable),
-        ("caught by the golden cases", tried.caught_by_cases),
-        ("caught by the tests alone", tried.caught_by_tests.len()),
-        ("ran too long", tried.timed_out.len()),
-        ("missed", tried.missed.len()),
-    ]
-}
-
-fn summary(lock: &Lock) -> String {
-    let mut sums = counts(&Tried::default());
-    for tried in MODULES.iter().filter_map(|module| lock.modules.get(module.name)) {
-        for (sum, (_, count)) in sums.iter_mut().zip(counts(tried)) {
-            sum.1 += count;
-        }
-    }
-    sums.map(|(heading, sum)| format!("{sum} {heading}")).join(", ")
-}
-
-/// What a run over a module is about.
-pub(super) struct Digests {
-    /// SHA-256 over the names and the contents of the module's files.
-    pub(super) sources: String,
-    /// SHA-256 of the manifest of the golden cases.
-    cases: String,
-}
-
-impl Digests {
-    /// Those of a module as it is.
-    ///
-    /// # Errors
-    /// A file cannot be read.
-    pub(super) fn of(project: &Project, module: &Module) -> Result<Self, SpecError> {
-        let root = project.path("");
-        let digest = || {
-            let mut files = Vec::new();
-            for pattern in module.files {
-                matching(&root, pattern, &mut files)?;
+    /// What people read: the counts, and what nothing notices, each with its reason.
+    fn page(&self, why: &BTreeMap<String, String>) -> Vec<Block> {
+        let head: Vec<&str> = ["module", "files"].into_iter().chain(columns().map(|(_, heading)| heading)).collect();
+        let rows = MODULES.iter().map(|module| {
+            let files = module.files.iter().map(|files| format!("`{files}`")).collect::<Vec<_>>().join(", ");
+            let lock = self.locks.get(module.name);
+            let numbers = columns().map(|(name, _)| lock.map_or(0, |lock| number(lock, name)).to_string());
+            [module.name.to_owned(), files].into_iter().chain(numbers).collect()
+        });
+        let mut page = vec![heading(1, "Mutants of the specification")];
+        page.extend(ABOUT.map(text));
+        page.extend([table(&head, rows), text(format!("In all: {}.", self.summary()))]);
+        let mut list = |title: &str, about: &str, items: Vec<String>| {
+            if !items.is_empty() {
+                page.extend([heading(2, title), text(about), Block::List(items)]);
             }
-            Ok((of_files(&root, files)?, of_files(&root, vec![root.join(MANIFEST)])?))
         };
-        let (sources, cases) = digest().map_err(|source| SpecError::File { path: root.clone(), source })?;
-        Ok(Self { sources, cases })
+        let explained = |key: &String| format!("`{key}`: {}", why.get(key).map_or("**not explained**", String::as_str));
+        list("Missed", "Of each is said why it cannot be noticed.", self.named(MISSED).map(explained).collect());
+        let not_tried = self.named(NOT_TRIED).map(|key| format!("`{key}`")).collect();
+        list("Not tried", "The run was broken off.", not_tried);
+        page
     }
+
+    /// The mutants that met with a fate, module by module.
+    fn named(&self, fate: &'static str) -> impl Iterator<Item = &String> {
+        let locks = MODULES.iter().filter_map(|module| self.locks.get(module.name));
+        locks.flat_map(move |lock| lock.fates.iter().filter(move |(_, of)| *of == fate).map(|(key, _)| key))
+    }
+}
+
+const ABOUT: [&str; 2] = [
+    "Made by `cargo assure mutate spec`, which has cargo-mutants change the specification in one place after the \
+     other, and asks whether that is noticed. A mutant is first held against the golden cases that can reach its \
+     module, by a verifier that was built without the mutation. What they miss is held against the unit tests of \
+     `ncp-spec` and those of its test programs that are about the module: what these alone catch is shown by no \
+     golden case, since no call of the peer protocol asks for it or only the values of proptest reach it. A mutant \
+     that ran too long counts as noticed: a test without an end is a test that fails. `.cargo/mutants.toml` is the \
+     configuration; `assurance/src/mutate/spec/mod.rs` names the modules, their cases and their tests; \
+     `spec/equivalent.toml` says why a mutant that is missed behaves as the specification does. The locks \
+     `reports/lock/mutate-spec-*.toml` name the mutants that the cases did not catch, and \
+     `reports/full/cargo-mutants.json` the fate of each once the command has run.",
+    "`cargo assure mutate spec --check` says whether the sources are still those that were tried. `reports/mutants.md` \
+     is about something else: peers with one defect each, chosen by hand, and the rule that each breaks.",
+];
+
+/// The columns of numbers: a count or a fate of a lock, and its heading.
+fn columns() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let fates = FATES.into_iter().filter(|(name, _)| *name != NOT_TRIED);
+    COUNTS.into_iter().chain(fates)
+}
+
+/// A count of a lock, or how many of its mutants met with a fate.
+fn number(lock: &Lock, name: &str) -> u64 {
+    let met = || lock.fates.values().filter(|fate| *fate == name).count() as u64;
+    lock.counts.get(name).copied().unwrap_or_else(met)
+}
+
+/// The name under which the lock of a module is kept.
+fn artefact(module: &Module) -> String {
+    format!("mutate-spec-{}", module.name)
+}
+
+/// The digests of what a module's lock is about.
+fn sources(project: &Project, module: &Module) -> Result<BTreeMap<String, String>, SpecError> {
+    let root = project.path("");
+    let digests = Artefact::named(&artefact(module)).map(|artefact| artefact.digests(&root)).transpose();
+    Ok(digests.map_err(|source| SpecError::File { path: root, source })?.unwrap_or_default())
+}
+
+/// SHA-256 over the names and the contents of the files that are mutated.
+///
+/// # Errors
+/// A file cannot be read.
+pub(super) fn mutated(project: &Project, module: &Module) -> Result<String, SpecError> {
+    let root = project.path("");
+    let digest = || {
+        let mut files = Vec::new();
+        for pattern in module.files {
+            matching(&root, pattern, &mut files)?;
+        }
+        of_files(&root, files)
+    };
+    digest().map_err(|source| SpecError::File { path: root.clone(), source })
 }
 
 /// The files that a pattern of a module means.
@@ -291,6 +283,7 @@ mod tests {
 
     const WITH_LINE: &str = "spec/src/codec.rs:1:1: x";
     const KEY: &str = "spec/src/codec.rs: x";
+    const MANIFEST: &str = "vectors/MANIFEST.sha256";
     const KERNEL: &str = "spec/kernel/src/decisions/speed.rs";
 
     /// A project whose files are empty, and a report that every module was tried with nothing missed.
@@ -307,7 +300,7 @@ mod tests {
         let project = Project::at(root);
         let mut report = Report::read(&project).unwrap();
         for module in &MODULES {
-            report.ran(module, &Digests::of(&project, module).unwrap(), &[], &[]);
+            report.ran(&project, module, &[], &[]).unwrap();
         }
         (folder, project, report)
     }
@@ -317,14 +310,16 @@ mod tests {
         Report::read(project).unwrap().problems(project).unwrap().join("\n")
     }
 
+    fn page(project: &Project) -> String {
+        fs::read_to_string(project.path("reports/cargo-mutants.md")).unwrap()
+    }
+
     /// Has one mutant of the codec fare so, or not be tried.
     fn codec(project: &Project, report: &mut Report, fate: Option<Fate>) {
         let module = MODULES.iter().find(|module| module.name == "codec").unwrap();
         let mutant = Mutant { name: WITH_LINE.to_owned(), key: KEY.to_owned() };
-        let run = ["2026-01-02T03:04:05Z", "2026-01-02T04:04:05Z"].map(str::to_owned);
-        let outcome = fate.map(|fate| Outcome { name: WITH_LINE.to_owned(), fate, run });
-        let digests = Digests::of(project, module).unwrap();
-        report.ran(module, &digests, &[mutant], outcome.as_slice());
+        let outcome = fate.map(|fate| Outcome { name: WITH_LINE.to_owned(), fate });
+        report.ran(project, module, &[mutant], outcome.as_slice()).unwrap();
     }
 
     #[test]
@@ -335,7 +330,7 @@ mod tests {
         assert_eq!(problems(&project, &report), format!("missed, and not explained: {KEY}"));
         fs::write(project.path(EQUIVALENT), format!("{KEY:?} = \"Both are 0.\"\n")).unwrap();
         assert_eq!(problems(&project, &report), "");
-        assert!(kept::read_page(&project, NAME).contains("x`: Both are 0."));
+        assert!(page(&project).contains("x`: Both are 0."));
         for fate in [Fate::CaughtBy(By::Cases), Fate::TimedOut, Fate::Unviable] {
             codec(&project, &mut report, Some(fate));
             let stale = format!("{EQUIVALENT} explains what is not missed: {KEY}");
@@ -348,7 +343,8 @@ mod tests {
         let (_folder, project, mut report) = tried();
         codec(&project, &mut report, None);
         assert_eq!(problems(&project, &report), format!("not tried: {KEY}"));
-        report.lock.modules.remove("codec");
+        report.locks.remove("codec");
+        fs::remove_file(project.path("reports/lock/mutate-spec-codec.toml")).unwrap();
         assert!(problems(&project, &report).starts_with("codec: not tried"));
     }
 
@@ -365,9 +361,9 @@ mod tests {
     fn a_page_that_was_changed_by_hand_is_noticed() {
         let (_folder, project, report) = tried();
         report.write(&project).unwrap();
-        fs::write(project.path(&kept::page_file(NAME)), "all is well").unwrap();
+        fs::write(project.path("reports/cargo-mutants.md"), "all is well").unwrap();
         let found = Report::read(&project).unwrap().problems(&project).unwrap();
         assert_eq!(found.len(), 1, "{found:?}");
-        assert!(found[0].starts_with(&kept::page_file(NAME)));
+        assert!(found[0].starts_with("reports/cargo-mutants.md"));
     }
 }
