@@ -210,7 +210,7 @@ impl Contract {
         Self::new(crate::DESCRIPTOR_SET, &crate::PROJECTION_TEXT)
     }
 
-    /// The frozen contract of wire 0.5.
+    /// The frozen contract.
     ///
     /// # Errors
     /// When a file of the baseline cannot be read; the tests rule it out for a build that they passed.

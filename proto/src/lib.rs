@@ -42,7 +42,7 @@ pub static PROJECTION_TEXT: LazyLock<String> =
 /// The encoded `FileDescriptorSet` of `ncp.proto`, with its comments.
 pub const DESCRIPTOR_SET: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/ncp.binpb"));
 
-/// The frozen image of the proto of wire 0.5, as buf 1.75.0 built it; it reads as a `FileDescriptorSet`.
+/// The image of the proto of the frozen wire, as buf 1.75.0 built it; it reads as a `FileDescriptorSet`.
 pub const BASELINE_IMAGE: &[u8] = include_bytes!("../baseline/ncp-0.5.binpb");
 
 /// The frozen text of its projection.

@@ -53,8 +53,9 @@ fn the_baseline_is_as_it_was_frozen() {
         .map(|(sum, file)| (file, sum))
         .collect();
     let sum = |bytes: &[u8]| Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
-    assert_eq!(sums["ncp-0.5.binpb"], sum(BASELINE_IMAGE));
-    assert_eq!(sums["projection-0.5.json"], sum(BASELINE_PROJECTION.as_bytes()));
+    let wire = Contract::baseline().unwrap().projection.wire;
+    assert_eq!(sums[&*format!("ncp-{wire}.binpb")], sum(BASELINE_IMAGE));
+    assert_eq!(sums[&*format!("projection-{wire}.json")], sum(BASELINE_PROJECTION.as_bytes()));
     assert_eq!(sums.len(), 2);
 }
 

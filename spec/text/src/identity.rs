@@ -40,3 +40,18 @@ const fn stands_at(text: &[u8], lead: &[u8], start: usize) -> bool {
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Catalogue;
+
+    /// `[NCP-VER-020] [NCP-VER-021]`
+    #[test]
+    fn the_rules_of_the_chapter_name_the_version_and_the_hash_that_it_states() {
+        let catalogue = Catalogue::load().unwrap();
+        for (rule, stated) in [("NCP-VER-020", CONTRACT_HASH), ("NCP-VER-021", WIRE_VERSION)] {
+            assert!(catalogue.get(rule).unwrap().sentence.contains(&format!("`{stated}`")), "{rule}");
+        }
+    }
+}
