@@ -42,7 +42,8 @@ pub(crate) fn channels_json(channels: &[Channel]) -> Json {
     Json::Object(channels.iter().map(value).collect())
 }
 
-/// The channels that a word says, with `&` between: samples of named channels, as `grip=0.5` or `tow=0,30,40[m/s]`, and of
+/// The channels that a word says, with `&` between: samples of named channels, as `grip=0.5` or `tow=0,30,40[m/s]`,
+/// and of
 /// the one that needs no name, as `1,0,0`. A hyphen stands for no channel.
 pub(crate) fn channels(
     place: Place,
@@ -153,7 +154,8 @@ impl Command {
         Ok(self)
     }
 
-    /// Changed as a setting says, if it is one of a command: `seq`, `ttl`, `dt`, `t`, `version`, `mode`, `x` for the speed
+    /// Changed as a setting says, if it is one of a command: `seq`, `ttl`, `dt`, `t`, `version`, `mode`, `x` for the
+    /// speed
     /// along x, `v` for the channels, `then` for a horizon of speeds along x, and `horizon` for one of channels, with
     /// slashes between its ticks.
     pub(crate) fn setting(&mut self, place: Place, name: &str, value: &str) -> Result<bool, ScenarioError> {

@@ -3,8 +3,10 @@
 use crate::json::Json;
 use crate::scenario::{Place, ScenarioError};
 
-/// The frame with changes, which have ` | ` between: `name=value` sets a member, `+name=value` adds one at the end, also
-/// when it is there already, and `-name` takes one away; `~` adds members as they are spelled. A name may be a path with
+/// The frame with changes, which have ` | ` between: `name=value` sets a member, `+name=value` adds one at the end,
+/// also
+/// when it is there already, and `-name` takes one away; `~` adds members as they are spelled. A name may be a path
+/// with
 /// dots, or a JSON string. A value is JSON, or any other text that is to stand as it is.
 pub(crate) fn patched(frame: Json, changes: &str, place: Place) -> Result<Json, ScenarioError> {
     let changes = changes.split(" | ").map(str::trim).filter(|change| !change.is_empty());

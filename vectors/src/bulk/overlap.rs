@@ -183,7 +183,10 @@ fn apart() -> Vec<Case> {
             .flags(&["over-strict"])
             .because("Regions that touch share no byte."),
         read("apart/touching-in-another-order", &["NCP-BULK-018", "NCP-BULK-021"], &three)
-            .title("A block whose columns lie without a gap in another order than the directory's is read, in the directory's order.")
+            .title(
+                "A block whose columns lie without a gap in another order than the directory's is read, in the \
+                    directory's order.",
+            )
             .flags(&["fixed-layout"])
             .because("Regions that touch share no byte, and the directory gives the order."),
     ];

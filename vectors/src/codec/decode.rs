@@ -18,7 +18,8 @@ fn case(path: String, rules: &[&'static str], codec: Json, rates: &[(&str, f64)]
     let rates = rates.iter().map(|(name, rate)| ((*name).to_owned(), num(*rate))).collect();
     Case::new(path, rules, &[Role::Commander]).call(
         "codec.decode",
-        object! { "codec" => codec, "rates" => Json::Object(rates), "t" => num(2.5), "seq" => int(42), "frame_id" => "world", "mode" => "active" },
+        object! { "codec" => codec, "rates" => Json::Object(rates), "t" => num(2.5), "seq" => int(42),
+        "frame_id" => "world", "mode" => "active" },
     )
 }
 
@@ -30,7 +31,8 @@ fn channels(of: Vec<(&str, Vec<f64>)>) -> Json {
 fn velocity(rates: [Option<f64>; 3]) -> Json {
     let of = |rate: Option<f64>| map(rate.unwrap_or(f64::NAN), [0.0, 200.0], [-1.5, 1.5]);
     let data = nums(&rates.map(of));
-    object! { "command" => object! { "mode" => "active", "channels" => object! { "velocity_setpoint" => object! { "data" => data } } } }
+    object! { "command" => object! { "mode" => "active",
+    "channels" => object! { "velocity_setpoint" => object! { "data" => data } } } }
 }
 
 /// And the unit of the table, which only the cases of that rule ask for.
@@ -134,10 +136,22 @@ fn ranges() -> Vec<Case> {
                 let mapping = Mapping { value, rate, ..PLAIN };
                 let rule = share.decides("NCP-CODEC-003", "NCP-CODEC-004");
                 cases.push(
-                    case(format!("range/{name}/{}/to-{}-{}", share.name, value[0], value[1]).replace("--", "-minus-"), &[rule], codec(&[], &[mapping]), &[("p", r)])
-                        .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => Json::Array(vec![maps(r, rate, value)]) } } } })
-                        .title(format!("{r} Hz in {} \u{2026} {} is decoded within {} \u{2026} {} ({}).", rate[0], rate[1], value[0], value[1], share.name))
-                        .because("The value is v0 + (r \u{2212} r0) / (r1 \u{2212} r0) \u{b7} (v1 \u{2212} v0), clamped to the value range."),
+                    case(
+                        format!("range/{name}/{}/to-{}-{}", share.name, value[0], value[1]).replace("--", "-minus-"),
+                        &[rule],
+                        codec(&[], &[mapping]),
+                        &[("p", r)],
+                    )
+                    .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" =>
+                    Json::Array(vec![maps(r, rate, value)]) } } } })
+                    .title(format!(
+                        "{r} Hz in {} \u{2026} {} is decoded within {} \u{2026} {} ({}).",
+                        rate[0], rate[1], value[0], value[1], share.name
+                    ))
+                    .because(
+                        "The value is v0 + (r \u{2212} r0) / (r1 \u{2212} r0) \u{b7} (v1 \u{2212} v0), \
+                                  clamped to the value range.",
+                    ),
                 );
             }
         }
@@ -255,7 +269,10 @@ fn mappings() -> Vec<Case> {
             case(format!("mapping/{name}"), &[rule], codec(&[], &mappings), &[("p", 150.0), ("q", 50.0)])
                 .shows(expected)
                 .title(format!("{words}."))
-                .because("Each mapping sets one component; those below it that none names are 0, and a component of 4,096 or more is ignored."),
+                .because(
+                    "Each mapping sets one component; those below it that none names are 0, and a component of \
+                          4,096 or more is ignored.",
+                ),
         );
     }
     // What no mapping names is 0, and not the middle of another's range.
@@ -279,10 +296,12 @@ fn mappings() -> Vec<Case> {
             .title("An absent population is the middle of a value range that does not hold 0.")
             .because("An absent population gives the middle of the value range."),
     );
-    let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => Json::Array(vec![high.json().with("unit", "rad/s".into())]) };
+    let united = object! { "encoders" => Json::Array(Vec::new()),
+    "decoders" => Json::Array(vec![high.json().with("unit", "rad/s".into())]) };
     cases.push(
         case("mapping/unit".to_owned(), &["NCP-CODEC-011"], united, &[("p", 100.0)])
-            .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&[4.0]), "unit" => "rad/s" } } } })
+            .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&[4.0]),
+            "unit" => "rad/s" } } } })
             .title("A decoder's unit becomes the channel's.")
             .because("The decoder builds the command's channel; its unit is the mapping's."),
     );
@@ -312,7 +331,8 @@ fn units() -> Vec<Case> {
         let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
         let data = vec![0.5; units.len()];
         case(format!("mapping/unit-of/{name}"), &["NCP-CODEC-011"], united, &[("p", 150.0)])
-            .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&data), "unit" => expected } } } })
+            .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&data),
+            "unit" => expected } } } })
             .title(format!("The unit of a decoded channel is the one that {words}."))
             .because("The unit of a decoded channel is that of the first of its mappings that names one.")
     };
@@ -323,7 +343,8 @@ fn units() -> Vec<Case> {
 fn heads() -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |path: String, t: f64, seq: i64, frame_id: &str, mode: &str, title: String| {
-        let args = object! { "codec" => "uav", "rates" => object! { "vel_x" => num(100.0) }, "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
+        let args = object! { "codec" => "uav", "rates" => object! { "vel_x" => num(100.0) }, "t" => num(t),
+        "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
         let command = object! { "t" => num(t), "seq" => int(seq), "frame_id" => frame_id, "mode" => mode };
         let case = Case::new(format!("head/{path}"), &["NCP-CODEC-009"], &[Role::Commander])
             .call("codec.decode", args)

@@ -10,7 +10,8 @@ pub(super) fn file() -> File {
     cases.extend(ranges());
     cases.extend(missing());
     cases.extend(mappings());
-    let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of the rate range.";
+    let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
+                 the rate range.";
     File::new("codec", "encode", about, cases)
 }
 
@@ -66,7 +67,10 @@ fn uav() -> Vec<Case> {
             case(format!("uav/{name}"), rules, "uav".into(), sensor(&[("pose_error", &data)]))
                 .shows(err(data))
                 .title(format!("The UAV codec encodes an error of ({}, {}, {}).", data[0], data[1], data[2]))
-                .because("Each component of `pose_error` is mapped from \u{2212}2 \u{2026} 2 to 0 \u{2026} 200 Hz and clamped."),
+                .because(
+                    "Each component of `pose_error` is mapped from \u{2212}2 \u{2026} 2 to 0 \u{2026} 200 Hz \
+                          and clamped.",
+                ),
         );
     }
     for at in 0..3 {
@@ -103,10 +107,21 @@ fn ranges() -> Vec<Case> {
                 let mapping = Mapping { value, rate, ..PLAIN };
                 let rule = share.decides("NCP-CODEC-001", "NCP-CODEC-002");
                 cases.push(
-                    case(format!("range/{name}/{}/to-{}-{}", share.name, rate[0], rate[1]).replace("--", "-minus-"), &[rule], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
-                        .shows(object! { "rates" => exactly(object! { "p" => maps(x, value, rate) }) })
-                        .title(format!("{x} in {} \u{2026} {} is encoded within {} \u{2026} {} Hz ({}).", value[0], value[1], rate[0], rate[1], share.name))
-                        .because("The rate is r0 + (x \u{2212} v0) / (v1 \u{2212} v0) \u{b7} (r1 \u{2212} r0), clamped to the rate range."),
+                    case(
+                        format!("range/{name}/{}/to-{}-{}", share.name, rate[0], rate[1]).replace("--", "-minus-"),
+                        &[rule],
+                        codec(&[mapping], &[]),
+                        sensor(&[("x", &[x])]),
+                    )
+                    .shows(object! { "rates" => exactly(object! { "p" => maps(x, value, rate) }) })
+                    .title(format!(
+                        "{x} in {} \u{2026} {} is encoded within {} \u{2026} {} Hz ({}).",
+                        value[0], value[1], rate[0], rate[1], share.name
+                    ))
+                    .because(
+                        "The rate is r0 + (x \u{2212} v0) / (v1 \u{2212} v0) \u{b7} (r1 \u{2212} r0), \
+                                  clamped to the rate range.",
+                    ),
                 );
             }
         }
@@ -123,7 +138,8 @@ fn ranges() -> Vec<Case> {
         );
     }
     // A mapping without ranges has the defaults.
-    let bare = object! { "encoders" => Json::Array(vec![object! { "channel" => "x", "component" => 0_u32, "population" => "p" }]), "decoders" => Json::Array(Vec::new()) };
+    let bare = object! { "encoders" => Json::Array(vec![object! { "channel" => "x", "component" => 0_u32,
+    "population" => "p" }]), "decoders" => Json::Array(Vec::new()) };
     for x in [-1.0, 0.0, 0.5, 1.0, 2.0] {
         cases.push(
             case(
@@ -227,10 +243,18 @@ fn mappings() -> Vec<Case> {
             rates(&all)
         };
         cases.push(
-            case(format!("ignored/{component}"), &["NCP-CODEC-008"], codec(&[far, near], &[]), sensor(&[("x", &[0.0, 0.5])]))
-                .shows(any(vec![with(false), with(true)]))
-                .title(format!("A mapping of component {component} is ignored, and the others are not."))
-                .because("A mapping with a component of 4,096 or more is ignored; that its population rests at the middle is as good."),
+            case(
+                format!("ignored/{component}"),
+                &["NCP-CODEC-008"],
+                codec(&[far, near], &[]),
+                sensor(&[("x", &[0.0, 0.5])]),
+            )
+            .shows(any(vec![with(false), with(true)]))
+            .title(format!("A mapping of component {component} is ignored, and the others are not."))
+            .because(
+                "A mapping with a component of 4,096 or more is ignored; that its population rests at the \
+                          middle is as good.",
+            ),
         );
     }
     let last = Mapping { component: 4095, ..PLAIN };

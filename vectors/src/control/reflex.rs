@@ -18,7 +18,8 @@ fn case(path: String, rules: &[&'static str], config: Json, sensor: Json) -> Cas
 }
 
 fn config(gains: Gains) -> Json {
-    object! { "target" => nums(&gains.target), "kp" => num(gains.kp), "kd" => num(gains.kd), "max_speed" => num(gains.max_speed) }
+    object! { "target" => nums(&gains.target), "kp" => num(gains.kp), "kd" => num(gains.kd),
+    "max_speed" => num(gains.max_speed) }
 }
 
 fn commands(data: &[f64]) -> Json {
@@ -26,7 +27,8 @@ fn commands(data: &[f64]) -> Json {
 }
 
 fn holds() -> Json {
-    object! { "command" => object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) } }
+    object! { "command" => object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]),
+    "horizon" => Json::Array(Vec::new()) } }
 }
 
 /// A command without damping, or a HOLD.
@@ -69,8 +71,14 @@ fn laws() -> Vec<Case> {
             // A gain of 0 may be refused.
             let case = if name == "no-gain" { case.shows_or_refuses(commands(&u)) } else { case.shows(commands(&u)) };
             cases.push(
-                case.title(format!("The reflex controller ({name}) answers a body that is {}.", place.replace('-', " ")))
-                    .because("The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each axis, each clamped to \u{b1}max_speed."),
+                case.title(format!(
+                    "The reflex controller ({name}) answers a body that is {}.",
+                    place.replace('-', " ")
+                ))
+                .because(
+                    "The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v on each \
+                              axis, each clamped to \u{b1}max_speed.",
+                ),
             );
         }
     }
@@ -116,7 +124,10 @@ fn laws() -> Vec<Case> {
 }
 
 fn unusable() -> Vec<Case> {
-    let with = |name: &str, data: &[f64]| object! { "seq" => 1_u32, "t" => num(0.0), "channels" => object! { name => object! { "data" => nums(data), "unit" => "m" } } };
+    let with = |name: &str, data: &[f64]| {
+        object! { "seq" => 1_u32, "t" => num(0.0),
+        "channels" => object! { name => object! { "data" => nums(data), "unit" => "m" } } }
+    };
     let table: [(&str, &str, Json); 9] = [
         ("no-frame", "no sensor frame", Json::Null),
         ("no-channels", "a frame without channels", object! { "seq" => 1_u32, "channels" => Json::object() }),
@@ -135,7 +146,10 @@ fn unusable() -> Vec<Case> {
                 .shows(holds())
                 .title(format!("With {words}, the reflex controller commands a HOLD."))
                 .flags(&["L03"])
-                .because("Without a sensor frame, or without a usable position, it commands a HOLD with three zeros in `m/s`.")
+                .because(
+                    "Without a sensor frame, or without a usable position, it commands a HOLD with three zeros \
+                          in `m/s`.",
+                )
         })
         .collect();
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -88,11 +88,16 @@ fn run_with(
 ) -> Case {
     let (args, results) = trace.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
     Case::new(path, rules, &[Role::Commander])
-        .call("loop.run", object! { "period_ms" => num(period), "limits" => limits, "config" => config, "steps" => Json::Array(args) })
+        .call(
+            "loop.run",
+            object! { "period_ms" => num(period), "limits" => limits, "config" => config,
+            "steps" => Json::Array(args) },
+        )
         .shows(steps(results))
 }
 
-const NEWEST: &str = "The loop keeps the newest sensor frame by `seq`, or by `t` while `seq` is 0, never the last to arrive; the command is made of that frame, and has its `seq`.";
+const NEWEST: &str = "The loop keeps the newest sensor frame by `seq`, or by `t` while `seq` is 0, never the last \
+                      to arrive; the command is made of that frame, and has its `seq`.";
 
 fn newest() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -232,9 +237,15 @@ fn ttls() -> Vec<Case> {
             if leaves { &["NCP-CTRL-014", "NCP-SAFE-051"] } else { &["NCP-CTRL-015", "NCP-SAFE-054"] };
         cases.push(
             run_with(format!("ttl/look-ahead/period-{period}"), rules, period, fence(), outward(), vec![at(), answer])
-                .title(format!("With a period of {period} ms, the governor looks as far ahead as the ttl that is sent."))
+                .title(format!(
+                    "With a period of {period} ms, the governor looks as far ahead as the ttl that is \
+                                sent."
+                ))
                 .flags(&["short-look-ahead", "short-ttl"])
-                .because("The loop raises the ttl to two periods before it governs: 1 m at 1.5 m/s are 667 ms, and a command's own ttl is 200 ms."),
+                .because(
+                    "The loop raises the ttl to two periods before it governs: 1 m at 1.5 m/s are 667 ms, and \
+                          a command's own ttl is 200 ms.",
+                ),
         );
     }
     cases
@@ -296,10 +307,10 @@ fn links() -> Vec<Case> {
         ("shuffled", &["NCP-RES-041", "NCP-RES-053"], "Frames out of order are no loss.", shuffled),
     ];
     cases.extend(table.into_iter().map(|(name, rules, title, trace)| {
-        run(format!("link/{name}"), rules, 50.0, Json::object(), trace)
-            .title(title)
-            .flags(&["sampled-link"])
-            .because("The monitor sees every arriving frame, not those that a tick samples, and the loop tells the governor of a burst before it governs.")
+        run(format!("link/{name}"), rules, 50.0, Json::object(), trace).title(title).flags(&["sampled-link"]).because(
+            "The monitor sees every arriving frame, not those that a tick samples, and the loop tells the \
+                      governor of a burst before it governs.",
+        )
     }));
     cases
 }
@@ -417,7 +428,10 @@ fn counters() -> Vec<Case> {
         cases.push(
             case.shows(any(vec![results(1), results(0)]))
                 .title(format!("The status of each tick has a counter of its own, while the loop is {name}."))
-                .because("The loop sends a `ControlStatus` each tick with a counter of its own, which is not the sensor's seq."),
+                .because(
+                    "The loop sends a `ControlStatus` each tick with a counter of its own, which is not the \
+                          sensor's seq.",
+                ),
         );
     }
     cases

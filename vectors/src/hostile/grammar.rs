@@ -19,7 +19,8 @@ pub(super) fn structure_file() -> File {
     // The frame that moves a plant is worth the most usual accidents by itself.
     cases.extend(truncated("command_frame"));
     cases.extend(around("command_frame"));
-    let about = "Texts that are no object, are cut off, have something before or behind the object, or break the grammar within.";
+    let about = "Texts that are no object, are cut off, have something before or behind the object, or break the \
+                 grammar within.";
     File::new("hostile", "structure", about, cases)
 }
 
@@ -349,9 +350,22 @@ fn strings(kind: &str) -> Vec<Case> {
         .into_iter()
         .map(|(what, string, says)| {
             let text = with_raw(&frame, &format!("\"novel\":\"{string}\""));
-            rejected(kind, &format!("string/{what}"), &["NCP-WIRE-002"], text, format!("{} with a string that has {says} is rejected.", a(kind)))
-                .flags(&["lenient-strings"])
-                .because("The grammar has eight short escapes and `\\u` with four digits, and control characters only as escapes.")
+            rejected(
+                kind,
+                &format!("string/{what}"),
+                &["NCP-WIRE-002"],
+                text,
+                format!(
+                    "{} with a string that has \
+                                                    {says} is rejected.",
+                    a(kind)
+                ),
+            )
+            .flags(&["lenient-strings"])
+            .because(
+                "The grammar has eight short escapes and `\\u` with four digits, and control characters \
+                          only as escapes.",
+            )
         })
         .collect();
     let names = [("name-raw-nul", "no\0vel", "U+0000 as it is"), ("name-bad-escape", r"no\xvel", "the escape `\\x`")];

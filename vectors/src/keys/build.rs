@@ -102,7 +102,11 @@ impl Builder {
             .into_iter()
             .map(|(what, text, rule)| {
                 self.case(&format!("{part}/reported/{what}"), &["NCP-KEY-019", rule])
-                    .title(format!("The `{}` key is refused with an error for the {says} `{text}`, and no other key is built in its place.", self.key))
+                    .title(format!(
+                        "The `{}` key is refused with an error for the {says} `{text}`, and no other key \
+                                    is built in its place.",
+                        self.key
+                    ))
                     .flags(&["L24"])
                     .call("key.build", args(text))
                     .rejects("key")

@@ -95,7 +95,10 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
         _ => patched(base, row.cell("text")?, row.place)?.text(),
     };
     let frame = |now| Event::Text { text: Json::string(&text), now, stops: false };
-    let moving = |x: f64| object! { "channels" => object! { "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]) } } };
+    let moving = |x: f64| {
+        object! { "channels" => object! { "velocity_setpoint" => object! { "data" => nums(&[x,
+        0.0, 0.0]) } } }
+    };
     let still = || object! { "channels" => Json::Null };
     let case = |path: &str, rules: &[&'static str], events: &[Event], results: Vec<Json>| {
         let (args, _) = buffer(events, false);

@@ -33,7 +33,8 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioErro
             ["NCP-RES-022", "NCP-RES-021"],
             "lost-estop",
             "latches ESTOP",
-            "Any JSON object of kind `command_frame` with a member `mode` of the value `estop` latches, whatever else in \
+            "Any JSON object of kind `command_frame` with a member `mode` of the value `estop` latches, whatever \
+             else in \
              it is malformed, stale or out of order.",
         )
     } else {
@@ -41,7 +42,8 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioErro
             ["NCP-RES-022", "NCP-RES-026"],
             "latch-by-likeness",
             "latches nothing",
-            "It is no command frame in mode `estop`, so that nothing latches and the next active command moves the plant.",
+            "It is no command frame in mode `estop`, so that nothing latches and the next active command moves the \
+             plant.",
         )
     };
     let case = |when: &str, events: &[Event], at: &str| {

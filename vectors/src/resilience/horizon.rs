@@ -39,10 +39,21 @@ fn ticks() -> Vec<Case> {
                 let command = active(1).ttl(60_000.0).along_x(dt, &values);
                 let rule = if tick > count { "NCP-RES-029" } else { "NCP-RES-028" };
                 cases.push(
-                    case(format!("tick/{dt}-ms/{count}-steps/tick-{tick}/{name}"), &[rule, "NCP-RES-025"], &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
-                        .title(format!("Of a horizon of {count} steps of {dt} ms, the plant follows tick {tick} after {} ms, or none behind its end.", age * 1000.0))
-                        .flags(&["wrong-tick"])
-                        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}: tick 0 is `channels`, tick k is `horizon[k\u{2212}1]`, and none past the end."),
+                    case(
+                        format!("tick/{dt}-ms/{count}-steps/tick-{tick}/{name}"),
+                        &[rule, "NCP-RES-025"],
+                        &[Event::Command(command, 4.0), Event::Ask(4.0 + age)],
+                    )
+                    .title(format!(
+                        "Of a horizon of {count} steps of {dt} ms, the plant follows tick {tick} \
+                                        after {} ms, or none behind its end.",
+                        age * 1000.0
+                    ))
+                    .flags(&["wrong-tick"])
+                    .because(
+                        "`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}: tick 0 is \
+                                  `channels`, tick k is `horizon[k\u{2212}1]`, and none past the end.",
+                    ),
                 );
             }
         }
@@ -63,10 +74,21 @@ fn lengths_of_a_tick() -> Vec<Case> {
         for age in [0.0, 0.125, 0.25, 0.3125] {
             let command = Command { dt, ..active(1).along_x(0.0, &[10.0, 20.0]) };
             cases.push(
-                case(format!("no-length/{name}/after-{age}-s"), if age > 0.25 { &["NCP-RES-002", "NCP-RES-027"] } else { &["NCP-RES-027", "NCP-RES-002"] }, &[Event::Command(command, 4.0), Event::Ask(4.0 + age)])
-                    .title(format!("With a tick of length {name}, the plant follows tick 0 until the ttl ends, or holds; asked after {age} s."))
-                    .flags(&["wrong-tick"])
-                    .because("With a horizon whose `horizon_dt_ms` is absent, not finite or not positive, `active` is the channels of tick 0, or none: neither moves the plant more, and nothing of the horizon is replayed."),
+                case(
+                    format!("no-length/{name}/after-{age}-s"),
+                    if age > 0.25 { &["NCP-RES-002", "NCP-RES-027"] } else { &["NCP-RES-027", "NCP-RES-002"] },
+                    &[Event::Command(command, 4.0), Event::Ask(4.0 + age)],
+                )
+                .title(format!(
+                    "With a tick of length {name}, the plant follows tick 0 until the ttl ends, or \
+                                    holds; asked after {age} s."
+                ))
+                .flags(&["wrong-tick"])
+                .because(
+                    "With a horizon whose `horizon_dt_ms` is absent, not finite or not positive, `active` \
+                              is the channels of tick 0, or none: neither moves the plant \
+                         more, and nothing of the horizon is replayed.",
+                ),
             );
         }
     }
@@ -177,7 +199,10 @@ pub(super) fn lengths() -> File {
                 .shows(object! { "len" => within(4096.0, f64::MAX) })
                 .title(format!("A ttl of {ttl} ms and ticks of {dt} ms give 4,096 or more, and no error."))
                 .flags(&["L27", "overflowing-tick"])
-                .because("\u{230a}ttl / dt\u{230b} is beyond every integer here, so that only its cap or its saturation can be answered."),
+                .because(
+                    "\u{230a}ttl / dt\u{230b} is beyond every integer here, so that only its cap or its \
+                          saturation can be answered.",
+                ),
         );
         cases.push(
             of(format!("saturated-cap/{name}"), &["NCP-RES-034"], ttl, dt)

@@ -170,7 +170,8 @@ fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {
     case(path.to_owned(), rules, (None, None), (0.05, 5.0), seqs)
 }
 
-/// The seqs of a row: one after the other, `1..9` and `1..9/2` for every seq and every second one up to 9, and `5x3` for
+/// The seqs of a row: one after the other, `1..9` and `1..9/2` for every seq and every second one up to 9, and `5x3`
+/// for
 /// three times 5.
 fn seqs(row: &Row) -> Result<Vec<i64>, ScenarioError> {
     let mut seqs = Vec::new();
@@ -236,7 +237,10 @@ fn counts() -> Vec<Case> {
             usual(&format!("rate/{mask:04b}"), &["NCP-RES-044"], &seqs)
                 .title(format!("The loss rate after each of the frames {seqs:?}."))
                 .flags(&["wrong-loss"])
-                .because("The loss rate is lost / (expected \u{2212} first), and expected is one more than the highest seq seen."),
+                .because(
+                    "The loss rate is lost / (expected \u{2212} first), and expected is one more than the \
+                          highest seq seen.",
+                ),
         );
     }
     cases
@@ -407,7 +411,10 @@ fn extremes() -> Vec<Case> {
             "loss_rate" => within(0.999, 1.0),
             "burst" => true,
         };
-        let entry = |seq: i64| object! { "last_seq" => int(seq), "received" => int(1), "lost" => int(0), "loss_rate" => int(0), "burst" => false };
+        let entry = |seq: i64| {
+            object! { "last_seq" => int(seq), "received" => int(1), "lost" => int(0),
+            "loss_rate" => int(0), "burst" => false }
+        };
         let first = seqs.first().copied().unwrap_or_default();
         cases.push(
             Case::new(format!("extreme/{name}"), &["NCP-RES-050", "NCP-RES-045"], &BOTH)

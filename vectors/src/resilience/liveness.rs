@@ -59,12 +59,19 @@ fn of_watchdog() -> File {
             Case::new(letters.clone(), &rules, &[Role::Body])
                 .call("watchdog.run", args)
                 .shows(pattern)
-                .title(format!("The plant moves only by the liveness rule over the events {letters} (command, duplicate, wait, back, reset)."))
+                .title(format!(
+                    "The plant moves only by the liveness rule over the events {letters} (command, \
+                                duplicate, wait, back, reset)."
+                ))
                 .flags(&["liveness"])
-                .because("The liveness rule of section 8.1, asked after each event; after a step of the clock backward a plant may also hold."),
+                .because(
+                    "The liveness rule of section 8.1, asked after each event; after a step of the clock \
+                          backward a plant may also hold.",
+                ),
         );
     }
-    let about = "The watchdog over every sequence of four events that begins with a command: commands (c), duplicates (d), waits (w), steps of the clock backward (b) and resets (r).";
+    let about = "The watchdog over every sequence of four events that begins with a command: commands (c), \
+                 duplicates (d), waits (w), steps of the clock backward (b) and resets (r).";
     File::new("resilience", "liveness", about, cases)
 }
 
@@ -113,12 +120,19 @@ fn of_buffer() -> File {
             Case::new(letters.clone(), &rules, &[Role::Body])
                 .call("buffer.run", args)
                 .shows(pattern)
-                .title(format!("The buffer acts only on the newest active command over the events {letters} (active, hold, ESTOP, older active, reset)."))
+                .title(format!(
+                    "The buffer acts only on the newest active command over the events {letters} \
+                                (active, hold, ESTOP, older active, reset)."
+                ))
                 .flags(if letters.contains('e') { &["lost-estop"] } else { &["liveness"] })
-                .because("Sections 8.1 and 8.2, asked after each event: newest by seq, latched by ESTOP, held by a HOLD, cleared by a reset, and expired after 250 ms."),
+                .because(
+                    "Sections 8.1 and 8.2, asked after each event: newest by seq, latched by ESTOP, held by a \
+                          HOLD, cleared by a reset, and expired after 250 ms.",
+                ),
         );
     }
-    let about = "The action buffer over every sequence of four events that begins with an active command: active (a), hold (h) and ESTOP (e) commands, older active ones (o) and resets (r).";
+    let about = "The action buffer over every sequence of four events that begins with an active command: active \
+                 (a), hold (h) and ESTOP (e) commands, older active ones (o) and resets (r).";
     File::new("resilience", "buffer_modes", about, cases)
 }
 

@@ -231,7 +231,8 @@ pub(super) fn watchdog(events: &[Event]) -> (Json, Json) {
         match event {
             Event::Command(command, now) => {
                 plant.command(command, *now);
-                args.push(object! { "op" => "command", "now_s" => num(*now), "ttl_ms" => num(command.ttl), "seq" => command.seq.map(int) });
+                args.push(object! { "op" => "command", "now_s" => num(*now), "ttl_ms" => num(command.ttl),
+                "seq" => command.seq.map(int) });
                 results.push(no_result());
             }
             Event::Ask(now) => {

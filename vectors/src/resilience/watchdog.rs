@@ -156,10 +156,17 @@ fn steps_back() -> Vec<Case> {
             .because("A plant holds when now is less than the time of receipt."),
         );
         cases.push(
-            case(format!("backward/{}/persists", name_of(back)), &["NCP-RES-010", "NCP-RES-008"], &[command(1, 250.0, received), Event::Ask(now), Event::Ask(received)])
-                .title(format!("The hold for a clock {back} s back persists when the clock is right again."))
-                .flags(&["L14", "reviving-hold"])
-                .because("A hold persists until an advancing command, also when the clock then reads a time at which the command was not yet expired."),
+            case(
+                format!("backward/{}/persists", name_of(back)),
+                &["NCP-RES-010", "NCP-RES-008"],
+                &[command(1, 250.0, received), Event::Ask(now), Event::Ask(received)],
+            )
+            .title(format!("The hold for a clock {back} s back persists when the clock is right again."))
+            .flags(&["L14", "reviving-hold"])
+            .because(
+                "A hold persists until an advancing command, also when the clock then reads a time at \
+                          which the command was not yet expired.",
+            ),
         );
     }
     cases

@@ -61,10 +61,17 @@ fn order() -> Vec<Case> {
                 ("fence-outside", "NCP-SAFE-010", Limits::fence(5.0), govern(good(), sensed(&[9.0, 0.0, 0.0]))),
             ] {
                 cases.push(
-                    case(format!("by-name/{name}/{place}/{what}"), &[rule], &Trace::negotiated(limits, capabilities.clone(), vec![step]))
-                        .title(format!("With other channels ({name}) {place} the canonical ones, the limit acts on the right one ({what})."))
-                        .flags(&["first-channel"])
-                        .because("Limits bind to the canonical channels by name, whatever other channels come first."),
+                    case(
+                        format!("by-name/{name}/{place}/{what}"),
+                        &[rule],
+                        &Trace::negotiated(limits, capabilities.clone(), vec![step]),
+                    )
+                    .title(format!(
+                        "With other channels ({name}) {place} the canonical ones, the limit acts on \
+                                        the right one ({what})."
+                    ))
+                    .flags(&["first-channel"])
+                    .because("Limits bind to the canonical channels by name, whatever other channels come first."),
                 );
             }
         }
@@ -117,7 +124,8 @@ fn values() -> Vec<Case> {
     }
     for value in [5e-324, 1e-300] {
         let name = crate::trace::name_of(value);
-        let slow = object! { "frame" => object! { "channels" => object! { VELOCITY => object! { "data" => crate::trace::nums(&[0.0; 3]) } } } };
+        let slow = object! { "frame" => object! { "channels" => object! { VELOCITY => object! { "data" =>
+        crate::trace::nums(&[0.0; 3]) } } } };
         cases.push(
             case(
                 format!("value/speed-bounds/{name}"),
@@ -167,7 +175,10 @@ fn widths() -> Vec<Case> {
                     .shows(steps(vec![hold]))
                     .title(format!("A limit on a {which} declared as {name} should hold every command."))
                     .flags(&["L11"])
-                    .because("An enabled limit whose channel is declared with another width than 3 should put the governor into config fail-closed."),
+                    .because(
+                        "An enabled limit whose channel is declared with another width than 3 should put the \
+                              governor into config fail-closed.",
+                    ),
             );
         }
     }
@@ -181,7 +192,10 @@ fn widths() -> Vec<Case> {
             case(format!("width/both/{name}"), &["NCP-SAFE-021"], &trace)
                 .title(format!("Limits on channels declared as {kind} of size 3 let a command pass that keeps them."))
                 .flags(&["over-strict"])
-                .because("Both channels are declared in the table's unit and 3 wide, so that the limits act, and no gate closes."),
+                .because(
+                    "Both channels are declared in the table's unit and 3 wide, so that the limits act, and no \
+                          gate closes.",
+                ),
         );
     }
     cases

@@ -48,10 +48,21 @@ fn places() -> Vec<Case> {
                 let limits = Limits::fence(radius);
                 let steps = vec![govern(still(), Sensor::at(&at)), govern(still(), Sensor::at(&[0.0; 3]))];
                 cases.push(
-                    case(format!("{name}/{}-{}-{}/octant-{octant}", vector[0], vector[1], vector[2]), &[rule], &Trace::new(limits, steps))
-                        .title(format!("A position {name} the fence of {radius} m, at ({}, {}, {}), is told from the others.", at[0], at[1], at[2]))
-                        .flags(if vector[2] == 0.0 { &["off-by-a-boundary"] } else { &["off-by-a-boundary", "L28"] })
-                        .because("The fence is the closed ball about the origin: ESTOP is latched when the norm of all three components is more than the radius."),
+                    case(
+                        format!("{name}/{}-{}-{}/octant-{octant}", vector[0], vector[1], vector[2]),
+                        &[rule],
+                        &Trace::new(limits, steps),
+                    )
+                    .title(format!(
+                        "A position {name} the fence of {radius} m, at ({}, {}, {}), is told from \
+                                        the others.",
+                        at[0], at[1], at[2]
+                    ))
+                    .flags(if vector[2] == 0.0 { &["off-by-a-boundary"] } else { &["off-by-a-boundary", "L28"] })
+                    .because(
+                        "The fence is the closed ball about the origin: ESTOP is latched when the norm of \
+                                  all three components is more than the radius.",
+                    ),
                 );
             }
         }
@@ -129,7 +140,8 @@ fn moved() -> Vec<Case> {
                         "From {first} m to {second} m along {axis} ({side}), the fence of 5 m stays about the origin."
                     ))
                     .flags(&["L28"])
-                    .because("The fence is the ball about the origin of the reference frame, not about where the plant was first."),
+                    .because("The fence is the ball about the origin of the reference frame, not about where the \
+                              plant was first."),
                 );
             }
         }

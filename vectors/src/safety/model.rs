@@ -103,7 +103,8 @@ pub(super) fn scalar(name: &str, unit: Option<&str>) -> Spec {
 
 impl Spec {
     fn json(&self) -> Json {
-        object! { "name" => self.name.as_str(), "kind" => self.kind, "unit" => self.unit.as_deref(), "size" => self.size.map(int) }
+        object! { "name" => self.name.as_str(), "kind" => self.kind, "unit" => self.unit.as_deref(),
+        "size" => self.size.map(int) }
     }
 }
 
@@ -221,8 +222,10 @@ impl Trace {
     }
 
     /// The trace that the steps of a row say: `limits` with `speed=`, `fence=`, `timeout=` and `tilt=`; `sensors` and
-    /// `commands`, the channels that are declared, as `tow:m/s` or, if it is a scalar, `grip:scalar:N`; `govern`, which is a
-    /// good command at a good place but for the settings of [`Command::setting`], `at=` for the place or the channels that
+    /// `commands`, the channels that are declared, as `tow:m/s` or, if it is a scalar, `grip:scalar:N`; `govern`,
+    /// which is a
+    /// good command at a good place but for the settings of [`Command::setting`], `at=` for the place or the channels
+    /// that
     /// are sensed, `sent=`, `now=` and `last=` for times; `link`, `calm` and `reset`. A hyphen is none of it.
     pub(super) fn of(row: &Row) -> Result<Self, ScenarioError> {
         let mut trace = Self::new(Limits::NONE, Vec::new());

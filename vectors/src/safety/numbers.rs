@@ -11,7 +11,8 @@ pub(super) fn file() -> File {
     let mut cases = commands();
     cases.extend(positions());
     cases.extend(beside());
-    let about = "NaN, infinities, negative zero, subnormal and huge numbers in every numeric position of a command and a sensor frame.";
+    let about = "NaN, infinities, negative zero, subnormal and huge numbers in every numeric position of a command \
+                 and a sensor frame.";
     File::new("safety", "numbers", about, cases)
 }
 
@@ -58,10 +59,21 @@ fn commands() -> Vec<Case> {
             for (name, unit) in [("gripper", None), ("body_rates", Some("rad/s")), ("tow_velocity", Some(MPS))] {
                 let command = Command::moving(&[0.5, 0.0, 0.0]).and(channel(name, &[0.5, value], unit));
                 cases.push(
-                    case(format!("{}/{}/{with}", name.replace('_', "-"), name_of(value)), &["NCP-SAFE-064"], &Trace::new(limits, vec![govern(command, near()), govern(good().seq(8), near())]))
-                        .title(format!("A command whose channel {name} holds {} is held, with {}.", name_of(value), with.replace('-', " ")))
-                        .flags(&["non-finite-command"])
-                        .because("The governor holds when any channel of tick 0 has a component that is not finite, not only the velocity."),
+                    case(
+                        format!("{}/{}/{with}", name.replace('_', "-"), name_of(value)),
+                        &["NCP-SAFE-064"],
+                        &Trace::new(limits, vec![govern(command, near()), govern(good().seq(8), near())]),
+                    )
+                    .title(format!(
+                        "A command whose channel {name} holds {} is held, with {}.",
+                        name_of(value),
+                        with.replace('-', " ")
+                    ))
+                    .flags(&["non-finite-command"])
+                    .because(
+                        "The governor holds when any channel of tick 0 has a component that is not finite, \
+                                  not only the velocity.",
+                    ),
                 );
             }
         }
@@ -194,7 +206,11 @@ fn beside() -> Vec<Case> {
         for (with, limits) in [("no-limit", Limits::NONE), ("fence", Limits::fence(5.0))] {
             let command = Command::of(vec![velocity(&[0.0625, 0.0, 0.0])]).ttl(ttl);
             let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[0.0; 3]))]);
-            let frame = |mode: &str, x: f64| object! { "frame" => object! { "mode" => mode, "seq" => crate::trace::int(7), "channels" => object! { VELOCITY => object! { "data" => crate::trace::nums(&[x, 0.0, 0.0]) } } } };
+            let frame = |mode: &str, x: f64| {
+                object! { "frame" => object! { "mode" => mode,
+                "seq" => crate::trace::int(7),
+                    "channels" => object! { VELOCITY => object! { "data" => crate::trace::nums(&[x, 0.0, 0.0]) } } } }
+            };
             let allowed: Vec<Json> = vec![frame("active", 0.0625), frame("hold", 0.0), refused()];
             let usable = ttl == 5e-324 || ttl == 1e308;
             let case = case(format!("ttl/{}/{with}", name_of(ttl)), &["NCP-SAFE-021"], &trace)
@@ -207,8 +223,10 @@ fn beside() -> Vec<Case> {
             cases.push(if usable {
                 case.because("No gate closes on a ttl that is finite and positive, and the projection ends at 60 s.")
             } else {
-                case.shows(steps(vec![any(allowed)]))
-                    .because("No gate closes on such a ttl, and the plant does not act on it: what comes back is the command or a HOLD.")
+                case.shows(steps(vec![any(allowed)])).because(
+                    "No gate closes on such a ttl, and the plant does not act on it: what comes back is \
+                              the command or a HOLD.",
+                )
             });
         }
     }

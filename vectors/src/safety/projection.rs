@@ -59,10 +59,23 @@ fn without_horizon() -> Vec<Case> {
                     v[at] = speed * factor * sign;
                     let side = if sign > 0.0 { "plus" } else { "minus" };
                     cases.push(
-                        one(format!("ttl-{ttl}/{axis}-{side}/{name}"), &[rule, "NCP-SAFE-054"], Limits::fence(FENCE), Command::moving(&v).ttl(ttl), &place)
-                            .title(format!("From 3 m out, {} m/s along {axis} for {ttl} ms within a fence of 5 m is judged by its end.", v[at]))
-                            .flags(&["short-look-ahead", "off-by-a-boundary"])
-                            .because("Without a horizon the plant follows tick 0 for the whole ttl; an end exactly on the fence is inside."),
+                        one(
+                            format!("ttl-{ttl}/{axis}-{side}/{name}"),
+                            &[rule, "NCP-SAFE-054"],
+                            Limits::fence(FENCE),
+                            Command::moving(&v).ttl(ttl),
+                            &place,
+                        )
+                        .title(format!(
+                            "From 3 m out, {} m/s along {axis} for {ttl} ms within a fence of 5 m is \
+                                            judged by its end.",
+                            v[at]
+                        ))
+                        .flags(&["short-look-ahead", "off-by-a-boundary"])
+                        .because(
+                            "Without a horizon the plant follows tick 0 for the whole ttl; an end exactly \
+                                      on the fence is inside.",
+                        ),
                     );
                 }
             }
@@ -143,9 +156,17 @@ fn with_horizon() -> Vec<Case> {
             let rule = if way > 5.0 { "NCP-SAFE-050" } else { "NCP-SAFE-054" };
             cases.push(
                 one(format!("ahead/{steps}-steps/ttl-{ttl}"), &[rule], Limits::fence(FENCE), command, &[0.0; 3])
-                    .title(format!("From the origin, {} ticks of 1 m each under a ttl of {ttl} ms end inside 5 m.", steps + 1))
+                    .title(format!(
+                        "From the origin, {} ticks of 1 m each under a ttl of {ttl} ms end inside 5 m.",
+                        steps + 1
+                    ))
                     .flags(&["short-look-ahead", "horizon-past-the-fence"])
-                    .because("The horizon is truncated before the first step at whose end, by the part of its tick that lies before the ttl, the plant is outside; a governor may drop more if tick 0 stays inside for the whole ttl."),
+                    .because(
+                        "The horizon is truncated before the first step at whose end, by the part of its tick \
+                              that lies before the ttl, \
+                              the plant is outside; a governor may drop more if tick 0 stays \
+                              inside for the whole ttl.",
+                    ),
             );
         }
     }
@@ -155,10 +176,23 @@ fn with_horizon() -> Vec<Case> {
             let ticks = vec![[0.5, 0.5, 0.0]; steps];
             let command = Command::moving(&[0.5, 0.5, 0.0]).then(62.5, &ticks).ttl(500.0);
             cases.push(
-                one(format!("inside/{steps}-steps/from-{}-{}-{}", at[0], at[1], at[2]).replace("--", "-minus-"), &["NCP-SAFE-021"], Limits::both(1.0, FENCE), command, &at)
-                    .title(format!("A horizon of {steps} steps that cannot reach the fence, from ({}, {}, {}), passes whole.", at[0], at[1], at[2]))
-                    .flags(&["over-strict"])
-                    .because("Even at the speed limit for all of its ticks the plant stays inside, so that no reading truncates it."),
+                one(
+                    format!("inside/{steps}-steps/from-{}-{}-{}", at[0], at[1], at[2]).replace("--", "-minus-"),
+                    &["NCP-SAFE-021"],
+                    Limits::both(1.0, FENCE),
+                    command,
+                    &at,
+                )
+                .title(format!(
+                    "A horizon of {steps} steps that cannot reach the fence, from ({}, {}, {}), \
+                                    passes whole.",
+                    at[0], at[1], at[2]
+                ))
+                .flags(&["over-strict"])
+                .because(
+                    "Even at the speed limit for all of its ticks the plant stays inside, so that no \
+                              reading truncates it.",
+                ),
             );
         }
     }
@@ -195,10 +229,19 @@ fn steps_without_velocity() -> Vec<Case> {
                 at.clone_from(&step);
             }
             cases.push(
-                one(format!("step/{name}-at-{}", place + 1), &["NCP-SAFE-055", "NCP-SAFE-054"], Limits::fence(FENCE), command, &[1.0, 2.0, 2.0])
-                    .title(format!("Within a fence, a horizon whose step {} {words} goes no further than that.", place + 1))
-                    .flags(&["horizon-past-the-fence", "L11", "L10"])
-                    .because("With the geofence enabled, a step that has no usable velocity is not sent: the horizon is truncated before it, or the command held."),
+                one(
+                    format!("step/{name}-at-{}", place + 1),
+                    &["NCP-SAFE-055", "NCP-SAFE-054"],
+                    Limits::fence(FENCE),
+                    command,
+                    &[1.0, 2.0, 2.0],
+                )
+                .title(format!("Within a fence, a horizon whose step {} {words} goes no further than that.", place + 1))
+                .flags(&["horizon-past-the-fence", "L11", "L10"])
+                .because(
+                    "With the geofence enabled, a step that has no usable velocity is not sent: the \
+                              horizon is truncated before it, or the command held.",
+                ),
             );
         }
     }
@@ -217,10 +260,19 @@ fn clamped_horizons() -> Vec<Case> {
     ];
     let one = |(name, words, tick, step): (&str, &str, [f64; 3], [f64; 3])| {
         let command = Command::moving(&tick).then(250.0, &[step]).ttl(500.0);
-        one(format!("clamped-horizon/{name}"), &["NCP-SAFE-021", "NCP-SAFE-060", "NCP-SAFE-066"], Limits::both(4.0, FENCE), command, &[2.5, 0.0, 0.0])
-            .title(format!("A horizon of which {words} is projected with the 4 m/s that are sent, and is not held."))
-            .flags(&["over-strict"])
-            .because("The look ahead takes the clamped velocities: at 4 m/s the plant does not leave the fence before the ttl ends.")
+        one(
+            format!("clamped-horizon/{name}"),
+            &["NCP-SAFE-021", "NCP-SAFE-060", "NCP-SAFE-066"],
+            Limits::both(4.0, FENCE),
+            command,
+            &[2.5, 0.0, 0.0],
+        )
+        .title(format!("A horizon of which {words} is projected with the 4 m/s that are sent, and is not held."))
+        .flags(&["over-strict"])
+        .because(
+            "The look ahead takes the clamped velocities: at 4 m/s the plant does not leave the fence \
+                      before the ttl ends.",
+        )
     };
     table.into_iter().map(one).collect()
 }
@@ -246,11 +298,12 @@ fn other_units() -> Vec<Case> {
                     &["NCP-SAFE-042", "NCP-SAFE-052"],
                     &Trace::negotiated(Limits::fence(FENCE), capabilities(), steps),
                 )
-                .title(format!(
-                    "A velocity without a unit that was negotiated in {unit} is not read as m/s ({what})."
-                ))
+                .title(format!("A velocity without a unit that was negotiated in {unit} is not read as m/s ({what})."))
                 .flags(&["L10"])
-                .because("The governor reads a channel without a unit in the negotiated one, and one in another unit than m/s cannot be projected."),
+                .because(
+                    "The governor reads a channel without a unit in the negotiated one, and one in another \
+                          unit than m/s cannot be projected.",
+                ),
             );
         }
         let mut command = Command::moving(&[0.25, 0.0, 0.0]).then(50.0, &[[0.0; 3]]);
@@ -262,11 +315,12 @@ fn other_units() -> Vec<Case> {
                 &["NCP-SAFE-042", "NCP-SAFE-055"],
                 &Trace::negotiated(Limits::fence(FENCE), capabilities(), steps),
             )
-            .title(format!(
-                "A step whose velocity has no unit and was negotiated in {unit} is not read as m/s."
-            ))
+            .title(format!("A step whose velocity has no unit and was negotiated in {unit} is not read as m/s."))
             .flags(&["L10"])
-            .because("The governor reads a channel without a unit in the negotiated one, and a step in another unit than m/s is not sent."),
+            .because(
+                "The governor reads a channel without a unit in the negotiated one, and a step in another unit \
+                      than m/s is not sent.",
+            ),
         );
     }
     cases

@@ -25,7 +25,8 @@ fn one(path: String, rules: &[&'static str], limits: Limits, command: Command) -
     case(path, rules, &Trace::new(limits, vec![govern(command, near())]))
 }
 
-const CLAMP: &str = "A velocity whose norm is above the limit is scaled to it, direction kept; one whose norm is not above it is unchanged.";
+const CLAMP: &str = "A velocity whose norm is above the limit is scaled to it, direction kept; one whose norm is \
+                     not above it is unchanged.";
 
 /// Vectors of exact norm, in several sizes, around several limits.
 fn vectors() -> Vec<Case> {
@@ -106,7 +107,8 @@ fn never_above() -> Vec<Case> {
                 ),
             ] {
                 let scaled = vec![within(limit * (1.0 - 1e-9), most), num(0.0), num(0.0)];
-                let frame = object! { "mode" => "active", "channels" => object! { VELOCITY => object! { "data" => Json::Array(scaled) } } };
+                let frame = object! { "mode" => "active",
+                "channels" => object! { VELOCITY => object! { "data" => Json::Array(scaled) } } };
                 cases.push(
                     case(format!("{group}/{limit:.1}/{speed}"), &[rule], &trace)
                         .shows(steps(vec![object! { "frame" => frame }]))
@@ -140,7 +142,8 @@ fn huge() -> Vec<Case> {
             let command = Command::moving(&v);
             let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
             let frame = |mode: &str, data: &[f64]| {
-                object! { "frame" => object! { "mode" => mode, "channels" => object! { VELOCITY => object! { "data" => nums(data) } } } }
+                object! { "frame" => object! { "mode" => mode,
+                "channels" => object! { VELOCITY => object! { "data" => nums(data) } } } }
             };
             let scaled = direction.map(|x| x * limit);
             let allowed = any(vec![frame("active", &scaled), frame("active", &[0.0; 3]), frame("hold", &[0.0; 3])]);
@@ -236,7 +239,8 @@ fn channels() -> Vec<Case> {
             Capabilities::canonical(&[scalar("climb", Some(MPS))]),
             vec![govern(command, near())],
         );
-        let frame = object! { "frame" => object! { "channels" => object! { "climb" => object! { "data" => std::iter::once(within(-2.0 - 1e-9, 2.0 + 1e-9)).collect::<crate::json::Json>() } } } };
+        let frame = object! { "frame" => object! { "channels" => object! { "climb" => object! { "data" =>
+        std::iter::once(within(-2.0 - 1e-9, 2.0 + 1e-9)).collect::<crate::json::Json>() } } } };
         cases.push(
             case(format!("channel/scalar/{}", name_of(value)), &["NCP-SAFE-065"], &trace)
                 .shows(steps(vec![frame]))
@@ -331,8 +335,14 @@ fn horizons() -> Vec<Case> {
             let name = dt.map_or("absent".to_owned(), name_of);
             cases.push(
                 one(format!("horizon/dt-{name}/{with}"), &["NCP-SAFE-068"], limits, command)
-                    .title(format!("A horizon whose tick has the length {name} is held, with {}.", with.replace('-', " ")))
-                    .because("The governor holds on a command with a horizon whose `horizon_dt_ms` is absent, not finite or not positive."),
+                    .title(format!(
+                        "A horizon whose tick has the length {name} is held, with {}.",
+                        with.replace('-', " ")
+                    ))
+                    .because(
+                        "The governor holds on a command with a horizon whose `horizon_dt_ms` is absent, not \
+                              finite or not positive.",
+                    ),
             );
         }
     }
@@ -381,7 +391,8 @@ fn other_channels_of_steps() -> Vec<Case> {
                         command,
                     )
                     .title(format!(
-                        "A horizon is truncated before step {}, whose channel {name} holds {}, or the command is held, with {}.",
+                        "A horizon is truncated before step {}, whose channel {name} holds {}, or the command is \
+                         held, with {}.",
                         place + 1,
                         name_of(value),
                         limit.replace('-', " ")

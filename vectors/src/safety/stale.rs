@@ -50,9 +50,16 @@ fn ages() -> Vec<Case> {
                         &[rule],
                         &Trace::new(limits(timeout), vec![ask(start + age, Some(start))]),
                     )
-                    .title(format!("A command passes or is held by a sensor {} ms old under a timeout of {timeout} ms: it {ends}.", age * 1000.0))
+                    .title(format!(
+                        "A command passes or is held by a sensor {} ms old under a timeout of {timeout} \
+                                    ms: it {ends}.",
+                        age * 1000.0
+                    ))
                     .flags(&["off-by-a-boundary"])
-                    .because("The governor holds when now \u{2212} last is more than the timeout, and not when it is exactly that."),
+                    .because(
+                        "The governor holds when now \u{2212} last is more than the timeout, and not when it \
+                              is exactly that.",
+                    ),
                 );
             }
         }

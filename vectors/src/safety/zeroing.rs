@@ -166,7 +166,8 @@ impl Part {
             Self::Zeros => "The union of the command's channels and the negotiated ones is zeroed.",
             Self::Shape => "A zeroed channel of the command keeps its width and its unit.",
             Self::Added => {
-                "A negotiated channel that the command lacks becomes three zeros in m/s if it is the velocity, and else a single zero."
+                "A negotiated channel that the command lacks becomes three zeros in m/s if it is the velocity, and \
+                 else a single zero."
             }
         }
     }
@@ -235,7 +236,10 @@ fn kept(way: &Way) -> Vec<Case> {
         cases.push(
             case(format!("kept/{path}/{}", way.name), rule, way, None, command, part)
                 .title(format!("The {} frame ({}) {what}.", way.frame, way.name))
-                .because("A HOLD or ESTOP frame keeps `t`, `seq`, `frame_id` and `ttl_ms` of the command, and has no horizon."),
+                .because(
+                    "A HOLD or ESTOP frame keeps `t`, `seq`, `frame_id` and `ttl_ms` of the command, and has \
+                          no horizon.",
+                ),
         );
     };
     for seq in [0, 1, -3, 9_007_199_254_740_991] {

@@ -3,8 +3,8 @@
 /// The longest cell for which the others of its column are padded.
 const PADDED: usize = 40;
 
-/// The text with its cells aligned group by group, bodies indented by four spaces, and single empty lines between groups
-/// and before rows. What it means does not change.
+/// The text with its cells aligned group by group, bodies indented by four spaces, and single empty lines between
+/// groups and before rows. What it means does not change.
 #[must_use]
 pub fn formatted(text: &str) -> String {
     let mut out = String::new();

@@ -3,7 +3,8 @@
 //! A file is a list of groups. A group begins with `[name]`, goes on with what its rows share, a `key: value` a line,
 //! and after an empty line has its rows. A row is a line of cells with two spaces or more between them: its name, which
 //! ends the case's path, and the cells that `columns` names. Lines that are indented belong to the row above them and
-//! are its body, what happens in the case; the cell `event` is a body that stands in the row itself. A line that begins with `#` is a comment.
+//! are its body, what happens in the case; the cell `event` is a body that stands in the row itself. A line that
+//! begins with `#` is a comment.
 //!
 //! | key | meaning |
 //! |---|---|
@@ -14,10 +15,13 @@
 //! | `each x` | a list of values with commas between: all rows for the first value, then all for the second |
 //! | `with x` | the same, but each row for all values before the next row |
 //!
-//! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the value of
+//! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the
+//! value of
 //! `x`, `{x.name}` for its name, `{x.first}` for its first part; `{row}` for a row's name and `{cell}` for one of its
-//! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` is `x` with its article. `{version}` is the wire version, `{older}` and `{newer}` are the minors
-//! beside it, `{major}` and `{minor}` its parts, `{minor-wraps-at-8}` the minor and 2^8; `{hash}` is the contract hash. A row, a rule or a flag that ends in `@value` is for that value alone.
+//! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` is `x` with its article. `{version}` is the wire
+//! version, `{older}` and `{newer}` are the minors
+//! beside it, `{major}` and `{minor}` its parts, `{minor-wraps-at-8}` the minor and 2^8; `{hash}` is the contract
+//! hash. A row, a rule or a flag that ends in `@value` is for that value alone.
 //!
 //! What a body says is the affair of the code that makes the group's cases, as the README of the crate shows; most are
 //! [`Step`]s with semicolons between.

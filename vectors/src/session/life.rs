@@ -163,7 +163,10 @@ fn open_questions() -> Vec<Case> {
     cases.push(
         case("twice/refused".to_owned(), &["NCP-SESS-030"], again)
             .title("To open a session that is open should be refused, and leave it as it is.")
-            .because("A server should answer an `open_session` for a session that is already open with `ok` false, and leave the session as it is."),
+            .because(
+                "A server should answer an `open_session` for a session that is already open with `ok` false, \
+                      and leave the session as it is.",
+            ),
     );
     cases
 }
@@ -171,20 +174,32 @@ fn open_questions() -> Vec<Case> {
 /// Networks that hardly anybody has; that they are refused, the text does not say.
 fn refused() -> Vec<Case> {
     let network = |kind: &str, reference: &str| {
-        object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "a", "network" => object! { "kind" => kind, "ref" => reference } }.text()
+        object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "a",
+        "network" => object! { "kind" => kind, "ref" => reference } }
+        .text()
     };
     [("builtin", "ncp.no.such.network"), ("handle", "no-such-handle"), ("builtin", "")]
         .into_iter()
         .enumerate()
         .map(|(nth, (kind, reference))| {
             let refusal = any(vec![not_opened("a"), error()]);
-            let trace = vec![(network(kind, reference), refusal), (step_of("a", None, None), error()), (close("a"), not_closed("a"))];
+            let trace = vec![
+                (network(kind, reference), refusal),
+                (step_of("a", None, None), error()),
+                (close("a"), not_closed("a")),
+            ];
             let refuses = super::replies(trace.iter().map(|(_, reply)| reply.clone()).collect());
             let opens = super::replies(vec![opened("a"), observation("a"), closed("a")]);
             case(format!("refused/{nth}"), &["NCP-SESS-024", "NCP-SESS-026"], trace)
                 .shows(any(vec![refuses, opens]))
-                .title(format!("A session of an unusual network ({kind} `{reference}`) is open only if the server said so."))
-                .because("A server does not open a session that it answered with `ok` false, and answers a step for it with an error frame.")
+                .title(format!(
+                    "A session of an unusual network ({kind} `{reference}`) is open only if the server \
+                                said so."
+                ))
+                .because(
+                    "A server does not open a session that it answered with `ok` false, and answers a step for \
+                          it with an error frame.",
+                )
         })
         .collect()
 }
@@ -214,9 +229,11 @@ fn versions() -> Vec<Case> {
                 .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} is refused."))
                 .flags(&["lenient-versions"])
                 .because(if well_formed {
-                    "A server answers an `open_session` of an incompatible `ncp_version` with a `session_opened` in which `ok` is false."
+                    "A server answers an `open_session` of an incompatible `ncp_version` with a `session_opened` in \
+                     which `ok` is false."
                 } else {
-                    "A server answers an `open_session` of a malformed `ncp_version` with a `session_opened` in which `ok` is false, or with an error frame."
+                    "A server answers an `open_session` of a malformed `ncp_version` with a `session_opened` in \
+                     which `ok` is false, or with an error frame."
                 }),
         );
         if ![0, 2, 7].contains(&nth) {
@@ -263,8 +280,9 @@ fn times() -> Vec<Case> {
         ("text", "\"10\""),
         ("boolean", "true"),
     ] {
-        let request =
-            object! { "ncp_version" => WIRE_VERSION, "kind" => "step_request", "session_id" => "a", "advance_ms" => Json::literal(literal) }.text();
+        let request = object! { "ncp_version" => WIRE_VERSION, "kind" => "step_request", "session_id" => "a",
+        "advance_ms" => Json::literal(literal) }
+        .text();
         cases.push(
             case(
                 format!("time/literal/{name}"),
@@ -312,7 +330,8 @@ fn failures() -> Vec<Case> {
             &["NCP-SESS-037"],
             format!("A step whose {what} leaves the doubles is an error, and costs no other session."),
             vec![open(), (Open::lif("b").text(), opened("b")), fails(), steps("b", 10.0)],
-            "A request that fails within the simulator costs that request only, and is answered with an error frame; no frame can hold an infinity.",
+            "A request that fails within the simulator costs that request only, and is answered with an error \
+             frame; no frame can hold an infinity.",
         );
         push(
             "/goes-on",

@@ -97,8 +97,9 @@ pub(crate) fn step(id: &str, advance: Option<f64>, value: Option<(&str, f64)>) -
 }
 
 pub(crate) fn run(id: &str, duration: f64) -> String {
-    object! { "ncp_version" => WIRE_VERSION, "kind" => "run_request", "session_id" => id, "duration_ms" => num(duration) }
-        .text()
+    object! { "ncp_version" => WIRE_VERSION, "kind" => "run_request", "session_id" => id,
+    "duration_ms" => num(duration) }
+    .text()
 }
 
 pub(crate) fn close(id: &str) -> String {

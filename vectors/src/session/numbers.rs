@@ -324,7 +324,8 @@ fn stimuli() -> Vec<Case> {
 fn reach() -> Vec<Case> {
     let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
     let drive = |target: &str, ids: &[u32]| {
-        object! { "port" => "in", "target" => target, "kind" => "current_pA", "ids" => ids.iter().copied().collect::<Json>() }
+        object! { "port" => "in", "target" => target, "kind" => "current_pA",
+        "ids" => ids.iter().copied().collect::<Json>() }
     };
     let of =
         |target: &str, port: &str| record(port, "V_m", 5.0).with("target", target.into()).with("port", port.into());
@@ -354,13 +355,13 @@ fn reach() -> Vec<Case> {
             reference(
                 format!("reach/{name}"),
                 &["NCP-SESS-055"],
-                vec![
-                    (open.text(), opened("a")),
-                    (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", records)),
-                ],
+                vec![(open.text(), opened("a")), (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", records))],
             )
             .title(format!("A stimulus reaches {words} ({name})."))
-            .because("A stimulus reaches the neurons of its target that its `ids` name, all of them when it names none, and no others.")
+            .because(
+                "A stimulus reaches the neurons of its target that its `ids` name, all of them when it names \
+                      none, and no others.",
+            )
         })
         .collect()
 }
@@ -405,9 +406,16 @@ fn ports() -> Vec<Case> {
         ("odd-name", vec![record("the port/1", "V_m", 1.0)], object! { "the port/1" => some() }),
     ] {
         cases.push(
-            reference(format!("port/{name}"), &["NCP-SESS-038"], vec![(driven(records).text(), opened("a")), (step("a", None, None), recorded("a", exactly(expected)))])
-                .title(format!("A session returns the ports that it records and no other ({name})."))
-                .because("A server returns, in `records`, an observation for each port that the session records, and for no other."),
+            reference(
+                format!("port/{name}"),
+                &["NCP-SESS-038"],
+                vec![(driven(records).text(), opened("a")), (step("a", None, None), recorded("a", exactly(expected)))],
+            )
+            .title(format!("A session returns the ports that it records and no other ({name})."))
+            .because(
+                "A server returns, in `records`, an observation for each port that the session records, \
+                          and for no other.",
+            ),
         );
     }
     // One neuron of three, by its id; and all three.
@@ -485,7 +493,10 @@ fn cadences() -> Vec<Case> {
                 vec![open(dt, cadence), (step("a", Some(20.0), None), at(&multiples(cadence, 0.0, 20.0)))],
             )
             .title(format!("A port of a cadence of {cadence} ms is sampled at its multiples, in steps of {dt} ms."))
-            .because("The backend samples a port at every multiple of its `cadence_ms`, from the first after the session opened."),
+            .because(
+                "The backend samples a port at every multiple of its `cadence_ms`, from the first after the \
+                      session opened.",
+            ),
         );
     }
     for (cadence, advance) in [(2.0, 3.0), (5.0, 4.0)] {
@@ -498,7 +509,10 @@ fn cadences() -> Vec<Case> {
         cases.push(
             reference(format!("cadence/{name}"), &["NCP-SESS-053"], trace)
                 .title("A port is sampled at multiples of its cadence since the session opened, not since the request.")
-                .because("The backend samples a port at every multiple of its `cadence_ms`, from the first after the session opened."),
+                .because(
+                    "The backend samples a port at every multiple of its `cadence_ms`, from the first after \
+                          the session opened.",
+                ),
         );
     }
     cases

@@ -23,7 +23,8 @@ pub(super) fn file() -> File {
     cases.extend(stimuli());
     cases.extend(unstamped());
     cases.extend(stamped());
-    let about = "Frames of every kind at a strict receiver: with a version, without one, with another, and commands without a stamp.";
+    let about = "Frames of every kind at a strict receiver: with a version, without one, with another, and commands \
+                 without a stamp.";
     File::new("strict", "frames", about, cases)
 }
 
@@ -88,7 +89,9 @@ fn versions(kind: &str) -> Vec<Case> {
         rejects(case(kind, &format!("version/{what}"), &["NCP-STRICT-003"]), kind, &other, "version")
             .title(format!("{} of the version `{version}` is rejected by a strict receiver.", a(kind)))
             .flags(&["L07"])
-            .because(format!("The version guard of chapter 2 does not hold that version compatible with {WIRE_VERSION}."))
+            .because(format!(
+                "The version guard of chapter 2 does not hold that version compatible with {WIRE_VERSION}."
+            ))
     }));
     cases
 }
@@ -221,10 +224,21 @@ fn unstamped() -> Vec<Case> {
         for (what, seq) in seqs {
             let path = format!("stamp/{what}/{mode_name}");
             cases.push(
-                rejects(case("command_frame", &path, &["NCP-STRICT-004"]), "command_frame", &command(mode, seq), "value")
-                    .title(format!("A command with the mode {mode_name} and the seq {what} is rejected by a strict receiver."))
-                    .flags(&["L08"])
-                    .because("A strict receiver rejects a command frame whose seq is less than 1, whatever its mode; an absent one reads as 0."),
+                rejects(
+                    case("command_frame", &path, &["NCP-STRICT-004"]),
+                    "command_frame",
+                    &command(mode, seq),
+                    "value",
+                )
+                .title(format!(
+                    "A command with the mode {mode_name} and the seq {what} is rejected by a strict \
+                                    receiver."
+                ))
+                .flags(&["L08"])
+                .because(
+                    "A strict receiver rejects a command frame whose seq is less than 1, whatever its \
+                              mode; an absent one reads as 0.",
+                ),
             );
         }
     }

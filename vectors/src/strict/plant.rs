@@ -15,7 +15,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.cases("estop-broken", broken_stop)?);
     cases.extend(text.rest(|row| Ok(case(row, &events(row)?)))?);
-    let about = "A strict plant: commands that advance, and those that are rejected or dropped and change nothing, ESTOP \
+    let about = "A strict plant: commands that advance, and those that are rejected or dropped and change nothing, \
+                 ESTOP \
                  aside.";
     Ok(File::new("strict", "plant", about, cases))
 }

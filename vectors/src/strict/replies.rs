@@ -47,7 +47,9 @@ fn cases(request: &str, reply: &str) -> Vec<Case> {
             ))
             .flags(&["L07"])
             .rejects("version")
-            .because(format!("The version guard of chapter 2 does not hold that version compatible with {WIRE_VERSION}."))
+            .because(format!(
+                "The version guard of chapter 2 does not hold that version compatible with {WIRE_VERSION}."
+            ))
     }));
     cases
 }

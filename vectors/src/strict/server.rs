@@ -148,7 +148,10 @@ fn doors() -> Vec<Case> {
                 at(case(format!("door/{kind}/{verb}"), &["NCP-STRICT-007"], trace), &verbs)
                     .title(format!("A strict server does not carry out a `{kind}` at the key of `{verb}`."))
                     .flags(&["L04"])
-                    .because("The request comes at another control key than that of its kind: an error frame, and it is not carried out."),
+                    .because(
+                        "The request comes at another control key than that of its kind: an error frame, and \
+                              it is not carried out.",
+                    ),
             );
         }
     }

@@ -104,13 +104,25 @@ impl Encoder {
                 .flags(&["byte-order-mark"])
                 .because("An encoder writes UTF-8 without a byte order mark; with one, no receiver reads the frame."),
         );
-        let control = "\"\\/\u{8}\u{c}\n\r\t\u{0}\u{1}\u{b}\u{f}\u{10}\u{1f}\u{7f}\u{80}\u{e9}\u{2028}\u{2029}\u{feff}\u{ffff}\u{1f681}";
+        let control = "\"\\/\u{8}\u{c}\n\r\t\u{0}\u{1}\u{b}\u{f}\u{10}\u{1f}\u{7f}\u{80}\u{e9}\
+                       \u{2028}\u{2029}\u{feff}\u{ffff}\u{1f681}";
         if let Some(field) = self.free_string() {
             cases.push(
-                self.says("string", &[WRITE, "NCP-WIRE-092"], &self.fields(explicit(self.kind)).with(field, Json::string(control)))
-                    .title(format!("{} whose `{field}` holds quotes, control characters and characters of every width is written as JSON that says the same.", a(self.kind)))
-                    .flags(&["string-escapes"])
-                    .because("The field is written, in UTF-8, and JSON has an escape for what may not stand in a string."),
+                self.says(
+                    "string",
+                    &[WRITE, "NCP-WIRE-092"],
+                    &self.fields(explicit(self.kind)).with(field, Json::string(control)),
+                )
+                .title(format!(
+                    "{} whose `{field}` holds quotes, control characters and characters of every \
+                                    width is written as JSON that says the same.",
+                    a(self.kind)
+                ))
+                .flags(&["string-escapes"])
+                .because(
+                    "The field is written, in UTF-8, and JSON has an escape for what may not stand in a \
+                              string.",
+                ),
             );
         }
         cases
@@ -267,9 +279,16 @@ impl Encoder {
                     let entries = keys.iter().map(|key| ((*key).to_owned(), sample.clone())).collect();
                     cases.push(
                         self.at(&name, &format!("order-of-{what}"), &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
-                            .title(format!("{} has the entries of `{shown}` sorted by the code points of their keys: {says}.", a(self.kind)))
+                            .title(format!(
+                                "{} has the entries of `{shown}` sorted by the code points of their \
+                                            keys: {says}.",
+                                a(self.kind)
+                            ))
                             .flags(&["map-order"])
-                            .because("Code points decide: not the order of insertion, not UTF-16 units, not letter case, not numbers."),
+                            .because(
+                                "Code points decide: not the order of insertion, not UTF-16 units, not letter \
+                                      case, not numbers.",
+                            ),
                     );
                 }
                 if matches!(**value, Shape::Message(_)) {
@@ -299,7 +318,10 @@ impl Encoder {
         let mut cases = Vec::new();
         match self.kind {
             "command_frame" => {
-                let step = |x: &str| object! { "v" => object! { "data" => [x].into_iter().map(Json::literal).collect::<Json>(), "unit" => "m/s" } };
+                let step = |x: &str| {
+                    object! { "v" => object! { "data" =>
+                    [x].into_iter().map(Json::literal).collect::<Json>(), "unit" => "m/s" } }
+                };
                 let steps = Json::Array(vec![step("1.0"), step("0.5"), Json::object()]);
                 let fields = self
                     .fields(explicit(self.kind))
@@ -307,7 +329,10 @@ impl Encoder {
                     .with("horizon_dt_ms", Json::literal("20.0"));
                 cases.push(
                     self.says("horizon/plain-maps", &["NCP-WIRE-051"], &fields)
-                        .title("A `command_frame` has its horizon as an array of plain channel maps, an empty one included.")
+                        .title(
+                            "A `command_frame` has its horizon as an array of plain channel maps, an empty one \
+                                included.",
+                        )
                         .flags(&["proto-json-names"])
                         .because("The member that wraps a map in the proto does not travel."),
                 );
@@ -329,7 +354,10 @@ impl Encoder {
                 let fields = self.fields(explicit(self.kind)).with("provenance", provenance);
                 cases.push(
                     self.writes("pins", &["NCP-PROV-007", "NCP-PROV-008"], &fields)
-                        .title("A `session_opened` with a provenance of which no pin is set carries both pins, at their values.")
+                        .title(
+                            "A `session_opened` with a provenance of which no pin is set carries both pins, at \
+                                their values.",
+                        )
                         .flags(&["unchecked-pins"])
                         .because("Both pins stand in every `provenance`."),
                 );
@@ -343,7 +371,10 @@ impl Encoder {
                     .with("sim", Json::object());
                 cases.push(
                     self.writes("defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &fields)
-                        .title("An `open_session` with targets, bindings and a configuration of which nothing is set has every field of them.")
+                        .title(
+                            "An `open_session` with targets, bindings and a configuration of which nothing is \
+                                set has every field of them.",
+                        )
                         .flags(&["omitted-fields"])
                         .because("The rules for encoders hold at every level."),
                 );
@@ -355,7 +386,10 @@ impl Encoder {
                     .with("safety", Json::object());
                 cases.push(
                     self.writes("defaults-within", &["NCP-WIRE-090", "NCP-WIRE-081", "NCP-WIRE-082"], &fields)
-                        .title("A `capabilities` frame with a channel and limits of which nothing is set has every field of them.")
+                        .title(
+                            "A `capabilities` frame with a channel and limits of which nothing is set has every \
+                                field of them.",
+                        )
                         .flags(&["omitted-fields"])
                         .because("The rules for encoders hold at every level."),
                 );

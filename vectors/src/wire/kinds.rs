@@ -5,13 +5,15 @@ use crate::case::{Case, File};
 use crate::json::Json;
 use crate::model::{WIRE_VERSION, explicit, full, meaning, minimal};
 use crate::roles::{a, readers};
+use crate::scenario::beside;
 use crate::text::tables;
 
 pub(super) fn file() -> File {
     let mut cases = unknown_kinds();
     cases.extend(other_kinds());
     cases.extend(versions());
-    let about = "Frames of an unknown kind, frames of another kind than the expected one, and versions, which decoding keeps as they are.";
+    let about = "Frames of an unknown kind, frames of another kind than the expected one, and versions, which \
+                 decoding keeps as they are.";
     File::new("wire", "kinds", about, cases)
 }
 
@@ -110,8 +112,15 @@ fn twin(kind: &str) -> Option<&'static str> {
 }
 
 fn versions() -> Vec<Case> {
-    let versions =
-        [("newer", "0.6"), ("major", "1.0"), ("malformed", "not a version"), ("empty", ""), ("leading-zero", "0.05")];
+    let newer = beside(1);
+    let zero = WIRE_VERSION.replacen('.', ".0", 1);
+    let versions = [
+        ("newer", newer.as_str()),
+        ("major", "1.0"),
+        ("malformed", "not a version"),
+        ("empty", ""),
+        ("leading-zero", &zero),
+    ];
     let mut cases = Vec::new();
     for kind in crate::roles::ANY {
         for (what, version) in versions {

@@ -103,7 +103,9 @@ fn fits(kind: &'static str) -> Vec<Case> {
                 .flags(&["nested-stimulus"])
                 .decode(kind, frame.text())
                 .means(meaning(kind, &frame).text())
-                .because(format!("What stands there agrees with the request; a request without a version has {WIRE_VERSION}."))
+                .because(format!(
+                    "What stands there agrees with the request; a request without a version has {WIRE_VERSION}."
+                ))
         })
         .map(|case| {
             if case.path.ends_with("/other-version-in-both") {
@@ -147,7 +149,9 @@ fn misfits(kind: &'static str) -> Vec<Case> {
             format!("has the session `{session}`"),
         ));
     }
-    for (name, version) in [("older", beside(-1)), ("newer", beside(1)), ("empty", String::new()), ("malformed", "x".to_owned())] {
+    for (name, version) in
+        [("older", beside(-1)), ("newer", beside(1)), ("empty", String::new()), ("malformed", "x".to_owned())]
+    {
         table.push((
             format!("version-{name}"),
             object! { "ncp_version" => version.as_str() },
@@ -190,12 +194,16 @@ fn misfits(kind: &'static str) -> Vec<Case> {
         .collect();
     cases.push(
         Case::new(format!("{kind}/misfit/version-of-absent"), &["NCP-WIRE-038"], readers(kind))
-            .title(format!("{} of version {} whose stimulus frame says {WIRE_VERSION} is rejected.", a(kind), beside(-1)))
+            .title(format!(
+                "{} of version {} whose stimulus frame says {WIRE_VERSION} is rejected.",
+                a(kind),
+                beside(-1)
+            ))
             .flags(&["nested-stimulus"])
             .decode(
                 kind,
                 minimal(kind)
-                    .with("ncp_version", string("0.4"))
+                    .with("ncp_version", string(&beside(-1)))
                     .with("stimulus", object! { "ncp_version" => WIRE_VERSION })
                     .text(),
             )

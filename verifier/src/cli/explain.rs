@@ -200,7 +200,8 @@ impl Page {
             return self.finding(id, finding);
         }
         let shown = self.style.bold(flag);
-        let class = Flag::of(flag).map_or_else(String::new, |flag| format!(", a bug of the class \u{ab}{}\u{bb}", flag.class));
+        let class = |flag: &Flag| format!(", a bug of the class \u{ab}{}\u{bb}", flag.class);
+        let class = Flag::of(flag).map_or_else(String::new, class);
         self.line(&format!("  {shown}{class}"));
         for note in suite.notes(flag) {
             self.paragraph(2, note);
