@@ -50,7 +50,6 @@ use sha2::{Digest as _, Sha256};
 ///
 /// # Errors
 /// [`ScenarioError`] if a line of the scenario text is wrong.
-#[must_use]
 pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
     let areas = [
         wire::files()?,

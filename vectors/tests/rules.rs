@@ -25,9 +25,12 @@ const NOT_SHOWN: &[(&str, &str)] = &[
 
 /// The cases of the corpus.
 fn cases() -> Vec<Value> {
-    let files =
-        ncp_vectors::generate().unwrap().into_iter().map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
-    files.flat_map(|file| file["cases"].as_array().unwrap().clone()).collect()
+    static CASES: LazyLock<Vec<Value>> = LazyLock::new(|| {
+        let files = ncp_vectors::generate().unwrap().into_iter();
+        let files = files.map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
+        files.flat_map(|file| file["cases"].as_array().unwrap().clone()).collect()
+    });
+    CASES.clone()
 }
 
 fn strings(list: &Value) -> Vec<&str> {

@@ -132,6 +132,7 @@ impl Capabilities {
 }
 
 /// One step of a trace.
+#[expect(clippy::large_enum_variant, reason = "nearly every step is of the large one")]
 #[derive(Debug, Clone)]
 pub(super) enum Step {
     Govern { command: Command, now: f64, sensor: Option<Sensor>, last: Option<f64> },

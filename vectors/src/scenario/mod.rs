@@ -18,7 +18,7 @@
 //! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the
 //! value of
 //! `x`, `{x.name}` for its name, `{x.first}` for its first part; `{row}` for a row's name and `{cell}` for one of its
-//! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` is `x` with its article. `{version}` is the wire
+//! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` and `{x:an}` are `x` with its article. `{version}` is the wire
 //! version, `{older}` and `{newer}` are the minors
 //! beside it, `{major}` and `{minor}` its parts, `{minor-wraps-at-8}` the minor and 2^8; `{hash}` is the contract
 //! hash. A row, a rule or a flag that ends in `@value` is for that value alone.
@@ -470,6 +470,9 @@ impl Row {
         }
         if let Some(word) = word.strip_suffix(":spaced") {
             return Ok(self.stands_for(word, depth)?.replace('-', " "));
+        }
+        if let Some(word) = word.strip_suffix(":an") {
+            return Ok(a(&self.stands_for(word, depth)?).replacen('A', "a", 1));
         }
         if let Some(word) = word.strip_suffix(":a") {
             return Ok(a(&self.stands_for(word, depth)?));

@@ -30,7 +30,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         session_id::file(),
         stimulus::file(),
         pins::file(),
-        reply::file(),
+        reply::file()?,
     ]);
     files.extend(encode::files());
     Ok(files)
