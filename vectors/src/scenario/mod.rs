@@ -18,7 +18,7 @@
 //! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the
 //! value of
 //! `x`, `{x.name}` for its name, `{x.first}` for its first part; `{row}` for a row's name and `{cell}` for one of its
-//! cells; `{x:spaced}` has spaces for the hyphens, and `{x:a}` and `{x:an}` are `x` with its article. `{version}` is the wire
+//! cells; `{x:spaced}` has spaces for the hyphens, and `{{` is a brace, `{x:a}` and `{x:an}` are `x` with its article. `{version}` is the wire
 //! version, `{older}` and `{newer}` are the minors
 //! beside it, `{major}` and `{minor}` its parts, `{minor-wraps-at-8}` the minor and 2^8; `{hash}` is the contract
 //! hash. A row, a rule or a flag that ends in `@value` is for that value alone.
@@ -448,6 +448,11 @@ impl Row {
         let mut rest = text;
         while let Some((before, inside)) = rest.split_once('{') {
             out.push_str(before);
+            if let Some(after) = inside.strip_prefix('{') {
+                out.push('{');
+                rest = after;
+                continue;
+            }
             let is_word = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || matches!(c, '-' | '.' | ':');
             match inside.split_once('}') {
                 Some((word, after)) if !word.is_empty() && word.chars().all(is_word) => {

@@ -13,6 +13,7 @@ mod spellings;
 mod stimulus;
 
 use crate::case::File;
+pub(crate) use reply::reply;
 use crate::scenario::ScenarioError;
 
 /// The rule that a plain value is read as the frame gives it.
@@ -28,7 +29,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         members::file()?,
         kinds::file(),
         session_id::file(),
-        stimulus::file(),
+        stimulus::file()?,
         pins::file(),
         reply::file()?,
     ]);

@@ -8,11 +8,12 @@ use crate::patch::patched;
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
-    let cases = Scenarios::read(source!("wire/reply"))?.rest(reply)?;
+    let cases = Scenarios::read(source!("wire/reply"))?.rest(|row| reply(row, minimal(&row.fill("{pair.name}")?)))?;
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
 }
 
-fn reply(row: &Row) -> Result<Case, ScenarioError> {
+/// A case of a row: a reply to that request.
+pub(crate) fn reply(row: &Row, request: Json) -> Result<Case, ScenarioError> {
     let cell = row.text("frame")?;
     let (frame, changes) = cell.split_once(" | ").unwrap_or((&cell, ""));
     let (ground, kind) = frame.split_once(' ').unwrap_or((frame, ""));
@@ -26,7 +27,6 @@ fn reply(row: &Row) -> Result<Case, ScenarioError> {
         "twice" => text.repeat(2),
         ground => return Err(row.place.wants("frame of a reply", ground)),
     };
-    let request = minimal(&row.fill("{pair.name}")?);
     let (request, expect) = match row.cell("expect")?.split_once('-') {
         Some((expect, session)) => (request.with("session_id", Json::string(session)), expect),
         None => (request, row.cell("expect")?),
