@@ -11,6 +11,7 @@
 //! | `mutants` | holds the suite against peers with planted defects |
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
 //! | `prove` | drives the engines of `proofs/` |
+//! | `proofs` | what git keeps of what the engines found |
 //! | `fuzz` | drives the targets of `fuzz/` |
 //! | `lock` | what git keeps of what was found: digests, counts, and fates by id |
 //! | `reports` | where the short pages and the long reports go |
@@ -30,6 +31,7 @@ mod lock;
 mod mutants;
 mod mutate;
 mod planted;
+mod proofs;
 mod prove;
 mod reports;
 mod status;
@@ -94,7 +96,12 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
         Command::Mutate(command) => mutate::run(&project, command),
-        Command::Prove(args) => Ok(prove::run(&project, args)?),
+        Command::Prove(args) => {
+            let before = proofs::Before::of(&project)?;
+            let good = prove::run(&project, args)?;
+            proofs::keep(&project, args.engines(), &before)?;
+            Ok(good)
+        }
         Command::Fuzz(args) => Ok(fuzz::run(&project, args)?),
     }
 }
@@ -116,6 +123,8 @@ enum Error {
     Suite(#[from] ncp_verifier::suite::SuiteError),
     #[error(transparent)]
     Status(#[from] status::StatusError),
+    #[error(transparent)]
+    Proofs(#[from] proofs::ProofsError),
     #[error(transparent)]
     Lock(#[from] lock::LockError),
     #[error(transparent)]

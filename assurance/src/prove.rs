@@ -38,6 +38,11 @@ pub(crate) struct ProveArgs {
 }
 
 impl ProveArgs {
+    /// The engines that were named; empty: all.
+    pub(crate) fn engines(&self) -> &[String] {
+        &self.engines
+    }
+
     fn wants(&self, engine: &str) -> bool {
         self.engines.is_empty() || self.engines.iter().any(|wanted| wanted == engine)
     }

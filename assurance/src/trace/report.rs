@@ -198,6 +198,6 @@ fn entry(evidence: &Evidence) -> String {
         "" => file.rsplit('/').next().unwrap_or(file),
         item => item,
     };
-    let link = format!("[{}](../../{file})", name);
+    let link = format!("[{name}](../../{file})");
     if *kind == EvidenceKind::Vector { format!("{link} {count}") } else { link }
 }
