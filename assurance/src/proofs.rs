@@ -65,7 +65,7 @@ pub(crate) fn keep(project: &Project, engines: &[String], before: &Before) -> Re
     let root = project.path("");
     let report = read(&project.path(REPORT))?;
     let ran = |engine: &&str| engines.is_empty() || engines.iter().any(|named| named == engine);
-    for (name, made_by) in MADE_BY.iter().filter(|(_, made_by)| made_by.iter().all(|engine| ran(&engine))) {
+    for (name, made_by) in MADE_BY.iter().filter(|(_, made_by)| made_by.iter().all(|engine| ran(engine))) {
         let sources = before.0.get(name).cloned().unwrap_or_default();
         lock(&report, made_by, sources).write(&root, name)?;
     }

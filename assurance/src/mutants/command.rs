@@ -1,7 +1,7 @@
 //! `cargo assure mutants`.
 
 use std::io::IsTerminal as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
@@ -43,7 +43,7 @@ pub(crate) struct MutantsArgs {
     /// The vectors of this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     vectors: Option<PathBuf>,
-    /// Where to write the reports; the lock is only written to the project's own
+    /// Where to write the reports; the lock is written only with those of the project
     #[arg(long, value_name = "DIR", default_value = reports::PAGES)]
     reports: PathBuf,
 }
@@ -97,7 +97,7 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
         let folder = root.join(&args.reports);
         reports::page(&folder, ARTEFACT, &report.page())?;
         reports::full(&folder, ARTEFACT, &report, &report.full_page())?;
-        if args.program.is_none() {
+        if args.program.is_none() && args.reports == Path::new(reports::PAGES) {
             report.lock(sources).write(&root, ARTEFACT)?;
         }
     }
