@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
-use crate::digest;
+use ncp_proofs::digest::{self, ARTEFACTS as PROOFS};
 
 /// Something that is made from the sources and kept in git.
 #[derive(Debug)]
@@ -75,13 +75,6 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         command: GENERATE,
     },
     Artefact {
-        name: "typescript",
-        makes: &["peers/typescript/src/generated"],
-        sources: &["proto/ncp.proto", "proto/projection.json", "proto/src", "spec/text"],
-        freshness: Freshness::Generated,
-        command: GENERATE,
-    },
-    Artefact {
         name: "header",
         makes: &["peers/cpp/include/ncp.h"],
         sources: &["peers/cpp/src", "peers/cpp/cbindgen.toml"],
@@ -91,7 +84,7 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
     Artefact {
         name: "corpus",
         makes: &["vectors/corpus", CORPUS],
-        sources: &["vectors/src", "spec/text"],
+        sources: &["vectors/src", "vectors/scenarios", "vectors/flags.toml", "vectors/findings.toml", "spec/text"],
         freshness: Freshness::Generated,
         command: GENERATE,
     },
@@ -117,70 +110,28 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
     Artefact {
         name: "proofs-kernel",
         makes: &["reports/proofs.md", "proofs/evidence"],
-        sources: &[
-            "spec/kernel/src",
-            "defects/kernel.toml",
-            "proofs/build.rs",
-            "proofs/src/broken.rs",
-            "proofs/src/engines",
-            "proofs/src/kernel.rs",
-            "proofs/src/properties",
-            "proofs/src/prover.rs",
-            "proofs/src/reference.rs",
-            "proofs/src/vector",
-            "proofs/src/vector.rs",
-        ],
+        sources: PROOFS[0].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "symbolic", "--engine", "enumeration", "--engine", "kani-stand-in"],
     },
     Artefact {
         name: "proofs-machine",
         makes: &["reports/proofs.md"],
-        sources: &[
-            "spec/kernel/src",
-            "proofs/machine/broken",
-            "proofs/machine/broken.json",
-            "proofs/machine/build.rs",
-            "proofs/machine/explore.py",
-            "proofs/machine/machine.py",
-            "proofs/machine/native.py",
-            "proofs/machine/properties.py",
-            "proofs/machine/prove.sh",
-            "proofs/machine/solver.py",
-            "proofs/machine/src",
-            "proofs/machine/vector.py",
-        ],
+        sources: PROOFS[1].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "machine"],
     },
     Artefact {
         name: "proofs-model",
         makes: &["reports/proofs.md"],
-        sources: &[
-            "spec/kernel/src",
-            "spec/src/contract.rs",
-            "spec/src/reply.rs",
-            "spec/src/resilience",
-            "spec/src/safety",
-            "spec/src/session",
-            "spec/src/version.rs",
-            "spec/src/wire",
-            "proofs/model/src",
-        ],
+        sources: PROOFS[2].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "model"],
     },
     Artefact {
         name: "proofs-readers",
         makes: &["reports/proofs.md"],
-        sources: &[
-            "spec/src/bulk",
-            "spec/src/keys.rs",
-            "spec/src/version.rs",
-            "defects/readers.toml",
-            "proofs/readers/build.rs",
-            "proofs/readers/src",
-        ],
+        sources: PROOFS[3].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "readers"],
     },

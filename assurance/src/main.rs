@@ -10,6 +10,7 @@
 //! | `trace` | leads from every rule to what shows it, and back |
 //! | `mutants` | holds the suite against peers with planted defects |
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
+//! | `proofs` | what git keeps of what the engines found |
 //! | `prove` | drives the engines of `proofs/` |
 //! | `proofs` | what git keeps of what the engines found |
 //! | `fuzz` | drives the targets of `fuzz/` |
@@ -17,14 +18,12 @@
 //! | `reports` | where the short pages and the long reports go |
 //! | `document` | one document, written as Markdown and as HTML |
 //! | `planted` | copies the project's sources with planted defects |
-//! | `digest` | over the files on which an artefact depends |
 //! | `console` | colours, widths and Ctrl-C |
 
 #![forbid(unsafe_code)]
 
 mod artefact;
 mod console;
-mod digest;
 mod document;
 mod fuzz;
 mod lock;
@@ -99,7 +98,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Prove(args) => {
             let before = proofs::Before::of(&project)?;
             let good = prove::run(&project, args)?;
-            proofs::keep(&project, args.engines(), &before)?;
+            proofs::keep(&project, args.engines(), &before, args.report)?;
             Ok(good)
         }
         Command::Fuzz(args) => Ok(fuzz::run(&project, args)?),

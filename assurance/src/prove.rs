@@ -35,6 +35,9 @@ pub(crate) struct ProveArgs {
     /// Only this engine; may be given again. What the others said of the same sources stays
     #[arg(long = "engine", value_name = "NAME", value_parser = PossibleValuesParser::new(ENGINES))]
     engines: Vec<String>,
+    /// Also write the long report, with every claim in words and symbols: reports/full/proofs.md and .html
+    #[arg(long)]
+    pub(crate) report: bool,
 }
 
 impl ProveArgs {

@@ -40,6 +40,15 @@ pub(crate) fn full(folder: &Path, name: &str, model: &impl Serialize, blocks: &[
     let json = json.map_err(|source| ReportError::Json { name: name.to_owned(), source })?;
     let full = folder.join(FULL);
     write(full.join(format!("{name}.json")), &format!("{json}\n"))?;
+    long_pages(folder, name, blocks)
+}
+
+/// Writes the long forms that people read: `full/<name>.md` and `full/<name>.html`.
+///
+/// # Errors
+/// One of them cannot be written.
+pub(crate) fn long_pages(folder: &Path, name: &str, blocks: &[Block]) -> Result<(), ReportError> {
+    let full = folder.join(FULL);
     write(full.join(format!("{name}.md")), &document::markdown(blocks))?;
     write(full.join(format!("{name}.html")), &document::html(blocks))
 }

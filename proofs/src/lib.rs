@@ -22,7 +22,6 @@
 pub mod broken;
 pub mod counterexample;
 pub mod digest;
-pub mod document;
 pub mod engines;
 pub mod harness;
 pub mod kani_engine;
@@ -31,7 +30,6 @@ mod kani_proofs;
 pub mod kernel;
 #[cfg(feature = "mutants")]
 pub mod mutants;
-pub mod page;
 pub mod properties;
 pub mod prover;
 pub mod provers;

@@ -21,12 +21,11 @@ use ncp_proofs::harness::{Harness, compared, harness};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{PROPERTIES, Property};
 use ncp_proofs::report::{self, Answer, Broken, Found, Report, Run};
-use ncp_proofs::{document, page, terminal};
+use ncp_proofs::terminal;
 use serde::{Deserialize, Serialize};
 
 const USAGE: &str = "\
 Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
-       ncp-prove --render     # reports/proofs.{md,html} from reports/proofs.json
 ";
 
 /// An engine: how it proves, and how it refutes a broken kernel.
@@ -203,11 +202,6 @@ fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
         shown: Mutex::default(),
         root,
     };
-    if args == ["--render"] {
-        let text = fs::read_to_string(place.root.join("reports/proofs.json"))?;
-        render(&place, &serde_json::from_str(&text)?)?;
-        return Ok(true);
-    }
     let (mut names, mut stage) = (Vec::new(), Stage::Whole);
     for pair in args.chunks(2) {
         match pair {
@@ -259,7 +253,7 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     let mut broken =
         if refuted.is_empty() && broken::IS_BUILT { refute_broken(place, &wanted)? } else { BTreeMap::new() };
 
-    let file = place.root.join("reports/proofs.json");
+    let file = place.root.join(report::FILE);
     let before = fs::read_to_string(&file).ok().and_then(|text| serde_json::from_str::<Report>(&text).ok());
     let before = before.unwrap_or_default();
     let mut digests = BTreeMap::new();
@@ -302,9 +296,11 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     for problem in &report.problems {
         println!("PROBLEM: {problem}");
     }
-    fs::create_dir_all(place.root.join("reports"))?;
+    fs::create_dir_all(file.parent().unwrap_or(&place.root))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
-    render(place, &report)?;
+    if report.problems.is_empty() {
+        fs::write(place.evidence.join(report::VECTORS), report::vectors(&report))?;
+    }
     if report.problems.is_empty() {
         println!("{}", terminal::proved(&report));
     }
@@ -492,14 +488,6 @@ fn refute_one(
         counterexample: answer.ok(),
         missed,
     }))
-}
-
-fn render(place: &Place, report: &Report) -> Result<(), Box<dyn Error>> {
-    let document = page::document(report);
-    let reports = place.root.join("reports");
-    fs::write(reports.join("proofs.md"), document::markdown(&document))?;
-    fs::write(reports.join("proofs.html"), document::html(&document))?;
-    Ok(())
 }
 
 /// Does so many things, some at a time; the answers in their order.

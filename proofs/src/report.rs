@@ -1,4 +1,4 @@
-//! The report as data: what each engine found out, and what keeps all of it from being shown. `page` shows it.
+//! The report as data: what each engine found out, and what keeps all of it from being shown.
 //!
 //! An engine that is a program of its own leaves an [`Engine`] as JSON, and the report is one [`Report`].
 
@@ -17,6 +17,10 @@ use crate::harness::Harness;
 use crate::properties::{Family, PROPERTIES};
 use crate::vector;
 
+/// Where the report is written, from the root of the project.
+pub const FILE: &str = "reports/full/proofs.json";
+/// The file of the evidence that holds the counterexamples as a file of vectors.
+pub const VECTORS: &str = "vectors.json";
 /// The form of the report.
 pub const FORMAT: u32 = 3;
 /// Engines whose proofs cover all inputs within the bounds that they state.
@@ -43,6 +47,36 @@ pub struct Report {
     pub run: Run,
     /// What keeps it from being shown; empty when all is.
     pub problems: Vec<String>,
+}
+
+/// Every counterexample to a planted defect that a call of the peer protocol shows, as a file of vectors with a case a
+/// line.
+#[must_use]
+pub fn vectors(report: &Report) -> String {
+    let mut cases = Vec::new();
+    for engine in &report.engines {
+        for broken in &engine.broken {
+            let Some(vector) = broken.counterexample.as_ref().and_then(|found| found.vector.as_ref()) else { continue };
+            let id = broken.id.replace(['_', '/'], "-");
+            let case = json!({
+                "id": format!("proofs/report/{}/{id}", engine.name),
+                "title": "What refutes it.",
+                "requirements": ["NCP-VER-001"],
+                "flags": [],
+                "roles": vector["roles"],
+                "call": vector["call"],
+                "args": vector["args"],
+                "expect": vector["expect"],
+                "why": "The report of the proofs says so.",
+            });
+            cases.push(format!("  {case}"));
+        }
+    }
+    let about = "The counterexamples of the proofs.";
+    format!(
+        "{{\"format\":1,\"area\":\"proofs\",\"name\":\"report\",\"about\":{about:?},\"notes\":{{}},\"cases\":[\n{}\n]}}\n",
+        cases.join(",\n")
+    )
 }
 
 /// A claim about the kernel, which several engines are held against.

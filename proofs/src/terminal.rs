@@ -67,7 +67,7 @@ pub fn proved(report: &Report) -> String {
     for engine in &report.engines {
         let _ = writeln!(text, "  {:14} {}", engine.name, count(engine));
     }
-    let _ = writeln!(text, "  {:14} reports/proofs.html, .md, .json", "to read");
+    let _ = writeln!(text, "  {:14} reports/proofs.md, reports/full/proofs.html", "to read");
     text + RULE
 }
 
@@ -150,7 +150,7 @@ mod tests {
             "symbolic       proved 1 of 2; broken ones refuted: 1 of 2",
             "kani-stand-in  tried 1 of 1",
             "kani           not run here",
-            "reports/proofs.html",
+            "reports/full/proofs.html",
         ] {
             assert!(text.contains(part), "{part}: {text}");
         }

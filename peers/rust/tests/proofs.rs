@@ -13,40 +13,13 @@ use ncp_verifier::peer::{Reply, write_request};
 use ncp_verifier::suite::{Case, Suite};
 use serde_json::{Value, json};
 
-const REPORT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reports/proofs.json");
-
-/// The vectors of the report, as a suite of one file.
+/// The vectors of the evidence, as a suite of one file.
 fn suite() -> Suite {
-    let report: Value = serde_json::from_str(&fs::read_to_string(REPORT).unwrap()).unwrap();
-    let mut cases = Vec::new();
-    for engine in report["engines"].as_array().unwrap() {
-        for broken in engine["broken"].as_array().into_iter().flatten() {
-            let vector = &broken["counterexample"]["vector"];
-            if !vector.is_object() {
-                continue;
-            }
-            let id = broken["id"].as_str().unwrap().replace(['_', '/'], "-");
-            let name = engine["name"].as_str().unwrap();
-            cases.push(json!({
-                "id": format!("proofs/report/{name}/{id}"),
-                "title": "What refutes it.",
-                "requirements": ["NCP-VER-001"],
-                "flags": [],
-                "roles": vector["roles"],
-                "call": vector["call"],
-                "args": vector["args"],
-                "expect": vector["expect"],
-                "why": "The report of the proofs says so.",
-            }));
-        }
-    }
-    let file = json!({
-        "format": 1, "area": "proofs", "name": "report", "about": "Vectors of the report.", "cases": cases,
-    });
+    let vectors = concat!(env!("CARGO_MANIFEST_DIR"), "/../../proofs/evidence/vectors.json");
     let folder = tempfile::tempdir().unwrap();
     let area = folder.path().join("proofs");
     fs::create_dir(&area).unwrap();
-    fs::write(area.join("report.json"), file.to_string()).unwrap();
+    fs::copy(vectors, area.join("report.json")).unwrap();
     Suite::load(folder.path()).unwrap()
 }
 

@@ -11,10 +11,10 @@ use xtask::project::Project;
 use super::outcome::{By, Fate, Mutant, Outcome};
 use super::{CARGO_MUTANTS, MODULES, Module, SpecError};
 use crate::artefact::Artefact;
-use crate::digest::of_files;
 use crate::document::{Block, heading, table, text};
 use crate::lock::Lock;
 use crate::reports;
+use ncp_proofs::digest::of_files;
 
 /// The name of its page.
 const PAGE: &str = "cargo-mutants";

@@ -5,12 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use crate::document::Block;
-use crate::engines::symbolic::Origin;
-use crate::report::{Answer, Broken, Claim, Engine, Found, Report, Run, Shown, Words};
+
+use ncp_proofs::engines::symbolic::Origin;
+use ncp_proofs::report::{Answer, Broken, Claim, Engine, Found, Report, Run, Shown, Words};
 
 /// The report as a document.
-#[must_use]
-pub fn document(report: &Report) -> Vec<Block> {
+pub(super) fn document(report: &Report) -> Vec<Block> {
     let engines = &report.engines;
     let mut blocks = vec![
         heading(1, "top", "Proofs of the safety kernel"),
@@ -21,7 +21,7 @@ pub fn document(report: &Report) -> Vec<Block> {
         ),
         text(&format!(
             "Digest of the sources: of what is proved, of what proves it, and of what decides whether it is \
-             (SHA-256): `{}`. `cargo xtask test --only proofs-fresh` compares it with the sources as they are.",
+             (SHA-256): `{}`. `cargo assure status` compares it with the sources as they are.",
             report.digest
         )),
         text(
@@ -57,7 +57,7 @@ pub fn document(report: &Report) -> Vec<Block> {
     blocks.push(not_proved(engines));
     blocks.push(heading(2, "repeat", "Repeat it"));
     blocks.push(text(
-        "All of it, from the root of the repository: `cargo xtask prove`; one engine: `cargo xtask \
+        "All of it, from the root of the repository: `cargo assure prove`; one engine: `cargo assure \
         prove --engine symbolic`. One file of obligations, with a stock solver; every line of the answer has to be \
         `unsat`, as many as the head of the file says:",
     ));

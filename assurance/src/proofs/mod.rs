@@ -1,13 +1,17 @@
 //! What git keeps of the proofs: a lock for each group of engines, and a short page.
 //!
-//! The engines leave their report as JSON; only what is kept of it is read here.
+//! The engines leave their report as JSON.
+//!
+//! - `page`: the long form of the report, for auditors.
+
+mod page;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
+use ncp_proofs::report::{Answer, Broken, Engine, FILE, Report, Verdict};
 use thiserror::Error;
 use xtask::project::Project;
 
@@ -16,8 +20,6 @@ use crate::document::{Block, heading, table, text};
 use crate::lock::{Lock, LockError};
 use crate::reports::{self, ReportError};
 
-/// Where the engines leave their report, from the root of the project.
-const REPORT: &str = "reports/proofs.json";
 /// The artefacts, each with the engines that make it.
 const MADE_BY: [(&str, &[&str]); 4] = [
     ("proofs-kernel", &["symbolic", "enumeration", "kani-stand-in"]),
@@ -61,79 +63,39 @@ impl Before {
 ///
 /// # Errors
 /// The report cannot be read, or a file cannot be written.
-pub(crate) fn keep(project: &Project, engines: &[String], before: &Before) -> Result<(), ProofsError> {
+pub(crate) fn keep(
+    project: &Project,
+    engines: &[String],
+    before: &Before,
+    is_long_wanted: bool,
+) -> Result<(), ProofsError> {
     let root = project.path("");
-    let report = read(&project.path(REPORT))?;
+    let report = read(&project.path(FILE))?;
     let ran = |engine: &&str| engines.is_empty() || engines.iter().any(|named| named == engine);
     for (name, made_by) in MADE_BY.iter().filter(|(_, made_by)| made_by.iter().all(|engine| ran(engine))) {
         let sources = before.0.get(name).cloned().unwrap_or_default();
         lock(&report, made_by, sources).write(&root, name)?;
     }
-    reports::page(&project.path(reports::PAGES), "proofs", &page(&report))?;
+    let pages = project.path(reports::PAGES);
+    reports::page(&pages, "proofs", &summary(&report))?;
+    if is_long_wanted {
+        reports::long_pages(&pages, "proofs", &page::document(&report))?;
+    }
     Ok(())
 }
 
-/// What is read of the report.
-#[derive(Debug, Deserialize)]
-struct Report {
-    properties: Vec<Property>,
-    engines: Vec<Engine>,
-    #[serde(default)]
-    problems: Vec<String>,
+/// What the engine's word is worth: the enumeration covers the values that it lists.
+fn fate(engine: &Engine, answer: &Answer) -> String {
+    let is_partial = engine.name == "enumeration" && answer.verdict == Verdict::Proved;
+    if is_partial { "proved for the listed values".to_owned() } else { answer.verdict.as_str().to_owned() }
 }
 
-/// A claim about the kernel, which several engines are held against.
-#[derive(Debug, Deserialize)]
-struct Property {
-    id: String,
-    rules: Vec<String>,
+fn proved(engine: &Engine) -> usize {
+    engine.results.iter().filter(|answer| answer.verdict == Verdict::Proved).count()
 }
 
-#[derive(Debug, Deserialize)]
-struct Engine {
-    name: String,
-    version: String,
-    about: String,
-    #[serde(default)]
-    results: Vec<Claim>,
-    #[serde(default)]
-    broken: Vec<Broken>,
-    #[serde(default)]
-    not_proved: Vec<String>,
-}
-
-#[derive(Debug, Deserialize)]
-struct Claim {
-    property: String,
-    verdict: String,
-    /// Its own rules, if it is not one of the shared claims.
-    rules: Option<BTreeSet<String>>,
-}
-
-/// A copy of what is proved with a planted defect.
-#[derive(Debug, Deserialize)]
-struct Broken {
-    id: String,
-    /// Present if it is refuted, whatever it holds.
-    counterexample: Option<serde::de::IgnoredAny>,
-}
-
-impl Claim {
-    /// What the engine's word is worth: the enumeration covers the values that it lists.
-    fn fate(&self, engine: &Engine) -> String {
-        let is_partial = engine.name == "enumeration" && self.verdict == "proved";
-        if is_partial { "proved for the listed values".to_owned() } else { self.verdict.clone() }
-    }
-}
-
-impl Engine {
-    fn proved(&self) -> usize {
-        self.results.iter().filter(|claim| claim.verdict == "proved").count()
-    }
-
-    fn refuted(&self) -> usize {
-        self.broken.iter().filter(|broken| broken.counterexample.is_some()).count()
-    }
+fn refuted(engine: &Engine) -> usize {
+    engine.broken.iter().filter(|broken| broken.counterexample.is_some()).count()
 }
 
 fn read(path: &Path) -> Result<Report, ProofsError> {
@@ -147,14 +109,19 @@ fn lock(report: &Report, engines: &[&str], sources: BTreeMap<String, String>) ->
     for engine in report.engines.iter().filter(|engine| engines.contains(&engine.name.as_str())) {
         let name = &engine.name;
         for claim in &engine.results {
-            *lock.counts.entry(format!("{name}-{}", claim.verdict)).or_default() += 1;
-            lock.fates.insert(format!("{name} {}", claim.property), claim.fate(engine));
+            *lock.counts.entry(format!("{name}-{}", claim.verdict.as_str())).or_default() += 1;
+            lock.fates.insert(format!("{name} {}", claim.property), fate(engine, claim));
             let shared = report.properties.iter().find(|property| property.id == claim.property);
-            let shared = || shared.map(|property| property.rules.iter().cloned().collect());
-            let rules: BTreeSet<String> = claim.rules.clone().or_else(shared).unwrap_or_default();
+            let shared = || shared.map(|property| property.words.rules.iter().cloned().collect());
+            let rules: BTreeSet<String> = claim
+                .words
+                .as_ref()
+                .map(|words| words.rules.iter().cloned().collect())
+                .or_else(shared)
+                .unwrap_or_default();
             lock.rules.insert(claim.property.clone(), rules.into_iter().collect());
         }
-        for Broken { id, counterexample } in &engine.broken {
+        for Broken { id, counterexample, .. } in &engine.broken {
             let (end, fate) = if counterexample.is_some() { ("refuted", "refuted") } else { ("missed", "NOT refuted") };
             *lock.counts.entry(format!("{name}-{end}")).or_default() += 1;
             lock.fates.insert(format!("{name} defect {id}"), fate.to_owned());
@@ -164,7 +131,7 @@ fn lock(report: &Report, engines: &[&str], sources: BTreeMap<String, String>) ->
 }
 
 /// The short page: what each engine shows, and what none does.
-fn page(report: &Report) -> Vec<Block> {
+fn summary(report: &Report) -> Vec<Block> {
     let mut page = vec![heading(1, "Proofs"), text(ABOUT)];
     if report.problems.is_empty() {
         page.push(text(
@@ -182,8 +149,8 @@ fn page(report: &Report) -> Vec<Block> {
             engine.name.clone(),
             engine.version.clone(),
             engine.about.clone(),
-            of(engine.proved(), engine.results.len()),
-            of(engine.refuted(), engine.broken.len()),
+            of(proved(engine), engine.results.len()),
+            of(refuted(engine), engine.broken.len()),
         ]
     });
     page.push(table(&["engine", "version", "what it does", "claims proved", "defects refuted"], rows));
@@ -202,24 +169,42 @@ bounds and assumptions, and what is trusted. Each claim and each planted defect 
 
 #[cfg(test)]
 mod tests {
+    use ncp_proofs::report::{Claim, Words};
     use serde_json::json;
 
     use super::*;
 
+    fn words(family: &str, rules: &[&str]) -> Words {
+        let rules = rules.iter().map(|rule| (*rule).to_owned()).collect();
+        let (sentence, statement, bounds) = (String::new(), String::new(), String::new());
+        Words { family: family.to_owned(), rules, sentence, statement, bounds, assumptions: Vec::new() }
+    }
+
+    fn engine(name: &str, results: serde_json::Value, broken: serde_json::Value) -> Engine {
+        let engine = json!({"name": name, "version": "1", "about": "All.", "results": results, "broken": broken});
+        serde_json::from_value(engine).unwrap()
+    }
+
     fn report() -> Report {
-        let word = |property: &str, verdict: &str| json!({"property": property, "verdict": verdict});
-        let broken = json!([{"id": "open_ball", "counterexample": {}}, {"id": "missed", "counterexample": null}]);
-        let report = json!({
-            "properties": [{"id": "clamp/bound", "rules": ["NCP-SAFE-002", "NCP-SAFE-001"]}],
-            "engines": [
-                {"name": "symbolic", "version": "1", "about": "All.", "results": [word("clamp/bound", "proved")], "broken": broken},
-                {"name": "enumeration", "version": "1", "about": "Some.", "results": [word("clamp/bound", "proved")]},
-                {"name": "model", "version": "1", "about": "Worlds.", "not_proved": ["liveness"], "results": [
-                    {"property": "model/plant", "verdict": "proved", "rules": ["NCP-RES-001"]},
-                ]},
+        let proved = |claim: &str| json!({"property": claim, "verdict": "proved"});
+        let broken = |id: &str, counterexample: serde_json::Value| json!({"id": id, "property": "clamp/bound", "family": "clamp", "about": "", "counterexample": counterexample});
+        let found = json!({"check": "c", "inputs": []});
+        let defects = json!([broken("open-ball", found), broken("missed", serde_json::Value::Null)]);
+        let mut model = engine("model", json!([proved("model/plant")]), json!([]));
+        model.not_proved.push("liveness".to_owned());
+        model.results[0].words = Some(words("model", &["NCP-RES-001"]));
+        Report {
+            properties: vec![Claim {
+                id: "clamp/bound".to_owned(),
+                words: words("clamp", &["NCP-SAFE-002", "NCP-SAFE-001"]),
+            }],
+            engines: vec![
+                engine("symbolic", json!([proved("clamp/bound")]), defects),
+                engine("enumeration", json!([proved("clamp/bound")]), json!([])),
+                model,
             ],
-        });
-        serde_json::from_value(report).unwrap()
+            ..Report::default()
+        }
     }
 
     #[test]
@@ -232,7 +217,7 @@ mod tests {
                 ("enumeration clamp/bound", "proved for the listed values"),
                 ("symbolic clamp/bound", "proved"),
                 ("symbolic defect missed", "NOT refuted"),
-                ("symbolic defect open_ball", "refuted"),
+                ("symbolic defect open-ball", "refuted"),
             ]
         );
         assert_eq!(lock.counts["symbolic-missed"], 1);
@@ -242,7 +227,7 @@ mod tests {
 
     #[test]
     fn the_page_says_what_is_not_proved() {
-        let page = crate::document::markdown(&page(&report()));
+        let page = crate::document::markdown(&summary(&report()));
         assert!(
             page.contains("| symbolic | 1 | All. | 1 of 1 | 1 of 2 |") && page.contains("- model: liveness"),
             "{page}"
