@@ -80,7 +80,15 @@ struct Version<'a> {
 }
 
 impl<'a> Version<'a> {
-    const OWN: Version<'static> = Version { major: "", minor: "5" };
+    const OWN: Version<'static> = {
+        let mut dot = 0;
+        while WIRE_VERSION.as_bytes()[dot] != b'.' {
+            dot += 1;
+        }
+        let (major, rest) = WIRE_VERSION.split_at(dot);
+        let (_, minor) = rest.split_at(1);
+        Version { major: without_zero(major), minor: without_zero(minor) }
+    };
 
     // [NCP-VER-001] [NCP-VER-002]
     fn parse(version: &'a str) -> Option<Self> {
@@ -101,6 +109,11 @@ impl<'a> Version<'a> {
 fn integer(part: &str) -> Option<&str> {
     let is_integer = !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
     is_integer.then(|| part.trim_start_matches('0'))
+}
+
+/// The digits of an integer that is written without leading zeros; none for zero.
+const fn without_zero(digits: &str) -> &str {
+    if matches!(digits.as_bytes(), [b'0']) { "" } else { digits }
 }
 
 #[cfg(test)]
