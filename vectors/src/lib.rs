@@ -56,7 +56,7 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         version::files()?,
         keys::files()?,
         bulk::files(),
-        hostile::files(),
+        hostile::files()?,
         safety::files()?,
         resilience::files()?,
         codec::files(),

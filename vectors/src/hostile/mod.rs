@@ -4,12 +4,11 @@ mod encoding;
 mod grammar;
 mod limits;
 
-use crate::case::{Case, File};
-use crate::roles::readers;
-use crate::template::Text;
+use crate::case::File;
+use crate::scenario::ScenarioError;
 
-pub(crate) fn files() -> Vec<File> {
-    vec![encoding::file(), grammar::structure_file(), grammar::token_file(), limits::file()]
+pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
+    Ok(vec![encoding::file(), grammar::structure_file()?, grammar::token_file()?, limits::file()])
 }
 
 /// Kinds that between them every role reads: where nothing but the bytes matters, one of each.
@@ -21,9 +20,4 @@ fn with_raw(frame: &str, member: &str) -> String {
         Some(open) => format!("{open},{member}}}"),
         None => frame.to_owned(),
     }
-}
-
-/// A case that rejects a text.
-fn rejected(kind: &str, what: &str, rules: &[&'static str], text: impl Into<Text>, title: String) -> Case {
-    Case::new(format!("{kind}/{what}"), rules, readers(kind)).title(title).decode(kind, text).rejects("malformed")
 }

@@ -18,10 +18,11 @@
 //! A value of a list may have a name before it, as in `none=0`, and parts, as in `down=5:4`. `{x}` stands for the
 //! value of
 //! `x`, `{x.name}` for its name, `{x.first}` for its first part; `{row}` for a row's name and `{cell}` for one of its
-//! cells; `{x:spaced}` has spaces for the hyphens, and `{{` is a brace, `{x:a}` and `{x:an}` are `x` with its article. `{version}` is the wire
+//! cells; `{x:spaced}` has spaces for the hyphens, and `{{` is a brace, `{hyphen}` a hyphen, `{x:a}` and `{x:an}` are
+//! `x` with its article. `{version}` is the wire
 //! version, `{older}` and `{newer}` are the minors
 //! beside it, `{major}` and `{minor}` its parts, `{minor-wraps-at-8}` the minor and 2^8; `{hash}` is the contract
-//! hash. A row, a rule or a flag that ends in `@value` is for that value alone.
+//! hash. A row, a rule or a flag that ends in `@value` is for that value alone, a row also in `@one/other`.
 //!
 //! What a body says is the affair of the code that makes the group's cases, as the README of the crate shows; most are
 //! [`Step`]s with semicolons between.
@@ -297,7 +298,7 @@ impl Group {
             for row in &self.rows {
                 for inner in products(&self.with) {
                     let values = [&outer[..], &inner[..]].concat();
-                    if row.only.is_none_or(|only| has(&values, only)) {
+                    if row.only.is_none_or(|only| only.split('/').any(|only| has(&values, only))) {
                         rows.push(self.expand(row, values)?);
                     }
                 }
@@ -455,7 +456,9 @@ impl Row {
             }
             let is_word = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || matches!(c, '-' | '.' | ':');
             match inside.split_once('}') {
-                Some((word, after)) if !word.is_empty() && word.chars().all(is_word) => {
+                Some((word, after))
+                    if word.starts_with(|c: char| c.is_ascii_lowercase()) && word.chars().all(is_word) =>
+                {
                     out.push_str(&self.stands_for(word, depth + 1)?);
                     rest = after;
                 }
@@ -502,6 +505,7 @@ impl Row {
             "version" => WIRE_VERSION.to_owned(),
             "older" => beside(-1),
             "newer" => beside(1),
+            "hyphen" => "-".to_owned(),
             "major" => parts(WIRE_VERSION).0.to_owned(),
             "minor" => parts(WIRE_VERSION).1.to_owned(),
             "hash" => CONTRACT_HASH.to_owned(),

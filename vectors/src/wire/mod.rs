@@ -13,8 +13,8 @@ mod spellings;
 mod stimulus;
 
 use crate::case::File;
-pub(crate) use reply::reply;
 use crate::scenario::ScenarioError;
+pub(crate) use reply::reply;
 
 /// The rule that a plain value is read as the frame gives it.
 pub(crate) const READ: &str = "NCP-WIRE-034";
