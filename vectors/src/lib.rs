@@ -1,12 +1,18 @@
 //! The golden corpus of the NCP conformance suite, and the generator that wrote it.
 //!
-//! The corpus is what a peer is held against: JSON files of cases in `corpus/`, one
-//! folder an area, frozen by `MANIFEST.sha256`. It is made by a program so that it is systematic:
-//! every field of every message, every type, every boundary. What each case expects follows from
-//! the normative text, not from an implementation: defaults, types and orders are read from the
-//! tables of `spec/text/01-wire.md`, the golden block from chapter 5, and everything else is typed
-//! by hand in the tables of this crate. `ncp-spec` is a second source and no part of the
-//! generator; the tests run every case against it.
+//! The corpus is what a peer is held against: JSON files of cases in `corpus/`, one folder an area, frozen by
+//! `MANIFEST.sha256`. It is made by a program so that it is systematic: every field of every message, every type, every
+//! boundary. What each case expects follows from the normative text, not from an implementation: defaults, types and
+//! orders are read from the tables of `spec/text/01-wire.md`, the golden block from chapter 5, and the models of this
+//! crate compute the rest from scenario text. The crate knows `ncp-text` alone. `ncp-spec` is a second source and no
+//! part of it; the tests of the Rust peer hold it against every case.
+//!
+//! | module | what it is about |
+//! |---|---|
+//! | `wire`, `version`, `keys`, `bulk`, `hostile`, `safety`, … | the cases of an area, a module each |
+//! | `scenario`, `patch` | scenario text: the tables of cases in `scenarios/`, and changes of frames in them |
+//! | `case`, `template`, `json`, `trace`, `flags`, `roles` | what a case consists of, and how it is written |
+//! | `model`, `text`, `command` | what a frame means by the tables of the text, and the command frame |
 //!
 //! ```
 //! let files = ncp_vectors::generate()?;

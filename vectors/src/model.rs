@@ -1,6 +1,6 @@
 //! What a frame means, by the tables of the text alone.
 //!
-//! This is the source of the expectations. It shares no code with `ncp-spec`; a test holds the two
+//! This is the source of the expectations. It shares no code with `ncp-spec`; the tests of the Rust peer hold the two
 //! against each other over the whole corpus.
 
 pub(crate) use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
