@@ -12,7 +12,6 @@
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
 //! | `proofs` | what git keeps of what the engines found |
 //! | `prove` | drives the engines of `proofs/` |
-//! | `proofs` | what git keeps of what the engines found |
 //! | `fuzz` | drives the targets of `fuzz/` |
 //! | `lock` | what git keeps of what was found: digests, counts, and fates by id |
 //! | `reports` | where the short pages and the long reports go |
