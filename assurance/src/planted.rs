@@ -31,7 +31,8 @@ pub mod planted {
 "#;
 
 /// Copies the files of git under some folders, and single files, into a folder of the project, with every defect woven
-/// in behind a switch of its number. What an earlier copy has and this one lacks is removed.
+/// in behind a switch of its number; a `const fn` has no place for one. What an earlier copy has and this one lacks is
+/// removed.
 ///
 /// # Errors
 /// A file, or a defect that does not fit.
@@ -55,8 +56,7 @@ pub(crate) fn copy(project: &Project, from: &[&str], to: &str, defects: &[Defect
             let text = String::from_utf8_lossy(&content).replace("\r\n", "\n");
             let woven = weave(&text, "crate::planted::is", sites);
             let woven = woven.map_err(|source| PlantedError::Weave { file: file.clone(), source })?;
-            // What asks a switch cannot be carried out while it is compiled.
-            content = woven.replace("const fn ", "fn ").into_bytes();
+            content = woven.into_bytes();
         }
         if roots.contains(file) {
             content.extend_from_slice(SWITCHED.as_bytes());
