@@ -74,7 +74,8 @@ pub fn vectors(report: &Report) -> String {
     }
     let about = "The counterexamples of the proofs.";
     format!(
-        "{{\"format\":1,\"area\":\"proofs\",\"name\":\"report\",\"about\":{about:?},\"notes\":{{}},\"cases\":[\n{}\n]}}\n",
+        "{{\"format\":1,\"area\":\"proofs\",\"name\":\"report\",\"about\":{about:?},\"notes\":{{}},\n\
+         \"cases\":[\n{}\n]}}\n",
         cases.join(",\n")
     )
 }

@@ -350,7 +350,8 @@ fn comment(kind: &str, contract: &Contract, projected: &MessageProjection) -> St
         JsonForm::Optional => " The contract has no JSON form of this kind; this is the one that a peer may offer.",
     };
     format!(
-        "Generated from proto/ncp.proto and proto/projection.json; do not edit.{form} Only a decoder can check what a schema \
+        "Generated from proto/ncp.proto and proto/projection.json; do not edit.{form} \
+         Only a decoder can check what a schema \
          cannot: at most {bytes} bytes and {} levels, no member twice, integers without fraction or exponent; \
          README.md has the whole list.",
         limits.levels

@@ -181,7 +181,8 @@ mod tests {
     #[test]
     fn comments_blank_lines_indentation_and_file_options_do_not_count() {
         let proto = "syntax = \"proto3\";\npackage ncp.v0;\nimport \"x.proto\";\n\
-            option java_package = \"x\";\n\n// about A\nmessage A { // trailing\n\t  string a = 1;  \r\n  /* several\n     lines */\n}\n";
+            option java_package = \"x\";\n\n// about A\n\
+            message A { // trailing\n\t  string a = 1;  \r\n  /* several\n     lines */\n}\n";
         assert_eq!(canonical_text(proto), "message A {\nstring a = 1;\n}");
     }
 

@@ -1,6 +1,6 @@
 //! The files that are made from others: the projection and the JSON Schemas from the proto and the tables of the text,
-//! the vector files from the scenarios and the text, the manifest from the vector files, the C header from the code that
-//! it describes.
+//! the vector files from the scenarios and the text, the manifest from the vector files, the C header from the code
+//! that it describes.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -203,7 +203,7 @@ const ID: &str = r#""id": ""#;
 
 /// What stands around a column of the first line, which can be long.
 fn around(text: &str, column: usize) -> String {
-    const REACH: usize = 60;
+    const REACH: usize = 45;
     let line = text.split('\n').next().unwrap_or_default();
     let start = column.saturating_sub(REACH);
     let shown: String = line.chars().skip(start).take(column - start + REACH).collect();

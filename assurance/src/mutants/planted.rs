@@ -340,7 +340,8 @@ mod tests {
         write("spec/kernel/tests/less.rs", "fn main() {}\n");
         write(
             "peers/rust/Cargo.toml",
-            "[package]\nname = \"ncp-peer-rust\"\n[dependencies]\nncp-kernel.workspace = true\nserde_json.workspace = true\n",
+            "[package]\nname = \"ncp-peer-rust\"\n\
+             [dependencies]\nncp-kernel.workspace = true\nserde_json.workspace = true\n",
         );
         write("peers/rust/src/main.rs", "fn main() { print!(\"{}\", ncp_kernel::less(1, 1)) }\n");
         write("other/Cargo.toml", "[package]\nname = \"other\"\n");

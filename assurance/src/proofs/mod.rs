@@ -72,7 +72,7 @@ pub(crate) fn keep(
     let root = project.path("");
     let report = read(&project.path(FILE))?;
     let ran = |engine: &&str| engines.is_empty() || engines.iter().any(|named| named == engine);
-    for (name, made_by) in MADE_BY.iter().filter(|(_, made_by)| made_by.iter().all(|engine| ran(engine))) {
+    for (name, made_by) in MADE_BY.iter().filter(|(_, made_by)| made_by.iter().all(&ran)) {
         let sources = before.0.get(name).cloned().unwrap_or_default();
         lock(&report, made_by, sources).write(&root, name)?;
     }
@@ -163,14 +163,14 @@ fn summary(report: &Report) -> Vec<Block> {
 
 const ABOUT: &str = "\
 What is claimed of the code that decides whether a plant moves, and of the code that reads untrusted bytes, and which \
-engine shows it. Made by `cargo assure prove`, which writes the whole report, with each claim in words and symbols, its \
-bounds and assumptions, and what is trusted. Each claim and each planted defect with its end stands in \
+engine shows it. Made by `cargo assure prove`; with `--report` it also writes the long report, with each claim in \
+words and symbols, its bounds and assumptions, and what is trusted. Each claim and each planted defect with its end stands in \
 `reports/lock/proofs-*.toml`; the files that solvers answered are in `proofs/evidence`.";
 
 #[cfg(test)]
 mod tests {
     use ncp_proofs::report::{Claim, Words};
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 
@@ -180,17 +180,20 @@ mod tests {
         Words { family: family.to_owned(), rules, sentence, statement, bounds, assumptions: Vec::new() }
     }
 
-    fn engine(name: &str, results: serde_json::Value, broken: serde_json::Value) -> Engine {
+    fn engine(name: &str, results: &Value, broken: &Value) -> Engine {
         let engine = json!({"name": name, "version": "1", "about": "All.", "results": results, "broken": broken});
         serde_json::from_value(engine).unwrap()
     }
 
     fn report() -> Report {
         let proved = |claim: &str| json!({"property": claim, "verdict": "proved"});
-        let broken = |id: &str, counterexample: serde_json::Value| json!({"id": id, "property": "clamp/bound", "family": "clamp", "about": "", "counterexample": counterexample});
+        let broken = |id: &str, counterexample: Value| {
+            let (property, family) = ("clamp/bound", "clamp");
+            json!({"id": id, "property": property, "family": family, "about": "", "counterexample": counterexample})
+        };
         let found = json!({"check": "c", "inputs": []});
-        let defects = json!([broken("open-ball", found), broken("missed", serde_json::Value::Null)]);
-        let mut model = engine("model", json!([proved("model/plant")]), json!([]));
+        let defects = json!([broken("open-ball", found), broken("missed", Value::Null)]);
+        let mut model = engine("model", &json!([proved("model/plant")]), &json!([]));
         model.not_proved.push("liveness".to_owned());
         model.results[0].words = Some(words("model", &["NCP-RES-001"]));
         Report {
@@ -199,8 +202,8 @@ mod tests {
                 words: words("clamp", &["NCP-SAFE-002", "NCP-SAFE-001"]),
             }],
             engines: vec![
-                engine("symbolic", json!([proved("clamp/bound")]), defects),
-                engine("enumeration", json!([proved("clamp/bound")]), json!([])),
+                engine("symbolic", &json!([proved("clamp/bound")]), &defects),
+                engine("enumeration", &json!([proved("clamp/bound")]), &json!([])),
                 model,
             ],
             ..Report::default()

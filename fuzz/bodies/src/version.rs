@@ -1,8 +1,8 @@
 //! The version guard and the contract's status.
 
 use ncp_spec::contract::{ContractStatus, contract_status, negotiate, verify_contract};
-use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
 use ncp_spec::version::check_version;
+use ncp_spec::{CONTRACT_HASH, WIRE_VERSION};
 
 /// A version is compatible exactly when its digits say so, strict or not; a hash never decides.
 ///

@@ -11,7 +11,6 @@ use ncp_peer_rust::hold;
 use ncp_verifier::check::{Judgement, judge};
 use ncp_verifier::peer::{Reply, write_request};
 use ncp_verifier::suite::{Case, Suite};
-use serde_json::{Value, json};
 
 /// The vectors of the evidence, as a suite of one file.
 fn suite() -> Suite {

@@ -349,7 +349,8 @@ mod tests {
         assert_eq!(
             fault("\"title\"", "\"titel\""),
             format!(
-                "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, `roles`, `needs`, `call`, `args`, `expect`, `why`"
+                "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, \
+                 `roles`, `needs`, `call`, `args`, `expect`, `why`"
             )
         );
         assert_eq!(fault("NCP-WIRE-024", "NCP-WIRE-999"), format!("{of}the text has no rule NCP-WIRE-999"));

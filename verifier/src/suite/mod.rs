@@ -317,7 +317,8 @@ mod tests {
         };
         let cases: Vec<String> = ids.iter().map(case).collect();
         format!(
-            r#"{{"format":1,"area":"wire","name":"{name}","about":"A.","notes":{{"f":"Catches {name}."}},"cases":[{}]}}"#,
+            "{{\"format\":1,\"area\":\"wire\",\"name\":\"{name}\",\"about\":\"A.\",\
+             \"notes\":{{\"f\":\"Catches {name}.\"}},\"cases\":[{}]}}",
             cases.join(",")
         )
     }

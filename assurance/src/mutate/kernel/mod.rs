@@ -130,13 +130,16 @@ fn choose(copies: &Copies<'_>, all: &[Mutant], args: &KernelArgs) -> Result<Vec<
     Ok(chosen)
 }
 
-/// What became of each, with the explanation that it has.
+/// A mutant, what became of it, and the explanation that it has.
+type Held<'e> = (Mutant, Fate, Option<&'e Explained>);
+
+/// What became of each.
 fn hold<'e>(
     copies: &Copies<'_>,
     chosen: Vec<Mutant>,
     explained: &'e [Explained],
     args: &KernelArgs,
-) -> Result<Vec<(Mutant, Fate, Option<&'e Explained>)>, KernelError> {
+) -> Result<Vec<Held<'e>>, KernelError> {
     let explanation = |mutant: &Mutant| explained.iter().find(|entry| entry.is_of(mutant));
     let mut fates = ask(copies, &chosen, Ask::Numbers)?;
     let is_open = |mutant: &&Mutant| !matches!(fates.get(&mutant.id), Some(Fate::Refuted(_)));
