@@ -5,6 +5,8 @@
 
 use std::fmt::Write as _;
 
+use ncp_text::tables::Value;
+
 /// A JSON value by its spelling.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Json {
@@ -338,6 +340,18 @@ fn write_string(out: &mut String, text: &str, ascii: bool) {
         }
     }
     out.push('"');
+}
+
+impl From<&Value> for Json {
+    fn from(value: &Value) -> Self {
+        match value {
+            Value::Bool(value) => Self::Bool(*value),
+            Value::Number(spelled) => Self::literal(spelled),
+            Value::String(text) => Self::string(text),
+            Value::EmptyList => Self::Array(Vec::new()),
+            Value::EmptyMap => Self::object(),
+        }
+    }
 }
 
 impl From<&str> for Json {

@@ -41,7 +41,6 @@ mod scenario;
 mod session;
 mod strict;
 mod template;
-mod text;
 mod trace;
 mod version;
 mod wire;

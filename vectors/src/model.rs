@@ -7,7 +7,7 @@ pub(crate) use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 
 use crate::json::Json;
 use crate::scenario::beside;
-use crate::text::{Default, Field, Message, Shape, Unknown, tables};
+use ncp_text::tables::{Default, Field, Message, Shape, Unknown, tables};
 
 /// The frame as a decoder reads it: every field of its kind in the order of the tables, absent
 /// ones at their defaults, members that the tables do not list left out. The frame has to be
@@ -90,13 +90,21 @@ pub(crate) fn sample(message: &Message, field: &Field) -> Json {
         return Json::string(message.kind.as_deref().unwrap_or_default());
     }
     if is_pin(&field.name)
-        && let Default::Value(pinned) = &field.default
+        && let Some(pinned) = default_of(field)
     {
-        return pinned.clone();
+        return pinned;
     }
     match &field.shape {
-        Shape::Boolean => Json::Bool(field.default != Default::Value(Json::Bool(true))),
+        Shape::Boolean => Json::Bool(default_of(field) != Some(Json::Bool(true))),
         shape => sample_of(shape, &field.name, &field.default),
+    }
+}
+
+/// What the tables write for an absent field, where that is a value.
+pub(crate) fn default_of(field: &Field) -> Option<Json> {
+    match &field.default {
+        Default::Value(value) => Some(Json::from(value)),
+        _ => None,
     }
 }
 
@@ -118,7 +126,7 @@ fn fields_of(message: &Message, object: &Json) -> Json {
         let given = object.get(&field.name).filter(|value| **value != Json::Null);
         let value = match (given, &field.default) {
             (Some(given), _) => value_of(&field.shape, given),
-            (None, Default::Value(default)) => value_of(&field.shape, default),
+            (None, Default::Value(default)) => value_of(&field.shape, &Json::from(default)),
             (None, Default::Message) => value_of(&field.shape, &Json::object()),
             (None, _) => Json::Null,
         };

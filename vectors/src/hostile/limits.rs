@@ -6,7 +6,7 @@ use crate::json::Json;
 use crate::model::{explicit, explicit_message, meaning, minimal};
 use crate::roles::{ANY, a, readers};
 use crate::template::Text;
-use crate::text::tables;
+use ncp_text::tables::tables;
 
 const MIB: usize = 1 << 20;
 /// The most bytes of an `observation_frame`.

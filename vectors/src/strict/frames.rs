@@ -7,8 +7,8 @@ use crate::model::{explicit, meaning, minimal};
 use crate::patch::patched;
 use crate::roles::{a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
-use crate::text::tables;
 use ncp_text::WIRE_VERSION;
+use ncp_text::tables::tables;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let kinds = tables().messages.iter().filter_map(|message| message.kind.as_deref());

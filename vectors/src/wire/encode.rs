@@ -7,7 +7,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{CONTRACT_HASH, WIRE_VERSION, explicit, explicit_message, full, meaning, minimal};
 use crate::roles::{a, writers};
-use crate::text::{Default, Message, Shape, Unknown, tables};
+use ncp_text::tables::{Default, Message, Shape, Unknown, tables};
 
 /// A file a kind.
 pub(super) fn files() -> Vec<File> {

@@ -4,9 +4,9 @@ use super::place::{Ground, Place};
 use super::{READ, numbers};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::model::{self, is_pin};
+use crate::model::{self, default_of, is_pin};
 use crate::roles::{a, readers};
-use crate::text::{Default, Enum, Field, Shape, Unknown, tables};
+use ncp_text::tables::{Default, Enum, Field, Shape, Unknown, tables};
 
 /// A file for each kind and for each message that stands within others.
 pub(super) fn files() -> Vec<File> {
@@ -260,7 +260,7 @@ impl Probe<'_> {
         let one = Json::literal("1");
         let text = match &self.field.shape {
             Shape::Boolean => {
-                Json::string(if self.field.default == Default::Value(Json::Bool(true)) { "true" } else { "false" })
+                Json::string(if default_of(self.field) == Some(Json::Bool(true)) { "true" } else { "false" })
             }
             Shape::Integer | Shape::Number => Json::string("1"),
             _ => Json::string("x"),
@@ -393,7 +393,7 @@ impl Probe<'_> {
         let mut cases = Vec::new();
         for (name, digits) in spread(&numbers::INTEGERS, &numbers::MORE_INTEGERS) {
             let value = within(&self.field.shape, Json::literal(*digits));
-            if self.field.default == Default::Value(value.clone()) {
+            if default_of(self.field).as_ref() == Some(&value) {
                 continue;
             }
             let flag = if name.ends_with("est") { "integer-precision" } else { "lost-fields" };
@@ -428,7 +428,7 @@ impl Probe<'_> {
     /// Every wire string of an enum, and strings that are none.
     fn strings(&self, known: &Enum) -> Vec<Case> {
         // The default is what every explicit frame has; of a mode it is worth a case.
-        let is_default = |string: &str| self.field.default == Default::Value(Json::string(string));
+        let is_default = |string: &str| default_of(self.field) == Some(Json::string(string));
         let other = |string: &&String| known.name == "Mode" || !is_default(string);
         let mut cases: Vec<Case> = known
             .strings

@@ -6,7 +6,7 @@ use crate::json::Json;
 use crate::model::{WIRE_VERSION, explicit, full, meaning, minimal};
 use crate::roles::{a, readers};
 use crate::scenario::beside;
-use crate::text::tables;
+use ncp_text::tables::tables;
 
 pub(super) fn file() -> File {
     let mut cases = unknown_kinds();

@@ -9,7 +9,7 @@ use crate::model::{self, explicit, full, is_pin, meaning, minimal};
 use crate::patch::patched;
 use crate::roles::{ANY, a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
-use crate::text::Default;
+use ncp_text::tables::Default;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("wire/members"))?;

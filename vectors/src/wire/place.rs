@@ -2,7 +2,7 @@
 
 use crate::json::Json;
 use crate::model;
-use crate::text::{Message, Shape, tables};
+use ncp_text::tables::{Message, Shape, tables};
 
 /// A message at a place in the frames of one kind.
 #[derive(Debug, Clone)]

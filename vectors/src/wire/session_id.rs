@@ -6,7 +6,7 @@ use crate::json::Json;
 use crate::keys::segments::{self, Segment};
 use crate::model::{explicit, meaning, minimal};
 use crate::roles::{a, readers};
-use crate::text::{Default, tables};
+use ncp_text::tables::{Default, tables};
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
