@@ -27,9 +27,23 @@ pub(crate) struct Lock {
     /// What became of each, by its id.
     #[serde(default)]
     pub(crate) fates: BTreeMap<String, String>,
+    /// What is wrong with what was found; empty where all is as it has to be.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) problems: Vec<String>,
     /// The rules that a proved claim shows, by the claim's id.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) rules: BTreeMap<String, Vec<String>>,
+}
+
+/// What every lock has, whatever else it keeps.
+#[derive(Debug, Default, Deserialize)]
+pub(crate) struct Standing {
+    /// The digest that each source had.
+    #[serde(default)]
+    pub(crate) sources: BTreeMap<String, String>,
+    /// What is wrong with what was found.
+    #[serde(default)]
+    pub(crate) problems: Vec<String>,
 }
 
 /// Why a lock cannot be read or written.
@@ -105,6 +119,7 @@ mod tests {
             sources: one("spec/src", "0123456789abcdef"),
             counts: BTreeMap::from([("proved".to_owned(), 1)]),
             fates: one("symbolic clamp/bound", "proved"),
+            problems: vec!["clamp/tick: no engine proves it".to_owned()],
             rules: BTreeMap::from([("clamp/bound".to_owned(), vec!["NCP-SAFE-001".to_owned()])]),
         };
         assert_eq!(Lock::read(root.path(), "proofs").unwrap(), None);

@@ -12,7 +12,7 @@ use xtask::project::Project;
 
 use crate::artefact::{ARTEFACTS, Artefact, Freshness};
 use crate::console::Styles;
-use crate::lock::{Lock, LockError};
+use crate::lock::{self, LockError, Standing};
 use crate::trace::{self, TraceError};
 
 #[derive(Debug, Args)]
@@ -153,17 +153,17 @@ impl<'p> Eyes<'p> {
         Ok(self.generated.insert(lines))
     }
 
-    /// The sources that have another digest than when the artefact was made.
+    /// The sources that have another digest than when the artefact was made, and what was wrong then.
     fn changed(&self, artefact: &'static Artefact) -> Result<Vec<String>, StatusError> {
         let root = self.project.path("");
-        let Some(lock) = Lock::read(&root, artefact.name)? else {
+        let Some(Standing { sources, problems }) = lock::read(&root, artefact.name)? else {
             return Ok(vec!["it was never made".to_owned()]);
         };
-        if lock.sources.is_empty() {
+        if sources.is_empty() {
             return Ok(vec!["nobody noted of which sources it was made".to_owned()]);
         }
         let now = artefact.digests(&root).map_err(|source| StatusError::Digest { name: artefact.name, source })?;
-        Ok(differences(&lock.sources, &now))
+        Ok(differences(&sources, &now).into_iter().chain(problems).collect())
     }
 }
 
@@ -213,6 +213,7 @@ fn print(state: &State, styles: Styles) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lock::Lock;
 
     fn digests(of: &[(&str, &str)]) -> BTreeMap<String, String> {
         of.iter().map(|(source, digest)| ((*source).to_owned(), (*digest).to_owned())).collect()

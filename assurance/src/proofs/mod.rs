@@ -105,7 +105,7 @@ fn read(path: &Path) -> Result<Report, ProofsError> {
 
 /// What git keeps of what some engines found: their words on claims and on defects, by engine and id.
 fn lock(report: &Report, engines: &[&str], sources: BTreeMap<String, String>) -> Lock {
-    let mut lock = Lock { sources, ..Lock::default() };
+    let mut lock = Lock { sources, problems: report.problems.clone(), ..Lock::default() };
     for engine in report.engines.iter().filter(|engine| engines.contains(&engine.name.as_str())) {
         let name = &engine.name;
         for claim in &engine.results {
@@ -164,8 +164,8 @@ fn summary(report: &Report) -> Vec<Block> {
 const ABOUT: &str = "\
 What is claimed of the code that decides whether a plant moves, and of the code that reads untrusted bytes, and which \
 engine shows it. Made by `cargo assure prove`; with `--report` it also writes the long report, with each claim in \
-words and symbols, its bounds and assumptions, and what is trusted. Each claim and each planted defect with its end stands in \
-`reports/lock/proofs-*.toml`; the files that solvers answered are in `proofs/evidence`.";
+words and symbols, its bounds and assumptions, and what is trusted. Each claim and each planted defect with its end \
+stands in `reports/lock/proofs-*.toml`; the files that solvers answered are in `proofs/evidence`.";
 
 #[cfg(test)]
 mod tests {

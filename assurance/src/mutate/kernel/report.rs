@@ -108,6 +108,7 @@ impl Report {
         }
         lock.counts.insert("seed".to_owned(), self.seed);
         lock.fates = self.open().map(|entry| (entry.id(), "open".to_owned())).collect();
+        lock.problems = self.open().map(|entry| format!("{} is neither refuted nor explained", entry.id())).collect();
         lock
     }
 

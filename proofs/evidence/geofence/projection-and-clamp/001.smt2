@@ -1,4 +1,6 @@
-; draft
+; geofence/projection-and-clamp: as geofence/projection with vᵢ the clamped velocities; and ∀ i ≤ k: ‖vᵢ‖ ≤ max
+; Each answer has to be unsat, 224 of them. A question is a check that fails where the kernel has taken
+; these decisions. x… are the doubles in the order in which the harness draws them, q… the seqs.
 (set-logic QF_BVFP)
 (declare-const x0 Float64)
 (declare-const x1 Float64)
@@ -124,6 +126,7 @@
 (define-fun t156 () Bool (and t22 t155))
 (define-fun t157 () Bool (and t153 t156))
 (define-fun t159 () Bool (and t22 (not t157)))
+(define-fun t161 () Bool (not (or (fp.isNaN t73) (fp.isInfinite t73))))
 (define-fun t163 () Float64 (fp.mul RNE x1 (fp #b0 #b01111111110 #b1111111111111111111111111111111111111111111111110101)))
 (define-fun t164 () Float64 (fp.div RNE t163 t73))
 (define-fun t165 () Float64 (fp.mul RNE x5 t164))
@@ -251,8 +254,11 @@
 (define-fun t299 () Bool (and t295 t298))
 (define-fun t301 () Bool (and t22 (not t299)))
 (define-fun t303 () Float64 (fp.abs x5))
+(define-fun t304 () Bool (fp.lt (fp #b0 #b00000000000 #b0000000000000000000000000000000000000000000000000000) t303))
 (define-fun t305 () Float64 (fp.abs x6))
+(define-fun t306 () Bool (fp.lt t303 t305))
 (define-fun t307 () Float64 (fp.abs x7))
+(define-fun t308 () Bool (fp.lt t305 t307))
 (define-fun t309 () Float64 (fp.div RNE x5 t307))
 (define-fun t310 () Float64 (fp.div RNE x6 t307))
 (define-fun t311 () Float64 (fp.div RNE x7 t307))
@@ -441,6 +447,7 @@
 (define-fun t508 () Bool (and t22 t507))
 (define-fun t509 () Bool (and t505 t508))
 (define-fun t511 () Bool (and t22 (not t509)))
+(define-fun t513 () Bool (fp.lt t303 t307))
 (define-fun t514 () Float64 (fp.div RNE x5 t303))
 (define-fun t515 () Float64 (fp.div RNE x6 t303))
 (define-fun t516 () Float64 (fp.div RNE x7 t303))
@@ -535,6 +542,8 @@
 (define-fun t611 () Bool (and t22 t610))
 (define-fun t612 () Bool (and t608 t611))
 (define-fun t614 () Bool (and t22 (not t612)))
+(define-fun t616 () Bool (fp.lt (fp #b0 #b00000000000 #b0000000000000000000000000000000000000000000000000000) t305))
+(define-fun t617 () Bool (fp.lt (fp #b0 #b00000000000 #b0000000000000000000000000000000000000000000000000000) t307))
 (define-fun t618 () Float64 (fp.div RNE x5 (fp #b0 #b00000000000 #b0000000000000000000000000000000000000000000000000000)))
 (define-fun t619 () Float64 (fp.div RNE x6 (fp #b0 #b00000000000 #b0000000000000000000000000000000000000000000000000000)))
 (define-fun t620 () Float64 (fp.div RNE x7 (fp #b0 #b00000000000 #b0000000000000000000000000000000000000000000000000000)))
@@ -819,23 +828,363 @@
 (check-sat)
 (pop 1)
 (push 1) ; every kept velocity is finite
-(assert (not t204))
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert (not t204))
 (check-sat)
 (pop 1)
 (push 1) ; every kept velocity is finite
-(assert (not t359))
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert (not t204))
 (check-sat)
 (pop 1)
 (push 1) ; every kept velocity is finite
-(assert (not t461))
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert (not t59))(assert t238)(assert t239)(assert t240)(assert t248)(assert (not t204))
 (check-sat)
 (pop 1)
 (push 1) ; every kept velocity is finite
-(assert (not t564))
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert (not t59))(assert t238)(assert t239)(assert t240)(assert t248)(assert (not t204))
 (check-sat)
 (pop 1)
 (push 1) ; every kept velocity is finite
-(assert (not t668))
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert t59)(assert (not t60))(assert t238)(assert t239)(assert t240)(assert t248)(assert (not t204))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert t59)(assert (not t60))(assert t238)(assert t239)(assert t240)(assert t248)(assert (not t204))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert t59)(assert t60)(assert (not t62))(assert t214)(assert t215)(assert t216)(assert t224)(assert (not t204))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert t59)(assert t60)(assert (not t62))(assert t214)(assert t215)(assert t216)(assert t224)(assert (not t204))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert t59)(assert t60)(assert t62)(assert t182)(assert t183)(assert t184)(assert t192)(assert (not t204))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert t161)(assert t175)(assert t59)(assert t60)(assert t62)(assert t182)(assert t183)(assert t184)(assert t192)(assert (not t204))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert t617)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert t308)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert t513)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert (not t59))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert t59)(assert (not t60))(assert t393)(assert t394)(assert t395)(assert t403)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert t59)(assert t60)(assert (not t62))(assert t369)(assert t370)(assert t371)(assert t379)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert t308)(assert t330)(assert t59)(assert t60)(assert t62)(assert t337)(assert t338)(assert t339)(assert t347)(assert (not t359))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert (not t59))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert (not t59))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert t59)(assert (not t60))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert t59)(assert (not t60))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert (not t62))(assert t471)(assert t472)(assert t473)(assert t481)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert (not t62))(assert t471)(assert t472)(assert t473)(assert t481)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert t62)(assert t439)(assert t440)(assert t441)(assert t449)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert t616)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert t62)(assert t439)(assert t440)(assert t441)(assert t449)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert (not t59))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert (not t59))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert t59)(assert (not t60))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert t59)(assert (not t60))(assert t495)(assert t496)(assert t497)(assert t505)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert (not t62))(assert t471)(assert t472)(assert t473)(assert t481)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert (not t62))(assert t471)(assert t472)(assert t473)(assert t481)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert t62)(assert t439)(assert t440)(assert t441)(assert t449)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert t306)(assert (not t308))(assert t432)(assert t59)(assert t60)(assert t62)(assert t439)(assert t440)(assert t441)(assert t449)(assert (not t461))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert (not t59))(assert t598)(assert t599)(assert t600)(assert t608)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert (not t59))(assert t598)(assert t599)(assert t600)(assert t608)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert t59)(assert (not t60))(assert t598)(assert t599)(assert t600)(assert t608)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert t59)(assert (not t60))(assert t598)(assert t599)(assert t600)(assert t608)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert t59)(assert t60)(assert (not t62))(assert t574)(assert t575)(assert t576)(assert t584)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert t59)(assert t60)(assert (not t62))(assert t574)(assert t575)(assert t576)(assert t584)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert t59)(assert t60)(assert t62)(assert t542)(assert t543)(assert t544)(assert t552)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert t304)(assert (not t306))(assert (not t513))(assert t535)(assert t59)(assert t60)(assert t62)(assert t542)(assert t543)(assert t544)(assert t552)(assert (not t564))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert (not t21))(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert (not t59))(assert t702)(assert t703)(assert t704)(assert t712)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert (not t59))(assert t702)(assert t703)(assert t704)(assert t712)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert t59)(assert (not t60))(assert t702)(assert t703)(assert t704)(assert t712)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert t59)(assert (not t60))(assert t702)(assert t703)(assert t704)(assert t712)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert t59)(assert t60)(assert (not t62))(assert t678)(assert t679)(assert t680)(assert t688)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert t59)(assert t60)(assert (not t62))(assert t678)(assert t679)(assert t680)(assert t688)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert t59)(assert t60)(assert t62)(assert t646)(assert t647)(assert t648)(assert t656)(assert (not t668))
+(check-sat)
+(pop 1)
+(push 1) ; every kept velocity is finite
+(assert t8)(assert (not t9))(assert t27)(assert t10)(assert (not t11))(assert t21)(assert t35)(assert t36)(assert t37)(assert t45)(assert t13)(assert t65)(assert t66)(assert (not t74))(assert (not t161))(assert (not t304))(assert (not t616))(assert (not t617))(assert t639)(assert t59)(assert t60)(assert t62)(assert t646)(assert t647)(assert t648)(assert t656)(assert (not t668))
 (check-sat)
 (pop 1)
 (push 1) ; every kept velocity is within the limit
