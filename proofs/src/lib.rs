@@ -6,14 +6,14 @@
 //! | [`prover`] | what a harness asks of an engine |
 //! | [`properties`] | what is claimed, in words, in symbols, and as harnesses that any engine runs |
 //! | [`counterexample`] | inputs that break a property |
-//! | [`reference`], [`vector`] | counterexamples as vectors |
+//! | [`mod@reference`], [`vector`] | counterexamples as vectors |
 //! | [`provers`] | what answers a harness: doubles, and terms for a solver |
 //! | [`harness`] | the harness of a property on a kernel, ready for each engine |
 //! | [`engines`] | symbolic execution, enumeration, and the stand-in for Kani's API |
 //! | [`kani_engine`], `kani_proofs` | Kani as an engine, and the harnesses as proofs of it |
 //! | [`broken`], `mutants` | copies of the kernel with a planted defect, and with one token changed |
 //! | [`report`], [`digest`] | what was found out, and about which sources |
-//! | [`document`], [`page`], [`terminal`] | how it is shown |
+//! | [`terminal`] | how it is shown on the terminal |
 //!
 //! Each row knows those above it, and none below.
 

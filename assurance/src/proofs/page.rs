@@ -331,7 +331,7 @@ fn repeat(engine: &str) -> Option<String> {
     match engine {
         "kani" => Some("cargo kani -p ncp-proofs -p ncp-readers".to_owned()),
         "" => None,
-        name => Some(format!("cargo xtask prove --engine {name}")),
+        name => Some(format!("cargo assure prove --engine {name}")),
     }
 }
 

@@ -394,7 +394,8 @@ fn catalogue(root: &Path) -> Result<(Catalogue, Vec<String>), TraceError> {
     let chapters: Vec<Chapter<'_>> = texts.iter().map(|(file, text)| Chapter { file, text }).collect();
     let catalogue = Catalogue::parse(&chapters)?;
     let listed: BTreeSet<&str> = CHAPTERS.iter().map(|chapter| chapter.file).collect();
-    let unlisted = sources::names(&folder, "md")?.into_iter().filter(|name| !listed.contains(name.as_str())).collect();
+    let is_unlisted = |name: &String| name != "README.md" && !listed.contains(name.as_str());
+    let unlisted = sources::names(&folder, "md")?.into_iter().filter(is_unlisted).collect();
     Ok((catalogue, unlisted))
 }
 
