@@ -6,7 +6,7 @@
 //! | [`prover`] | what a harness asks of an engine |
 //! | [`properties`] | what is claimed, in words, in symbols, and as harnesses that any engine runs |
 //! | [`counterexample`] | inputs that break a property |
-//! | [`mod@reference`], [`vector`] | counterexamples as vectors |
+//! | [`reference`](mod@reference), [`vector`] | counterexamples as vectors |
 //! | [`provers`] | what answers a harness: doubles, and terms for a solver |
 //! | [`harness`] | the harness of a property on a kernel, ready for each engine |
 //! | [`engines`] | symbolic execution, enumeration, and the stand-in for Kani's API |

@@ -22,8 +22,9 @@
 //! | [`codec`] | the rate codec | 9 |
 //! | [`control`] | the control loop and the reflex controller | 10 |
 //! | [`bus`] | the model of a transport, within one process, and a client on it | 4, 11 |
+//! | `error_code` | [`ErrorCode`]: why something was refused | all |
 //!
-//! Beside them, [`ErrorCode`] names why something was refused. The strict profile (chapter 12.1) is a switch in the
+//! The strict profile (chapter 12.1) is a switch in the
 //! modules that it concerns.
 //!
 //! # Example

@@ -9,10 +9,11 @@
 //!
 //! | module | what it is about |
 //! |---|---|
-//! | `wire`, `version`, `keys`, `bulk`, `hostile`, `safety`, … | the cases of an area, a module each |
+//! | `wire`, `version`, `keys`, `bulk`, `hostile` | the cases of an area, a module each: what is read and written |
+//! | `safety`, `resilience`, `codec`, `control`, `session`, `strict` | likewise: what moves a plant, and sessions |
 //! | `scenario`, `patch` | scenario text: the tables of cases in `scenarios/`, and changes of frames in them |
 //! | `case`, `template`, `json`, `trace`, `flags`, `roles` | what a case consists of, and how it is written |
-//! | `model`, `text`, `command` | what a frame means by the tables of the text, and the command frame |
+//! | `model`, `command` | what a frame means by the tables of the text, and the command frame |
 //!
 //! ```
 //! let files = ncp_vectors::generate()?;

@@ -130,7 +130,7 @@ fn an_explanation_within_the_source_tree_leads_to_code_and_tests() {
     for (id, wanted) in [
         ("NCP-SAFE-040", ["Code\n", "  spec/src/safety/governor.rs:", "Tests\n", "  spec/tests/governor.rs:"]),
         ("L03", ["NCP-SAFE-040 MUST", "  spec/src/safety/governor.rs:", " cases\n", "  safety/fence/channel/empty\n"]),
-        ("l18", ["no case is flagged", "NCP-TRANS-008 MUST", "Code\n", "  spec/src/bus.rs:"]),
+        ("l18", ["No case is flagged", "NCP-TRANS-008 MUST", "Code\n", "  spec/src/bus.rs:"]),
         ("safety/fence/channel/empty", ["Expected\n", "Rule\n", "Code\n", "  spec/src/safety/governor.rs:"]),
     ] {
         let text = run(program().args(["explain", id])).stdout;

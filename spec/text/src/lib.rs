@@ -12,6 +12,7 @@
 //! | [`planes`](mod@planes) | the planes and their quality of service |
 //! | [`limits`] | the limits of frames, keys and blocks, at compile time |
 //! | [`bulk`] | the golden block |
+//! | `markdown` | the cells of a table's row |
 //!
 //! Feature `assurance` adds what holds the project to the rules:
 //!
