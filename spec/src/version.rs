@@ -87,7 +87,11 @@ impl<'a> Version<'a> {
         }
         let (major, rest) = WIRE_VERSION.split_at(dot);
         let (_, minor) = rest.split_at(1);
-        Version { major: without_zero(major), minor: without_zero(minor) }
+        // Neither is written with leading zeros; a zero has no significant digit.
+        Version {
+            major: if matches!(major.as_bytes(), [b'0']) { "" } else { major },
+            minor: if matches!(minor.as_bytes(), [b'0']) { "" } else { minor },
+        }
     };
 
     // [NCP-VER-001] [NCP-VER-002]
@@ -109,11 +113,6 @@ impl<'a> Version<'a> {
 fn integer(part: &str) -> Option<&str> {
     let is_integer = !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
     is_integer.then(|| part.trim_start_matches('0'))
-}
-
-/// The digits of an integer that is written without leading zeros; none for zero.
-const fn without_zero(digits: &str) -> &str {
-    if matches!(digits.as_bytes(), [b'0']) { "" } else { digits }
 }
 
 #[cfg(test)]
