@@ -30,7 +30,15 @@ mkdir -p "$copy/spec" "$copy/proofs"
 cp -r "$root/spec/kernel" "$copy/spec/kernel"
 cp -r "$here" "$copy/proofs/theorem"
 cp "$root/Cargo.lock" "$copy"
-sed -E 's|^members = .*|members = ["spec/kernel", "proofs/theorem"]|' "$root/Cargo.toml" >"$copy/Cargo.toml"
+perl -0pe 's/^members = \[.*?\]/members = ["spec\/kernel", "proofs\/theorem"]/ms' "$root/Cargo.toml" >"$copy/Cargo.toml"
+
+# What says no to every copy says nothing of a change.
+if ! said=$(CARGO_TARGET_DIR="$copy/target" bash "$copy/proofs/theorem/check.sh" --tie 2>&1); then
+    echo "the copy is refused without a change:" >&2
+    tail -n 20 <<<"$said" >&2
+    exit 1
+fi
+echo "unchanged: $(tail -n 1 <<<"$said")"
 
 broken=0
 for nth in "${@:-$(seq ${#changes[@]})}"; do
@@ -52,7 +60,7 @@ for nth in "${@:-$(seq ${#changes[@]})}"; do
             exit 1
         fi
         case $said in
-            *'error[E'* | *'could not compile'*)
+            *'error[E'* | *'could not compile'* | *'failed to parse manifest'*)
                 echo "change $number of $file.rs does not compile" >&2
                 exit 1
                 ;;
