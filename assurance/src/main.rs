@@ -93,7 +93,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Refresh(args) => Ok(status::refresh(&project, args)?),
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
-        Command::Mutate(command) => mutate::run(&project, command),
+        Command::Mutate(command) => Ok(mutate::run(&project, command)?),
         Command::Prove(args) => {
             let before = proofs::Before::of(&project)?;
             let good = prove::run(&project, args)?;
@@ -130,9 +130,7 @@ enum Error {
     #[error("signals cannot be handled: {0}")]
     Signals(io::Error),
     #[error(transparent)]
-    ChangedKernel(#[from] mutate::kernel::KernelError),
-    #[error(transparent)]
-    ChangedSpec(#[from] mutate::spec::SpecError),
+    Mutate(#[from] mutate::MutateError),
     #[error(transparent)]
     Prove(#[from] prove::ProveError),
     #[error(transparent)]

@@ -10,10 +10,16 @@ mod cargo;
 pub(crate) mod kernel;
 pub(crate) mod spec;
 
-use clap::Subcommand;
-use xtask::project::Project;
+use std::io;
+use std::path::PathBuf;
 
-use crate::Error;
+use clap::Subcommand;
+use thiserror::Error;
+use xtask::project::Project;
+use xtask::setup::SetupError;
+
+use crate::lock::LockError;
+use crate::reports::ReportError;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Mutate {
@@ -27,9 +33,36 @@ pub(crate) enum Mutate {
 
 /// # Errors
 /// As the command has them; `false` if a change goes unnoticed and nothing says why it may.
-pub(crate) fn run(project: &Project, command: &Mutate) -> Result<bool, Error> {
+pub(crate) fn run(project: &Project, command: &Mutate) -> Result<bool, MutateError> {
     match command {
-        Mutate::Kernel(args) => Ok(kernel::run(project, args)?),
-        Mutate::Spec(args) => Ok(spec::run(project, args)?),
+        Mutate::Kernel(args) => kernel::run(project, args),
+        Mutate::Spec(args) => spec::run(project, args),
     }
+}
+
+/// Why changes could not be tried.
+#[derive(Debug, Error)]
+pub(crate) enum MutateError {
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+    #[error(transparent)]
+    Lock(#[from] LockError),
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    #[error("{}: {source}", path.display())]
+    Outcomes { path: PathBuf, source: serde_json::Error },
+    #[error("{}: {source}", path.display())]
+    Explained { path: PathBuf, source: Box<toml::de::Error> },
+    #[error("{}: no reason is given of a change in {text:?}", path.display())]
+    NoReason { path: PathBuf, text: String },
+    #[error("{program} cannot be started: {source}")]
+    Start { program: &'static str, source: io::Error },
+    #[error("changed kernels do not compile, and none of them is named:\n{said}")]
+    NoCopy { said: String },
+    #[error("changed kernels: the compiler finds errors without end")]
+    ErrorsWithoutEnd,
+    #[error("ncp-mutants ended with {status}")]
+    Failed { status: String },
 }

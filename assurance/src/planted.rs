@@ -1,7 +1,7 @@
 //! A copy of the project's sources with planted defects, each behind a switch.
 //!
-//! Whole crates are copied, with their places relative to each other, so that no path in them changes. A file is
-//! written only where its text is another one, so that cargo builds anew what depends on it and no more.
+//! Files keep their places relative to each other, so that no path in them changes. A file is written only where its
+//! text is another one, so that cargo builds anew what depends on it and no more.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,10 +10,12 @@ use std::path::{Path, PathBuf};
 
 use ncp_defects::weave::{Site, WeaveError, weave};
 use ncp_defects::{Defect, TableError};
+use ncp_verifier::peer::StartError;
 use thiserror::Error;
+use walkdir::WalkDir;
 use xtask::project::Project;
 
-/// Names the defect that is switched on, by its number in the table.
+/// Names the defect that is switched on in a copy of [`copy`], by its number in the table.
 pub(crate) const SWITCH: &str = "NCP_DEFECT";
 
 /// Added to every crate with a defect: whether the defect of a number is switched on.
@@ -30,41 +32,104 @@ pub mod planted {
 }
 "#;
 
+/// What becomes of a file of the copy, by its name and its text with the defects; nothing leaves it out.
+pub(crate) type Revise<'a> = dyn Fn(&str, String) -> Result<Option<String>, PlantedError> + 'a;
+
+/// A copy to be made.
+pub(crate) struct Copy<'a> {
+    /// The folders and files of which all that git tracks is copied.
+    pub(crate) from: Vec<String>,
+    /// The folder that it is copied into.
+    pub(crate) to: PathBuf,
+    /// The path of the function that says whether the defect of a number is switched on.
+    pub(crate) switch: &'a str,
+    pub(crate) revise: &'a Revise<'a>,
+    /// Files of the copy's own, with their texts.
+    pub(crate) own: Vec<(String, String)>,
+}
+
 /// Copies the files of git under some folders, and single files, into a folder of the project, with every defect woven
-/// in behind a switch of its number; a `const fn` has no place for one. What an earlier copy has and this one lacks is
-/// removed.
+/// in behind a switch of its number, which the environment names; a `const fn` has no place for one.
 ///
 /// # Errors
 /// A file, or a defect that does not fit.
 pub(crate) fn copy(project: &Project, from: &[&str], to: &str, defects: &[Defect]) -> Result<Project, PlantedError> {
-    let mut sites: BTreeMap<&str, Vec<Site<'_>>> = BTreeMap::new();
-    for (number, defect) in defects.iter().enumerate() {
-        for edit in &defect.edit {
-            sites.entry(&edit.file).or_default().push(Site { number, name: &defect.name, edit });
+    let files = defects.iter().flat_map(|defect| &defect.edit).map(|edit| &*edit.file);
+    let roots: BTreeSet<String> = files.filter_map(crate_root).collect();
+    let from = from.iter().map(|path| (*path).to_owned()).collect();
+    let revise = |file: &str, text: String| Ok(Some(if roots.contains(file) { text + SWITCHED } else { text }));
+    let to = project.path(to);
+    Copy { from, to: to.clone(), switch: "crate::planted::is", revise: &revise, own: Vec::new() }
+        .make(project, defects)?;
+    Ok(Project::at(&to))
+}
+
+impl Copy<'_> {
+    /// Brings it up to date. What an earlier copy has and this one lacks is removed, but for what cargo builds there.
+    ///
+    /// # Errors
+    /// A file, or a defect that does not fit.
+    pub(crate) fn make(&self, project: &Project, defects: &[Defect]) -> Result<(), PlantedError> {
+        let mut sites: BTreeMap<&str, Vec<Site<'_>>> = BTreeMap::new();
+        for (number, defect) in defects.iter().enumerate() {
+            for edit in &defect.edit {
+                sites.entry(&edit.file).or_default().push(Site { number, name: &defect.name, edit });
+            }
         }
-    }
-    let roots: BTreeSet<String> = sites.keys().filter_map(|file| crate_root(file)).collect();
-    let copy = project.path(to);
-    let files = tracked(project, from)?;
-    if let Some(file) = sites.keys().find(|file| !files.iter().any(|tracked| tracked == *file)) {
-        return Err(PlantedError::NotCopied { file: (*file).to_owned() });
-    }
-    for file in &files {
-        let path = project.path(file);
-        let mut content = fs::read(&path).map_err(|source| PlantedError::File { path, source })?;
-        if let Some(sites) = sites.get(file.as_str()) {
-            let text = String::from_utf8_lossy(&content).replace("\r\n", "\n");
-            let woven = weave(&text, "crate::planted::is", sites);
-            let woven = woven.map_err(|source| PlantedError::Weave { file: file.clone(), source })?;
-            content = woven.into_bytes();
+        let mut files = BTreeSet::new();
+        for file in tracked(project, &self.from)? {
+            let path = project.path(&file);
+            let bytes = fs::read(&path).map_err(|source| PlantedError::File { path, source })?;
+            let copied = match String::from_utf8(bytes) {
+                Ok(text) => match sites.remove(file.as_str()) {
+                    Some(sites) => {
+                        let woven = weave(&text.replace("\r\n", "\n"), self.switch, &sites);
+                        woven.map_err(|source| PlantedError::Weave { file: file.clone(), source })?
+                    }
+                    None => text,
+                },
+                Err(binary) => {
+                    files.insert(self.save(&file, binary.as_bytes())?);
+                    continue;
+                }
+            };
+            if let Some(text) = (self.revise)(&file, copied)? {
+                files.insert(self.save(&file, text.as_bytes())?);
+            }
         }
-        if roots.contains(file) {
-            content.extend_from_slice(SWITCHED.as_bytes());
+        if let Some((file, sites)) = sites.first_key_value() {
+            let defects = sites.iter().map(|site| site.name).collect::<Vec<_>>().join(", ");
+            return Err(PlantedError::NotCopied { file: (*file).to_owned(), defects });
         }
-        save(&copy.join(file), &content)?;
+        for (file, text) in &self.own {
+            files.insert(self.save(file, text.as_bytes())?);
+        }
+        self.remove_others(&files)
     }
-    remove_others(&copy, &copy, &files.into_iter().collect())?;
-    Ok(Project::at(&copy))
+
+    /// Writes a file if it differs.
+    fn save(&self, file: &str, content: &[u8]) -> Result<PathBuf, PlantedError> {
+        let path = self.to.join(file);
+        if !fs::read(&path).is_ok_and(|before| before == content) {
+            let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, content));
+            written.map_err(|source| PlantedError::File { path: path.clone(), source })?;
+        }
+        Ok(path)
+    }
+
+    fn remove_others(&self, files: &BTreeSet<PathBuf>) -> Result<(), PlantedError> {
+        let is_own = |path: &Path| path != self.to.join("target");
+        for entry in WalkDir::new(&self.to).into_iter().filter_entry(|entry| is_own(entry.path())) {
+            let path = match entry {
+                Ok(entry) if entry.file_type().is_file() => entry.into_path(),
+                _ => continue,
+            };
+            if !files.contains(&path) {
+                fs::remove_file(&path).map_err(|source| PlantedError::File { path, source })?;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The root module of the crate to which a file belongs.
@@ -74,43 +139,17 @@ fn crate_root(file: &str) -> Option<String> {
 }
 
 /// The files that git tracks, or would, under some paths.
-fn tracked(project: &Project, under: &[&str]) -> Result<Vec<String>, PlantedError> {
+fn tracked(project: &Project, under: &[String]) -> Result<Vec<String>, PlantedError> {
     let args = ["ls-files", "-z", "--cached", "--others", "--exclude-standard", "--deduplicate", "--"];
-    let output = project.program("git", &[&args[..], under].concat(), "").output();
+    let output = project.program("git", &args, "").args(under).output();
     let output = output.map_err(|source| PlantedError::Git { said: source.to_string() })?;
     if !output.status.success() {
-        return Err(PlantedError::Git { said: String::from_utf8_lossy(&output.stderr).into_owned() });
+        return Err(PlantedError::Git { said: String::from_utf8_lossy(&output.stderr).trim().to_owned() });
     }
     let names = String::from_utf8_lossy(&output.stdout);
     // A file that was just removed is still tracked.
-    let files = names.split('\0').filter(|file| !file.is_empty() && project.path(file).is_file());
+    let files = names.split_terminator('\0').filter(|file| project.path(file).is_file());
     Ok(files.map(str::to_owned).collect())
-}
-
-fn save(path: &Path, content: &[u8]) -> Result<(), PlantedError> {
-    if fs::read(path).is_ok_and(|before| before == content) {
-        return Ok(());
-    }
-    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
-    let written = folder.and_then(|()| fs::write(path, content));
-    written.map_err(|source| PlantedError::File { path: path.to_owned(), source })
-}
-
-/// Removes the files of a copy that are not among `files`; what cargo builds there stays.
-fn remove_others(root: &Path, folder: &Path, files: &BTreeSet<String>) -> Result<(), PlantedError> {
-    let failed = |source| PlantedError::File { path: folder.to_owned(), source };
-    for entry in fs::read_dir(folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        let name = path.strip_prefix(root).unwrap_or(&path).to_string_lossy().replace('\\', "/");
-        if path.is_dir() {
-            if name != "target" {
-                remove_others(root, &path, files)?;
-            }
-        } else if !files.contains(&name) {
-            fs::remove_file(&path).map_err(failed)?;
-        }
-    }
-    Ok(())
 }
 
 /// Why defects could not be planted.
@@ -120,12 +159,20 @@ pub(crate) enum PlantedError {
     Table(#[from] TableError),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
+    #[error("{}: {source}", path.display())]
+    Form { path: PathBuf, source: Box<toml::de::Error> },
+    #[error("the copy of {file} cannot be written: {source}")]
+    Manifest { file: String, source: toml::ser::Error },
     #[error("git ls-files: {said}")]
     Git { said: String },
-    #[error("{file} has a defect, and is no file of the copy")]
-    NotCopied { file: String },
+    #[error("{file} has a defect, and is no file of the copy: {defects}")]
+    NotCopied { file: String, defects: String },
     #[error("{file}: {source}")]
     Weave { file: String, source: WeaveError },
+    #[error("{peer} does not depend on {needed}")]
+    Independent { peer: &'static str, needed: &'static str },
+    #[error(transparent)]
+    Build(#[from] StartError),
 }
 
 #[cfg(test)]
@@ -138,15 +185,19 @@ mod tests {
     fn a_copy_has_the_defects_behind_their_switches_and_nothing_of_an_earlier_copy() {
         let folder = tempfile::tempdir().unwrap();
         let (root, project) = (folder.path(), Project::at(folder.path()));
+        let write = |file: &str, text: &str| {
+            fs::create_dir_all(root.join(file).parent().unwrap()).unwrap();
+            fs::write(root.join(file), text).unwrap();
+        };
         assert!(Command::new("git").arg("init").arg("-q").current_dir(root).status().unwrap().success());
         for (file, text) in [("a/src/lib.rs", "fn f() -> u8 { 1 }\n"), ("a/src/b.rs", "fn g() {}\n"), ("c.txt", "c")] {
-            save(&root.join(file), text.as_bytes()).unwrap();
+            write(file, text);
         }
-        save(&root.join("to/a/src/old.rs"), b"old").unwrap();
-        save(&root.join(".gitignore"), b"/to/\n").unwrap();
+        write("to/a/src/old.rs", "old");
+        write(".gitignore", "/to/\n");
         let edit = "[[defect.edit]]\nfile = \"a/src/lib.rs\"\ncode = \"1\"\nwith = \"2\"\n";
         let table = format!("[[defect]]\nname = \"two\"\nabout = \"It is 2.\"\n{edit}");
-        save(&root.join("table.toml"), table.as_bytes()).unwrap();
+        write("table.toml", &table);
         let defects = ncp_defects::read(&root.join("table.toml")).unwrap();
         let copied = copy(&project, &["a"], "to", &defects).unwrap();
         let text = fs::read_to_string(copied.path("a/src/lib.rs")).unwrap();

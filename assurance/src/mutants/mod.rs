@@ -33,6 +33,8 @@ use ncp_verifier::suite::Suite;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::planted::PlantedError;
+
 /// A peer with a planted defect, or with several.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Mutant {
@@ -107,7 +109,7 @@ pub(crate) enum MutantsError {
     #[error("the mutant {mutant} breaks no rule of the text: {rule:?}")]
     Rule { mutant: String, rule: String },
     #[error("the copy with the planted defects: {0}")]
-    Planted(#[from] planted::PlantedError),
+    Planted(#[from] PlantedError),
     /// The program does not start, or does not speak the peer protocol.
     #[error(transparent)]
     Start(#[from] StartError),

@@ -1,22 +1,20 @@
-//! A copy of the Rust peer, and of all of the project that it depends on, with a switch at every place that a defect
+//! What is copied to make mutants: the Rust peer, and of all of the project that it depends on, with a switch at every place that a defect
 //! changes.
 //!
 //! The copy is a workspace of its own in a folder that git ignores. One build of it holds every defect;
 //! `ncp-peer-rust --defect NAME …` switches some of them on. The sources themselves stay as they are.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
-use std::{fs, io};
 
 use ncp_defects::Defect;
-use ncp_defects::weave::{self, Site, WeaveError};
-use ncp_verifier::peer::{Launch, StartError};
-use thiserror::Error;
+use ncp_verifier::peer::Launch;
 use toml::{Table, Value};
-use walkdir::WalkDir;
 use xtask::project::Project;
+
+use crate::planted::{Copy, PlantedError};
 
 /// Where the copy stands, from the root of the project.
 const COPY: &str = ".tools/planted";
@@ -36,89 +34,44 @@ pub(crate) struct Planted {
     package: String,
 }
 
-/// Why there is no copy.
-#[derive(Debug, Error)]
-pub(crate) enum PlantedError {
-    #[error("{}: {source}", path.display())]
-    File { path: PathBuf, source: io::Error },
-    #[error("{}: {source}", path.display())]
-    Form { path: PathBuf, source: Box<toml::de::Error> },
-    #[error("the copy of {file} cannot be written: {source}")]
-    Manifest { file: String, source: toml::ser::Error },
-    #[error("git ls-files: {0}")]
-    Git(String),
-    #[error("{file}: {source}")]
-    Weave { file: String, source: WeaveError },
-    #[error("{file} is no source of the Rust peer: {defects}")]
-    NoSource { file: String, defects: String },
-    #[error("{PEER} does not depend on {KERNEL}")]
-    NoKernel,
-    #[error(transparent)]
-    Build(#[from] StartError),
-}
-
 /// Brings the copy up to date. A file that stays as it was is left alone, so that cargo builds little anew.
 pub(crate) fn weave(project: &Project, defects: &[Defect]) -> Result<Planted, PlantedError> {
     let root = project.path("");
     let folder = project.path(COPY);
     let mut workspace = manifest(&root.join("Cargo.toml"))?;
     let packages = packages(&root, &workspace)?;
-    let kernel =
-        dependency(&workspace, KERNEL).filter(|kernel| packages.contains(kernel)).ok_or(PlantedError::NoKernel)?;
+    let kernel = dependency(&workspace, KERNEL).filter(|kernel| packages.contains(kernel));
+    let kernel = kernel.ok_or(PlantedError::Independent { peer: PEER, needed: KERNEL })?;
 
-    let mut sites: BTreeMap<&str, Vec<Site<'_>>> = BTreeMap::new();
-    for (number, defect) in defects.iter().enumerate() {
-        for edit in &defect.edit {
-            sites.entry(&edit.file).or_default().push(Site { number, name: &defect.name, edit });
-        }
-    }
     let shared = shared(&root, &workspace)?;
     let package_of =
         |file: &str| packages.iter().filter(|package| is_within(file, package)).max_by_key(|one| one.len());
-    let changed: BTreeSet<&String> = sites.keys().filter_map(|file| package_of(file)).collect();
-
-    let mut copied = Copied { folder: &folder, files: BTreeSet::new() };
-    for file in tracked(project, &packages)? {
-        let Some(package) = package_of(&file) else { continue };
-        let path = root.join(&file);
-        if is_for_tests(&file, package) || !path.is_file() {
-            continue;
-        }
-        let bytes = fs::read(&path).map_err(|source| PlantedError::File { path: path.clone(), source })?;
-        let text = match String::from_utf8(bytes) {
-            Ok(text) => text,
-            Err(binary) => {
-                copied.write(&file, binary.as_bytes())?;
-                continue;
-            }
-        };
-        let text = if file == format!("{package}/Cargo.toml") {
-            without_tests(&path, (package != &kernel && changed.contains(package)).then_some(&shared))?
+    let edits = defects.iter().flat_map(|defect| &defect.edit);
+    let changed: BTreeSet<&String> = edits.filter_map(|edit| package_of(&edit.file)).collect();
+    let revise = |file: &str, text: String| -> Result<Option<String>, PlantedError> {
+        let Some(package) = package_of(file) else { return Ok(None) };
+        Ok(if is_for_tests(file, package) {
+            None
+        } else if file == format!("{package}/Cargo.toml") {
+            Some(without_tests(&root.join(file), (package != &kernel && changed.contains(package)).then_some(&shared))?)
         } else if file.ends_with(".rs") && changed.contains(package) {
-            let sites = sites.remove(file.as_str()).unwrap_or_default();
-            let woven = weave::weave(&text, SWITCH, &sites);
-            let mut woven = woven.map_err(|source| PlantedError::Weave { file: file.clone(), source })?;
-            if file == format!("{kernel}/src/lib.rs") {
-                woven.push_str("\npub mod planted;\n");
-            }
+            let module = if file == format!("{kernel}/src/lib.rs") { "\npub mod planted;\n" } else { "" };
             // A switch is read at run time.
-            woven.replace("const fn ", "fn ")
+            Some((text + module).replace("const fn ", "fn "))
         } else {
-            text
-        };
-        copied.write(&file, text.as_bytes())?;
-    }
-    if let Some((file, sites)) = sites.first_key_value() {
-        let defects = sites.iter().map(|site| site.name).collect::<Vec<_>>().join(", ");
-        return Err(PlantedError::NoSource { file: (*file).to_owned(), defects });
-    }
-    copied.write(&format!("{kernel}/src/planted.rs"), switches(defects).as_bytes())?;
+            Some(text)
+        })
+    };
     only(&mut workspace, &packages);
-    copied.write("Cargo.toml", toml_text("Cargo.toml", &workspace)?.as_bytes())?;
     let lock = root.join("Cargo.lock");
-    let lock = fs::read(&lock).map_err(|source| PlantedError::File { path: lock, source })?;
-    copied.write("Cargo.lock", &lock)?;
-    copied.remove_others()?;
+    let lock = fs::read_to_string(&lock).map_err(|source| PlantedError::File { path: lock, source })?;
+    let own = vec![
+        (format!("{kernel}/src/planted.rs"), switches(defects)),
+        ("Cargo.toml".to_owned(), toml_text("Cargo.toml", &workspace)?),
+        ("Cargo.lock".to_owned(), lock),
+    ];
+    let from = packages.iter().cloned().collect();
+    Copy { from, to: folder.clone(), switch: SWITCH, revise: &revise, own }.make(project, defects)?;
     Ok(Planted { package: name(&root, PEER)?, folder })
 }
 
@@ -159,20 +112,6 @@ fn name(root: &Path, package: &str) -> Result<String, PlantedError> {
     let manifest = manifest(&root.join(package).join("Cargo.toml"))?;
     let name = manifest.get("package").and_then(|package| package.get("name")?.as_str());
     Ok(name.unwrap_or_default().to_owned())
-}
-
-/// The files of some folders that git knows or would take, from the root of the project.
-fn tracked(project: &Project, folders: &BTreeSet<String>) -> Result<Vec<String>, PlantedError> {
-    let options = ["ls-files", "-z", "--cached", "--others", "--exclude-standard", "--"];
-    let mut git = project.program("git", &options, "");
-    let output = git.args(folders).stderr(Stdio::piped()).output();
-    let output = output.map_err(|error| PlantedError::Git(error.to_string()))?;
-    if !output.status.success() {
-        return Err(PlantedError::Git(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
-    }
-    let names = String::from_utf8_lossy(&output.stdout);
-    let names: BTreeSet<&str> = names.split_terminator('\0').collect();
-    Ok(names.into_iter().map(str::to_owned).collect())
 }
 
 fn is_within(file: &str, folder: &str) -> bool {
@@ -271,40 +210,6 @@ pub fn is(number: usize) -> bool {
 }
 "#;
 
-/// What was copied.
-struct Copied<'f> {
-    folder: &'f Path,
-    files: BTreeSet<PathBuf>,
-}
-
-impl Copied<'_> {
-    /// Writes a file if it differs.
-    fn write(&mut self, file: &str, bytes: &[u8]) -> Result<(), PlantedError> {
-        let path = self.folder.join(file);
-        if !fs::read(&path).is_ok_and(|old| old == bytes) {
-            let made = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
-            made.map_err(|source| PlantedError::File { path: path.clone(), source })?;
-        }
-        self.files.insert(path);
-        Ok(())
-    }
-
-    /// Removes what an earlier copy had and this one has not.
-    fn remove_others(&self) -> Result<(), PlantedError> {
-        let is_own = |path: &Path| path != self.folder.join("target");
-        for entry in WalkDir::new(self.folder).into_iter().filter_entry(|entry| is_own(entry.path())) {
-            let path = match entry {
-                Ok(entry) if entry.file_type().is_file() => entry.into_path(),
-                _ => continue,
-            };
-            if !self.files.contains(&path) {
-                fs::remove_file(&path).map_err(|source| PlantedError::File { path, source })?;
-            }
-        }
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::process::Command;
@@ -381,7 +286,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let stray = defect("stray", "other/src/lib.rs", "a", "b");
         let error = weave(&project(folder.path()), &[stray]).unwrap_err().to_string();
-        assert_eq!(error, "other/src/lib.rs is no source of the Rust peer: stray");
+        assert_eq!(error, "other/src/lib.rs has a defect, and is no file of the copy: stray");
     }
 
     #[test]

@@ -15,7 +15,7 @@ use serde_json::Value;
 use xtask::project::Project;
 
 use super::super::cargo;
-use super::{DECISIONS, KernelError, Mutant, SCALAR};
+use super::{DECISIONS, Mutant, MutateError, SCALAR};
 
 const PLACE: &str = ".tools/mutants";
 /// Names the table for `ncp-proofs`.
@@ -80,10 +80,10 @@ impl<'p> Copies<'p> {
     ///
     /// # Errors
     /// They cannot be removed.
-    pub(super) fn new(project: &'p Project, sources: &'p BTreeMap<String, String>) -> Result<Self, KernelError> {
+    pub(super) fn new(project: &'p Project, sources: &'p BTreeMap<String, String>) -> Result<Self, MutateError> {
         let place = project.path(PLACE);
         if place.exists() {
-            fs::remove_dir_all(&place).map_err(|source| KernelError::File { path: place.clone(), source })?;
+            fs::remove_dir_all(&place).map_err(|source| MutateError::File { path: place.clone(), source })?;
         }
         Ok(Self { project, sources, place })
     }
@@ -98,7 +98,7 @@ impl<'p> Copies<'p> {
     ///
     /// # Errors
     /// A file, or an error of the compiler that is in no mutant.
-    pub(super) fn that_compile(&self, mut mutants: Vec<Mutant>) -> Result<Vec<Mutant>, KernelError> {
+    pub(super) fn that_compile(&self, mut mutants: Vec<Mutant>) -> Result<Vec<Mutant>, MutateError> {
         const CHECK: [&str; 8] =
             ["check", "--quiet", "-p", "ncp-proofs", "--lib", "--features", "mutants", "--message-format=json"];
         for mutant in &mutants {
@@ -106,7 +106,7 @@ impl<'p> Copies<'p> {
         }
         for _ in 0..ROUNDS {
             let output = self.cargo(&mutants, Ask::Numbers, &CHECK)?.output();
-            let output = output.map_err(|source| KernelError::Start { program: "cargo", source })?;
+            let output = output.map_err(|source| MutateError::Start { program: "cargo", source })?;
             if output.status.success() {
                 return Ok(mutants);
             }
@@ -118,23 +118,23 @@ impl<'p> Copies<'p> {
             if mutants.len() == before {
                 let shown = cargo::errors(&lines).find_map(|error| error.rendered.clone());
                 let said = shown.unwrap_or_else(|| String::from_utf8_lossy(&output.stderr).into_owned());
-                return Err(KernelError::NoCopy { said });
+                return Err(MutateError::NoCopy { said });
             }
         }
-        Err(KernelError::ErrorsWithoutEnd)
+        Err(MutateError::ErrorsWithoutEnd)
     }
 
     /// Builds some mutants, and holds each against all properties; the answers, one each.
     ///
     /// # Errors
     /// A file, or a program that fails.
-    pub(super) fn hold(&self, mutants: &[Mutant], ask: Ask) -> Result<Vec<Answer>, KernelError> {
+    pub(super) fn hold(&self, mutants: &[Mutant], ask: Ask) -> Result<Vec<Answer>, MutateError> {
         const RUN: [&str; 8] = ["run", "--quiet", "-p", "ncp-proofs", "--features", "mutants", "--bin", "ncp-mutants"];
         let mut command = self.cargo(mutants, ask, &RUN)?;
         if ask == Ask::Solvers {
             command.args(["--", "--symbolic"]);
         }
-        let failed = |source| KernelError::Start { program: "ncp-mutants", source };
+        let failed = |source| MutateError::Start { program: "ncp-mutants", source };
         let mut child = command.stdout(Stdio::piped()).spawn().map_err(failed)?;
         let mut answers = Vec::new();
         if let Some(output) = child.stdout.take() {
@@ -147,11 +147,11 @@ impl<'p> Copies<'p> {
             }
         }
         let status = child.wait().map_err(failed)?;
-        if status.success() { Ok(answers) } else { Err(KernelError::Failed { status: status.to_string() }) }
+        if status.success() { Ok(answers) } else { Err(MutateError::Failed { status: status.to_string() }) }
     }
 
     /// cargo, with the table of these mutants.
-    fn cargo(&self, mutants: &[Mutant], ask: Ask, args: &[&str]) -> Result<Command, KernelError> {
+    fn cargo(&self, mutants: &[Mutant], ask: Ask, args: &[&str]) -> Result<Command, MutateError> {
         let table = self.place.join("mutants.rs");
         save(&table, &self.table(mutants, ask))?;
         let mut command = self.project.cargo(args);
@@ -183,7 +183,7 @@ impl<'p> Copies<'p> {
     }
 
     /// Writes the copy of a mutant: the decisions, or the numbers, with its change.
-    fn write(&self, mutant: &Mutant) -> Result<(), KernelError> {
+    fn write(&self, mutant: &Mutant) -> Result<(), MutateError> {
         let folder = self.place.join(&mutant.id);
         let is_number = mutant.file == SCALAR;
         let wanted = |file: &str| if is_number { file == SCALAR } else { file.starts_with(DECISIONS) };
@@ -218,9 +218,9 @@ fn id_in(file: &str) -> Option<&str> {
     file.split(['/', '\\']).rev().find(is_id)
 }
 
-fn save(path: &Path, text: &str) -> Result<(), KernelError> {
+fn save(path: &Path, text: &str) -> Result<(), MutateError> {
     let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
-    folder.and_then(|()| fs::write(path, text)).map_err(|source| KernelError::File { path: path.to_owned(), source })
+    folder.and_then(|()| fs::write(path, text)).map_err(|source| MutateError::File { path: path.to_owned(), source })
 }
 
 #[cfg(test)]

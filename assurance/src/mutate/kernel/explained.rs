@@ -7,7 +7,7 @@ use ncp_defects::place;
 use serde::Deserialize;
 use xtask::project::Project;
 
-use super::{KernelError, Mutant};
+use super::{Mutant, MutateError};
 
 pub(super) const EXPLAINED: &str = "proofs/equivalent.toml";
 
@@ -33,7 +33,7 @@ pub(super) struct Explained {
 ///
 /// # Errors
 /// The file cannot be read, is not of the form, or gives no reason.
-pub(super) fn read(project: &Project, sources: &BTreeMap<String, String>) -> Result<Vec<Explained>, KernelError> {
+pub(super) fn read(project: &Project, sources: &BTreeMap<String, String>) -> Result<Vec<Explained>, MutateError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]
     struct File {
@@ -41,12 +41,13 @@ pub(super) fn read(project: &Project, sources: &BTreeMap<String, String>) -> Res
     }
 
     let path = project.path(EXPLAINED);
-    let text = fs::read_to_string(&path).map_err(|source| KernelError::File { path, source })?;
-    let file: File = toml::from_str(&text).map_err(|source| KernelError::Explained { source: Box::new(source) })?;
+    let text = fs::read_to_string(&path).map_err(|source| MutateError::File { path: path.clone(), source })?;
+    let wrong = |source| MutateError::Explained { path: path.clone(), source: Box::new(source) };
+    let file: File = toml::from_str(&text).map_err(wrong)?;
     let mut changes = file.change;
     for change in &mut changes {
         if change.reason.is_empty() {
-            return Err(KernelError::NoReason { text: change.text.clone() });
+            return Err(MutateError::NoReason { path, text: change.text.clone() });
         }
         let source = sources.get(&change.file).map_or("", String::as_str);
         let offset = change.text.chars().take(change.column.saturating_sub(1)).map(char::len_utf8).sum();

@@ -19,19 +19,16 @@ mod tokens;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
-use std::path::PathBuf;
 
 use clap::Args;
-use thiserror::Error;
 use xtask::project::Project;
-use xtask::setup::{self, SetupError};
+use xtask::setup;
 
 use self::copies::{Ask, Copies};
 use self::explained::{EXPLAINED, Explained};
 use self::report::{Fate, Report};
 use self::tokens::{Change, changes, variants};
-use crate::lock::LockError;
-use crate::reports::ReportError;
+use super::MutateError;
 
 const DECISIONS: &str = "spec/kernel/src/decisions";
 const SCALAR: &str = "spec/kernel/src/scalar.rs";
@@ -81,7 +78,7 @@ struct Mutant {
 ///
 /// # Errors
 /// A file, or a program that cannot be started.
-pub(crate) fn run(project: &Project, args: &KernelArgs) -> Result<bool, KernelError> {
+pub(crate) fn run(project: &Project, args: &KernelArgs) -> Result<bool, MutateError> {
     if args.check {
         let problems = report::problems(project)?;
         problems.iter().for_each(|problem| println!("{problem}"));
@@ -109,7 +106,7 @@ pub(crate) fn run(project: &Project, args: &KernelArgs) -> Result<bool, KernelEr
 }
 
 /// As many changes as are wanted that compile, in the order of the files.
-fn choose(copies: &Copies<'_>, all: &[Mutant], args: &KernelArgs) -> Result<Vec<Mutant>, KernelError> {
+fn choose(copies: &Copies<'_>, all: &[Mutant], args: &KernelArgs) -> Result<Vec<Mutant>, MutateError> {
     println!("{} changes of one token; {} are wanted that compile", all.len(), args.count);
     let mut order = all.to_vec();
     shuffle(&mut order, args.seed);
@@ -139,7 +136,7 @@ fn hold<'e>(
     chosen: Vec<Mutant>,
     explained: &'e [Explained],
     args: &KernelArgs,
-) -> Result<Vec<Held<'e>>, KernelError> {
+) -> Result<Vec<Held<'e>>, MutateError> {
     let explanation = |mutant: &Mutant| explained.iter().find(|entry| entry.is_of(mutant));
     let mut fates = ask(copies, &chosen, Ask::Numbers)?;
     let is_open = |mutant: &&Mutant| !matches!(fates.get(&mutant.id), Some(Fate::Refuted(_)));
@@ -164,21 +161,21 @@ fn hold<'e>(
 }
 
 /// What is said of each, by its id.
-fn ask(copies: &Copies<'_>, mutants: &[Mutant], ask: Ask) -> Result<BTreeMap<String, Fate>, KernelError> {
+fn ask(copies: &Copies<'_>, mutants: &[Mutant], ask: Ask) -> Result<BTreeMap<String, Fate>, MutateError> {
     let answers = copies.hold(mutants, ask)?.into_iter();
     Ok(answers.map(|answer| (answer.id, answer.refuted.map_or(Fate::Open(answer.said), Fate::Refuted))).collect())
 }
 
 /// The kernel's files, by their names from the root.
-fn sources(project: &Project) -> Result<BTreeMap<String, String>, KernelError> {
+fn sources(project: &Project) -> Result<BTreeMap<String, String>, MutateError> {
     let folder = project.path(DECISIONS);
     let entries = fs::read_dir(&folder).and_then(Iterator::collect::<io::Result<Vec<_>>>);
-    let entries = entries.map_err(|source| KernelError::File { path: folder, source })?;
+    let entries = entries.map_err(|source| MutateError::File { path: folder, source })?;
     let decisions = entries.iter().map(|entry| format!("{DECISIONS}/{}", entry.file_name().to_string_lossy()));
     let files = decisions.chain([SCALAR, VOCABULARY].map(str::to_owned));
     let read = |file: String| {
         let path = project.path(&file);
-        let text = fs::read_to_string(&path).map_err(|source| KernelError::File { path, source })?;
+        let text = fs::read_to_string(&path).map_err(|source| MutateError::File { path, source })?;
         Ok((file, text.replace("\r\n", "\n")))
     };
     files.map(read).collect()
@@ -240,31 +237,6 @@ impl Mutant {
 /// The last part of a path from the root.
 fn file_name(file: &str) -> &str {
     file.rsplit_once('/').map_or(file, |(_, name)| name)
-}
-
-/// Why changed kernels could not be tried.
-#[derive(Debug, Error)]
-pub(crate) enum KernelError {
-    #[error("{}: {source}", path.display())]
-    File { path: PathBuf, source: io::Error },
-    #[error(transparent)]
-    Lock(#[from] LockError),
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    #[error(transparent)]
-    Setup(#[from] SetupError),
-    #[error("{EXPLAINED}: {source}")]
-    Explained { source: Box<toml::de::Error> },
-    #[error("{EXPLAINED}: no reason is given of a change in {text:?}")]
-    NoReason { text: String },
-    #[error("{program} cannot be started: {source}")]
-    Start { program: &'static str, source: io::Error },
-    #[error("changed kernels do not compile, and none of them is named:\n{said}")]
-    NoCopy { said: String },
-    #[error("changed kernels: the compiler finds errors without end")]
-    ErrorsWithoutEnd,
-    #[error("ncp-mutants ended with {status}")]
-    Failed { status: String },
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use xtask::project::Project;
 
 use super::copies::Refuted;
 use super::explained::EXPLAINED;
-use super::{KernelArgs, KernelError, Mutant};
+use super::{KernelArgs, Mutant, MutateError};
 use crate::artefact::Artefact;
 use crate::document::{Block, heading, table, text};
 use crate::lock::Lock;
@@ -81,7 +81,7 @@ impl Report {
     ///
     /// # Errors
     /// A file cannot be written.
-    pub(super) fn write(&self, project: &Project) -> Result<bool, KernelError> {
+    pub(super) fn write(&self, project: &Project) -> Result<bool, MutateError> {
         self.lock(sources(project)?).write(&project.path(""), NAME)?;
         let (folder, page) = (project.path(reports::PAGES), self.page());
         reports::page(&folder, PAGE, &page)?;
@@ -188,7 +188,7 @@ impl Entry {
 ///
 /// # Errors
 /// A file cannot be read.
-pub(super) fn problems(project: &Project) -> Result<Vec<String>, KernelError> {
+pub(super) fn problems(project: &Project) -> Result<Vec<String>, MutateError> {
     let again = |why: &str| format!("{NAME}: {why}; cargo assure mutate kernel");
     let Some(lock) = Lock::read(&project.path(""), NAME)? else {
         return Ok(vec![again("it was never made")]);
@@ -199,10 +199,10 @@ pub(super) fn problems(project: &Project) -> Result<Vec<String>, KernelError> {
 }
 
 /// The digests of what the report is about.
-fn sources(project: &Project) -> Result<BTreeMap<String, String>, KernelError> {
+fn sources(project: &Project) -> Result<BTreeMap<String, String>, MutateError> {
     let root = project.path("");
     let digests = Artefact::named(NAME).map(|artefact| artefact.digests(&root)).transpose();
-    Ok(digests.map_err(|source| KernelError::File { path: root, source })?.unwrap_or_default())
+    Ok(digests.map_err(|source| MutateError::File { path: root, source })?.unwrap_or_default())
 }
 
 /// A change and its fate, in a line, and one more with the code where nothing refutes it.

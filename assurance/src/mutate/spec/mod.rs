@@ -16,15 +16,12 @@ use std::process::Command;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use thiserror::Error;
 use xtask::project::Project;
 use xtask::setup::{self, SetupError};
 
 use self::outcome::{By, Mutant, Outcome};
 use self::report::Report;
-use super::cargo;
-use crate::lock::LockError;
-use crate::reports::ReportError;
+use super::{MutateError, cargo};
 
 /// The version of cargo-mutants.
 const CARGO_MUTANTS: &str = "27.1.0";
@@ -114,7 +111,7 @@ pub(crate) struct SpecArgs {
 ///
 /// # Errors
 /// A tool that is missing, tests that fail without a mutation.
-pub(crate) fn run(project: &Project, args: &SpecArgs) -> Result<bool, SpecError> {
+pub(crate) fn run(project: &Project, args: &SpecArgs) -> Result<bool, MutateError> {
     let mut report = Report::read(project)?;
     if !args.check {
         carry_out(project, args, &mut report)?;
@@ -129,7 +126,7 @@ fn names() -> PossibleValuesParser {
     PossibleValuesParser::new(MODULES.map(|module| module.name))
 }
 
-fn carry_out(project: &Project, args: &SpecArgs, report: &mut Report) -> Result<(), SpecError> {
+fn carry_out(project: &Project, args: &SpecArgs, report: &mut Report) -> Result<(), MutateError> {
     let cargo_mutants = setup::program(project, "cargo-mutants", CARGO_MUTANTS, &mut say)?;
     let verifier = if args.report {
         None
@@ -203,7 +200,7 @@ struct Run<'a> {
 impl Run<'_> {
     /// Tries the mutants of the module, or those that were missed so far: by the golden cases, and what
     /// these miss by the tests.
-    fn carry_out(&self, verifier: &Path, mutated: &str, missed: bool) -> Result<(), SpecError> {
+    fn carry_out(&self, verifier: &Path, mutated: &str, missed: bool) -> Result<(), MutateError> {
         let Module { name, cases, tests, .. } = *self.module;
         // Of other sources nothing is kept: the lines in the names of their mutants mean others now.
         let missed = missed && self.is_kept(mutated);
@@ -243,7 +240,7 @@ impl Run<'_> {
     }
 
     /// The mutants of the module.
-    fn list(&self) -> Result<Vec<Mutant>, SpecError> {
+    fn list(&self) -> Result<Vec<Mutant>, MutateError> {
         let output = self.command().args(["--list", "--json"]).output();
         let output = output.map_err(|source| self.not_started(source))?;
         outcome::listed(&output.stdout).ok_or_else(|| self.broken("--list"))
@@ -265,7 +262,7 @@ impl Run<'_> {
     }
 
     /// Runs it, and keeps what it tells.
-    fn stage(&self, mut command: Command, by: By) -> Result<(), SpecError> {
+    fn stage(&self, mut command: Command, by: By) -> Result<(), MutateError> {
         let status = command.status();
         let status = status.map_err(|source| self.not_started(source))?;
         // It tells by 2 that mutants were missed, and by 3 that they took too long.
@@ -279,7 +276,7 @@ impl Run<'_> {
     }
 
     /// The files of the stages, in their order.
-    fn stages(&self) -> Result<Vec<(By, PathBuf)>, SpecError> {
+    fn stages(&self) -> Result<Vec<(By, PathBuf)>, MutateError> {
         let entries = fs::read_dir(&self.folder).map_err(|source| self.no_file(source))?;
         let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
         files.sort();
@@ -288,26 +285,26 @@ impl Run<'_> {
     }
 
     /// How the mutants fared, after all stages.
-    fn outcomes(&self) -> Result<Vec<Outcome>, SpecError> {
+    fn outcomes(&self) -> Result<Vec<Outcome>, MutateError> {
         let mut outcomes = Vec::new();
         for (by, path) in self.stages()? {
             let text = fs::read(&path).map_err(|source| self.no_file(source))?;
-            let told = outcome::told(&text, by).map_err(|source| SpecError::Outcomes { path, source })?;
+            let told = outcome::told(&text, by).map_err(|source| MutateError::Outcomes { path, source })?;
             outcomes = outcome::updated(outcomes, told);
         }
         Ok(outcomes)
     }
 
-    fn no_file(&self, source: io::Error) -> SpecError {
-        SpecError::File { path: self.folder.clone(), source }
+    fn no_file(&self, source: io::Error) -> MutateError {
+        MutateError::File { path: self.folder.clone(), source }
     }
 
-    fn not_started(&self, source: io::Error) -> SpecError {
-        SpecError::File { path: self.cargo_mutants.to_owned(), source }
+    fn not_started(&self, source: io::Error) -> MutateError {
+        MutateError::File { path: self.cargo_mutants.to_owned(), source }
     }
 
-    fn broken(&self, status: &str) -> SpecError {
-        SpecError::Setup(SetupError::Failed {
+    fn broken(&self, status: &str) -> MutateError {
+        MutateError::Setup(SetupError::Failed {
             command: format!("cargo mutants, for the module {}", self.module.name),
             status: status.to_owned(),
             output: format!("{RUNS}/{}/mutants.out has its logs", self.module.name),
@@ -317,23 +314,6 @@ impl Run<'_> {
 
 fn say(line: &str) {
     println!("{line}");
-}
-
-/// Why mutants could not be tried.
-#[derive(Debug, Error)]
-pub(crate) enum SpecError {
-    #[error("{}: {source}", path.display())]
-    File { path: PathBuf, source: io::Error },
-    #[error(transparent)]
-    Lock(#[from] LockError),
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    #[error(transparent)]
-    Setup(#[from] SetupError),
-    #[error("{}: {source}", path.display())]
-    Outcomes { path: PathBuf, source: serde_json::Error },
-    #[error("{}: {source}", path.display())]
-    Explained { path: PathBuf, source: Box<toml::de::Error> },
 }
 
 #[cfg(test)]

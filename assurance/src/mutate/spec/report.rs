@@ -9,7 +9,7 @@ use serde::Serialize;
 use xtask::project::Project;
 
 use super::outcome::{By, Fate, Mutant, Outcome};
-use super::{CARGO_MUTANTS, MODULES, Module, SpecError};
+use super::{CARGO_MUTANTS, MODULES, Module, MutateError};
 use crate::artefact::Artefact;
 use crate::document::{Block, heading, table, text};
 use crate::lock::Lock;
@@ -57,7 +57,7 @@ impl Report {
     ///
     /// # Errors
     /// A lock cannot be read.
-    pub(super) fn read(project: &Project) -> Result<Self, SpecError> {
+    pub(super) fn read(project: &Project) -> Result<Self, MutateError> {
         let mut locks = BTreeMap::new();
         for module in &MODULES {
             locks.extend(Lock::read(&project.path(""), &artefact(module))?.map(|lock| (module.name, lock)));
@@ -75,7 +75,7 @@ impl Report {
         module: &Module,
         mutants: &[Mutant],
         outcomes: &[Outcome],
-    ) -> Result<(), SpecError> {
+    ) -> Result<(), MutateError> {
         let by_name: BTreeMap<&str, Fate> = outcomes.iter().map(|outcome| (&*outcome.name, outcome.fate)).collect();
         let fates: Vec<(&String, Option<Fate>)> =
             mutants.iter().map(|mutant| (&mutant.key, by_name.get(&*mutant.name).copied())).collect();
@@ -108,7 +108,7 @@ impl Report {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub(super) fn problems(&self, project: &Project) -> Result<Vec<String>, SpecError> {
+    pub(super) fn problems(&self, project: &Project) -> Result<Vec<String>, MutateError> {
         let mut problems = Vec::new();
         for module in &MODULES {
             let name = module.name;
@@ -139,7 +139,7 @@ impl Report {
     ///
     /// # Errors
     /// A file cannot be written.
-    pub(super) fn write(&self, project: &Project) -> Result<(), SpecError> {
+    pub(super) fn write(&self, project: &Project) -> Result<(), MutateError> {
         for module in &MODULES {
             if let Some(lock) = self.locks.get(module.name) {
                 lock.write(&project.path(""), &artefact(module))?;
@@ -224,17 +224,17 @@ fn artefact(module: &Module) -> String {
 }
 
 /// The digests of what a module's lock is about.
-fn sources(project: &Project, module: &Module) -> Result<BTreeMap<String, String>, SpecError> {
+fn sources(project: &Project, module: &Module) -> Result<BTreeMap<String, String>, MutateError> {
     let root = project.path("");
     let digests = Artefact::named(&artefact(module)).map(|artefact| artefact.digests(&root)).transpose();
-    Ok(digests.map_err(|source| SpecError::File { path: root, source })?.unwrap_or_default())
+    Ok(digests.map_err(|source| MutateError::File { path: root, source })?.unwrap_or_default())
 }
 
 /// SHA-256 over the names and the contents of the files that are mutated.
 ///
 /// # Errors
 /// A file cannot be read.
-pub(super) fn mutated(project: &Project, module: &Module) -> Result<String, SpecError> {
+pub(super) fn mutated(project: &Project, module: &Module) -> Result<String, MutateError> {
     let root = project.path("");
     let digest = || {
         let mut files = Vec::new();
@@ -243,7 +243,7 @@ pub(super) fn mutated(project: &Project, module: &Module) -> Result<String, Spec
         }
         of_files(&root, files)
     };
-    digest().map_err(|source| SpecError::File { path: root.clone(), source })
+    digest().map_err(|source| MutateError::File { path: root.clone(), source })
 }
 
 /// The files that a pattern of a module means.
@@ -271,10 +271,10 @@ fn collect(folder: &Path, is_deep: bool, files: &mut Vec<PathBuf>) -> io::Result
 }
 
 /// The committed explanations.
-fn equivalent(project: &Project) -> Result<BTreeMap<String, String>, SpecError> {
+fn equivalent(project: &Project) -> Result<BTreeMap<String, String>, MutateError> {
     let path = project.path(EQUIVALENT);
-    let text = fs::read_to_string(&path).map_err(|source| SpecError::File { path: path.clone(), source })?;
-    toml::from_str(&text).map_err(|source| SpecError::Explained { path, source: Box::new(source) })
+    let text = fs::read_to_string(&path).map_err(|source| MutateError::File { path: path.clone(), source })?;
+    toml::from_str(&text).map_err(|source| MutateError::Explained { path, source: Box::new(source) })
 }
 
 #[cfg(test)]
