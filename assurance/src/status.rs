@@ -10,9 +10,10 @@ use serde::Serialize;
 use thiserror::Error;
 use xtask::project::Project;
 
-use crate::artefact::{ARTEFACTS, Artefact, Freshness};
+use crate::artefact::{ARTEFACTS, Artefact, Freshness, OF_PROOFS};
 use crate::console::Styles;
 use crate::lock::{self, LockError, Standing};
+use crate::proofs::{self, ProofsError};
 use crate::trace::{self, TraceError};
 
 #[derive(Debug, Args)]
@@ -42,6 +43,8 @@ pub(crate) enum StatusError {
     Digest { name: &'static str, source: io::Error },
     #[error(transparent)]
     Lock(#[from] LockError),
+    #[error(transparent)]
+    Proofs(#[from] ProofsError),
     #[error(transparent)]
     Trace(#[from] TraceError),
     #[error("cargo {command}: {why}")]
@@ -128,6 +131,11 @@ impl<'p> Eyes<'p> {
                 self.generated()?.iter().filter(is_own).cloned().collect()
             }
             Freshness::Traced => trace::command::stale(&self.project.path(""))?,
+            Freshness::Rendered => proofs::stale_page(&self.project.path(""))?,
+            Freshness::Locked if name.starts_with(OF_PROOFS) => {
+                // A lock says what somebody wrote there: it is held against what it has to say.
+                [self.changed(artefact)?, proofs::wrong(&self.project.path(""), name)?].concat()
+            }
             Freshness::Locked => self.changed(artefact)?,
         };
         Ok(State { name, makes, sources, command: command.join(" "), fresh: why.is_empty(), why })

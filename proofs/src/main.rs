@@ -25,7 +25,7 @@ use ncp_proofs::terminal;
 use serde::{Deserialize, Serialize};
 
 const USAGE: &str = "\
-Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
+Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers|theorem]…
 ";
 
 /// An engine: how it proves, and how it refutes a broken kernel.
@@ -121,6 +121,13 @@ const ENGINES: &[Engine] = &[
         version: env!("CARGO_PKG_VERSION"),
         about: "Exhaustive within bounds: every input of what reads blocks, versions and keys, natively.",
         how: How::Elsewhere(".tools/readers.json"),
+    },
+    Engine {
+        name: "theorem",
+        artefact: "theorem",
+        version: "Coq",
+        about: "Coq checks theorems about the algorithm over doubles, and that the kernel's source is it, path by path.",
+        how: How::Elsewhere(".tools/theorem.json"),
     },
     Engine {
         name: "kani-stand-in",
@@ -284,7 +291,13 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     let run = report::take_run(&mut engines, &run);
     let (format, properties) = (report::FORMAT, report::properties());
     let mut report = Report { format, digest, digests, properties, engines, run, problems: broken::missing() };
-    if refuted.is_empty() {
+    if refuted.is_empty() && !names.is_empty() {
+        // Who asks some engines is told about these.
+        let asked = report.engines.iter().filter(|engine| names.contains(&&*engine.name));
+        let problems: Vec<String> = asked.flat_map(report::problems_of).collect();
+        report.problems.extend(problems);
+        report.problems.extend((!broken::IS_BUILT).then(|| "the broken kernels are not part of this build".to_owned()));
+    } else if refuted.is_empty() {
         report.problems.extend(report::problems(&report));
         if !broken::IS_BUILT {
             report.problems.push("the broken kernels are not part of this build".to_owned());
@@ -298,11 +311,11 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     }
     fs::create_dir_all(file.parent().unwrap_or(&place.root))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
-    if report.problems.is_empty() {
+    if report.problems.is_empty() && report::problems(&report).is_empty() {
         fs::write(place.evidence.join(report::VECTORS), report::vectors(&report))?;
-    }
-    if report.problems.is_empty() {
         println!("{}", terminal::proved(&report));
+    } else if report.problems.is_empty() {
+        println!("shown, as far as {} go: what the others found is of other sources, or none", names.join(", "));
     }
     if !refuted.is_empty() {
         let mut ids: Vec<String> = refuted.into_iter().map(|(id, _)| id).collect();

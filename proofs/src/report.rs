@@ -133,6 +133,9 @@ pub struct Engine {
     /// What it does not show.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub not_proved: Vec<String>,
+    /// The digest of the library whose machine code was explored.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub library_sha256: Option<String>,
 }
 
 /// An engine's word on a claim.
@@ -540,6 +543,18 @@ pub fn problems(report: &Report) -> Vec<String> {
     problems
 }
 
+/// What is wrong with the word of one engine: claims that it does not prove, and, of an exhaustive one, defects that it
+/// does not refute. What others found out about the same claims does not count.
+#[must_use]
+pub fn problems_of(engine: &Engine) -> Vec<String> {
+    let Engine { name, results, broken, .. } = engine;
+    let open = results.iter().filter(|result| !matches!(result.verdict, Verdict::Proved | Verdict::Tried));
+    let open =
+        open.map(|result| format!("{name}: {} is {} {}", result.property, result.verdict.as_str(), result.detail));
+    let missed = broken.iter().filter(|broken| EXHAUSTIVE.contains(&name.as_str()) && !broken.is_refuted());
+    open.chain(missed.map(|broken| format!("{name}: {} is not refuted by {}", broken.id, broken.property))).collect()
+}
+
 /// Whole seconds.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn whole(seconds: f64) -> u64 {
@@ -619,6 +634,18 @@ mod tests {
         let mut report = report(Verdict::Proved, true, &["a"]);
         report.engines[1].broken.push(broken("clamp", 0, false));
         assert_eq!(problems(&report), ["clamp-0: enumeration does not refute it: no counterexample"]);
+    }
+
+    #[test]
+    fn one_engine_answers_for_its_own_claims_and_defects_only() {
+        let mut engine = engine("symbolic", &["clamp"], Verdict::Proved, true, &["a"]);
+        assert_eq!(problems_of(&engine), [""; 0]);
+        engine.broken.push(broken("latch", 7, false));
+        engine.results.push(Answer::new("latch/p", Verdict::Failed));
+        assert_eq!(
+            problems_of(&engine),
+            ["symbolic: latch/p is failed ", "symbolic: latch-7 is not refuted by latch/p"]
+        );
     }
 
     #[test]
