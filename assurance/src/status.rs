@@ -250,11 +250,30 @@ mod tests {
             Lock { sources, ..Lock::default() }.write(root.path(), name).unwrap();
         }
         let project = Project::at(root.path());
-        let why = |name: &str| Eyes::of(&project).state(Artefact::named(name).unwrap()).unwrap().why;
+        let why = |name: &str| Eyes::of(&project).changed(Artefact::named(name).unwrap()).unwrap();
         assert!(why("proofs-kernel").is_empty() && why("proofs-model").is_empty());
         assert_eq!(why("proofs-readers"), ["it was never made"]);
         write("spec/src/wire/messages.rs", "//! Messages, changed.\n");
         assert!(why("proofs-kernel").is_empty());
         assert!(why("proofs-model")[0].starts_with("spec/src/wire has changed"));
+    }
+    #[test]
+    fn a_lock_with_the_right_digests_that_somebody_wrote_by_hand_is_stale() {
+        let root = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(root.path().join("defects")).unwrap();
+        std::fs::write(root.path().join("defects/readers.toml"), "defect = []\n").unwrap();
+        let artefact = Artefact::named("proofs-readers").unwrap();
+        let mut lock = Lock { sources: artefact.digests(root.path()).unwrap(), ..Lock::default() };
+        let project = Project::at(root.path());
+        let why = |lock: &Lock| {
+            lock.write(root.path(), artefact.name).unwrap();
+            Eyes::of(&project).state(artefact).unwrap().why
+        };
+        assert_eq!(why(&lock), Vec::<String>::new());
+        lock.counts.insert("readers-proved".to_owned(), 12);
+        assert_eq!(why(&lock), ["the counts are not those of the entries"]);
+        lock.counts.clear();
+        lock.sources.insert("rustc".to_owned(), "1.0.0 elsewhere".to_owned());
+        assert!(why(&lock)[0].starts_with("rustc has changed (1.0.0 elsewhere, now "));
     }
 }
