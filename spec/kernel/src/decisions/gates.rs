@@ -5,13 +5,21 @@ use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 use super::{inside, is_duration, is_fresh, limit, steps_inside};
 
 /// The gates of a governor: its limits, its latch, and whether the limits can be enforced.
+///
+/// Its fields are the whole of its state, and public for proofs, which take and make any state. Whoever governs uses
+/// the functions.
 #[derive(Debug, Clone, Copy)]
 pub struct Gates<S> {
-    max_speed_mps: Limit<S>,
-    fence_m: Limit<S>,
-    timeout_ms: S,
-    config_fault: bool,
-    estop: bool,
+    /// The speed limit, in m/s.
+    pub max_speed_mps: Limit<S>,
+    /// The fence's radius, in m.
+    pub fence_m: Limit<S>,
+    /// How old a sensor frame may be, in ms, as configured.
+    pub timeout_ms: S,
+    /// Whether the limits cannot be enforced.
+    pub config_fault: bool,
+    /// Whether ESTOP is latched.
+    pub estop: bool,
 }
 
 impl<S: Scalar> Gates<S> {
