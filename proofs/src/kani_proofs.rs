@@ -15,8 +15,11 @@ crate::kani_proofs! {
     clamp_unchanged = "clamp/unchanged", 4;
     clamp_direction = "clamp/direction", 4;
     clamp_tick = "clamp/tick", 4;
+    latch_new = "latch/new", 4;
+    latch_event = "latch/event", 4;
+    latch_govern = "latch/govern", 6;
     latch_gates = "latch/gates", 5;
-    latch_plant = "latch/plant", 5;
+    latch_plant = "latch/plant", 263;
     latch_sequence = "latch/sequence", 7;
     latch_plant_sequence = "latch/plant-sequence", 7;
     latch_horizon = "latch/horizon", 6;

@@ -21,6 +21,34 @@ pub struct Numbers {
     pub seq_lt: fn(i64, i64) -> bool,
 }
 
+/// The whole state of a watchdog. The kernel's own is taken apart and put together member by member, so that a member
+/// more or less there is an error of the compiler here; as with those below.
+#[allow(missing_docs, reason = "each member is that of the kernel")]
+#[derive(Debug, Clone, Copy)]
+pub struct WatchdogState<S, Q> {
+    pub last_seq: Option<Q>,
+    pub deadline: Option<(S, S)>,
+}
+
+/// The whole state of a plant.
+#[allow(missing_docs, reason = "each member is that of the kernel")]
+#[derive(Debug, Clone, Copy)]
+pub struct PlantState<S, Q> {
+    pub watchdog: WatchdogState<S, Q>,
+    pub estop: bool,
+}
+
+/// The whole state of the gates.
+#[allow(missing_docs, reason = "each member is that of the kernel")]
+#[derive(Debug, Clone, Copy)]
+pub struct GatesState<S> {
+    pub max_speed_mps: Limit<S>,
+    pub fence_m: Limit<S>,
+    pub timeout_ms: S,
+    pub config_fault: bool,
+    pub estop: bool,
+}
+
 /// Everything that the kernel decides.
 #[allow(missing_docs, reason = "each function is that of the kernel")]
 pub trait Kernel {
@@ -51,7 +79,10 @@ pub trait Kernel {
     fn watchdog_should_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>, now_s: S) -> bool;
     fn watchdog_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>);
     fn watchdog_reset<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>);
-    fn watchdog_state<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> (Option<Q>, Option<(S, S)>);
+    fn watchdog_state<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> WatchdogState<S, Q>;
+    fn watchdog_in<S: Scalar, Q: Seq>(state: WatchdogState<S, Q>) -> Self::Watchdog<S, Q>;
+    /// What its accessors say.
+    fn watchdog_says<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> WatchdogState<S, Q>;
 
     fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
     fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
@@ -70,8 +101,10 @@ pub trait Kernel {
         steps: usize,
     ) -> Option<usize>;
     fn plant_reset<S: Scalar, Q: Seq>(plant: &mut Self::Plant<S, Q>);
-    fn plant_is_stopped<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> bool;
-    fn plant_state<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> (Option<Q>, Option<(S, S)>);
+    fn plant_state<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> PlantState<S, Q>;
+    fn plant_in<S: Scalar, Q: Seq>(state: PlantState<S, Q>) -> Self::Plant<S, Q>;
+    /// What its accessors say.
+    fn plant_says<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> PlantState<S, Q>;
 
     fn gates<S: Scalar>(max_speed_mps: Option<S>, radius_m: Option<S>, timeout_ms: S) -> Self::Gates<S>;
     fn gates_bind<S: Scalar>(gates: &mut Self::Gates<S>, has_velocity: bool, has_position: bool);
@@ -86,6 +119,8 @@ pub trait Kernel {
     fn gates_reset<S: Scalar>(gates: &mut Self::Gates<S>);
     fn gates_is_stopped<S: Scalar>(gates: &Self::Gates<S>) -> bool;
     fn gates_has_config_fault<S: Scalar>(gates: &Self::Gates<S>) -> bool;
+    fn gates_state<S: Scalar>(gates: &Self::Gates<S>) -> GatesState<S>;
+    fn gates_in<S: Scalar>(state: GatesState<S>) -> Self::Gates<S>;
 }
 
 /// Makes a [`Kernel`] of a module that has the kernel's functions, and of one that has its numbers.
@@ -186,8 +221,20 @@ macro_rules! kernel {
             }
             fn watchdog_state<S: Scalar, Q: Seq>(
                 watchdog: &Self::Watchdog<S, Q>,
-            ) -> (Option<Q>, Option<(S, S)>) {
-                (watchdog.last_seq(), watchdog.deadline())
+            ) -> $crate::kernel::WatchdogState<S, Q> {
+                let $($module)+::Watchdog { last_seq, deadline } = *watchdog;
+                $crate::kernel::WatchdogState { last_seq, deadline }
+            }
+            fn watchdog_in<S: Scalar, Q: Seq>(
+                state: $crate::kernel::WatchdogState<S, Q>,
+            ) -> Self::Watchdog<S, Q> {
+                let $crate::kernel::WatchdogState { last_seq, deadline } = state;
+                $($module)+::Watchdog { last_seq, deadline }
+            }
+            fn watchdog_says<S: Scalar, Q: Seq>(
+                watchdog: &Self::Watchdog<S, Q>,
+            ) -> $crate::kernel::WatchdogState<S, Q> {
+                $crate::kernel::WatchdogState { last_seq: watchdog.last_seq(), deadline: watchdog.deadline() }
             }
             fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q> {
                 $($module)+::Plant::new()
@@ -218,13 +265,23 @@ macro_rules! kernel {
             fn plant_reset<S: Scalar, Q: Seq>(plant: &mut Self::Plant<S, Q>) {
                 plant.reset();
             }
-            fn plant_is_stopped<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> bool {
-                plant.is_stopped()
-            }
             fn plant_state<S: Scalar, Q: Seq>(
                 plant: &Self::Plant<S, Q>,
-            ) -> (Option<Q>, Option<(S, S)>) {
-                (plant.watchdog().last_seq(), plant.watchdog().deadline())
+            ) -> $crate::kernel::PlantState<S, Q> {
+                let $($module)+::Plant { watchdog, estop } = *plant;
+                $crate::kernel::PlantState { watchdog: Self::watchdog_state(&watchdog), estop }
+            }
+            fn plant_in<S: Scalar, Q: Seq>(
+                state: $crate::kernel::PlantState<S, Q>,
+            ) -> Self::Plant<S, Q> {
+                let $crate::kernel::PlantState { watchdog, estop } = state;
+                $($module)+::Plant { watchdog: Self::watchdog_in(watchdog), estop }
+            }
+            fn plant_says<S: Scalar, Q: Seq>(
+                plant: &Self::Plant<S, Q>,
+            ) -> $crate::kernel::PlantState<S, Q> {
+                let watchdog = Self::watchdog_says(plant.watchdog());
+                $crate::kernel::PlantState { watchdog, estop: plant.is_stopped() }
             }
             fn gates<S: Scalar>(
                 max_speed_mps: Option<S>,
@@ -260,6 +317,14 @@ macro_rules! kernel {
             }
             fn gates_has_config_fault<S: Scalar>(gates: &Self::Gates<S>) -> bool {
                 gates.has_config_fault()
+            }
+            fn gates_state<S: Scalar>(gates: &Self::Gates<S>) -> $crate::kernel::GatesState<S> {
+                let $($module)+::Gates { max_speed_mps, fence_m, timeout_ms, config_fault, estop } = *gates;
+                $crate::kernel::GatesState { max_speed_mps, fence_m, timeout_ms, config_fault, estop }
+            }
+            fn gates_in<S: Scalar>(state: $crate::kernel::GatesState<S>) -> Self::Gates<S> {
+                let $crate::kernel::GatesState { max_speed_mps, fence_m, timeout_ms, config_fault, estop } = state;
+                $($module)+::Gates { max_speed_mps, fence_m, timeout_ms, config_fault, estop }
             }
         }
     };

@@ -46,6 +46,8 @@ pub fn of(property: &str) -> Bounds {
             &[0],
             0,
         ),
+        "latch/new" => values(TIMES, &[0], 0),
+        "latch/event" => values(&[0.0, -0.0, 1.0, 500.0, f64::NAN], &[0], 0),
         "latch/plant" => values(&[0.0, 1.0, 500.0, 1000.0, f64::NAN], &[0, 1, 2], 0),
         "latch/sequence" => values(&[0.0], &[0], 6),
         "latch/plant-sequence" => values(&[0.0], &[0, 1, 2], 6),

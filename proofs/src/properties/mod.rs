@@ -1,6 +1,7 @@
 //! The properties: what is claimed, in words and in symbols, and the harness that says it.
 
 pub mod clamp;
+mod command;
 pub mod geofence;
 pub mod latch;
 pub mod number;

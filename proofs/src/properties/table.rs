@@ -63,12 +63,12 @@ pub const PROPERTIES: &[Property] = &[
             "NCP-RES-012",
             "NCP-RES-024",
         ],
-        sentence: "In every state that a watchdog can reach, every event gives the answer and the next state of the \
-            model: only an advancing command sets the deadline, a HOLD is never ignored, a hold persists, and a \
-            reset revives nothing. With the first state this holds for sequences of any length, by induction.",
-        statement: "init = model.init; ∀ reachable states σ, events e: step(σ, e) = model.step(σ, e), where σ ∈ \
-            {(none, none), (q, (r, ttl)), (q, none)} for all q ∈ I64, r, ttl ∈ F64",
-        bounds: "none; the three forms of states are closed under all events",
+        sentence: "In every state of a watchdog, every event gives the answer and the whole next state of the model: \
+            only an advancing command sets the deadline, a HOLD is never ignored, a hold persists, and a reset \
+            revives nothing. With the first state this holds for sequences of any length, by induction.",
+        statement: "init = model.init; ∀ σ ∈ (I64 ∪ {none}) × (F64² ∪ {none}), events e: step(σ, e) = model.step(σ, \
+            e), answer and every member of the state, bit by bit",
+        bounds: "none; also states that are never reached",
         assumptions: NONE,
     },
     Property {
@@ -173,6 +173,74 @@ pub const PROPERTIES: &[Property] = &[
         assumptions: NONE,
     },
     Property {
+        id: "latch/new",
+        family: Family::Latch,
+        rules: &["NCP-SAFE-012", "NCP-SAFE-013"],
+        sentence: "New gates have the limits and the timeout that they are given, a config fault exactly when a limit \
+            is faulty, and no latch.",
+        statement: "∀ speed, radius ∈ F64 ∪ {none}, timeout ∈ F64: new(speed, radius, timeout) = (limit(speed), \
+            limit(radius), timeout, faulty(speed) ∨ faulty(radius), false), the whole state",
+        bounds: "none",
+        assumptions: NONE,
+    },
+    Property {
+        id: "latch/event",
+        family: Family::Latch,
+        rules: &[
+            "NCP-SAFE-006",
+            "NCP-SAFE-007",
+            "NCP-SAFE-008",
+            "NCP-SAFE-009",
+            "NCP-SAFE-014",
+            "NCP-SAFE-017",
+            "NCP-SAFE-018",
+        ],
+        sentence: "In every state of the gates: a binding sets the config fault exactly when an enabled limit has \
+            nothing to act on; a burst sets the latch, and no burst changes nothing; a reset clears the latch. \
+            Nothing else changes: limits and timeout stay, to the bit, as they are. With latch/new and latch/govern \
+            this holds for traces of any length, by induction.",
+        statement: "∀ σ = (speed, fence, timeout, fault, estop): bind(v, p): fault′ = fault ∨ (speed ≠ disabled ∧ ¬v) \
+            ∨ (fence ≠ disabled ∧ ¬p); note_link(b): estop′ = estop ∨ b; reset: estop′ = false; all other members \
+            of σ′ are those of σ, bit by bit",
+        bounds: "none: all limits, all doubles, also states that are never reached",
+        assumptions: NONE,
+    },
+    Property {
+        id: "latch/govern",
+        family: Family::Latch,
+        rules: &[
+            "NCP-SAFE-001",
+            "NCP-SAFE-002",
+            "NCP-SAFE-003",
+            "NCP-SAFE-004",
+            "NCP-SAFE-005",
+            "NCP-SAFE-017",
+            "NCP-SAFE-020",
+            "NCP-SAFE-030",
+            "NCP-SAFE-043",
+            "NCP-SAFE-050",
+            "NCP-SAFE-051",
+            "NCP-SAFE-052",
+            "NCP-SAFE-053",
+            "NCP-SAFE-055",
+            "NCP-SAFE-066",
+            "NCP-SAFE-067",
+            "NCP-SAFE-068",
+        ],
+        sentence: "A command with limits, fence and horizon at once, at gates in every state: the first gate of 7.3 \
+            that closes decides, with its reason; every tick that passes was limited once, by the limit as \
+            configured, and then projected, and ends inside; only what is not to be used or leads out is cut off, \
+            and the decision says whether something was; ESTOP latches exactly by gates 1 and 4, and nothing else \
+            of the state changes.",
+        statement: "∀ σ with faulty ⇒ fault, mode, now, last, position, ttl, dt, n, answers aᵢ and velocities vᵢ of the \
+            ticks: decision and kept steps k are those of 7.3, with k = min(first i: aᵢ₊₁ is err, first i: \
+            ¬inside(pᵢ₊₂)); estop′ ⇔ estop ∨ mode = estop ∨ outside at gate 4; all other members of σ′ are those \
+            of σ, bit by bit",
+        bounds: "horizons of up to 2 steps; of any length: by geofence/step and geofence/follow",
+        assumptions: &["What a tick answers to the limit, and that its velocity is then within it: by clamp/tick. The \
+            harness takes any answer and any velocity."],
+    },
+    Property {
         id: "latch/gates",
         family: Family::Latch,
         rules: &[
@@ -220,12 +288,14 @@ pub const PROPERTIES: &[Property] = &[
             "NCP-RES-031",
             "NCP-RES-032",
         ],
-        sentence: "In every state that a plant can reach, every event gives the answer and the next state of the \
-            model: ESTOP latches whatever its seq, only active is followed, a HOLD is never ignored, the tick is \
-            ⌊age / dt⌋, none past the end, and nothing moves after a reset.",
-        statement: "∀ reachable states σ × estop, events e: step(σ, e) = model.step(σ, e); active = k ⇒ k ≤ (age ⊘ \
-            dt) < k + 1 ∧ k ≤ n",
-        bounds: "horizons of up to 2 steps",
+        sentence: "In every state of a plant, every event gives the answer and the whole next state of the model: \
+            ESTOP latches whatever its seq, only active is followed, a HOLD is never ignored, the tick is ⌊age / \
+            dt⌋, none past the end, and nothing moves after a reset. With the first state this holds for sequences \
+            of any length, by induction.",
+        statement: "init = model.init; ∀ σ ∈ (I64 ∪ {none}) × (F64² ∪ {none}) × {0, 1}, events e: step(σ, e) = \
+            model.step(σ, e), answer and every member of the state, bit by bit; active = k ⇒ k ≤ (age ⊘ dt) < k + 1 \
+            ∧ k ≤ n",
+        bounds: "horizons of n = 0, 1, 2, 3, 8, 17, 130 and 260 steps",
         assumptions: NONE,
     },
     Property {
