@@ -21,6 +21,9 @@ pub trait Prover {
     fn seq(&mut self, name: &str) -> Self::Q;
     /// One of 0, 1, … `count` − 1.
     fn choice(&mut self, name: &str, count: usize) -> usize;
+    /// Any whole number that a horizon counts, from 0 to 4,096. An engine on terms takes every double as the number
+    /// that the kernel makes of it; the index itself is then one that no code has a reason to know.
+    fn index(&mut self, name: &str) -> usize;
     /// How long a sequence of at most `most` events this engine explores.
     fn length(&self, most: usize) -> usize;
 

@@ -62,7 +62,13 @@ pub(crate) struct World {
     by_evaluation: u64,
     reached: BTreeSet<&'static str>,
     guide: Option<Guide>,
+    /// The variable that stands for the number [`INDEX`].
+    index: Option<u32>,
 }
+
+/// An index that stands for any: the number that the kernel makes of it is a variable. A power of two far above all
+/// that is counted, and a little more.
+const INDEX: usize = (1 << 40) + 12_345;
 
 /// Inputs that decide which path is run.
 #[derive(Debug, Clone, Default)]
@@ -166,6 +172,7 @@ impl World {
         self.reached.clear();
         (self.variables, self.seqs, self.by_evaluation) = (0, 0, 0);
         (self.assumed, self.is_dead) = (None, false);
+        self.index = None;
     }
 
     fn node(&self, term: u32) -> Node {
@@ -191,6 +198,12 @@ impl World {
     }
 
     fn constant(&mut self, value: f64) -> u32 {
+        #[expect(clippy::cast_precision_loss)]
+        if let Some(index) = self.index
+            && value.to_bits() == (INDEX as f64).to_bits()
+        {
+            return index;
+        }
         let value = if value.is_nan() { f64::NAN } else { value };
         self.term(Node::Double(value.to_bits()))
     }
@@ -490,6 +503,11 @@ impl Prover for Symbolic {
             world.choices.push(way);
             way
         })
+    }
+    fn index(&mut self, name: &str) -> usize {
+        let SymbolicScalar(variable) = self.scalar(name);
+        with(|world| world.index = Some(variable));
+        INDEX
     }
     fn length(&self, most: usize) -> usize {
         most.min(self.length)
