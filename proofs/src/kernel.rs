@@ -71,6 +71,21 @@ pub trait Kernel {
         channels: impl Iterator<Item = Channel<'a, S>>,
         max_mps: Limit<S>,
     ) -> Result<bool, Reason>;
+    /// What is so far, and what the channel makes of it: whether one was changed, and whether there is a velocity.
+    fn limit_channel<S: Scalar>(
+        so_far: [bool; 2],
+        channel: &mut Channel<'_, S>,
+        max_mps: Limit<S>,
+    ) -> Result<[bool; 2], Reason>;
+    fn step_end<S: Scalar>(
+        plan: &impl Plan<S>,
+        tick: usize,
+        from: &[S; 3],
+        dt_ms: S,
+        ttl_ms: S,
+        radius: S,
+    ) -> Option<[S; 3]>;
+    fn follow<T>(steps: usize, start: T, step: impl FnMut(usize, &T) -> Option<T>) -> (usize, T);
 
     fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
     fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
@@ -186,6 +201,30 @@ macro_rules! kernel {
                 max_mps: Limit<S>,
             ) -> Result<bool, Reason> {
                 $($module)+::limit_tick(channels, max_mps)
+            }
+            fn limit_channel<S: Scalar>(
+                so_far: [bool; 2],
+                channel: &mut Channel<'_, S>,
+                max_mps: Limit<S>,
+            ) -> Result<[bool; 2], Reason> {
+                let [changed, has_velocity] = so_far;
+                let so_far = $($module)+::Limited { changed, has_velocity };
+                let $($module)+::Limited { changed, has_velocity } =
+                    $($module)+::limit_channel(so_far, channel, max_mps)?;
+                Ok([changed, has_velocity])
+            }
+            fn step_end<S: Scalar>(
+                plan: &impl Plan<S>,
+                tick: usize,
+                from: &[S; 3],
+                dt_ms: S,
+                ttl_ms: S,
+                radius: S,
+            ) -> Option<[S; 3]> {
+                $($module)+::step_end(plan, tick, from, dt_ms, ttl_ms, radius)
+            }
+            fn follow<T>(steps: usize, start: T, step: impl FnMut(usize, &T) -> Option<T>) -> (usize, T) {
+                $($module)+::follow(steps, start, step)
             }
             fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q> {
                 $($module)+::Watchdog::new()

@@ -2,6 +2,7 @@
 
 use ncp_kernel::{Channel, Limit, Reason, Scalar};
 
+pub use super::loops::{channel, channels};
 use super::words::{all_finite, norm, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;

@@ -33,7 +33,7 @@ pub fn new<K: Kernel, P: Prover>(p: &mut P) {
 }
 
 /// A limit of any kind, and of any number.
-fn any_limit<P: Prover>(p: &mut P, name: &str) -> Limit<P::S> {
+pub(super) fn any_limit<P: Prover>(p: &mut P, name: &str) -> Limit<P::S> {
     match p.choice(name, 3) {
         0 => Limit::Disabled,
         1 => Limit::Enabled(p.scalar(name)),
@@ -263,9 +263,12 @@ impl<P: Prover> Command<'_, P> {
     fn draw(&self, nth: usize, limit: Option<Limit<P::S>>) -> Tick<P::S> {
         let ways: &[_] = match limit {
             None => &[(Ok(false), true)],
-            Some(Limit::Enabled(_)) => {
-                &[(Ok(false), true), (Ok(true), true), (Err(Reason::NotFinite), false), (Err(Reason::NoVelocity), false)]
-            }
+            Some(Limit::Enabled(_)) => &[
+                (Ok(false), true),
+                (Ok(true), true),
+                (Err(Reason::NotFinite), false),
+                (Err(Reason::NoVelocity), false),
+            ],
             Some(Limit::Disabled) => &[(Ok(false), true), (Ok(false), false), (Err(Reason::NotFinite), false)],
             Some(Limit::Faulty) => &[(Err(Reason::NotFinite), false), (Err(Reason::NoVelocity), false)],
         };

@@ -4,6 +4,7 @@ pub mod clamp;
 mod command;
 pub mod geofence;
 pub mod latch;
+mod loops;
 pub mod number;
 mod table;
 pub mod watchdog;

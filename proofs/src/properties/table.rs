@@ -128,6 +128,47 @@ pub const PROPERTIES: &[Property] = &[
         assumptions: &["As geofence/projection."],
     },
     Property {
+        id: "geofence/step",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-050", "NCP-SAFE-055"],
+        sentence: "One turn of the projection, whichever: any step of a horizon, from any place, ends where its \
+            velocity leads in its share of the time, and is taken exactly when that is inside and it has a velocity.",
+        statement: "∀ k, from, v ∈ F64³ ∪ {none}, dt, T, r: step_end = some e ⇔ v ≠ none ∧ inside(e, r), where e = from \
+            ⊕ v ⊗ (share(k) ⊘ 1000), share(k) = min(dt, T ⊖ k⊗dt) where k⊗dt < T, and else 0. So inside(place) is \
+            kept by every turn",
+        bounds: "none: the number of the step is any double at all",
+        assumptions: &["That a step is projected from where the one before has ended: by geofence/follow, and \
+            latch/govern."],
+    },
+    Property {
+        id: "geofence/follow",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-050", "NCP-SAFE-066", "NCP-SAFE-067"],
+        sentence: "What turns the loops over a horizon, that of the speed limit and that of the projection: the steps \
+            are taken one after the other, each once and from what the one before has left, up to the last or the \
+            first that cannot be taken, and no more.",
+        statement: "∀ n, f: follow(n, s₀, step) = (k, sₖ) with sᵢ = step(i, sᵢ₋₁), k = min(n, f − 1), f the first i \
+            with step(i, sᵢ₋₁) = none; step is asked min(n, f) times",
+        bounds: "n up to 4,096, the longest horizon of a frame: every f for n up to 64, and above f = none, 1, 2, n/2, n \
+            − 1, n",
+        assumptions: &[
+            "It is generic over the state and the step, and so cannot look at them: that Rust's types hold.",
+        ],
+    },
+    Property {
+        id: "geofence/long",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-050", "NCP-SAFE-055", "NCP-SAFE-066", "NCP-SAFE-067"],
+        sentence: "In a long horizon one step that leads out, is not finite, is too fast, has no velocity, or comes \
+            after the ttl is noticed or left alone as it has to be, wherever it stands, with each of the limits, \
+            both and none.",
+        statement: "∀ n ∈ N, i ∈ {1, 2, n/2, n − 1, n}, kinds of step i, limits: govern keeps i − 1 steps or all, and \
+            says so",
+        bounds: "N = {1, 2, 3, 4, 7, 8, 9, 16, 31, 64, 65, 129, 257, 1025, 4096}; one position, one velocity of each \
+            kind",
+        assumptions: &["Other places, velocities and times: by geofence/step and latch/govern."],
+    },
+    Property {
         id: "clamp/bound",
         family: Family::Clamp,
         rules: &["NCP-SAFE-060", "NCP-SAFE-064"],
@@ -171,6 +212,30 @@ pub const PROPERTIES: &[Property] = &[
             wide, in m/s); and then ∀ c in m/s: ‖c‖ ≤ max",
         bounds: "two channels, of 2 to 4 and of 1 component",
         assumptions: NONE,
+    },
+    Property {
+        id: "clamp/channel",
+        family: Family::Clamp,
+        rules: &["NCP-SAFE-011", "NCP-SAFE-060", "NCP-SAFE-062", "NCP-SAFE-064", "NCP-SAFE-065"],
+        sentence: "One turn of the loop over the channels of a tick, whichever: any channel, after any others, is \
+            usable exactly when it is finite and the limit, where it acts, is a bound; in m/s it is then within the \
+            limit, and left alone, to the bit, unless it was above; what is known of the channels before is kept.",
+        statement: "∀ (changed, has), limit, c: ok ⇔ fin(c) ∧ (enabled ∧ in m/s ⇒ pos(max)); then has′ = has ∨ (enabled \
+            ∧ c is the velocity, 3 wide, in m/s), changed′ = changed ∨ (enabled ∧ in m/s ∧ ‖c‖ > max), ‖c′‖ ≤ max \
+            there, and c′ = c unless ‖c‖ > max",
+        bounds: "channels of up to 4 components",
+        assumptions: NONE,
+    },
+    Property {
+        id: "clamp/channels",
+        family: Family::Clamp,
+        rules: &["NCP-SAFE-063", "NCP-SAFE-064", "NCP-SAFE-065"],
+        sentence: "In a tick of many channels the one that is too fast is limited, the one that is not finite is \
+            noticed, and the velocity is found, wherever they stand.",
+        statement: "∀ n ∈ N, places of the velocity and of one odd channel in {first, second, middle, last}: \
+            limit_tick(c₁ … cₙ) = err not finite where one is not, else ok(whether one was above)",
+        bounds: "N = {1, 2, 3, 9, 65, 257, 1025}; one value of each kind",
+        assumptions: &["Other values: by clamp/channel."],
     },
     Property {
         id: "latch/new",
@@ -236,9 +301,11 @@ pub const PROPERTIES: &[Property] = &[
             ticks: decision and kept steps k are those of 7.3, with k = min(first i: aᵢ₊₁ is err, first i: \
             ¬inside(pᵢ₊₂)); estop′ ⇔ estop ∨ mode = estop ∨ outside at gate 4; all other members of σ′ are those \
             of σ, bit by bit",
-        bounds: "horizons of up to 2 steps; of any length: by geofence/step and geofence/follow",
-        assumptions: &["What a tick answers to the limit, and that its velocity is then within it: by clamp/tick. The \
-            harness takes any answer and any velocity."],
+        bounds: "horizons of up to 2 steps",
+        assumptions: &[
+            "What a tick answers to the limit, and that its velocity is then within it: by clamp/tick. The \
+            harness takes any answer and any velocity.",
+        ],
     },
     Property {
         id: "latch/gates",
@@ -295,7 +362,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "init = model.init; ∀ σ ∈ (I64 ∪ {none}) × (F64² ∪ {none}) × {0, 1}, events e: step(σ, e) = \
             model.step(σ, e), answer and every member of the state, bit by bit; active = k ⇒ k ≤ (age ⊘ dt) < k + 1 \
             ∧ k ≤ n",
-        bounds: "horizons of n = 0, 1, 2, 3, 8, 17, 130 and 260 steps",
+        bounds: "horizons of n = 0, 1, 2, 3 and 8 steps",
         assumptions: NONE,
     },
     Property {

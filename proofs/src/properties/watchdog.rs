@@ -204,11 +204,7 @@ pub(super) fn after_hold<P: Prover>(p: &mut P, now: Option<P::Q>, last: Option<P
     now
 }
 
-fn same_state<K: Kernel, P: Prover>(
-    p: &mut P,
-    watchdog: &K::Watchdog<P::S, P::Q>,
-    says: WatchdogState<P::S, P::Q>,
-) {
+fn same_state<K: Kernel, P: Prover>(p: &mut P, watchdog: &K::Watchdog<P::S, P::Q>, says: WatchdogState<P::S, P::Q>) {
     for state in [K::watchdog_state(watchdog), K::watchdog_says(watchdog)] {
         let same = super::words::same_watchdog(p, state, says);
         p.check("the state is the model's", same);
