@@ -158,9 +158,16 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         command: &["assure", "prove", "--engine", "readers"],
     },
     Artefact {
-        name: "proofs-theorem",
+        name: "proofs-path",
         makes: &[],
         sources: PROOFS[4].sources,
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "path"],
+    },
+    Artefact {
+        name: "proofs-theorem",
+        makes: &[],
+        sources: PROOFS[5].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "theorem"],
     },

@@ -20,8 +20,8 @@ use crate::proofs::theorem::{CLAIMS, Claims, THEOREMS};
 /// Whether the machine code of this machine can be explored.
 const RUNS_MACHINE: bool = cfg!(all(target_os = "linux", target_arch = "x86_64"));
 /// The engines, as `proofs/README.md` describes them.
-const ENGINES: [&str; 8] =
-    ["symbolic", "enumeration", "machine", "model", "readers", "theorem", "kani-stand-in", "kani"];
+const ENGINES: [&str; 9] =
+    ["symbolic", "enumeration", "machine", "model", "readers", "path", "theorem", "kani-stand-in", "kani"];
 /// The engines that are done within a minute, and need nothing but cargo.
 pub(crate) const QUICK: [&str; 4] = ["enumeration", "kani-stand-in", "model", "readers"];
 /// What the first stage finds out about the kernel, for the second.
@@ -30,6 +30,7 @@ const KERNEL: &str = ".tools/proofs-kernel.json";
 const MACHINE: &str = ".tools/machine.json";
 const MODEL: &str = ".tools/model.json";
 const READERS: &str = ".tools/readers.json";
+const PATH: &str = ".tools/path.json";
 const THEOREM: &str = ".tools/theorem.json";
 /// How `check.sh` ends where Coq cannot be had.
 const NO_COQ: i32 = 3;
@@ -102,7 +103,9 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
     }
     // First the kernel itself, without the broken ones: whoever has changed it wants to hear that at once.
     forget(project, KERNEL);
-    for (engine, file) in [("model", MODEL), ("machine", MACHINE), ("readers", READERS), ("theorem", THEOREM)] {
+    for (engine, file) in
+        [("model", MODEL), ("machine", MACHINE), ("readers", READERS), ("path", PATH), ("theorem", THEOREM)]
+    {
         if args.wants(engine) {
             forget(project, file);
         }
@@ -126,6 +129,11 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
         part("what reads blocks, versions and keys, on every input within the bounds");
         let program = ["-p", "ncp-readers", "--features", "broken", "--", "--json", READERS];
         good &= start(project.cargo(&[&["run", "--quiet", "--release"], &program[..]].concat()))?;
+    }
+    if args.wants("path") {
+        part("the safety path around the kernel: the scanner for ESTOPs, the governor, the link monitor, the loop");
+        let words = ["run", "--quiet", "--release", "-p", "ncp-path", "--", "--json", PATH];
+        good &= start(project.cargo(&words))?;
     }
     if args.wants("machine") {
         part("the machine code of the kernel, by symbolic execution");

@@ -58,13 +58,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (place, name, _) in SOURCES {
             copy(&root, &here, &folder, (place, name), &defect)?;
         }
+        if families.contains(&"link") {
+            fs::write(folder.join("link_number.rs"), of_numbers(&root, &here, &defect)?)?;
+        }
         for family in families {
             let name = format!("{module}_{family}");
             writeln!(modules, "{}", tree(&name, family, &folder))?;
             let subject = match family {
                 "estop" => "resilience::action_buffer::Subject",
                 "governor" => "safety::governor::SafetyGovernor",
-                "link" => "resilience::link_monitor::LinkMonitor",
+                "link" => {
+                    let link = format!("{name}::resilience");
+                    let terms = format!("{link}::link_number::LinkMonitor");
+                    writeln!(
+                        arms,
+                        "({:?}, {family:?}) => crate::link::run::<{link}::LinkMonitor, {terms}>(id),",
+                        defect.name
+                    )?;
+                    continue;
+                }
                 _ => "control::control_loop::Subject",
             };
             let rust = if family == "loop" { "control" } else { family };
@@ -102,6 +114,30 @@ fn copy(
     Ok(())
 }
 
+/// The link monitor with terms in the place of doubles.
+fn of_numbers(root: &Path, here: &Path, defect: &Defect) -> Result<String, Box<dyn Error>> {
+    let file = source("resilience", "link_monitor");
+    let text = fs::read_to_string(root.join(&file))?.replace("\r\n", "\n");
+    let text = place::plant(place::without_tests(&text), &file, defect)?;
+    let mut numbers = String::new();
+    let mut rest = text.as_str();
+    // Each literal of a double: digits, a dot, digits.
+    while let Some(at) = rest.find(|c: char| c.is_ascii_alphanumeric() || c == '_') {
+        let (before, word) = rest.split_at(at);
+        let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || "._".contains(c))).unwrap_or(word.len());
+        let (word, after) = word.split_at(end);
+        let is_literal = word.split_once('.').is_some_and(|(whole, fraction)| {
+            let is_number = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit() || b == b'_');
+            is_number(whole) && is_number(fraction)
+        });
+        numbers += before;
+        numbers += &if is_literal { format!("Number::of({word})") } else { word.to_owned() };
+        rest = after;
+    }
+    let numbers = (numbers + rest).replace("f64", "Number").replace(" as Number", ".number()");
+    Ok(format!("{numbers}\ninclude!({:?});\n", here.join("src/windows/link_number.rs")))
+}
+
 /// The modules in which the sources of a family are compiled. A loop alone stands between a governor and a link
 /// monitor that note what they are told; all else is of the subject or, where no family of it asks, the specification.
 fn tree(name: &str, family: &str, folder: &Path) -> String {
@@ -116,11 +152,12 @@ fn tree(name: &str, family: &str, folder: &Path) -> String {
          pub mod {name} {{ pub use ncp_spec::{{wire, ErrorCode}};\n\
          pub mod safety {{ pub use ncp_spec::safety::{{Decision, Reason, POSITION_CHANNEL, VELOCITY_CHANNEL, METRES, \
          METRES_PER_SECOND}}; pub use ncp_kernel as kernel; {} }}\n\
-         pub mod resilience {{ {} {} }}\n\
+         pub mod resilience {{ {} {} {} }}\n\
          pub mod control {{ pub use ncp_spec::control::Controller; {} }} }}",
         part("governor", "SafetyGovernor", &spied("SafetyGovernor")),
         part("link_monitor", "LinkMonitor", &spied("LinkMonitor")),
         part("action_buffer", "ActionBuffer", ""),
+        if family == "link" { module("link_number") } else { String::new() },
         part("control_loop", "ControlLoop", ""),
     )
 }

@@ -23,7 +23,7 @@ pub struct Artefact {
 }
 
 /// All artefacts.
-pub const ARTEFACTS: [Artefact; 5] = [
+pub const ARTEFACTS: [Artefact; 6] = [
     // The properties of the kernel, by symbolic execution, by enumeration and by samples.
     Artefact {
         name: "kernel",
@@ -102,6 +102,24 @@ pub const ARTEFACTS: [Artefact; 5] = [
             "proofs/readers/src",
             "proofs/src/counterexample.rs",
             "proofs/src/prover.rs",
+            "proofs/src/provers/native.rs",
+            "proofs/src/report.rs",
+        ],
+    },
+    // The safety path around the kernel.
+    Artefact {
+        name: "path",
+        package: "ncp-path",
+        sources: &[
+            "spec/kernel/src",
+            "spec/src/control/control_loop.rs",
+            "spec/src/resilience",
+            "spec/src/safety",
+            "spec/src/wire",
+            "defects/path.toml",
+            "defects/src",
+            "proofs/path/build.rs",
+            "proofs/path/src",
             "proofs/src/provers/native.rs",
             "proofs/src/report.rs",
         ],

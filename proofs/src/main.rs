@@ -25,7 +25,7 @@ use ncp_proofs::terminal;
 use serde::{Deserialize, Serialize};
 
 const USAGE: &str = "\
-Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers|theorem]…
+Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers|path|theorem]…
 ";
 
 /// An engine: how it proves, and how it refutes a broken kernel.
@@ -121,6 +121,13 @@ const ENGINES: &[Engine] = &[
         version: env!("CARGO_PKG_VERSION"),
         about: "Exhaustive within bounds: every input of what reads blocks, versions and keys, natively.",
         how: How::Elsewhere(".tools/readers.json"),
+    },
+    Engine {
+        name: "path",
+        artefact: "path",
+        version: env!("CARGO_PKG_VERSION"),
+        about: "Exhaustive within bounds: the scanner for ESTOPs, the governor, the link monitor, the loop, natively.",
+        how: How::Elsewhere(".tools/path.json"),
     },
     Engine {
         name: "theorem",

@@ -24,9 +24,11 @@ pub const VECTORS: &str = "vectors.json";
 /// The form of the report.
 pub const FORMAT: u32 = 3;
 /// Engines whose proofs cover all inputs within the bounds that they state.
-pub const EXHAUSTIVE: [&str; 6] = ["symbolic", "enumeration", "machine", "model", "readers", "kani"];
+pub const EXHAUSTIVE: [&str; 7] = ["symbolic", "enumeration", "machine", "model", "readers", "path", "kani"];
 /// The families of what reads untrusted bytes, which is proved beside the kernel.
 const READERS: [&str; 3] = ["bulk", "version", "keys"];
+/// The families of the safety path around the kernel. Of the loop much is tried on listed numbers only.
+const PATH: [&str; 5] = ["estop", "governor", "link", "loop", "liveness"];
 /// How many broken kernels of a family an engine has to refute that covers the family.
 const ENOUGH: usize = 5;
 
@@ -509,7 +511,7 @@ pub fn problems(report: &Report) -> Vec<String> {
             }
         }
     }
-    for family in READERS {
+    for family in READERS.into_iter().chain(PATH) {
         if !exhaustive().any(|engine| proves(&engine, family)) {
             problems.push(format!("{family}: no exhaustive engine proves it"));
         }
@@ -608,6 +610,7 @@ mod tests {
             engine("symbolic", &families, verdict, is_refuted, &["a"]),
             engine("enumeration", &families, verdict, is_refuted, reached),
             engine("readers", &READERS, verdict, is_refuted, &[]),
+            engine("path", &PATH, verdict, is_refuted, &[]),
         ];
         Report { properties, engines, ..Report::default() }
     }

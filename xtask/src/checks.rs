@@ -243,6 +243,7 @@ const MADE_IN_MINUTES: &[&str] = &[
     "proofs-machine",
     "proofs-model",
     "proofs-readers",
+    "proofs-path",
     "proofs-theorem",
     "proofs-page",
     "trace",

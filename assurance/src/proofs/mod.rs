@@ -32,11 +32,12 @@ use crate::reports::{self, ReportError};
 pub(crate) use held::wrong;
 
 /// The artefacts, each with the engines that make it.
-const MADE_BY: [(&str, &[&str]); 5] = [
+const MADE_BY: [(&str, &[&str]); 6] = [
     ("proofs-kernel", &["symbolic", "enumeration", "kani-stand-in"]),
     ("proofs-machine", &["machine"]),
     ("proofs-model", &["model"]),
     ("proofs-readers", &["readers"]),
+    ("proofs-path", &["path"]),
     ("proofs-theorem", &["theorem"]),
 ];
 /// The name of the page.

@@ -46,7 +46,7 @@ pub struct Counterexample {
 impl Outcome {
     /// Whether all cases keep the claim, and each check was reached.
     #[must_use]
-    pub fn is_proved(&self) -> bool {
+    pub fn is_kept(&self) -> bool {
         self.counterexample.is_none() && !self.reached.is_empty() && self.reached.values().all(|count| *count > 0)
     }
 }

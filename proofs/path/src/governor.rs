@@ -38,13 +38,19 @@ fn quiet<G: Governor>(c: &mut Case) {
     const UNITS: [Option<&str>; 3] = [None, Some("m/s"), Some("V")];
     let most = c.bound(1, 2);
     let known: Vec<ChannelSpec> = (0..c.below("channels negotiated", most + 1))
-        .map(|_| spec(*c.pick("name", &NAMES), ChannelKind::Vec3, None, *c.pick("unit", &UNITS)))
+        .map(|_| {
+            let name: &'static str = c.pick::<&str>("name", &NAMES);
+            spec(name, ChannelKind::Vec3, None, *c.pick("unit", &UNITS))
+        })
         .collect();
     let mut governor = G::negotiated(&SafetyLimits::default(), &[], &known);
     let of = |c: &mut Case, name: &'static str| {
         const DATA: [&[f64]; 4] = [&[], &[f64::NAN], &[1.0, -0.0, f64::INFINITY], &[1.0, 2.0, 3.0, -4.0]];
         let has = c.either(name);
-        has.then(|| (name, channel(*c.pick("data", &DATA), *c.pick("unit", &UNITS))))
+        has.then(|| {
+            let data: &[f64] = c.pick::<&[f64]>("data", &DATA);
+            (name, channel(data, *c.pick("unit", &UNITS)))
+        })
     };
     let channels: ChannelMap = [VELOCITY, "a"].into_iter().filter_map(|name| of(c, name)).collect();
     let (t, seq, ttl_ms, frame_id) =
@@ -137,11 +143,23 @@ fn closed_gates<G: Governor>(c: &mut Case) {
     if latched {
         governor.note_link(true);
     }
-    let place = if is(Reason::OutsideFence) { 11.0 } else if is(Reason::LeavesFence) { 9.5 } else { 1.0 };
+    let place = if is(Reason::OutsideFence) {
+        11.0
+    } else if is(Reason::LeavesFence) {
+        9.5
+    } else {
+        1.0
+    };
     let name = if is(Reason::NoPosition) { "elsewhere" } else { POSITION };
     let sensor = frame(name, channel(&[place, 0.0, 0.0], Some("m")));
     let stop = is(Reason::Estop) && !latched;
-    let mode = if stop { Mode::Estop } else if is(Reason::NotActive) { Mode::Init } else { Mode::Active };
+    let mode = if stop {
+        Mode::Estop
+    } else if is(Reason::NotActive) {
+        Mode::Init
+    } else {
+        Mode::Active
+    };
     let speed = if c.either("too fast") { 3.0 } else { 0.5 };
     let mut channels = ChannelMap::from_iter([(VELOCITY, channel(&[speed, 0.0, 0.0], Some("m/s")))]);
     if is(Reason::NoVelocity) {
@@ -231,7 +249,7 @@ fn binding<G: Governor>(c: &mut Case) {
     let mut mine = declared.iter().filter(|spec| spec.name == name);
     let is_bound = mine.clone().next().is_some() && mine.all(|spec| spec.unit.as_deref() == Some(unit) && wide(spec));
     let is_good = is_disabled || (is_enabled && is_bound);
-    c.check("a config fault exactly by 7.2", governor.has_config_fault() == !(is_good && is_other_bound));
+    c.check("a config fault exactly by 7.2", governor.has_config_fault() != (is_good && is_other_bound));
     c.check("nothing is latched at first", !governor.is_stopped());
     let capabilities = Capabilities {
         safety: limits,
@@ -244,7 +262,10 @@ fn binding<G: Governor>(c: &mut Case) {
     let known = commands.iter().map(|spec| (spec.name.clone(), spec.unit.clone()));
     c.check("the channels as they were declared", known.eq(governor.channels().iter().cloned()));
     let canonical = G::new(&SafetyLimits { max_speed_mps: limit, ..SafetyLimits::default() });
-    c.check("without Capabilities a fault by the limit alone", canonical.has_config_fault() != (is_enabled || is_disabled));
+    c.check(
+        "without Capabilities a fault by the limit alone",
+        canonical.has_config_fault() != (is_enabled || is_disabled),
+    );
     let is_canonical = canonical.channels() == [(Text::Borrowed(VELOCITY), Some(Text::Borrowed("m/s")))];
     c.check("without Capabilities the canonical channel", is_canonical);
 }
@@ -254,10 +275,8 @@ fn position<G: Governor>(c: &mut Case) {
     const PLACES: [f64; 8] = [0.0, 3.0, 4.0, 5.0, -5.0, 6.0, f64::NAN, f64::INFINITY];
     let limits = SafetyLimits { geofence_radius_m: Some(5.0), ..SafetyLimits::default() };
     let mut governor = if c.either("negotiated") {
-        let sensors = [
-            spec("first", ChannelKind::Vec3, None, Some("km")),
-            spec(POSITION, ChannelKind::Vec3, None, Some("m")),
-        ];
+        let sensors =
+            [spec("first", ChannelKind::Vec3, None, Some("km")), spec(POSITION, ChannelKind::Vec3, None, Some("m"))];
         G::negotiated(&limits, &sensors, &[])
     } else {
         G::new(&limits)
@@ -269,8 +288,7 @@ fn position<G: Governor>(c: &mut Case) {
     let mine = c.either("the frame has the channel").then(|| (POSITION, channel(&data, unit)));
     let is_there = mine.is_some();
     let has_sensor = c.either("there is a frame");
-    let sensor =
-        SensorFrame { channels: other.into_iter().chain(mine).collect(), ..SensorFrame::default() };
+    let sensor = SensorFrame { channels: other.into_iter().chain(mine).collect(), ..SensorFrame::default() };
     let mut command = CommandFrame {
         channels: ChannelMap::from_iter([(VELOCITY, channel(&[0.0; 3], Some("m/s")))]),
         ..CommandFrame::default()
@@ -404,12 +422,12 @@ fn cut<G: Governor>(c: &mut Case) {
 /// The channel that a limit acts on is found by its name, wherever it stands.
 fn order<G: Governor>(c: &mut Case) {
     const OTHERS: [&str; 3] = ["a", "pose_position2", "zz"];
-    let limits =
-        SafetyLimits { max_speed_mps: Some(1.0), geofence_radius_m: Some(5.0), ..SafetyLimits::default() };
+    let limits = SafetyLimits { max_speed_mps: Some(1.0), geofence_radius_m: Some(5.0), ..SafetyLimits::default() };
     let list = |c: &mut Case, name: &'static str, unit: &'static str, wrong: &'static str| {
         let mut list: Vec<_> = OTHERS
             .iter()
-            .filter_map(|other| c.either(other).then(|| spec(other, ChannelKind::Vec3, None, Some(wrong))))
+            .filter(|other| c.either(other))
+            .map(|other| spec(other, ChannelKind::Vec3, None, Some(wrong)))
             .collect();
         let at = c.below("place", list.len() + 1);
         list.insert(at, spec(name, ChannelKind::Vec3, None, Some(unit)));
@@ -444,13 +462,7 @@ fn order<G: Governor>(c: &mut Case) {
 }
 
 fn spec(name: &'static str, kind: ChannelKind, size: Option<i64>, unit: Option<&'static str>) -> ChannelSpec {
-    ChannelSpec {
-        name: Text::Borrowed(name),
-        kind,
-        size,
-        unit: unit.map(Text::Borrowed),
-        ..ChannelSpec::default()
-    }
+    ChannelSpec { name: Text::Borrowed(name), kind, size, unit: unit.map(Text::Borrowed), ..ChannelSpec::default() }
 }
 
 fn channel(data: &[f64], unit: Option<&'static str>) -> ChannelValue {

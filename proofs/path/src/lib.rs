@@ -7,7 +7,7 @@
 //! | [`spies`] | what stands around a loop, and notes what it is asked |
 //! | [`engine`] | a harness on every combination of what it picks from |
 //! | [`claims`] | what is claimed, in words and in symbols |
-//! | [`estop`], [`governor`], [`link`], [`control`], [`liveness`] | the harnesses |
+//! | [`estop`], [`governor`], [`link`], [`number`], [`control`], [`liveness`] | the harnesses |
 //! | [`subjects`] | the sources of the specification, and copies with a planted defect |
 
 #![forbid(unsafe_code)]
@@ -19,6 +19,7 @@ pub mod estop;
 pub mod governor;
 pub mod link;
 pub mod liveness;
+pub mod number;
 pub mod spies;
 pub mod subject;
 

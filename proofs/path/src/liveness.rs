@@ -32,15 +32,8 @@ fn burst<L: Link>(c: &mut Case) {
     let is_exact = ref_loss == 0.25 || ref_loss == 0.0625;
     #[expect(clippy::cast_precision_loss, reason = "it is small")]
     let s = if is_exact { c.below("S in 16ths", (most * 16.0) as usize + 1) as f64 / 16.0 } else { most };
-    let state = LinkState {
-        ref_loss,
-        threshold,
-        seen: Some((0, 0)),
-        received: 1,
-        lost: 0,
-        missing: BTreeSet::new(),
-        cusum: s,
-    };
+    let state =
+        LinkState { ref_loss, threshold, seen: Some((0, 0)), received: 1, lost: 0, missing: BTreeSet::new(), cusum: s };
     let mut monitor = L::of(state);
     let deliveries = (threshold / ref_loss).ceil() as i64 + 1;
     let mut last = s;
@@ -214,7 +207,12 @@ impl<L: Loop<Governor: Governor, Link: Link>> Graph<L> {
                 {
                     seen.insert(format!("{reason:?}"));
                     let passes = self.ends(to, &[Good]);
-                    self.say("a HOLD that is no config fault ends with the next good frame and command", passes, at, &[event, Good]);
+                    self.say(
+                        "a HOLD that is no config fault ends with the next good frame and command",
+                        passes,
+                        at,
+                        &[event, Good],
+                    );
                 }
                 if self.is_faulty[at] {
                     let is_held = decision.is_none_or(|decision| !is_passed(decision));

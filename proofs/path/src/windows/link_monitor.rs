@@ -25,3 +25,24 @@ impl crate::subject::Link for LinkMonitor {
         LinkMonitor::burst(self)
     }
 }
+
+impl crate::number::Detector<f64> for LinkMonitor {
+    fn new(ref_loss: f64, threshold: f64) -> Self {
+        LinkMonitor::new(ref_loss, threshold)
+    }
+    fn of(ref_loss: f64, threshold: f64, cusum: f64) -> Self {
+        Self { ref_loss, threshold, seen: None, received: 0, lost: 0, missing: BTreeSet::new(), cusum }
+    }
+    fn numbers(&self) -> [f64; 3] {
+        [self.ref_loss, self.threshold, self.cusum]
+    }
+    fn slot(&mut self, by: f64) {
+        self.step(by);
+    }
+    fn on_frame(&mut self, seq: i64) {
+        LinkMonitor::on_frame(self, seq);
+    }
+    fn burst(&self) -> bool {
+        LinkMonitor::burst(self)
+    }
+}
