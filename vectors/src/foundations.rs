@@ -21,7 +21,11 @@ const BENEATH: &[(&str, &[&str])] = &[
     ("keys/segments/{key}/session/accepted", &["keys/build/{key}/realm"]),
     ("keys/realms/{key}/realm/accepted", &["keys/build/{key}/realm"]),
     ("safety/stale/age/500-ms/from-0-s/half", &[]),
+    ("safety/zeroing/", &[]),
     ("safety/", &["safety/stale/age/500-ms/from-0-s/half"]),
+    ("session/life/advance/1", &["wire/encode_session_opened/plain", "wire/encode_observation_frame/plain"]),
+    ("session/life/chunk/5", &["wire/encode_session_opened/plain", "wire/encode_observation_frame/plain"]),
+    ("session/", &["session/life/advance/1", "session/life/chunk/5"]),
     ("control/loop/gate/stale", &["safety/gates/stale-sensor/active"]),
     ("control/loop/gate/clock-backward", &["safety/gates/clock-backward/active"]),
     ("control/loop/gate/outside", &["safety/gates/outside/active"]),
@@ -61,15 +65,17 @@ pub(crate) fn lay(files: Vec<File>) -> Vec<File> {
 
 fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
     let id = format!("{prefix}/{}", case.path);
-    let word = |name: &str| case.args.get(name).and_then(Json::as_str).unwrap_or_default().to_owned();
-    let (kind, key) = (word("kind"), word("key"));
+    let args = case.args.clone();
+    let word = |name: &str| args.get(name).and_then(Json::as_str).unwrap_or_default().to_owned();
+    // A client decodes the reply.
+    let text = if case.call == "reply.check" { word("reply") } else { word("text") };
+    let of_reply = || Json::read(&text).get("kind").and_then(Json::as_str).unwrap_or_default().to_owned();
+    let (kind, key) = (if case.call == "reply.check" { of_reply() } else { word("kind") }, word("key"));
     let named = |pattern: &str| pattern.replace("{kind}", &kind).replace("{key}", &key);
     let line = BENEATH.iter().find(|(begins, _)| id.starts_with(&named(begins)));
     let mut beneath: Vec<String> = line.into_iter().flat_map(|(_, on)| *on).map(|on| named(on)).collect();
-    if case.call == "decode" && case.expect.get("reject").is_none() {
-        let text = word("text");
+    if matches!(case.call, "decode" | "reply.check") && case.expect.get("reject").is_none() {
         beneath.extend(if id == named(OWN) {
-            case = case.by("within", "NCP-WIRE-034");
             vec![named(PLAIN)]
         } else if id == named(EXPLICIT) || id == named(ABSENT) {
             vec![named(OWN)]
@@ -78,6 +84,14 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
         } else {
             vec![named(ABSENT), named(EXPLICIT)]
         });
+    }
+    if case.call == "reply.check" {
+        let request = Json::read(&word("request"));
+        let kind = request.get("kind").and_then(Json::as_str).unwrap_or_default();
+        beneath.push(ABSENT.replace("{kind}", kind));
+    }
+    if id == named(OWN) {
+        case = case.by("within", "NCP-WIRE-034");
     }
     for on in beneath.into_iter().filter(|on| *on != id && ids.contains(on)) {
         case = case.rests_on(on);

@@ -65,6 +65,41 @@ fn a_case_is_asked_only_of_roles_that_its_rules_bind() {
 }
 
 #[test]
+fn what_another_rule_decides_is_decided_by_a_rule_of_the_text_and_no_rule_from_above_the_case() {
+    let catalogue = Catalogue::load().unwrap();
+    for case in cases() {
+        let own = rules(&case, &catalogue);
+        let level = own.iter().map(|rule| rule.level).max();
+        for (place, id) in case["by"].as_object().into_iter().flatten() {
+            let id = id.as_str().unwrap();
+            let rule = catalogue.get(id);
+            let rule = rule.unwrap_or_else(|| panic_with(&format!("{} names {id}, which is no rule", case["id"])));
+            assert_ne!(rule.id, own[0].id, "{} at {place}", case["id"]);
+            assert!(Some(rule.level) <= level, "{} is judged at {place} by {id} of a higher level", case["id"]);
+            let steps = case["args"]["steps"].as_array().or(case["args"]["requests"].as_array());
+            let step = place.split('/').nth(2).and_then(|step| step.parse::<usize>().ok());
+            assert!(step < steps.map(Vec::len).or(Some(1)), "{} has no {place}", case["id"]);
+        }
+    }
+}
+
+#[test]
+fn a_case_rests_on_other_cases_of_no_higher_level() {
+    let catalogue = Catalogue::load().unwrap();
+    let cases = cases();
+    let level = |case: &Value| rules(case, &catalogue).iter().map(|rule| rule.level).max();
+    let levels: BTreeMap<_, _> = cases.iter().map(|case| (case["id"].as_str().unwrap(), level(case))).collect();
+    let resting = cases.iter().filter_map(|case| Some((case, case["rests_on"].as_array()?)));
+    for (case, beneath) in resting {
+        for id in beneath.iter().map(|id| id.as_str().unwrap()) {
+            assert_ne!(case["id"], id);
+            let beneath = levels.get(id).unwrap_or_else(|| panic_with(&format!("{} rests on {id}", case["id"])));
+            assert!(*beneath <= level(case), "{} rests on {id} of a higher level", case["id"]);
+        }
+    }
+}
+
+#[test]
 fn what_the_text_only_advises_never_binds() {
     let catalogue = Catalogue::load().unwrap();
     for case in cases() {

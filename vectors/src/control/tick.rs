@@ -234,7 +234,7 @@ fn ttls() -> Vec<Case> {
         let at = || arrives_at(1, 1.0, &[4.0, 0.0, 0.0], 1.0);
         let answer = if leaves { holds(1.0) } else { moves_by(&[1.5, 0.0, 0.0], 1.0) };
         let rules: &[&'static str] =
-            if leaves { &["NCP-CTRL-014", "NCP-SAFE-051"] } else { &["NCP-CTRL-015", "NCP-SAFE-054"] };
+            if leaves { &["NCP-CTRL-014", "NCP-SAFE-051"] } else { &["NCP-SAFE-021", "NCP-CTRL-014"] };
         cases.push(
             run_with(format!("ttl/look-ahead/period-{period}"), rules, period, fence(), outward(), vec![at(), answer])
                 .title(format!(
@@ -329,7 +329,7 @@ fn happenings() -> Vec<Happening> {
     let seen = || vec![arrives(7, 1.0), commands(1.0, Json::object())];
     vec![
         ("active", "passes", free(), vec![arrives(7, 1.0)], 1.0),
-        ("held", "holds, as the sensor is stale", free(), seen(), 9.0),
+        ("held", "holds, as the sensor is stale", free(), seen(), 1.75),
         ("held-clock", "holds, as the clock went back", free(), seen(), 0.5),
         ("held-limits", "holds, as the limits are none", wrong, vec![arrives(7, 1.0)], 1.0),
         ("stopped", "stops, as the body is outside", fence(), vec![arrives(1, 1.0), out()], 1.25),

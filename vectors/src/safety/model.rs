@@ -266,16 +266,16 @@ impl Trace {
 
     /// What the governor does at each `govern`, by the model.
     pub(super) fn outcomes(&self) -> Vec<Option<Vec<Outcome>>> {
-        self.outcomes_by(Reading::PositionFirst)
+        self.outcomes_by(Reading::PositionFirst, Silence::HOLDS)
     }
 
     /// Whether the text leaves a choice between the position and the mode.
     pub(super) fn is_open(&self) -> bool {
-        self.outcomes() != self.outcomes_by(Reading::ModeOnly)
+        self.outcomes() != self.outcomes_by(Reading::ModeOnly, Silence::HOLDS)
     }
 
-    fn outcomes_by(&self, reading: Reading) -> Vec<Option<Vec<Outcome>>> {
-        let mut governor = self.governor(reading);
+    fn outcomes_by(&self, reading: Reading, silence: Silence) -> Vec<Option<Vec<Outcome>>> {
+        let mut governor = Governor { silence, ..self.governor(reading) };
         self.steps.iter().map(|step| governor.step(step)).collect()
     }
 
@@ -293,21 +293,37 @@ impl Trace {
     /// The pattern of the result.
     pub(super) fn pattern(&self) -> Json {
         let mut patterns = Vec::new();
-        for reading in Reading::ALL {
-            let pattern = self.pattern_by(reading);
-            if !patterns.contains(&pattern) {
-                patterns.push(pattern);
+        for silence in self.silences() {
+            for reading in Reading::ALL {
+                let pattern = self.pattern_by(reading, silence);
+                if !patterns.contains(&pattern) {
+                    patterns.push(pattern);
+                }
             }
         }
         any(patterns)
     }
 
-    fn pattern_by(&self, reading: Reading) -> Json {
+    /// After which silences of the sensor a governor may stop in this trace, and that it may not do so.
+    fn silences(&self) -> Vec<Silence> {
+        let mut all = vec![Silence::HOLDS];
+        for step in &self.steps {
+            if let Step::Govern { now, last: Some(last), .. } = step
+                && Silence::may_stop(now - last, self.limits.timeout)
+                && !all.contains(&Silence(now - last))
+            {
+                all.push(Silence(now - last));
+            }
+        }
+        all
+    }
+
+    fn pattern_by(&self, reading: Reading, silence: Silence) -> Json {
         let governor = self.governor(reading);
         let mut entries = Vec::new();
         // After a sensor that a JSON text cannot hold, nobody knows whether ESTOP was latched.
         let mut is_known = true;
-        for (step, outcomes) in self.steps.iter().zip(self.outcomes_by(reading)) {
+        for (step, outcomes) in self.steps.iter().zip(self.outcomes_by(reading, silence)) {
             let (Step::Govern { command, sensor, .. }, Some(outcomes)) = (step, outcomes) else {
                 is_known |= matches!(step, Step::Reset);
                 entries.push(Json::object());
@@ -390,8 +406,23 @@ impl Reading {
     const ALL: [Self; 3] = [Self::PositionFirst, Self::ModeFirst, Self::ModeOnly];
 }
 
+/// The silence of the sensor, in seconds, from which on a governor latches ESTOP instead of holding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Silence(f64);
+
+impl Silence {
+    /// It always holds.
+    const HOLDS: Self = Self(f64::INFINITY);
+
+    /// Whether the text lets it stop: only after more than two time-outs.
+    fn may_stop(age: f64, timeout: f64) -> bool {
+        age.is_finite() && timeout.is_finite() && timeout > 0.0 && age * 1000.0 > 2.0 * timeout
+    }
+}
+
 struct Governor<'a> {
     reading: Reading,
+    silence: Silence,
     limits: Limits,
     capabilities: Option<&'a Capabilities>,
     /// The rule by which it is in config fail-closed.
@@ -425,7 +456,17 @@ impl<'a> Governor<'a> {
         } else {
             unbound.then_some(if unnamed { "NCP-SAFE-014" } else { "NCP-SAFE-015" })
         };
-        Self { reading, limits, capabilities, fault, latched: None, happened: None, said: "", held: false }
+        Self {
+            reading,
+            silence: Silence::HOLDS,
+            limits,
+            capabilities,
+            fault,
+            latched: None,
+            happened: None,
+            said: "",
+            held: false,
+        }
     }
 
     fn step(&mut self, step: &Step) -> Option<Vec<Outcome>> {
@@ -494,6 +535,11 @@ impl<'a> Governor<'a> {
             return self.hold(fault);
         }
         if let Some(stale) = self.stale(now, last) {
+            let age = last.map_or(f64::NAN, |last| now - last);
+            if stale == STALE && Silence::may_stop(age, self.limits.timeout) && age >= self.silence.0 {
+                self.latch(stale);
+                return vec![Outcome::Estop];
+            }
             return self.hold(stale);
         }
         let mut place = None;
@@ -577,7 +623,7 @@ impl<'a> Governor<'a> {
         } else if now < last {
             Some("NCP-SAFE-035")
         } else {
-            ((now - last) * 1000.0 > timeout).then_some("NCP-SAFE-033")
+            ((now - last) * 1000.0 > timeout).then_some(STALE)
         }
     }
 
@@ -679,6 +725,8 @@ impl<'a> Governor<'a> {
 
 /// The rule by which a command passes.
 const PASSES: &str = "NCP-SAFE-021";
+/// The rule by which a sensor is too old.
+const STALE: &str = "NCP-SAFE-033";
 /// The rule by which a latch goes on.
 const LATCHED: &str = "NCP-SAFE-005";
 /// The rule by which a config fail-closed goes on.

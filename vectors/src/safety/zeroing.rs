@@ -27,6 +27,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 /// A way to a HOLD or an ESTOP frame.
 struct Way {
     name: &'static str,
+    /// The case about that way.
+    beneath: &'static str,
     frame: &'static str,
     limits: Limits,
     steps: fn(Command) -> Vec<Step>,
@@ -37,42 +39,49 @@ const FENCE: Limits = Limits::fence(5.0);
 const WAYS: &[Way] = &[
     Way {
         name: "hold-command",
+        beneath: "safety/gates/nothing/hold",
         frame: "HOLD",
         limits: FENCE,
         steps: |command| vec![govern(command.mode("hold"), near())],
     },
     Way {
         name: "init-command",
+        beneath: "safety/gates/nothing/init",
         frame: "HOLD",
         limits: FENCE,
         steps: |command| vec![govern(command.mode("init"), near())],
     },
     Way {
         name: "stale",
+        beneath: "safety/gates/stale-sensor/active",
         frame: "HOLD",
         limits: FENCE,
         steps: |command| vec![Step::Govern { command, now: 20.0, sensor: Some(near()), last: Some(10.0) }],
     },
     Way {
         name: "no-position",
+        beneath: "safety/gates/no-position/active",
         frame: "HOLD",
         limits: FENCE,
         steps: |command| vec![govern(command, Sensor::of(Vec::new()))],
     },
     Way {
         name: "config-fault",
+        beneath: "safety/gates/config-fault/active",
         frame: "HOLD",
         limits: Limits::speed(-1.0),
         steps: |command| vec![govern(command, near())],
     },
     Way {
         name: "not-finite",
+        beneath: "safety/numbers/gripper/nan/no-limit",
         frame: "HOLD",
         limits: Limits::NONE,
         steps: |command| vec![govern(command.and(channel("z", &[f64::NAN], None)), near())],
     },
     Way {
         name: "bad-tick",
+        beneath: "safety/gates/bad-horizon/active",
         frame: "HOLD",
         limits: Limits::NONE,
         steps: |command| {
@@ -83,24 +92,28 @@ const WAYS: &[Way] = &[
     },
     Way {
         name: "leaves-fence",
+        beneath: "safety/gates/leaves-fence/active",
         frame: "HOLD",
         limits: FENCE,
         steps: |command| vec![govern(command, Sensor::at(&[4.875, 0.0, 0.0]))],
     },
     Way {
         name: "estop-command",
+        beneath: "safety/gates/nothing/estop",
         frame: "ESTOP",
         limits: FENCE,
         steps: |command| vec![govern(command.mode("estop"), near())],
     },
     Way {
         name: "breach",
+        beneath: "safety/gates/outside/active",
         frame: "ESTOP",
         limits: FENCE,
         steps: |command| vec![govern(command, Sensor::at(&[9.0, 0.0, 0.0]))],
     },
     Way {
         name: "latched",
+        beneath: "safety/gates/latched-by-command/active",
         frame: "ESTOP",
         limits: FENCE,
         steps: |command| {
@@ -134,7 +147,8 @@ fn case(
     if let Some(last) = entries.last_mut() {
         *last = any(frames);
     }
-    Case::new(path, &[rule], &[Role::Commander]).call("governor.run", trace.args()).shows(steps(entries))
+    let case = Case::new(path, &[rule], &[Role::Commander]).rests_on(way.beneath);
+    case.call("governor.run", trace.args()).shows(steps(entries))
 }
 
 fn negotiated() -> Capabilities {

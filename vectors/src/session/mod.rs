@@ -155,7 +155,15 @@ fn reference(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -
     let mut expected = within_capacities(&trace);
     let (requests, answers): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
     expected.insert(0, replies(answers));
-    asking(path, rules, requests).shows(any(expected)).needs(REFERENCE_NETWORKS)
+    of_members(asking(path, rules, requests).shows(any(expected)).needs(REFERENCE_NETWORKS))
+}
+
+/// Lets each member of an observation be judged by the rule about it.
+fn of_members(case: Case) -> Case {
+    case.by("/replies/*/sim_time_ms", "NCP-SESS-033")
+        .by("/replies/*/records/*/times", "NCP-SESS-053")
+        .by("/replies/*/records/*/senders", "NCP-SESS-052")
+        .by("/replies/*/records/*/unit", "NCP-SESS-056")
 }
 
 fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {

@@ -170,7 +170,11 @@ impl Context<'_> {
                 "order" => by.order = Some(rule),
                 "within" => by.within = Some(rule),
                 place if place.starts_with('/') => by.places.push((place.to_owned(), rule)),
-                place => return Err(format!("its `by` names {place}: not a JSON pointer, nor one of crash, refusal, order, within")),
+                place => {
+                    return Err(format!(
+                        "its `by` names {place}: not a JSON pointer, nor one of crash, refusal, order, within"
+                    ));
+                }
             }
         }
         Ok(Parts {

@@ -380,7 +380,8 @@ mod tests {
 
     #[test]
     fn a_case_rests_on_a_case_of_the_suite_and_never_on_itself() {
-        let resting = |on: &str| file("a", &["wire/a/x"]).replace(r#""why":"#, &format!(r#""rests_on":["{on}"],"why":"#));
+        let resting =
+            |on: &str| file("a", &["wire/a/x"]).replace(r#""why":"#, &format!(r#""rests_on":["{on}"],"why":"#));
         for (on, message) in [
             ("wire/a/y", "it rests on wire/a/y, which the suite does not have"),
             ("wire/a/x", "it rests on more cases, one on the other, than any case does"),
