@@ -219,7 +219,8 @@ mod tests {
     use super::*;
 
     fn defect(name: &str, file: &str, code: &str, with: &str) -> Defect {
-        let edit = Edit { file: file.to_owned(), after: None, code: code.to_owned(), with: with.to_owned() };
+        let edit =
+            Edit { file: file.to_owned(), after: None, code: code.to_owned(), with: with.to_owned(), always: false };
         let table = format!("name = {name:?}\nabout = \"It.\"\nedit = []\n");
         Defect { edit: vec![edit], ..toml::from_str(&table).unwrap() }
     }
