@@ -157,7 +157,7 @@ impl Command {
     /// Changed as a setting says, if it is one of a command: `seq`, `ttl`, `dt`, `t`, `version`, `mode`, `x` for the
     /// speed
     /// along x, `v` for the channels, `then` for a horizon of speeds along x, and `horizon` for one of channels, with
-    /// slashes between its ticks.
+    /// slashes between its ticks, of which `9*1,0,0` is nine.
     pub(crate) fn setting(&mut self, place: Place, name: &str, value: &str) -> Result<bool, ScenarioError> {
         let some = |text: &str| (text != "-").then(|| text.to_owned());
         match name {
@@ -171,8 +171,12 @@ impl Command {
             "x" => self.channels = vec![velocity(&[place.double(value)?, 0.0, 0.0])],
             "v" => self.channels = channels(place, value, velocity)?,
             "horizon" => {
-                let ticks = value.split('/').filter(|tick| !tick.is_empty());
-                self.horizon = ticks.map(|tick| channels(place, tick, velocity)).collect::<Result<_, _>>()?;
+                self.horizon.clear();
+                for tick in value.split('/').filter(|tick| !tick.is_empty()) {
+                    let (times, tick) = tick.split_once('*').unwrap_or(("1", tick));
+                    let times = times.parse().map_err(|_| place.wants("number of ticks", times))?;
+                    self.horizon.extend(std::iter::repeat_n(channels(place, tick, velocity)?, times));
+                }
             }
             "then" => {
                 let speeds = place.doubles(value)?;

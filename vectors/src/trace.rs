@@ -60,6 +60,11 @@ pub(crate) fn exactly(members: Json) -> Json {
     object! { "$exact" => members }
 }
 
+/// The first of these items, one at least.
+pub(crate) fn beginning(items: Json) -> Json {
+    object! { "$beginning" => items }
+}
+
 /// A number within.
 pub(crate) fn within(low: f64, high: f64) -> Json {
     object! { "$range" => nums(&[low, high]) }
@@ -91,6 +96,12 @@ impl Case {
         self.expect = object! {
             "relation" => "pattern", "value" => pattern, "tolerance" => Json::literal(TOLERANCE),
         };
+        self
+    }
+
+    /// A result of this pattern, in which every number is exact.
+    pub(crate) fn shows_exactly(mut self, pattern: Json) -> Self {
+        self.expect = object! { "relation" => "pattern", "value" => pattern };
         self
     }
 

@@ -37,6 +37,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(malformed(&row)?);
     }
     cases.extend(text.cases("channels", channels)?);
+    cases.extend(text.cases("asked", row_case)?);
     text.end()?;
     let about = "The action buffer: which command a plant follows, and when it follows none.";
     Ok(File::new("resilience", "buffer", about, cases))

@@ -12,6 +12,7 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
     cases.extend(lengths_of_a_tick());
     cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
+    cases.push(long_replay());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
     Ok(File::new("resilience", "horizon", about, cases))
 }
@@ -59,6 +60,18 @@ fn ticks() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Every part of a long horizon is replayed in its time.
+fn long_replay() -> Case {
+    let values: Vec<f64> = (1..=300).map(f64::from).collect();
+    let mut events = vec![Event::Command(active(1).ttl(60_000.0).along_x(125.0, &values), 4.0)];
+    let ticks = [0, 8, 9, 17, 64, 65, 66, 255, 256, 257, 299, 300, 301, 302];
+    events.extend(ticks.map(|tick| Event::Ask(4.0 + 0.125 * f64::from(tick))));
+    case("long/300-steps", &["NCP-RES-028", "NCP-RES-029"], &events)
+        .title("Of a horizon of 300 steps the plant follows each in its time, and none behind the end.")
+        .flags(&["wrong-tick"])
+        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and none past the end of the horizon.")
 }
 
 fn lengths_of_a_tick() -> Vec<Case> {

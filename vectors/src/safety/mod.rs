@@ -9,6 +9,7 @@ mod numbers;
 mod projection;
 mod speed;
 mod stale;
+mod together;
 mod zeroing;
 
 use crate::case::{Case, File, Role};
@@ -26,6 +27,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         projection::file()?,
         speed::file()?,
         stale::file()?,
+        together::file()?,
         zeroing::file()?,
     ])
 }

@@ -6,7 +6,7 @@
 use crate::command::{Channel, Command, M, MPS, POSITION, VELOCITY, channel, channels, channels_json};
 use crate::json::{Json, object};
 use crate::scenario::{self, Place, Row, ScenarioError};
-use crate::trace::{any, exactly, int, num, nums, refused};
+use crate::trace::{any, beginning, exactly, int, num, nums, refused};
 
 /// The fields of `SafetyLimits`.
 #[derive(Debug, Clone, Copy)]
@@ -353,8 +353,19 @@ impl Trace {
 pub(super) enum Outcome {
     Estop,
     Hold,
-    Pass { channels: Vec<Channel>, horizon: Vec<Vec<Channel>> },
+    Pass {
+        channels: Vec<Channel>,
+        horizon: Vec<Vec<Channel>>,
+    },
+    /// It passes with the first steps of this horizon, one at least.
+    Begin {
+        channels: Vec<Channel>,
+        horizon: Vec<Vec<Channel>>,
+    },
 }
+
+/// The most steps for which each length is an outcome of its own.
+const SHORT: usize = 16;
 
 impl Outcome {
     /// A frame that holds is told by its mode; what else it holds is asked in `zeroing` alone, so that a
@@ -377,6 +388,9 @@ impl Outcome {
             Self::Hold => return object! { "mode" => "hold" },
             Self::Pass { channels, horizon } => {
                 (passed(channels), horizon.iter().map(|step| passed(step)).collect::<Json>())
+            }
+            Self::Begin { channels, horizon } => {
+                (passed(channels), beginning(horizon.iter().map(|step| passed(step)).collect()))
             }
         };
         object! {
@@ -713,7 +727,10 @@ impl<'a> Governor<'a> {
         if kept > 0 && kept == horizon.len() && reach.is_some_and(|reach| norm(place) + reach < radius) {
             return vec![pass(kept)];
         }
-        let mut outcomes: Vec<_> = (1..=kept).rev().map(pass).collect();
+        let mut outcomes: Vec<_> = match pass(kept) {
+            Outcome::Pass { channels, horizon } if kept > SHORT => vec![Outcome::Begin { channels, horizon }],
+            _ => (1..=kept).rev().map(pass).collect(),
+        };
         outcomes.push(without);
         // A step without a usable velocity may be held for as well.
         if unusable && !outcomes.contains(&Outcome::Hold) {

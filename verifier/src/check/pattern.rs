@@ -33,6 +33,9 @@ impl Walk<'_> {
             (Shape::Range(low, high), Some(value)) if is_within(*low, *high, value) => {}
             (Shape::Refused, Some(step)) if is_refusal(step) => {}
             (Shape::Items(expected), Some(Json::Array(got))) => self.items(expected, got),
+            (Shape::Beginning(expected), Some(Json::Array(got))) if (1..=expected.len()).contains(&got.len()) => {
+                self.items(expected.get(..got.len()).unwrap_or_default(), got);
+            }
             (Shape::Members(expected), Some(Json::Object(got))) => {
                 self.members(expected, got, false);
             }
@@ -112,6 +115,7 @@ impl Walk<'_> {
             Shape::Json(_) => "a string of JSON".to_owned(),
             Shape::Range(low, high) => format!("a number from {low} to {high}"),
             Shape::Anything => "a member".to_owned(),
+            Shape::Beginning(items) => format!("the first of {} items, at least one", items.len()),
             Shape::Any(choices) => {
                 let choices: Vec<String> = choices.iter().map(ToString::to_string).collect();
                 format!("one of {}", choices.join(" | "))
@@ -219,6 +223,8 @@ mod tests {
         for (pattern, got) in [
             (r#"{"$any":[1,"a"]}"#, "\"a\""),
             (r#"{"a":{"$any":[1,null]}}"#, "{}"),
+            (r#"{"$beginning":[1,2]}"#, "[1]"),
+            (r#"{"$beginning":[1,2]}"#, "[1,2]"),
             (r#"{"$error":true}"#, refused),
             (r#"{"$exact":{"a":1,"b":null}}"#, r#"{"a":1}"#),
             (r#"{"$json":{"ok":true}}"#, r#""{\"ok\": true, \"x\": 1}""#),
@@ -231,6 +237,9 @@ mod tests {
         let internal = r#"{"error":{"code":"internal","message":"m"}}"#;
         for (pattern, got, difference) in [
             (r#"{"$any":[1,2]}"#, "3", "expected one of 1 | 2, got 3"),
+            (r#"{"$beginning":[1,2]}"#, "[]", "expected the first of 2 items, at least one, got []"),
+            (r#"{"$beginning":[1,2]}"#, "[1,2,2]", "expected the first of 2 items, at least one, got [1,2,2]"),
+            (r#"{"$beginning":[1,2]}"#, "[2]", "/0: expected 1, got 2"),
             (
                 r#"{"$any":[{"a":1},{"a":[]}]}"#,
                 r#"{"a":2}"#,

@@ -1,8 +1,8 @@
 //! Patterns of results, for answers of which a case does not judge everything.
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
-//! `$error`, `$exact`, `$json`, `$range`, `$anything`. It is no template, and reading it is strict: a pattern that
-//! is misspelt would test nothing.
+//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`. It is no template, and reading it is strict: a
+//! pattern that is misspelt would test nothing.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
@@ -10,7 +10,7 @@ use std::fmt::{self, Write as _};
 use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
-const WORDS: &str = "`$any`, `$error`, `$exact`, `$json`, `$range`, `$anything`";
+const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`";
 
 /// What a value has to look like.
 #[derive(Debug, Clone)]
@@ -25,6 +25,8 @@ pub enum Shape {
     Text(String),
     /// An array of as many items.
     Items(Vec<Shape>),
+    /// An array of the first of these items, of one at least and of all at most: `$beginning`.
+    Beginning(Vec<Shape>),
     /// An object that has these members, and perhaps more.
     Members(Vec<(String, Shape)>),
     /// An object that has these members and no more: `$exact`.
@@ -93,6 +95,8 @@ impl Shape {
         match (word, operand) {
             ("$any", Json::Array(choices)) if !choices.is_empty() => all(choices).map(Self::Any),
             ("$any", _) => wrong("$any", "an array of patterns"),
+            ("$beginning", Json::Array(items)) if !items.is_empty() => all(items).map(Self::Beginning),
+            ("$beginning", _) => wrong("$beginning", "an array of patterns"),
             ("$error", Json::Bool(true)) => Ok(Self::Refused),
             ("$error", _) => wrong("$error", "true"),
             ("$exact", Json::Object(members)) => match members.iter().find(|(name, _)| name.starts_with('$')) {
@@ -122,6 +126,11 @@ impl fmt::Display for Shape {
             Self::Number(number) => write!(f, "{number}"),
             Self::Text(text) => write_name(text, f),
             Self::Items(items) => write_items(items, f),
+            Self::Beginning(items) => {
+                f.write_str("{\"$beginning\":")?;
+                write_items(items, f)?;
+                f.write_char('}')
+            }
             Self::Members(members) => write_members(members, f),
             Self::Exact(members) => {
                 f.write_str("{\"$exact\":")?;
@@ -188,6 +197,7 @@ mod tests {
             r#"{"steps":[{"hold":true},{},{"$error":true}],"a":null}"#,
             r#"{"$any":[1.5,"a\"b",{"$exact":{"b":[null]}}]}"#,
             r#"{"$json":{"ok":{"$anything":true},"t":{"$range":[-1,"Infinity"]}}}"#,
+            r#"{"$beginning":[{"a":1},[2]]}"#,
             r#"["NaN","-Infinity",-0.0,9007199254740993,1e300]"#,
         ] {
             assert_eq!(Shape::parse(text).unwrap().to_string(), text);
@@ -204,6 +214,7 @@ mod tests {
             (r#"{"$any":[]}"#, "`$any` of a pattern is not an array of patterns"),
             (r#"{"$any":1}"#, "`$any` of a pattern is not an array of patterns"),
             (r#"{"$any":[{"$nay":[1]}]}"#, "`$nay` is no word"),
+            (r#"{"$beginning":[]}"#, "`$beginning` of a pattern is not an array of patterns"),
             (r#"{"$error":false}"#, "`$error` of a pattern is not true"),
             (r#"{"$error":"type"}"#, "`$error` of a pattern is not true"),
             (r#"{"$exact":[1]}"#, "`$exact` of a pattern is not an object"),

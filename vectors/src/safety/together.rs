@@ -1,0 +1,156 @@
+//! What holds one by one, together: the limits after everything that happens, every gate with a horizon, and much of
+//! everything.
+
+use super::model::{Limits, Sensor, Step, Trace, govern};
+use super::{case, near, row_case};
+use crate::case::{Case, File};
+use crate::command::{Channel, Command, MPS, VELOCITY, channel, velocity};
+use crate::json::{Json, object};
+use crate::scenario::{ScenarioError, Scenarios, source};
+use crate::trace::{any, anything, beginning, nums, steps};
+
+pub(super) fn file() -> Result<File, ScenarioError> {
+    let mut cases = Scenarios::read(source!("safety/together"))?.rest(row_case)?;
+    cases.extend(at_the_limit());
+    cases.extend(many_channels());
+    cases.extend(long_horizons());
+    cases.extend(longest_horizons());
+    let about = "Gates and limits together: what a governor keeps, long horizons, many channels and components.";
+    Ok(File::new("safety", "together", about, cases))
+}
+
+const LATE: &str = "A limit acts on every channel, every component and every step, the last as the first.";
+
+fn one(path: &str, rules: &[&'static str], limits: Limits, steps: Vec<Step>) -> Case {
+    case(path, rules, &Trace::new(limits, steps)).flags(&["long-horizon"]).because(LATE)
+}
+
+/// Velocities of exactly the limit, bit for bit.
+fn at_the_limit() -> Vec<Case> {
+    let exact = |(name, v): (&str, [f64; 3])| {
+        let trace = Trace::new(Limits::speed(5.0), vec![govern(Command::moving(&v), near())]);
+        let channels = object! { VELOCITY => object! { "data" => nums(&v) } };
+        case(format!("exactly/{name}"), &["NCP-SAFE-062"], &trace)
+            .shows_exactly(steps(vec![object! { "frame" => object! { "mode" => "active", "channels" => channels } }]))
+            .title(format!("({}, {}, {}) m/s passes a limit of 5 m/s to the last digit.", v[0], v[1], v[2]))
+            .flags(&["off-by-a-boundary"])
+            .because("The governor leaves a velocity unchanged whose norm is not above the limit.")
+    };
+    [("three-four", [3.0, 4.0, 0.0]), ("four-three", [0.0, -4.0, 3.0]), ("x", [5.0, 0.0, 0.0])].map(exact).into()
+}
+
+fn many_channels() -> Vec<Case> {
+    let fast = |name: String| channel(&name, &[6.0, 8.0, 0.0], Some(MPS));
+    let channels = |last: Channel| -> Vec<Channel> {
+        ('a'..='t').map(|name| fast(name.to_string())).chain([velocity(&[6.0, 8.0, 0.0]), last]).collect()
+    };
+    let wide = |last: f64| {
+        let mut data = [0.0; 20];
+        data[19] = last;
+        channel("wide", &data, Some(MPS))
+    };
+    let of = |name: &str, rules: &[&'static str], limits: Limits, channels: Vec<Channel>| {
+        one(&format!("channels/{name}"), rules, limits, vec![govern(Command::of(channels), near())])
+    };
+    let plain = |last: Channel| vec![velocity(&[1.0, 0.0, 0.0]), last];
+    vec![
+        of("twenty-two", &["NCP-SAFE-065", "NCP-SAFE-060"], Limits::speed(2.0), channels(fast("z".to_owned())))
+            .title("Of 22 channels in m/s each is limited."),
+        of("last-not-finite", &["NCP-SAFE-064"], Limits::speed(20.0), channels(channel("z", &[f64::NAN], None)))
+            .title("A component that is not finite in the last of 22 channels holds."),
+        of("wide", &["NCP-SAFE-065", "NCP-SAFE-060"], Limits::speed(2.0), plain(wide(10.0)))
+            .title("A channel of twenty components is limited by its last."),
+        of("wide-not-finite", &["NCP-SAFE-064"], Limits::NONE, plain(wide(f64::INFINITY)))
+            .title("The last of twenty components holds where it is not finite."),
+        of("velocity-259-wide", &["NCP-SAFE-063"], Limits::speed(2.0), vec![velocity(&[0.0; 259])])
+            .title("A velocity of 259 components, which are 3 in eight bits, is held."),
+    ]
+}
+
+/// Horizons of 20 to 300 steps: beyond what is counted in four, six and eight bits.
+fn long_horizons() -> Vec<Case> {
+    const FAST: [f64; 3] = [3.0, 4.0, 0.0];
+    const STILL: [f64; 3] = [0.0; 3];
+    let of = |name: &str, rules: &[&'static str], limits: Limits, command: Command, at: f64| {
+        let path = format!("horizon/{name}");
+        one(&path, rules, limits, vec![govern(command.ttl(60_000.0), Sensor::at(&[at, 0.0, 0.0]))])
+    };
+    let along = |first: f64, parts: &[(usize, [f64; 3])]| {
+        let ticks = parts.iter().flat_map(|(times, v)| std::iter::repeat_n(*v, *times));
+        Command::moving(&[first, 0.0, 0.0]).then(1.0, &ticks.collect::<Vec<_>>())
+    };
+    let changed = |mut command: Command, step: usize, channels: Vec<Channel>| {
+        if let Some(tick) = command.horizon.get_mut(step - 1) {
+            *tick = channels;
+        }
+        command
+    };
+    let (x, no_velocity) = (|x: f64| [x, 0.0, 0.0], vec![channel("gripper", &[1.0], None)]);
+    vec![
+        of("limited", &["NCP-SAFE-066"], Limits::speed(2.0), along(1.0, &[(32, x(1.0)), (268, FAST)]), 0.0)
+            .title("Of 300 steps each that is too fast is limited, from the 33rd to the last."),
+        of(
+            "not-finite",
+            &["NCP-SAFE-067"],
+            Limits::speed(2.0),
+            changed(along(1.0, &[(40, x(1.0))]), 36, vec![velocity(&x(f64::NAN))]),
+            0.0,
+        )
+        .title("A horizon is truncated before its 36th step, which is not finite, or the command is held."),
+        of(
+            "no-velocity",
+            &["NCP-SAFE-055"],
+            Limits::fence(5.0),
+            changed(along(0.0, &[(20, STILL)]), 18, no_velocity),
+            4.0,
+        )
+        .title("Within a fence a horizon goes no further than its 18th step, which has no velocity."),
+        of(
+            "projected",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            Limits::fence(5.0),
+            along(0.0, &[(255, STILL), (45, x(125.0))]),
+            4.0625,
+        )
+        .title("A horizon that leaves the fence with its 263rd step is truncated before that."),
+        of(
+            "kept",
+            &["NCP-SAFE-053", "NCP-SAFE-054"],
+            Limits::fence(5.0),
+            along(20.0, &[(256, STILL), (9, x(1e6))]),
+            4.0,
+        )
+        .title("A horizon of which 256 steps are kept is no horizon without steps, whose tick 0 would leave."),
+    ]
+}
+
+/// Horizons of 4,096 steps, of which only the last is judged, so that the cases stay small.
+fn longest_horizons() -> Vec<Case> {
+    const STEPS: usize = 4096;
+    let of = |name: &str, rules: &[&'static str], limits: Limits, last: [f64; 3], expected: Json| {
+        let mut ticks = [[0.0; 3]; STEPS];
+        ticks[STEPS - 1] = last;
+        let command = Command::moving(&[0.0; 3]).ttl(60_000.0).then(1.0, &ticks);
+        let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[4.0, 0.0, 0.0]))]);
+        let frame = object! { "mode" => "active", "horizon" => expected };
+        case(format!("horizon/{name}"), rules, &trace)
+            .shows(steps(vec![object! { "frame" => frame }]))
+            .flags(&["long-horizon"])
+            .because(LATE)
+    };
+    let before = || std::iter::repeat_n(anything(), STEPS - 1);
+    let limited = object! { VELOCITY => object! { "data" => nums(&[1.2, 1.6, 0.0]) } };
+    let all = before().chain([limited]).collect();
+    vec![
+        of("longest-limited", &["NCP-SAFE-066"], Limits::speed(2.0), [3.0, 4.0, 0.0], all)
+            .title("The last step of the longest horizon is limited."),
+        of(
+            "longest-projected",
+            &["NCP-SAFE-050", "NCP-SAFE-054"],
+            Limits::fence(5.0),
+            [1e6, 0.0, 0.0],
+            any(vec![beginning(before().collect()), Json::Array(Vec::new())]),
+        )
+        .title("The last step of the longest horizon is not sent where it leaves the fence."),
+    ]
+}
