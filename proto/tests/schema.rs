@@ -409,6 +409,7 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
     let pattern = json!({"steps": [
         {"hold": true, "note": null}, {}, {"$error": true}, {"$any": [1, {"$exact": {"a": []}}]},
         {"$json": {"a": {"$range": [0, "Infinity"]}}}, {"$anything": true},
+        {"$beginning": [{"a": 1}]},
     ]});
     let limits = || json!({"max_speed_mps": "-Infinity"});
     for case in [
@@ -449,6 +450,7 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         run(json!([hold]), json!({"a": [{"$error": false}]})),
         run(json!([hold]), json!({"$error": true, "a": 1})),
         run(json!([hold]), json!({"$any": []})),
+        run(json!([hold]), json!({"$beginning": []})),
         run(json!([hold]), json!({"$exact": {"$any": [1]}})),
         run(json!([hold]), json!({"$range": [0]})),
         run(json!([hold]), json!({"$repeat": "x", "times": 3})),
