@@ -7,10 +7,14 @@
 
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
+use std::panic::resume_unwind;
 
 use ncp_kernel::{Scalar, Seq};
 
 use crate::prover::Prover;
+
+/// More operations on one path than these are no end of it.
+const MOST_STEPS: u64 = 1_000_000;
 
 /// A node of the graph of terms; terms are numbers of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -44,6 +48,15 @@ struct Fork {
     ways: usize,
 }
 
+/// What a path has decided, in order: what tells it from all others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Decision {
+    /// The answer to a comparison.
+    Answer(u32, bool),
+    /// Which of how many ways the harness goes on, at its `nth` choice.
+    Way { nth: u16, way: u16, ways: u16 },
+}
+
 /// The graph of terms, and the path at work.
 #[derive(Debug, Default)]
 pub(crate) struct World {
@@ -52,8 +65,10 @@ pub(crate) struct World {
     forks: Vec<Fork>,
     at: usize,
     literals: Vec<(u32, bool)>,
+    decisions: Vec<Decision>,
     decided: HashMap<u32, bool>,
     choices: Vec<usize>,
+    steps: u64,
     variables: u32,
     seqs: u32,
     assumed: Option<u32>,
@@ -93,6 +108,8 @@ pub(crate) enum Concrete {
 pub(crate) struct Path {
     /// The decisions on comparisons.
     pub(crate) literals: Vec<(u32, bool)>,
+    /// All decisions, but for those after which no check counts.
+    pub(crate) decisions: Vec<Decision>,
     /// The checks that are not true by evaluation alone.
     pub(crate) checks: Vec<(&'static str, u32)>,
     /// The choices, for a replay.
@@ -127,6 +144,7 @@ pub(crate) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
     harness(&mut Symbolic { length });
     with(|world| Path {
         literals: std::mem::take(&mut world.literals),
+        decisions: std::mem::take(&mut world.decisions),
         checks: std::mem::take(&mut world.checks),
         choices: std::mem::take(&mut world.choices),
         by_evaluation: world.by_evaluation,
@@ -166,11 +184,12 @@ impl World {
     fn begin(&mut self) {
         self.at = 0;
         self.literals.clear();
+        self.decisions.clear();
         self.decided.clear();
         self.choices.clear();
         self.checks.clear();
         self.reached.clear();
-        (self.variables, self.seqs, self.by_evaluation) = (0, 0, 0);
+        (self.steps, self.variables, self.seqs, self.by_evaluation) = (0, 0, 0, 0);
         (self.assumed, self.is_dead) = (None, false);
         self.index = None;
     }
@@ -181,6 +200,10 @@ impl World {
 
     #[expect(clippy::cast_possible_truncation, reason = "far fewer than 2³² terms fit memory")]
     fn term(&mut self, node: Node) -> u32 {
+        self.steps += 1;
+        if self.steps > MOST_STEPS {
+            resume_unwind(Box::new(format!("no end after {MOST_STEPS} operations on one path")));
+        }
         if let Some(number) = self.numbers.get(&node) {
             return *number;
         }
@@ -204,8 +227,9 @@ impl World {
         {
             return index;
         }
-        let value = if value.is_nan() { f64::NAN } else { value };
-        self.term(Node::Double(value.to_bits()))
+        // Of bits and not of doubles, where a compiler may take one NaN for another.
+        let bits = if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
+        self.term(Node::Double(bits))
     }
 
     fn binary(&mut self, node: Node, a: u32, b: u32, f: fn(f64, f64) -> f64) -> u32 {
@@ -320,6 +344,12 @@ impl World {
         0
     }
 
+    fn note(&mut self, decision: Decision) {
+        if !self.is_dead {
+            self.decisions.push(decision);
+        }
+    }
+
     /// The term's value for the inputs of the guide.
     fn concrete(&self, term: u32) -> Concrete {
         let known = self.guide.as_ref().map(|guide| &guide.known);
@@ -385,6 +415,7 @@ impl World {
             None => self.fork(2) == 0,
         };
         self.literals.push((formula, answer));
+        self.note(Decision::Answer(formula, answer));
         self.decided.insert(formula, answer);
         answer
     }
@@ -500,6 +531,9 @@ impl Prover for Symbolic {
     fn choice(&mut self, _name: &str, count: usize) -> usize {
         with(|world| {
             let way = world.fork(count);
+            let short = |number| u16::try_from(number).unwrap_or(u16::MAX);
+            let (nth, which, ways) = (short(world.choices.len()), short(way), short(count));
+            world.note(Decision::Way { nth, way: which, ways });
             world.choices.push(way);
             way
         })
