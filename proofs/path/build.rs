@@ -37,6 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         properties: Vec::new(),
         engines: Vec::new(),
         targets: Vec::new(),
+        of: Vec::new(),
         edit: Vec::new(),
     };
     let (mut modules, mut arms) = (String::new(), String::new());
