@@ -253,7 +253,8 @@ pub fn prove(root: &Path, harness: &Harness) -> Option<Outcome> {
     let solvers = Solvers {
         bin: root.join(".tools/proofs-venv").join(if cfg!(windows) { "Scripts" } else { "bin" }),
         script: root.join("proofs/evidence/solve.py"),
-        patience: Patience::of(std::time::Duration::from_secs(60)),
+        patience: Patience::default(),
+        limits: symbolic::Limits::default(),
         known: None,
     };
     solvers.bin.is_dir().then(|| symbolic::prove(&PROPERTY, harness, &solvers, &root.join(".tools/path-evidence")))
