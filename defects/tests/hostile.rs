@@ -28,13 +28,20 @@ fn every_class_has_kernels_and_one_is_a_composite_of_at_least_seventeen() {
 }
 
 #[test]
-fn the_edits_of_each_kernel_can_be_made_one_behind_the_other() {
+fn the_edits_of_each_kernel_have_places_of_their_own_and_can_be_made_one_behind_the_other() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     for defect in hostile() {
         let files: BTreeSet<&str> = defect.edit.iter().map(|edit| edit.file.as_str()).collect();
         for file in files {
             let source = fs::read_to_string(root.join(file)).unwrap();
-            place::plant(place::without_tests(&source), file, &defect).unwrap();
+            let source = place::without_tests(&source);
+            place::plant(source, file, &defect).unwrap();
+            let edits = defect.edit.iter().filter(|edit| edit.file == file);
+            let mut places: Vec<_> = edits.map(|edit| place::find(source, &defect.name, edit).unwrap()).collect();
+            places.sort_by_key(|place| place.start);
+            for pair in places.windows(2) {
+                assert!(pair[0].end <= pair[1].start, "{}: {}", defect.name, &source[pair[1].clone()]);
+            }
         }
     }
 }
