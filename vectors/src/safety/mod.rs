@@ -28,6 +28,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
         speed::file()?,
         stale::file()?,
         together::file()?,
+        together::longest(),
         zeroing::file()?,
     ])
 }

@@ -14,7 +14,6 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(at_the_limit());
     cases.extend(many_channels());
     cases.extend(long_horizons());
-    cases.extend(longest_horizons());
     let about = "Gates and limits together: what a governor keeps, long horizons, many channels and components.";
     Ok(File::new("safety", "together", about, cases))
 }
@@ -125,7 +124,7 @@ fn long_horizons() -> Vec<Case> {
 }
 
 /// Horizons of 4,096 steps, of which only the last is judged, so that the cases stay small.
-fn longest_horizons() -> Vec<Case> {
+pub(super) fn longest() -> File {
     const STEPS: usize = 4096;
     let of = |name: &str, rules: &[&'static str], limits: Limits, last: [f64; 3], expected: Json| {
         let mut ticks = [[0.0; 3]; STEPS];
@@ -133,7 +132,7 @@ fn longest_horizons() -> Vec<Case> {
         let command = Command::moving(&[0.0; 3]).ttl(60_000.0).then(1.0, &ticks);
         let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[4.0, 0.0, 0.0]))]);
         let frame = object! { "mode" => "active", "horizon" => expected };
-        case(format!("horizon/{name}"), rules, &trace)
+        case(name, rules, &trace)
             .shows(steps(vec![object! { "frame" => frame }]))
             .flags(&["long-horizon"])
             .because(LATE)
@@ -141,16 +140,18 @@ fn longest_horizons() -> Vec<Case> {
     let before = || std::iter::repeat_n(anything(), STEPS - 1);
     let limited = object! { VELOCITY => object! { "data" => nums(&[1.2, 1.6, 0.0]) } };
     let all = before().chain([limited]).collect();
-    vec![
-        of("longest-limited", &["NCP-SAFE-066"], Limits::speed(2.0), [3.0, 4.0, 0.0], all)
+    let cases = vec![
+        of("limited", &["NCP-SAFE-066"], Limits::speed(2.0), [3.0, 4.0, 0.0], all)
             .title("The last step of the longest horizon is limited."),
         of(
-            "longest-projected",
+            "projected",
             &["NCP-SAFE-050", "NCP-SAFE-054"],
             Limits::fence(5.0),
             [1e6, 0.0, 0.0],
             any(vec![beginning(before().collect()), Json::Array(Vec::new())]),
         )
         .title("The last step of the longest horizon is not sent where it leaves the fence."),
-    ]
+    ];
+    let about = "The longest horizon that a frame may have, of which the last step is judged.";
+    File::new("safety", "longest", about, cases)
 }
