@@ -1,6 +1,9 @@
 //! The harnesses hold on the kernel of production, and reach what they check.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use std::fs;
+use std::path::Path;
+
 use ncp_proofs::broken::{defects, missing};
 use ncp_proofs::engines::{Verdict, enumeration, standin};
 use ncp_proofs::harness::harness;
@@ -27,6 +30,26 @@ fn every_harness_holds_on_all_combinations_of_its_values_in_short_sequences() {
         };
         assert_eq!(outcome.verdict, Verdict::Proved, "{}: {outcome:?}", property.id);
     }
+}
+
+/// A harness takes the state of gates, plant and watchdog; state that is kept elsewhere it would not see.
+#[test]
+fn the_kernel_keeps_no_state_beside_its_structs() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../spec/kernel/src");
+    let files = [root.clone(), root.join("decisions")].map(|folder| fs::read_dir(folder).unwrap());
+    let files: Vec<_> = files.into_iter().flatten().map(|entry| entry.unwrap().path()).collect();
+    let sources = files.iter().filter(|file| file.is_file()).map(|file| fs::read_to_string(file).unwrap());
+    let text: String = sources
+        .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())
+        .fold(String::new(), |all, line| all + line.split("//").next().unwrap_or_default() + "\n");
+    assert!(text.contains("pub struct Gates"), "{files:?}");
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    let kept = |word: &&str| {
+        matches!(*word, "static" | "thread_local" | "unsafe")
+            || ["Atomic", "Once", "Lazy"].iter().any(|start| word.starts_with(start))
+            || ["Cell", "Lock", "Mutex"].iter().any(|end| word.ends_with(end))
+    };
+    assert_eq!(text.split(|c| !is_part(c)).find(kept), None);
 }
 
 #[test]

@@ -210,7 +210,7 @@ pub const PROPERTIES: &[Property] = &[
             within the limit, and every other one as it was. What is not finite is said to be so.",
         statement: "limit_tick(channels, limit) is ok ⇔ ¬faulty ∧ fin(channels) ∧ (enabled ⇒ velocity is named, 3 \
             wide, in m/s); and then ∀ c in m/s: ‖c‖ ≤ max",
-        bounds: "two channels, of 2 to 4 and of 1 component",
+        bounds: "two channels in either order, of 2 to 4 and of 1 component",
         assumptions: NONE,
     },
     Property {
