@@ -15,9 +15,9 @@ use crate::prover::Prover;
 
 /// One turn of the projection: any step of a horizon, from any place, with any velocity, for any times and radius.
 pub fn step<K: Kernel, P: Prover>(p: &mut P) {
-    let tick = p.index("tick");
     let (from, velocity) = (p.vector("from"), p.boolean("has_velocity").then(|| p.vector("v")));
     let (dt, ttl, radius) = (p.scalar("dt"), p.scalar("ttl"), p.scalar("radius"));
+    let tick = p.index("tick");
     let answer = K::step_end(&OneStep { tick, velocity, zero: p.number(0.0) }, tick, &from, dt, ttl, radius);
     let time = share(p, tick, dt, ttl);
     let (place, is_inside) = end(p, from, velocity, time, radius);
@@ -142,33 +142,37 @@ pub fn channel<K: Kernel, P: Prover>(p: &mut P) {
 }
 
 /// How many channels a tick has.
-const CHANNELS: [usize; 7] = [1, 2, 3, 9, 65, 257, 1_025];
+const CHANNELS: [usize; 6] = [1, 2, 3, 9, 65, 257];
+/// How wide one of them is.
+const WIDTHS: [usize; 6] = [1, 3, 4, 9, 65, 257];
 
-/// What turns the loop over channels: with many, the one that is too fast is limited, the
-/// one that is not finite is noticed and the velocity is found, wherever it stands.
+/// The loops over channels and over components: with many of both, a channel that is too fast is limited, one that is
+/// not finite is noticed and the velocity is found, wherever it stands, and whichever of its components is to blame.
 pub fn channels<K: Kernel, P: Prover>(p: &mut P) {
-    let nth = p.choice("channels", CHANNELS.len());
-    let count = CHANNELS.get(nth).copied().unwrap_or(1);
-    let place = |nth: usize| [0, 1, count / 2, count - 1].get(nth).copied().unwrap_or(0).min(count - 1);
-    let (velocity_at, odd_at) = (place(p.choice("velocity_at", 4)), place(p.choice("odd_at", 4)));
+    let (nth, wide) = (p.choice("channels", CHANNELS.len()), p.choice("width", WIDTHS.len()));
+    let (count, width) = (CHANNELS.get(nth).copied().unwrap_or(1), WIDTHS.get(wide).copied().unwrap_or(3));
+    let place = |nth: usize, of: usize| [0, of / 2, of - 1].get(nth).copied().unwrap_or(0);
+    let (velocity_at, odd_at) = (place(p.choice("velocity_at", 3), count), place(p.choice("odd_at", 3), count));
+    let axis = place(p.choice("axis", 3), width);
     let (kind, is_enabled) = (p.choice("kind", 3), p.boolean("is_enabled"));
     let [zero, one, max, fast] = [0.0, 1.0, 2.0, 3.0].map(|x| p.number(x));
-    let mut data = vec![[zero, one, zero]; count];
     let odd = [one, fast, p.number(f64::NAN)].get(kind).copied().unwrap_or(one);
-    if let Some([_, y, _]) = data.get_mut(odd_at) {
-        *y = odd;
-    }
+    let odd: Vec<P::S> = (0..width).map(|nth| if nth == axis { odd } else { zero }).collect();
+    let mut data: Vec<Vec<P::S>> =
+        (0..count).map(|nth| if nth == odd_at { odd.clone() } else { vec![zero, one, zero] }).collect();
     let limit = if is_enabled { Limit::Enabled(max) } else { Limit::Disabled };
     let channels = data.iter_mut().enumerate();
-    let channels = channels.map(|(nth, data)| Channel {
-        data: data.as_mut_slice(),
-        is_velocity: nth == velocity_at,
-        in_mps: true,
-    });
+    let channels = channels.map(|(nth, data)| Channel { data, is_velocity: nth == velocity_at, in_mps: true });
     let answer = K::limit_tick(channels, limit);
-    let says = if kind == 2 { Err(Reason::NotFinite) } else { Ok(kind == 1 && is_enabled) };
+    let says = if kind == 2 {
+        Err(Reason::NotFinite)
+    } else if is_enabled && velocity_at == odd_at && width != 3 {
+        Err(Reason::NoVelocity)
+    } else {
+        Ok(kind == 1 && is_enabled)
+    };
     let right = p.truth(answer == says);
-    p.check("each of many channels counts", right);
+    p.check("each of many channels and components counts", right);
     if answer.is_ok() && is_enabled {
         let speed = data.get(odd_at).map_or(fast, |data| norm(p, data));
         let within = p.le(speed, max);

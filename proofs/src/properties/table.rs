@@ -231,10 +231,12 @@ pub const PROPERTIES: &[Property] = &[
         family: Family::Clamp,
         rules: &["NCP-SAFE-063", "NCP-SAFE-064", "NCP-SAFE-065"],
         sentence: "In a tick of many channels the one that is too fast is limited, the one that is not finite is \
-            noticed, and the velocity is found, wherever they stand.",
-        statement: "∀ n ∈ N, places of the velocity and of one odd channel in {first, second, middle, last}: \
-            limit_tick(c₁ … cₙ) = err not finite where one is not, else ok(whether one was above)",
-        bounds: "N = {1, 2, 3, 9, 65, 257, 1025}; one value of each kind",
+            noticed, and the velocity is found, wherever it stands, however wide it is, and whichever of its \
+            components is to blame.",
+        statement: "∀ n ∈ N, w ∈ W, places of the velocity, of one odd channel and of its odd component in {first, \
+            middle, last}: limit_tick(c₁ … cₙ) = err not finite where one is not, err no velocity where the limit is \
+            enabled and the velocity is not 3 wide, else ok(whether one was above); and then ‖c‖ ≤ max",
+        bounds: "N = {1, 2, 3, 9, 65, 257} channels, W = {1, 3, 4, 9, 65, 257} components; one value of each kind",
         assumptions: &["Other values: by clamp/channel."],
     },
     Property {

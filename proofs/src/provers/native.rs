@@ -95,13 +95,6 @@ impl<D: Draw> Prover for Native<D> {
         self.note(name, Drawn::Choice(value));
         value
     }
-    fn index(&mut self, name: &str) -> usize {
-        let value = self.scalar(name);
-        self.assume((0.0..=4096.0).contains(&value) && value.fract() == 0.0);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let index = value as usize;
-        index.min(4096)
-    }
     fn length(&self, most: usize) -> usize {
         self.draw.length(most)
     }

@@ -11,7 +11,7 @@ use std::panic::resume_unwind;
 
 use ncp_kernel::{Scalar, Seq};
 
-use crate::prover::Prover;
+use crate::prover::{INDICES, Prover};
 
 /// More operations on one path than these are no end of it.
 const MOST_STEPS: u64 = 1_000_000;
@@ -540,8 +540,16 @@ impl Prover for Symbolic {
     }
     fn index(&mut self, name: &str) -> usize {
         let SymbolicScalar(variable) = self.scalar(name);
-        with(|world| world.index = Some(variable));
-        INDEX
+        with(|world| {
+            // A replay takes the last of those that others take; inputs that guide the run have one of them.
+            let nth = world.choices.len();
+            let guided = world.guide.as_ref().map(|guide| guide.choices.get(nth).copied().unwrap_or_default());
+            world.choices.push(guided.unwrap_or(INDICES.len() - 1));
+            if guided.is_none() {
+                world.index = Some(variable);
+            }
+            guided.map_or(INDEX, |nth| INDICES.get(nth).copied().unwrap_or_default())
+        })
     }
     fn length(&self, most: usize) -> usize {
         most.min(self.length)
