@@ -271,11 +271,9 @@ fn code(engine: &str, id: &str) -> Vec<String> {
         ("path", "governor") => &["spec/src/safety/governor.rs"],
         ("path", "link") => &["spec/src/resilience/link_monitor.rs"],
         ("path", "loop") => &["spec/src/control/control_loop.rs"],
-        ("path", _) => &[
-            "spec/src/control/control_loop.rs",
-            "spec/src/safety/governor.rs",
-            "spec/src/resilience/link_monitor.rs",
-        ],
+        ("path", _) => {
+            &["spec/src/control/control_loop.rs", "spec/src/safety/governor.rs", "spec/src/resilience/link_monitor.rs"]
+        }
         (_, "watchdog") => return kernel(&["deadline", "order", "watchdog"]),
         (_, "geofence") => return kernel(&["fence", "speed", "gates"]),
         (_, "clamp") => return kernel(&["speed"]),
@@ -402,7 +400,7 @@ fn said(engine: &Engine, result: &Answer) -> Vec<String> {
     let (name, property) = (&*engine.name, &result.property);
     let counts = [
         (result.paths, "paths"),
-        (result.states, match name { "readers" => "inputs", "path" => "cases", _ => "states" }),
+        (result.states, if ["readers", "path"].contains(&name) { "inputs" } else { "states" }),
         (result.obligations, "obligations"),
         (result.true_by_evaluation, "checks true by evaluation"),
         (result.runs, "runs"),

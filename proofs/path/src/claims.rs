@@ -34,8 +34,8 @@ impl Claim {
 /// What is trusted.
 pub const TRUSTED: [&str; 5] = [
     "rustc and the processor: the sources run as they were compiled",
-    "the copies: the build script takes the sources as they are but for `crate::`, and puts a window behind each, which \
-     takes its private state apart by name",
+    "the copies: the build script takes the sources as they are but for `crate::`, and puts a window behind each, \
+     which takes its private state apart by name",
     "the references say what the text says: they are written from its sentences, and share no code with the sources",
     "the kernel: its gates decide as its own proofs say; here they run as they are",
     "the messages of `ncp_spec::wire`, and std's maps",
@@ -52,8 +52,8 @@ pub const NOT_PROVED: [&str; 6] = [
 
 /// What makes a claim one that is tried only.
 const LISTED: &str = "numbers are those listed, and no others: tried, not proved";
-const KERNEL: &str = "which numbers are finite, inside, or above a limit is the kernel's to say, and proved there for all \
-    doubles (number, geofence, clamp, latch); here they stand for classes of numbers";
+const KERNEL: &str = "which numbers are finite, inside, or above a limit is the kernel's to say, and proved there for \
+    all doubles (number, geofence, clamp, latch); here they stand for classes of numbers";
 const MOVED: &str = "numbers are only moved here, and none is computed with (by reading)";
 const EACH: &str = "channels are treated one by one: what holds of up to two of a kind holds of more (not shown)";
 const ALONE: &str =
@@ -95,15 +95,17 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "estop/transitions",
         rules: &["NCP-RES-022"],
-        sentence: "After each transition of the automaton of the text, from each of its places, by any character and by \
-            any two of a class, the scanner answers each of the completions that bring to light what was read as the \
-            automaton does. For objects of any length that is enough under the assumptions below, and under no fewer.",
+        sentence: "After each transition of the automaton of the text, from each of its places, by any character and \
+            by any two of a class, the scanner answers each of the completions that bring to light what was read as \
+            the automaton does. For objects of any length that is enough under the assumptions below, and under no \
+            fewer.",
         statement: "∀ places q reached, characters a, classes b, completions w of δ(q, a) and δ(q, ab): \
             is_estop(p(q) a w), is_estop(p(q) a b w) as the automaton says",
         bounds: "brackets open up to 3 deep; characters: all of ASCII and one beyond",
         assumptions: &[
-            "the memory of the scanner: what it answers to a continuation is decided by the place of the automaton, and \
-             the byte before; by reading: it keeps a place, a count of brackets, two flags, and the string at hand",
+            "the memory of the scanner: what it answers to a continuation is decided by the place of the automaton, \
+             and the byte before; by reading: it keeps a place, a count of brackets, two flags, and the string at \
+             hand",
             "depth: what is open more than 3 deep is treated as what is open 3 deep; by reading: the count of brackets \
              is compared with 0 only",
             "characters beyond ASCII are treated alike; by reading: the scanner compares with ASCII only",
@@ -132,8 +134,8 @@ pub const CLAIMS: &[Claim] = &[
             "NCP-SAFE-073",
             "NCP-SAFE-074",
         ],
-        sentence: "Whichever of the ten reasons closes a gate, the frame that leaves is the HOLD or ESTOP frame of 7.7; \
-            what no gate closes on stays active.",
+        sentence: "Whichever of the ten reasons closes a gate, the frame that leaves is the HOLD or ESTOP frame of \
+            7.7; what no gate closes on stays active.",
         statement: "∀ reasons r: decision = r ∧ frame′ = quiet(frame); no reason: mode′ = active",
         bounds: "10 reasons and none; commands too fast or not, with another channel or not, with a horizon or not",
         assumptions: &[KERNEL],
@@ -169,8 +171,8 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "governor/position",
         rules: &["NCP-SAFE-040", "NCP-SAFE-041", "NCP-SAFE-042", "NCP-SAFE-043", "NCP-SAFE-044", "NCP-SAFE-045"],
-        sentence: "With the fence enabled, a command holds exactly when there is no pose_position that is 3 wide and in \
-            m or without a unit; else it stops exactly when that is outside or not finite.",
+        sentence: "With the fence enabled, a command holds exactly when there is no pose_position that is 3 wide and \
+            in m or without a unit; else it stops exactly when that is outside or not finite.",
         statement: "¬usable(position) ⇒ HOLD; usable ∧ ¬(‖position‖ ≤ R) ⇒ ESTOP, latched; else passed",
         bounds: "0 to 5 components of 8 values each, whose squares add up exactly; 4 units; negotiated or canonical",
         assumptions: &[KERNEL],
@@ -216,8 +218,8 @@ pub const CLAIMS: &[Claim] = &[
             "NCP-RES-054",
             "NCP-RES-055",
         ],
-        sentence: "After every short trace the whole state of the monitor, and all that it reports, is what section 8.3 \
-            says in integers.",
+        sentence: "After every short trace the whole state of the monitor, and all that it reports, is what section \
+            8.3 says in integers.",
         statement: "∀ traces: state = text(trace)",
         bounds: "6 frames of 8 seqs each, in every order; 4 configurations whose sums are exact",
         assumptions: &[],
@@ -227,7 +229,7 @@ pub const CLAIMS: &[Claim] = &[
         rules: &["NCP-RES-040", "NCP-RES-045", "NCP-RES-047", "NCP-RES-048", "NCP-RES-049", "NCP-RES-050"],
         sentence: "Over every gap between edges of 64 bits nothing overflows, at most 256 updates are made, at most \
             4,096 seqs are remembered, and the loss rate is lost over expected.",
-        statement: "∀ traces: lost, expected as in integers of 128 bits; S as by min(gap, 256) updates; |missing| ≤ 4096",
+        statement: "∀ traces: lost, expected as in integers of 128 bits; S by min(gap, 256) updates; |missing| ≤ 4096",
         bounds: "3 frames of 17 seqs each, around 0, 256, 4,096 and both ends of 64 bits; 4 configurations",
         assumptions: &[],
     },
@@ -235,9 +237,9 @@ pub const CLAIMS: &[Claim] = &[
         id: "link/detector",
         rules: &["NCP-RES-046", "NCP-RES-049", "NCP-RES-051", "NCP-RES-052"],
         sentence: "Whatever the doubles of a configuration are, ref_loss and threshold become those of the text; from \
-            every S between 0 and twice the threshold, a missing seq and a delivery lead to such an S again, a delivery \
-            never up and a missing seq never down; a burst is S above the threshold. As each slot keeps the invariant, \
-            so does every stream of any length.",
+            every S between 0 and twice the threshold, a missing seq and a delivery lead to such an S again, a \
+            delivery never up and a missing seq never down; a burst is S above the threshold. As each slot keeps the \
+            invariant, so does every stream of any length.",
         statement: "∀ r ∈ [0, 0.99], T > 0 finite, 0 ≤ S ≤ 2T: 0 ≤ S′ ≤ 2T; S − r ⇒ S′ ≤ S; S + (1 − r) ⇒ S ≤ S′; \
             burst ⇔ S > T",
         bounds: "none: all doubles, by symbolic execution of the source and bitwuzla",
@@ -279,8 +281,8 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "link/configuration",
         rules: &["NCP-RES-051", "NCP-RES-052"],
-        sentence: "A ref_loss is clamped to 0 … 0.99 or is 0.05, a threshold that is no positive number is 5, and a new \
-            monitor has seen nothing.",
+        sentence: "A ref_loss is clamped to 0 … 0.99 or is 0.05, a threshold that is no positive number is 5, and a \
+            new monitor has seen nothing.",
         statement: "state(new(r, t)) as in NCP-RES-051 and 052",
         bounds: "16 doubles for each",
         assumptions: &[LISTED],
@@ -297,8 +299,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "loop/sensor",
         rules: &["NCP-CTRL-011", "NCP-CTRL-012"],
         sentence: "From every state a frame that arrives is kept exactly when it is newer by seq, or by t while both \
-            are unstamped; the frame that is kept and its time are always of one arrival; each stamped frame is told to \
-            the monitor once.",
+            are unstamped; the frame that is kept and its time are always of one arrival; each stamped frame is told \
+            to the monitor once.",
         statement: "newest′ = newer(frame, newest) ? (frame, now) : newest",
         bounds: "a kept frame or none, and one that arrives, each of 8 seqs and 5 times; 4 readings of the clock",
         assumptions: &[ALONE, LISTED],
@@ -316,10 +318,10 @@ pub const CLAIMS: &[Claim] = &[
             "NCP-CTRL-019",
             "NCP-CTRL-021",
         ],
-        sentence: "In every state a tick asks the controller once, tells the governor of the link and then has it govern \
-            once: at the tick's time, by the frame that is kept and the time at which that was received, a command with \
-            that frame's seq and a ttl of two periods at least; what the governor leaves is what is sent, and the \
-            status says so.",
+        sentence: "In every state a tick asks the controller once, tells the governor of the link and then has it \
+            govern once: at the tick's time, by the frame that is kept and the time at which that was received, a \
+            command with that frame's seq and a ttl of two periods at least; what the governor leaves is what is sent, \
+            and the status says so.",
         statement: "asked = step; note_link(burst); govern(command, now, newest) ∧ sent = left",
         bounds: "4 modes, 9 ttls around two periods, 3 periods, 3 readings of the clock, 4 durations, 5 kept frames, \
             bursts, 3 counters, 4 answers of the governor: all combined",
@@ -328,8 +330,8 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "loop/frame",
         rules: &["NCP-CTRL-015"],
-        sentence: "All that the controller commands reaches the governor as it is, but a dt that is no number, and steps \
-            beyond the 4,096 that a frame has.",
+        sentence: "All that the controller commands reaches the governor as it is, but a dt that is no number, and \
+            steps beyond the 4,096 that a frame has.",
         statement: "governed.channels = wished.channels; governed.horizon = wished.horizon[..4096]",
         bounds: "horizons of 0, 1, 3, 4,096 and 4,097 steps, 5 dts",
         assumptions: &[ALONE, MOVED],
@@ -340,7 +342,8 @@ pub const CLAIMS: &[Claim] = &[
         sentence: "From every reachable state of a loop, a HOLD that is no config fault ends with the next good sensor \
             frame and command; a burst, a latched ESTOP and whatever came before end with five deliveries, a reset and \
             a good command.",
-        statement: "AG (held(r ≠ config) → after(good): passed) ∧ AG (¬config → after(5 deliveries; reset; good): passed)",
+        statement: "AG (held(r ≠ config) → after(good): passed) ∧ \
+            AG (¬config → after(5 deliveries; reset; good): passed)",
         bounds: "all reachable states under 17 events at any time; ref_loss 1/4, threshold 1, a timeout of two \
             quarters of a second; times and ages in quarters",
         assumptions: &[RELATIVE],

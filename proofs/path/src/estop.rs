@@ -325,8 +325,8 @@ const FRAMES: [&[u8]; 7] = [
 /// A byte of each class that JSON or the words tell apart.
 const CLASSES: &[u8] = b"{}[]:,\"\\ \n\x00u0eksE-+.9\xc3\xa9\xff";
 
-/// Every frame that differs from one of some frames by any byte put, taken or changed, by any two bytes changed to those
-/// of a class, or by its end; the buffer behind the scanner is asked, too.
+/// Every frame that differs from one of some frames by any byte put in, taken out or changed, by any two bytes changed
+/// to those of a class, or by its end; the buffer behind the scanner is asked, too.
 fn edits<S: Stopping>(c: &mut Case) {
     let frames = c.bound(&FRAMES[..2], &FRAMES[..]);
     let sound = c.pick("frame", frames);
@@ -568,7 +568,7 @@ mod tests {
 
     #[test]
     fn the_automaton_reads_what_a_library_reads() {
-        // A second reader of JSON: where it accepts an object without an escape beyond the words, so does the automaton.
+        // A second reader of JSON, which somebody else wrote.
         let mut objects = 0;
         for frame in FRAMES {
             for at in 0..=frame.len() {

@@ -1,7 +1,7 @@
 //! Doubles as terms: the link monitor's source with this type where it says `f64`, for all doubles at once.
 //!
-//! The build script puts `Number` in the place of `f64`, `Number::of(0.5)` in that of a literal, and `.number()` in that
-//! of a cast; all else of the source stays. Terms, paths and solvers are those of the symbolic engine.
+//! The build script puts `Number` in the place of `f64`, `Number::of(0.5)` in that of a literal, and `.number()` in
+//! that of a cast; all else of the source stays. Terms, paths and solvers are those of the symbolic engine.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
