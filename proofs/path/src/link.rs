@@ -28,7 +28,12 @@ fn detector<L: Detector<f64>, T: Detector<Term>>(scope: Scope) -> Outcome {
     let harness = number::harness::<T, L>();
     let done = match scope {
         Scope::Short => Some(standin::run(&harness, 2_000, 0)),
-        Scope::Whole => number::prove(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")), &harness),
+        Scope::Whole => {
+            let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+            // The module of a subject has its name: `ncp_path::subjects::production_link::…`
+            let subject = std::any::type_name::<T>().split("::").nth(2).unwrap_or_default();
+            number::prove(root, subject, &harness)
+        }
     };
     let Some(done) = done else {
         return Outcome {

@@ -247,9 +247,10 @@ const PROPERTY: Property = Property {
     assumptions: &[],
 };
 
-/// Decides the harness for all doubles; leaves its obligations in `.tools`. None where there is no solver.
+/// Decides the harness for all doubles; leaves its obligations in `.tools/path-evidence`, in a folder of the subject.
+/// None where there is no solver.
 #[must_use]
-pub fn prove(root: &Path, harness: &Harness) -> Option<Outcome> {
+pub fn prove(root: &Path, subject: &str, harness: &Harness) -> Option<Outcome> {
     let solvers = Solvers {
         bin: root.join(".tools/proofs-venv").join(if cfg!(windows) { "Scripts" } else { "bin" }),
         script: root.join("proofs/evidence/solve.py"),
@@ -257,5 +258,6 @@ pub fn prove(root: &Path, harness: &Harness) -> Option<Outcome> {
         limits: symbolic::Limits::default(),
         known: None,
     };
-    solvers.bin.is_dir().then(|| symbolic::prove(&PROPERTY, harness, &solvers, &root.join(".tools/path-evidence")))
+    let evidence = root.join(".tools/path-evidence").join(subject);
+    solvers.bin.is_dir().then(|| symbolic::prove(&PROPERTY, harness, &solvers, &evidence))
 }
