@@ -117,7 +117,7 @@ const HOLDS: [Reason; 7] = [
     Reason::LeavesFence,
 ];
 /// A loop with more states than these is no finite one.
-const MOST: usize = 20_000;
+const MOST: usize = 4_000;
 /// Deliveries that end a burst: threshold / ref_loss, and one more.
 const DELIVERIES: usize = 5;
 const QUARTER: f64 = 0.25;

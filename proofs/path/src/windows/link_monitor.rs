@@ -37,10 +37,15 @@ impl crate::number::Detector<f64> for LinkMonitor {
         [self.ref_loss, self.threshold, self.cusum]
     }
     fn slot(&mut self, by: f64) {
-        self.step(by);
+        // Cases that are left aside run on, and std's clamp panics without bounds.
+        if self.threshold > 0.0 {
+            self.step(by);
+        }
     }
     fn on_frame(&mut self, seq: i64) {
-        LinkMonitor::on_frame(self, seq);
+        if self.threshold > 0.0 {
+            LinkMonitor::on_frame(self, seq);
+        }
     }
     fn burst(&self) -> bool {
         LinkMonitor::burst(self)
