@@ -185,7 +185,7 @@ pub(crate) const CHECKS: &[Check] = &[
     },
     Check {
         name: "prove",
-        about: "the quick half of the proofs, run anew, says what the locks say (cargo assure prove --fast; nightly: all)",
+        about: "the quick half of the proofs says what the locks say (cargo assure prove --fast; nightly: all)",
         lane: Lane::Peers,
         runs: always,
         run: |work| work.program(work.project.cargo(&[ASSURE, &["prove", "--fast"]].concat())),

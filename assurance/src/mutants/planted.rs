@@ -1,5 +1,5 @@
-//! What is copied to make mutants: the Rust peer, and of all of the project that it depends on, with a switch at every place that a defect
-//! changes.
+//! What is copied to make mutants: the Rust peer, and all of the project that it depends on, with a switch at every
+//! place that a defect changes.
 //!
 //! The copy is a workspace of its own in a folder that git ignores. One build of it holds every defect;
 //! `ncp-peer-rust --defect NAME …` switches some of them on. The sources themselves stay as they are.

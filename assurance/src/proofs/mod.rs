@@ -189,7 +189,7 @@ impl Drop for Aside {
 
 /// What the engine's word is worth: an enumeration covers the values that it lists, and no others.
 fn fate(engine: &Engine, answer: &Answer) -> String {
-    let is_listed = engine.name == "enumeration" && answer.verdict == Verdict::Proved;
+    let is_listed = held::is_listed(&engine.name, &answer.property) && answer.verdict == Verdict::Proved;
     if is_listed { held::LISTED.to_owned() } else { answer.verdict.as_str().to_owned() }
 }
 
@@ -285,7 +285,10 @@ mod tests {
 
     pub(super) fn report() -> Report {
         let proved = |claim: &str| json!({"property": claim, "verdict": "proved", "obligations": 3});
-        let broken = |id: &str, property: &str, counterexample: Value| json!({"id": id, "property": property, "family": "clamp", "about": "", "counterexample": counterexample});
+        let broken = |id: &str, property: &str, found: Value| {
+            let (family, about) = ("clamp", "");
+            json!({"id": id, "property": property, "family": family, "about": about, "counterexample": found})
+        };
         let found = json!({"check": "c", "inputs": []});
         let defects = json!([
             broken("open-ball", "clamp/bound", found),

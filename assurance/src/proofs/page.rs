@@ -8,7 +8,7 @@ use ncp_proofs::engines::symbolic::Origin;
 use ncp_proofs::report::{Answer, Broken, Claim, Engine, Found, Report, Run, Shown, Words};
 use ncp_text::catalogue::Catalogue;
 
-use super::held::LISTED;
+use super::held::{LISTED, is_listed};
 use super::{Locks, tables};
 use crate::document::Block;
 
@@ -232,7 +232,7 @@ fn this_run(run: &Run, engines: &[Engine], blocks: &mut Vec<Block>) {
 
 /// What an engine found, with how far it goes.
 fn verdict(engine: &Engine, result: &Answer) -> String {
-    if engine.name == "enumeration" && result.is_proved() {
+    if is_listed(&engine.name, &result.property) && result.is_proved() {
         return LISTED.to_owned();
     }
     result.verdict.as_str().to_owned()

@@ -168,10 +168,13 @@ impl<'l> Claims<'l> {
         ];
         let rows = self.0.iter().map(|(id, claim)| {
             let proving = claim.proving();
-            let quantified = |name: &str| engine(name).map_or("what its bounds name", |(_, _, what)| what).to_owned();
-            let over = match proving.iter().map(|name| quantified(name)).collect::<Vec<_>>() {
-                none if none.is_empty() => claim.words.keys().map(|name| quantified(name)).collect(),
-                over => over,
+            let quantified = |name: &&str| engine(name).map_or("what its bounds name", |(_, _, what)| what);
+            let is = |end: &str| claim.words.values().any(|(fate, _)| *fate == end);
+            let over: Vec<&str> = if proving.is_empty() {
+                let tried = [(is(LISTED), "listed values"), (is("tried"), "edges and samples")];
+                tried.into_iter().filter_map(|(is, what)| is.then_some(what)).collect()
+            } else {
+                proving.iter().map(quantified).collect()
             };
             let questions: Vec<u64> = claim.words.values().filter_map(|(_, asked)| asked.questions).collect();
             let without: Vec<u64> = claim.words.values().filter_map(|(_, asked)| asked.without_arithmetic).collect();
@@ -435,6 +438,7 @@ mod tests {
         let (locks, catalogue) = (locks(), Catalogue::load().unwrap());
         let blocks = page(&locks, &catalogue);
         let row = markdown(&blocks).lines().find(|line| line.contains("| `number/operations` |")).unwrap().to_owned();
+        assert!(row.contains("| `number/operations` | listed values | 24 doubles |"), "{row}");
         assert!(row.contains("| holds on the listed values (enumeration: 24 runs) | none |"), "{row}");
         assert!(!row.contains("proved"), "{row}");
         let page = html(&blocks);

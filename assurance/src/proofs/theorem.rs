@@ -1,4 +1,4 @@
-//! The theorem in Coq as an engine: what `proofs/theorem/check.sh` prints, held against the claims that stand beside it.
+//! The theorem in Coq as an engine: what `proofs/theorem/check.sh` prints, held against the claims beside it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -128,9 +128,25 @@ mod tests {
     use super::*;
 
     const ASKS: &str = "Print following.\nPrint Assumptions a.\nPrint Assumptions b.\n";
-    const SAYS: &str = "versions: Coq 8\nRecord\nfollowing (held : R) : Prop := Build_following\n  { one : forall a : R,\n           \
-                        0 <= a :> R;\n    two : held = held }.\n\nArguments following held\nAxioms:\nM.x : forall P,\n  \
-                        P\nN.y\n  : Q\nClosed under the global context\n\naxioms, all of Coq's:\n  M.x\n";
+    const SAYS: &str = "\
+versions: Coq 8
+Record
+following (held : R) : Prop := Build_following
+  { one : forall a : R,
+           0 <= a :> R;
+    two : held = held }.
+
+Arguments following held
+Axioms:
+M.x : forall P,
+  P
+N.y
+  : Q
+Closed under the global context
+
+axioms, all of Coq's:
+  M.x
+";
 
     fn claims(assumptions: &str) -> Claims {
         let words = "family = \"f\"\nrules = []\nsentence = \"\"\nstatement = \"\"\nbounds = \"\"\n";
