@@ -136,7 +136,7 @@ const ENGINES: &[Engine] = &[
         name: "theorem",
         artefact: "theorem",
         version: "Coq",
-        about: "Coq checks theorems about the algorithm over doubles, and that the kernel's source is it, path by path.",
+        about: "Coq checks theorems about the algorithm over doubles, and that the kernel's source is it path by path.",
         how: How::Elsewhere(".tools/theorem.json"),
     },
     Engine {
