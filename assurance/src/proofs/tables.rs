@@ -74,11 +74,11 @@ each claim is worth. Rendered from `reports/lock/proofs-*.toml` and the text alo
 again and compares, and holds the locks against the tables of claims and defects. `cargo assure prove` makes the \
 locks, and with `--report` the long report: each claim in words and symbols, each counterexample, the commit.";
 const CLAIMS: &str = "\
-*Proved* is said of what holds for everything that the second column names, within the third. What *holds on listed \
-values* was tried on these and is no proof. Engines of one harness share its mistakes, so the column *harnesses* \
-counts harnesses and not engines. *Without arithmetic*: how many of the questions to a solver have the same answer \
-when every operation and comparison of doubles may be any function; such a question is about the order of decisions, \
-and no evidence about numbers. A dash: nobody counted. Beside what is assumed, what is [trusted](#trusted) is.";
+**Proved** is said of what holds for everything that the second column names, within the third. What was **only tried** \
+holds on the listed values or on samples, and is no proof. Engines of one harness share its mistakes, so the column \
+**harnesses** counts harnesses and not engines. **Without arithmetic**: how many of the questions to a solver have the \
+same answer when every operation and comparison of doubles may be any function; such a question is about the order of \
+decisions, and no evidence about numbers. A dash: nobody counted. Beside what is assumed, what is [trusted](#trusted) is.";
 const TRUSTED: &str = "\
 What has to be right for a claim to mean something, and the claims that have no other ground: they fall with it. The \
 last column has how many rules of chapters 7, 8 and 10 then are without any proof that they have now.";
@@ -160,8 +160,9 @@ impl<'l> Claims<'l> {
             "claim",
             "for",
             "bounded in",
-            "shown",
+            "proved",
             "harnesses",
+            "only tried",
             "questions to a solver",
             "without arithmetic",
             "assumed",
@@ -184,18 +185,20 @@ impl<'l> Claims<'l> {
                 0 => "none".to_owned(),
                 count => format!("{count}: {}", harnesses.into_iter().collect::<Vec<_>>().join(", ")),
             };
-            let sum = |numbers: &[u64], none: &str| match numbers {
-                [] => none.to_owned(),
+            let sum = |numbers: &[u64]| match numbers {
+                [] => "–".to_owned(),
                 numbers => numbers.iter().sum::<u64>().to_string(),
             };
+            let is_asked = questions.iter().any(|count| *count > 0);
             vec![
-                format!("`{id}`"),
+                (*id).to_owned(),
                 over.join("; "),
                 dash(&scope.bounds),
-                shown(claim),
+                proved(claim),
                 count,
-                sum(&questions, "none"),
-                if questions.iter().sum::<u64>() == 0 { "–".to_owned() } else { sum(&without, "–") },
+                dash(&tried(claim)),
+                if is_asked { sum(&questions) } else { "none".to_owned() },
+                if is_asked { sum(&without) } else { "–".to_owned() },
                 dash(&scope.assumptions.join("; ")),
             ]
         });
@@ -276,22 +279,24 @@ impl<'l> Claims<'l> {
     }
 }
 
-/// The words of all engines on a claim; what was only tried comes last, and says so.
-fn shown(claim: &Claim<'_>) -> String {
-    let mut words: Vec<String> = Vec::new();
+/// By whom a claim is proved; what is wrong is what is read first.
+fn proved(claim: &Claim<'_>) -> String {
+    let is_open = |fate: &str| ![LISTED, "proved", "tried"].contains(&fate);
+    let open = claim.words.iter().filter(|(_, (fate, _))| is_open(fate));
+    let open: Vec<String> = open.map(|(engine, (fate, _))| format!("NOT proved by {engine}: {fate}; ")).collect();
     let proving: Vec<&str> = claim.proving().into_iter().collect();
-    words.extend((!proving.is_empty()).then(|| format!("proved by {}", proving.join(", "))));
-    for (engine, (fate, asked)) in &claim.words {
-        match *fate {
-            "proved" => {}
-            LISTED => words.push(format!("{LISTED} ({engine}: {} runs)", asked.cases)),
-            "tried" => words.push(format!("tried on samples ({engine})")),
-            fate => words.push(format!("NOT proved by {engine}: {fate}")),
-        }
-    }
-    // What is wrong is what is read first.
-    words.sort_by_key(|word| !word.starts_with("NOT"));
-    words.join("; ")
+    let by = if proving.is_empty() { "no proof".to_owned() } else { format!("proved by {}", proving.join(", ")) };
+    open.concat() + &by
+}
+
+/// Who tried it on values, without a proof.
+fn tried(claim: &Claim<'_>) -> String {
+    let word = |(engine, (fate, asked)): (&&str, &(&str, Asked))| match *fate {
+        LISTED => Some(format!("{LISTED} ({engine}: {} runs)", asked.cases)),
+        "tried" => Some(format!("on samples ({engine})")),
+        _ => None,
+    };
+    claim.words.iter().filter_map(word).collect::<Vec<_>>().join("; ")
 }
 
 fn dash(words: &str) -> String {
@@ -318,7 +323,7 @@ fn theorem(all: &Claims<'_>) -> Vec<Block> {
     let rows = own.filter_map(|(id, claim)| {
         let scope = claim.scope?;
         let names: Vec<&str> = scope.assumptions.iter().filter_map(|it| Some(it.split_once(':')?.0)).collect();
-        Some(vec![format!("`{id}`"), shown(claim), scope.rests_on.clone(), dash(&names.join(", "))])
+        Some(vec![(*id).to_owned(), proved(claim), scope.rests_on.clone(), dash(&names.join(", "))])
     });
     vec![
         text(
@@ -328,7 +333,7 @@ fn theorem(all: &Claims<'_>) -> Vec<Block> {
              comparison, and Coq proves each tree that comes out equal to the model's: so a change of the source \
              breaks the check. The hypotheses stand as Coq prints them, and a claim that names fewer is not proved.",
         ),
-        table(&["claim", "shown", "Coq says", "hypotheses"], rows),
+        table(&["claim", "proved", "Coq says", "hypotheses"], rows),
     ]
 }
 
@@ -437,13 +442,13 @@ mod tests {
     fn what_holds_on_listed_values_is_neither_called_proved_nor_coloured_like_it() {
         let (locks, catalogue) = (locks(), Catalogue::load().unwrap());
         let blocks = page(&locks, &catalogue);
-        let row = markdown(&blocks).lines().find(|line| line.contains("| `number/operations` |")).unwrap().to_owned();
-        assert!(row.contains("| `number/operations` | listed values | 24 doubles |"), "{row}");
-        assert!(row.contains("| holds on the listed values (enumeration: 24 runs) | none |"), "{row}");
-        assert!(!row.contains("proved"), "{row}");
+        let row = markdown(&blocks).lines().find(|line| line.starts_with("| number/operations |")).unwrap().to_owned();
+        assert!(row.contains("| number/operations | listed values | 24 doubles | no proof | none |"), "{row}");
+        assert!(row.contains("| holds on the listed values (enumeration: 24 runs) | none | – |"), "{row}");
+        assert!(!row.contains("proved by"), "{row}");
         let page = html(&blocks);
         assert!(page.contains("<td>holds on the listed values (enumeration: 24 runs)</td>"));
-        assert!(page.contains("<td class=\"good\">proved by symbolic; holds on the listed values"));
+        assert!(page.contains("<td class=\"good\">proved by symbolic</td>"));
         assert!(markdown(&blocks).contains("- `number/operations` is proved by no engine"));
     }
 
@@ -452,11 +457,11 @@ mod tests {
         let locks = locks();
         let row = markdown(&[Claims::of(&locks).table()])
             .lines()
-            .find(|line| line.contains("`clamp/bound`"))
+            .find(|line| line.contains("| clamp/bound |"))
             .unwrap()
             .to_owned();
         assert!(row.contains("| every double and seq, on every path of the source | vectors of up to 4 |"), "{row}");
-        assert!(row.ends_with("| 1: source | 5 | 2 | – |"), "{row}");
+        assert!(row.ends_with("| 1: source | holds on the listed values (enumeration: 0 runs) | 5 | 2 | – |"), "{row}");
     }
 
     #[test]
