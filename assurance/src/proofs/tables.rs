@@ -74,11 +74,12 @@ each claim is worth. Rendered from `reports/lock/proofs-*.toml` and the text alo
 again and compares, and holds the locks against the tables of claims and defects. `cargo assure prove` makes the \
 locks, and with `--report` the long report: each claim in words and symbols, each counterexample, the commit.";
 const CLAIMS: &str = "\
-**Proved** is said of what holds for everything that the second column names, within the third. What was **only tried** \
-holds on the listed values or on samples, and is no proof. Engines of one harness share its mistakes, so the column \
-**harnesses** counts harnesses and not engines. **Without arithmetic**: how many of the questions to a solver have the \
-same answer when every operation and comparison of doubles may be any function; such a question is about the order of \
-decisions, and no evidence about numbers. A dash: nobody counted. Beside what is assumed, what is [trusted](#trusted) is.";
+**Proved** is said of what holds for everything that the second column names, within the third. What was **only \
+tried** holds on the listed values or on samples, and is no proof. Engines of one harness share its mistakes, so the \
+column **harnesses** counts harnesses and not engines. **Without arithmetic**: how many of the questions to a solver \
+have the same answer when every operation and comparison of doubles may be any function; such a question is about the \
+order of decisions, and no evidence about numbers. A dash: nobody counted. Beside what is assumed, what is \
+[trusted](#trusted) is.";
 const TRUSTED: &str = "\
 What has to be right for a claim to mean something, and the claims that have no other ground: they fall with it. The \
 last column has how many rules of chapters 7, 8 and 10 then are without any proof that they have now.";
