@@ -35,6 +35,8 @@ GROUP = 32
 SLOW = ("gates_govern", "limit_tick", "projection", "plant_active", "clamp")
 
 PATHS_HEAD = "# How many paths each function has: `prove.sh --accept` writes it. Another number is looked at first.\n\n"
+# What the parts of a function add up to.
+SUMS = ("paths", "obligations", "by_arithmetic", "instructions", "seconds")
 # What a sabotaged engine is run on.
 SABOTAGED = "machine/watchdog"
 
@@ -75,17 +77,20 @@ def main():
     )
     with ProcessPoolExecutor(arguments.jobs, initializer=begin, initargs=files) as pool:
         controlled = pool.submit(control_here)
-        proved = [pool.submit(prove_here, function, arguments.only) for function in functions]
+        proved = [
+            pool.submit(prove_here, function, part, arguments.only)
+            for function in functions
+            for part in range(len(SIGNATURES[function].slices))
+        ]
         refuted = [pool.submit(refute_here, *defect) for defect in defects]
-        by_id = {result["property"]: result for future in proved for result in future.result()}
-        faults = controlled.result()
-        results = [by_id[p.id] for p in wanted]
+        parts = [result for future in proved for result in future.result()]
+        faults = controlled.result() + pinned(parts, arguments.accept)
+        results = [joined(p, [part for part in parts if part["property"] == p.id]) for p in wanted]
         if any(result["verdict"] == "refuted" for result in results):
             print("the kernel is refuted: the broken kernels would mean nothing and are left out")
             pool.shutdown(cancel_futures=True)
             refuted = []
         refuted = [future.result() for future in refuted]
-    faults += pinned(results, arguments.accept)
     report = {
         "name": "machine",
         "version": "angr {}, bitwuzla {}, z3 {}".format(
@@ -133,9 +138,30 @@ def sabotage(arguments):
     return 1 if unnoticed else 0
 
 
-def pinned(results, is_accepted):
+def joined(wanted, parts):
+    """What the parts of a function say together of a property."""
+    first = said(wanted) | {"function": f"ncp_{wanted.function}"}
+    words = {part["verdict"] for part in parts}
+    if "refuted" in words:
+        return first | next(part for part in parts if part["verdict"] == "refuted")
+    undecided = [part["detail"] for part in parts if part["verdict"] == "not run"]
+    if not undecided and not any(part["is_possible"] for part in parts):
+        undecided = ["what it assumes is a contradiction"]
+    sums = {key: sum(part.get(key, 0) for part in parts) for key in SUMS}
+    lists = {key: [item for part in parts for item in part.get(key, [])] for key in ("path_blocks", "answers")}
+    result = first | sums | lists | {"verdict": "not run" if undecided else "proved"}
+    print(
+        f"{result['verdict']:8} {wanted.id}: {sums['paths']} paths, {sums['by_arithmetic']} of {sums['obligations']} "
+        f"questions need arithmetic, {sums['seconds']:.1f} s",
+        *undecided,
+        flush=True,
+    )
+    return result | ({"detail": "; ".join(undecided)} if undecided else {})
+
+
+def pinned(parts, is_accepted):
     """Functions that have another number of paths than the last time that this was looked at."""
-    now = {result["function"]: result["paths"] for result in results if result["paths"]}
+    now = {part["part"]: part["paths"] for part in parts if part["paths"]}
     before = tomllib.loads(PATHS.read_text(encoding="utf-8")) if PATHS.exists() else {}
     if is_accepted:
         lines = [f"{function} = {paths}\n" for function, paths in sorted((before | now).items())]
@@ -184,44 +210,43 @@ def control_here():
     """What is wrong with the engine, by controls whose answers are known."""
     whole = HELD["native"][1]
     return controls.faults(
-        lambda wanted: prove(HELD["library"], [wanted], None, is_control=True)[0],
+        lambda wanted: joined(wanted, prove(HELD["library"], [wanted], None)),
         lambda wanted, found: replays(wanted, found, whole, "ncp", None),
     )
 
 
-def prove_here(function, only):
+def prove_here(function, part, only):
     wanted = [p for p in PROPERTIES if p.function == function and only in p.id]
-    return prove(HELD["library"], wanted, HELD["evidence"])
+    return prove(HELD["library"], wanted, HELD["evidence"], part)
 
 
 def refute_here(defect, wanted):
     return refute(HELD["broken"], *HELD["native"], defect, next(p for p in PROPERTIES if p.id == wanted))
 
 
-def prove(library, wanted, evidence, is_control=False):
-    """Shows properties of one function on each of its paths, and that no path is missing."""
+def prove(library, wanted, evidence, part=0):
+    """Shows properties of one part of a function on each of its paths, and that no path is missing."""
     function = wanted[0].function
+    name, slice_of, fixed = SIGNATURES[function].slices[part]
+    shown = {"part": f"{function}-{name}".rstrip("-"), "paths": 0, "seconds": 0.0}
     start = time.process_time()
     try:
-        exploration = library.explore(f"ncp_{function}", SIGNATURES[function])
+        exploration = library.explore(f"ncp_{function}", SIGNATURES[function], slice_of, fixed)
     except Incomplete as error:
-        if not is_control:
-            print(f"not run  {function}: {error}", flush=True)
-        unknown = {"verdict": "not run", "detail": str(error), "paths": 0, "seconds": 0, "function": f"ncp_{function}"}
-        return [said(one) | unknown for one in wanted]
-    seconds = time.process_time() - start
-    complete = list(completeness(function, exploration))
+        print(f"not run  {shown['part']}: {error}", flush=True)
+        return [said(one) | shown | {"verdict": "not run", "detail": str(error)} for one in wanted]
+    shown["paths"] = len(exploration.paths)
+    assumes = [*SIGNATURES[function].domain(exploration.inputs), *slice_of(exploration.inputs)]
+    complete = [("no-other-path", *solver.decide([*assumes, no_path(exploration)]))]
+    shown["seconds"] = round(time.process_time() - start, 2)
     results = []
     for one in wanted:
         start = time.process_time()
-        results.append(prove_one(one, exploration, complete, evidence))
-        # The exploration is for all of them.
-        seconds, results[-1]["seconds"] = 0, round(seconds + time.process_time() - start, 2)
-        if not is_control:
-            shown = results[-1]
-            arithmetic = f"{shown['by_arithmetic']} of {shown['obligations']} questions need arithmetic"
-            print(f"{shown['verdict']:8} {one.id}: {shown['paths']} paths, {arithmetic}, {shown['seconds']} s", flush=True)
-            print(shown.get("detail", shown.get("counterexample", "")), end="\n" if shown["verdict"] != "proved" else "")
+        results.append(shown | prove_one(one, exploration, assumes, complete, evidence and (evidence, shown["part"])))
+        # The exploration and its question are the first one's.
+        results[-1]["seconds"] = shown["seconds"] + round(time.process_time() - start, 2)
+        shown["seconds"] = 0.0
+    print(f"         {shown['part']}: {shown['paths']} paths", flush=True)
     return results
 
 
@@ -238,28 +263,31 @@ def said(wanted):
     }
 
 
-def prove_one(wanted, exploration, complete, evidence):
+def prove_one(wanted, exploration, domain, complete, evidence):
     """Shows one property of a function whose paths are known, and are all of them as far as `complete` says."""
-    decisions = complete + [(name, *solver.decide(formulas)) for name, formulas in obligations(wanted, exploration)]
+    assumes = [*domain, *assumed(wanted, exploration)]
+    asked = obligations(wanted, exploration, assumes)
+    decisions = complete + [(name, *solver.decide(formulas)) for name, formulas in asked]
     verdicts = {decision.verdict for _, _, decision in decisions}
     result = said(wanted)
     if evidence:
+        folder, part = evidence
         for name, text, _ in decisions:
-            file = evidence / f"{wanted.id.replace('/', '-')}-{name}.smt2"
-            file.write_text(text, encoding="utf-8")
-    if verdicts == {solver.Verdict.UNSAT} and is_possible(wanted, exploration):
+            (folder / f"{wanted.id.replace('/', '-')}-{part}-{name}.smt2").write_text(text, encoding="utf-8")
+    if verdicts == {solver.Verdict.UNSAT}:
         outcome = "proved"
     elif solver.Verdict.SAT in verdicts:
         outcome = "refuted"
-        result["counterexample"] = {"function": wanted.function, "inputs": shown_model(wanted, exploration, decisions)}
-        result["counterexample"]["inputs"] = result["counterexample"]["inputs"] or {}
+        inputs = shown_model(wanted, exploration, decisions)
+        result["counterexample"] = {"function": wanted.function, "inputs": inputs or {}}
+        print(f"refuted  {wanted.id}: {inputs}", flush=True)
     else:
         outcome = "not run"
-        open_ones = [name for name, _, decision in decisions if decision.verdict is not solver.Verdict.UNSAT]
-        result["detail"] = f"not decided: {open_ones}" if open_ones else "what it assumes is a contradiction"
+        left = [name for name, _, decision in decisions if decision.verdict is not solver.Verdict.UNSAT]
+        result["detail"] = f"not decided: {left}"
     return result | {
         "verdict": outcome,
-        "paths": len(exploration.paths),
+        "is_possible": is_possible(assumes),
         "function": f"ncp_{wanted.function}",
         "address": hex(exploration.start),
         "instructions": len(exploration.instructions),
@@ -277,39 +305,36 @@ def prove_one(wanted, exploration, complete, evidence):
     }
 
 
-def is_possible(wanted, exploration):
+def is_possible(assumes):
     """Whether there are inputs at all of which a property says something: otherwise it is true of nothing."""
-    text = solver.smt(assumed(wanted, exploration))
-    return solver.ask_bitwuzla(text) == "sat"
+    return solver.ask_bitwuzla(solver.smt(assumes)) == "sat"
 
 
 def assumed(wanted, exploration):
     """What a property assumes of its inputs."""
-    inputs = exploration.inputs
     if sabotaged("lose-assumption"):
-        return SIGNATURES[wanted.function].domain(inputs)
-    contradiction = [claripy.false()] if sabotaged("false-assumption") else []
-    return [*SIGNATURES[wanted.function].domain(inputs), *wanted.assume(inputs), *contradiction]
+        return []
+    return [*wanted.assume(exploration.inputs), *([claripy.false()] if sabotaged("false-assumption") else [])]
 
 
 def shown_model(wanted, exploration, decisions):
     """Inputs for which a property does not hold."""
-    names = {name: variable.args[0] for name, variable in exploration.inputs.items()}
+    names = {name: value.args[0] for name, value in exploration.inputs.items() if value.symbolic}
+    fixed = {name: value.args[0] for name, value in exploration.inputs.items() if not value.symbolic}
     text = next(text for _, text, decision in decisions if decision.verdict is solver.Verdict.SAT)
     found = solver.model(text, names)
-    return found and native.shown(SIGNATURES[wanted.function], found)
+    return found and native.shown(SIGNATURES[wanted.function], found | fixed)
 
 
-def completeness(function, exploration):
-    """What must be unsatisfiable of each function: an input that takes no path."""
+def no_path(exploration):
+    """That an input takes no path, which must be unsatisfiable."""
     taken = [claripy.And(claripy.true(), *path.conditions) for path in exploration.paths]
-    missed = claripy.Not(claripy.Or(*taken, claripy.false()))
-    yield "no-other-path", *solver.decide([*SIGNATURES[function].domain(exploration.inputs), missed])
+    return claripy.Not(claripy.Or(*taken, claripy.false()))
 
 
-def obligations(wanted, exploration):
+def obligations(wanted, exploration, assumes):
     """What must be unsatisfiable: a path that ends wrongly, and an input that is no case."""
-    inputs, assumes = exploration.inputs, assumed(wanted, exploration)
+    inputs = exploration.inputs
     cases = wanted.cases(inputs)
     for name, when, values in cases:
         wrong = [ends_wrongly(wanted, inputs | values, path) for path in exploration.paths]
@@ -384,7 +409,7 @@ def counterexample(code, wanted, defect):
         for name, variable in exploration.inputs.items()
         if name not in fixed
     }
-    assumes = assumed(wanted, exploration)
+    assumes = [*signature.domain(exploration.inputs), *assumed(wanted, exploration)]
     for path in exploration.paths:
         for _, when, values in wanted.cases(exploration.inputs):
             wrong = [*assumes, when, ends_wrongly(wanted, exploration.inputs | values, path)]

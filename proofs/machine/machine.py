@@ -71,14 +71,18 @@ class Forks(SimSolver):
 
 
 class Memset(SimProcedure):
-    """`memset` of the C library, for a place and a length that a path knows: it writes that byte so often."""
+    """`memset` of the C library, for a place that a path knows and a length of at most MOST: it writes that byte so
+    often."""
+
+    MOST = 64
 
     def run(self, place, byte, length):
-        for argument in (place, length):
-            if self.state.solver.symbolic(argument):
-                raise Incomplete(f"memset depends on an input: {argument}")
-        for offset in range(self.state.solver.eval(length)):
-            self.state.memory.store(place + offset, byte[7:0])
+        if self.state.solver.symbolic(place) or solver.can_be([*self.state.solver.constraints, length.UGT(self.MOST)]):
+            raise Incomplete(f"memset depends on an input: {place}, {length}")
+        for offset in range(self.MOST):
+            if not (length.UGT(offset)).is_false():
+                was = self.state.memory.load(place + offset, 1)
+                self.state.memory.store(place + offset, claripy.If(length.UGT(offset), byte[7:0], was))
         return place
 
 

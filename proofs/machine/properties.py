@@ -3,6 +3,7 @@
 A property is a precondition and a conclusion over the bits that go in and the bits that come out.
 """
 
+import struct
 from dataclasses import dataclass
 
 import claripy
@@ -72,13 +73,16 @@ class Signature:
     block: tuple = None
     leaves: tuple = ()
     domain: object = anything
+    # What is explored by itself, as all at once has too many paths: a name, what is so of the inputs, and the bits
+    # of those that are fixed.
+    slices: tuple = (("", anything, {}),)
 
 
-def step(block, leaves, domain=anything):
+def step(block, leaves, domain=anything, slices=Signature.slices):
     """A function that takes a block of words, and leaves one."""
     words = tuple(name for name in block if not is_double(name))
     doubles = tuple(name for name in block if is_double(name))
-    return Signature(words, doubles, True, False, block, leaves, domain)
+    return Signature(words, doubles, True, False, block, leaves, domain, slices)
 
 
 def is_watchdog(i):
@@ -107,6 +111,39 @@ def is_gates(i):
 
 def is_governed(i):
     return [*is_gates(i), i["mode"] <= ESTOP, i["steps"] <= STEPS, *[i[f"says{k}"] <= SAYS_NO_VELOCITY for k in TICKS]]
+
+
+def has_fence(i):
+    return i["fence_kind"] == ENABLED
+
+
+def is_active(i):
+    return claripy.And(has_fence(i), i["mode"] == ACTIVE, i["stopped"] == 0, i["fault"] == 0)
+
+
+def ticks_of(dt_ms, ttl_ms):
+    """A horizon whose ticks have this length, in a command of this ttl, in ms."""
+    return {"has_dt": 1, "dt_ms": bits_of(dt_ms), "ttl_ms": bits_of(ttl_ms)}
+
+
+def bits_of(value):
+    return int.from_bytes(struct.pack("<d", value), "little")
+
+
+# All that the gates can be given, but that with a fence, and a horizon that may move the plant, the times of the
+# ticks are two: of two whole ticks, a part and nothing, and of the cap of 60 s.
+GOVERNED_SLICES = (
+    ("no-fence", lambda i: [claripy.Not(has_fence(i))], {}),
+    ("fence-closed", lambda i: [has_fence(i), claripy.Not(is_active(i))], {}),
+    ("fence-no-horizon", lambda i: [is_active(i), i["steps"] == 0], {}),
+    (
+        "fence-no-tick",
+        lambda i: [is_active(i), i["steps"] != 0, claripy.Not(claripy.And((i["has_dt"] & 1) == 1, positive(i["dt_ms"])))],
+        {},
+    ),
+    ("fence-part-of-tick", lambda i: [is_active(i), i["steps"] != 0], ticks_of(100.0, 250.0)),
+    ("fence-cap", lambda i: [is_active(i), i["steps"] != 0], ticks_of(25_000.0, 100_000.0)),
+)
 
 
 def are_channels(i):
@@ -151,6 +188,7 @@ SIGNATURES = {
         (*GATES, *COMMAND, *each(TICK, TICKS)),
         (*after(GATES), "answer", "reason", "steps_after", "places", "beyond", *each(ASKED, TICKS)),
         is_governed,
+        GOVERNED_SLICES,
     ),
     "limit_tick": step(
         ("kind", "bound", "count", *each(CHANNEL, range(CHANNELS))),
@@ -316,8 +354,10 @@ WATCHDOG_STATES = f"none: every value of every field of a watchdog, {INPUTS}"
 PLANT_STATES = f"none: every value of every field of a plant, {INPUTS}"
 GATE_STATES = f"none: every value of every field of the gates, {INPUTS}"
 GOVERNED = (
-    "every value of every field of the gates, every double, time and mode; a horizon of up to 3 steps; ticks of any "
-    "channels: what the speed limit answers of a tick, and its velocity before and after, are any"
+    "every value of every field of the gates, every mode, time, place and velocity; a horizon of up to 3 steps; ticks "
+    "of any channels: what the speed limit answers of a tick, and its velocity before and after, are any; where the "
+    "fence is enabled and the gates before it are open, a horizon has ticks of 100 ms and a ttl of 250 ms, or ticks of "
+    "25 s and a ttl of 100 s, and else every dt and ttl"
 )
 
 

@@ -375,7 +375,7 @@ macro_rules! wrap {
                 let (mut first, mut second) = (components(one), components(two));
                 let given = [(one, &mut first), (two, &mut second)].into_iter().take(*count as usize);
                 let given = given.map(|([width, is_velocity, in_mps, ..], data)| Channel {
-                    data: data.get_mut(..*width as usize).unwrap_or_default(),
+                    data: data.split_at_mut((*width as usize).min(3)).0,
                     is_velocity: has(*is_velocity, FIRST),
                     in_mps: has(*in_mps, FIRST),
                 });
@@ -423,12 +423,8 @@ macro_rules! wrap {
                     };
                     let [kind, bound] = words_of(max_mps);
                     *asked = [asked[0] + 1, kind, bound];
-                    match words[0] {
-                        0 => Ok(false),
-                        1 => Ok(true),
-                        2 => Err(Reason::NotFinite),
-                        _ => Err(Reason::NoVelocity),
-                    }
+                    let refused = if words[0] == 2 { Reason::NotFinite } else { Reason::NoVelocity };
+                    if words[0] <= 1 { Ok(words[0] == 1) } else { Err(refused) }
                 }
                 #[inline]
                 fn velocity(&self, tick: usize) -> Option<[f64; 3]> {
