@@ -38,13 +38,14 @@ PATHS_HEAD = "# How many paths each function has: `prove.sh --accept` writes it.
 # What the parts of a function add up to.
 SUMS = ("paths", "obligations", "by_arithmetic", "instructions", "seconds")
 # What a sabotaged engine is run on.
-SABOTAGED = "machine/watchdog"
+SABOTAGED = "machine/watchdog-hold"
 
 # What a process of the pool works with.
 HELD = {}
 
 TRUSTED = [
     "angr's lifter (VEX) gives each instruction its meaning, doubles by IEEE 754 in round-to-nearest; the control registers are those that a program starts with",
+    "memset, which the C library brings, writes one byte so often as it is told",
     "claripy's translation of formulas to SMT-LIB, and bitwuzla or z3, whichever answers; no two answers contradict each other",
     "the processor computes what the lifter says",
     "the sentences and formulas of proofs/machine/properties.py say what the text says",
@@ -52,9 +53,9 @@ TRUSTED = [
 ]
 NOT_PROVED = [
     "that a clamped vector keeps its direction: proved over the kernel's source, by the symbolic engine",
-    "what the governor's gates do with an active command that is fresh, within the fence and in no fault, and with a position that is finite: that they ask the clamp and the projection, and all of a horizon",
-    "which step of a horizon a plant follows, and that with a horizon it holds once the command is too old; without one it is proved",
-    "that the governor compares the age of a sensor with the timeout as is-fresh does: only what is decided without the age",
+    "horizons of more than 3 steps; and with an open fence, a horizon whose ticks and ttl have other lengths than the two pairs that the bounds name",
+    "ticks of more than two channels, two channels of which one is not three wide, or more than three components, by the speed limit",
+    "that a caller's plan answers the gates by the speed limit that limit-tick is about: the gates are proved for any answers",
     "the machine code of any other target or profile than the one that was built",
 ]
 

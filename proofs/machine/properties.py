@@ -146,6 +146,14 @@ GOVERNED_SLICES = (
 )
 
 
+# No channel, one of each width, and two that are three wide: addresses depend on widths.
+CHANNEL_SLICES = (
+    ("none", anything, {"count": 0}),
+    *[(f"one-{width}-wide", anything, {"count": 1, "width0": width}) for width in range(WIDTH + 1)],
+    ("two", anything, {"count": 2, "width0": WIDTH, "width1": WIDTH}),
+)
+
+
 def are_channels(i):
     widths = [i[f"width{k}"] <= WIDTH for k in range(CHANNELS)]
     return [*is_limit(i["kind"], i["bound"]), i["count"] <= CHANNELS, *widths]
@@ -194,6 +202,7 @@ SIGNATURES = {
         ("kind", "bound", "count", *each(CHANNEL, range(CHANNELS))),
         ("answer", *each(("x_after", "y_after", "z_after"), range(CHANNELS))),
         are_channels,
+        CHANNEL_SLICES,
     ),
 }
 
@@ -930,7 +939,7 @@ def _(i, o):
     "A tick is used exactly when each component is finite and, with a limit, there is a velocity of three components in m/s; then each channel in m/s is within the limit, and unchanged where it was within already; every other is unchanged, in whatever order the channels come.",
     "¬finite ⟹ not finite; else limit ≠ disabled ∧ ¬(limit enabled ∧ ∃ velocity in m/s, 3 wide) ⟹ no velocity; else used, changed ⟺ ∃ channel in m/s: √Σxᵢ² > max; in m/s ∧ √Σxᵢ² > max ⟹ finite(out) ∧ √Σoutᵢ² ≤ max; otherwise out = x bit for bit",
     assume=lambda i: [implies(i["kind"] == ENABLED, positive(i["bound"]))],
-    bounds="up to two channels of up to three components; else none: every double, limit, unit and order",
+    bounds="no channel, one of up to three components, or two of three; else none: every double, limit, unit and order",
     assumptions=("an enabled limit has a finite positive bound: so gates-new builds it, and each step keeps it",),
 )
 def _(i, o):
