@@ -243,7 +243,7 @@ def prove(library, wanted, evidence, part=0):
     results = []
     for one in wanted:
         start = time.process_time()
-        results.append(shown | prove_one(one, exploration, assumes, complete, evidence and (evidence, shown["part"])))
+        results.append(shown | prove_one(one, exploration, assumes, complete, evidence and (evidence, name)))
         # The exploration and its question are the first one's.
         results[-1]["seconds"] = shown["seconds"] + round(time.process_time() - start, 2)
         shown["seconds"] = 0.0
@@ -274,7 +274,8 @@ def prove_one(wanted, exploration, domain, complete, evidence):
     if evidence:
         folder, part = evidence
         for name, text, _ in decisions:
-            (folder / f"{wanted.id.replace('/', '-')}-{part}-{name}.smt2").write_text(text, encoding="utf-8")
+            names = [wanted.id.replace("/", "-"), part, name]
+            (folder / ("-".join(filter(None, names)) + ".smt2")).write_text(text, encoding="utf-8")
     if verdicts == {solver.Verdict.UNSAT}:
         outcome = "proved"
     elif solver.Verdict.SAT in verdicts:

@@ -890,7 +890,7 @@ def _(i, o):
     "Of a command that passes, tick 0 and each step that is left was brought within the gates' own speed limit, once each, and none of them refused it.",
     "answer ∈ {passed, limited}, k ≤ steps' ⟹ tick k was limited once, by (speed kind, speed), and answered that it may be used; steps' ≤ steps",
     assume=lambda i: [i["fence_kind"] != FAULTY],
-    bounds=GOVERNED,
+    bounds=GOVERNED + "; a fence that is not faulty",
 )
 def _(i, o):
     passes = claripy.ULE(o["answer"], GATE_LIMITED)
