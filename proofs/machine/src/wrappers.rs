@@ -253,7 +253,8 @@ macro_rules! wrap {
             /// `Plant::on_command`: 0 accepted, 1 held, 2 stopped, 3 dropped.
             #[unsafe(export_name = concat!($prefix, "_plant_command"))]
             extern "C" fn plant_command(
-                out: &mut Two<[u64; PLANT], u64>, Two(state, [mode_number, seq, now_s, ttl_ms]): &Two<[u64; PLANT], [u64; 4]>,
+                out: &mut Two<[u64; PLANT], u64>,
+                Two(state, [mode_number, seq, now_s, ttl_ms]): &Two<[u64; PLANT], [u64; 4]>,
             ) {
                 let mut plant = plant_of(state);
                 let received = plant.on_command(mode(*mode_number), double(*now_s), double(*ttl_ms), *seq as i64);
@@ -269,7 +270,8 @@ macro_rules! wrap {
             /// `Plant::active`: 0 when it holds, or 1 more than the tick.
             #[unsafe(export_name = concat!($prefix, "_plant_active"))]
             extern "C" fn plant_active(
-                out: &mut Two<[u64; PLANT], u64>, Two(state, [now_s, has_dt, dt_ms, steps]): &Two<[u64; PLANT], [u64; 4]>,
+                out: &mut Two<[u64; PLANT], u64>,
+                Two(state, [now_s, has_dt, dt_ms, steps]): &Two<[u64; PLANT], [u64; 4]>,
             ) {
                 let mut plant = plant_of(state);
                 let dt_ms = has(*has_dt, FIRST).then_some(double(*dt_ms));
@@ -329,8 +331,8 @@ macro_rules! wrap {
                 *out = words_of_gates(gates);
             }
 
-            /// What `govern` leaves: the gates, the answer, its reason, the steps, how often the place was asked for and
-            /// a tick that there is none of, and what was asked of each tick.
+            /// What `govern` leaves: the gates, the answer, its reason, the steps, how often the place was asked for
+            /// and a tick that there is none of, and what was asked of each tick.
             type Governed = Three<[u64; GATES], [u64; 5], [[u64; ASKED]; TICKS]>;
 
             /// `Gates::govern` on a command whose ticks answer anything: 0 passed, 1 limited, 2 held, 3 stopped.
@@ -340,7 +342,8 @@ macro_rules! wrap {
                 Three(state, command, ticks): &Three<[u64; GATES], [u64; COMMAND], [[u64; TICK]; TICKS]>,
             ) {
                 let mut gates = gates_of(state);
-                let [mode_number, now_s, has_time, last_s, has_place, x, y, z, ttl_ms, has_dt, dt_ms, steps] = *command;
+                let [mode_number, now_s, has_time, last_s, has_place, x, y, z, ttl_ms, has_dt, dt_ms, steps] =
+                    *command;
                 let mut plan = Answers {
                     mode: mode(mode_number),
                     ttl_ms: double(ttl_ms),
@@ -362,10 +365,12 @@ macro_rules! wrap {
                     Decision::Held(reason) => (2, number(reason)),
                     Decision::Stopped(reason) => (3, number(reason)),
                 };
-                *out = Three(words_of_gates(gates), [answer, reason, plan.steps as u64, places, plan.beyond], plan.asked);
+                let said = [answer, reason, plan.steps as u64, places, plan.beyond];
+                *out = Three(words_of_gates(gates), said, plan.asked);
             }
 
-            /// `limit_tick` on channels: 0 unchanged, 1 changed, or 2 more than the number of the reason; and the channels.
+            /// `limit_tick` on channels: 0 unchanged, 1 changed, or 2 more than the number of the reason; and the
+            /// channels.
             #[unsafe(export_name = concat!($prefix, "_limit_tick"))]
             extern "C" fn limit_tick(
                 out: &mut Two<u64, [[u64; 3]; CHANNELS]>,
@@ -476,7 +481,9 @@ macro_rules! wrap {
             }
 
             #[inline]
-            fn gates_of(&[speed_kind, speed_mps, fence_kind, radius_m, timeout_ms, fault, estop]: &[u64; GATES]) -> Gates {
+            fn gates_of(
+                &[speed_kind, speed_mps, fence_kind, radius_m, timeout_ms, fault, estop]: &[u64; GATES],
+            ) -> Gates {
                 Gates {
                     max_speed_mps: limit_of(speed_kind, speed_mps),
                     fence_m: limit_of(fence_kind, radius_m),
