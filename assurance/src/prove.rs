@@ -40,7 +40,8 @@ Examples:
   cargo assure prove                               all engines: ten minutes, and three for Coq
   cargo assure prove --engine theorem              the theorem, from a fresh clone: Coq comes from Debian
   cargo assure prove --fast                        the quick engines once more, held against the locks
-  cargo assure prove --engine symbolic --engine model";
+  cargo assure prove --engine symbolic --engine model
+  cargo assure prove --sabotage all                does the symbolic engine notice defects of its own?";
 
 #[derive(Debug, Args)]
 pub(crate) struct ProveArgs {
@@ -53,6 +54,13 @@ pub(crate) struct ProveArgs {
     /// Run no engine: only render reports/proofs.md from the locks
     #[arg(long, conflicts_with_all = ["engines", "report"])]
     pub(crate) page: bool,
+    /// Hold the run of the symbolic engine against an engine with this defect of its own (`defects/engine.toml`), or
+    /// against each of them: `all`. Each has to end with an error
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["engines", "report", "page", "fast"])]
+    sabotage: Option<String>,
+    /// Pin how much the symbolic engine explores, after a look at what has changed: proofs/explored.json
+    #[arg(long)]
+    pin: bool,
     /// Also write the long report, with every claim in words and symbols: reports/full/proofs.md and .html
     #[arg(long)]
     pub(crate) report: bool,
@@ -79,6 +87,11 @@ impl ProveArgs {
 /// # Errors
 /// The solvers cannot be set up, or a program cannot be started.
 pub(crate) fn run(project: &Project, args: &ProveArgs) -> Result<bool, ProveError> {
+    if let Some(name) = &args.sabotage {
+        setup::solvers(project, &mut |line| println!("{line}"))?;
+        let program = ["run", "--quiet", "--release", "-p", "ncp-proofs", "--features", "sabotage", "--", "--sabotage"];
+        return start(project.cargo(&[&program[..], &[name.as_str()]].concat()));
+    }
     let is_wanted_machine = RUNS_MACHINE && args.wants("machine");
     thread::scope(|scope| {
         // What explores machine code takes half a minute to install, and comes late.
@@ -144,7 +157,11 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
         good &= theorem(project)?;
     }
     part("broken kernels, which each engine has to refute, and the report");
-    good &= start(program(&["--features", "broken"], "rest"))?;
+    let mut rest = program(&["--features", "broken"], "rest");
+    if args.pin {
+        rest.arg("--pin");
+    }
+    good &= start(rest)?;
     part(if good { "done" } else { "FAILED" });
     Ok(good)
 }

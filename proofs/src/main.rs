@@ -311,7 +311,7 @@ fn sabotaged(place: &Place) -> Result<Vec<Sabotaged>, Box<dyn Error>> {
 }
 
 /// Holds the symbolic engine against its controls: so many.
-fn controlled(place: &Place) -> Result<usize, controls::Fault> {
+fn controlled(place: &Place) -> Result<usize, controls::AtFault> {
     controls::hold(&place.solvers, &place.evidence_of_controls())
 }
 
@@ -356,6 +356,11 @@ fn prove(place: &Place, names: &[&str], stage: Stage, pin: bool) -> Result<bool,
     let mut broken =
         if refuted.is_empty() && broken::IS_BUILT { refute_broken(place, &wanted)? } else { BTreeMap::new() };
 
+    // The table is one of the sources.
+    if let Some(explored) = kernel.get("symbolic").filter(|_| pin && is_symbolic) {
+        pins::write(&place.root, &pins::of(explored))?;
+    }
+    let digest = digest::of(&place.root)?;
     let file = place.root.join(report::FILE);
     let before = fs::read_to_string(&file).ok().and_then(|text| serde_json::from_str::<Report>(&text).ok());
     let before = before.unwrap_or_default();
@@ -385,12 +390,8 @@ fn prove(place: &Place, names: &[&str], stage: Stage, pin: bool) -> Result<bool,
         engine.version = place.solvers.versions()?;
         engine.controls = Some(controls as u64);
         engine.sabotaged = sabotaged(place)?;
-        let explored = pins::of(&engine.results);
-        if pin {
-            pins::write(&place.root, &explored)?;
-        }
         if refuted.is_empty() {
-            changed = pins::problems(&pins::read(&place.root)?, &explored);
+            changed = pins::problems(&pins::read(&place.root)?, &pins::of(&engine.results));
         }
     }
     let run = report::take_run(&mut engines, &run);

@@ -629,3 +629,107 @@ impl Prover for Symbolic {
         }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The decisions and the checks of all paths.
+    fn all(harness: fn(&mut Symbolic)) -> Vec<Path> {
+        clear();
+        let mut paths = vec![run(6, harness)];
+        while turn() {
+            paths.push(run(6, harness));
+        }
+        paths
+    }
+
+    #[test]
+    fn every_answer_and_every_way_is_explored_once() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            if p.choice("way", 3) == 1 {
+                return;
+            }
+            let _ = a.lt(b) && a.is_finite();
+        });
+        let answers = |path: &Path| path.literals.iter().map(|(_, answer)| *answer).collect::<Vec<_>>();
+        let found: Vec<_> = paths.iter().map(|path| (path.choices[0], answers(path))).collect();
+        let both = |way| [(way, vec![true, true]), (way, vec![true, false]), (way, vec![false])];
+        assert_eq!(found, [&both(0)[..], &[(1, Vec::new())], &both(2)].concat());
+    }
+
+    #[test]
+    fn what_follows_from_a_decision_is_no_decision() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            if a.lt(b) {
+                assert!(a.lt(b) && a.le(b) && !b.lt(a) && !b.le(a));
+            }
+        });
+        assert_eq!(paths.len(), 2);
+    }
+
+    #[test]
+    fn what_is_not_less_may_be_no_number() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            let _ = !a.lt(b) && b.le(a);
+        });
+        assert_eq!(paths.len(), 3);
+    }
+
+    #[test]
+    fn where_an_assumption_cannot_hold_nothing_is_decided_or_checked() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            let less = a.lt(b);
+            let says = p.truth(less);
+            p.assume(says);
+            let _ = p.choice("way", 5);
+            let no = p.truth(false);
+            p.check("never", no);
+        });
+        // Five ways where a < b, and one path that ends where it is not.
+        assert_eq!(paths.iter().map(|path| path.checks.len()).collect::<Vec<_>>(), [1, 1, 1, 1, 1, 0]);
+        assert_eq!(paths[5].decisions.len(), 1);
+    }
+
+    #[test]
+    fn a_check_holds_where_the_assumptions_do() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            for condition in [p.finite(a), p.finite(b)] {
+                p.assume(condition);
+            }
+            let finite = p.finite(a);
+            p.check("finite", finite);
+        });
+        let [(_, formula)] = paths[0].checks[..] else { panic!("{:?}", paths[0].checks) };
+        // ¬((a finite ∧ b finite) ∧ ¬(a finite))
+        let Node::Not(both) = node(formula) else { panic!("{:?}", node(formula)) };
+        assert!(matches!(node(both), Node::And(..)), "{:?}", node(both));
+    }
+
+    #[test]
+    fn a_path_without_an_end_is_ended() {
+        let run = || {
+            all(|p| {
+                loop {
+                    let _ = p.number(1.0).add(p.number(2.0));
+                }
+            })
+        };
+        let said = std::panic::catch_unwind(run).unwrap_err();
+        assert!(said.downcast_ref::<String>().unwrap().starts_with("no end"));
+    }
+
+    #[test]
+    fn every_nan_is_one_constant() {
+        clear();
+        let nan = [f64::NAN, -f64::NAN, f64::sqrt(std::hint::black_box(-1.0)), f64::from_bits(0x7ff0_0000_0000_0001)];
+        let terms = nan.map(SymbolicScalar::constant);
+        assert_eq!(terms, [terms[0]; 4]);
+        assert_eq!(terms[0], SymbolicScalar::constant(-1.0).sqrt());
+    }
+}

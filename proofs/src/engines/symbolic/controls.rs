@@ -20,15 +20,27 @@ use crate::provers::native::{Native, Source};
 use crate::provers::terms::Symbolic;
 use crate::vector::Calls;
 
-/// The engine says something else of a control than what is true.
+/// The engine says something else of controls than what is true.
 #[derive(Debug, Error)]
-#[error("the symbolic engine is at fault: {control}: {claim} It has to say {wanted}, and says {said}. So {shows}.")]
-pub struct Fault {
+#[error("the symbolic engine is at fault, by {} of its {held} controls. {}", faults.len(), lines(faults))]
+pub struct AtFault {
+    held: usize,
+    faults: Vec<Fault>,
+}
+
+/// It does of one of them.
+#[derive(Debug, Error)]
+#[error("{control}: {shows} (\"{claim}\" has to be: {wanted}; is: {said}).")]
+struct Fault {
     control: &'static str,
     claim: &'static str,
     wanted: String,
     said: String,
     shows: &'static str,
+}
+
+fn lines(faults: &[Fault]) -> String {
+    faults.iter().map(Fault::to_string).collect::<Vec<_>>().join(" ")
 }
 
 /// A claim, and what is known of it.
@@ -59,13 +71,11 @@ enum Wanted {
 /// Holds the engine against all controls; its files go into `folder`.
 ///
 /// # Errors
-/// The first control of which the engine says something else.
-pub fn hold(solvers: &Solvers, folder: &Path) -> Result<usize, Fault> {
+/// The controls of which the engine says something else.
+pub fn hold(solvers: &Solvers, folder: &Path) -> Result<usize, AtFault> {
     let all = all();
-    for control in &all {
-        hold_one(control, solvers, folder)?;
-    }
-    Ok(all.len())
+    let faults: Vec<Fault> = all.iter().filter_map(|control| hold_one(control, solvers, folder).err()).collect();
+    if faults.is_empty() { Ok(all.len()) } else { Err(AtFault { held: all.len(), faults }) }
 }
 
 fn hold_one(control: &Control, solvers: &Solvers, folder: &Path) -> Result<(), Fault> {
@@ -92,7 +102,7 @@ fn hold_one(control: &Control, solvers: &Solvers, folder: &Path) -> Result<(), F
     let outcome = prove(&property, &control.harness, &solvers, folder);
     let is_stale = |file| fs::read_to_string(file).is_ok_and(|text| text == STALE);
     if stale.iter().any(is_stale) {
-        return Err(fault("what an earlier run had left as evidence".to_owned()));
+        return Err(fault("what an earlier run had left as evidence stands there still".to_owned()));
     }
     if !control.wanted.fits(&outcome) {
         return Err(fault(said(&outcome)));
@@ -178,11 +188,7 @@ fn said(outcome: &Outcome) -> String {
 /// A harness of this module, for terms and for doubles.
 macro_rules! harness {
     ($symbolic:ident, $native:ident) => {
-        Harness {
-            symbolic: $symbolic::<Symbolic>,
-            native: $native::<Native<Source>>,
-            calls: Calls::of::<Production>(),
-        }
+        Harness { symbolic: $symbolic::<Symbolic>, native: $native::<Native<Source>>, calls: Calls::of::<Production>() }
     };
     ($both:ident) => {
         harness!($both, $both)
@@ -192,8 +198,7 @@ macro_rules! harness {
 /// All controls, the simplest first.
 fn all() -> Vec<Control> {
     let control = |id, claim, harness, wanted, shows| Control { id, claim, harness, wanted, shows };
-    let proved =
-        |paths, obligations, without_arithmetic| Wanted::Proved { paths, obligations, without_arithmetic };
+    let proved = |paths, obligations, without_arithmetic| Wanted::Proved { paths, obligations, without_arithmetic };
     let asked = OPERATIONS as u64 * PAIRS.len() as u64;
     vec![
         control(
@@ -542,7 +547,8 @@ mod tests {
     #[test]
     fn what_is_computed_of_constants_is_what_doubles_give() {
         for (nth, pair) in PAIRS.into_iter().enumerate() {
-            let (path, broken) = terms::run_guided(6, constants::<Symbolic>, Guide { choices: vec![nth], ..Guide::default() });
+            let (path, broken) =
+                terms::run_guided(6, constants::<Symbolic>, Guide { choices: vec![nth], ..Guide::default() });
             assert!(broken.is_empty() && path.checks.is_empty(), "{pair:?}: {broken:?}");
         }
     }

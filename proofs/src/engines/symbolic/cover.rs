@@ -122,10 +122,11 @@ mod tests {
 
     /// All paths of a tree: a choice of three, and then comparisons.
     fn tree(depth: u32) -> Vec<Vec<Decision>> {
-        let mut paths: Vec<Vec<Decision>> =
-            (0..3).map(|way| vec![Decision::Way { nth: 0, way, ways: 3 }]).collect();
+        let mut paths: Vec<Vec<Decision>> = (0..3).map(|way| vec![Decision::Way { nth: 0, way, ways: 3 }]).collect();
         for term in 0..depth {
-            let both = |path: Vec<Decision>| [true, false].map(|answer| [&path[..], &[Decision::Answer(term, answer)]].concat());
+            let both = |path: Vec<Decision>| {
+                [true, false].map(|answer| [&path[..], &[Decision::Answer(term, answer)]].concat())
+            };
             paths = paths.into_iter().flat_map(both).collect();
         }
         paths
@@ -154,7 +155,10 @@ mod tests {
 
     #[test]
     fn a_path_is_a_clause_of_what_it_does_not_decide() {
-        let paths = [vec![Decision::Answer(4, true)], vec![Decision::Answer(4, false), Decision::Way { nth: 1, way: 0, ways: 2 }]];
+        let paths = [
+            vec![Decision::Answer(4, true)],
+            vec![Decision::Answer(4, false), Decision::Way { nth: 1, way: 0, ways: 2 }],
+        ];
         let (text, questions) = script("two\nlines", &paths);
         assert_eq!(questions, 1);
         let wanted = "; two\n; lines\n(set-logic QF_BV)\n(declare-const c1_2_0 Bool)\n(declare-const c1_2_1 Bool)\n\

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::{Stop, cover};
 use super::smt::{self, Question};
+use super::{Stop, cover};
 use crate::engines::outcome::Patience;
 use crate::harness::said;
 use crate::provers::terms::{self, Decision, Path, Symbolic};

@@ -301,7 +301,7 @@ fn search(
     let explored = explore(bounds::of(property.id).length, harness.symbolic, &solvers.patience)?;
     let mut questions: Vec<&Question> = explored.questions.keys().collect();
     questions.sort_by_cached_key(|question| smt::size(question.formula));
-    let mut is_unknown = false;
+    let (mut is_unknown, mut missed) = (false, None);
     for chunk in questions.chunks(PER_SEARCH) {
         let answers = ask(solvers, file, chunk, solvers.limits.search)?;
         is_unknown |= answers.contains(&Answer::Unknown);
@@ -319,13 +319,19 @@ fn search(
                 let answers = ask(solvers, file, &asked, solvers.limits.search)?;
                 is_unknown |= answers.contains(&Answer::Unknown);
                 if let Some(((question, path), _)) = chunk.iter().zip(answers).find(|(_, a)| *a == Answer::Sat) {
-                    let found = model(property, harness, question, path, solvers, file)?;
-                    return found.ok_or(Stop::NotReplayed(question.check)).map(Some);
+                    match model(property, harness, question, path, solvers, file)? {
+                        Some(found) => return Ok(Some(found)),
+                        None => missed = missed.or(Some(question.check)),
+                    }
                 }
             }
         }
     }
-    if is_unknown { Err(Stop::Unknown) } else { Ok(None) }
+    match missed {
+        Some(check) => Err(Stop::NotReplayed(check)),
+        None if is_unknown => Err(Stop::Unknown),
+        None => Ok(None),
+    }
 }
 
 /// Inputs that break the harness on doubles: of samples, or of the values that are enumerated.

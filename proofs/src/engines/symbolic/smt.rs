@@ -249,3 +249,106 @@ impl Arithmetic {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use ncp_kernel::{Scalar, Seq};
+
+    use super::*;
+    use crate::prover::Prover;
+    use crate::provers::terms::{self, Symbolic};
+
+    /// A question for each kind of term.
+    fn every_kind(p: &mut Symbolic) {
+        let (x, y, q, r) = (p.scalar("x"), p.scalar("y"), p.seq("q"), p.seq("r"));
+        let made = x.add(y).sub(x).mul(y).div(x).sqrt().abs();
+        let less = p.lt(made, y);
+        let chosen = p.select(less, x, made);
+        let parts = [p.le(chosen, p_one()), p.finite(x), p.same(x, y), p.seq_lt(q, r), p.seq_same(q, r), p.seq_zero(q)];
+        let whole = p.all(&parts);
+        let _ = y.lt(x) || q.is_zero() || r.lt(q);
+        p.check("every kind", whole);
+    }
+
+    fn p_one() -> terms::SymbolicScalar {
+        terms::SymbolicScalar::constant(-1.5)
+    }
+
+    fn questions() -> Vec<Question> {
+        terms::clear();
+        let path = terms::run(6, every_kind);
+        let question = |&(check, formula)| Question { check, formula, literals: path.literals.clone() };
+        path.checks.iter().map(question).collect()
+    }
+
+    fn lines(text: &str) -> Vec<&str> {
+        text.lines().collect()
+    }
+
+    #[test]
+    fn a_script_says_each_kind_of_term_in_smt_lib() {
+        let questions = questions();
+        let (text, variables) = script("a title\nof two lines", &questions.iter().collect::<Vec<_>>(), true, None);
+        assert_eq!((variables.doubles.len(), variables.seqs.len()), (2, 2));
+        let wanted = "\
+; a title
+; of two lines
+(set-logic QF_BVFP)
+(declare-const x0 Float64)
+(declare-const x1 Float64)
+(declare-const q0 (_ BitVec 64))
+(declare-const q1 (_ BitVec 64))
+(define-fun t4 () Float64 (fp.add RNE x0 x1))
+(define-fun t5 () Float64 (fp.sub RNE t4 x0))
+(define-fun t6 () Float64 (fp.mul RNE t5 x1))
+(define-fun t7 () Float64 (fp.div RNE t6 x0))
+(define-fun t8 () Float64 (fp.sqrt RNE t7))
+(define-fun t9 () Float64 (fp.abs t8))
+(define-fun t10 () Bool (fp.lt t9 x1))
+(define-fun t11 () Float64 (ite t10 x0 t9))
+(define-fun t13 () Bool (fp.leq t11 (fp #b1 #b01111111111 #b1000000000000000000000000000000000000000000000000000)))
+(define-fun t14 () Bool (not (or (fp.isNaN x0) (fp.isInfinite x0))))
+(define-fun t15 () Bool (= x0 x1))
+(define-fun t16 () Bool (bvslt q0 q1))
+(define-fun t17 () Bool (= q0 q1))
+(define-fun t18 () Bool (= q0 (_ bv0 64)))";
+        assert_eq!(lines(&text)[..wanted.lines().count()], lines(wanted)[..]);
+        assert!(text.contains("(push 1) ; every kind\n(assert "), "{text}");
+        assert!(text.ends_with("\n(check-sat)\n(get-value (x0 x1 q0 q1))\n(pop 1)\n"), "{text}");
+    }
+
+    #[test]
+    fn without_arithmetic_each_operation_and_comparison_of_doubles_is_an_unknown_function() {
+        let questions = questions();
+        let text = uninterpreted(&questions.iter().collect::<Vec<_>>());
+        assert!(!text.contains("fp"), "{text}");
+        for term in ["(add x0 x1)", "(sub t4 x0)", "(mul t5 x1)", "(div t6 x0)", "(root t7)", "(size t8)"] {
+            assert!(text.contains(&format!(" () D {term})\n")), "{term}");
+        }
+        for formula in ["(below t9 x1)", "(finite x0)", "(= x0 x1)", "(bvslt q0 q1)", "(= q0 (_ bv0 64))"] {
+            assert!(text.contains(&format!(" () Bool {formula})\n")), "{formula}");
+        }
+        assert!(text.contains(&format!("(within t11 #b{:064b})", (-1.5_f64).to_bits())), "{text}");
+    }
+
+    #[test]
+    fn a_question_denies_the_check_under_the_decisions_of_its_path() {
+        let mut questions = questions();
+        questions[0].literals[0].1 = false;
+        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, None);
+        let decided = questions[0].literals[0].0;
+        let claim = Arithmetic::Doubles.name(questions[0].formula);
+        assert!(text.contains(&format!("(assert (not t{decided}))")), "{text}");
+        assert!(text.contains(&format!("(assert (not {claim}))\n(check-sat)\n(pop 1)\n")), "{text}");
+    }
+
+    #[test]
+    fn inputs_stand_for_the_variables() {
+        let questions = questions();
+        let inputs = Guide { scalars: vec![f64::NAN, -0.0], seqs: vec![-1, 5], ..Guide::default() };
+        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, Some(&inputs));
+        assert!(text.contains("(define-fun x0 () Float64 (_ NaN 11 53))\n"), "{text}");
+        assert!(text.contains(&format!("(define-fun x1 () Float64 (fp #b1 #b{:011b} #b{:052b}))\n", 0, 0)), "{text}");
+        assert!(text.contains(&format!("(define-fun q0 () (_ BitVec 64) #b{})\n", "1".repeat(64))), "{text}");
+    }
+}

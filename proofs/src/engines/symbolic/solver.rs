@@ -43,7 +43,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { proof: 1_000_000, search: 60_000, cross: 20_000 }
+        Self { proof: 1_000_000, search: 60_000, cross: 5_000 }
     }
 }
 
