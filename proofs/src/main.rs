@@ -79,7 +79,8 @@ const ENGINES: &[Engine] = &[
                 Some(outcome)
             },
             refute: |property, harness, place, id| {
-                let draft = place.drafts.join(format!("{id}.smt2"));
+                // By both names: a defect is refuted by several properties, at the same time.
+                let draft = place.drafts.join(format!("{id}-{}.smt2", property.id.replace('/', "-")));
                 let found = symbolic::refute(property, harness, &place.solvers, &draft);
                 Some(found.map_err(|why| why.to_string()).and_then(|found| {
                     let (found, origin) = found.unzip();
