@@ -89,8 +89,7 @@ impl ProveArgs {
 pub(crate) fn run(project: &Project, args: &ProveArgs) -> Result<bool, ProveError> {
     if let Some(name) = &args.sabotage {
         setup::solvers(project, &mut |line| println!("{line}"))?;
-        let program = ["run", "--quiet", "--release", "-p", "ncp-proofs", "--features", "sabotage", "--", "--sabotage"];
-        return start(project.cargo(&[&program[..], &[name.as_str()]].concat()));
+        return sabotage(project, name);
     }
     let is_wanted_machine = RUNS_MACHINE && args.wants("machine");
     thread::scope(|scope| {
@@ -156,6 +155,10 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
         part("the theorem from the command to the plant, by Coq");
         good &= theorem(project)?;
     }
+    if args.engines.is_empty() && !args.fast {
+        part("engines with a defect of their own, each of which its run has to notice");
+        good &= sabotage(project, "all")?;
+    }
     part("broken kernels, which each engine has to refute, and the report");
     let mut rest = program(&["--features", "broken"], "rest");
     if args.pin {
@@ -164,6 +167,12 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
     good &= start(rest)?;
     part(if good { "done" } else { "FAILED" });
     Ok(good)
+}
+
+/// Runs the symbolic engine with a defect of its own, or with each of them.
+fn sabotage(project: &Project, name: &str) -> Result<bool, ProveError> {
+    let program = ["run", "--quiet", "--release", "-p", "ncp-proofs", "--features", "sabotage", "--", "--sabotage", name];
+    start(project.cargo(&program))
 }
 
 /// Explores the machine code, where that can be done: on other machines it is not run, which is no failure,

@@ -9,6 +9,7 @@ use ncp_proofs::engines::{Verdict, enumeration, standin};
 use ncp_proofs::harness::harness;
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Family, PROPERTIES};
+use ncp_proofs::sabotage;
 use ncp_text::catalogue::Catalogue;
 
 #[test]
@@ -86,4 +87,16 @@ fn every_family_has_five_broken_kernels_and_each_defect_a_property_and_its_rules
 #[test]
 fn every_broken_kernel_is_a_change_of_the_kernel_as_it_is() {
     assert_eq!(missing(), Vec::<String>::new());
+}
+
+#[test]
+fn the_engine_has_more_than_ten_defects_of_its_own_in_the_sources_that_are_woven() {
+    let defects = sabotage::defects().unwrap();
+    assert!(defects.len() > 10);
+    for edit in defects.iter().flat_map(|defect| &defect.edit) {
+        let is_woven = ["proofs/src/engines/", "proofs/src/provers/"].iter().any(|folder| edit.file.starts_with(folder));
+        assert!(is_woven, "{}", edit.file);
+    }
+    // This build has no switches.
+    assert!(sabotage::switch_on(&defects[0].name).is_err());
 }
