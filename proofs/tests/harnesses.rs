@@ -94,7 +94,8 @@ fn the_engine_has_more_than_ten_defects_of_its_own_in_the_sources_that_are_woven
     let defects = sabotage::defects().unwrap();
     assert!(defects.len() > 10);
     for edit in defects.iter().flat_map(|defect| &defect.edit) {
-        let is_woven = ["proofs/src/engines/", "proofs/src/provers/"].iter().any(|folder| edit.file.starts_with(folder));
+        let is_woven =
+            ["proofs/src/engines/", "proofs/src/provers/"].iter().any(|folder| edit.file.starts_with(folder));
         assert!(is_woven, "{}", edit.file);
     }
     // This build has no switches.

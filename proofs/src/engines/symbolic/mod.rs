@@ -25,7 +25,7 @@ use crate::properties::Property;
 use crate::provers::native::{Native, Replay, Source};
 use crate::provers::terms::{self, Guide, Path};
 use explore::{Explored, explore};
-use smt::Question;
+use smt::{Inputs, Question};
 
 /// Obligations in one file.
 const PER_FILE: usize = 400;
@@ -131,7 +131,7 @@ fn try_prove(
     let shared: Vec<(&Question, &Vec<usize>)> = explored.questions.iter().collect();
     for chunk in shared.chunks(PER_FILE) {
         let questions: Vec<&Question> = chunk.iter().map(|(question, _)| *question).collect();
-        let answers = ask(solvers, &draft, &questions, solvers.limits.proof)?;
+        let answers = ask(solvers, &draft, &questions, solvers.limits.proof, Inputs::Any)?;
         for ((question, paths), answer) in chunk.iter().zip(answers) {
             match answer {
                 Answer::Unsat => {
@@ -145,7 +145,7 @@ fn try_prove(
     }
     for chunk in single.chunks(PER_FILE) {
         let questions: Vec<&Question> = chunk.iter().map(|(question, _)| question).collect();
-        let answers = ask(solvers, &draft, &questions, solvers.limits.proof)?;
+        let answers = ask(solvers, &draft, &questions, solvers.limits.proof, Inputs::Any)?;
         for ((question, path), answer) in chunk.iter().zip(answers) {
             match answer {
                 Answer::Unsat => {
@@ -154,7 +154,7 @@ fn try_prove(
                 }
                 Answer::Unknown => return Err(Stop::Unknown),
                 Answer::Sat => {
-                    let found = model(property, harness, question, path, solvers, &draft)?;
+                    let found = model(property, harness, (question, path), solvers, &draft, Inputs::Any)?;
                     outcome.counterexample = Some(found.ok_or(Stop::NotReplayed(question.check))?);
                     return Ok(Verdict::Refuted);
                 }
@@ -200,7 +200,7 @@ fn leave(property: &Property, questions: &[&Question], solvers: &Solvers, file: 
         property.statement,
         questions.len()
     );
-    let (script, _) = smt::script(&title, questions, false, None);
+    let (script, _) = smt::script(&title, questions, false, Inputs::Any);
     fs::write(file, &script).map_err(in_file(file))?;
     let answers = solvers.bitwuzla(file, questions.len(), solvers.limits.proof).map_err(of("bitwuzla"))?;
     if answers.iter().all(|answer| *answer == Answer::Unsat) { Ok(()) } else { Err(Stop::NotAgain) }
@@ -224,7 +224,7 @@ fn cross_check(
     if open.is_empty() {
         return Ok(());
     }
-    let (script, _) = smt::script("draft", &open, false, None);
+    let (script, _) = smt::script("draft", &open, false, Inputs::Any);
     fs::write(draft, script).map_err(in_file(draft))?;
     let answers = solvers.z3(draft, open.len(), solvers.limits.cross).map_err(of("z3"))?;
     if answers.contains(&Some(Answer::Sat)) {
@@ -291,7 +291,7 @@ pub fn refute(
     }
 }
 
-/// The engine's own search, the smallest questions first.
+/// The engine's own search: among doubles with few digits first, and then among all.
 fn search(
     property: &Property,
     harness: &Harness,
@@ -299,27 +299,50 @@ fn search(
     file: &FilePath,
 ) -> Result<Option<Counterexample>, Stop> {
     let explored = explore(bounds::of(property.id).length, harness.symbolic, &solvers.patience)?;
+    let mut missed = None;
+    for inputs in [Inputs::Round, Inputs::Any] {
+        match search_among(inputs, &explored, property, harness, solvers, file) {
+            Ok(Some(found)) => return Ok(Some(found)),
+            Ok(None) => {}
+            // What is not known of some inputs is asked of all.
+            Err(Stop::Unknown) if matches!(inputs, Inputs::Round) => {}
+            Err(why @ (Stop::Unknown | Stop::NotReplayed(_))) => missed = Some(why),
+            Err(why) => return Err(why),
+        }
+    }
+    missed.map_or(Ok(None), Err)
+}
+
+/// The same among some inputs, the smallest questions first.
+fn search_among(
+    inputs: Inputs<'_>,
+    explored: &Explored,
+    property: &Property,
+    harness: &Harness,
+    solvers: &Solvers,
+    file: &FilePath,
+) -> Result<Option<Counterexample>, Stop> {
     let mut questions: Vec<&Question> = explored.questions.keys().collect();
     questions.sort_by_cached_key(|question| smt::size(question.formula));
     let (mut is_unknown, mut missed) = (false, None);
     for chunk in questions.chunks(PER_SEARCH) {
-        let answers = ask(solvers, file, chunk, solvers.limits.search)?;
+        let answers = ask(solvers, file, chunk, solvers.limits.search, inputs)?;
         is_unknown |= answers.contains(&Answer::Unknown);
         for (question, _) in chunk.iter().zip(answers).filter(|(_, answer)| *answer == Answer::Sat) {
             let single = explored.one_by_one(question);
             // A model of what the paths share may well take one of them.
             if let Some((_, path)) = single.first()
-                && let Some(found) = model(property, harness, question, path, solvers, file)?
+                && let Some(found) = model(property, harness, (question, path), solvers, file, inputs)?
             {
                 return Ok(Some(found));
             }
             is_unknown |= single.len() > PATHS_SEARCHED;
             for chunk in single.chunks(PER_SEARCH).take(PATHS_SEARCHED / PER_SEARCH) {
                 let asked: Vec<&Question> = chunk.iter().map(|(question, _)| question).collect();
-                let answers = ask(solvers, file, &asked, solvers.limits.search)?;
+                let answers = ask(solvers, file, &asked, solvers.limits.search, inputs)?;
                 is_unknown |= answers.contains(&Answer::Unknown);
                 if let Some(((question, path), _)) = chunk.iter().zip(answers).find(|(_, a)| *a == Answer::Sat) {
-                    match model(property, harness, question, path, solvers, file)? {
+                    match model(property, harness, (question, path), solvers, file, inputs)? {
                         Some(found) => return Ok(Some(found)),
                         None => missed = missed.or(Some(question.check)),
                     }
@@ -371,7 +394,7 @@ fn confirmed(
     let (path, broken) = run.map_err(|panic| Stop::Panics(said(&*panic)))?;
     let &(check, formula) = broken.first().ok_or(Stop::OnlyNumbers)?;
     let question = Question { check, formula, literals: path.literals };
-    let (script, _) = smt::script("draft", &[&question], false, Some(hint));
+    let (script, _) = smt::script("draft", &[&question], false, Inputs::Given(hint));
     fs::write(file, script).map_err(in_file(file))?;
     if solvers.bitwuzla(file, 1, solvers.limits.search).map_err(of("bitwuzla"))? != [Answer::Sat] {
         return Err(Stop::OnlyNumbers);
@@ -386,9 +409,15 @@ fn confirmed(
 }
 
 /// The answers of bitwuzla to these questions, each within so many steps.
-fn ask(solvers: &Solvers, file: &FilePath, questions: &[&Question], steps: u64) -> Result<Vec<Answer>, Stop> {
+fn ask(
+    solvers: &Solvers,
+    file: &FilePath,
+    questions: &[&Question],
+    steps: u64,
+    inputs: Inputs<'_>,
+) -> Result<Vec<Answer>, Stop> {
     solvers.patience.left()?;
-    let (script, _) = smt::script("draft", questions, false, None);
+    let (script, _) = smt::script("draft", questions, false, inputs);
     fs::write(file, script).map_err(in_file(file))?;
     solvers.bitwuzla(file, questions.len(), steps).map_err(of("bitwuzla"))
 }
@@ -397,12 +426,12 @@ fn ask(solvers: &Solvers, file: &FilePath, questions: &[&Question], steps: u64) 
 fn model(
     property: &Property,
     harness: &Harness,
-    question: &Question,
-    path: &Path,
+    (question, path): (&Question, &Path),
     solvers: &Solvers,
     file: &FilePath,
+    inputs: Inputs<'_>,
 ) -> Result<Option<Counterexample>, Stop> {
-    let (script, variables) = smt::script(property.id, &[question], true, None);
+    let (script, variables) = smt::script(property.id, &[question], true, inputs);
     fs::write(file, script).map_err(in_file(file))?;
     let printed = solvers.bitwuzla_prints(file, solvers.limits.proof).map_err(of("bitwuzla"))?;
     let first = printed.split('\n').next().unwrap_or_default();

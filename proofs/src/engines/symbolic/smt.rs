@@ -42,20 +42,45 @@ pub(super) fn size(formula: u32) -> usize {
     used.len()
 }
 
+/// What the variables of a script may be.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Inputs<'g> {
+    /// Whatever there is.
+    Any,
+    /// Doubles with few digits: a search among them comes to an end soon. `unsat` says nothing of others.
+    Round,
+    /// These.
+    Given(&'g Guide),
+}
+
+impl<'g> Inputs<'g> {
+    const fn given(self) -> Option<&'g Guide> {
+        match self {
+            Self::Given(guide) => Some(guide),
+            Self::Any | Self::Round => None,
+        }
+    }
+}
+
 /// A script with one `check-sat` a question, each to be answered with `unsat`. With `values`, the values
-/// of all variables are asked for too; with `inputs`, the variables are these.
-pub(super) fn script(
-    title: &str,
-    questions: &[&Question],
-    values: bool,
-    inputs: Option<&Guide>,
-) -> (String, Variables) {
+/// of all variables are asked for too.
+pub(super) fn script(title: &str, questions: &[&Question], values: bool, inputs: Inputs<'_>) -> (String, Variables) {
     let mut text = String::new();
     for line in title.lines() {
         let _ = writeln!(text, "; {line}");
     }
     text.push_str("(set-logic QF_BVFP)\n");
-    let variables = write(&mut text, questions, Arithmetic::Doubles, inputs);
+    let variables = write(&mut text, questions, Arithmetic::Doubles, inputs.given());
+    if matches!(inputs, Inputs::Round) {
+        for nth in &variables.doubles {
+            let _ = writeln!(
+                text,
+                "(declare-const s{nth} (_ BitVec 1))(declare-const e{nth} (_ BitVec 11))(declare-const f{nth} (_ \
+                 BitVec {ROUND}))\n(assert (= x{nth} (fp s{nth} e{nth} (concat f{nth} (_ bv0 {})))))",
+                52 - ROUND
+            );
+        }
+    }
     let doubles = variables.doubles.iter().map(|nth| format!("x{nth}"));
     let seqs = variables.seqs.iter().map(|nth| format!("q{nth}"));
     let all: Vec<String> = doubles.chain(seqs).collect();
@@ -75,6 +100,9 @@ pub(super) fn uninterpreted(questions: &[&Question]) -> String {
     ask(&mut text, questions, Arithmetic::Unknown, "");
     text
 }
+
+/// The digits behind the first of a double with few of them, in bits.
+const ROUND: usize = 6;
 
 /// The operations and comparisons of doubles, as functions of which nothing is known.
 const FUNCTIONS: [(&str, &str, &str); 9] = [
@@ -288,7 +316,8 @@ mod tests {
     #[test]
     fn a_script_says_each_kind_of_term_in_smt_lib() {
         let questions = questions();
-        let (text, variables) = script("a title\nof two lines", &questions.iter().collect::<Vec<_>>(), true, None);
+        let (text, variables) =
+            script("a title\nof two lines", &questions.iter().collect::<Vec<_>>(), true, Inputs::Any);
         assert_eq!((variables.doubles.len(), variables.seqs.len()), (2, 2));
         let wanted = "\
 ; a title
@@ -335,7 +364,7 @@ mod tests {
     fn a_question_denies_the_check_under_the_decisions_of_its_path() {
         let mut questions = questions();
         questions[0].literals[0].1 = false;
-        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, None);
+        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, Inputs::Any);
         let decided = questions[0].literals[0].0;
         let claim = Arithmetic::Doubles.name(questions[0].formula);
         assert!(text.contains(&format!("(assert (not t{decided}))")), "{text}");
@@ -346,7 +375,7 @@ mod tests {
     fn inputs_stand_for_the_variables() {
         let questions = questions();
         let inputs = Guide { scalars: vec![f64::NAN, -0.0], seqs: vec![-1, 5], ..Guide::default() };
-        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, Some(&inputs));
+        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, Inputs::Given(&inputs));
         assert!(text.contains("(define-fun x0 () Float64 (_ NaN 11 53))\n"), "{text}");
         assert!(text.contains(&format!("(define-fun x1 () Float64 (fp #b1 #b{:011b} #b{:052b}))\n", 0, 0)), "{text}");
         assert!(text.contains(&format!("(define-fun q0 () (_ BitVec 64) #b{})\n", "1".repeat(64))), "{text}");
