@@ -372,6 +372,17 @@ mod tests {
     }
 
     #[test]
+    fn doubles_with_few_digits_have_no_others() {
+        let questions = questions();
+        let (text, _) = script("", &questions.iter().collect::<Vec<_>>(), false, Inputs::Round);
+        for nth in [0, 1] {
+            let wanted = format!("(assert (= x{nth} (fp s{nth} e{nth} (concat f{nth} (_ bv0 46)))))");
+            assert!(text.contains(&wanted), "{text}");
+        }
+        assert!(text.contains("(declare-const f1 (_ BitVec 6))"), "{text}");
+    }
+
+    #[test]
     fn inputs_stand_for_the_variables() {
         let questions = questions();
         let inputs = Guide { scalars: vec![f64::NAN, -0.0], seqs: vec![-1, 5], ..Guide::default() };
