@@ -171,7 +171,8 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
 
 /// Runs the symbolic engine with a defect of its own, or with each of them.
 fn sabotage(project: &Project, name: &str) -> Result<bool, ProveError> {
-    let program = ["run", "--quiet", "--release", "-p", "ncp-proofs", "--features", "sabotage", "--", "--sabotage", name];
+    let program =
+        ["run", "--quiet", "--release", "-p", "ncp-proofs", "--features", "sabotage", "--", "--sabotage", name];
     start(project.cargo(&program))
 }
 
