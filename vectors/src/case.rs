@@ -39,6 +39,9 @@ impl Role {
     }
 }
 
+/// The rules by which something moves, as long as nothing keeps it from doing so.
+const MOVES: [&str; 4] = ["NCP-SAFE-021", "NCP-RES-003", "NCP-RES-013", "NCP-RES-026"];
+
 /// What a case may need that not every peer of a role has.
 pub(crate) const REFERENCE_NETWORKS: &str = "reference_networks";
 
@@ -195,13 +198,17 @@ impl Case {
         self
     }
 
-    /// The rules that decide the judged steps of a trace. Where none of them is the rule that the case is about, that
-    /// is what the last step shows, which the model cannot tell from what decides it elsewhere.
+    /// The rules that decide the steps of a trace. Where none of them is the rule that the case is about, the model
+    /// cannot tell what shows it: then it is the last step, and every other at which something simply moves.
     pub(crate) fn decided_by(self, steps: &[Option<&'static str>]) -> Self {
-        let last = steps.iter().rposition(Option::is_some).unwrap_or_default();
         let own = self.requirements.first().copied();
-        let is_own = steps.iter().any(|rule| *rule == own);
-        self.decided_throughout_by(if is_own { steps } else { steps.get(..last).unwrap_or_default() })
+        if steps.iter().any(|rule| *rule == own) {
+            return self.decided_throughout_by(steps);
+        }
+        let last = steps.iter().rposition(Option::is_some).unwrap_or_default();
+        let moves = |rule: &Option<&str>| rule.is_some_and(|rule| MOVES.contains(&rule));
+        let steps = steps.iter().take(last).map(|rule| rule.filter(|_| !moves(rule)));
+        self.decided_throughout_by(&steps.collect::<Vec<_>>())
     }
 
     /// The same of a trace that is about all of its steps.
@@ -211,6 +218,14 @@ impl Case {
                 self = self.by(format!("/steps/{step}"), rule);
             }
         }
+        self
+    }
+
+    /// A trace that is about all from this step on.
+    pub(crate) fn about_from(mut self, step: usize) -> Self {
+        self.by.retain(|place, _| {
+            place.split('/').nth(2).and_then(|at| at.parse().ok()).is_none_or(|at: usize| at < step)
+        });
         self
     }
 

@@ -13,26 +13,92 @@ const BENEATH: &[(&str, &[&str])] = &[
     // Numbers and strings of a frame are read from what the peer writes.
     ("wire/encode_{kind}/plain", &[]),
     ("wire/encode_{kind}/string", &["wire/encode_{kind}/plain"]),
-    ("wire/encode_{kind}/explicit", &["wire/encode_{kind}/plain"]),
-    ("wire/encode_", &["wire/encode_{kind}/plain", "wire/encode_{kind}/explicit"]),
+    ("wire/encode_{kind}/seq/zero", &["wire/encode_{kind}/plain"]),
+    ("wire/encode_{kind}/explicit", &["wire/encode_{kind}/plain", "wire/encode_{kind}/seq/zero"]),
+    ("wire/encode_{kind}/horizon/plain-maps", &["wire/encode_{kind}/plain"]),
+    ("wire/encode_{kind}/horizon/", &["wire/encode_{kind}/explicit", "wire/encode_{kind}/horizon/plain-maps"]),
+    ("wire/encode_", &["wire/encode_{kind}/explicit"]),
+    ("version/guard/lenient/", &[]),
+    ("version/contract/", &[]),
+    ("version/negotiate/", &["version/guard/strict/own", "version/guard/strict/older-minor", MAJOR, THIRD]),
+    ("wire/reply/", &["version/guard/strict/own", MAJOR, THIRD]),
+    ("strict/frames/", &["version/guard/strict/own", MAJOR, THIRD]),
+    ("strict/replies/", &["version/guard/strict/own", MAJOR, THIRD]),
+    ("strict/server/", &["version/guard/strict/own", MAJOR, THIRD, UNKNOWN]),
     ("keys/build/{key}/realm-named", &["keys/build/{key}/realm"]),
+    ("keys/build/{key}/realm", &["keys/build/{key}/realm"]),
+    ("keys/build/{key}/default-realm-named", &["keys/build/{key}/realm-named"]),
     ("keys/build/{key}/", &["keys/build/{key}/realm"]),
-    ("keys/segments/{key}/name/accepted", &["keys/build/{key}/realm", "keys/build/{key}/realm-named"]),
+    ("keys/segments/{key}/name/accepted", &["keys/build/{key}/realm-named"]),
     ("keys/segments/{key}/session/accepted", &["keys/build/{key}/realm"]),
     ("keys/realms/{key}/realm/accepted", &["keys/build/{key}/realm"]),
-    ("safety/stale/age/500-ms/from-0-s/half", &[]),
-    ("safety/zeroing/", &[]),
-    ("safety/", &["safety/stale/age/500-ms/from-0-s/half"]),
+    ("keys/matching/ncp-rpc/ncp-rpc-x", &[]),
+    ("keys/matching/ncp-rpc/", &[]),
+    ("keys/matching/ncp-starstar/ncp", &["keys/matching/ncp-rpc/ncp-rpc-x"]),
+    ("keys/matching/", &["keys/matching/ncp-starstar/ncp"]),
+    ("bulk/values/i32-plain", &[]),
+    ("bulk/values/f64-plain", &["bulk/values/i32-plain"]),
+    ("bulk/values/i32-extremes", &["bulk/values/i32-plain"]),
+    ("bulk/values/layout/gap", &["bulk/values/f64-plain"]),
+    ("bulk/", &["bulk/values/f64-plain", "bulk/values/i32-extremes", "bulk/values/layout/gap-before-data"]),
+    (STALE, &[]),
+    (PASSES, &[STALE]),
+    ("safety/stale/", &[STALE]),
+    ("safety/gates/order/", &[PASSES, BY_LINK, BY_COMMAND, BY_FENCE]),
+    ("safety/gates/latched-by-link/active", &[PASSES]),
+    ("safety/gates/latched-by-link/", &[PASSES, BY_LINK]),
+    ("safety/gates/latched-by-command/active", &[PASSES]),
+    ("safety/gates/latched-by-command/", &[PASSES, BY_COMMAND]),
+    ("safety/gates/latched-by-fence/active", &[PASSES]),
+    ("safety/gates/latched-by-fence/", &[PASSES, BY_FENCE]),
+    ("safety/latch/sequence/", &[PASSES, BY_LINK, BY_COMMAND, BY_FENCE]),
+    ("safety/fence/on/3-4-0/octant-0", &[PASSES]),
+    ("safety/projection/", &[PASSES, "safety/fence/on/3-4-0/octant-0"]),
+    (CLAMPS, &[PASSES]),
+    ("safety/speed/vector/", &[PASSES, CLAMPS]),
+    ("safety/speed/horizon/clamped-0010", &[PASSES, CLAMPS]),
+    ("safety/speed/", &[PASSES, CLAMPS, "safety/speed/horizon/clamped-0010"]),
+    ("safety/binding/", &[PASSES, CLAMPS]),
+    ("safety/", &[PASSES]),
+    ("resilience/buffer/mode/moves", &[]),
+    ("resilience/buffer/senders-clock/0.0", &["resilience/buffer/mode/moves"]),
+    ("resilience/buffer/drop/duplicate/deadline", &[RECEIPT]),
+    ("resilience/buffer/", &[RECEIPT, REFRESHES]),
+    ("resilience/buffer_modes/", &[RECEIPT, REFRESHES]),
+    ("resilience/estop/sequence/stale-estop", &[RECEIPT]),
+    ("resilience/estop/", &[RECEIPT, "resilience/estop/sequence/stale-estop"]),
+    ("resilience/horizon/", &[RECEIPT]),
+    ("strict/plant/followed/one", &[RECEIPT]),
+    ("strict/plant/", &[RECEIPT, "strict/plant/followed/one"]),
+    ("resilience/watchdog/ttl-250/from-0/half", &[]),
+    ("resilience/watchdog/", &["resilience/watchdog/ttl-250/from-0/half"]),
+    ("resilience/liveness/", &["resilience/watchdog/ttl-250/from-0/half"]),
+    ("resilience/link/last-seq/", &[]),
+    ("resilience/link/count/one-gap", &[]),
+    ("resilience/link/count/restart", &["resilience/link/count/one-gap"]),
+    ("resilience/link/rate/0110", &["resilience/link/count/one-gap"]),
+    ("resilience/link/burst/gap-20", &["resilience/link/count/one-gap"]),
+    ("resilience/link/", &["resilience/link/count/restart", "resilience/link/rate/0110", BURST]),
     ("session/life/advance/1", &["wire/encode_session_opened/plain", "wire/encode_observation_frame/plain"]),
     ("session/life/chunk/5", &["wire/encode_session_opened/plain", "wire/encode_observation_frame/plain"]),
-    ("session/", &["session/life/advance/1", "session/life/chunk/5"]),
+    (UNKNOWN, &[]),
+    ("session/life/life/close-unknown", &[]),
+    ("session/life/refused/", &[ADVANCE, UNKNOWN, "session/life/life/close-unknown"]),
+    ("session/life/life/", &[ADVANCE, "session/life/chunk/5", UNKNOWN, "session/life/life/close-unknown"]),
+    ("session/reference/cadence/1-by-1", &[ADVANCE, "session/life/chunk/5"]),
+    ("session/reference/", &[ADVANCE, "session/life/chunk/5", "session/reference/cadence/1-by-1"]),
+    ("session/", &[ADVANCE, "session/life/chunk/5"]),
+    ("control/loop/newest/older", &["control/loop/newest/by-seq/2-1-3"]),
+    ("control/loop/newest/unstamped-older", &["control/loop/newest/by-t/2-1-3"]),
+    ("control/loop/newest/restarted", &["control/loop/newest/by-seq/2-1-3"]),
+    ("control/loop/link/shuffled", &["control/loop/newest/by-seq/2-1-3", "resilience/link/count/late"]),
     ("control/loop/gate/stale", &["safety/gates/stale-sensor/active"]),
     ("control/loop/gate/clock-backward", &["safety/gates/clock-backward/active"]),
-    ("control/loop/gate/outside", &["safety/gates/outside/active"]),
+    ("control/loop/gate/outside", &["safety/gates/outside/active", "safety/fence/outside/3-4-0/octant-0", BY_FENCE]),
     ("control/loop/gate/config-fault", &["safety/gates/config-fault/active"]),
-    ("control/loop/gate/speed-clamp", &["safety/speed/vector/3-4-0/above"]),
+    ("control/loop/gate/speed-clamp", &[CLAMPS]),
     ("control/loop/ttl/look-ahead", &["safety/gates/leaves-fence/active"]),
-    ("control/loop/link/burst", &["safety/gates/latched-by-link/active"]),
+    ("control/loop/link/burst", &[BY_LINK, BURST]),
     ("control/loop/status/mode/stopped-by-burst", &["control/loop/link/burst"]),
     ("control/loop/status/mode/stopped", &["control/loop/gate/outside"]),
     ("control/loop/status/mode/held-clock", &["control/loop/gate/clock-backward"]),
@@ -45,6 +111,20 @@ const BENEATH: &[(&str, &[&str])] = &[
     ("control/loop/status/safety/held-limits", &["control/loop/gate/config-fault"]),
     ("control/loop/status/safety/held", &["control/loop/gate/stale"]),
 ];
+
+const MAJOR: &str = "version/guard/lenient/next-major";
+const THIRD: &str = "version/guard/strict/three-parts";
+const STALE: &str = "safety/stale/age/500-ms/from-0-s/half";
+const PASSES: &str = "safety/gates/nothing/active";
+const BY_LINK: &str = "safety/gates/latched-by-link/active";
+const BY_COMMAND: &str = "safety/gates/latched-by-command/active";
+const BY_FENCE: &str = "safety/gates/latched-by-fence/active";
+const CLAMPS: &str = "safety/speed/vector/3-4-0/above";
+const RECEIPT: &str = "resilience/buffer/senders-clock/0.0";
+const REFRESHES: &str = "resilience/buffer/drop/duplicate/deadline";
+const BURST: &str = "resilience/link/burst/gap-20";
+const ADVANCE: &str = "session/life/advance/1";
+const UNKNOWN: &str = "session/life/life/step-before-open";
 
 /// The kinds whose cases of decoding rest on cases of encoding.
 const EXPLICIT: &str = "wire/{kind}/explicit";
@@ -84,6 +164,22 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
         } else {
             vec![named(ABSENT), named(EXPLICIT)]
         });
+    }
+    if let Some(lenient) = id.strip_prefix("version/guard/strict/") {
+        beneath.push(format!("version/guard/lenient/{lenient}"));
+    }
+    if let Some(hash) = id.strip_prefix("version/contract/verify/") {
+        beneath.push(format!("version/contract/status/{hash}"));
+    }
+    if case.requirements.first() == Some(&"NCP-WIRE-043") {
+        case = case.by("refusal", "NCP-WIRE-042");
+    }
+    // A block that is refused is refused for how it lies: nothing else is wrong with it.
+    if matches!(case.call, "bulk.decode" | "observation.unpack")
+        && id.starts_with("bulk/values/")
+        && !id.contains("layout")
+    {
+        case = case.by("refusal", "NCP-BULK-018");
     }
     if case.call == "reply.check" {
         let request = Json::read(&word("request"));

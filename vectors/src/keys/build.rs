@@ -62,7 +62,7 @@ impl Builder {
             let rules: &[_] = match realm {
                 None => &["NCP-KEY-006", self.rule],
                 // Its slashes are those between segments.
-                Some(_) if what == "realm-of-five" => &["NCP-KEY-018", self.rule],
+                Some(_) if what != "realm" => &["NCP-KEY-018", self.rule],
                 Some(_) => &[self.rule],
             };
             cases.push(

@@ -102,6 +102,8 @@ pub(super) struct Plant {
     happened: Option<&'static str>,
     /// The rule by which a command that came since the last one that advanced does not refresh the deadline.
     refreshes_not: Option<&'static str>,
+    /// Whether nothing has moved since a reset that cleared a seq or a latch.
+    is_reset: bool,
     /// The rule that decided the last answer.
     said: &'static str,
 }
@@ -124,12 +126,19 @@ impl Plant {
         match command.mode.as_deref() {
             Some("estop") => self.stop("NCP-RES-021"),
             // What a strict plant rejects or drops leaves nothing behind.
-            _ if self.strict && (command.version.as_deref() != Some(WIRE_VERSION) || seq < 1 || !advances) => {}
+            _ if self.strict && (command.version.as_deref() != Some(WIRE_VERSION) || seq < 1 || !advances) => {
+                self.happened = Some(match command.version.as_deref() {
+                    None => "NCP-STRICT-002",
+                    Some(version) if version != WIRE_VERSION => "NCP-STRICT-003",
+                    Some(_) if seq < 1 => "NCP-STRICT-004",
+                    Some(_) => "NCP-STRICT-005",
+                });
+            }
             Some("active") => {
                 if advances {
                     self.last_seq = Some(seq);
                     self.held = Some((command.clone(), now, false));
-                    self.happened = self.happened.filter(|rule| *rule == RESET);
+                    self.happened = None;
                     self.refreshes_not = None;
                 } else {
                     self.happened = self.happened.or(Some(DROPPED));
@@ -163,7 +172,7 @@ impl Plant {
             strict: self.strict,
             clock: self.clock,
             rests: Some("NCP-RES-031"),
-            happened: clears.then_some(RESET),
+            is_reset: clears,
             ..Self::default()
         };
     }
@@ -171,7 +180,7 @@ impl Plant {
     /// Latches ESTOP by a rule.
     pub(super) fn stop(&mut self, rule: &'static str) {
         if !self.latched {
-            (self.latched, self.stopped) = (true, rule);
+            (self.latched, self.stopped) = (true, if self.strict { "NCP-STRICT-010" } else { rule });
         }
     }
 
@@ -180,8 +189,8 @@ impl Plant {
         self.read(now);
         let happened = self.happened.take();
         let Some((command, received, may_hold)) = self.held.clone() else {
-            // What was dropped revives nothing.
-            let dropped = happened.filter(|rule| *rule == DROPPED);
+            // What was rejected or dropped revives nothing.
+            let dropped = happened;
             let latched = self.latched.then_some(self.stopped);
             self.said = latched.or(dropped).or(self.rests).unwrap_or("NCP-RES-006");
             self.stopped = "NCP-RES-025";
@@ -198,6 +207,9 @@ impl Plant {
             return Answer::Hold;
         }
         let exact = (now - received) * 1000.0 == command.ttl.min(60_000.0);
+        // Whether a strict plant follows what it rejects, or loses by it what it had, a model does not see.
+        let happened = happened.filter(|rule| !rule.starts_with("NCP-STRICT"));
+        let happened = happened.or(std::mem::take(&mut self.is_reset).then_some(RESET));
         self.said = happened.unwrap_or(if exact { "NCP-RES-003" } else { "NCP-RES-026" });
         let usable = command.dt.filter(|dt| dt.is_finite() && *dt > 0.0);
         // A horizon whose ticks have no length is held for, or tick 0 followed.
@@ -248,6 +260,8 @@ fn over(command: &Command, received: f64, now: f64) -> Option<&'static str> {
     }
 }
 
+/// The rule that the case is about.
+const OWN: &str = "";
 /// The rule by which a command that does not advance is dropped.
 const DROPPED: &str = "NCP-RES-020";
 /// The rule by which a command moves the plant that would not have advanced before a reset.
@@ -272,6 +286,9 @@ pub(crate) fn buffer(events: &[Event], strict: bool) -> Run {
                 plant.read(*now);
                 if *stops {
                     plant.stop("NCP-RES-022");
+                } else {
+                    // What the case is about.
+                    plant.happened = Some(OWN);
                 }
                 args.push(object! { "op" => "command", "text" => text.clone(), "now_s" => num(*now) });
                 results.push(no_result());

@@ -1,7 +1,7 @@
 //! Every mode at every gate, and violations of two and three gates at once.
 
 use super::model::{Capabilities, Limits, Outcome, Sensor, Step, Trace, govern, sensed};
-use super::{case, good, near, row_case};
+use super::{case, good, latching, near, row_case};
 use crate::case::{Case, File};
 use crate::command::Command;
 use crate::json::object;
@@ -114,17 +114,19 @@ fn in_every_mode(violation: &Violation) -> Result<Vec<Case>, ScenarioError> {
         let rules: Vec<&'static str> = match (mode, violation.slot) {
             ("estop", _) => vec!["NCP-SAFE-003", "NCP-SAFE-004"],
             ("hold" | "init", 0 | 5 | 6) => vec!["NCP-SAFE-002", "NCP-SAFE-022"],
+            // That the mode does not come before the latch, a command that waits anyway shows.
+            ("hold" | "init", 1) => vec!["NCP-SAFE-020", "NCP-SAFE-005"],
             (_, 1) if violation.rule != "NCP-SAFE-005" => {
                 vec![violation.rule, "NCP-SAFE-005"]
             }
             (_, 2) => vec![violation.rule, "NCP-SAFE-018"],
             (_, 0) => vec![violation.rule],
             ("hold" | "init", _) if violation.name == "outside" => {
-                vec!["NCP-SAFE-002", "NCP-SAFE-020"]
+                vec!["NCP-SAFE-020", "NCP-SAFE-002"]
             }
             _ => vec![violation.rule, "NCP-SAFE-020"],
         };
-        Ok(case(format!("{}/{mode}", violation.name), &rules, &trace)
+        Ok(latching(format!("{}/{mode}", violation.name), &rules, &trace)
             .title(format!("A command in mode `{mode}` when {} becomes {decided}.", violation.words))
             .flags(if mode == "estop" { &["lost-estop"] } else { &[] })
             .because("The gates of section 7.3 in their order, for this command and for a good one after it."))
@@ -168,6 +170,7 @@ fn together(violations: &[Violation]) -> Result<Vec<Case>, ScenarioError> {
         for violation in &set {
             violation.apply(&mut setup)?;
         }
+        let before = setup.before.len();
         let trace = setup.trace();
         let decided = outcome(&trace);
         let names: Vec<_> = set.iter().map(|violation| violation.name).collect();
@@ -180,7 +183,8 @@ fn together(violations: &[Violation]) -> Result<Vec<Case>, ScenarioError> {
                 rules.push(violation.rule);
             }
         }
-        Ok(case(format!("order/{}", names.join("_and_")), &rules, &trace)
+        Ok(latching(format!("order/{}", names.join("_and_")), &rules, &trace)
+            .about_from(before)
             .title(format!("When {}, the command becomes {decided}.", words.join(" and ")))
             .flags(&["gate-order"])
             .because(

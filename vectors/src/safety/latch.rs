@@ -1,7 +1,7 @@
 //! What latches ESTOP, what clears it, and what a fault of the configuration outlives.
 
 use super::model::{Limits, Sensor, Step, Trace, govern};
-use super::{case, good, near, row_case};
+use super::{good, latching, near, row_case};
 use crate::case::{Case, File};
 use crate::scenario::{ScenarioError, Scenarios, source};
 
@@ -46,7 +46,7 @@ fn sequences() -> Vec<Case> {
                 let names = sequence.map(|(name, _)| name);
                 let words = sequence.map(|(_, words)| words);
                 cases.push(
-                    case(format!("sequence/{}", names.join("-")), &rules(&names), &trace)
+                    latching(format!("sequence/{}", names.join("-")), &rules(&names), &trace)
                         .decided_throughout_by(&trace.rules())
                         .title(format!(
                             "After {}, then {}, then {}, the governor is latched or not as the text says.",

@@ -35,6 +35,11 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
 
 /// A case of `governor.run` whose answers are the model's.
 fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
+    latching(path, rules, trace).about_from(0)
+}
+
+/// The same of a trace whose steps are about several rules.
+fn latching(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
     let case = Case::new(path, rules, &[Role::Commander]).call("governor.run", trace.args());
     let case = case.decided_by(&trace.rules());
     if trace.has_writable_limits() { case.shows(trace.pattern()) } else { case.shows_or_refuses(trace.pattern()) }
@@ -42,7 +47,7 @@ fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case 
 
 /// A case of the trace of a row.
 fn row_case(row: &Row) -> Result<Case, ScenarioError> {
-    let case = case(&row.path, &row.rules, &Trace::of(row)?);
+    let case = latching(&row.path, &row.rules, &Trace::of(row)?);
     Ok(case.title(&row.title).flags(&row.flags).because(&row.why))
 }
 

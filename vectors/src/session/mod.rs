@@ -160,10 +160,12 @@ fn reference(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -
 
 /// Lets each member of an observation be judged by the rule about it.
 fn of_members(case: Case) -> Case {
-    case.by("/replies/*/sim_time_ms", "NCP-SESS-033")
-        .by("/replies/*/records/*/times", "NCP-SESS-053")
-        .by("/replies/*/records/*/senders", "NCP-SESS-052")
-        .by("/replies/*/records/*/unit", "NCP-SESS-056")
+    // When a neuron fires, its network decides; when a port is sampled, the cadence.
+    let (place, rule) = match case.requirements.first() {
+        Some(&"NCP-SESS-053") => ("/replies/*/records/*/values", "NCP-SESS-050"),
+        _ => ("/replies/*/records/*/unit", "NCP-SESS-056"),
+    };
+    case.by("/replies/*/sim_time_ms", "NCP-SESS-033").by(place, rule).by("/replies/*/records/*/senders", "NCP-SESS-052")
 }
 
 fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {

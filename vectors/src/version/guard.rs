@@ -51,7 +51,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
                     (Is::Compatible, false) => rules.push("NCP-VER-008"),
                     (Is::Other, true) => rules.insert(0, "NCP-VER-006"),
                     (Is::Other, false) if rules.contains(&"NCP-VER-004") => {
-                        rules.insert(0, "NCP-VER-007");
+                        rules = vec!["NCP-VER-004", "NCP-VER-007"];
                     }
                     (Is::Other, false) => rules.push("NCP-VER-007"),
                     (Is::Malformed, _) => {}
@@ -69,7 +69,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
                 .because(why);
             cases.push(match answer {
                 "an error" => case.rejects("version"),
-                answer => case.gives(object! { "compatible" => answer == "true" }),
+                "false" => case.by("refusal", "NCP-VER-007").gives(object! { "compatible" => false }),
+                _ => case.gives(object! { "compatible" => true }),
             });
         }
     }

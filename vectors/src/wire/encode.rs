@@ -101,6 +101,7 @@ impl Encoder {
         cases.push(
             self.says("plain", &["NCP-WIRE-092", WRITE], &explicit_fields)
                 .by("within", WRITE)
+                .by("/ncp_version", "NCP-WIRE-090")
                 .title(format!("{} of plain ASCII is written without a byte order mark before it.", a(self.kind)))
                 .flags(&["byte-order-mark"])
                 .because("An encoder writes UTF-8 without a byte order mark; with one, no receiver reads the frame."),
@@ -426,7 +427,13 @@ impl Encoder {
 
     fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
         let case = self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text());
-        if rules.contains(&"NCP-WIRE-083") { case } else { case.by("order", "NCP-WIRE-080") }
+        if rules.contains(&"NCP-WIRE-083") {
+            return case;
+        }
+        let fields = meaning(self.kind, fields);
+        let absent = fields.members().iter().filter(|(_, value)| *value == Json::Null);
+        let case = case.by("/ncp_version", "NCP-WIRE-090").by("order", "NCP-WIRE-080");
+        absent.fold(case, |case, (name, _)| case.by(format!("/{name}"), "NCP-WIRE-082"))
     }
 
     /// Judged by what it says, however it is spelled.

@@ -186,6 +186,27 @@ mod tests {
     }
 
     #[test]
+    fn the_place_of_the_first_difference_leads_through_choices_into_the_nearest() {
+        let found = |pattern: &str, got: &str| {
+            let mut differences = Differences::default();
+            let (shape, got) = (Shape::parse(pattern).unwrap(), Json::parse(got).unwrap());
+            fits(&shape, 0.0, &got, &mut differences);
+            (differences.place, differences.manner)
+        };
+        let choices = r#"{"$any":[{"steps":[{"hold":true},{"hold":true}]},{"steps":[{"hold":false},{"hold":false}]}]}"#;
+        assert_eq!(
+            found(choices, r#"{"steps":[{"hold":true},{"hold":false}]}"#),
+            ("/steps/1/hold".into(), Manner::Value)
+        );
+        let step = |code: &str| format!(r#"{{"steps":[{{"hold":true}},{{"error":{{"code":"{code}"}}}}]}}"#);
+        let steps = r#"{"steps":[{"hold":true},5]}"#;
+        assert_eq!(found(steps, &step("internal")), ("/steps/1".into(), Manner::Crash));
+        assert_eq!(found(steps, &step("value")), ("/steps/1".into(), Manner::Refusal));
+        let steps = r#"{"steps":[{"hold":false},5]}"#;
+        assert_eq!(found(steps, &step("value")), ("/steps/0/hold".into(), Manner::Value));
+    }
+
+    #[test]
     fn numbers_are_compared_by_value_within_the_tolerance() {
         for (pattern, got) in [
             ("0", "-0.0"),

@@ -243,7 +243,7 @@ fn foundations(cases: &[Case]) -> Result<(), SuiteError> {
 }
 
 /// On how many cases, one on the other, a case may rest.
-const DEEPEST: usize = 4;
+const DEEPEST: usize = 8;
 
 /// The case of `describe`.
 fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Result<Case, SuiteError> {

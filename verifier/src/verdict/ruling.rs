@@ -154,6 +154,30 @@ mod tests {
     }
 
     #[test]
+    fn a_star_is_any_token_and_a_place_within_is_any_but_the_whole() {
+        let mut case = case("a", OWN);
+        case.by.places = vec![("/steps/*/lost".to_owned(), rule(OTHER))];
+        let ruling = |case: &Case, place: &str| Ruling::of(case, &fail(place, Manner::Value));
+        let own = Ruling::Failed { rule: rule(OWN) };
+        assert_eq!(ruling(&case, "/steps/12/lost"), waits_for(OTHER));
+        assert_eq!(ruling(&case, "/steps/12/last_seq"), own);
+        assert_eq!(ruling(&case, "/steps/lost"), own);
+        case.by.within = Some(rule(THIRD));
+        assert_eq!(ruling(&case, "/steps/12/lost"), waits_for(OTHER));
+        assert_eq!(ruling(&case, "/steps/12/last_seq"), waits_for(THIRD));
+        assert_eq!(ruling(&case, ""), own);
+    }
+
+    #[test]
+    fn members_in_another_order_are_charged_to_the_rule_of_their_order() {
+        let mut case = case("a", OWN);
+        assert_eq!(Ruling::of(&case, &fail("", Manner::Order)), Ruling::Failed { rule: rule(OWN) });
+        case.by.order = Some(rule(OTHER));
+        assert_eq!(Ruling::of(&case, &fail("", Manner::Order)), waits_for(OTHER));
+        assert_eq!(Ruling::of(&case, &fail("", Manner::Value)), Ruling::Failed { rule: rule(OWN) });
+    }
+
+    #[test]
     fn a_crash_and_a_refusal_are_charged_to_the_rules_against_them_where_there_are_any() {
         let mut case = case("a", OWN);
         let crash = Outcome::Crash { what: String::new(), log: String::new() };
