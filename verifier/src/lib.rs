@@ -11,6 +11,7 @@
 //! | [`check`] | judges one answer by the relation that its case states |
 //! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
 //! | [`diagnosis`] | ranks the rules that a peer most likely breaks |
+//! | [`severity`] | what it costs to break a rule |
 //! | [`diff`] | compares two results of one peer, case by case |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
@@ -28,6 +29,7 @@ pub mod json;
 pub mod peer;
 pub mod report;
 pub mod run;
+pub mod severity;
 pub mod stop;
 pub mod suite;
 pub mod verdict;

@@ -204,7 +204,8 @@ fn check(
     // When none could be started, all there is to say has been said.
     let silent = report.peers.iter().all(|peer| peer.state == State::NotStarted);
     if !silent {
-        let detail = if args.verbose { Detail::Verbose } else { Detail::Normal };
+        let examples = args.examples.unwrap_or(Detail::NORMAL.examples);
+        let detail = if args.verbose { Detail::VERBOSE } else { Detail { examples, ..Detail::NORMAL } };
         print(&terminal(&report, styles.out, detail))?;
     }
     let json = report.to_json().map_err(|error| CliError::Harness(format!("the result cannot be written: {error}")))?;

@@ -212,8 +212,11 @@ struct CheckArgs {
     /// Also write the result as JUnit XML
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// Show N failing cases of each peer with what went over the wire [default: 1]
+    #[arg(long, value_name = "N")]
+    examples: Option<usize>,
     /// Show every failing case, in full
-    #[arg(long, short)]
+    #[arg(long, short, conflicts_with = "examples")]
     verbose: bool,
 }
 
@@ -284,7 +287,7 @@ impl Cli {
         };
         let columns = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
         let asked = terminal_size::terminal_size().filter(|_| terminal).map(|(width, _)| usize::from(width.0));
-        Style { colour, width: asked.or(columns).unwrap_or(PIPED_WIDTH).clamp(40, 160) }
+        Style { colour, width: asked.or(columns).unwrap_or(PIPED_WIDTH).clamp(40, 240) }
     }
 }
 

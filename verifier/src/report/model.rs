@@ -1,6 +1,6 @@
 //! The one model of a result. Its JSON form is that of `schemas/result.schema.json`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use ncp_text::catalogue::{Keyword, Level, Role};
@@ -11,13 +11,14 @@ use crate::check::{Differences, in_words};
 use crate::diagnosis::{self, Suspect};
 use crate::peer::{Call, Description, excerpt};
 use crate::run::{CrashLog, Outcome, OutcomeKind, RunRecord};
+use crate::severity::Severity;
 use crate::suite::{Case, Suite};
-use crate::verdict::{Conclusion, Excuse, Judged, RoleVerdict, Status, Tally, Verdict, is_unsupported};
+use crate::verdict::{Conclusion, Excuse, Judged, LevelVerdict, RoleVerdict, Status, Tally, Verdict, is_unsupported};
 
 /// The format of the result file.
 const FORMAT: u32 = 1;
 /// How much of a request is kept for a case that did not pass.
-const KEPT_BYTES: usize = 2000;
+const KEPT_BYTES: usize = 16_000;
 
 /// How the program ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -141,6 +142,10 @@ pub struct Rule {
     pub sentence: String,
     /// File and line.
     pub place: String,
+    /// What it costs to break it.
+    pub severity: Severity,
+    /// How many cases of the corpus are about it, of all roles.
+    pub cases: usize,
 }
 
 /// Whether a peer was checked.
@@ -183,12 +188,40 @@ pub struct PeerReport {
     pub run: Option<RunReport>,
     /// Every case.
     pub cases: Vec<CaseReport>,
+    /// The known defects that explain its failing cases; none: nobody was asked.
+    pub diagnosis: Option<DiagnosisReport>,
     /// The rules of its cases that fail but the unsupported ones, those that it most likely breaks first.
     #[serde(skip)]
     pub broken: Vec<Suspect>,
     /// The rules of the cases that differ from advice, but the unsupported ones.
     #[serde(skip)]
     pub advised: Vec<Suspect>,
+}
+
+/// The fewest known defects that explain the failing cases of a peer.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+pub struct DiagnosisReport {
+    /// The defects, most severe first.
+    pub defects: Vec<DefectReport>,
+    /// The failing cases that no known defect explains.
+    pub unexplained: Vec<String>,
+}
+
+/// One known defect, and what it explains.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DefectReport {
+    /// The id of the defect.
+    pub defect: String,
+    /// What it is, in words.
+    pub words: String,
+    /// What it costs.
+    pub severity: Severity,
+    /// The failing cases that it explains, never none.
+    pub explained: Vec<String>,
+    /// How many cases such a defect would also fail, but pass: the more, the less sure.
+    pub passing: usize,
+    /// The explained case with the shortest request.
+    pub shortest: String,
 }
 
 /// What became of an entry of a peer's expected failures.
@@ -264,6 +297,10 @@ pub struct LevelReport {
     pub as_expected: bool,
     /// The cases of exactly this level.
     pub cases: TallyReport,
+    /// How many of them are binding: a rule that they cite is a MUST or MUST NOT.
+    pub binding: usize,
+    /// How many of the binding ones pass.
+    pub binding_passed: usize,
 }
 
 /// How many cases count for what.
@@ -467,6 +504,7 @@ impl PeerReport {
             expected_failures: Vec::new(),
             run: None,
             cases: Vec::new(),
+            diagnosis: None,
             broken: Vec::new(),
             advised: Vec::new(),
         }
@@ -504,7 +542,7 @@ impl PeerReport {
                 reference_networks: description.reference_networks,
             }),
             conclusion: Some(verdict.conclusion),
-            roles: verdict.roles.iter().map(RoleReport::new).collect(),
+            roles: verdict.roles.iter().map(|role| RoleReport::new(role, &verdict.cases)).collect(),
             totals,
             not_asked,
             expected_failures: verdict.excuses.iter().map(ExcuseReport::new).collect(),
@@ -521,6 +559,7 @@ impl PeerReport {
                 notes: run.notes.clone(),
             }),
             cases: verdict.cases.iter().map(CaseReport::new).collect(),
+            diagnosis: None,
             broken: diagnosis::likeliest_first(&verdict.cases, of(Status::Failed)),
             advised: diagnosis::by_rule(&verdict.cases, of(Status::Advice)),
         }
@@ -554,14 +593,23 @@ impl ExcuseReport {
 }
 
 impl RoleReport {
-    fn new(verdict: &RoleVerdict) -> Self {
-        let levels = verdict.levels.iter().map(|level| LevelReport {
-            level: level.level,
-            conformant: level.conformant,
-            as_expected: level.as_expected,
-            cases: level.tally.into(),
-        });
-        Self { role: verdict.role, claimed: verdict.claimed, levels: levels.collect() }
+    fn new(verdict: &RoleVerdict, cases: &[Judged<'_>]) -> Self {
+        let level = |level: &LevelVerdict| {
+            let is_meant = |judged: &&Judged<'_>| {
+                let Judged { case, .. } = judged;
+                case.binding && case.level == level.level && case.roles.contains(&verdict.role)
+            };
+            let binding = || cases.iter().filter(is_meant);
+            LevelReport {
+                level: level.level,
+                conformant: level.conformant,
+                as_expected: level.as_expected,
+                cases: level.tally.into(),
+                binding: binding().count(),
+                binding_passed: binding().filter(|judged| judged.run.outcome == Outcome::Pass).count(),
+            }
+        };
+        Self { role: verdict.role, claimed: verdict.claimed, levels: verdict.levels.iter().map(level).collect() }
     }
 }
 
@@ -644,6 +692,10 @@ impl CaseReport {
 fn rules(suite: &Suite) -> Vec<Rule> {
     let cited: BTreeSet<&str> =
         suite.with_describe().flat_map(|case: &Case| case.requirements.iter().map(|rule| rule.id.as_str())).collect();
+    let mut about: HashMap<&str, usize> = HashMap::new();
+    for rule in suite.with_describe().filter_map(|case| case.requirements.first()) {
+        *about.entry(&rule.id).or_default() += 1;
+    }
     suite
         .requirements()
         .iter()
@@ -656,6 +708,8 @@ fn rules(suite: &Suite) -> Vec<Rule> {
             roles: rule.roles.clone(),
             sentence: rule.sentence.clone(),
             place: rule.place(),
+            severity: Severity::of(&rule.id),
+            cases: about.get(rule.id.as_str()).copied().unwrap_or_default(),
         })
         .collect()
 }

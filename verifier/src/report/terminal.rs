@@ -5,32 +5,42 @@ use std::fmt::Write as _;
 
 use ncp_text::catalogue::Level;
 
-use super::layout::{Style, wrap};
+use super::exchange;
+use super::layout::{Style, cut, wrap};
 use super::model::{
-    CaseReport, CrashLogReport, ExcuseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport,
+    CaseReport, CrashLogReport, DefectReport, ExcuseReport, LevelReport, PeerReport, Report, RoleReport, State,
+    TallyReport,
 };
 use crate::diagnosis::Suspect;
+use crate::severity::Severity;
 use crate::verdict::{self, Conclusion, Status};
 
-/// How many failing cases a peer are shown in full, unless all are asked for.
-const IN_FULL: usize = 8;
 /// How many characters of what went over the wire are shown, unless all is asked for.
 const WIRE_CHARS: usize = 320;
-/// How many ids are listed where the cases themselves are not shown.
-const LISTED: usize = 5;
+/// How much of a sentence has to fit beside the id of a case; else that has a line of its own.
+const SENTENCE_CHARS: usize = 40;
 /// The widest that a peer's name is in the table.
 const NAME_CHARS: usize = 16;
 
 /// How much to show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Detail {
-    /// The table, and the first failing cases in full.
-    Normal,
-    /// Everything.
-    Verbose,
+pub struct Detail {
+    /// How many failing cases a peer are shown with what went over the wire, one a rule before a second.
+    pub examples: usize,
+    /// Whether nothing is cut short, and every note is told.
+    pub verbose: bool,
 }
 
-/// Renders a report for people: a table of peers, roles and levels, then what failed, rule by rule.
+impl Detail {
+    /// One example a peer.
+    pub const NORMAL: Self = Self { examples: 1, verbose: false };
+    /// Everything.
+    pub const VERBOSE: Self = Self { examples: usize::MAX, verbose: true };
+}
+
+/// Renders a report for people: a table of peers, roles and levels; then, peer by peer, what the run is worth, the
+/// known defects that explain it, the broken rules, a line each, an example, what is not implemented, and what differs
+/// from advice.
 ///
 /// Why a peer could not be started is said when it happens; the table holds the first line of it.
 #[must_use]
@@ -203,14 +213,18 @@ impl Page<'_> {
         };
         let title = self.style.bold(&title);
         self.line(&title);
+        self.worth(peer);
         let body = self.out.len();
-        self.failures(peer);
+        self.counts(peer);
+        self.defects(peer);
+        self.rules(peer);
+        self.examples(peer);
         self.unsupported(peer);
         self.expected(peer);
-        self.not_run(peer);
         self.advice(peer);
         self.run_notes(peer);
-        if self.out.len() == body {
+        self.legend(peer);
+        if self.out.len() == body && peer.totals.not_run == 0 {
             // Nothing to say but what the table says.
             self.out.truncate(start);
         } else {
@@ -218,74 +232,211 @@ impl Page<'_> {
         }
     }
 
-    /// The failing cases but the unsupported ones, rule by rule.
-    fn failures(&mut self, peer: &PeerReport) {
-        let failing: usize = peer.broken.iter().map(|suspect| suspect.cases.len()).sum();
-        if failing == 0 {
+    /// What the run is worth: whether every case was run, and if not, how to go on.
+    fn worth(&mut self, peer: &PeerReport) {
+        let TallyReport { total, not_run, .. } = peer.totals;
+        let total = plural(total, "case");
+        if not_run == 0 {
+            let part = if self.report.asked.partial { ", a part of all" } else { "" };
+            return self.said(&format!("complete: {total} run, `describe` among them{part}"), 2, Style::dim);
+        }
+        let missed = peer.cases.iter().find(|case| case.status == Status::NotRun);
+        let why = missed.and_then(|case| case.what.as_deref()).unwrap_or_default();
+        let mut lines = why.lines();
+        let first = lines.next().unwrap_or_default();
+        let head = format!("incomplete: {} of {total} not run, since {first}", thousands(not_run as u64));
+        self.said(&head, 2, Style::red);
+        for line in lines {
+            self.paragraph(6, line);
+        }
+        let go_on = if self.report.interrupted {
+            "To go on, run it again to its end."
+        } else {
+            "To go on, mend that first, leave the guilty cases out by --role or --filter, or raise --max-restarts."
+        };
+        self.paragraph(4, go_on);
+    }
+
+    /// What becomes of the cases, in numbers that add up to all of them.
+    fn counts(&mut self, peer: &PeerReport) {
+        let TallyReport { total, passed, failed, advice, expected_failures, not_run } = peer.totals;
+        if passed == total {
             return;
         }
-        let verb = if failing == 1 { "fails" } else { "fail" };
-        let total = plural(peer.totals.total, "case");
-        let count = self.style.red(&format!("{failing} of {total} {verb}"));
-        self.line(&format!("  {count}"));
-        let limit = if self.detail == Detail::Verbose { usize::MAX } else { IN_FULL };
-        let shown = shares(peer.broken.iter().map(|suspect| suspect.cases.len()), limit);
-        let in_full: usize = shown.iter().sum();
-        let mut rest: Vec<String> = Vec::new();
-        for (Suspect { rule, cases }, shown) in peer.broken.iter().zip(shown) {
-            if shown > 0 {
-                self.line("");
-                self.rule(rule, cases.len());
-                for case in cases.iter().take(shown).filter_map(|place| peer.cases.get(*place)) {
-                    self.case(case);
-                }
+        let lacking =
+            |status: Status| peer.cases.iter().filter(|case| is_unsupported(case) && case.status == status).count();
+        let (must, should) = (lacking(Status::Failed), lacking(Status::Advice));
+        let waiting = peer.cases.iter().filter(|case| case.status == Status::Failed && waits(case)).count();
+        let counted = [
+            (passed, "passing"),
+            (failed - must - waiting, "failing by the rule that is meant"),
+            (waiting, "waiting for another rule, which fails first"),
+            (must + should, "not implemented"),
+            (expected_failures, "failing as expected"),
+            (advice - should, "differing from a SHOULD"),
+            (not_run, "not run"),
+        ];
+        let parts: Vec<String> = counted
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, what)| format!("{} {what}", thousands(count as u64)))
+            .collect();
+        self.paragraph(2, &format!("{}: {}", plural(total, "case"), parts.join(", ")));
+    }
+
+    /// The known defects that explain the failing cases, and what none explains.
+    fn defects(&mut self, peer: &PeerReport) {
+        let Some(diagnosis) = peer.diagnosis.as_ref().filter(|found| !found.defects.is_empty()) else {
+            return;
+        };
+        let explained: usize = diagnosis.defects.iter().map(|found| found.explained.len()).sum();
+        let failing = explained + diagnosis.unexplained.len();
+        let defects = plural_verb(diagnosis.defects.len(), "known defect explains", "known defects explain");
+        self.line("");
+        self.said(
+            &format!("{defects} {} of {}", thousands(explained as u64), plural(failing, "failing case")),
+            2,
+            Style::red,
+        );
+        for DefectReport { defect, words, severity, explained, passing, shortest } in &diagnosis.defects {
+            self.item(4, "•", words);
+            let mut how = format!("{defect} {}; explains {}", severity.in_words(), plural(explained.len(), "case"));
+            if *passing > 0 {
+                how.push_str(&format!(
+                    ", though {} it would fail",
+                    plural_verb(*passing, "case passes that", "cases pass that")
+                ));
             }
-            if cases.len() > shown {
-                rest.push(format!("{rule} ({})", cases.len() - shown));
-            }
+            self.paragraph(6, &format!("{how}; the shortest is {shortest}"));
         }
-        if !rest.is_empty() {
-            self.line("");
-            let more = failing - in_full;
-            self.paragraph(2, &format!("and {more} more (--verbose shows them), for: {}", rest.join(", ")));
+        if let Some(first) = diagnosis.unexplained.first() {
+            let count = plural_verb(diagnosis.unexplained.len(), "case is", "cases are");
+            self.paragraph(4, &format!("{count} explained by none of them, such as {first}"));
         }
     }
 
-    fn rule(&mut self, id: &str, cases: usize) {
+    /// The broken rules but those of unsupported cases, the most severe first, a line each.
+    fn rules(&mut self, peer: &PeerReport) {
+        if peer.broken.is_empty() {
+            return;
+        }
+        self.line("");
+        let count = self.style.red(&plural_verb(peer.broken.len(), "rule is broken", "rules are broken"));
+        self.line(&format!("  {count}"));
+        for severity in Severity::ALL {
+            let of_it: Vec<&Suspect> = peer.broken.iter().filter(|rule| Severity::of(&rule.rule) == severity).collect();
+            if of_it.is_empty() {
+                continue;
+            }
+            let title = self.style.bold(severity.in_words());
+            self.line(&format!("  {title}"));
+            for suspect in of_it {
+                self.rule(peer, suspect);
+            }
+        }
+    }
+
+    /// One rule: its id, its level, how many of its cases fail, its sentence, and one case.
+    fn rule(&mut self, peer: &PeerReport, Suspect { rule: id, cases }: &Suspect) {
+        let failing = || cases.iter().filter_map(|place| peer.cases.get(*place));
+        let own = failing().filter(|case| !waits(case)).count();
+        let rule = self.report.rules.iter().find(|rule| rule.id == *id);
+        let (level, all) = rule.map_or(("", own), |rule| (rule.level.as_str(), rule.cases));
+        let sentence = rule.map_or("", |rule| rule.sentence.as_str());
+        let of = format!("{}/{}", thousands(own as u64), thousands(all as u64));
+        let waiting = match cases.len() - own {
+            0 => String::new(),
+            count => format!("+{}", thousands(count as u64)),
+        };
+        let waiting_width = if peer.cases.iter().any(waits) { 5 } else { 0 };
+        let head = format!("    {id:13} {level:6} {of:>7}{waiting:>waiting_width$}  ");
+        let example = failing().next().map_or("", |case| case.id.as_str());
+        let room = self.style.width.saturating_sub(head.chars().count());
+        let beside = room.saturating_sub(self.longest_example(peer) + 2);
+        if beside >= SENTENCE_CHARS {
+            return self.line(&format!("{head}{:beside$}  {example}", cut(sentence, beside)));
+        }
+        self.line(&format!("{head}{}", cut(sentence, room)));
+        let example = self.style.dim(example);
+        self.line(&format!("        {example}"));
+    }
+
+    /// The length of the longest id of those that stand beside the rules.
+    fn longest_example(&self, peer: &PeerReport) -> usize {
+        let shown = peer.broken.iter().chain(&peer.advised).filter_map(|suspect| suspect.cases.first());
+        shown.filter_map(|place| peer.cases.get(*place)).map(|case| case.id.chars().count()).max().unwrap_or_default()
+    }
+
+    /// Failing cases with what went over the wire: of each rule one before a second, the most severe rule first.
+    fn examples(&mut self, peer: &PeerReport) {
+        let mut broken: Vec<&Suspect> = peer.broken.iter().collect();
+        broken.sort_by_key(|suspect| Severity::of(&suspect.rule));
+        let shown = shares(broken.iter().map(|suspect| suspect.cases.len()), self.detail.examples);
+        for (suspect, shown) in broken.into_iter().zip(shown).filter(|(_, shown)| *shown > 0) {
+            self.line("");
+            self.sentence(&suspect.rule);
+            for case in suspect.cases.iter().take(shown).filter_map(|place| peer.cases.get(*place)) {
+                self.case(case);
+            }
+        }
+    }
+
+    fn sentence(&mut self, id: &str) {
         let Some(rule) = self.report.rules.iter().find(|rule| rule.id == id) else {
             return self.line(&format!("  {id}"));
         };
         let title = self.style.bold(id);
-        let place = self.style.dim(&format!("{}, {}, {}", rule.keyword.as_str(), rule.place, plural(cases, "case")));
+        let place = self.style.dim(&format!("{}, {}", rule.keyword.as_str(), rule.place));
         self.line(&format!("  {title} {place}"));
         self.paragraph(2, &rule.sentence);
+    }
+
+    /// What the numbers count, and where to read on.
+    fn legend(&mut self, peer: &PeerReport) {
+        let worst = peer.broken.iter().min_by_key(|suspect| Severity::of(&suspect.rule));
+        let Some(first) = worst.or(peer.advised.first()) else {
+            return;
+        };
+        self.line("");
+        let text = "n/m: of the m cases about a rule n fail; +k: so many cases about other rules wait for it, since it \
+                    is broken before they come to their own. In the table: binding cases that pass, of all binding ones.";
+        self.said(text, 2, Style::dim);
+        let example = peer.cases.get(first.cases.first().copied().unwrap_or_default()).map_or("", |case| &case.id);
+        let text = format!(
+            "More: ncp-verify explain {} or {example}; --examples N shows N failing cases, --verbose all of them.",
+            first.rule
+        );
+        self.said(&text, 2, Style::dim);
     }
 
     fn case(&mut self, case: &CaseReport) {
         let mark = self.style.red("✗");
         self.line(&format!("    {mark} {} [{}]", case.id, case.outcome.as_str()));
         self.paragraph(6, &case.title);
-        if case.rules.len() > 1 {
-            self.item(6, "also about", &case.rules[1..].join(", "));
+        match (&case.charged, case.rules.first()) {
+            (Some(rule), Some(own)) if rule != own => {
+                self.paragraph(6, &format!("inconclusive for {own}: waits for {rule}"));
+            }
+            _ if case.rules.len() > 1 => self.item(6, "also about", &case.rules[1..].join(", ")),
+            _ => {}
         }
         if let Some(what) = &case.what {
             self.item(6, "it", what);
         }
-        for difference in &case.differences {
+        // What differs later in a trace mostly follows from what differs first.
+        let is_trace = case.differences.first().is_some_and(|first| exchange::is_of_a_trace(&first.at));
+        let most = if is_trace && !self.detail.verbose { 1 } else { usize::MAX };
+        for difference in case.differences.iter().take(most) {
             self.paragraph(6, &difference.text);
         }
-        if case.more_differences > 0 {
-            self.paragraph(6, &format!("and {} more", plural(case.more_differences, "difference")));
+        let more = case.more_differences + case.differences.len().saturating_sub(most);
+        if more > 0 {
+            self.paragraph(6, &format!("and {} more", plural(more, "difference")));
         }
         if let (Some(_), Some(expected)) = (&case.what, &case.expected) {
             self.item(6, "expected", expected);
         }
-        if let Some(request) = &case.request {
-            self.wire("sent", request);
-        }
-        if let Some(answer) = &case.answer {
-            self.wire("got ", answer);
-        }
+        self.exchange(case);
         if let Some(note) = &case.note {
             self.item(6, "note", note);
         }
@@ -295,8 +446,32 @@ impl Page<'_> {
         }
     }
 
+    /// What went over the wire: of a trace its steps, of a block its directory, else the lines themselves.
+    fn exchange(&mut self, case: &CaseReport) {
+        if !self.detail.verbose
+            && let Some(steps) = exchange::steps(case, self.style.width.saturating_sub(6))
+        {
+            for step in steps {
+                self.line(&format!("      {step}"));
+            }
+            return;
+        }
+        let block = exchange::block(case);
+        for (word, text) in [("sent", &case.request), ("got", &case.answer)] {
+            match (&block, text) {
+                (Some((which, lines)), Some(_)) if *which == word && !self.detail.verbose => {
+                    for (nth, line) in lines.iter().enumerate() {
+                        self.item(6, if nth == 0 { word } else { "    " }, line);
+                    }
+                }
+                (_, Some(text)) => self.wire(&format!("{word:4}"), text),
+                _ => {}
+            }
+        }
+    }
+
     fn wire(&mut self, word: &str, text: &str) {
-        let most = if self.detail == Detail::Verbose { usize::MAX } else { WIRE_CHARS };
+        let most = if self.detail.verbose { usize::MAX } else { WIRE_CHARS };
         let cut = text.char_indices().nth(most).map(|(at, _)| at);
         match cut {
             Some(at) => self.item(6, word, &format!("{}…", &text[..at])),
@@ -304,24 +479,29 @@ impl Page<'_> {
         }
     }
 
-    /// The unsupported cases, call by call. Which rules they cite says little: the calls are what is lacking.
+    /// What is not implemented at all, or in part, call by call: the rules that such cases cite say little.
     fn unsupported(&mut self, peer: &PeerReport) {
-        let mut calls: BTreeMap<&str, u64> = BTreeMap::new();
-        for case in peer.cases.iter().filter(|case| is_unsupported(case)) {
-            *calls.entry(case.call.as_str()).or_default() += 1;
+        let mut calls: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
+        for case in &peer.cases {
+            let (lacking, all) = calls.entry(case.call.as_str()).or_default();
+            *lacking += u64::from(is_unsupported(case));
+            *all += 1;
         }
-        if calls.is_empty() {
-            return;
+        let list = |whole: bool| {
+            let fits = |(_, (lacking, all)): &(_, (u64, u64))| *lacking > 0 && (lacking == all) == whole;
+            let of = |lacking: u64, all: u64| match whole {
+                true => plural_u64(lacking, "case"),
+                false => format!("{} of {}", thousands(lacking), plural_u64(all, "case")),
+            };
+            let named = calls.iter().map(|(call, counts)| (*call, *counts)).filter(fits);
+            named.map(|(call, (lacking, all))| format!("{call} ({})", of(lacking, all))).collect::<Vec<_>>()
+        };
+        for (what, named) in [("not implemented at all", list(true)), ("not implemented in part", list(false))] {
+            if !named.is_empty() {
+                self.line("");
+                self.said(&format!("{what}: {}", named.join(", ")), 2, Style::yellow);
+            }
         }
-        let total = thousands(calls.values().sum());
-        let all = plural(peer.totals.total, "case");
-        let title = format!("{total} of {all} are unsupported in roles that were judged");
-        for line in wrap(&title, self.style.width, "  ", "  ").lines() {
-            let painted = self.style.red(line);
-            self.line(&painted);
-        }
-        let list: Vec<String> = calls.iter().map(|(call, count)| format!("{call} ({})", thousands(*count))).collect();
-        self.paragraph(4, &list.join(", "));
     }
 
     /// The expected failures: what each entry excuses, and what is untrue about it.
@@ -353,61 +533,37 @@ impl Page<'_> {
         }
     }
 
-    fn not_run(&mut self, peer: &PeerReport) {
-        let missed: Vec<&CaseReport> = peer.cases.iter().filter(|case| case.status == Status::NotRun).collect();
-        if let Some(first) = missed.first() {
-            let why = first.what.as_deref().unwrap_or_default();
-            let title = self.style.red(&format!("{} not run", plural_verb(missed.len(), "case was", "cases were")));
-            self.line(&format!("  {title}"));
-            for (i, line) in why.lines().enumerate() {
-                self.paragraph(if i == 0 { 4 } else { 6 }, line);
-            }
-        }
-    }
-
+    /// What differs from advice, a line a rule.
     fn advice(&mut self, peer: &PeerReport) {
-        let differing: usize = peer.advised.iter().map(|suspect| suspect.cases.len()).sum();
-        if differing == 0 {
+        if peer.advised.is_empty() {
             return;
         }
+        self.line("");
+        let differing = peer.advised.iter().map(|suspect| suspect.cases.len()).sum();
         let title =
             format!("{} from a SHOULD, which fails nobody", plural_verb(differing, "case differs", "cases differ"));
-        let title = self.style.yellow(&title);
-        self.line(&format!("  {title}"));
-        for Suspect { rule, cases } in &peer.advised {
-            let cases = || cases.iter().filter_map(|place| peer.cases.get(*place));
-            let sentence =
-                self.report.rules.iter().find(|r| r.id == *rule).map(|r| r.sentence.clone()).unwrap_or_default();
-            self.item(4, rule, &sentence);
-            if self.detail == Detail::Verbose {
-                for case in cases() {
+        self.said(&title, 2, Style::yellow);
+        for suspect in &peer.advised {
+            self.rule(peer, suspect);
+            if self.detail.verbose {
+                for case in suspect.cases.iter().filter_map(|place| peer.cases.get(*place)) {
                     self.case(case);
                 }
-            } else {
-                let ids: Vec<&str> = cases().map(|case| case.id.as_str()).collect();
-                self.ids(&ids);
             }
-        }
-    }
-
-    fn ids(&mut self, ids: &[&str]) {
-        let most = if self.detail == Detail::Verbose { usize::MAX } else { LISTED };
-        for id in ids.iter().take(most) {
-            self.line(&format!("      {id}"));
-        }
-        if ids.len() > most {
-            self.line(&format!("      and {} more", ids.len() - most));
         }
     }
 
     fn run_notes(&mut self, peer: &PeerReport) {
         let Some(run) = &peer.run else { return };
+        if run.faults > 0 || !run.notes.is_empty() {
+            self.line("");
+        }
         for note in &run.notes {
             self.item(2, "note:", note);
         }
         let noted: Vec<&CaseReport> =
             peer.cases.iter().filter(|case| case.note.is_some() && case.status == Status::Passed).collect();
-        if self.detail == Detail::Verbose {
+        if self.detail.verbose {
             for case in &noted {
                 self.paragraph(2, &format!("note: {}: {}", case.id, case.note.as_deref().unwrap_or_default()));
             }
@@ -420,8 +576,7 @@ impl Page<'_> {
             }
             self.item(2, "note:", &text);
         }
-        if let Some(rate) = run.rate.as_ref().filter(|_| self.report.asked.repeat > 1 || self.detail == Detail::Verbose)
-        {
+        if let Some(rate) = run.rate.as_ref().filter(|_| self.report.asked.repeat > 1 || self.detail.verbose) {
             let count = plural_u64(rate.answers, "case");
             let a_second = thousands(rate.per_second as u64);
             let text = format!("{count} of up to 64 KiB in {:.2} s: {a_second} a second", rate.elapsed_s);
@@ -485,18 +640,17 @@ impl Page<'_> {
 /// The widest role's name.
 const ROLE_WIDTH: usize = 9;
 
-/// A role at a level: whether it conforms, and how many of the deciding cases pass.
+/// A role at a level: whether it conforms, and how many of the binding cases pass.
 fn cell(level: &LevelReport) -> String {
-    let TallyReport { total, passed, advice, .. } = level.cases;
     let mark = match (level.conformant, level.as_expected) {
         (true, _) => '✓',
         (false, true) => '~',
         (false, false) => '✗',
     };
-    if total == 0 {
+    if level.cases.total == 0 {
         return format!("{mark} none of its own");
     }
-    format!("{mark} {}/{}", thousands(passed as u64), thousands((total - advice) as u64))
+    format!("{mark} {}/{}", thousands(level.binding_passed as u64), thousands(level.binding as u64))
 }
 
 /// How many of each group are shown when `room` are shown in all: one of each in turn, those that come first first.
@@ -518,6 +672,11 @@ fn shares(sizes: impl Iterator<Item = usize>, room: usize) -> Vec<usize> {
 /// Whether a case was answered by `unsupported`, and not expected to be.
 fn is_unsupported(case: &CaseReport) -> bool {
     verdict::is_unsupported(case.outcome, case.status)
+}
+
+/// Whether a case says nothing of the rule that it is about, since another is broken first.
+fn waits(case: &CaseReport) -> bool {
+    matches!((&case.charged, case.rules.first()), (Some(charged), Some(own)) if charged != own)
 }
 
 /// What a peer says about itself, made harmless.
@@ -554,7 +713,7 @@ pub(super) fn thousands(number: u64) -> String {
 mod tests {
     use ncp_text::catalogue::Role;
 
-    use super::super::model::{Asked, Corpus, Exit, Tool};
+    use super::super::model::{Asked, Corpus, DiagnosisReport, Exit, Tool};
     use super::*;
 
     #[test]
@@ -567,7 +726,8 @@ mod tests {
 
     fn level(level: Level, passed: usize, failed: usize, conformant: bool) -> LevelReport {
         let cases = TallyReport { total: passed + failed + 2, passed, failed, advice: 2, ..TallyReport::default() };
-        LevelReport { level, conformant, as_expected: conformant, cases }
+        let (binding, binding_passed) = (passed + failed, passed);
+        LevelReport { level, conformant, as_expected: conformant, cases, binding, binding_passed }
     }
 
     fn report() -> Report {
@@ -613,7 +773,7 @@ mod tests {
 
     #[test]
     fn levels_stand_side_by_side_where_there_is_room() {
-        let text = terminal(&report(), Style { colour: false, width: 80 }, Detail::Normal);
+        let text = terminal(&report(), Style { colour: false, width: 80 }, Detail::NORMAL);
         insta::assert_snapshot!(text, @"
         NCP 7.1, level strict: 6,100 cases in 80 files
 
@@ -628,8 +788,57 @@ mod tests {
     }
 
     #[test]
+    fn known_defects_come_before_the_rules_that_they_break() {
+        let mut report = report();
+        let found = |defect: &str, words: &str, severity, explained: &[&str], passing| DefectReport {
+            defect: defect.to_owned(),
+            words: words.to_owned(),
+            severity,
+            explained: explained.iter().map(|id| (*id).to_owned()).collect(),
+            passing,
+            shortest: explained[0].to_owned(),
+        };
+        report.peers[0].diagnosis = Some(DiagnosisReport {
+            defects: vec![
+                found(
+                    "latch-lost",
+                    "An ESTOP is forgotten with the next command.",
+                    Severity::Plant,
+                    &["a/1", "a/2"],
+                    1,
+                ),
+                found("last-member-wins", "Of two members the last one counts.", Severity::Acceptance, &["b/1"], 0),
+            ],
+            unexplained: vec!["c/1".to_owned()],
+        });
+        report.peers.truncate(1);
+        let text = terminal(&report, Style { colour: false, width: 80 }, Detail::NORMAL);
+        insta::assert_snapshot!(text, @"
+        NCP 7.1, level strict: 6,100 cases in 80 files
+
+        peer     role       wire           safety     strict
+        gateway  commander  ✓ 2,600/2,600  ✗ 411/412  ✗ 20/20
+                 observer   ✓ 900/900      -          -
+
+        gateway
+          complete: 0 cases run, `describe` among them
+
+          2 known defects explain 3 of 4 failing cases
+            • An ESTOP is forgotten with the next command.
+              latch-lost moves a plant or loses a stop; explains 2 cases, though 1 case
+              passes that it would fail; the shortest is a/1
+            • Of two members the last one counts.
+              last-member-wins rejects or accepts wrongly; explains 1 case; the shortest
+              is b/1
+            1 case is explained by none of them, such as c/1
+
+        the peer does not conform at level strict
+        ");
+    }
+
+    #[test]
     fn levels_stand_below_each_other_where_there_is_none() {
-        let text = terminal(&report(), Style { colour: false, width: 44 }, Detail::Normal);
+        let text = terminal(&report(), Style { colour: false, width: 44 }, Detail::NORMAL);
         insta::assert_snapshot!(text, @"
         NCP 7.1, level strict: 6,100 cases in 80
         files

@@ -1,13 +1,13 @@
 //! One worker: it keeps a process of the peer busy, and finds out which case a fault belongs to.
 
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use super::{CaseRun, CrashLog, Event, Outcome, Settings, Shared, keep_worst};
 use crate::check::{Judgement, judge};
 use crate::peer::{
-    Answer, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
+    Answer, Call, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
 };
 use crate::suite::Case;
 
@@ -30,7 +30,7 @@ const MAX_STRAYS: usize = 256;
 /// How often in a row a process may fail to start anew.
 const STARTS: u32 = 3;
 /// How much of an answer is kept.
-const KEPT_BYTES: usize = 2000;
+const KEPT_BYTES: usize = 16_000;
 
 /// What a worker leaves.
 pub(super) struct Report {
@@ -43,6 +43,8 @@ pub(super) struct Worker<'r> {
     process: Option<Process>,
     /// Cases to be run again, before new ones are taken.
     again: VecDeque<usize>,
+    /// How processes were seen to end, again and again, on cases of a call.
+    known: HashSet<(Call, String)>,
     report: Report,
 }
 
@@ -87,7 +89,7 @@ struct Post {
 impl<'r> Worker<'r> {
     pub(super) fn new(shared: &'r Shared<'r>, connection: Option<Connection>) -> Self {
         let report = Report { cases: vec![None; shared.cases.len()], notes: Vec::new() };
-        Self { shared, process: connection.map(Process::new), again: VecDeque::new(), report }
+        Self { shared, process: connection.map(Process::new), again: VecDeque::new(), known: HashSet::new(), report }
     }
 
     /// Runs cases until there are no more.
@@ -367,9 +369,11 @@ impl<'r> Worker<'r> {
     }
 
     /// Charges the fault that came while a case was the only one in flight: to that case, or to the one before it, if
-    /// that does it again. Whether it happened again.
+    /// that does it again. A call that is known to end processes in this way needs no second one. Whether it is certain.
     fn blame(&mut self, case: usize, previous: Option<usize>, post: &Post, fresh: bool) -> bool {
-        if fresh || matches!(post.fault, Fault::Silent(_)) {
+        let way = |case: usize, post: &Post| (self.shared.cases[case].call, post.what());
+        if fresh || matches!(post.fault, Fault::Silent(_)) || self.known.contains(&way(case, post)) {
+            self.known.insert(way(case, post));
             self.charge(case, post, None);
             return true;
         }
