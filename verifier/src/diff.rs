@@ -331,7 +331,8 @@ mod tests {
     }
 
     fn file(folder: &Path, name: &str, peers: &[(&str, &[Value])]) -> PathBuf {
-        let peer = |(name, cases): &(&str, &[Value])| json!({"name": name, "description": {"version": "1"}, "conclusion": "not conformant", "cases": cases});
+        let about = json!({"version": "1"});
+        let peer = |(name, cases): &(&str, &[Value])| json!({"name": name, "description": about, "conclusion": "not conformant", "cases": cases});
         let peers: Vec<Value> = peers.iter().map(peer).collect();
         let rules = json!([{"id": OWN, "sentence": "A governor MUST."}]);
         let path = folder.join(name);

@@ -83,9 +83,10 @@ fn hostile(mode: &str, args: &[&str]) -> Run {
 fn many_versions(folder: &Path, n: usize) -> String {
     let case = |i: usize| {
         json!({
-            "id": format!("version/many/{i}"), "title": "Another version is incompatible.", "requirements": ["NCP-VER-004"],
-            "flags": ["lenient-reader"], "roles": ["body"], "call": "version.check",
-            "args": {"version": format!("9.{i}"), "strict": false}, "expect": {"relation": "json", "value": {"compatible": false}}, "why": "W."
+            "id": format!("version/many/{i}"), "title": "Another version is incompatible.", "why": "W.",
+            "requirements": ["NCP-VER-004"], "flags": ["lenient-reader"], "roles": ["body"], "call": "version.check",
+            "args": {"version": format!("9.{i}"), "strict": false},
+            "expect": {"relation": "json", "value": {"compatible": false}}
         })
     };
     let cases: Vec<Value> = (0..n).map(case).collect();
@@ -268,7 +269,8 @@ fn traces(folder: &Path) -> String {
     let case = |id: &str, rule: &str, by: Value, steps: Value, answers: Value| {
         json!({
             "id": format!("safety/trace/{id}"), "title": "A trace.", "requirements": [rule], "flags": ["latch"],
-            "roles": ["commander"], "call": "governor.run", "args": {"limits": {}, "capabilities": null, "steps": steps},
+            "roles": ["commander"], "call": "governor.run",
+            "args": {"limits": {}, "capabilities": null, "steps": steps},
             "expect": {"relation": "pattern", "value": {"steps": answers}}, "by": by, "why": "W."
         })
     };

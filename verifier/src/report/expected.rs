@@ -9,8 +9,8 @@ use crate::verdict::Status;
 
 /// What stands above the entries.
 const HEAD: &str = "\
-# Failures that are known, by the rule that is broken. Write the reason of each; an entry may also say until when it
-# holds: expires = \"2026-12-31\". An entry that no longer fails, or that has expired, fails the run.
+# Failures that are known, by the defect or the rule that is broken. Write the reason of each; an entry may also say
+# until when it holds: expires = \"2026-12-31\". An entry that no longer fails, or that has expired, fails the run.
 ";
 
 /// Lists every case of a peer that fails, and does not merely differ from advice, as TOML. What was expected before
@@ -19,21 +19,25 @@ const HEAD: &str = "\
 /// # Errors
 /// If the list cannot be written as TOML, which does not occur.
 pub fn expected_list(peer: &PeerReport) -> Result<String, toml::ser::Error> {
-    let mut groups: BTreeMap<(Way<'_>, &str), Vec<String>> = BTreeMap::new();
+    let found = || peer.diagnosis.iter().flat_map(|diagnosis| &diagnosis.defects);
+    let defect = |id: &String| found().find(|defect| defect.explained.contains(id)).map(|defect| &defect.defect);
+    let mut groups: BTreeMap<(Option<&String>, Way<'_>, &str), Vec<String>> = BTreeMap::new();
     let fails = |case: &&CaseReport| matches!(case.status, Status::Failed | Status::ExpectedFailure);
     for case in peer.cases.iter().filter(fails) {
         let way = match &case.charged {
             Some(rule) => Way::Breaks(rule, case.outcome),
             None => Way::Lacks(case.call),
         };
-        groups.entry((way, case.reason.as_deref().unwrap_or_default())).or_default().push(case.id.clone());
+        let reason = case.reason.as_deref().unwrap_or_default();
+        groups.entry((defect(&case.id), way, reason)).or_default().push(case.id.clone());
     }
-    let entries = groups.into_iter().map(|((way, reason), cases)| {
+    let entries = groups.into_iter().map(|((defect, way, reason), cases)| {
         let (requirement, outcome) = match way {
             Way::Breaks(rule, outcome) => (Some(rule.to_owned()), outcome),
             Way::Lacks(_) => (None, OutcomeKind::Unsupported),
         };
         ExpectedFailure {
+            defect: defect.cloned(),
             requirement,
             outcome: Some(outcome.as_str().to_owned()),
             reason: reason.to_owned(),

@@ -2,7 +2,8 @@
 //!
 //! [`Report`] is the one model of a result; it holds verdicts that were reached elsewhere. The renderers put it on a
 //! terminal ([`terminal`]), into a JSON file whose form is `schemas/result.schema.json` ([`Report::to_json`]), and into
-//! JUnit XML ([`junit`]); [`comparison`] shows what differs between two results. [`Progress`] shows a run while it goes on. None of them computes a verdict.
+//! JUnit XML ([`junit`]); [`comparison`] shows what differs between two results, [`expected_list`] writes the list of
+//! known failures. [`Progress`] shows a run while it goes on. None of them computes a verdict.
 
 mod comparison;
 mod exchange;

@@ -398,8 +398,9 @@ impl Page<'_> {
             return;
         };
         self.line("");
-        let text = "n/m: of the m cases about a rule n fail; +k: so many cases about other rules wait for it, since it \
-                    is broken before they come to their own. In the table: binding cases that pass, of all binding ones.";
+        let text = "n/m: of the m cases about a rule n fail; +k: so many cases about other rules wait for it, since \
+                    it is broken before they come to their own. In the table: binding cases that pass, of all \
+                    binding ones.";
         self.said(text, 2, Style::dim);
         let example = peer.cases.get(first.cases.first().copied().unwrap_or_default()).map_or("", |case| &case.id);
         let text = format!(

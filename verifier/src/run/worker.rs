@@ -369,7 +369,8 @@ impl<'r> Worker<'r> {
     }
 
     /// Charges the fault that came while a case was the only one in flight: to that case, or to the one before it, if
-    /// that does it again. A call that is known to end processes in this way needs no second one. Whether it is certain.
+    /// that does it again. A call that is known to end processes in this way needs no second one. Whether it is
+    /// certain.
     fn blame(&mut self, case: usize, previous: Option<usize>, post: &Post, fresh: bool) -> bool {
         let way = |case: usize, post: &Post| (self.shared.cases[case].call, post.what());
         if fresh || matches!(post.fault, Fault::Silent(_)) || self.known.contains(&way(case, post)) {
