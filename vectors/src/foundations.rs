@@ -39,18 +39,22 @@ const BENEATH: &[(&str, &[&str])] = &[
     ("bulk/values/i32-plain", &[]),
     ("bulk/values/f64-plain", &["bulk/values/i32-plain"]),
     ("bulk/values/i32-extremes", &["bulk/values/i32-plain"]),
-    ("bulk/values/layout/gap", &["bulk/values/f64-plain"]),
-    ("bulk/", &["bulk/values/f64-plain", "bulk/values/i32-extremes", "bulk/values/layout/gap-before-data"]),
+    ("bulk/values/unaligned/f32-at-33", &["bulk/values/f64-plain"]),
+    ("bulk/overlap/apart/touching", &["bulk/values/f64-plain"]),
+    ("bulk/values/layout/gap", &["bulk/values/unaligned/f32-at-33", "bulk/overlap/apart/touching"]),
+    ("bulk/", &["bulk/values/i32-extremes", "bulk/values/layout/gap-before-data"]),
     (STALE, &[]),
     (PASSES, &[STALE]),
     ("safety/stale/", &[STALE]),
     ("safety/gates/order/", &[PASSES, BY_LINK, BY_COMMAND, BY_FENCE]),
     ("safety/gates/latched-by-link/active", &[PASSES]),
-    ("safety/gates/latched-by-link/", &[PASSES, BY_LINK]),
+    ("safety/gates/latched-by-link/", &[BY_LINK, "safety/gates/order/latched-by-link_and_hold"]),
     ("safety/gates/latched-by-command/active", &[PASSES]),
-    ("safety/gates/latched-by-command/", &[PASSES, BY_COMMAND]),
+    ("safety/gates/latched-by-command/", &[BY_COMMAND, "safety/gates/order/latched-by-command_and_hold"]),
     ("safety/gates/latched-by-fence/active", &[PASSES]),
-    ("safety/gates/latched-by-fence/", &[PASSES, BY_FENCE]),
+    ("safety/gates/latched-by-fence/", &[BY_FENCE, "safety/gates/order/latched-by-fence_and_hold"]),
+    ("safety/gates/outside/hold", &[PASSES, "safety/gates/order/outside_and_hold"]),
+    ("safety/gates/outside/init", &[PASSES, "safety/gates/order/outside_and_init"]),
     ("safety/latch/sequence/", &[PASSES, BY_LINK, BY_COMMAND, BY_FENCE]),
     ("safety/fence/on/3-4-0/octant-0", &[PASSES]),
     ("safety/projection/", &[PASSES, "safety/fence/on/3-4-0/octant-0"]),
@@ -157,12 +161,14 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
     if matches!(case.call, "decode" | "reply.check") && case.expect.get("reject").is_none() {
         beneath.extend(if id == named(OWN) {
             vec![named(PLAIN)]
-        } else if id == named(EXPLICIT) || id == named(ABSENT) {
+        } else if id == named(EXPLICIT) {
             vec![named(OWN)]
+        } else if id == named(ABSENT) {
+            vec![named(EXPLICIT)]
         } else if text.contains("ncp_version") || text.is_empty() {
             vec![named(EXPLICIT)]
         } else {
-            vec![named(ABSENT), named(EXPLICIT)]
+            vec![named(ABSENT)]
         });
     }
     if let Some(lenient) = id.strip_prefix("version/guard/strict/") {

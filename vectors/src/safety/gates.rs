@@ -114,15 +114,13 @@ fn in_every_mode(violation: &Violation) -> Result<Vec<Case>, ScenarioError> {
         let rules: Vec<&'static str> = match (mode, violation.slot) {
             ("estop", _) => vec!["NCP-SAFE-003", "NCP-SAFE-004"],
             ("hold" | "init", 0 | 5 | 6) => vec!["NCP-SAFE-002", "NCP-SAFE-022"],
-            // That the mode does not come before the latch, a command that waits anyway shows.
-            ("hold" | "init", 1) => vec!["NCP-SAFE-020", "NCP-SAFE-005"],
             (_, 1) if violation.rule != "NCP-SAFE-005" => {
                 vec![violation.rule, "NCP-SAFE-005"]
             }
             (_, 2) => vec![violation.rule, "NCP-SAFE-018"],
             (_, 0) => vec![violation.rule],
             ("hold" | "init", _) if violation.name == "outside" => {
-                vec!["NCP-SAFE-020", "NCP-SAFE-002"]
+                vec!["NCP-SAFE-002", "NCP-SAFE-020"]
             }
             _ => vec![violation.rule, "NCP-SAFE-020"],
         };
