@@ -140,7 +140,7 @@ impl MutantsReport {
                 [counts.map(|count| count.to_string()).to_vec()],
             ),
             text(
-                "A mutant is killed when a case fails that is about the broken rule and charged to it. Cases with requests above 64 \
+                "A mutant is killed when a case fails that cites the broken rule and is charged to it. Cases with requests above 64 \
                  KiB were run only where no other case did. The verdict names the likeliest rule first: that of the \
                  lowest level, and within a level by how many of a rule's cases fail and what share of all they are. \
                  *Named first* means that the verdict on this mutant begins with that rule.",

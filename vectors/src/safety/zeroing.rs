@@ -234,9 +234,7 @@ fn channels(way: &Way, rows: &[Row]) -> Result<Vec<Case>, ScenarioError> {
         let channels = command::channels(row.place, row.cell("v")?, velocity)?;
         let pattern = part.pattern(&channels);
         let path = format!("channels/{}/{}", row.name, way.name);
-        let zeroed = format!("safety/zeroing/channels/all/{}", way.name);
-        let rest = |case: Case| if row.name == "all" { case } else { case.rests_on(zeroed.as_str()) };
-        Ok(rest(case(path, part.rule(), way, Some(negotiated()), Command::of(channels), pattern))
+        Ok(case(path, part.rule(), way, Some(negotiated()), Command::of(channels), pattern)
             .title(format!("The {} frame ({}) of a command with {}.", way.frame, way.name, row.cell("words")?))
             .flags(&["moving-hold"])
             .because(part.why()))
