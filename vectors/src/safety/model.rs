@@ -609,8 +609,14 @@ impl<'a> Governor<'a> {
             Some((place, radius)) => {
                 let outcomes = self.project(command, &channels, &horizon, &place, radius);
                 if outcomes == [Outcome::Hold] {
-                    let usable = self.velocity(&channels).is_some();
-                    self.said = if usable { "NCP-SAFE-051" } else { "NCP-SAFE-052" };
+                    let first = command.dt.filter(|_| !command.horizon.is_empty()).map_or(f64::INFINITY, |dt| dt);
+                    let ms = first.min(command.ttl).min(60_000.0);
+                    self.said = match self.velocity(&channels) {
+                        None => "NCP-SAFE-052",
+                        // Tick 0 stays inside, but for all of the ttl it does not.
+                        Some(v) if first < command.ttl && inside(&moved(&place, &v, ms), radius) => "NCP-SAFE-053",
+                        Some(_) => "NCP-SAFE-051",
+                    };
                 }
                 outcomes
             }
@@ -759,6 +765,10 @@ fn finite(data: &[f64]) -> bool {
 
 fn norm(data: &[f64]) -> f64 {
     data.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn moved(from: &[f64], velocity: &[f64], ms: f64) -> Vec<f64> {
+    from.iter().zip(velocity).map(|(p, v)| p + v * (ms / 1000.0)).collect()
 }
 
 fn inside(data: &[f64], radius: f64) -> bool {
