@@ -202,7 +202,7 @@ impl Case {
     /// cannot tell what shows it: then it is the last step, and every other at which something simply moves.
     pub(crate) fn decided_by(self, steps: &[Option<&'static str>]) -> Self {
         let own = self.requirements.first().copied();
-        if steps.iter().any(|rule| *rule == own) {
+        if steps.contains(&own) {
             return self.decided_throughout_by(steps);
         }
         let last = steps.iter().rposition(Option::is_some).unwrap_or_default();

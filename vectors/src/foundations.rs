@@ -163,9 +163,7 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
             vec![named(PLAIN)]
         } else if id == named(EXPLICIT) {
             vec![named(OWN)]
-        } else if id == named(ABSENT) {
-            vec![named(EXPLICIT)]
-        } else if text.contains("ncp_version") || text.is_empty() {
+        } else if id == named(ABSENT) || text.contains("ncp_version") || text.is_empty() {
             vec![named(EXPLICIT)]
         } else {
             vec![named(ABSENT)]
