@@ -43,6 +43,8 @@ const COPIED: [&str; 11] = [
     "spec",
     "vectors/corpus",
     "vectors/MANIFEST.sha256",
+    "vectors/findings.toml",
+    "vectors/flags.toml",
     "verifier",
     "fuzz/Cargo.toml",
     "fuzz/Cargo.lock",
