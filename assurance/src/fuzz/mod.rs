@@ -36,7 +36,7 @@ const CORPUS: &str = "fuzz/corpus";
 const DEFECTS: &str = "defects/fuzz.toml";
 /// Where the sources with these defects are, and what of the project is there.
 const COPY: &str = ".tools/planted-fuzz";
-const COPIED: [&str; 11] = [
+const COPIED: [&str; 13] = [
     "Cargo.toml",
     "proto",
     "schemas",
