@@ -31,6 +31,8 @@ use smt::{Inputs, Question};
 const PER_FILE: usize = 400;
 /// Questions of a search in one file.
 const PER_SEARCH: usize = 25;
+/// How much further a solver goes where it confirms what numbers have found than where it searches.
+const CONFIRMING: u64 = 10;
 /// So many paths of one question are searched for a counterexample.
 const PATHS_SEARCHED: usize = 400;
 /// How many samples are tried for a hint.
@@ -346,8 +348,14 @@ fn search_among(
                         Some(found) => return Ok(Some(found)),
                         None => missed = missed.or(Some(question.check)),
                     }
+                } else if is_unknown {
+                    break;
                 }
             }
+        }
+        // What comes next is larger.
+        if is_unknown {
+            break;
         }
     }
     match missed {
@@ -396,7 +404,7 @@ fn confirmed(
     let question = Question { check, formula, literals: path.literals };
     let (script, _) = smt::script("draft", &[&question], false, Inputs::Given(hint));
     fs::write(file, script).map_err(in_file(file))?;
-    if solvers.bitwuzla(file, 1, solvers.limits.search).map_err(of("bitwuzla"))? != [Answer::Sat] {
+    if solvers.bitwuzla(file, 1, solvers.limits.search * CONFIRMING).map_err(of("bitwuzla"))? != [Answer::Sat] {
         return Err(Stop::OnlyNumbers);
     }
     let replay = Replay {
@@ -419,7 +427,8 @@ fn ask(
     solvers.patience.left()?;
     let (script, _) = smt::script("draft", questions, false, inputs);
     fs::write(file, script).map_err(in_file(file))?;
-    solvers.bitwuzla(file, questions.len(), steps).map_err(of("bitwuzla"))
+    let printed = solvers.bitwuzla_prints(file, steps, Some(steps)).map_err(of("bitwuzla"))?;
+    read_answers(&printed, questions.len()).map_err(of("bitwuzla"))
 }
 
 /// The solver's model of a question, with the choices of a path, replayed on doubles; nothing where that does not fail.
@@ -433,7 +442,7 @@ fn model(
 ) -> Result<Option<Counterexample>, Stop> {
     let (script, variables) = smt::script(property.id, &[question], true, inputs);
     fs::write(file, script).map_err(in_file(file))?;
-    let printed = solvers.bitwuzla_prints(file, solvers.limits.proof).map_err(of("bitwuzla"))?;
+    let printed = solvers.bitwuzla_prints(file, solvers.limits.proof, None).map_err(of("bitwuzla"))?;
     let first = printed.split('\n').next().unwrap_or_default();
     if read_answers(first, 1) != Ok(vec![Answer::Sat]) {
         return Err(Stop::NoModel(first.to_owned()));

@@ -35,7 +35,7 @@ pub struct Solvers {
 pub struct Limits {
     /// bitwuzla, where a proof depends on the answer.
     pub proof: u64,
-    /// bitwuzla, in search of a counterexample.
+    /// bitwuzla, in search of a counterexample: all questions of a file together.
     pub search: u64,
     /// z3.
     pub cross: u64,
@@ -43,7 +43,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { proof: 1_000_000, search: 60_000, cross: 5_000 }
+        Self { proof: 1_000_000, search: 6_000, cross: 5_000 }
     }
 }
 
@@ -133,7 +133,7 @@ impl Solvers {
         if let Some(known) = known.as_ref().and_then(|known| fs::read_to_string(known).ok()) {
             return read_answers(&known, wanted);
         }
-        let printed = self.bitwuzla_prints(file, steps)?;
+        let printed = self.bitwuzla_prints(file, steps, None)?;
         let answers = read_answers(&printed, wanted)?;
         if let Some(known) = known.filter(|_| !answers.contains(&Answer::Unknown)) {
             // What is not noted is asked again.
@@ -151,13 +151,13 @@ impl Solvers {
         Some(folder.join(name))
     }
 
-    /// All that bitwuzla prints.
+    /// All that bitwuzla prints: within so many steps for each question, and so many for the whole file.
     ///
     /// # Errors
     /// It could not be run, or failed.
-    pub fn bitwuzla_prints(&self, file: &Path, steps: u64) -> Result<String, SolverError> {
+    pub fn bitwuzla_prints(&self, file: &Path, steps: u64, whole: Option<u64>) -> Result<String, SolverError> {
         let mut python = Command::new(self.bin.join("python"));
-        python.arg(&self.script).arg(file).arg(steps.to_string());
+        python.arg(&self.script).arg(file).arg(steps.to_string()).args(whole.map(|whole| whole.to_string()));
         self.printed(python)
     }
 
