@@ -9,20 +9,21 @@ for noisy in ("angr", "angr.state_plugins.unicorn_engine", "cle", "pyvex", "clar
 
 import angr  # noqa: E402
 import claripy  # noqa: E402
-from angr import SimProcedure, sim_options  # noqa: E402
+from angr import sim_options  # noqa: E402
 from angr.state_plugins.solver import SimSolver  # noqa: E402
 
 import solver  # noqa: E402
-from sabotage import sabotaged  # noqa: E402
 
-# Where the functions write, and how many words; where they read.
+# Where the functions write, and how much.
 OUT = 0x10_000_000
-OUT_WORDS = 32
-IN = 0x11_000_000
-# As a call leaves it: 8 above a multiple of 16.
-STACK = 0x20_000_008
+OUT_BYTES = 256
+STACK = 0x20_000_000
 MAX_STEPS = 4_096
-MAX_PATHS = 4_096
+# How long the question may take whether a path can be taken at all; longer is a failure.
+FORK_MS = 60_000
+# The same where doubles are computed. A path of which it stays open is followed: if no input takes it, nothing
+# that it leaves is wrong.
+OPEN_MS = 300
 
 # Whatever would let angr go on where it does not know.
 BYPASSES = {
@@ -60,30 +61,16 @@ NOTES = sim_options.refs | {sim_options.TRACK_CONSTRAINT_ACTIONS}
 
 
 class Forks(SimSolver):
-    """Says whether a path can be taken, as far as that is seen without arithmetic. A path of which it stays open is
-    followed: if no input takes it, nothing that it leaves is wrong.
+    """Says by bitwuzla whether a path can be taken, for paths that depend on roots and quotients; what it
+    leaves open can be.
 
     A path that were dropped wrongly would be missed by the obligation that no input takes another.
     """
 
     def satisfiable(self, extra_constraints=(), exact=None):
-        return solver.can_be([*self.constraints, *extra_constraints])
-
-
-class Memset(SimProcedure):
-    """`memset` of the C library, for a place that a path knows and a length of at most MOST: it writes that byte so
-    often."""
-
-    MOST = 64
-
-    def run(self, place, byte, length):
-        if self.state.solver.symbolic(place) or solver.can_be([*self.state.solver.constraints, length.UGT(self.MOST)]):
-            raise Incomplete(f"memset depends on an input: {place}, {length}")
-        for offset in range(self.MOST):
-            if not (length.UGT(offset)).is_false():
-                was = self.state.memory.load(place + offset, 1)
-                self.state.memory.store(place + offset, claripy.If(length.UGT(offset), byte[7:0], was))
-        return place
+        conditions = [*self.constraints, *extra_constraints]
+        word = solver.ask_bitwuzla(solver.smt(conditions), OPEN_MS)
+        return solver.read(word) is not solver.Verdict.UNSAT
 
 
 class Incomplete(Exception):
@@ -118,10 +105,9 @@ class Library:
         self.project = angr.Project(str(file), auto_load_libs=False)
         self.code = self.project.loader.main_object
         self.base = self.code.mapped_base
-        self.project.hook_symbol("memset", Memset(), replace=True)
 
     def explore(self, symbol, signature, assume=lambda inputs: [], fixed=None):
-        """All paths of a function whose inputs are any bits that its domain and `assume` leave, or are fixed."""
+        """All paths of a function whose inputs are any bits that `assume` leaves, or are fixed."""
         entry = self.code.get_symbol(symbol)
         if entry is None:
             raise Incomplete(f"there is no function {symbol}")
@@ -131,9 +117,11 @@ class Library:
         left = {option for option in BYPASSES if option in state.options}
         if left:
             raise Incomplete(f"bypass options are on: {left}")
-        state.register_plugin("solver", Forks())
+        if signature.computes:
+            state.register_plugin("solver", Forks())
+        state.solver._solver.timeout = FORK_MS
         self._call(state, signature, inputs)
-        for condition in [*signature.domain(inputs), *assume(inputs)]:
+        for condition in assume(inputs):
             state.add_constraints(condition)
         state.inspect.b("address_concretization", when=angr.BP_BEFORE, action=_refuse_address)
 
@@ -145,20 +133,15 @@ class Library:
             for active in manager.active:
                 self._check_place(active, exploration)
             manager.step()
-            if len(manager.active) > MAX_PATHS:
-                raise Incomplete(f"more than {MAX_PATHS} paths")
-            if sabotaged("one-branch"):
-                manager.active[:] = manager.active[:1]
         self._check_end(manager)
-        ends = manager.deadended[: -1 if sabotaged("drop-path") else None]
-        for ended in ends:
+        for ended in manager.deadended:
             exploration.paths.append(
                 Path(
                     list(ended.solver.constraints),
                     ended.regs.rax,
                     [
                         ended.memory.load(OUT + 8 * word, 8, endness="Iend_LE")
-                        for word in range(OUT_WORDS)
+                        for word in range(OUT_BYTES // 8)
                     ],
                     [address - self.base for address in ended.history.bbl_addrs][:-1],
                 )
@@ -170,21 +153,15 @@ class Library:
         registers = ["rdi", "rsi", "rdx", "rcx", "r8", "r9"]
         if signature.writes:
             setattr(state.regs, registers.pop(0), claripy.BVV(OUT, 64))
-        if signature.block is not None:
-            setattr(state.regs, registers.pop(0), claripy.BVV(IN, 64))
-            for number, name in enumerate(signature.block):
-                state.memory.store(IN + 8 * number, inputs[name], endness="Iend_LE")
-            return self._return_to(state)
         for name, register in zip(signature.words, registers, strict=False):
             setattr(state.regs, register, inputs[name])
         for number, name in enumerate(signature.doubles[:8]):
             above = claripy.BVS(f"above_{name}", 64)
             setattr(state.regs, f"xmm{number}", claripy.Concat(above, inputs[name]))
-        self._return_to(state)
-
-    def _return_to(self, state):
         state.regs.rsp = claripy.BVV(STACK, 64)
         state.memory.store(STACK, claripy.BVV(self._return(), 64), endness="Iend_LE")
+        for number, name in enumerate(signature.doubles[8:]):
+            state.memory.store(STACK + 8 + 8 * number, inputs[name], endness="Iend_LE")
 
     def _return(self):
         return self.project.simos.return_deadend
@@ -192,7 +169,7 @@ class Library:
     def _check_place(self, state, exploration):
         """A state stands in the library's own code, or has returned."""
         address = state.addr
-        if address == self._return() or isinstance(self.project.hooked_by(address), Memset):
+        if address == self._return():
             return
         section = self.code.find_section_containing(address)
         if section is None or section.name != ".text" or self.project.is_hooked(address):

@@ -3,10 +3,9 @@
 import ctypes
 import struct
 
-from properties import is_double
+from properties import GATE_STEP, STEP
 
 MASK = (1 << 64) - 1
-OUT_WORDS = 32
 
 
 def load(file):
@@ -16,17 +15,17 @@ def load(file):
 
 def run(library, symbol, function, signature, inputs):
     """What the function leaves, as 64-bit words by name."""
-    memory = (ctypes.c_uint64 * OUT_WORDS)()
+    memory = (ctypes.c_uint64 * 32)()
     call = getattr(library, symbol)
     call.restype = ctypes.c_uint8 if signature.returns else None
     arguments = [ctypes.byref(memory)] if signature.writes else []
-    if signature.block is not None:
-        block = (ctypes.c_uint64 * max(1, len(signature.block)))(*[inputs[name] for name in signature.block])
-        call(*arguments, ctypes.byref(block))
-        return dict(zip(signature.leaves, memory, strict=False))
     arguments += [ctypes.c_uint64(inputs[name]) for name in signature.words]
     arguments += [ctypes.c_double(double(inputs[name])) for name in signature.doubles]
-    left = {"answer": call(*arguments)}
+    answer = call(*arguments)
+    if not signature.returns:
+        names = GATE_STEP if function.startswith("gates_") else STEP
+        return dict(zip(names, memory, strict=False))
+    left = {"answer": answer}
     if signature.writes:
         left |= dict(zip(("out", "out_y", "out_z"), memory, strict=False))
     return left
@@ -55,9 +54,10 @@ def shown(signature, inputs):
     }
 
 
-def shown_outputs(left):
+def shown_outputs(function, left):
     """Outputs likewise."""
+    doubles = ("received_s", "ttl_ms", "received_s_after", "ttl_ms_after", "out", "out_y", "out_z")
     return {
-        name: repr(double(word)) if is_double(name) else signed(word)
+        name: repr(double(word)) if name in doubles else signed(word)
         for name, word in left.items()
     }

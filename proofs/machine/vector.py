@@ -4,7 +4,7 @@ import math
 import struct
 
 from native import double, signed
-from properties import ACTIVE, ENABLED, FAULTY, FIRST
+from properties import ENABLED, FIRST, NO_POSITION, NO_VELOCITY, PLACED, SECOND, STOPPED, TIMED
 
 TOLERANCE = 1e-9
 CLAMPED = ("out", "out_y", "out_z")
@@ -85,7 +85,7 @@ def _advances(found, right):
 
 
 def _should_hold(found, right):
-    if not (found["has_deadline"] and found["has_last"]):
+    if not right["has_deadline"]:
         return None
     command = _command(found["received_s"], found["ttl_ms"], signed(found["last"]))
     # The second question shows whether the hold persists.
@@ -164,31 +164,24 @@ def _projection(found, right):
 
 
 def _gates(found, right):
-    """Where the ticks answer nothing that a command does not show: not active, held before them, or with no limit at
-    all, no horizon, and a velocity."""
-    kinds = (found["speed_kind"], found["fence_kind"])
-    is_plain = found["mode"] != ACTIVE or right["answer"] > 1 or kinds == (0, 0)
-    built = found["fault"] == (FAULTY in kinds)
-    if found["steps"] or found["says0"] or not found["has0"] or not is_plain or not built:
+    flags = found["flags"]
+    if flags & (NO_VELOCITY | NO_POSITION) and flags & (FIRST | SECOND):
         return None
     limits = {"command_timeout_ms": number(found["timeout_ms"])}
-    names = (("speed", "speed_mps", "max_speed_mps"), ("fence", "radius_m", "geofence_radius_m"))
-    for kind, bound, name in names:
-        if found[f"{kind}_kind"]:
-            limits[name] = number(found[bound]) if found[f"{kind}_kind"] == ENABLED else -1.0
-            if found[f"{kind}_kind"] == ENABLED and not 0.0 < double(found[bound]) < float("inf"):
-                return None
+    if flags & FIRST:
+        limits["max_speed_mps"] = number(found["speed_mps"])
+    if flags & SECOND:
+        limits["geofence_radius_m"] = number(found["radius_m"])
     steps, expected = [], []
-    if found["stopped"]:
+    if flags & STOPPED:
         steps.append({"op": "note_link", "burst": True})
         expected.append({})
-    last_s = number(found["last_s"]) if found["has_time"] & FIRST else None
+    last_s = number(found["last_s"]) if flags & TIMED else None
     place = [number(found[name]) for name in "xyz"]
-    sensor = _position(*place) if found["has_place"] & FIRST else {"channels": {}}
-    velocity = [number(found[f"{name}0"]) for name in "uvw"]
-    if not all(isinstance(value, float) for value in velocity):
-        return None
-    step = _govern(MODES[found["mode"]], velocity, number(found["now_s"]), last_s, number(found["ttl_ms"]))
+    sensor = _position(*place) if flags & PLACED else {"channels": {}}
+    velocity = [number(found[name]) for name in "uvw"]
+    mode = MODES[found["mode"]] if found["mode"] < len(MODES) else "init"
+    step = _govern(mode, velocity, number(found["now_s"]), last_s, number(found["ttl_ms"]))
     # The second one shows whether the governor is latched.
     answer = {0: "active", 1: "active", 2: "hold", 3: "estop"}[right["answer"]]
     after = {"frame": {"mode": "estop"}} if right["stopped_after"] else {}

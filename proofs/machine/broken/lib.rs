@@ -2,7 +2,6 @@
 //! `defects/kernel.toml` says what is broken in each.
 
 #![allow(unsafe_code, reason = "a function is exported by name with an attribute that counts as unsafe")]
-#![allow(unused_comparisons, reason = "a defect may make one")]
 #![allow(missing_docs, unused, unreachable_pub, clippy::all, reason = "the copies are not to be used")]
 
 #[path = "../src/wrappers.rs"]

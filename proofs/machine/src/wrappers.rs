@@ -1,42 +1,67 @@
 //! One function a decision, over any module that has the kernel's functions.
-//!
-//! A function of a step takes a block of words: the *whole* state before, field by field, and what the step is given;
-//! and leaves a block of words: the whole state after, and the answer. States are made and taken apart by naming each
-//! field and no `..`: a field more or less does not compile here.
 
-use ncp_kernel::{Limit, Mode, Reason};
+use ncp_kernel::Mode;
 
-/// There is a value.
+/// What the last accepted command left, as a plant says it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Seen {
+    /// 1 when there is a last seq.
+    pub(crate) has_last: u64,
+    /// It.
+    pub(crate) last: i64,
+    /// 1 when there is a deadline.
+    pub(crate) has_deadline: u64,
+    /// When its command was received, in seconds.
+    pub(crate) received_s: f64,
+    /// Its ttl, in ms.
+    pub(crate) ttl_ms: f64,
+    /// 1 while ESTOP is latched.
+    pub(crate) stopped: u64,
+}
+
+/// One step: the state before, the answer, and the state after.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Step {
+    /// Before the step.
+    pub(crate) before: Seen,
+    /// After it.
+    pub(crate) after: Seen,
+    /// What the kernel answered, as the function says.
+    pub(crate) answer: u64,
+}
+
+/// One step of a governor's gates.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct GateStep {
+    /// 1 while ESTOP is latched, before.
+    pub(crate) stopped_before: u64,
+    /// 1 when the limits cannot be enforced, before.
+    pub(crate) fault_before: u64,
+    /// 1 while ESTOP is latched, after.
+    pub(crate) stopped_after: u64,
+    /// 1 when the limits cannot be enforced, after.
+    pub(crate) fault_after: u64,
+    /// 0 passed, 1 limited, 2 held, 3 stopped; 4 for a step that is no decision.
+    pub(crate) answer: u64,
+}
+
+/// There is a last seq, there is a speed limit.
 pub(crate) const FIRST: u64 = 1;
-
-/// The steps of a horizon, at most.
-pub(crate) const STEPS: usize = 3;
-/// The ticks: tick 0 and the steps.
-pub(crate) const TICKS: usize = STEPS + 1;
-/// The channels of a tick of which the speed limit is asked, at most.
-pub(crate) const CHANNELS: usize = 2;
-
-/// The words of gates: limit, m/s, limit, m, ms, fault, latch.
-pub(crate) const GATES: usize = 7;
-/// The words of a watchdog: last seq, deadline.
-pub(crate) const WATCHDOG: usize = 5;
-/// The words of a plant: those of its watchdog, latch.
-pub(crate) const PLANT: usize = WATCHDOG + 1;
-/// The words of what is governed: mode, time, time of the sensor, place, ttl, dt, steps.
-pub(crate) const COMMAND: usize = 12;
-/// The words of a tick of it: what the speed limit answers, the velocity before, and after.
-pub(crate) const TICK: usize = 9;
-/// The words of what the plan was asked of a tick: how often to limit it, to what limit.
-pub(crate) const ASKED: usize = 3;
-/// The words of a channel: how wide, whether the velocity, whether in m/s, three components.
-pub(crate) const CHANNEL: usize = 6;
-
-/// Two blocks of words, one after the other.
-#[repr(C)]
-pub(crate) struct Two<A, B>(pub(crate) A, pub(crate) B);
-/// Three of them.
-#[repr(C)]
-pub(crate) struct Three<A, B, C>(pub(crate) A, pub(crate) B, pub(crate) C);
+/// There is a deadline, there is a fence.
+pub(crate) const SECOND: u64 = 2;
+/// ESTOP is latched.
+pub(crate) const STOPPED: u64 = 4;
+/// There is a dt, or a time of the sensor.
+pub(crate) const TIMED: u64 = 8;
+/// The velocity channel is not bound.
+pub(crate) const NO_VELOCITY: u64 = 16;
+/// The position channel is not bound.
+pub(crate) const NO_POSITION: u64 = 32;
+/// The sensor has a position.
+pub(crate) const PLACED: u64 = 64;
 
 /// Whether a flag is set.
 #[inline]
@@ -57,73 +82,18 @@ pub(crate) const fn mode(number: u64) -> Mode {
     }
 }
 
-/// The limit of two words: 0 disabled, 1 enabled, 2 faulty; and the bound.
-#[inline]
-#[must_use]
-pub(crate) const fn limit_of(kind: u64, bound: u64) -> Limit<f64> {
-    match kind {
-        1 => Limit::Enabled(f64::from_bits(bound)),
-        2 => Limit::Faulty,
-        _ => Limit::Disabled,
-    }
-}
-
-/// The words of a limit; the bound is 0 where there is none.
-#[inline]
-#[must_use]
-pub(crate) const fn words_of(limit: Limit<f64>) -> [u64; 2] {
-    match limit {
-        Limit::Disabled => [0, 0],
-        Limit::Enabled(bound) => [1, bound.to_bits()],
-        Limit::Faulty => [2, 0],
-    }
-}
-
-/// The number of a reason, from 1 on, in the order of the vocabulary.
-#[inline]
-#[must_use]
-pub(crate) const fn number(reason: Reason) -> u64 {
-    reason as u64 + 1
-}
-
-/// A double of a word.
-#[inline]
-#[must_use]
-pub(crate) const fn double(word: u64) -> f64 {
-    f64::from_bits(word)
-}
-
-/// The components of a channel.
-#[inline]
-#[must_use]
-pub(crate) const fn components(&[_, _, _, x, y, z]: &[u64; CHANNEL]) -> [f64; 3] {
-    triple([x, y, z])
-}
-
-/// Three words of three doubles.
-#[inline]
-#[must_use]
-pub(crate) const fn bits([x, y, z]: [f64; 3]) -> [u64; 3] {
-    [x.to_bits(), y.to_bits(), z.to_bits()]
-}
-
-/// Three doubles of three words.
-#[inline]
-#[must_use]
-pub(crate) const fn triple([x, y, z]: [u64; 3]) -> [f64; 3] {
-    [f64::from_bits(x), f64::from_bits(y), f64::from_bits(z)]
-}
-
 /// Exports the functions of a kernel's decisions under a prefix.
 macro_rules! wrap {
     ($prefix:literal, $($kernel:tt)+) => {
         /// The exported functions.
         mod exported {
             use $($kernel)+ as kernel;
-            use $crate::wrappers::*;
-            use ncp_kernel::{Channel, Decision, Limit, Mode, Plan, Reason, Received};
+            use $crate::wrappers::{
+                FIRST, GateStep, NO_POSITION, NO_VELOCITY, PLACED, SECOND, STOPPED, Seen, Step,
+                TIMED, has, mode,
+            };
+            use ncp_kernel::Mode;
 
-            type Gates = kernel::Gates<f64>;
             type Plant = kernel::Plant<f64, i64>;
             type Watchdog = kernel::Watchdog<f64, i64>;
 
@@ -167,12 +137,12 @@ macro_rules! wrap {
             #[unsafe(export_name = concat!($prefix, "_limit"))]
             extern "C" fn limit(out: &mut f64, flags: u64, value: f64) -> u8 {
                 match kernel::limit(has(flags, FIRST).then_some(value)) {
-                    Limit::Disabled => 0,
-                    Limit::Enabled(bound) => {
+                    ncp_kernel::Limit::Disabled => 0,
+                    ncp_kernel::Limit::Enabled(bound) => {
                         *out = bound;
                         1
                     }
-                    Limit::Faulty => 2,
+                    ncp_kernel::Limit::Faulty => 2,
                 }
             }
 
@@ -192,266 +162,139 @@ macro_rules! wrap {
                 kernel::steps_inside(&plan, &[x, y, z], radius).is_ok().into()
             }
 
-            /// `Watchdog::new`
-            #[unsafe(export_name = concat!($prefix, "_watchdog_new"))]
-            extern "C" fn watchdog_new(out: &mut [u64; WATCHDOG], _: &[u64; 0]) {
-                *out = words_of_watchdog(Watchdog::new());
-            }
-
             /// `Watchdog::on_command`: 1 when it refreshed the deadline.
             #[unsafe(export_name = concat!($prefix, "_watchdog_command"))]
             extern "C" fn watchdog_command(
-                out: &mut Two<[u64; WATCHDOG], u64>, Two(state, [seq, now_s, ttl_ms]): &Two<[u64; WATCHDOG], [u64; 3]>,
+                step: &mut Step, flags: u64, last: i64, seq: i64,
+                received_s: f64, ttl_ms: f64, now_s: f64, new_ttl_ms: f64,
             ) {
-                let mut watchdog = watchdog_of(state);
-                let answer = watchdog.on_command(double(*now_s), double(*ttl_ms), *seq as i64);
-                *out = Two(words_of_watchdog(watchdog), answer.into());
+                watch(step, flags, last, received_s, ttl_ms, |watchdog| {
+                    watchdog.on_command(now_s, new_ttl_ms, seq).into()
+                });
             }
 
             /// `Watchdog::on_hold`: 1 when it took effect.
             #[unsafe(export_name = concat!($prefix, "_watchdog_on_hold"))]
             extern "C" fn watchdog_on_hold(
-                out: &mut Two<[u64; WATCHDOG], u64>, Two(state, seq): &Two<[u64; WATCHDOG], u64>,
+                step: &mut Step, flags: u64, last: i64, seq: i64, received_s: f64, ttl_ms: f64,
             ) {
-                let mut watchdog = watchdog_of(state);
-                let answer = watchdog.on_hold(*seq as i64);
-                *out = Two(words_of_watchdog(watchdog), answer.into());
+                watch(step, flags, last, received_s, ttl_ms, |watchdog| watchdog.on_hold(seq).into());
             }
 
             /// `Watchdog::should_hold`: 1 when the plant must hold.
             #[unsafe(export_name = concat!($prefix, "_watchdog_should_hold"))]
             extern "C" fn watchdog_should_hold(
-                out: &mut Two<[u64; WATCHDOG], u64>, Two(state, now_s): &Two<[u64; WATCHDOG], u64>,
+                step: &mut Step, flags: u64, last: i64, received_s: f64, ttl_ms: f64, now_s: f64,
             ) {
-                let mut watchdog = watchdog_of(state);
-                let answer = watchdog.should_hold(double(*now_s));
-                *out = Two(words_of_watchdog(watchdog), answer.into());
-            }
-
-            /// `Watchdog::hold`
-            #[unsafe(export_name = concat!($prefix, "_watchdog_hold"))]
-            extern "C" fn watchdog_hold(out: &mut [u64; WATCHDOG], state: &[u64; WATCHDOG]) {
-                let mut watchdog = watchdog_of(state);
-                watchdog.hold();
-                *out = words_of_watchdog(watchdog);
+                watch(step, flags, last, received_s, ttl_ms, |watchdog| {
+                    watchdog.should_hold(now_s).into()
+                });
             }
 
             /// `Watchdog::reset`
             #[unsafe(export_name = concat!($prefix, "_watchdog_reset"))]
-            extern "C" fn watchdog_reset(out: &mut [u64; WATCHDOG], state: &[u64; WATCHDOG]) {
-                let mut watchdog = watchdog_of(state);
-                watchdog.reset();
-                *out = words_of_watchdog(watchdog);
-            }
-
-            /// `Plant::new`
-            #[unsafe(export_name = concat!($prefix, "_plant_new"))]
-            extern "C" fn plant_new(out: &mut [u64; PLANT], _: &[u64; 0]) {
-                *out = words_of_plant(Plant::new());
+            extern "C" fn watchdog_reset(
+                step: &mut Step, flags: u64, last: i64, received_s: f64, ttl_ms: f64,
+            ) {
+                watch(step, flags, last, received_s, ttl_ms, |watchdog| {
+                    watchdog.reset();
+                    0
+                });
             }
 
             /// `Plant::on_command`: 0 accepted, 1 held, 2 stopped, 3 dropped.
             #[unsafe(export_name = concat!($prefix, "_plant_command"))]
             extern "C" fn plant_command(
-                out: &mut Two<[u64; PLANT], u64>,
-                Two(state, [mode_number, seq, now_s, ttl_ms]): &Two<[u64; PLANT], [u64; 4]>,
+                step: &mut Step, flags: u64, last: i64, mode_number: u64, seq: i64,
+                received_s: f64, ttl_ms: f64, now_s: f64, new_ttl_ms: f64,
             ) {
-                let mut plant = plant_of(state);
-                let received = plant.on_command(mode(*mode_number), double(*now_s), double(*ttl_ms), *seq as i64);
-                let answer = match received {
-                    Received::Accepted => 0,
-                    Received::Held => 1,
-                    Received::Stopped => 2,
-                    Received::Dropped => 3,
-                };
-                *out = Two(words_of_plant(plant), answer);
+                plant(step, flags, last, received_s, ttl_ms, |plant| {
+                    match plant.on_command(mode(mode_number), now_s, new_ttl_ms, seq) {
+                        ncp_kernel::Received::Accepted => 0,
+                        ncp_kernel::Received::Held => 1,
+                        ncp_kernel::Received::Stopped => 2,
+                        ncp_kernel::Received::Dropped => 3,
+                    }
+                });
             }
 
             /// `Plant::active`: 0 when it holds, or 1 more than the tick.
             #[unsafe(export_name = concat!($prefix, "_plant_active"))]
             extern "C" fn plant_active(
-                out: &mut Two<[u64; PLANT], u64>,
-                Two(state, [now_s, has_dt, dt_ms, steps]): &Two<[u64; PLANT], [u64; 4]>,
+                step: &mut Step, flags: u64, last: i64, steps: usize,
+                received_s: f64, ttl_ms: f64, now_s: f64, dt_ms: f64,
             ) {
-                let mut plant = plant_of(state);
-                let dt_ms = has(*has_dt, FIRST).then_some(double(*dt_ms));
-                let tick = plant.active(double(*now_s), dt_ms, *steps as usize);
-                *out = Two(words_of_plant(plant), tick.map_or(0, |tick| tick as u64 + 1));
-            }
-
-            /// `Plant::stop`
-            #[unsafe(export_name = concat!($prefix, "_plant_stop"))]
-            extern "C" fn plant_stop(out: &mut [u64; PLANT], state: &[u64; PLANT]) {
-                let mut plant = plant_of(state);
-                plant.stop();
-                *out = words_of_plant(plant);
+                plant(step, flags, last, received_s, ttl_ms, |plant| {
+                    let tick = plant.active(now_s, has(flags, TIMED).then_some(dt_ms), steps);
+                    tick.map_or(0, |tick| tick as u64 + 1)
+                });
             }
 
             /// `Plant::reset`
             #[unsafe(export_name = concat!($prefix, "_plant_reset"))]
-            extern "C" fn plant_reset(out: &mut [u64; PLANT], state: &[u64; PLANT]) {
-                let mut plant = plant_of(state);
-                plant.reset();
-                *out = words_of_plant(plant);
+            extern "C" fn plant_reset(
+                step: &mut Step, flags: u64, last: i64, received_s: f64, ttl_ms: f64,
+            ) {
+                plant(step, flags, last, received_s, ttl_ms, |plant| {
+                    plant.reset();
+                    0
+                });
             }
 
-            /// `Gates::new`
-            #[unsafe(export_name = concat!($prefix, "_gates_new"))]
-            extern "C" fn gates_new(
-                out: &mut [u64; GATES], [has_speed, speed_mps, has_fence, radius_m, timeout_ms]: &[u64; 5],
+            /// `Gates::govern` on a command without a horizon.
+            #[unsafe(export_name = concat!($prefix, "_gates_govern"))]
+            #[allow(clippy::too_many_arguments, reason = "a proof wants every input by value")]
+            extern "C" fn gates_govern(
+                step: &mut GateStep, flags: u64, mode_number: u64,
+                speed_mps: f64, radius_m: f64, timeout_ms: f64, now_s: f64, last_s: f64,
+                x: f64, y: f64, z: f64, u: f64, v: f64, w: f64, ttl_ms: f64,
             ) {
-                let speed_mps = has(*has_speed, FIRST).then_some(double(*speed_mps));
-                let radius_m = has(*has_fence, FIRST).then_some(double(*radius_m));
-                *out = words_of_gates(Gates::new(speed_mps, radius_m, double(*timeout_ms)));
-            }
-
-            /// `Gates::bind`
-            #[unsafe(export_name = concat!($prefix, "_gates_bind"))]
-            extern "C" fn gates_bind(
-                out: &mut [u64; GATES], Two(state, [has_velocity, has_position]): &Two<[u64; GATES], [u64; 2]>,
-            ) {
-                let mut gates = gates_of(state);
-                gates.bind(has(*has_velocity, FIRST), has(*has_position, FIRST));
-                *out = words_of_gates(gates);
+                gate(step, flags, speed_mps, radius_m, timeout_ms, |gates| {
+                    let mode = mode(mode_number);
+                    let mut plan = Tick { mode, ttl_ms, velocity: [u, v, w] };
+                    let last_s = has(flags, TIMED).then_some(last_s);
+                    let position = || has(flags, PLACED).then_some([x, y, z]);
+                    match gates.govern(&mut plan, now_s, last_s, position) {
+                        ncp_kernel::Decision::Passed => 0,
+                        ncp_kernel::Decision::Limited => 1,
+                        ncp_kernel::Decision::Held(_) => 2,
+                        ncp_kernel::Decision::Stopped(_) => 3,
+                    }
+                });
             }
 
             /// `Gates::note_link`
             #[unsafe(export_name = concat!($prefix, "_gates_note_link"))]
-            extern "C" fn gates_note_link(out: &mut [u64; GATES], Two(state, burst): &Two<[u64; GATES], u64>) {
-                let mut gates = gates_of(state);
-                gates.note_link(has(*burst, FIRST));
-                *out = words_of_gates(gates);
+            extern "C" fn gates_note_link(
+                step: &mut GateStep, flags: u64, burst: u64,
+                speed_mps: f64, radius_m: f64, timeout_ms: f64,
+            ) {
+                gate(step, flags, speed_mps, radius_m, timeout_ms, |gates| {
+                    gates.note_link(burst & 1 != 0);
+                    4
+                });
             }
 
             /// `Gates::reset`
             #[unsafe(export_name = concat!($prefix, "_gates_reset"))]
-            extern "C" fn gates_reset(out: &mut [u64; GATES], state: &[u64; GATES]) {
-                let mut gates = gates_of(state);
-                gates.reset();
-                *out = words_of_gates(gates);
-            }
-
-            /// What `govern` leaves: the gates, the answer, its reason, the steps, how often the place was asked for
-            /// and a tick that there is none of, and what was asked of each tick.
-            type Governed = Three<[u64; GATES], [u64; 5], [[u64; ASKED]; TICKS]>;
-
-            /// `Gates::govern` on a command whose ticks answer anything: 0 passed, 1 limited, 2 held, 3 stopped.
-            #[unsafe(export_name = concat!($prefix, "_gates_govern"))]
-            extern "C" fn gates_govern(
-                out: &mut Governed,
-                Three(state, command, ticks): &Three<[u64; GATES], [u64; COMMAND], [[u64; TICK]; TICKS]>,
+            extern "C" fn gates_reset(
+                step: &mut GateStep, flags: u64, speed_mps: f64, radius_m: f64, timeout_ms: f64,
             ) {
-                let mut gates = gates_of(state);
-                let [mode_number, now_s, has_time, last_s, has_place, x, y, z, ttl_ms, has_dt, dt_ms, steps] =
-                    *command;
-                let mut plan = Answers {
-                    mode: mode(mode_number),
-                    ttl_ms: double(ttl_ms),
-                    dt_ms: has(has_dt, FIRST).then_some(double(dt_ms)),
-                    steps: steps as usize,
-                    ticks,
-                    asked: [[0; ASKED]; TICKS],
-                    beyond: 0,
-                };
-                let last_s = has(has_time, FIRST).then_some(double(last_s));
-                let mut places = 0;
-                let decision = gates.govern(&mut plan, double(now_s), last_s, || {
-                    places += 1;
-                    has(has_place, FIRST).then_some(triple([x, y, z]))
+                gate(step, flags, speed_mps, radius_m, timeout_ms, |gates| {
+                    gates.reset();
+                    4
                 });
-                let (answer, reason) = match decision {
-                    Decision::Passed => (0, 0),
-                    Decision::Limited => (1, 0),
-                    Decision::Held(reason) => (2, number(reason)),
-                    Decision::Stopped(reason) => (3, number(reason)),
-                };
-                let said = [answer, reason, plan.steps as u64, places, plan.beyond];
-                *out = Three(words_of_gates(gates), said, plan.asked);
-            }
-
-            /// `limit_tick` on channels: 0 unchanged, 1 changed, or 2 more than the number of the reason; and the
-            /// channels.
-            #[unsafe(export_name = concat!($prefix, "_limit_tick"))]
-            extern "C" fn limit_tick(
-                out: &mut Two<u64, [[u64; 3]; CHANNELS]>,
-                Three(limit, count, channels): &Three<[u64; 2], u64, [[u64; CHANNEL]; CHANNELS]>,
-            ) {
-                let [one, two] = channels;
-                let (mut first, mut second) = (components(one), components(two));
-                let given = [(one, &mut first), (two, &mut second)].into_iter().take(*count as usize);
-                let given = given.map(|([width, is_velocity, in_mps, ..], data)| Channel {
-                    data: data.split_at_mut((*width as usize).min(3)).0,
-                    is_velocity: has(*is_velocity, FIRST),
-                    in_mps: has(*in_mps, FIRST),
-                });
-                let [kind, bound] = *limit;
-                let answer = match kernel::limit_tick(given, limit_of(kind, bound)) {
-                    Ok(changed) => changed.into(),
-                    Err(reason) => 2 + number(reason),
-                };
-                *out = Two(answer, [bits(first), bits(second)]);
-            }
-
-            /// A command of which each tick answers what its words say, and notes what it is asked.
-            struct Answers<'a> {
-                mode: Mode,
-                ttl_ms: f64,
-                dt_ms: Option<f64>,
-                steps: usize,
-                ticks: &'a [[u64; TICK]; TICKS],
-                asked: [[u64; ASKED]; TICKS],
-                beyond: u64,
-            }
-
-            impl Plan<f64> for Answers<'_> {
-                #[inline]
-                fn mode(&self) -> Mode {
-                    self.mode
-                }
-                #[inline]
-                fn ttl_ms(&self) -> f64 {
-                    self.ttl_ms
-                }
-                #[inline]
-                fn dt_ms(&self) -> Option<f64> {
-                    self.dt_ms
-                }
-                #[inline]
-                fn steps(&self) -> usize {
-                    self.steps
-                }
-                #[inline]
-                fn limit(&mut self, tick: usize, max_mps: Limit<f64>) -> Result<bool, Reason> {
-                    let (Some(asked), Some(words)) = (self.asked.get_mut(tick), self.ticks.get(tick)) else {
-                        self.beyond += 1;
-                        return Err(Reason::NoVelocity);
-                    };
-                    let [kind, bound] = words_of(max_mps);
-                    *asked = [asked[0] + 1, kind, bound];
-                    let refused = if words[0] == 2 { Reason::NotFinite } else { Reason::NoVelocity };
-                    if words[0] <= 1 { Ok(words[0] == 1) } else { Err(refused) }
-                }
-                #[inline]
-                fn velocity(&self, tick: usize) -> Option<[f64; 3]> {
-                    let ([_, had, u, v, w, has_now, x, y, z], [times, ..]) =
-                        (*self.ticks.get(tick)?, *self.asked.get(tick)?);
-                    let (is_there, velocity) = if times > 0 { (has_now, [x, y, z]) } else { (had, [u, v, w]) };
-                    has(is_there, FIRST).then_some(triple(velocity))
-                }
-                #[inline]
-                fn truncate(&mut self, steps: usize) {
-                    self.steps = self.steps.min(steps);
-                }
             }
 
             /// A command without a horizon, with one velocity in m/s.
+            #[derive(Debug)]
             struct Tick {
                 mode: Mode,
                 ttl_ms: f64,
                 velocity: [f64; 3],
             }
 
-            impl Plan<f64> for Tick {
+            impl ncp_kernel::Plan<f64> for Tick {
                 #[inline]
                 fn mode(&self) -> Mode {
                     self.mode
@@ -469,8 +312,14 @@ macro_rules! wrap {
                     0
                 }
                 #[inline]
-                fn limit(&mut self, _: usize, _: Limit<f64>) -> Result<bool, Reason> {
-                    Ok(false)
+                fn limit(
+                    &mut self,
+                    _: usize,
+                    max_mps: ncp_kernel::Limit<f64>,
+                ) -> Result<bool, ncp_kernel::Reason> {
+                    let data = &mut self.velocity;
+                    let channel = ncp_kernel::Channel { data, is_velocity: true, in_mps: true };
+                    kernel::limit_tick(std::iter::once(channel), max_mps)
                 }
                 #[inline]
                 fn velocity(&self, _: usize) -> Option<[f64; 3]> {
@@ -480,59 +329,75 @@ macro_rules! wrap {
                 fn truncate(&mut self, _: usize) {}
             }
 
+            /// A watchdog with a last seq and a deadline, and what a step makes of it.
             #[inline]
-            fn gates_of(
-                &[speed_kind, speed_mps, fence_kind, radius_m, timeout_ms, fault, estop]: &[u64; GATES],
-            ) -> Gates {
-                Gates {
-                    max_speed_mps: limit_of(speed_kind, speed_mps),
-                    fence_m: limit_of(fence_kind, radius_m),
-                    timeout_ms: double(timeout_ms),
-                    config_fault: has(fault, FIRST),
-                    estop: has(estop, FIRST),
+            fn watch(
+                step: &mut Step, flags: u64, last: i64, received_s: f64, ttl_ms: f64,
+                run: impl FnOnce(&mut Watchdog) -> u64,
+            ) {
+                let mut watchdog = Watchdog::new();
+                if has(flags, FIRST) {
+                    watchdog.on_command(received_s, ttl_ms, last);
+                    if !has(flags, SECOND) {
+                        watchdog.hold();
+                    }
                 }
+                step.before = seen(&watchdog, false);
+                step.answer = run(&mut watchdog);
+                step.after = seen(&watchdog, false);
             }
 
+            /// A plant with a last seq, a deadline and a latch, and what a step makes of it.
             #[inline]
-            fn words_of_gates(gates: Gates) -> [u64; GATES] {
-                let Gates { max_speed_mps, fence_m, timeout_ms, config_fault, estop } = gates;
-                let ([speed_kind, speed_mps], [fence_kind, radius_m]) = (words_of(max_speed_mps), words_of(fence_m));
-                let timeout_ms = timeout_ms.to_bits();
-                [speed_kind, speed_mps, fence_kind, radius_m, timeout_ms, config_fault.into(), estop.into()]
-            }
-
-            #[inline]
-            fn watchdog_of(&[has_last, last, has_deadline, received_s, ttl_ms]: &[u64; WATCHDOG]) -> Watchdog {
-                Watchdog {
-                    last_seq: has(has_last, FIRST).then_some(last as i64),
-                    deadline: has(has_deadline, FIRST).then_some((double(received_s), double(ttl_ms))),
+            fn plant(
+                step: &mut Step, flags: u64, last: i64, received_s: f64, ttl_ms: f64,
+                run: impl FnOnce(&mut Plant) -> u64,
+            ) {
+                let mut plant = Plant::new();
+                if has(flags, FIRST) {
+                    plant.on_command(Mode::Active, received_s, ttl_ms, last);
+                    if !has(flags, SECOND) {
+                        plant.on_command(Mode::Hold, received_s, ttl_ms, last);
+                    }
                 }
+                if has(flags, STOPPED) {
+                    plant.stop();
+                }
+                step.before = seen(plant.watchdog(), plant.is_stopped());
+                step.answer = run(&mut plant);
+                step.after = seen(plant.watchdog(), plant.is_stopped());
+            }
+
+            /// Gates with limits, channels and a latch, and what a step makes of them.
+            #[inline]
+            fn gate(
+                step: &mut GateStep, flags: u64, speed_mps: f64, radius_m: f64, timeout_ms: f64,
+                run: impl FnOnce(&mut kernel::Gates<f64>) -> u64,
+            ) {
+                let speed_mps = has(flags, FIRST).then_some(speed_mps);
+                let radius_m = has(flags, SECOND).then_some(radius_m);
+                let mut gates = kernel::Gates::new(speed_mps, radius_m, timeout_ms);
+                gates.bind(!has(flags, NO_VELOCITY), !has(flags, NO_POSITION));
+                gates.note_link(has(flags, STOPPED));
+                step.stopped_before = gates.is_stopped().into();
+                step.fault_before = gates.has_config_fault().into();
+                step.answer = run(&mut gates);
+                step.stopped_after = gates.is_stopped().into();
+                step.fault_after = gates.has_config_fault().into();
             }
 
             #[inline]
-            fn words_of_watchdog(watchdog: Watchdog) -> [u64; WATCHDOG] {
-                let Watchdog { last_seq, deadline } = watchdog;
+            fn seen(watchdog: &Watchdog, stopped: bool) -> Seen {
+                let deadline = watchdog.deadline();
                 let (received_s, ttl_ms) = deadline.unwrap_or_default();
-                [
-                    last_seq.is_some().into(),
-                    last_seq.unwrap_or_default() as u64,
-                    deadline.is_some().into(),
-                    received_s.to_bits(),
-                    ttl_ms.to_bits(),
-                ]
-            }
-
-            #[inline]
-            fn plant_of(&[has_last, last, has_deadline, received_s, ttl_ms, estop]: &[u64; PLANT]) -> Plant {
-                let watchdog = watchdog_of(&[has_last, last, has_deadline, received_s, ttl_ms]);
-                Plant { watchdog, estop: has(estop, FIRST) }
-            }
-
-            #[inline]
-            fn words_of_plant(plant: Plant) -> [u64; PLANT] {
-                let Plant { watchdog, estop } = plant;
-                let [has_last, last, has_deadline, received_s, ttl_ms] = words_of_watchdog(watchdog);
-                [has_last, last, has_deadline, received_s, ttl_ms, estop.into()]
+                Seen {
+                    has_last: watchdog.last_seq().is_some().into(),
+                    last: watchdog.last_seq().unwrap_or_default(),
+                    has_deadline: deadline.is_some().into(),
+                    received_s,
+                    ttl_ms,
+                    stopped: stopped.into(),
+                }
             }
         }
     };
