@@ -1,13 +1,13 @@
 //! From a verdict to what is most likely broken.
 //!
-//! A case is about the first rule that it cites. [`by_rule`] gathers cases by it; [`likeliest_first`] also ranks the
-//! rules.
+//! A case that does not pass is charged to one rule: to that which it is about, or to the one that it waits for (see
+//! [`Ruling`](crate::verdict::Ruling)). [`by_rule`] gathers cases by it; [`likeliest_first`] also ranks the rules.
 
 use std::collections::HashMap;
 
 use crate::verdict::Judged;
 
-/// Cases that are about one rule.
+/// Cases that are charged to one rule, those first that are about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Suspect {
     /// The rule.
@@ -20,11 +20,14 @@ pub struct Suspect {
 pub fn by_rule(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Vec<Suspect> {
     let mut suspects: Vec<Suspect> = Vec::new();
     for (place, judged) in cases.iter().enumerate().filter(|(_, judged)| picked(judged)) {
-        let rule = rule_of(judged);
+        let rule = charged_to(judged);
         match suspects.iter_mut().find(|suspect| suspect.rule == rule) {
             Some(suspect) => suspect.cases.push(place),
             None => suspects.push(Suspect { rule: rule.to_owned(), cases: vec![place] }),
         }
+    }
+    for suspect in &mut suspects {
+        suspect.cases.sort_by_key(|place| cases.get(*place).is_none_or(|judged| rule_of(judged) != suspect.rule));
     }
     suspects
 }
@@ -56,6 +59,10 @@ pub fn likeliest_first(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> boo
     suspects
 }
 
+fn charged_to<'c>(judged: &'c Judged<'_>) -> &'c str {
+    judged.ruling.charged().map_or(rule_of(judged), |rule| rule.id.as_str())
+}
+
 fn rule_of<'c>(judged: &Judged<'c>) -> &'c str {
     judged.case.requirements.first().map_or("", |rule| rule.id.as_str())
 }
@@ -68,15 +75,16 @@ mod tests {
     use crate::check::Differences;
     use crate::run::{CaseRun, Outcome};
     use crate::suite::{Case, testing};
-    use crate::verdict::Status;
+    use crate::verdict::{Ruling, Status};
 
     /// A case about a rule, which fails or passes.
     fn judged(case: &Case, fails: bool) -> Judged<'_> {
-        let (outcome, status) = match fails {
-            true => (Outcome::Fail(Differences::default()), Status::Failed),
-            false => (Outcome::Pass, Status::Passed),
+        let rule = case.requirements[0].clone();
+        let (outcome, status, ruling) = match fails {
+            true => (Outcome::Fail(Differences::default()), Status::Failed, Ruling::Failed { rule }),
+            false => (Outcome::Pass, Status::Passed, Ruling::Passed),
         };
-        Judged { case, run: CaseRun { outcome, answer: None, note: None }, status, reason: None }
+        Judged { case, run: CaseRun { outcome, answer: None, note: None }, status, ruling, reason: None }
     }
 
     #[test]

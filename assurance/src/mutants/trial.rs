@@ -121,9 +121,9 @@ struct Findings {
     named: Vec<Named>,
 }
 
-/// Whether a failing case names the rule: it is the first that the case cites.
+/// Whether a failing case names the rule: it is about it, and charged to it.
 fn is_about(case: &CaseReport, rule: &str) -> bool {
-    case.rules.first().is_some_and(|first| first == rule)
+    case.rules.first().is_some_and(|first| first == rule) && case.charged.as_deref() == Some(rule)
 }
 
 fn request_len(case: &CaseReport) -> usize {

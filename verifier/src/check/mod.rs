@@ -44,6 +44,28 @@ pub struct Differences {
     pub first: Vec<Difference>,
     /// How many more there are.
     pub more: usize,
+    /// Where the answer first differs, as a JSON pointer: of several allowed forms, into the nearest.
+    pub place: String,
+    /// What the answer is there.
+    pub manner: Manner,
+}
+
+/// What an answer is where it first differs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Manner {
+    /// Another value, or none.
+    #[default]
+    Value,
+    /// An error where a result is asked for.
+    Refusal,
+    /// The error `internal`, which says that the peer crashed.
+    Crash,
+}
+
+impl Manner {
+    fn of_error(code: &str) -> Self {
+        if code == ErrorCode::Internal.as_str() { Self::Crash } else { Self::Refusal }
+    }
 }
 
 /// One difference.
@@ -71,6 +93,7 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
         (Answer::Unsupported, _) => return Judgement::Unsupported,
         (Answer::Error { code, message }, Expect::Reject(suggested)) => {
             if code == ErrorCode::Internal.as_str() {
+                differences.manner = Manner::Crash;
                 let got = format!("the error `internal`, {}", excerpt(message.as_bytes(), SHOWN));
                 differences.whole("a refusal", got, Some("a crash is no refusal"));
             } else {
@@ -82,6 +105,7 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
             Expect::Pattern { or_reject: true, .. } | Expect::Message { or_reject: true, .. },
         ) if code != ErrorCode::Internal.as_str() => {}
         (Answer::Error { code, message }, expect) => {
+            differences.manner = Manner::of_error(code);
             let got = format!("the error `{}`, {}", excerpt(code.as_bytes(), 20), excerpt(message.as_bytes(), SHOWN));
             differences.whole(&in_words(expect), got, None);
         }
@@ -165,6 +189,9 @@ impl Differences {
     }
 
     fn push(&mut self, difference: Difference) {
+        if self.is_empty() {
+            self.place.clone_from(&difference.at);
+        }
         if self.first.len() < KEPT {
             self.first.push(difference);
         } else {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use ncp_spec::ErrorCode;
 
-use super::{Difference, Differences, SHOWN, short};
+use super::{Difference, Differences, Manner, SHOWN, short};
 use crate::json::{Json, Members, Number, pointer_token};
 use crate::peer::excerpt;
 use crate::suite::Shape;
@@ -73,6 +73,7 @@ impl Walk<'_> {
     }
 
     fn any(&mut self, shape: &Shape, choices: &[Shape], got: Option<&Json<'_>>) {
+        let is_first = self.differences.is_empty();
         let mut nearest: Option<Differences> = None;
         for choice in choices {
             let mut differences = Differences::default();
@@ -84,12 +85,17 @@ impl Walk<'_> {
                 nearest = Some(differences);
             }
         }
+        let place = nearest.as_ref().map(|nearest| (nearest.place.clone(), nearest.manner));
         // What is wrong with a value as a whole says nothing new.
         let inner = nearest
             .and_then(|nearest| nearest.first.into_iter().next())
             .filter(|first| first.at != self.at)
             .map(|first| format!("nearest: {first}"));
         self.differs(shape, got, inner);
+        if let Some((place, manner)) = place.filter(|_| is_first) {
+            self.differences.place = place;
+            self.differences.manner = manner;
+        }
     }
 
     fn inside(&mut self, token: &str, visit: impl FnOnce(&mut Self)) {
@@ -112,6 +118,9 @@ impl Walk<'_> {
             }
             _ => shape.to_string(),
         };
+        if let Some(code) = got.and_then(error_code).filter(|_| self.differences.is_empty()) {
+            self.differences.manner = Manner::of_error(code);
+        }
         self.note(Some(expected), got.map(short), hint);
     }
 
@@ -134,8 +143,12 @@ fn is_within(low: Number, high: Number, value: &Json<'_>) -> bool {
 
 /// Whether a step was refused. A crash is no refusal.
 fn is_refusal(step: &Json<'_>) -> bool {
-    let code = step.get("error").and_then(|error| error.get("code"));
-    code.and_then(Json::as_str).is_some_and(|code| code != ErrorCode::Internal.as_str())
+    error_code(step).is_some_and(|code| code != ErrorCode::Internal.as_str())
+}
+
+/// The code of a step that ended in an error.
+fn error_code<'a>(step: &'a Json<'_>) -> Option<&'a str> {
+    step.get("error")?.get("code")?.as_str()
 }
 
 #[cfg(test)]

@@ -316,6 +316,11 @@ pub struct CaseReport {
     /// What it counts for.
     #[serde(serialize_with = "by_name")]
     pub status: Status,
+    /// What it says of the first of its rules: `passed`, `failed`, `inconclusive`, `unsupported` or `not run`.
+    pub ruling: &'static str,
+    /// The rule that it is charged to; of an inconclusive case the one that it waits for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub charged: Option<String>,
     /// What was expected, in words, unless it passed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<String>,
@@ -529,7 +534,7 @@ impl From<Tally> for TallyReport {
 
 impl CaseReport {
     fn new(judged: &Judged<'_>) -> Self {
-        let Judged { case, run, status, reason } = judged;
+        let Judged { case, run, status, ruling, reason } = judged;
         let passed = run.outcome == Outcome::Pass;
         let (what, log) = match &run.outcome {
             Outcome::Crash { what, log } | Outcome::Timeout { what, log } | Outcome::Protocol { what, log } => {
@@ -552,6 +557,8 @@ impl CaseReport {
             call: case.call,
             outcome: run.outcome.kind(),
             status: *status,
+            ruling: ruling.as_str(),
+            charged: ruling.charged().map(|rule| rule.id.clone()),
             expected: (!passed).then(|| in_words(&case.expect)),
             more_differences: differences.more,
             differences: differences

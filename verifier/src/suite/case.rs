@@ -51,7 +51,7 @@ pub struct Case {
     pub id: String,
     /// What it shows, in a sentence.
     pub title: String,
-    /// The rules that it tests, never empty.
+    /// The rules that it tests, never empty. It is about the first.
     pub requirements: Vec<Arc<Requirement>>,
     /// The bug classes that it catches.
     pub flags: Vec<String>,
@@ -67,12 +67,37 @@ pub struct Case {
     pub call: Call,
     /// What has to come back.
     pub expect: Expect,
+    /// What of it other rules decide than the one that the case is about.
+    pub by: By,
+    /// The id of a case on which this one rests: when that one does not pass, this one shows nothing of its own rule.
+    pub rests_on: Option<String>,
     /// From which sentence of the text the expectation follows.
     pub why: String,
     /// The vector file that holds it.
     pub file: Arc<str>,
     args: Template,
     kept: Option<String>,
+}
+
+/// By which rules an answer is judged, where another decides than the one that the case is about.
+#[derive(Debug, Default)]
+pub struct By {
+    /// By JSON pointers into the answer: each rule decides what is there and below.
+    pub places: Vec<(String, Arc<Requirement>)>,
+    /// The rule against a crash where an answer is asked for.
+    pub crash: Option<Arc<Requirement>>,
+    /// The rule against a refusal where a result is asked for.
+    pub refusal: Option<Arc<Requirement>>,
+}
+
+impl By {
+    /// The rule that decides a place; none: the one that the case is about.
+    #[must_use]
+    pub fn at(&self, place: &str) -> Option<&Arc<Requirement>> {
+        let holds = |at: &str| place.strip_prefix(at).is_some_and(|below| below.is_empty() || below.starts_with('/'));
+        let holding = self.places.iter().filter(|(at, _)| holds(at));
+        holding.max_by_key(|(at, _)| at.len()).map(|(_, rule)| rule)
+    }
 }
 
 /// What a peer has to answer, and by which relation the answer is compared with it.
@@ -120,7 +145,7 @@ pub struct Text {
 impl Case {
     /// Puts a case together.
     pub(super) fn new(parts: Parts) -> Self {
-        let Parts { id, title, requirements, flags, roles, needs, call, args, expect, why, file } = parts;
+        let Parts { id, title, requirements, flags, roles, needs, call, args, expect, by, rests_on, why, file } = parts;
         let level = requirements.iter().map(|rule| rule.level).max().unwrap_or(Level::Wire);
         let binding = requirements.iter().any(|rule| rule.keyword.is_binding());
         let mut case = Self {
@@ -134,6 +159,8 @@ impl Case {
             binding,
             call,
             expect,
+            by,
+            rests_on,
             why,
             file,
             args,
@@ -211,6 +238,8 @@ pub(super) struct Parts {
     pub(super) call: Call,
     pub(super) args: Template,
     pub(super) expect: Expect,
+    pub(super) by: By,
+    pub(super) rests_on: Option<String>,
     pub(super) why: String,
     pub(super) file: Arc<str>,
 }

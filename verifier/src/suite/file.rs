@@ -11,7 +11,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use super::SuiteError;
-use super::case::{Case, Expect, Need, Parts, Text};
+use super::case::{By, Case, Expect, Need, Parts, Text};
 use super::pattern::Shape;
 use super::template::Template;
 use crate::json::Json;
@@ -75,6 +75,9 @@ struct RawCase<'a> {
     args: &'a RawValue,
     #[serde(borrow)]
     expect: RawExpect<'a>,
+    #[serde(default)]
+    by: BTreeMap<String, String>,
+    rests_on: Option<String>,
     why: String,
 }
 
@@ -157,8 +160,20 @@ impl Context<'_> {
         if !raw.args.get().starts_with('{') || args.is_text() {
             return Err("its args are not an object".to_owned());
         }
+        let mut by = By::default();
+        for (place, id) in &raw.by {
+            let rule = rule(id)?;
+            match place.as_str() {
+                "crash" => by.crash = Some(rule),
+                "refusal" => by.refusal = Some(rule),
+                place if place.starts_with('/') => by.places.push((place.to_owned(), rule)),
+                place => return Err(format!("its `by` names {place}: not a JSON pointer, `crash` or `refusal`")),
+            }
+        }
         Ok(Parts {
             expect: expect(raw.expect)?,
+            by,
+            rests_on: raw.rests_on,
             id: raw.id,
             title: raw.title,
             requirements,
@@ -350,7 +365,7 @@ mod tests {
             fault("\"title\"", "\"titel\""),
             format!(
                 "{of}unknown field `titel`, expected one of `id`, `title`, `requirements`, `flags`, \
-                 `roles`, `needs`, `call`, `args`, `expect`, `why`"
+                 `roles`, `needs`, `call`, `args`, `expect`, `by`, `rests_on`, `why`"
             )
         );
         assert_eq!(fault("NCP-WIRE-024", "NCP-WIRE-999"), format!("{of}the text has no rule NCP-WIRE-999"));

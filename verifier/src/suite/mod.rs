@@ -13,7 +13,7 @@ mod template;
 
 #[cfg(test)]
 pub(crate) use case::Text;
-pub use case::{Case, Expect, Need};
+pub use case::{By, Case, Expect, Need};
 pub use filter::{Pattern, Selection};
 pub use flags::{Finding, Flag};
 pub use pattern::{PatternError, Shape};
@@ -212,12 +212,36 @@ impl Suite {
                 message: "its id stands twice".to_owned(),
             });
         }
+        foundations(&cases)?;
         let digest = hex(&Sha256::digest(&manifest));
         let describe =
             [describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?, describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?];
         Ok(Self { cases, describe, requirements, notes, digest, files: count })
     }
 }
+
+/// Sees to it that a case rests on cases of the suite, and in the end on one that rests on none.
+fn foundations(cases: &[Case]) -> Result<(), SuiteError> {
+    let below: HashMap<&str, Option<&str>> =
+        cases.iter().map(|case| (case.id.as_str(), case.rests_on.as_deref())).collect();
+    for case in cases {
+        let fault = |message: String| SuiteError::Case { file: case.file.to_string(), id: case.id.clone(), message };
+        let mut rests_on = case.rests_on.as_deref();
+        for _ in 0..=DEEPEST {
+            let Some(id) = rests_on else { break };
+            let known =
+                below.get(id).ok_or_else(|| fault(format!("it rests on {id}, which the suite does not have")))?;
+            rests_on = *known;
+        }
+        if rests_on.is_some() {
+            return Err(fault("it rests on more cases, one on the other, than any case does".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// On how many cases, one on the other, a case may rest.
+const DEEPEST: usize = 8;
 
 /// The case of `describe`.
 fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Result<Case, SuiteError> {
@@ -239,6 +263,8 @@ fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Resul
         call: Call::Describe,
         args: template("{}")?,
         expect: Expect::Json(template(&expected)?),
+        by: By::default(),
+        rests_on: None,
         why: "Both values stand in chapter 2 of the text; the roles are those of PROTOCOL.md.".to_owned(),
         file: BUILT_IN.into(),
     }))
@@ -279,6 +305,8 @@ pub(crate) mod testing {
             needs: Vec::new(),
             call: Call::Decode,
             args: Template::new(r#"{"kind":"command_frame","text":"{}"}"#).unwrap(),
+            by: By::default(),
+            rests_on: None,
             expect: Expect::Accept,
             why: "Why.".to_owned(),
             file: "test.json".into(),
@@ -346,6 +374,18 @@ mod tests {
         let twice = file("a", &["wire/a/x", "wire/a/x"]);
         let error = suite(&[("wire/a.json", &twice)]).unwrap_err().to_string();
         assert_eq!(error, "wire/a.json: the case wire/a/x: its id stands twice");
+    }
+
+    #[test]
+    fn a_case_rests_on_a_case_of_the_suite_and_never_on_itself() {
+        let resting = |on: &str| file("a", &["wire/a/x"]).replace(r#""why":"#, &format!(r#""rests_on":"{on}","why":"#));
+        for (on, message) in [
+            ("wire/a/y", "it rests on wire/a/y, which the suite does not have"),
+            ("wire/a/x", "it rests on more cases, one on the other, than any case does"),
+        ] {
+            let error = suite(&[("wire/a.json", &resting(on))]).unwrap_err().to_string();
+            assert_eq!(error, format!("wire/a.json: the case wire/a/x: {message}"));
+        }
     }
 
     #[test]

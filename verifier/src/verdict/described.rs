@@ -41,7 +41,8 @@ pub fn judge_description(description: &Description) -> CaseRun {
             hint: Some("a peer that claims nothing cannot conform to anything".to_owned()),
         });
     }
-    let outcome = if first.is_empty() { Outcome::Pass } else { Outcome::Fail(Differences { first, more: 0 }) };
+    let outcome =
+        if first.is_empty() { Outcome::Pass } else { Outcome::Fail(Differences { first, ..Differences::default() }) };
     CaseRun { outcome, answer: None, note: None }
 }
 

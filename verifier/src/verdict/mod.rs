@@ -1,13 +1,16 @@
 //! From outcomes to a verdict.
 //!
 //! [`judge`] folds what became of the cases into one [`Verdict`] a peer: levels per role, under the peer's list of
-//! expected failures. A role holds at a level when every binding case of that role, up to that level, passed.
+//! expected failures. A role holds at a level when every binding case of that role, up to that level, passed. A case
+//! that does not pass is charged to one rule, and only to that: see [`Ruling`].
 
 mod baseline;
 mod described;
+mod ruling;
 
 pub use baseline::{Baseline, BaselineError};
 pub use described::judge_description;
+pub use ruling::Ruling;
 
 use ncp_text::catalogue::{Level, Role};
 
@@ -55,6 +58,8 @@ pub struct Judged<'s> {
     pub run: CaseRun,
     /// What it counts for.
     pub status: Status,
+    /// What it says of the rule that it is about.
+    pub ruling: Ruling,
     /// Why it was expected to fail, if it was.
     pub reason: Option<String>,
 }
@@ -170,12 +175,14 @@ pub fn judge<'s>(
     baseline: &Baseline,
     partial: bool,
 ) -> Verdict<'s> {
-    let cases: Vec<Judged<'s>> = runs
+    let runs: Vec<_> = runs.into_iter().collect();
+    let cases: Vec<Judged<'s>> = ruling::rulings(&runs)
         .into_iter()
-        .map(|(case, run)| {
+        .zip(runs)
+        .map(|(ruling, (case, run))| {
             let reason = baseline.reason(case).map(str::to_owned);
             let status = status(case, &run.outcome, reason.is_some(), baseline.names(case));
-            Judged { case, run, status, reason }
+            Judged { case, run, status, ruling, reason }
         })
         .collect();
     let stale = baseline.stale(&cases, partial);

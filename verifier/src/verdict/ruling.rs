@@ -1,0 +1,184 @@
+//! Which rule a case that does not pass is charged to.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use ncp_text::catalogue::Requirement;
+
+use crate::check::Manner;
+use crate::run::{CaseRun, Outcome};
+use crate::suite::Case;
+
+/// What a case says of the rule that it is about: the first that it cites.
+///
+/// An answer can be wrong before it comes to that rule: at an earlier step of a trace, by a crash where a refusal is
+/// asked for, or since the case rests on another that does not pass. The rule that is broken there is charged, and the
+/// case is inconclusive for its own, as in TTCN-3.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Ruling {
+    /// The peer keeps it, here.
+    Passed,
+    /// The peer breaks it.
+    Failed {
+        /// The rule: the first that the case cites.
+        rule: Arc<Requirement>,
+    },
+    /// The peer breaks another, so that this one was not judged.
+    Inconclusive {
+        /// The rule that is broken. It is charged with the case.
+        waits_for: Arc<Requirement>,
+    },
+    /// The peer has no such function.
+    Unsupported,
+    /// The case was not run.
+    NotRun,
+}
+
+impl Ruling {
+    /// As reports write it.
+    #[must_use]
+    pub fn as_str(&self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed { .. } => "failed",
+            Self::Inconclusive { .. } => "inconclusive",
+            Self::Unsupported => "unsupported",
+            Self::NotRun => "not run",
+        }
+    }
+
+    /// The rule that is broken, whether the case is about it or waits for it.
+    #[must_use]
+    pub fn charged(&self) -> Option<&Arc<Requirement>> {
+        match self {
+            Self::Failed { rule } | Self::Inconclusive { waits_for: rule } => Some(rule),
+            Self::Passed | Self::Unsupported | Self::NotRun => None,
+        }
+    }
+
+    /// The ruling of a case alone.
+    fn of(case: &Case, outcome: &Outcome) -> Self {
+        let charged = match outcome {
+            Outcome::Pass => return Self::Passed,
+            Outcome::Unsupported => return Self::Unsupported,
+            Outcome::NotRun { .. } => return Self::NotRun,
+            Outcome::Fail(differences) => match differences.manner {
+                Manner::Crash => case.by.crash.as_ref(),
+                Manner::Refusal => case.by.refusal.as_ref(),
+                Manner::Value => None,
+            }
+            .or_else(|| case.by.at(&differences.place)),
+            Outcome::Crash { .. } | Outcome::Timeout { .. } | Outcome::Protocol { .. } => case.by.crash.as_ref(),
+        };
+        Self::charging(case, charged)
+    }
+
+    fn charging(case: &Case, charged: Option<&Arc<Requirement>>) -> Self {
+        match (charged, case.requirements.first()) {
+            (Some(waits_for), own) if own != Some(waits_for) => Self::Inconclusive { waits_for: Arc::clone(waits_for) },
+            (_, Some(rule)) => Self::Failed { rule: Arc::clone(rule) },
+            // No case is without a rule.
+            (_, None) => Self::NotRun,
+        }
+    }
+}
+
+/// The rulings of cases, each in the light of those on which it rests.
+pub(super) fn rulings(runs: &[(&Case, CaseRun)]) -> Vec<Ruling> {
+    let alone: Vec<Ruling> = runs.iter().map(|(case, run)| Ruling::of(case, &run.outcome)).collect();
+    let places: HashMap<&str, usize> = runs.iter().enumerate().map(|(i, (case, _))| (case.id.as_str(), i)).collect();
+    // The suite has no circles: a case rests on cases that rest on fewer.
+    let below = |place: usize| {
+        let rests_on = runs.get(place)?.0.rests_on.as_deref()?;
+        let place = *places.get(rests_on)?;
+        alone.get(place)?.charged().map(|_| place)
+    };
+    let settle = |(place, ruling): (usize, &Ruling)| match ruling.charged() {
+        None => ruling.clone(),
+        Some(_) => {
+            let foundation = std::iter::successors(below(place), |place| below(*place)).last();
+            let charged = foundation.and_then(|place| alone.get(place)).and_then(Ruling::charged);
+            match (charged, runs.get(place)) {
+                (Some(rule), Some((case, _))) => Ruling::charging(case, Some(rule)),
+                _ => ruling.clone(),
+            }
+        }
+    };
+    alone.iter().enumerate().map(settle).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use ncp_text::catalogue::Role;
+
+    use super::*;
+    use crate::check::{Difference, Differences};
+    use crate::suite::testing;
+
+    const OWN: &str = "NCP-SAFE-008";
+    const OTHER: &str = "NCP-SAFE-004";
+    const THIRD: &str = "NCP-SAFE-005";
+
+    fn rule(id: &str) -> Arc<Requirement> {
+        Arc::clone(&testing::case("a", &[id], &[Role::Commander]).requirements[0])
+    }
+
+    fn case(id: &str, own: &str) -> Case {
+        testing::case(id, &[own], &[Role::Commander])
+    }
+
+    fn fail(place: &str, manner: Manner) -> Outcome {
+        let first = Difference { at: place.to_owned(), expected: None, got: None, hint: None };
+        Outcome::Fail(Differences { first: vec![first], place: place.to_owned(), manner, more: 0 })
+    }
+
+    fn waits_for(id: &str) -> Ruling {
+        Ruling::Inconclusive { waits_for: rule(id) }
+    }
+
+    #[test]
+    fn a_case_is_charged_to_the_rule_of_the_deepest_place_that_holds_the_first_difference() {
+        let mut case = case("a", OWN);
+        case.by.places = vec![("/steps/1".to_owned(), rule(OTHER)), ("/steps/1/frame/mode".to_owned(), rule(THIRD))];
+        let ruling = |place: &str| Ruling::of(&case, &fail(place, Manner::Value));
+        assert_eq!(ruling("/steps/1/frame/seq"), waits_for(OTHER));
+        assert_eq!(ruling("/steps/1/frame/mode"), waits_for(THIRD));
+        for own in ["/steps/10", "/steps/3", "/steps", ""] {
+            assert_eq!(ruling(own), Ruling::Failed { rule: rule(OWN) }, "{own}");
+        }
+    }
+
+    #[test]
+    fn a_crash_and_a_refusal_are_charged_to_the_rules_against_them_where_there_are_any() {
+        let mut case = case("a", OWN);
+        let crash = Outcome::Crash { what: String::new(), log: String::new() };
+        let own = Ruling::Failed { rule: rule(OWN) };
+        for outcome in [crash.clone(), fail("", Manner::Crash), fail("", Manner::Refusal)] {
+            assert_eq!(Ruling::of(&case, &outcome), own);
+        }
+        (case.by.crash, case.by.refusal) = (Some(rule(OTHER)), Some(rule(THIRD)));
+        assert_eq!(Ruling::of(&case, &crash), waits_for(OTHER));
+        assert_eq!(Ruling::of(&case, &fail("", Manner::Crash)), waits_for(OTHER));
+        assert_eq!(Ruling::of(&case, &fail("", Manner::Refusal)), waits_for(THIRD));
+        assert_eq!(Ruling::of(&case, &fail("", Manner::Value)), own);
+    }
+
+    #[test]
+    fn a_case_that_fails_waits_for_the_rule_of_the_lowest_case_on_which_it_rests_that_fails_too() {
+        let (base, mut middle, mut top) = (case("base", OTHER), case("middle", THIRD), case("top", OWN));
+        middle.rests_on = Some("base".to_owned());
+        top.rests_on = Some("middle".to_owned());
+        let rulings_of = |outcomes: [Outcome; 3]| {
+            let run = |outcome| CaseRun { outcome, answer: None, note: None };
+            let runs: Vec<_> = [&top, &middle, &base].into_iter().zip(outcomes.map(run)).collect();
+            rulings(&runs)
+        };
+        let wrong = || fail("", Manner::Value);
+        let failed = |id| Ruling::Failed { rule: rule(id) };
+        assert_eq!(rulings_of([wrong(), wrong(), wrong()]), [waits_for(OTHER), waits_for(OTHER), failed(OTHER)]);
+        assert_eq!(rulings_of([wrong(), wrong(), Outcome::Pass]), [waits_for(THIRD), failed(THIRD), Ruling::Passed]);
+        assert_eq!(rulings_of([Outcome::Pass, wrong(), wrong()]), [Ruling::Passed, waits_for(OTHER), failed(OTHER)]);
+        // What passes shows that it can be judged, so that nothing above it waits for what lies below.
+        assert_eq!(rulings_of([wrong(), Outcome::Pass, wrong()]), [failed(OWN), Ruling::Passed, failed(OTHER)]);
+    }
+}
