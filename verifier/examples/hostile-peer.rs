@@ -44,6 +44,16 @@ fn main() {
                 say(&answer);
                 exit(3);
             }
+            // As a program with a backtrace does: it says more when it is told to.
+            "die-on-even" if case && text_of(&request).ends_with(['0', '2', '4', '6', '8']) => {
+                eprintln!("the minor version is even");
+                if std::env::var("RUST_BACKTRACE").is_ok_and(|told| told == "1") {
+                    (0..40).for_each(|frame| eprintln!("frame {frame}"));
+                }
+                std::process::abort();
+            }
+            "die-on-checks" if request["call"] == "version.check" => exit(1),
+            "die-once-broken" if case && std::env::args().nth(2).is_some_and(|flag| ruined(&flag, target)) => exit(1),
             "die-on-every-case" if case => exit(1),
             "sleep-forever" if case => forever(),
             "sleep-on-target" if target => forever(),
@@ -157,6 +167,15 @@ fn describe(mode: &str) -> Value {
         _ => {}
     }
     about
+}
+
+fn text_of(request: &Value) -> &str {
+    request["args"]["version"].as_str().unwrap_or_default()
+}
+
+/// Whether the file that stands for a broken machine is there; `now` breaks it.
+fn ruined(flag: &str, now: bool) -> bool {
+    now && std::fs::write(flag, "").is_ok() || std::path::Path::new(flag).exists()
 }
 
 fn say(answer: &Value) {

@@ -78,6 +78,29 @@ fn hostile(mode: &str, args: &[&str]) -> Run {
     verify(&[&["--peer-cmd", &command, "--timeout", if hangs { "1" } else { "10" }], args].concat())
 }
 
+/// A folder of vectors that asks for the versions 9.0 to 9.n, less one.
+fn many_versions(folder: &Path, n: usize) -> String {
+    let case = |i: usize| {
+        json!({
+            "id": format!("version/many/{i}"), "title": "Another version is incompatible.", "requirements": ["NCP-VER-004"],
+            "flags": ["lenient-reader"], "roles": ["body"], "call": "version.check",
+            "args": {"version": format!("9.{i}"), "strict": false}, "expect": {"relation": "json", "value": {"compatible": false}}, "why": "W."
+        })
+    };
+    let cases: Vec<Value> = (0..n).map(case).collect();
+    let file = json!({
+        "format": 1, "area": "version", "name": "many", "about": "A.", "notes": {"lenient-reader": "N."}, "cases": cases
+    });
+    let vectors = folder.join("vectors");
+    std::fs::create_dir_all(vectors.join("version")).unwrap();
+    std::fs::write(vectors.join("version/many.json"), file.to_string()).unwrap();
+    vectors.display().to_string()
+}
+
+fn thousands(number: u64) -> String {
+    if number < 1000 { number.to_string() } else { format!("{},{:03}", number / 1000, number % 1000) }
+}
+
 const BODY: &str = r#""roles":["body"]"#;
 
 /// What a peer that is a shell script says about itself; `more`: its roles, and what else it claims.
@@ -228,8 +251,74 @@ fn a_peer_that_answers_nothing_is_given_up_and_the_rest_is_not_run() {
         assert!(faults.contains_key("version/tiny/01-same"), "{mode}: {faults:?}");
         assert_ne!(faults["version/tiny/01-same"], "not run", "{mode}");
         assert!(faults.values().filter(|outcome| *outcome == "not run").count() >= 10, "{mode}: {faults:?}");
-        assert!(run.stdout.contains("it has not answered one case in 3 attempts"), "{mode}: {}", run.stdout);
+        assert!(run.stdout.contains("it has not answered one case in "), "{mode}: {}", run.stdout);
+        let faults = run.result.unwrap()["peers"][0]["run"]["faults"].as_u64().unwrap();
+        assert!(faults <= 6, "{mode}: {faults}");
     }
+}
+
+#[test]
+fn a_call_that_always_crashes_costs_its_cases_and_no_others() {
+    // The first ten cases, and all of its call: other calls are tried before the peer is given up.
+    let run = hostile("die-on-checks", &[]);
+    let faults = run.faults();
+    assert_eq!((run.exit, faults.len()), (1, 10), "{}", run.stdout);
+    assert!(faults.iter().all(|(case, outcome)| case.starts_with("version/") && outcome == "crash"), "{faults:?}");
+}
+
+#[test]
+fn a_peer_that_breaks_for_good_is_given_up_when_it_no_longer_answers_what_it_has_answered() {
+    let folder = tempfile::tempdir().unwrap();
+    let vectors = many_versions(folder.path(), 100);
+    let flag = folder.path().join("broken");
+    let command = format!("{} die-once-broken {}", example("hostile-peer").display(), flag.display());
+    let run = verify_by(&vectors, &["--peer-cmd", &command]);
+    assert_eq!(run.exit, 1);
+    assert!(run.stdout.contains("it no longer answers what it has answered before"), "{}", run.stdout);
+    let faults = run.faults();
+    let count = |wanted: &str| faults.values().filter(|outcome| *outcome == wanted).count();
+    assert_eq!(faults.len(), 100 - 9, "9.0 to 9.8 are answered: {faults:?}");
+    assert!(count("crash") <= 10 && count("not run") >= 80, "{faults:?}");
+}
+
+#[test]
+fn a_peer_that_dies_a_thousand_times_is_run_to_its_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let vectors = many_versions(folder.path(), 2000);
+    let command = format!("{} die-on-even", example("hostile-peer").display());
+    let start = Instant::now();
+    let run = verify_by(&vectors, &["--peer-cmd", &command]);
+    let elapsed = start.elapsed();
+    assert!(elapsed < Duration::from_secs(20), "{elapsed:?}");
+    let faults = run.faults();
+    assert_eq!((run.exit, faults.len()), (1, 1000), "{}", run.stdout);
+    assert!(faults.values().all(|outcome| outcome == "crash"));
+    let peer = &run.result.as_ref().unwrap()["peers"][0];
+    assert_eq!((&peer["totals"]["not_run"], &peer["run"]["given_up"]), (&json!(0), &Value::Null));
+    // Each is confirmed once, since the case before it could be to blame.
+    let deaths = peer["run"]["faults"].as_u64().unwrap();
+    assert!((1000..=2000).contains(&deaths), "{deaths}");
+    assert!(
+        run.stdout.contains(&format!("its process ended out of turn {} times", thousands(deaths))),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stderr.lines().count() < 10, "{}", run.stderr);
+}
+
+#[test]
+fn crashes_leave_short_logs_and_one_whole_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let vectors = many_versions(folder.path(), 4);
+    let command = format!("{} die-on-even", example("hostile-peer").display());
+    let run = verify_by(&vectors, &["--peer-cmd", &command]);
+    for case in ["version/many/0", "version/many/2"] {
+        assert_eq!(run.case(case)["log"], "the minor version is even");
+    }
+    let kept = &run.result.as_ref().unwrap()["peers"][0]["run"]["crash_log"];
+    assert_eq!(kept["case"], "version/many/0");
+    let log = kept["log"].as_str().unwrap();
+    assert!(log.starts_with("the minor version is even\nframe 0\n") && log.ends_with("\nframe 39"), "{log}");
 }
 
 #[test]

@@ -172,9 +172,9 @@ struct CheckArgs {
     /// Seconds until the first answer of a process
     #[arg(long, value_name = "S", default_value = "30", value_parser = seconds)]
     start_timeout: Duration,
-    /// How often a peer's process is started anew after a fault, before the peer is given up
-    #[arg(long, value_name = "N", default_value_t = 32)]
-    max_restarts: u32,
+    /// Give a peer up after so many restarts of its process [default: when it answers nothing any more]
+    #[arg(long, value_name = "N")]
+    max_restarts: Option<u32>,
     /// Run every case N times, those above 64 KiB once, and print the rate
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     repeat: u32,

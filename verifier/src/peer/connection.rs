@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use super::{Launch, StartError, excerpt};
 
 /// How much of the log is kept.
-const LOG_BYTES: usize = 16 << 10;
+const LOG_BYTES: usize = 64 << 10;
 /// How many lines of the log are shown.
 const LOG_LINES: usize = 20;
 /// Reads and writes go in pieces of this size: what a pipe holds on Linux.
@@ -77,7 +77,7 @@ impl Connection {
     /// # Errors
     /// [`StartError`] if the operating system refuses.
     pub fn open(launch: &Launch) -> Result<Self, StartError> {
-        let mut command = launch.command();
+        let mut command = launch.peer_command();
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|source| launch.refused(source))?;
         let (Some(stdin), Some(stdout), Some(stderr)) = (child.stdin.take(), child.stdout.take(), child.stderr.take())
@@ -189,16 +189,19 @@ impl Connection {
     /// The end of the process's log.
     #[must_use]
     pub fn log(&self) -> String {
+        let text = self.whole_log();
+        let lines: Vec<&str> = text.lines().collect();
+        lines[lines.len().saturating_sub(LOG_LINES)..].join("\n")
+    }
+
+    /// All that is kept of the process's log, made harmless.
+    #[must_use]
+    pub fn whole_log(&self) -> String {
         // After a kill the log ends at once, unless a process that escaped still holds it.
         let _ = self.log_done.recv_timeout(SETTLE);
         let bytes: Vec<u8> = self.log.lock().unwrap_or_else(PoisonError::into_inner).iter().copied().collect();
         let text = String::from_utf8_lossy(&bytes);
-        let lines: Vec<&str> = text.lines().collect();
-        lines[lines.len().saturating_sub(LOG_LINES)..]
-            .iter()
-            .map(|line| excerpt(line.as_bytes(), 500))
-            .collect::<Vec<_>>()
-            .join("\n")
+        text.lines().map(|line| excerpt(line.as_bytes(), 500)).collect::<Vec<_>>().join("\n")
     }
 
     /// Ends the process and says what it printed instead of an answer.

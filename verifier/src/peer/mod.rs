@@ -28,7 +28,17 @@ use std::time::Duration;
 pub struct Launch {
     argv: Vec<String>,
     folder: PathBuf,
+    backtraces: bool,
 }
+
+/// What makes runtimes write long logs when they crash, each with its values for a short one and for a whole one.
+const BACKTRACES: [(&str, &str, &str); 5] = [
+    ("RUST_BACKTRACE", "0", "1"),
+    ("RUST_LIB_BACKTRACE", "0", "1"),
+    ("GOTRACEBACK", "none", "all"),
+    ("DOTNET_DbgEnableMiniDump", "0", "0"),
+    ("PYTHONFAULTHANDLER", "", "1"),
+];
 
 /// Why a peer could not be started, or did not introduce itself. Ends in exit code 3.
 #[derive(Debug, thiserror::Error)]
@@ -117,7 +127,7 @@ impl Launch {
     /// A program with its arguments, to be started in `folder`.
     #[must_use]
     pub fn new(argv: Vec<String>, folder: impl Into<PathBuf>) -> Self {
-        Self { argv, folder: folder.into() }
+        Self { argv, folder: folder.into(), backtraces: false }
     }
 
     /// Takes a command line apart as a POSIX shell would, without running a shell.
@@ -129,6 +139,12 @@ impl Launch {
             Some(argv) if !argv.is_empty() => Ok(Self::new(argv, folder)),
             _ => Err(StartError::Command(line.to_owned())),
         }
+    }
+
+    /// The same, but a crash writes all that it can to the log.
+    #[must_use]
+    pub fn with_backtraces(&self) -> Self {
+        Self { backtraces: true, ..self.clone() }
     }
 
     /// The command as a person would type it.
@@ -160,6 +176,13 @@ impl Launch {
             use std::os::unix::process::CommandExt as _;
             command.process_group(0);
         }
+        command
+    }
+
+    /// The command of a process that may crash many times.
+    fn peer_command(&self) -> Command {
+        let mut command = self.command();
+        command.envs(BACKTRACES.map(|(name, short, whole)| (name, if self.backtraces { whole } else { short })));
         command
     }
 

@@ -13,8 +13,8 @@ mod terminal;
 pub use junit::junit;
 pub use layout::{Style, wrap};
 pub use model::{
-    Asked, CaseReport, Corpus, DifferenceReport, Exit, LevelReport, NotAsked, PeerReport, RateReport, Report,
-    RoleReport, Rule, RunReport, State, Tool,
+    Asked, CaseReport, Corpus, CrashLogReport, DifferenceReport, Exit, LevelReport, NotAsked, PeerReport, RateReport,
+    Report, RoleReport, Rule, RunReport, State, Tool,
 };
 pub use progress::Progress;
 pub use terminal::{Detail, terminal};

@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 use crate::check::{Differences, in_words};
 use crate::diagnosis::{self, Suspect};
 use crate::peer::{Call, Description, excerpt};
-use crate::run::{Outcome, OutcomeKind, RunRecord};
+use crate::run::{CrashLog, Outcome, OutcomeKind, RunRecord};
 use crate::suite::{Case, Suite};
 use crate::verdict::{Conclusion, Judged, RoleVerdict, Status, Tally, Verdict, is_unsupported};
 
@@ -271,12 +271,23 @@ pub struct RunReport {
     pub elapsed_s: f64,
     /// How fast the cases with requests of up to 64 KiB were answered, if all were.
     pub rate: Option<RateReport>,
-    /// How many processes ended in a fault.
+    /// How many processes ended in a fault, each of which was replaced.
     pub faults: u32,
+    /// The whole log of one crash, with all backtraces.
+    pub crash_log: Option<CrashLogReport>,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
     /// What else was noticed.
     pub notes: Vec<String>,
+}
+
+/// The whole log of one crash.
+#[derive(Debug, Serialize)]
+pub struct CrashLogReport {
+    /// The case.
+    pub case: String,
+    /// What the process wrote to its standard error.
+    pub log: String,
 }
 
 /// So many answers in so much time.
@@ -484,6 +495,7 @@ impl PeerReport {
                     RateReport { answers: rate.answers, elapsed_s, per_second: rate.answers as f64 / elapsed_s }
                 }),
                 faults: run.faults,
+                crash_log: run.crash_log.clone().map(|CrashLog { case, log }| CrashLogReport { case, log }),
                 given_up: run.given_up.clone(),
                 notes: run.notes.clone(),
             }),

@@ -12,7 +12,11 @@ use crate::run::{Event, Listener};
 pub struct Progress {
     bar: ProgressBar,
     wrong: AtomicU64,
+    faults: AtomicU64,
 }
+
+/// How many faults are said one by one.
+const FAULTS_SAID: u64 = 5;
 
 impl Progress {
     /// A bar for `total` answers of a peer. Without `visible` nothing is shown.
@@ -24,7 +28,7 @@ impl Progress {
             bar.set_style(style);
         }
         bar.set_prefix(peer.to_owned());
-        Self { bar, wrong: AtomicU64::new(0) }
+        Self { bar, wrong: AtomicU64::new(0), faults: AtomicU64::new(0) }
     }
 
     /// A line that says what is being done, until [`done`](Self::done).
@@ -37,7 +41,7 @@ impl Progress {
         } else {
             eprintln!("{text}");
         }
-        Self { bar, wrong: AtomicU64::new(0) }
+        Self { bar, wrong: AtomicU64::new(0), faults: AtomicU64::new(0) }
     }
 
     /// Says a line, beside what is shown.
@@ -65,7 +69,11 @@ impl Listener for Progress {
                     self.bar.set_message(format!("{wrong} not right"));
                 }
             }
-            Event::Fault { case, what } => self.say(&format!("{case}: it {what}")),
+            Event::Fault { case, what } => match self.faults.fetch_add(1, Ordering::Relaxed) {
+                said if said < FAULTS_SAID => self.say(&format!("{case}: it {what}")),
+                FAULTS_SAID => self.say("further faults are in the report"),
+                _ => {}
+            },
             Event::GivenUp { why } => self.say(&format!("given up: {why}")),
         }
     }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use ncp_text::catalogue::Level;
 
 use super::layout::{Style, wrap};
-use super::model::{CaseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};
+use super::model::{CaseReport, CrashLogReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};
 use crate::diagnosis::Suspect;
 use crate::verdict::{self, Conclusion, Status};
 
@@ -403,8 +403,12 @@ impl Page<'_> {
             }
         }
         if run.faults > 0 {
-            let count = plural(run.faults as usize, "fault");
-            self.item(2, "note:", &format!("its process was replaced after {count}"));
+            let times = plural(run.faults as usize, "time");
+            let mut text = format!("its process ended out of turn {times}, and was started anew");
+            if let Some(CrashLogReport { case, .. }) = &run.crash_log {
+                text.push_str(&format!("; the whole log of {case} is in the result, at `crash_log`"));
+            }
+            self.item(2, "note:", &text);
         }
         if let Some(rate) = run.rate.as_ref().filter(|_| self.report.asked.repeat > 1 || self.detail == Detail::Verbose)
         {

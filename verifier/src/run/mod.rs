@@ -6,11 +6,17 @@
 //! # Faults
 //! When a peer dies, falls silent or prints something that is no answer, its process is ended, and the cases that
 //! were in flight are run again, one at a time, in a fresh process. The one that does it again is the guilty one; if
-//! none does, the fault is charged to the oldest request that was without an answer. A process is started anew at most
-//! [`Settings::max_restarts`] times; then the peer is given up, and what is left is *not run*.
+//! none does, the fault is charged to the oldest request that was without an answer. A case that is the only one of
+//! its process needs no second death. A process is started anew as often as it takes, or [`Settings::max_restarts`]
+//! times. Whoever answers nothing any more, not even what it has answered before, is given up, and what is left is
+//! *not run*.
+//!
+//! So that a death is cheap, processes are started without backtraces; the first case that was charged with a crash is
+//! run once more with them, and [that log](CrashLog) is kept whole.
 
 mod worker;
 
+use std::collections::HashSet;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
@@ -24,8 +30,10 @@ use crate::suite::Case;
 pub use crate::stop::Stop;
 use worker::Worker;
 
-/// A peer that has not answered one case by this many faults will not begin to.
-const FRUITLESS_FAULTS: u32 = 3;
+/// After this many faults without an answer between them, a peer that has never answered is asked for a sign of life.
+const FRUITLESS_AT_FIRST: u32 = 3;
+/// The same for a peer that has answered before: cases that crash may well stand side by side.
+const FRUITLESS_LATER: u32 = 8;
 
 /// How to run.
 #[derive(Debug, Clone)]
@@ -36,8 +44,8 @@ pub struct Settings {
     pub timeout: Duration,
     /// How long a process may take to answer `describe`.
     pub start_timeout: Duration,
-    /// How often a process may be started anew after a fault.
-    pub max_restarts: u32,
+    /// How often a process may be started anew after a fault; none: as often as it takes.
+    pub max_restarts: Option<u32>,
     /// How often every case is run. The [large](Case::is_large) ones are run once, after the others.
     pub repeat: u32,
 }
@@ -48,7 +56,7 @@ impl Default for Settings {
             jobs: 1,
             timeout: Duration::from_secs(10),
             start_timeout: Duration::from_secs(30),
-            max_restarts: 32,
+            max_restarts: None,
             repeat: 1,
         }
     }
@@ -210,12 +218,23 @@ pub struct RunRecord {
     pub rate: Option<Rate>,
     /// How many processes ended in a fault.
     pub faults: u32,
+    /// The whole log of one crash, if there was one and it happened again.
+    pub crash_log: Option<CrashLog>,
     /// Why the peer was given up, if it was.
     pub given_up: Option<String>,
     /// Whether any answer to `session.run` opened a session; none: nothing was asked of sessions.
     pub opened: Option<bool>,
     /// What else was noticed about the peer.
     pub notes: Vec<String>,
+}
+
+/// The log of a process that was given one case and died of it, with all backtraces.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CrashLog {
+    /// The case.
+    pub case: String,
+    /// What the process wrote to its standard error.
+    pub log: String,
 }
 
 /// So many answers in so much time.
@@ -267,12 +286,17 @@ pub fn run(
         None => "its worker came to an end".to_owned(),
     };
     let not_run = || CaseRun { outcome: Outcome::NotRun { why: why.clone() }, answer: None, note: None };
+    let elapsed = shared.start.elapsed();
+    let cases_run: Vec<CaseRun> = merged.into_iter().map(|case| case.unwrap_or_else(not_run)).collect();
+    let reproducible = |run: &CaseRun| run.outcome.kind() == OutcomeKind::Crash && run.note.is_none();
+    let crash_log = cases_run.iter().position(reproducible).and_then(|place| worker::crash_log(&shared, place));
     RunRecord {
-        cases: merged.into_iter().map(|case| case.unwrap_or_else(not_run)).collect(),
+        cases: cases_run,
         answers: shared.answers.load(Ordering::Relaxed),
-        elapsed: shared.start.elapsed(),
+        elapsed,
         rate: shared.rate.get().copied(),
         faults: shared.faults.load(Ordering::Relaxed),
+        crash_log,
         given_up,
         opened: cases.iter().any(|case| case.call == Call::SessionRun).then(|| shared.opened.load(Ordering::Relaxed)),
         notes,
@@ -318,6 +342,9 @@ struct Shared<'r> {
     small_answers: AtomicU64,
     rate: OnceLock<Rate>,
     faults: AtomicU32,
+    /// Faults since the last answer.
+    fruitless: AtomicU32,
+    first_answered: OnceLock<usize>,
     opened: AtomicBool,
     given_up: Mutex<Option<String>>,
     ended: AtomicBool,
@@ -346,6 +373,8 @@ impl<'r> Shared<'r> {
             next: AtomicUsize::new(0),
             answers: AtomicU64::new(0),
             faults: AtomicU32::new(0),
+            fruitless: AtomicU32::new(0),
+            first_answered: OnceLock::new(),
             opened: AtomicBool::new(false),
             given_up: Mutex::new(None),
             ended: AtomicBool::new(false),
@@ -404,15 +433,38 @@ impl<'r> Shared<'r> {
         self.ended.store(true, Ordering::Relaxed);
     }
 
-    /// Notes that a process ended in a fault, and gives the peer up if that is too often.
+    /// Notes that a process ended in a fault, and gives the peer up if that is more often than was asked for.
     fn count_fault(&self, fault: &str) {
         let faults = self.faults.fetch_add(1, Ordering::Relaxed) + 1;
-        if faults > self.settings.max_restarts {
-            self.give_up(format!("after {} restarts it {fault}", self.settings.max_restarts));
-        } else if faults >= FRUITLESS_FAULTS && self.answers.load(Ordering::Relaxed) == 0 {
-            self.give_up(format!("it has not answered one case in {faults} attempts; at last it {fault}"));
+        self.fruitless.fetch_add(1, Ordering::Relaxed);
+        if let Some(most) = self.settings.max_restarts.filter(|most| faults > *most) {
+            self.give_up(format!("after {} it {fault}", count(most, "restart")));
         }
     }
+
+    /// Notes that a case was answered.
+    fn answered(&self, case: usize) {
+        self.first_answered.get_or_init(|| case);
+        self.fruitless.store(0, Ordering::Relaxed);
+    }
+
+    /// Whether there were so many faults without an answer between them that it is time to look for a sign of life.
+    fn is_fruitless(&self) -> bool {
+        let never = self.first_answered.get().is_none();
+        !self.is_over()
+            && self.fruitless.load(Ordering::Relaxed) >= if never { FRUITLESS_AT_FIRST } else { FRUITLESS_LATER }
+    }
+
+    /// The first case of each call.
+    fn one_of_each_call(&self) -> Vec<usize> {
+        let mut calls = HashSet::new();
+        (0..self.cases.len()).filter(|index| calls.insert(self.cases[*index].call)).collect()
+    }
+}
+
+/// So many of these.
+fn count(number: u32, word: &str) -> String {
+    format!("{number} {word}{}", if number == 1 { "" } else { "s" })
 }
 
 #[cfg(test)]

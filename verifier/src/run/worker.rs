@@ -1,9 +1,10 @@
 //! One worker: it keeps a process of the peer busy, and finds out which case a fault belongs to.
 
 use std::collections::VecDeque;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use super::{CaseRun, Event, Outcome, Shared, keep_worst};
+use super::{CaseRun, CrashLog, Event, Outcome, Settings, Shared, keep_worst};
 use crate::check::{Judgement, judge};
 use crate::peer::{
     Answer, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
@@ -26,6 +27,8 @@ const END_GRACE: Duration = Duration::from_secs(2);
 const LINGER: Duration = Duration::from_millis(20);
 /// How many answers to requests that are long answered one process may give.
 const MAX_STRAYS: usize = 256;
+/// How often in a row a process may fail to start anew.
+const STARTS: u32 = 3;
 /// How much of an answer is kept.
 const KEPT_BYTES: usize = 2000;
 
@@ -96,6 +99,7 @@ impl<'r> Worker<'r> {
                     None => break,
                 }
             }
+            self.look_for_life();
             let Some(mut process) = self.ready() else {
                 break;
             };
@@ -116,7 +120,11 @@ impl<'r> Worker<'r> {
         if let Some(process) = self.process.take() {
             return Some(process);
         }
-        while !self.shared.is_over() {
+        let mut refusal = None;
+        for _ in 0..STARTS {
+            if self.shared.is_over() {
+                return None;
+            }
             let started = Connection::open(self.shared.launch).and_then(|mut connection| {
                 handshake(&mut connection, self.shared.settings.start_timeout, self.shared.stop)?;
                 Ok(Process::new(connection))
@@ -124,8 +132,15 @@ impl<'r> Worker<'r> {
             match started {
                 Ok(process) => return Some(process),
                 Err(StartError::Interrupted) => return None,
-                Err(error) => self.shared.count_fault(&format!("could not be started again: {error}")),
+                Err(error) => {
+                    let what = format!("could not be started again: {error}");
+                    self.shared.count_fault(&what);
+                    refusal = Some(what);
+                }
             }
+        }
+        if let Some(what) = refusal.filter(|_| !self.shared.is_over()) {
+            self.shared.give_up(format!("{STARTS} times it {what}"));
         }
         None
     }
@@ -235,6 +250,7 @@ impl<'r> Worker<'r> {
             return if process.strays > MAX_STRAYS { Err(Fault::Strays) } else { Ok(None) };
         }
         process.answered(slot, case);
+        self.shared.answered(index);
         let run = match parsed {
             Ok(reply) => match self.judged(case, &reply.answer) {
                 Judgement::Pass { note } => CaseRun { outcome: Outcome::Pass, answer: None, note },
@@ -302,66 +318,106 @@ impl<'r> Worker<'r> {
         }
     }
 
-    /// Ends a faulty process and finds the case that the fault belongs to.
+    /// Ends a faulty process and finds the case that the fault belongs to: what was in flight is asked anew, one case
+    /// at a time. A case that was the only one of its process is guilty at once, any other is tried once more.
     fn isolate(&mut self, process: Process, fault: Fault) {
         let last = process.last_answered;
         let mut waiting: VecDeque<usize> = process.waiting_cases().collect();
         let silent = matches!(fault, Fault::Silent(_));
         let strays = matches!(fault, Fault::Strays);
+        let only = waiting.len() == 1 && (silent || process.sent.len() == 1);
         let post = process.end(fault);
         self.shared.count_fault(&post.what());
-        let Some(suspect) = waiting.pop_front().or(last) else {
+        let Some(suspect) = waiting.front().copied().or(last) else {
             return;
         };
         if strays {
             // Their cases are known, and charged already.
-            return self.again.extend(Some(suspect).into_iter().chain(waiting));
+            return self.again.extend(waiting);
         }
-        if silent && waiting.is_empty() {
-            // It was alone in flight.
+        if only {
             return self.charge(suspect, &post, None);
         }
-        let linger = if silent { Duration::ZERO } else { LINGER };
-        match self.alone(suspect, linger) {
-            Alone::Over => return self.charge(suspect, &post, Some("it could not be tried alone")),
-            Alone::Fault { post: again, .. } => {
-                self.charge(suspect, &again, None);
-                // Had it been the only one, the others are innocent; and if not, the next fault tells.
-                return self.again.extend(waiting);
-            }
-            Alone::Answered => {}
-        }
-        // Not the oldest one alone: then the one whose answer was the last, or one of the younger.
-        let younger = last.into_iter().filter(|_| !silent && last != Some(suspect)).chain(waiting);
-        let mut younger: VecDeque<usize> = younger.collect();
-        while let Some(case) = younger.pop_front() {
-            match self.alone(case, linger) {
+        let (mut previous, mut found) = (None, false);
+        while let Some(case) = waiting.pop_front() {
+            self.look_for_life();
+            match self.alone(case, Duration::ZERO) {
+                Alone::Answered => previous = Some(case),
+                Alone::Fault { post, fresh } => {
+                    found |= self.blame(case, previous.take(), &post, fresh);
+                }
                 Alone::Over => {
-                    self.again.push_back(case);
-                    break;
-                }
-                Alone::Answered => {}
-                Alone::Fault { post: again, fresh } => {
-                    if fresh || self.does_it_again(case, linger) {
-                        self.charge(case, &again, None);
-                        return self.again.extend(younger);
+                    if !found {
+                        self.charge(suspect, &post, Some("it could not be tried alone"));
                     }
-                    self.charge(case, &again, Some("in a fresh process it did not happen again"));
-                    break;
+                    return;
                 }
             }
         }
-        self.again.extend(younger);
-        self.charge(
-            suspect,
-            &post,
-            Some("it was the oldest request in flight; alone, in a fresh process, it was answered"),
-        );
+        if found {
+            return;
+        }
+        match last.filter(|_| !silent).map(|case| (case, self.alone(case, LINGER))) {
+            Some((case, Alone::Fault { post, .. })) => self.charge(case, &post, None),
+            _ => {
+                let note = "it was the oldest request in flight; alone, in a fresh process, it was answered";
+                self.charge(suspect, &post, Some(note));
+            }
+        }
     }
 
-    fn does_it_again(&mut self, case: usize, linger: Duration) -> bool {
-        self.process = None;
-        matches!(self.alone(case, linger), Alone::Fault { .. })
+    /// Charges the fault that came while a case was the only one in flight: to that case, or to the one before it, if
+    /// that does it again. Whether it happened again.
+    fn blame(&mut self, case: usize, previous: Option<usize>, post: &Post, fresh: bool) -> bool {
+        if fresh || matches!(post.fault, Fault::Silent(_)) {
+            self.charge(case, post, None);
+            return true;
+        }
+        let mut note = "in a fresh process it did not happen again";
+        for suspect in [Some(case), previous].into_iter().flatten() {
+            match self.alone(suspect, LINGER) {
+                Alone::Fault { post, .. } => {
+                    self.charge(suspect, &post, None);
+                    return true;
+                }
+                Alone::Answered => {}
+                Alone::Over => note = "it could not be tried alone",
+            }
+        }
+        self.charge(case, post, Some(note));
+        false
+    }
+
+    /// After faults without an answer between them: asks what the peer has answered before, or else a case of each
+    /// call. If none is answered either, the peer is given up.
+    fn look_for_life(&mut self) {
+        if !self.shared.is_fruitless() {
+            return;
+        }
+        let known = self.shared.first_answered.get().copied();
+        let mut last_words = String::new();
+        for case in known.map_or_else(|| self.shared.one_of_each_call(), |case| vec![case]) {
+            match self.alone(case, Duration::ZERO) {
+                Alone::Answered | Alone::Over => return,
+                Alone::Fault { post, .. } => {
+                    if known.is_none() {
+                        self.charge(case, &post, None);
+                    }
+                    last_words = post.what();
+                    if matches!(post.fault, Fault::Silent(_)) {
+                        break;
+                    }
+                }
+            }
+        }
+        let faults = self.shared.faults.load(Ordering::Relaxed);
+        self.shared.give_up(match known {
+            None => format!("it has not answered one case in {faults} attempts; at last it {last_words}"),
+            Some(case) => {
+                let case = &self.shared.cases[case].id;
+                format!("it no longer answers what it has answered before, {case}: it {last_words}")
+            }
+        });
     }
 
     /// Runs one case with nothing else in flight.
@@ -404,6 +460,26 @@ impl<'r> Worker<'r> {
         };
         self.record(index, CaseRun { outcome, answer, note: note.map(str::to_owned) });
     }
+}
+
+/// Runs a case that crashes once more, with all backtraces; `None` if it does not crash again, or says nothing.
+pub(super) fn crash_log(shared: &Shared<'_>, index: usize) -> Option<CrashLog> {
+    let Settings { timeout, start_timeout, .. } = *shared.settings;
+    let mut connection = Connection::open(&shared.launch.with_backtraces()).ok()?;
+    handshake(&mut connection, start_timeout, shared.stop).ok()?;
+    let mut process = Process::new(connection);
+    let mut lines = Vec::new();
+    process.put(index, shared.cases[index], &mut lines);
+    process.send(lines);
+    let deadline = Instant::now() + process.patience(timeout) + LINGER;
+    while Instant::now() < deadline && !shared.stop.is_set() {
+        if let Incoming::End = process.connection.receive(TICK) {
+            process.connection.kill();
+            let log = process.connection.whole_log();
+            return (!log.is_empty()).then(|| CrashLog { case: shared.cases[index].id.clone(), log });
+        }
+    }
+    None
 }
 
 /// How a case went that ran alone.
