@@ -11,6 +11,7 @@
 //! | [`check`] | judges one answer by the relation that its case states |
 //! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
 //! | [`diagnosis`] | ranks the rules that a peer most likely breaks |
+//! | [`diff`] | compares two results of one peer, case by case |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
 //! | [`stop`] | the wish that everything that runs comes to an end |
@@ -22,6 +23,7 @@
 pub mod check;
 pub mod cli;
 pub mod diagnosis;
+pub mod diff;
 pub mod json;
 pub mod peer;
 pub mod report;

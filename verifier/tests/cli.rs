@@ -98,6 +98,37 @@ fn a_crash_is_reported_with_the_end_of_the_log() {
     insta::assert_snapshot!("report_crash", report("die-on-target", "80", &[]));
 }
 
+/// The result of the hostile peer in a mode.
+fn result_of(folder: &Path, mode: &str) -> PathBuf {
+    let file = folder.join(format!("{mode}.json"));
+    verify(&["run", "--peer-cmd", &peer(mode), "--json", file.to_str().unwrap()]);
+    file
+}
+
+#[test]
+fn two_results_are_compared_case_by_case_and_a_regression_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let [honest, wrong, dead] = ["honest", "wrong-answer", "die-on-target"].map(|mode| result_of(folder.path(), mode));
+    let diff = |old: &PathBuf, new: &PathBuf, args: &[&str]| {
+        run(program().env("COLUMNS", "80").arg("diff").args([old, new]).args(args))
+    };
+    let worse = diff(&honest, &wrong, &[]);
+    assert_eq!(worse.exit, 1);
+    insta::assert_snapshot!("diff_worse", worse.stdout);
+    assert!(worse.stdout.lines().all(|line| line.chars().count() <= 80), "{}", worse.stdout);
+    let better = diff(&wrong, &honest, &["--markdown"]);
+    assert_eq!(better.exit, 0);
+    insta::assert_snapshot!("diff_better", better.stdout);
+    let other = diff(&wrong, &dead, &["--json"]);
+    assert_eq!(other.exit, 0, "a case that failed and now crashes is no regression");
+    let compared: Value = serde_json::from_str(&other.stdout).unwrap();
+    let change = &compared["peers"][0]["changed"][0];
+    assert_eq!((&change["case"], &change["new"]), (&"version/tiny/07-target".into(), &"crash".into()));
+    let none = diff(&honest, &folder.path().join("none.json"), &[]);
+    assert_eq!((none.exit, none.stdout.as_str()), (2, ""));
+    assert!(none.stderr.contains("none.json: No such file"), "{}", none.stderr);
+}
+
 #[test]
 fn colours_are_written_when_asked_for_and_not_into_a_pipe() {
     assert!(report("wrong-answer", "100", &["--color", "always"]).contains("\u{1b}[1;31m"));

@@ -17,8 +17,9 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use ncp_text::catalogue::{Level, Role};
 
+use crate::diff::{self, DiffError};
 use crate::peer::{ManifestError, StartError};
-use crate::report::{Exit, Style};
+use crate::report::{Exit, Form, Style, comparison};
 use crate::stop::Stop;
 use crate::suite::{Pattern, Selection, Suite, SuiteError};
 use crate::verdict::BaselineError;
@@ -61,6 +62,7 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
     match &cli.command {
         None => check::bundled(&suite()?, &cli.check, styles, &stop),
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
+        Some(Command::Diff(diff)) => compare(diff, style),
         Some(Command::List(list)) => list::list(&suite()?, list, style),
         Some(Command::Explain(explain)) => explain::explain(&suite()?, &explain.id, style),
     }
@@ -108,6 +110,7 @@ Examples:
   ncp-verify run --peer my/peer --filter 'wire/*/seq/*' some cases only
   ncp-verify list --filter duplicate                    which cases there are
   ncp-verify explain NCP-WIRE-007                       a rule and the cases that test it
+  ncp-verify diff old.json new.json                     what a release fixes, and what it breaks
 
 Exit codes:
     0  conformant, or as expected: nothing fails but the peer's expected failures
@@ -122,6 +125,9 @@ enum Command {
     /// Check the peers that you name
     #[command(after_help = RUN_HELP)]
     Run(RunArgs),
+    /// Compare two results of one peer, such as those of two releases
+    #[command(after_help = DIFF_HELP)]
+    Diff(DiffArgs),
     /// List the cases, or the rules that they test
     List(ListArgs),
     /// Explain a case, a rule or a flag
@@ -136,6 +142,20 @@ Examples:
   ncp-verify explain wire/command_frame/seq/null
   ncp-verify explain NCP-WIRE-007
   ncp-verify explain lenient-integers";
+
+const DIFF_HELP: &str = "\
+Says what is fixed, what newly fails, and what fails in another way. A case that could not be judged before, since an
+earlier step failed, and now fails by its own rule, is no regression.
+
+Examples:
+  ncp-verify run --peer my/peer --json old.json
+  ncp-verify diff old.json new.json
+  ncp-verify diff old.json new.json --markdown >> notes.md
+
+Exit codes:
+    0  no regression
+    1  a case that passed no longer does
+    2  usage: a file that is no result";
 
 const RUN_HELP: &str = "\
 A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
@@ -204,6 +224,23 @@ struct SelectArgs {
 }
 
 #[derive(Debug, Args)]
+struct DiffArgs {
+    /// The older result
+    old: PathBuf,
+    /// The newer result
+    new: PathBuf,
+    /// Print JSON
+    #[arg(long, conflicts_with = "markdown")]
+    json: bool,
+    /// Print Markdown
+    #[arg(long)]
+    markdown: bool,
+    /// Name every case
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+#[derive(Debug, Args)]
 struct ListArgs {
     #[command(flatten)]
     select: SelectArgs,
@@ -264,6 +301,8 @@ enum CliError {
     Baseline { peer: String, source: BaselineError },
     #[error(transparent)]
     Start(#[from] StartError),
+    #[error(transparent)]
+    Diff(#[from] DiffError),
     #[error("the suite: {0}")]
     Suite(#[from] SuiteError),
     #[error("{0}")]
@@ -273,11 +312,25 @@ enum CliError {
 impl CliError {
     fn exit(&self) -> Exit {
         match self {
-            Self::Usage(_) | Self::Manifest(_) | Self::Baseline { .. } => Exit::Usage,
+            Self::Usage(_) | Self::Manifest(_) | Self::Baseline { .. } | Self::Diff(_) => Exit::Usage,
             Self::Start(_) => Exit::NotStarted,
             Self::Suite(_) | Self::Harness(_) => Exit::Harness,
         }
     }
+}
+
+/// Compares two results.
+fn compare(args: &DiffArgs, style: Style) -> Result<Exit, CliError> {
+    let compared = diff::compare(&args.old, &args.new)?;
+    let text = if args.json {
+        let json = serde_json::to_string_pretty(&compared);
+        json.map_err(|error| CliError::Harness(format!("the comparison cannot be written: {error}")))? + "\n"
+    } else {
+        let form = if args.markdown { Form::Markdown } else { Form::Terminal(style) };
+        comparison(&compared, form, args.verbose)
+    };
+    print(&text)?;
+    Ok(if compared.regression { Exit::NotConformant } else { Exit::Conformant })
 }
 
 /// Prints to stdout. That its reader has gone is no error of ours.

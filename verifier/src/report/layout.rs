@@ -85,6 +85,17 @@ pub fn wrap(text: &str, width: usize, first: &str, rest: &str) -> String {
     lines.join("\n")
 }
 
+/// The beginning of a text, whole words of it as far as they fit into `width` characters, and `…` if that is not all.
+#[must_use]
+pub(super) fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_owned();
+    }
+    let most: String = text.chars().take(width.saturating_sub(1)).collect();
+    let whole = most.rfind(' ').filter(|at| 2 * at > most.len()).map_or(most.as_str(), |at| &most[..at]);
+    format!("{}…", whole.trim_end())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -96,6 +107,14 @@ mod tests {
         assert_eq!(wrap("a bcdefghij k", 5, "", " "), "a\n bcde\n fghi\n j k");
         assert_eq!(wrap("", 5, "- ", "  "), "- ");
         assert_eq!(wrap("ab", 0, "", ""), "a\nb");
+    }
+
+    #[test]
+    fn a_text_is_cut_after_a_whole_word_unless_that_leaves_little() {
+        assert_eq!(cut("one two three", 13), "one two three");
+        assert_eq!(cut("one two three", 12), "one two…");
+        assert_eq!(cut("onetwothreefour", 6), "onetw…");
+        assert_eq!((cut("ab", 1), cut("", 0)), ("…".to_owned(), String::new()));
     }
 
     #[test]
@@ -111,6 +130,7 @@ mod tests {
             prop_assert!(wrapped.lines().all(|line| line.chars().count() <= width));
             let letters = |t: &str| t.chars().filter(|c| c.is_alphabetic()).collect::<String>();
             prop_assert_eq!(letters(&wrapped), letters(&text));
+            prop_assert!(cut(&text, width).chars().count() <= width);
         }
     }
 }

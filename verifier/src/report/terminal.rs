@@ -515,7 +515,7 @@ fn shown(text: &str) -> String {
     crate::peer::excerpt(text.as_bytes(), 40)
 }
 
-fn plural(count: usize, word: &str) -> String {
+pub(super) fn plural(count: usize, word: &str) -> String {
     plural_u64(count as u64, word)
 }
 
@@ -523,12 +523,12 @@ fn plural_u64(count: u64, word: &str) -> String {
     format!("{} {word}{}", thousands(count), if count == 1 { "" } else { "s" })
 }
 
-fn plural_verb(count: usize, one: &str, many: &str) -> String {
+pub(super) fn plural_verb(count: usize, one: &str, many: &str) -> String {
     format!("{} {}", thousands(count as u64), if count == 1 { one } else { many })
 }
 
 /// A number with a comma between thousands.
-fn thousands(number: u64) -> String {
+pub(super) fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let mut out = String::with_capacity(digits.len() + 3);
     for (i, digit) in digits.chars().enumerate() {
