@@ -424,7 +424,8 @@ fn an_expected_failure_passes_the_run_without_claiming_conformance() {
         "{}",
         run.stdout
     );
-    assert!(run.stdout.contains("1 case fails as expected: issue 7"), "{}", run.stdout);
+    assert!(run.stdout.contains("1 case fails as expected"), "{}", run.stdout);
+    assert!(run.stdout.contains("1 case version/tiny/07-target: issue 7"), "{}", run.stdout);
 }
 
 #[test]
@@ -440,4 +441,44 @@ fn an_expected_failure_that_passes_fails_the_run() {
     let (run, ..) = bundled(&[("p", &manifest("p", "honest", &known.replace("07-target", "77")))], &[]);
     assert_eq!(run.exit, 2);
     assert!(run.stderr.contains("names the case version/tiny/77, which the suite does not have"), "{}", run.stderr);
+}
+
+#[test]
+fn the_failures_of_a_peer_are_written_as_a_list_under_which_it_does_as_expected() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (list, result) = (path("known.toml"), path("result.json"));
+    let checked =
+        |mode: &str, args: &[&str]| verify(&[&["run", "--json", &result, "--peer-cmd", &peer(mode)], args].concat());
+    for mode in ["wrong-answer", "die-on-target", "unsupported"] {
+        assert_eq!(checked(mode, &["--write-expected", &list]).exit, 1, "{mode}");
+        let run = checked(mode, &["--expected", &list]);
+        assert_eq!(run.exit, 0, "{mode}: {}{}", run.stdout, run.stderr);
+        assert!(run.stdout.contains("1 exactly as its expected failures say"), "{mode}: {}", run.stdout);
+        assert!(run.stdout.contains("no reason is given"), "{mode}: {}", run.stdout);
+        // What another peer does right, or wrong in another way, the list does not hold.
+        assert_eq!(checked("honest", &["--expected", &list]).exit, 1, "{mode}");
+    }
+    checked("die-on-target", &["--write-expected", &list]);
+    let written = std::fs::read_to_string(&list).unwrap();
+    insta::assert_snapshot!("expected_list", written);
+    let run = checked("wrong-answer", &["--expected", &list]);
+    assert_eq!(run.exit, 1);
+    assert!(run.stdout.contains("outcome crash, case version/tiny/07-target no"), "{}", run.stdout);
+    // A reason that was filled in is kept when the list is written anew.
+    std::fs::write(&list, written.replace("reason = \"\"", "reason = \"issue 7\"")).unwrap();
+    assert_eq!(checked("die-on-target", &["--expected", &list, "--write-expected", &list]).exit, 0);
+    assert!(std::fs::read_to_string(&list).unwrap().contains("reason = \"issue 7\""));
+    std::fs::write(&list, format!("{written}expires = \"2020-01-31\"\n")).unwrap();
+    let run = checked("die-on-target", &["--expected", &list]);
+    assert_eq!(run.exit, 1);
+    assert!(run.stdout.contains("expired on 2020-01-31"), "{}", run.stdout);
+}
+
+#[test]
+fn an_entry_by_a_rule_that_excuses_more_than_when_it_was_written_is_said_to_be_too_broad() {
+    let known = "[[expected-failures]]\nrequirement = \"NCP-VER-004\"\nexcuses = 0\nreason = \"issue 7\"\n";
+    let (run, ..) = bundled(&[("p", &manifest("p", "wrong-answer", known))], &[]);
+    assert_eq!(run.exit, 0, "{}", run.stdout);
+    assert!(run.stdout.contains("it excused 0 cases when it was written: it is too broad"), "{}", run.stdout);
 }

@@ -9,8 +9,12 @@ use ncp_text::catalogue::{Level, Role};
 
 use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
-use crate::peer::{Connection, Description, Launch, Manifest, StartError, handshake};
-use crate::report::{Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, junit, terminal};
+use crate::peer::{
+    Connection, Description, ExpectedFailure, ExpectedFailures, Launch, Manifest, StartError, handshake,
+};
+use crate::report::{
+    Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, expected_list, junit, terminal, today,
+};
 use crate::run::{self, CaseRun, Settings};
 use crate::stop::Stop;
 use crate::suite::{Case, Need, Pattern, Suite};
@@ -34,10 +38,10 @@ pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &St
         .iter()
         .map(|folder| {
             let shown = folder.strip_prefix(&workspace.root).unwrap_or(folder).display().to_string();
-            Source::folder(folder, shown, &workspace.root, &target, suite)
+            Source::folder(folder, shown, &workspace.root, &target, Vec::new(), suite)
         })
         .collect::<Result<_, _>>()?;
-    check(suite, sources, args, styles, &workspace.root, stop)
+    check(suite, sources, args, None, styles, &workspace.root, stop)
 }
 
 /// Checks the peers that were named.
@@ -47,12 +51,26 @@ pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) 
             "name a peer: --peer with a folder that has a peer.toml, or --peer-cmd with a command".to_owned(),
         ));
     }
+    if (args.expected.is_some() || args.write_expected.is_some()) && args.peer.len() + args.peer_cmd.len() > 1 {
+        return Err(CliError::Usage("a list of expected failures is that of one peer: name only one".to_owned()));
+    }
+    let listed = match &args.expected {
+        Some(file) => ExpectedFailures::load(file)?.entries,
+        None => Vec::new(),
+    };
     let here = current_dir()?;
     let mut sources = Vec::new();
     for folder in &args.peer {
         let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.clone());
         let root = Workspace::above(&absolute).map_or_else(|| absolute.clone(), |workspace| workspace.root);
-        sources.push(Source::folder(&absolute, folder.display().to_string(), &root, &target(&root), suite)?);
+        sources.push(Source::folder(
+            &absolute,
+            folder.display().to_string(),
+            &root,
+            &target(&root),
+            listed.clone(),
+            suite,
+        )?);
     }
     for command in &args.peer_cmd {
         sources.push(Source {
@@ -60,11 +78,16 @@ pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) 
             shown: command.clone(),
             launch: Launch::from_command_line(command, &here)?,
             manifest: None,
-            baseline: Baseline::default(),
+            baseline: baseline(command, listed.clone(), suite)?,
         });
     }
     let root = Workspace::above(&here).map_or(here, |workspace| workspace.root);
-    check(suite, sources, &args.check, styles, &root, stop)
+    check(suite, sources, &args.check, args.write_expected.as_deref(), styles, &root, stop)
+}
+
+/// The expected failures of a peer.
+fn baseline(peer: &str, entries: Vec<ExpectedFailure>, suite: &Suite) -> Result<Baseline, CliError> {
+    Baseline::new(entries, suite, &today()).map_err(|source| CliError::Baseline { peer: peer.to_owned(), source })
 }
 
 /// How to write to stdout and to stderr.
@@ -84,10 +107,17 @@ struct Source {
 }
 
 impl Source {
-    fn folder(folder: &Path, shown: String, root: &Path, target: &Path, suite: &Suite) -> Result<Self, CliError> {
+    fn folder(
+        folder: &Path,
+        shown: String,
+        root: &Path,
+        target: &Path,
+        listed: Vec<ExpectedFailure>,
+        suite: &Suite,
+    ) -> Result<Self, CliError> {
         let manifest = Manifest::load(folder, root, target)?;
-        let baseline = Baseline::new(manifest.expected_failures.clone(), suite)
-            .map_err(|source| CliError::Baseline { peer: manifest.name.clone(), source })?;
+        let entries = manifest.expected_failures.iter().cloned().chain(listed).collect();
+        let baseline = baseline(&manifest.name, entries, suite)?;
         let (name, launch) = (Some(manifest.name.clone()), manifest.launch.clone());
         Ok(Self { name, shown, launch, manifest: Some(manifest), baseline })
     }
@@ -119,6 +149,7 @@ fn check(
     suite: &Suite,
     sources: Vec<Source>,
     args: &CheckArgs,
+    write_expected: Option<&Path>,
     styles: Styles,
     root: &Path,
     stop: &Stop,
@@ -182,6 +213,12 @@ fn check(
     let shown = args.json.as_ref().map_or(RESULT.to_owned(), |file| file.display().to_string());
     if !silent {
         print(&format!("{}\n", styles.out.dim(&format!("result: {shown}"))))?;
+    }
+    if let (Some(file), Some(peer)) = (write_expected, report.peers.first().filter(|_| !silent)) {
+        let list = expected_list(peer);
+        let list = list.map_err(|error| CliError::Harness(format!("the expected failures: {error}")))?;
+        write(file, &list)?;
+        print(&format!("{}\n", styles.out.dim(&format!("expected failures: {}", file.display()))))?;
     }
     if let Some(file) = &args.junit {
         let xml =

@@ -165,6 +165,8 @@ Examples:
   ncp-verify run --peer-cmd 'python3 peers/PROTOCOL-starter.py'
   ncp-verify run --peer peers/rust --peer peers/typescript --level wire
   ncp-verify run --peer my/peer --filter NCP-WIRE-01? --verbose
+  ncp-verify run --peer my/peer --write-expected known.toml
+  ncp-verify run --peer my/peer --expected known.toml
   ncp-verify run --peer peers/rust --repeat 50 --jobs 2";
 
 #[derive(Debug, Args)]
@@ -175,6 +177,12 @@ struct RunArgs {
     /// A command that starts a peer; quotes work as in a shell (may be repeated)
     #[arg(long, value_name = "CMD")]
     peer_cmd: Vec<String>,
+    /// A file of failures that are expected of the peer, beside those of its peer.toml
+    #[arg(long, value_name = "FILE")]
+    expected: Option<PathBuf>,
+    /// Write every failure of the peer to a file that --expected takes
+    #[arg(long, value_name = "FILE")]
+    write_expected: Option<PathBuf>,
     #[command(flatten)]
     check: CheckArgs,
 }

@@ -10,7 +10,7 @@ use ncp_text::catalogue::Level;
 use serde::Deserialize;
 
 use super::connection::{describe_status, end_group};
-use super::{Launch, StartError, is_on_path};
+use super::{ExpectedFailure, Launch, StartError, is_on_path};
 use crate::stop::Stop;
 
 /// The file's name within a peer's folder.
@@ -50,25 +50,7 @@ pub struct Setup {
     pub launch: Launch,
 }
 
-/// A case, or all cases of a requirement, that are known to fail.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ExpectedFailure {
-    /// What is meant.
-    pub target: Target,
-    /// Why it fails.
-    pub reason: String,
-}
-
-/// What an expected failure names.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Target {
-    /// One case.
-    Case(String),
-    /// The cases that cite a requirement.
-    Requirement(String),
-}
-
-/// Why a `peer.toml` cannot be used.
+/// Why a `peer.toml`, or a list of expected failures, cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum ManifestError {
     /// The folder or the file is not there, or cannot be read.
@@ -117,15 +99,7 @@ impl Manifest {
                 Ok(Setup { launch: launch(step.command, &format!("the set-up step {:?}", step.say))?, say: step.say })
             })
             .collect::<Result<_, _>>()?;
-        let expected_failures = file
-            .expected_failures
-            .into_iter()
-            .map(|entry| match (entry.case, entry.requirement) {
-                (Some(id), None) => Ok(ExpectedFailure { target: Target::Case(id), reason: entry.reason }),
-                (None, Some(id)) => Ok(ExpectedFailure { target: Target::Requirement(id), reason: entry.reason }),
-                _ => Err(form("an expected failure names either a `case` or a `requirement`".to_owned())),
-            })
-            .collect::<Result<_, _>>()?;
+        file.expected_failures.iter().try_for_each(ExpectedFailure::check).map_err(|why| form(why.to_owned()))?;
         let level = match &file.level {
             None => Level::Wire,
             Some(name) => {
@@ -141,7 +115,7 @@ impl Manifest {
             about: file.about,
             requires: file.requires,
             setup,
-            expected_failures,
+            expected_failures: file.expected_failures,
         })
     }
 
@@ -210,7 +184,7 @@ struct File {
     #[serde(default)]
     setup: Vec<Step>,
     #[serde(default, rename = "expected-failures")]
-    expected_failures: Vec<Entry>,
+    expected_failures: Vec<ExpectedFailure>,
 }
 
 #[derive(Deserialize)]
@@ -218,14 +192,6 @@ struct File {
 struct Step {
     say: String,
     command: Vec<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Entry {
-    case: Option<String>,
-    requirement: Option<String>,
-    reason: String,
 }
 
 #[cfg(test)]
@@ -254,7 +220,11 @@ mod tests {
             requirement = "NCP-WIRE-007"
             reason = "issue 412"
             [[expected-failures]]
-            case = "wire/a/b"
+            requirement = "NCP-KEY-019"
+            outcome = "crash"
+            cases = ["wire/a/b", "wire/a/c"]
+            expires = "2026-12-31"
+            excuses = 2
             reason = "issue 413"
             "#,
         )
@@ -262,8 +232,10 @@ mod tests {
         assert_eq!(manifest.launch.argv, ["/the/target/release/peer", "--root=/the/root"]);
         assert_eq!(manifest.setup[0].launch.argv, ["make", "-C", "/the/root"]);
         assert_eq!(manifest.missing_tools(), ["surely-no-such-program"]);
-        assert_eq!(manifest.expected_failures[0].target, Target::Requirement("NCP-WIRE-007".into()));
-        assert_eq!(manifest.expected_failures[1].target, Target::Case("wire/a/b".into()));
+        let [by_rule, exact] = &manifest.expected_failures[..] else { panic!() };
+        assert_eq!(by_rule.name(), "requirement NCP-WIRE-007");
+        assert_eq!(exact.name(), "requirement NCP-KEY-019, outcome crash, 2 cases");
+        assert_eq!((exact.excuses, exact.expires.as_deref()), (Some(2), Some("2026-12-31")));
     }
 
     #[test]
@@ -275,7 +247,15 @@ mod tests {
             ("".to_owned(), "missing field `command`"),
             (
                 "command = [\"x\"]\n[[expected-failures]]\nreason = \"r\"".to_owned(),
-                "either a `case` or a `requirement`",
+                "names a `case`, `cases`, a `requirement` or an `outcome`",
+            ),
+            (
+                "command = [\"x\"]\n[[expected-failures]]\nreason = \"r\"\ncase = \"a\"\ncases = [\"b\"]".to_owned(),
+                "either a `case` or `cases`",
+            ),
+            (
+                "command = [\"x\"]\n[[expected-failures]]\nreason = \"r\"\ncase = \"a\"\nexpires = \"soon\"".to_owned(),
+                "a day such as",
             ),
             ("command = [\"x\"".to_owned(), "line 3"),
         ] {

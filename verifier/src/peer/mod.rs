@@ -9,13 +9,15 @@
 //! - [`Reply`] is one line of its answers, taken apart.
 
 mod connection;
+mod expected;
 mod handshake;
 mod manifest;
 mod protocol;
 
 pub use connection::{Connection, Ending, Incoming};
+pub use expected::{ExpectedFailure, ExpectedFailures};
 pub use handshake::{Description, handshake};
-pub use manifest::{ExpectedFailure, Manifest, ManifestError, Setup, Target};
+pub use manifest::{Manifest, ManifestError, Setup};
 pub use protocol::{Answer, Call, MAX_REQUEST_BYTES, Reply, ReplyFault, write_request};
 
 use std::ffi::OsString;

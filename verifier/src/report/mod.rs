@@ -5,6 +5,7 @@
 //! JUnit XML ([`junit`]); [`comparison`] shows what differs between two results. [`Progress`] shows a run while it goes on. None of them computes a verdict.
 
 mod comparison;
+mod expected;
 mod junit;
 mod layout;
 mod model;
@@ -12,11 +13,12 @@ mod progress;
 mod terminal;
 
 pub use comparison::{Form, comparison};
+pub use expected::expected_list;
 pub use junit::junit;
 pub use layout::{Style, wrap};
 pub use model::{
-    Asked, CaseReport, Corpus, CrashLogReport, DifferenceReport, Exit, LevelReport, NotAsked, PeerReport, RateReport,
-    Report, RoleReport, Rule, RunReport, State, Tool,
+    Asked, CaseReport, Corpus, CrashLogReport, DifferenceReport, ExcuseReport, Exit, LevelReport, NotAsked, PeerReport,
+    RateReport, Report, RoleReport, Rule, RunReport, State, Tool, today,
 };
 pub use progress::Progress;
 pub use terminal::{Detail, terminal};

@@ -12,7 +12,7 @@ use crate::diagnosis::{self, Suspect};
 use crate::peer::{Call, Description, excerpt};
 use crate::run::{CrashLog, Outcome, OutcomeKind, RunRecord};
 use crate::suite::{Case, Suite};
-use crate::verdict::{Conclusion, Judged, RoleVerdict, Status, Tally, Verdict, is_unsupported};
+use crate::verdict::{Conclusion, Excuse, Judged, RoleVerdict, Status, Tally, Verdict, is_unsupported};
 
 /// The format of the result file.
 const FORMAT: u32 = 1;
@@ -177,8 +177,8 @@ pub struct PeerReport {
     pub totals: TallyReport,
     /// Cases of its roles and level that it was not asked, since it does not claim what they need.
     pub not_asked: Vec<NotAsked>,
-    /// Expected failures that no longer fail.
-    pub stale_expected_failures: Vec<String>,
+    /// What became of its expected failures.
+    pub expected_failures: Vec<ExcuseReport>,
     /// How the run went.
     pub run: Option<RunReport>,
     /// Every case.
@@ -189,6 +189,27 @@ pub struct PeerReport {
     /// The rules of the cases that differ from advice, but the unsupported ones.
     #[serde(skip)]
     pub advised: Vec<Suspect>,
+}
+
+/// What became of an entry of a peer's expected failures.
+#[derive(Debug, Serialize)]
+pub struct ExcuseReport {
+    /// What it is called.
+    pub entry: String,
+    /// Why its cases fail.
+    pub reason: String,
+    /// How many cases it excuses.
+    pub cases: usize,
+    /// How many it excused when it was written, if it says so.
+    pub written: Option<usize>,
+    /// Whether that is fewer.
+    pub too_broad: bool,
+    /// The day on which it expired, if it has.
+    pub expired: Option<String>,
+    /// Whether none of its cases fails any more as it says.
+    pub stale: bool,
+    /// The cases that it names and that no longer fail as it says.
+    pub stale_cases: Vec<String>,
 }
 
 /// Cases that a peer was not asked.
@@ -443,7 +464,7 @@ impl PeerReport {
             roles: Vec::new(),
             totals: TallyReport::default(),
             not_asked: Vec::new(),
-            stale_expected_failures: Vec::new(),
+            expected_failures: Vec::new(),
             run: None,
             cases: Vec::new(),
             broken: Vec::new(),
@@ -486,7 +507,7 @@ impl PeerReport {
             roles: verdict.roles.iter().map(RoleReport::new).collect(),
             totals,
             not_asked,
-            stale_expected_failures: verdict.stale.clone(),
+            expected_failures: verdict.excuses.iter().map(ExcuseReport::new).collect(),
             run: Some(RunReport {
                 answers: run.answers,
                 elapsed_s: run.elapsed.as_secs_f64(),
@@ -503,6 +524,32 @@ impl PeerReport {
             broken: diagnosis::likeliest_first(&verdict.cases, of(Status::Failed)),
             advised: diagnosis::by_rule(&verdict.cases, of(Status::Advice)),
         }
+    }
+}
+
+impl ExcuseReport {
+    fn new(excuse: &Excuse) -> Self {
+        let too_broad = excuse.is_too_broad();
+        let Excuse { entry, reason, cases, written, expired, stale_cases, stale } = excuse.clone();
+        Self { entry, reason, cases, written, too_broad, expired, stale, stale_cases }
+    }
+
+    /// What is untrue about it, in words; each fails the run.
+    #[must_use]
+    pub fn untrue(&self) -> Vec<String> {
+        let Self { entry, .. } = self;
+        let mut said = Vec::new();
+        match &self.stale_cases[..] {
+            _ if self.stale => said.push(format!("the expected failure of {entry} no longer fails: take it out")),
+            [] => {}
+            [one] => said.push(format!("the expected failure of {entry}: {one} no longer fails so: take it out")),
+            [first, more @ ..] => said.push(format!(
+                "the expected failure of {entry}: {first} and {} more no longer fail so: take them out",
+                more.len()
+            )),
+        }
+        said.extend(self.expired.as_ref().map(|day| format!("the expected failure of {entry} expired on {day}")));
+        said
     }
 }
 
@@ -611,6 +658,12 @@ fn rules(suite: &Suite) -> Vec<Rule> {
             place: rule.place(),
         })
         .collect()
+}
+
+/// The day on which it is now in UTC, such as `2026-12-31`.
+#[must_use]
+pub fn today() -> String {
+    rfc3339(SystemTime::now()).chars().take(10).collect()
 }
 
 /// A time as RFC 3339 writes it, in UTC, to the second.

@@ -6,7 +6,9 @@ use std::fmt::Write as _;
 use ncp_text::catalogue::Level;
 
 use super::layout::{Style, wrap};
-use super::model::{CaseReport, CrashLogReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport};
+use super::model::{
+    CaseReport, CrashLogReport, ExcuseReport, LevelReport, PeerReport, Report, RoleReport, State, TallyReport,
+};
 use crate::diagnosis::Suspect;
 use crate::verdict::{self, Conclusion, Status};
 
@@ -322,24 +324,32 @@ impl Page<'_> {
         self.paragraph(4, &list.join(", "));
     }
 
+    /// The expected failures: what each entry excuses, and what is untrue about it.
     fn expected(&mut self, peer: &PeerReport) {
-        let mut reasons: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for case in peer.cases.iter().filter(|case| case.status == Status::ExpectedFailure) {
-            reasons.entry(case.reason.as_deref().unwrap_or_default()).or_default().push(&case.id);
-        }
-        for (reason, ids) in reasons {
-            let title = self
-                .style
-                .yellow(&format!("{} as expected: {reason}", plural_verb(ids.len(), "case fails", "cases fail")));
+        let excused = peer.totals.expected_failures;
+        if excused > 0 {
+            let title = self.style.yellow(&format!("{} as expected", plural_verb(excused, "case fails", "cases fail")));
             self.line(&format!("  {title}"));
-            self.ids(&ids);
         }
-        for stale in &peer.stale_expected_failures {
-            let text = format!("the expected failure of {stale} no longer fails: take it out of peer.toml");
-            for line in wrap(&text, self.style.width, "  ", "  ").lines() {
-                let painted = self.style.red(line);
-                self.line(&painted);
+        for excuse in peer.expected_failures.iter().filter(|excuse| excuse.cases > 0) {
+            let reason = if excuse.reason.trim().is_empty() { "no reason is given" } else { &excuse.reason };
+            self.item(4, &format!("{:>5}", thousands(excuse.cases as u64)), &format!("{}: {reason}", excuse.entry));
+            if let Some(written) = excuse.written.filter(|_| excuse.too_broad) {
+                let text = format!("it excused {} when it was written: it is too broad", plural(written, "case"));
+                self.said(&text, 10, Style::yellow);
             }
+        }
+        for untrue in peer.expected_failures.iter().flat_map(ExcuseReport::untrue) {
+            self.said(&untrue, 2, Style::red);
+        }
+    }
+
+    /// A paragraph in a colour.
+    fn said(&mut self, text: &str, indent: usize, paint: fn(Style, &str) -> String) {
+        let space = " ".repeat(indent);
+        for line in wrap(text, self.style.width, &space, &space).lines() {
+            let painted = paint(self.style, line);
+            self.line(&painted);
         }
     }
 

@@ -290,7 +290,7 @@ pub(crate) mod testing {
     //! Cases for the tests of other rooms.
 
     use super::*;
-    use crate::peer::{ExpectedFailure, Target};
+    use crate::peer::ExpectedFailure;
     use crate::verdict::Baseline;
 
     /// A case of `decode` that cites these rules.
@@ -315,15 +315,15 @@ pub(crate) mod testing {
 
     /// Expected failures, `("case" or "requirement", id)`.
     pub(crate) fn baseline(entries: &[(&str, &str)]) -> Baseline {
-        let entry = |(what, id): &(&str, &str)| ExpectedFailure {
-            target: if *what == "case" {
-                Target::Case((*id).to_owned())
-            } else {
-                Target::Requirement((*id).to_owned())
-            },
-            reason: "known".to_owned(),
+        let entry = |(what, id): &(&str, &str)| {
+            let known = ExpectedFailure { reason: "known".to_owned(), ..ExpectedFailure::default() };
+            let id = Some((*id).to_owned());
+            match *what {
+                "case" => ExpectedFailure { case: id, ..known },
+                _ => ExpectedFailure { requirement: id, ..known },
+            }
         };
-        Baseline::unchecked(entries.iter().map(entry).collect())
+        Baseline::unchecked(entries.iter().map(entry).collect(), "")
     }
 }
 

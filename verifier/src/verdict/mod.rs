@@ -8,7 +8,7 @@ mod baseline;
 mod described;
 mod ruling;
 
-pub use baseline::{Baseline, BaselineError};
+pub use baseline::{Baseline, BaselineError, Excuse};
 pub use described::judge_description;
 pub use ruling::Ruling;
 
@@ -157,8 +157,8 @@ pub struct Verdict<'s> {
     pub roles: Vec<RoleVerdict>,
     /// Every case.
     pub cases: Vec<Judged<'s>>,
-    /// Expected failures that no longer fail, as they are listed.
-    pub stale: Vec<String>,
+    /// What became of the expected failures.
+    pub excuses: Vec<Excuse>,
     /// All in all.
     pub conclusion: Conclusion,
 }
@@ -180,17 +180,18 @@ pub fn judge<'s>(
         .into_iter()
         .zip(runs)
         .map(|(ruling, (case, run))| {
-            let reason = baseline.reason(case).map(str::to_owned);
+            let reason = baseline.reason(case, &run.outcome, &ruling).map(str::to_owned);
             let status = status(case, &run.outcome, reason.is_some(), baseline.names(case));
             Judged { case, run, status, ruling, reason }
         })
         .collect();
-    let stale = baseline.stale(&cases, partial);
+    let excuses = baseline.excuses(&cases, partial);
+    let untrue = |excuse: &Excuse| excuse.stale || !excuse.stale_cases.is_empty() || excuse.expired.is_some();
     let roles: Vec<_> = roles.iter().filter_map(|(role, claimed)| judge_role(*role, *claimed, level, &cases)).collect();
     let reached = |judge: fn(&LevelVerdict) -> bool| {
         !roles.is_empty() && roles.iter().all(|role| role.levels.last().is_some_and(judge))
     };
-    let conclusion = if !stale.is_empty() {
+    let conclusion = if excuses.iter().any(untrue) {
         Conclusion::NotConformant
     } else if reached(|level| level.conformant) {
         Conclusion::Conformant
@@ -199,7 +200,7 @@ pub fn judge<'s>(
     } else {
         Conclusion::NotConformant
     };
-    Verdict { roles, cases, stale, conclusion }
+    Verdict { roles, cases, excuses, conclusion }
 }
 
 /// What a case counts for. `listed`: an expected failure covers it; `named`: by its own id.
@@ -247,6 +248,7 @@ fn judge_role(role: Role, claimed: bool, asked: Level, cases: &[Judged<'_>]) -> 
 mod tests {
     use super::*;
     use crate::check::Differences;
+    use crate::peer::ExpectedFailure;
     use crate::suite::testing;
 
     fn run(outcome: Outcome) -> CaseRun {
@@ -268,7 +270,8 @@ mod tests {
         let roles = [(Role::Body, true), (Role::Server, true)];
         let verdict = judge(runs, &roles, Level::Wire, &baseline, false);
         let statuses = verdict.cases.iter().map(|judged| judged.status).collect();
-        (verdict.conclusion, verdict.roles, statuses, verdict.stale)
+        let stale = verdict.excuses.into_iter().filter(|excuse| excuse.stale).map(|excuse| excuse.entry);
+        (verdict.conclusion, verdict.roles, statuses, stale.collect())
     }
 
     const MUST: &str = "NCP-WIRE-010";
@@ -367,5 +370,67 @@ mod tests {
         assert_eq!(statuses, [Status::ExpectedFailure, Status::Passed]);
         let (conclusion, _, _, stale) = verdict(&[case(Outcome::Pass), other], &[("requirement", MUST)]);
         assert_eq!((conclusion, stale), (Conclusion::NotConformant, vec![format!("requirement {MUST}")]));
+    }
+
+    /// What becomes of one entry, when these cases have these outcomes.
+    fn excused(entry: ExpectedFailure, cases: &[(&str, &str, Outcome)], today: &str) -> (Conclusion, Excuse) {
+        let built: Vec<_> = cases.iter().map(|(id, rule, _)| testing::case(id, &[rule], &[Role::Body])).collect();
+        let runs = built.iter().zip(cases).map(|(case, (.., outcome))| (case, run(outcome.clone())));
+        let baseline = Baseline::unchecked(vec![entry], today);
+        let verdict = judge(runs, &[(Role::Body, true)], Level::Wire, &baseline, false);
+        (verdict.conclusion, verdict.excuses.into_iter().next().unwrap())
+    }
+
+    fn entry() -> ExpectedFailure {
+        ExpectedFailure { requirement: Some(MUST.into()), reason: "known".into(), ..ExpectedFailure::default() }
+    }
+
+    #[test]
+    fn an_entry_excuses_what_fails_by_its_rule_with_its_outcome_among_its_cases_and_nothing_else() {
+        let crash = || Outcome::Crash { what: String::new(), log: String::new() };
+        let other = "NCP-WIRE-011";
+        let cases = [("a", MUST, crash()), ("b", MUST, fail()), ("c", other, crash())];
+        let count = |entry: ExpectedFailure| excused(entry, &cases, "").1.cases;
+        assert_eq!(count(entry()), 2);
+        assert_eq!(count(ExpectedFailure { outcome: Some("crash".into()), ..entry() }), 1);
+        assert_eq!(count(ExpectedFailure { cases: vec!["b".into(), "c".into()], ..entry() }), 1);
+        let crashes = ExpectedFailure { outcome: Some("crash".into()), requirement: None, ..entry() };
+        assert_eq!(count(crashes), 2);
+    }
+
+    #[test]
+    fn an_entry_fails_the_run_from_the_day_after_it_expires() {
+        let until = ExpectedFailure { expires: Some("2026-12-31".into()), ..entry() };
+        let cases = [("a", MUST, fail())];
+        let (conclusion, excuse) = excused(until.clone(), &cases, "2026-12-31");
+        assert_eq!((conclusion, excuse.expired), (Conclusion::AsExpected, None));
+        let (conclusion, excuse) = excused(until, &cases, "2027-01-01");
+        assert_eq!((conclusion, excuse.expired.as_deref()), (Conclusion::NotConformant, Some("2026-12-31")));
+    }
+
+    #[test]
+    fn an_entry_that_excuses_more_than_when_it_was_written_is_too_broad() {
+        let cases = [("a", MUST, fail()), ("b", MUST, fail())];
+        for (written, broad) in [(Some(1), true), (Some(2), false), (None, false)] {
+            let (conclusion, excuse) = excused(ExpectedFailure { excuses: written, ..entry() }, &cases, "");
+            assert_eq!((conclusion, excuse.is_too_broad()), (Conclusion::AsExpected, broad));
+        }
+    }
+
+    #[test]
+    fn a_case_that_is_named_and_passes_or_fails_in_another_way_is_stale() {
+        let both = || ExpectedFailure { cases: vec!["a".into(), "b".into()], ..entry() };
+        let (conclusion, excuse) = excused(both(), &[("a", MUST, fail()), ("b", MUST, Outcome::Pass)], "");
+        assert_eq!(
+            (conclusion, excuse.stale, excuse.stale_cases),
+            (Conclusion::NotConformant, false, vec!["b".into()])
+        );
+        let crashes = ExpectedFailure { outcome: Some("crash".into()), ..both() };
+        let (conclusion, excuse) = excused(crashes, &[("a", MUST, fail()), ("b", MUST, fail())], "");
+        assert_eq!((conclusion, excuse.stale, excuse.stale_cases.len()), (Conclusion::NotConformant, true, 2));
+        // What was not run says nothing.
+        let not_run = Outcome::NotRun { why: String::new() };
+        let (_, excuse) = excused(both(), &[("a", MUST, not_run), ("b", MUST, fail())], "");
+        assert!(!excuse.stale && excuse.stale_cases.is_empty());
     }
 }
