@@ -1,5 +1,7 @@
 //! A case and a file of cases, as they are written.
 
+use std::collections::BTreeMap;
+
 use crate::flags;
 use crate::json::{Json, object};
 use crate::template::Text;
@@ -53,6 +55,11 @@ pub(crate) struct Case {
     pub(crate) call: &'static str,
     pub(crate) args: Json,
     pub(crate) expect: Json,
+    /// By which rules parts of the answer are judged that another than the first decides: by JSON pointer, or for a
+    /// `crash` or a `refusal`.
+    pub(crate) by: BTreeMap<String, &'static str>,
+    /// The ids of cases without which this one shows nothing of its own rule.
+    pub(crate) rests_on: Vec<String>,
     pub(crate) why: String,
 }
 
@@ -72,6 +79,8 @@ impl Case {
             call: "",
             args: Json::object(),
             expect: Json::object(),
+            by: BTreeMap::new(),
+            rests_on: Vec::new(),
             why: String::new(),
         }
     }
@@ -178,6 +187,39 @@ impl Case {
         self.expect(object! { "relation" => "columns", "columns" => columns })
     }
 
+    /// What of the answer another rule decides than the first: at a JSON pointer and below, a `crash` or a `refusal`.
+    pub(crate) fn by(mut self, place: impl Into<String>, rule: &'static str) -> Self {
+        if self.requirements.first() != Some(&rule) {
+            self.by.insert(place.into(), rule);
+        }
+        self
+    }
+
+    /// The rules that decide the judged steps of a trace. Where none of them is the rule that the case is about, that
+    /// is what the last step shows, which the model cannot tell from what decides it elsewhere.
+    pub(crate) fn decided_by(self, steps: &[Option<&'static str>]) -> Self {
+        let last = steps.iter().rposition(Option::is_some).unwrap_or_default();
+        let own = self.requirements.first().copied();
+        let is_own = steps.iter().any(|rule| *rule == own);
+        self.decided_throughout_by(if is_own { steps } else { steps.get(..last).unwrap_or_default() })
+    }
+
+    /// The same of a trace that is about all of its steps.
+    pub(crate) fn decided_throughout_by(mut self, steps: &[Option<&'static str>]) -> Self {
+        for (step, rule) in steps.iter().enumerate() {
+            if let Some(rule) = rule {
+                self = self.by(format!("/steps/{step}"), rule);
+            }
+        }
+        self
+    }
+
+    /// A case without which this one shows nothing of its own rule.
+    pub(crate) fn rests_on(mut self, id: impl Into<String>) -> Self {
+        self.rests_on.push(id.into());
+        self
+    }
+
     fn expect(mut self, expect: Json) -> Self {
         self.expect = expect;
         self
@@ -194,7 +236,14 @@ impl Case {
         if let Some(need) = self.needs {
             json = json.and("needs", [need].into_iter().collect::<Json>());
         }
-        json.and("call", self.call.into()).and("args", self.args).and("expect", self.expect).and("why", self.why.into())
+        json = json.and("call", self.call.into()).and("args", self.args).and("expect", self.expect);
+        if !self.by.is_empty() {
+            json = json.and("by", Json::Object(self.by.into_iter().map(|(at, rule)| (at, rule.into())).collect()));
+        }
+        if !self.rests_on.is_empty() {
+            json = json.and("rests_on", Json::Array(self.rests_on.into_iter().map(Json::from).collect()));
+        }
+        json.and("why", self.why.into())
     }
 }
 
@@ -243,9 +292,19 @@ impl File {
         Self { area, name, about: about.into(), cases }
     }
 
+    /// What the ids of its cases begin with.
+    pub(crate) fn prefix(&self) -> String {
+        format!("{}/{}", self.area, self.name)
+    }
+
+    /// The ids of its cases.
+    pub(crate) fn ids(&self) -> Vec<String> {
+        self.cases.iter().map(|case| format!("{}/{}", self.prefix(), case.path)).collect()
+    }
+
     /// The path below `vectors/`, and the text.
     pub(crate) fn render(self) -> (String, String) {
-        let prefix = format!("{}/{}", self.area, self.name);
+        let prefix = self.prefix();
         let mut used: Vec<&str> = self.cases.iter().flat_map(|case| case.flags.clone()).collect();
         used.sort_unstable();
         used.dedup();

@@ -13,6 +13,7 @@
 //! | `safety`, `resilience`, `codec`, `control`, `session`, `strict` | likewise: what moves a plant, and sessions |
 //! | `scenario`, `patch` | scenario text: the tables of cases in `scenarios/`, and changes of frames in them |
 //! | `case`, `template`, `json`, `trace`, `flags`, `roles` | what a case consists of, and how it is written |
+//! | `foundations` | on which cases a case rests |
 //! | `model`, `command` | what a frame means by the tables of the text, and the command frame |
 //!
 //! ```
@@ -30,6 +31,7 @@ mod codec;
 mod command;
 mod control;
 mod flags;
+mod foundations;
 mod hostile;
 mod json;
 mod keys;
@@ -70,7 +72,8 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         session::files()?,
         strict::files()?,
     ];
-    let mut files: Vec<_> = areas.into_iter().flatten().map(case::File::render).collect();
+    let files = foundations::lay(areas.into_iter().flatten().collect());
+    let mut files: Vec<_> = files.into_iter().map(case::File::render).collect();
     files.sort();
     Ok(files)
 }

@@ -202,7 +202,7 @@ impl Builder {
             // What begins with `second` is refused only by those who look at every segment.
             let rules = match what.starts_with("second") {
                 true => ["NCP-KEY-018", rule, "NCP-KEY-019"],
-                false => [rule, "NCP-KEY-018", "NCP-KEY-019"],
+                false => ["NCP-KEY-018", rule, "NCP-KEY-019"],
             };
             cases.push(
                 self.case(&format!("realm/{what}"), &rules)
@@ -210,6 +210,7 @@ impl Builder {
                     .flags(&["L22"])
                     .call("key.build", self.args(Some(realm), "uav3", None))
                     .rejects("key")
+                    .by("crash", "NCP-KEY-019")
                     .because("A realm is checked segment by segment."),
             );
         }
@@ -226,11 +227,12 @@ impl Builder {
             );
             let realm = format!("a/{}", "b".repeat(257));
             cases.push(
-                self.case("realm/second-of-257-bytes", &["NCP-KEY-017", "NCP-KEY-018", "NCP-KEY-019"])
+                self.case("realm/second-of-257-bytes", &["NCP-KEY-018", "NCP-KEY-017", "NCP-KEY-019"])
                     .title("The `rpc` key is not built in a realm whose second segment has 257 bytes.")
                     .flags(&["segment-length", "L22"])
                     .call("key.build", self.args(Some(&realm), "uav3", None))
                     .rejects("key")
+                    .by("crash", "NCP-KEY-019")
                     .because("A realm is checked segment by segment."),
             );
         }
@@ -238,20 +240,22 @@ impl Builder {
     }
 
     fn refuses(&self, part: &str, says: &str, segment: &Segment, args: Json) -> Case {
-        let mut rules = vec![segment.rule];
-        // What the text only advises against, no binding rule may be cited for.
-        if segment.rule != "NCP-KEY-016" {
-            rules.push("NCP-KEY-019");
-            if part == "realm" {
-                rules.push("NCP-KEY-018");
-            }
-        }
+        let of_an_id = format!("keys/segments/sensor/session/refused/{}", segment.name);
+        let rules: &[_] = match (part, segment.rule) {
+            // What the text only advises against, no binding rule may be cited for.
+            (_, "NCP-KEY-016") => &["NCP-KEY-016"],
+            // What a builder refuses in an id, it fails to look for in a realm.
+            ("realm", rule) => &["NCP-KEY-018", rule, "NCP-KEY-019"],
+            (_, rule) => &[rule, "NCP-KEY-019"],
+        };
         let verb = if segment.rule == "NCP-KEY-016" { "should not be" } else { "is not" };
-        self.case(&format!("{part}/refused/{}", segment.name), &rules)
-            .title(format!("The `{}` key {verb} built with a {says} that {}.", self.key, segment.says))
+        let case = self.case(&format!("{part}/refused/{}", segment.name), rules);
+        let case = if part == "realm" { case.rests_on(of_an_id) } else { case };
+        case.title(format!("The `{}` key {verb} built with a {says} that {}.", self.key, segment.says))
             .flags(&[segment.flag, "L24"])
             .call("key.build", args)
             .rejects("key")
+            .by("crash", "NCP-KEY-019")
             .because("Section 3.3 refuses such a segment, with an error and not with a crash or another key.")
     }
 

@@ -6,7 +6,7 @@ use crate::case::{Case, File, Role};
 use crate::command::active;
 use crate::json::{Json, object};
 use crate::patch::patched;
-use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::scenario::{Fault, Row, ScenarioError, Scenarios, source};
 use crate::trace::{any, exactly, name_of, no_result, nums, steps};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -61,7 +61,9 @@ fn deadlines() -> Vec<Case> {
                 "NCP-RES-005"
             } else if ttl > 60_000.0 {
                 "NCP-RES-004"
-            } else if age * 1000.0 <= ttl {
+            } else if age * 1000.0 < ttl {
+                "NCP-RES-013"
+            } else if age * 1000.0 == ttl {
                 "NCP-RES-003"
             } else {
                 "NCP-RES-002"
@@ -101,17 +103,17 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
     };
     let still = || object! { "channels" => Json::Null };
     let case = |path: &str, rules: &[&'static str], events: &[Event], results: Vec<Json>| {
-        let (args, _) = buffer(events, false);
+        let (args, _, decided) = buffer(events, false);
         let case = Case::new(format!("malformed/{}/{path}", row.name), rules, &[Role::Body]);
-        case.call("buffer.run", args).shows(steps(results)).flags(&["malformed-moves"])
+        case.call("buffer.run", args).shows(steps(results)).decided_by(&decided).flags(&["malformed-moves"])
     };
-    let rule = if row.name.ends_with("-kind") { "NCP-RES-025" } else { "NCP-RES-006" };
+    let rule = row.rules.first().copied().ok_or(row.place.fault(Fault::Missing("rules")))?;
     let name = row.name.replace('-', " ");
     let first = [frame(1.0), Event::Ask(1.0), go(3, 1.125), Event::Ask(1.125)];
     let second = [go(1, 1.0), frame(1.125), Event::Ask(1.125), Event::Ask(1.3125), go(3, 1.375), Event::Ask(1.375)];
     let either = any(vec![moving(1.0), still()]);
     Ok([
-        case("first", &[rule], &first, vec![no_result(), still(), no_result(), moving(3.0)])
+        case("first", &[rule, "NCP-RES-006"], &first, vec![no_result(), still(), no_result(), moving(3.0)])
             .title(format!("A frame that is rejected ({name}) moves nothing, and the next one does."))
             .because(
                 "To reject a frame is to refuse it as a whole without acting on any part of it, so that there is no \
@@ -119,7 +121,7 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
             ),
         case(
             "second",
-            &["NCP-RES-009", "NCP-RES-002"],
+            &[rule, "NCP-RES-009"],
             &second,
             vec![no_result(), no_result(), either, still(), no_result(), moving(3.0)],
         )
@@ -134,7 +136,7 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
 fn channels(row: &Row) -> Result<Case, ScenarioError> {
     let written = row.cell("channels")?;
     let frame = active(1).frame().with("channels", Json::read(written));
-    let (args, _) =
+    let (args, ..) =
         buffer(&[Event::Text { text: Json::string(frame.text()), now: 1.0, stops: false }, Event::Ask(1.125)], false);
     // In a call the negative zero is a word.
     let channels = Json::read(&written.replace("-0.0", "\"-0\""));

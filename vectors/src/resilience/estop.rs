@@ -39,7 +39,7 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioErro
         )
     } else {
         (
-            ["NCP-RES-022", "NCP-RES-026"],
+            ["NCP-RES-035", "NCP-RES-026"],
             "latch-by-likeness",
             "latches nothing",
             "It is no command frame in mode `estop`, so that nothing latches and the next active command moves the \

@@ -163,7 +163,25 @@ fn case(
     };
     let mut patterns = vec![reports(false), reports(true)];
     patterns.dedup();
-    Case::new(path, rules, &BOTH).call("link.run", args(given.0, given.1, seqs)).shows(any(patterns))
+    let case = Case::new(path, rules, &BOTH).call("link.run", args(given.0, given.1, seqs)).shows(any(patterns));
+    of_members(case)
+}
+
+/// Lets each member of a report be judged by the rule about it.
+fn of_members(case: Case) -> Case {
+    let own = case.requirements.first().copied().unwrap_or_default();
+    let case = case.by("/steps/*/last_seq", "NCP-RES-054");
+    match own {
+        // What is lost and what is received is one count.
+        "NCP-RES-040" | "NCP-RES-041" | "NCP-RES-042" | "NCP-RES-043" | "NCP-RES-050" => {
+            case.by("/steps/*/burst", "NCP-RES-046").by("/steps/*/loss_rate", "NCP-RES-044")
+        }
+        "NCP-RES-044" | "NCP-RES-045" => case
+            .by("/steps/*/burst", "NCP-RES-046")
+            .by("/steps/*/received", "NCP-RES-041")
+            .by("/steps/*/lost", "NCP-RES-040"),
+        _ => case.by("/steps/*/received", "NCP-RES-041").by("/steps/*/lost", "NCP-RES-040"),
+    }
 }
 
 fn usual(path: &str, rules: &[&'static str], seqs: &[i64]) -> Case {

@@ -52,13 +52,14 @@ fn of_watchdog() -> File {
             now += 0.125;
         }
         events.push(Event::Ask(now));
-        let (args, pattern) = watchdog(&events);
+        let (args, pattern, decided) = watchdog(&events);
         let rules =
             rules(&letters, &[('b', "NCP-RES-008"), ('d', "NCP-RES-009"), ('r', "NCP-RES-011"), ('w', "NCP-RES-002")]);
         cases.push(
             Case::new(letters.clone(), &rules, &[Role::Body])
                 .call("watchdog.run", args)
                 .shows(pattern)
+                .decided_throughout_by(&decided)
                 .title(format!(
                     "The plant moves only by the liveness rule over the events {letters} (command, \
                                 duplicate, wait, back, reset)."
@@ -105,7 +106,7 @@ fn of_buffer() -> File {
             now += 0.125;
         }
         events.push(Event::Ask(now));
-        let (args, pattern) = buffer(&events, false);
+        let (args, pattern, decided) = buffer(&events, false);
         let rules = rules(
             &letters,
             &[
@@ -120,6 +121,7 @@ fn of_buffer() -> File {
             Case::new(letters.clone(), &rules, &[Role::Body])
                 .call("buffer.run", args)
                 .shows(pattern)
+                .decided_throughout_by(&decided)
                 .title(format!(
                     "The buffer acts only on the newest active command over the events {letters} \
                                 (active, hold, ESTOP, older active, reset)."

@@ -22,14 +22,14 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
 
 /// What becomes of an action buffer that sees these events.
 fn buffer_case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Case {
-    let (args, pattern) = buffer(events, false);
-    Case::new(path, rules, &[Role::Body]).call("buffer.run", args).shows(pattern)
+    let (args, pattern, decided) = buffer(events, false);
+    Case::new(path, rules, &[Role::Body]).call("buffer.run", args).shows(pattern).decided_by(&decided)
 }
 
 /// The same of a row.
 fn buffer_row(row: &Row) -> Result<Case, ScenarioError> {
-    let (args, pattern) = buffer(&events(row)?, false);
-    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(pattern))
+    let (args, pattern, decided) = buffer(&events(row)?, false);
+    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(pattern).decided_by(&decided))
 }
 
 /// A command that moves the plant.

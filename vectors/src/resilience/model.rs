@@ -94,6 +94,16 @@ pub(super) struct Plant {
     latched: bool,
     /// The last reading of the clock.
     clock: Option<f64>,
+    /// The rule by which it holds while it has no command to act upon.
+    rests: Option<&'static str>,
+    /// The rule by which ESTOP is latched.
+    stopped: &'static str,
+    /// The rule of what has happened since the plant was last asked: a command that is dropped, a reset.
+    happened: Option<&'static str>,
+    /// The rule by which a command that came since the last one that advanced does not refresh the deadline.
+    refreshes_not: Option<&'static str>,
+    /// The rule that decided the last answer.
+    said: &'static str,
 }
 
 impl Plant {
@@ -112,21 +122,32 @@ impl Plant {
         let seq = command.seq.unwrap_or(0);
         let advances = self.last_seq.is_none_or(|last| seq > last);
         match command.mode.as_deref() {
-            Some("estop") => self.latched = true,
+            Some("estop") => self.stop("NCP-RES-021"),
             // What a strict plant rejects or drops leaves nothing behind.
             _ if self.strict && (command.version.as_deref() != Some(WIRE_VERSION) || seq < 1 || !advances) => {}
             Some("active") => {
                 if advances {
                     self.last_seq = Some(seq);
                     self.held = Some((command.clone(), now, false));
+                    self.happened = self.happened.filter(|rule| *rule == RESET);
+                    self.refreshes_not = None;
+                } else {
+                    self.happened = self.happened.or(Some(DROPPED));
+                    self.refreshes_not = Some("NCP-RES-009");
                 }
             }
             _ => {
+                let moved = self.held.is_some();
                 // A HOLD that is older need not be dropped.
                 if advances || seq == 0 || self.last_seq == Some(seq) {
                     self.held = None;
-                } else if let Some((_, _, may_hold)) = &mut self.held {
-                    *may_hold = true;
+                    self.rests = Some(if moved { "NCP-RES-023" } else { "NCP-SAFE-001" });
+                    self.happened = None;
+                } else {
+                    self.refreshes_not = Some("NCP-RES-024");
+                    if let Some((_, _, may_hold)) = &mut self.held {
+                        *may_hold = true;
+                    }
                 }
                 if advances && seq != 0 {
                     self.last_seq = Some(seq);
@@ -137,31 +158,54 @@ impl Plant {
 
     /// Another command frame by the watchdog's call, which has no mode.
     pub(super) fn reset(&mut self) {
-        *self = Self { strict: self.strict, clock: self.clock, ..Self::default() };
+        let clears = self.latched || self.last_seq.is_some();
+        *self = Self {
+            strict: self.strict,
+            clock: self.clock,
+            rests: Some("NCP-RES-031"),
+            happened: clears.then_some(RESET),
+            ..Self::default()
+        };
+    }
+
+    /// Latches ESTOP by a rule.
+    pub(super) fn stop(&mut self, rule: &'static str) {
+        if !self.latched {
+            (self.latched, self.stopped) = (true, rule);
+        }
     }
 
     /// Whether and on what the plant acts at `now`.
     pub(super) fn ask(&mut self, now: f64) -> Answer {
         self.read(now);
+        let happened = self.happened.take();
         let Some((command, received, may_hold)) = self.held.clone() else {
+            // What was dropped revives nothing.
+            let dropped = happened.filter(|rule| *rule == DROPPED);
+            let latched = self.latched.then_some(self.stopped);
+            self.said = latched.or(dropped).or(self.rests).unwrap_or("NCP-RES-006");
+            self.stopped = "NCP-RES-025";
             return Answer::Hold;
         };
-        let ttl = command.ttl.min(60_000.0);
-        let clocks = now.is_finite() && received.is_finite() && received <= now;
-        let alive = command.ttl.is_finite() && ttl > 0.0 && clocks && (now - received) * 1000.0 <= ttl;
-        if !alive {
+        if let Some(late) = over(&command, received, now) {
             self.held = None;
+            self.said = self.refreshes_not.filter(|_| late == "NCP-RES-002").unwrap_or(late);
+            self.rests = Some("NCP-RES-010");
             return Answer::Hold;
         }
         if self.latched {
+            self.said = std::mem::replace(&mut self.stopped, "NCP-RES-025");
             return Answer::Hold;
         }
+        let exact = (now - received) * 1000.0 == command.ttl.min(60_000.0);
+        self.said = happened.unwrap_or(if exact { "NCP-RES-003" } else { "NCP-RES-026" });
         let usable = command.dt.filter(|dt| dt.is_finite() && *dt > 0.0);
         // A horizon whose ticks have no length is held for, or tick 0 followed.
         let may_hold = may_hold || usable.is_none() && !command.horizon.is_empty();
         let value = match usable.filter(|_| !command.horizon.is_empty()) {
             None => Some(command.channels),
             Some(dt) => {
+                self.said = "NCP-RES-028";
                 let tick = ((now - received) * 1000.0 / dt).floor();
                 if tick < 1.0 {
                     Some(command.channels)
@@ -179,6 +223,8 @@ impl Plant {
             None => {
                 // The hold past the end of a horizon persists like every other.
                 self.held = None;
+                self.said = "NCP-RES-029";
+                self.rests = Some("NCP-RES-010");
                 Answer::Hold
             }
             Some(value) if may_hold => Answer::Either(value),
@@ -187,11 +233,35 @@ impl Plant {
     }
 }
 
+/// The rule by which a command's time is over, if it is.
+fn over(command: &Command, received: f64, now: f64) -> Option<&'static str> {
+    let ttl = command.ttl.min(60_000.0);
+    if !(command.ttl.is_finite() && ttl > 0.0) {
+        Some("NCP-RES-005")
+    } else if !(now.is_finite() && received.is_finite()) {
+        Some("NCP-RES-007")
+    } else if received > now {
+        Some("NCP-RES-008")
+    } else {
+        let rule = if command.ttl > ttl { "NCP-RES-004" } else { "NCP-RES-002" };
+        ((now - received) * 1000.0 > ttl).then_some(rule)
+    }
+}
+
+/// The rule by which a command that does not advance is dropped.
+const DROPPED: &str = "NCP-RES-020";
+/// The rule by which a command moves the plant that would not have advanced before a reset.
+const RESET: &str = "NCP-RES-030";
+
+/// A trace: its arguments, its pattern, and the rule of each answer.
+pub(crate) type Run = (Json, Json, Vec<Option<&'static str>>);
+
 /// The arguments and the pattern of `buffer.run`, of a plant that is strict or not.
-pub(crate) fn buffer(events: &[Event], strict: bool) -> (Json, Json) {
+pub(crate) fn buffer(events: &[Event], strict: bool) -> Run {
     let mut plant = Plant { strict, ..Plant::default() };
-    let (mut args, mut results) = (Vec::new(), Vec::new());
+    let (mut args, mut results, mut rules) = (Vec::new(), Vec::new(), Vec::new());
     for event in events {
+        plant.said = "";
         match event {
             Event::Command(command, now) => {
                 plant.command(command, *now);
@@ -200,7 +270,9 @@ pub(crate) fn buffer(events: &[Event], strict: bool) -> (Json, Json) {
             }
             Event::Text { text, now, stops } => {
                 plant.read(*now);
-                plant.latched |= stops;
+                if *stops {
+                    plant.stop("NCP-RES-022");
+                }
                 args.push(object! { "op" => "command", "text" => text.clone(), "now_s" => num(*now) });
                 results.push(no_result());
             }
@@ -219,15 +291,17 @@ pub(crate) fn buffer(events: &[Event], strict: bool) -> (Json, Json) {
                 results.push(no_result());
             }
         }
+        rules.push(Some(plant.said).filter(|rule| !rule.is_empty()));
     }
-    (object! { "steps" => Json::Array(args) }, steps(results))
+    (object! { "steps" => Json::Array(args) }, steps(results), rules)
 }
 
 /// The arguments and the pattern of `watchdog.run`, in which a command has neither mode nor channels.
-pub(super) fn watchdog(events: &[Event]) -> (Json, Json) {
+pub(super) fn watchdog(events: &[Event]) -> Run {
     let mut plant = Plant::default();
-    let (mut args, mut results) = (Vec::new(), Vec::new());
+    let (mut args, mut results, mut rules) = (Vec::new(), Vec::new(), Vec::new());
     for event in events {
+        plant.said = "";
         match event {
             Event::Command(command, now) => {
                 plant.command(command, *now);
@@ -250,6 +324,18 @@ pub(super) fn watchdog(events: &[Event]) -> (Json, Json) {
                 results.push(no_result());
             }
         }
+        rules.push(Some(of_watchdog(plant.said)).filter(|rule| !rule.is_empty()));
     }
-    (object! { "steps" => Json::Array(args) }, steps(results))
+    (object! { "steps" => Json::Array(args) }, steps(results), rules)
+}
+
+/// What a rule of the buffer is to a watchdog, which knows no channels.
+fn of_watchdog(rule: &'static str) -> &'static str {
+    match rule {
+        "NCP-RES-020" => "NCP-RES-009",
+        "NCP-RES-026" => "NCP-RES-013",
+        "NCP-RES-030" => "NCP-RES-012",
+        "NCP-RES-031" => "NCP-RES-011",
+        rule => rule,
+    }
 }

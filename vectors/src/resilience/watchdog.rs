@@ -21,13 +21,13 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 }
 
 fn row_case(row: &Row) -> Result<Case, ScenarioError> {
-    let (args, pattern) = watchdog(&events(row)?);
-    Ok(row.case(&[Role::Body]).call("watchdog.run", args).shows(pattern))
+    let (args, pattern, decided) = watchdog(&events(row)?);
+    Ok(row.case(&[Role::Body]).call("watchdog.run", args).shows(pattern).decided_by(&decided))
 }
 
 fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
-    let (args, pattern) = watchdog(events);
-    Case::new(path, rules, &[Role::Body]).call("watchdog.run", args).shows(pattern)
+    let (args, pattern, decided) = watchdog(events);
+    Case::new(path, rules, &[Role::Body]).call("watchdog.run", args).shows(pattern).decided_by(&decided)
 }
 
 fn command(seq: i64, ttl: f64, now: f64) -> Event {
@@ -51,8 +51,8 @@ fn boundaries() -> Vec<Case> {
     ] {
         for start in [0.0, 2.0, 1024.0] {
             for (name, age, rule, is) in [
-                ("at-once", 0.0, "NCP-RES-003", "moves"),
-                ("half", exact / 2.0, "NCP-RES-003", "moves"),
+                ("at-once", 0.0, "NCP-RES-013", "moves"),
+                ("half", exact / 2.0, "NCP-RES-013", "moves"),
                 ("exact", exact, "NCP-RES-003", "moves"),
                 ("just-past", exact * (1.0 + 1.0 / 1024.0), "NCP-RES-002", "holds"),
                 ("double", exact * 2.0, "NCP-RES-002", "holds"),

@@ -47,6 +47,7 @@ fn sequences() -> Vec<Case> {
                 let words = sequence.map(|(_, words)| words);
                 cases.push(
                     case(format!("sequence/{}", names.join("-")), &rules(&names), &trace)
+                        .decided_throughout_by(&trace.rules())
                         .title(format!(
                             "After {}, then {}, then {}, the governor is latched or not as the text says.",
                             words[0], words[1], words[2]

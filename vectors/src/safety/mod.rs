@@ -33,6 +33,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
 /// A case of `governor.run` whose answers are the model's.
 fn case(path: impl Into<String>, rules: &[&'static str], trace: &Trace) -> Case {
     let case = Case::new(path, rules, &[Role::Commander]).call("governor.run", trace.args());
+    let case = case.decided_by(&trace.rules());
     if trace.has_writable_limits() { case.shows(trace.pattern()) } else { case.shows_or_refuses(trace.pattern()) }
 }
 

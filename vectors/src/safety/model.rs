@@ -283,6 +283,13 @@ impl Trace {
         Governor::new(self.limits, self.capabilities.as_ref(), reading)
     }
 
+    /// The rule that decides each answer.
+    pub(super) fn rules(&self) -> Vec<Option<&'static str>> {
+        let mut governor = self.governor(Reading::PositionFirst);
+        let rule = |step| governor.step(step).map(|_| governor.said);
+        self.steps.iter().map(rule).collect()
+    }
+
     /// The pattern of the result.
     pub(super) fn pattern(&self) -> Json {
         let mut patterns = Vec::new();
@@ -387,8 +394,15 @@ struct Governor<'a> {
     reading: Reading,
     limits: Limits,
     capabilities: Option<&'a Capabilities>,
-    fault: bool,
-    latched: bool,
+    /// The rule by which it is in config fail-closed.
+    fault: Option<&'static str>,
+    /// The rule by which ESTOP is latched.
+    latched: Option<&'static str>,
+    /// The rule of what has happened since the last command, if a command can tell.
+    happened: Option<&'static str>,
+    /// The rule that decided the last answer, and whether that was a HOLD.
+    said: &'static str,
+    held: bool,
 }
 
 impl<'a> Governor<'a> {
@@ -401,51 +415,102 @@ impl<'a> Governor<'a> {
             enabled(limits.fence).is_some() && !declared(&capabilities.sensors, POSITION, M)
                 || enabled(limits.speed).is_some() && !declared(&capabilities.commands, VELOCITY, MPS)
         });
-        let fault = broken(limits.speed) || broken(limits.fence) || unbound;
-        Self { reading, limits, capabilities, fault, latched: false }
+        let named = |specs: &[Spec], name: &str| specs.iter().any(|spec| spec.name == name);
+        let unnamed = capabilities.is_some_and(|capabilities| {
+            enabled(limits.fence).is_some() && !named(&capabilities.sensors, POSITION)
+                || enabled(limits.speed).is_some() && !named(&capabilities.commands, VELOCITY)
+        });
+        let fault = if broken(limits.speed) || broken(limits.fence) {
+            Some("NCP-SAFE-013")
+        } else {
+            unbound.then_some(if unnamed { "NCP-SAFE-014" } else { "NCP-SAFE-015" })
+        };
+        Self { reading, limits, capabilities, fault, latched: None, happened: None, said: "", held: false }
     }
 
     fn step(&mut self, step: &Step) -> Option<Vec<Outcome>> {
         match step {
-            Step::Link(burst) => {
-                self.latched |= burst;
+            Step::Link(true) => {
+                self.latch("NCP-SAFE-006");
+                None
+            }
+            Step::Link(false) => {
+                // Of a latch that no command has shown yet, the rule is what latched.
+                if self.latched.is_none_or(|rule| rule == LATCHED) {
+                    self.happened = Some("NCP-SAFE-007");
+                }
                 None
             }
             Step::Reset => {
-                self.latched = false;
+                let cleared = self.latched.take().map(|_| "NCP-SAFE-008");
+                let stays = self.fault.map(|_| "NCP-SAFE-009");
+                self.happened = cleared.or(stays).or(self.happened);
                 None
             }
-            Step::Govern { command, now, sensor, last } => Some(self.govern(command, *now, sensor.as_ref(), *last)),
+            Step::Govern { command, now, sensor, last } => {
+                let was_latched = self.latched.is_some();
+                let outcomes = self.govern(command, *now, sensor.as_ref(), *last);
+                let held = std::mem::replace(&mut self.held, outcomes == [Outcome::Hold]);
+                match (self.happened.take(), self.said) {
+                    (Some(happened), PASSES | LATCHED | FAULTY) => self.said = happened,
+                    (None, PASSES) if held => self.said = "NCP-SAFE-022",
+                    _ => {}
+                }
+                if was_latched {
+                    self.latched = Some(LATCHED);
+                }
+                Some(outcomes)
+            }
         }
+    }
+
+    fn latch(&mut self, rule: &'static str) {
+        if self.latched.is_none() {
+            self.latched = Some(rule);
+            self.happened = None;
+        }
+    }
+
+    /// A HOLD by a rule.
+    fn hold(&mut self, rule: &'static str) -> Vec<Outcome> {
+        self.said = rule;
+        vec![Outcome::Hold]
     }
 
     /// The gates of section 7.3, in their order.
     fn govern(&mut self, command: &Command, now: f64, sensor: Option<&Sensor>, last: Option<f64>) -> Vec<Outcome> {
-        self.latched |= command.is("estop");
-        if self.latched {
+        if let Some(latched) = self.latched {
+            self.said = latched;
             return vec![Outcome::Estop];
         }
-        if self.fault {
-            return vec![Outcome::Hold];
+        if command.is("estop") {
+            self.latch("NCP-SAFE-004");
+            self.said = "NCP-SAFE-003";
+            return vec![Outcome::Estop];
         }
-        let timeout = self.limits.timeout;
-        let fresh = last.is_some_and(|last| {
-            let clocks = now.is_finite() && last.is_finite() && last <= now;
-            clocks && timeout.is_finite() && timeout > 0.0 && (now - last) * 1000.0 <= timeout
-        });
-        if !fresh {
-            return vec![Outcome::Hold];
+        if let Some(fault) = self.fault {
+            // That it stays is another rule than that it comes.
+            self.fault = Some(FAULTY);
+            return self.hold(fault);
+        }
+        if let Some(stale) = self.stale(now, last) {
+            return self.hold(stale);
         }
         let mut place = None;
         if let Some(radius) = enabled(self.limits.fence) {
             let found = sensor.and_then(|sensor| sensor.channels.iter().find(|c| c.name == POSITION));
             let usable = found.filter(|c| c.unit.as_deref().is_none_or(|unit| unit == M) && c.data.len() == 3);
             let Some(position) = usable else {
-                return vec![Outcome::Hold];
+                let other_unit = found.is_some_and(|c| c.unit.as_deref().is_some_and(|unit| unit != M));
+                return self.hold(if other_unit { "NCP-SAFE-041" } else { "NCP-SAFE-040" });
             };
             if !inside(&position.data, radius) {
                 let waits = !command.is("active");
-                self.latched = !(waits && self.reading == Reading::ModeOnly);
+                let rule = if norm(&position.data).is_finite() { "NCP-SAFE-043" } else { "NCP-SAFE-044" };
+                self.said = if waits { "NCP-SAFE-020" } else { rule };
+                if !(waits && self.reading == Reading::ModeOnly) {
+                    self.latched = Some(rule);
+                }
                 return vec![if waits && self.reading != Reading::PositionFirst {
                     Outcome::Hold
                 } else {
@@ -455,15 +520,16 @@ impl<'a> Governor<'a> {
             place = Some((position.data.clone(), radius));
         }
         if !command.is("active") {
-            return vec![Outcome::Hold];
+            return self.hold("NCP-SAFE-002");
         }
         let Some(channels) = self.clamped(&command.channels) else {
-            return vec![Outcome::Hold];
+            let finite = command.channels.iter().all(Channel::is_finite);
+            return self.hold(if finite { "NCP-SAFE-063" } else { "NCP-SAFE-064" });
         };
         let mut horizon = Vec::new();
         if !command.horizon.is_empty() {
             if !command.dt.is_some_and(|dt| dt.is_finite() && dt > 0.0) {
-                return vec![Outcome::Hold];
+                return self.hold("NCP-SAFE-068");
             }
             for step in &command.horizon {
                 let Some(step) = self.clamped(step) else {
@@ -477,8 +543,17 @@ impl<'a> Governor<'a> {
         };
         // A velocity or a position that is not 3 wide may be held for, though no limit needs it.
         let odd = wide(&channels, VELOCITY) || sensor.is_some_and(|sensor| wide(&sensor.channels, POSITION));
+        let clamps = channels.iter().zip(&command.channels).any(|(after, before)| after.data != before.data);
+        self.said = if clamps { "NCP-SAFE-060" } else { PASSES };
         let mut outcomes = match place {
-            Some((place, radius)) => self.project(command, &channels, &horizon, &place, radius),
+            Some((place, radius)) => {
+                let outcomes = self.project(command, &channels, &horizon, &place, radius);
+                if outcomes == [Outcome::Hold] {
+                    let usable = self.velocity(&channels).is_some();
+                    self.said = if usable { "NCP-SAFE-051" } else { "NCP-SAFE-052" };
+                }
+                outcomes
+            }
             None => vec![Outcome::Pass { channels, horizon }],
         };
         // So may a component of a step that is not finite, though it is enough to truncate before that step.
@@ -487,6 +562,23 @@ impl<'a> Governor<'a> {
             outcomes.push(Outcome::Hold);
         }
         outcomes
+    }
+
+    /// The rule by which the sensor is stale, if it is.
+    fn stale(&self, now: f64, last: Option<f64>) -> Option<&'static str> {
+        let timeout = self.limits.timeout;
+        let Some(last) = last else {
+            return Some("NCP-SAFE-030");
+        };
+        if !(now.is_finite() && last.is_finite()) {
+            Some("NCP-SAFE-031")
+        } else if !(timeout.is_finite() && timeout > 0.0) {
+            Some("NCP-SAFE-032")
+        } else if now < last {
+            Some("NCP-SAFE-035")
+        } else {
+            ((now - last) * 1000.0 > timeout).then_some("NCP-SAFE-033")
+        }
     }
 
     /// The unit in which a channel is read: its own, or else the negotiated one.
@@ -584,6 +676,13 @@ impl<'a> Governor<'a> {
         outcomes
     }
 }
+
+/// The rule by which a command passes.
+const PASSES: &str = "NCP-SAFE-021";
+/// The rule by which a latch goes on.
+const LATCHED: &str = "NCP-SAFE-005";
+/// The rule by which a config fail-closed goes on.
+const FAULTY: &str = "NCP-SAFE-018";
 
 fn enabled(limit: Option<f64>) -> Option<f64> {
     limit.filter(|limit| limit.is_finite() && *limit > 0.0)

@@ -22,8 +22,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 }
 
 fn case(row: &Row, events: &[Event]) -> Case {
-    let (args, pattern) = buffer(events, true);
-    row.case(&[Role::Body]).call("buffer.run", args).strictly().shows(pattern)
+    let (args, pattern, decided) = buffer(events, true);
+    row.case(&[Role::Body]).call("buffer.run", args).strictly().shows(pattern).decided_by(&decided)
 }
 
 /// An ESTOP in a frame that no receiver reads, between commands that move.

@@ -100,6 +100,7 @@ impl Encoder {
         }
         cases.push(
             self.says("plain", &["NCP-WIRE-092", WRITE], &explicit_fields)
+                .by("within", WRITE)
                 .title(format!("{} of plain ASCII is written without a byte order mark before it.", a(self.kind)))
                 .flags(&["byte-order-mark"])
                 .because("An encoder writes UTF-8 without a byte order mark; with one, no receiver reads the frame."),
@@ -424,7 +425,8 @@ impl Encoder {
     }
 
     fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
-        self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text())
+        let case = self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text());
+        if rules.contains(&"NCP-WIRE-083") { case } else { case.by("order", "NCP-WIRE-080") }
     }
 
     /// Judged by what it says, however it is spelled.

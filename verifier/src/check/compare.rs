@@ -1,6 +1,6 @@
 //! Two JSON values side by side, under one of three relations.
 
-use super::{Difference, Differences, short};
+use super::{Difference, Differences, Manner, short};
 use crate::json::{Json, Members, Number, is_integer, pointer_token};
 
 /// When two values are the same.
@@ -47,6 +47,9 @@ impl Found<'_> {
 
     /// Puts it into words.
     pub(super) fn note(&self, differences: &mut Differences) {
+        if differences.is_empty() && matches!(self.what, What::Order { .. }) {
+            differences.manner = Manner::Order;
+        }
         let items = |count: usize| Some(format!("{count} items"));
         let (expected, got, hint) = match &self.what {
             What::Values { expected, got, hint } => (Some(short(expected)), Some(short(got)), hint.map(str::to_owned)),

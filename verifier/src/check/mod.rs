@@ -58,6 +58,8 @@ pub enum Manner {
     Value,
     /// An error where a result is asked for.
     Refusal,
+    /// The same members in another order.
+    Order,
     /// The error `internal`, which says that the peer crashed.
     Crash,
 }

@@ -69,8 +69,8 @@ pub struct Case {
     pub expect: Expect,
     /// What of it other rules decide than the one that the case is about.
     pub by: By,
-    /// The id of a case on which this one rests: when that one does not pass, this one shows nothing of its own rule.
-    pub rests_on: Option<String>,
+    /// The ids of cases on which this one rests: when one does not pass, this one shows nothing of its own rule.
+    pub rests_on: Vec<String>,
     /// From which sentence of the text the expectation follows.
     pub why: String,
     /// The vector file that holds it.
@@ -82,21 +82,29 @@ pub struct Case {
 /// By which rules an answer is judged, where another decides than the one that the case is about.
 #[derive(Debug, Default)]
 pub struct By {
-    /// By JSON pointers into the answer: each rule decides what is there and below.
+    /// By JSON pointers into the answer: each rule decides what is there and below. A `*` stands for any one token.
     pub places: Vec<(String, Arc<Requirement>)>,
     /// The rule against a crash where an answer is asked for.
     pub crash: Option<Arc<Requirement>>,
     /// The rule against a refusal where a result is asked for.
     pub refusal: Option<Arc<Requirement>>,
+    /// The rule of the order of members.
+    pub order: Option<Arc<Requirement>>,
+    /// The rule of every other place within the answer, which is not wrong as a whole.
+    pub within: Option<Arc<Requirement>>,
 }
 
 impl By {
     /// The rule that decides a place; none: the one that the case is about.
     #[must_use]
     pub fn at(&self, place: &str) -> Option<&Arc<Requirement>> {
-        let holds = |at: &str| place.strip_prefix(at).is_some_and(|below| below.is_empty() || below.starts_with('/'));
+        let holds = |at: &str| {
+            let mut tokens = place.split('/');
+            at.split('/').all(|wanted| tokens.next().is_some_and(|token| wanted == "*" || wanted == token))
+        };
         let holding = self.places.iter().filter(|(at, _)| holds(at));
-        holding.max_by_key(|(at, _)| at.len()).map(|(_, rule)| rule)
+        let deepest = holding.max_by_key(|(at, _)| at.split('/').count()).map(|(_, rule)| rule);
+        deepest.or_else(|| self.within.as_ref().filter(|_| !place.is_empty()))
     }
 }
 
@@ -239,7 +247,7 @@ pub(super) struct Parts {
     pub(super) args: Template,
     pub(super) expect: Expect,
     pub(super) by: By,
-    pub(super) rests_on: Option<String>,
+    pub(super) rests_on: Vec<String>,
     pub(super) why: String,
     pub(super) file: Arc<str>,
 }

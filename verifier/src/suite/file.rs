@@ -77,7 +77,8 @@ struct RawCase<'a> {
     expect: RawExpect<'a>,
     #[serde(default)]
     by: BTreeMap<String, String>,
-    rests_on: Option<String>,
+    #[serde(default)]
+    rests_on: Vec<String>,
     why: String,
 }
 
@@ -166,8 +167,10 @@ impl Context<'_> {
             match place.as_str() {
                 "crash" => by.crash = Some(rule),
                 "refusal" => by.refusal = Some(rule),
+                "order" => by.order = Some(rule),
+                "within" => by.within = Some(rule),
                 place if place.starts_with('/') => by.places.push((place.to_owned(), rule)),
-                place => return Err(format!("its `by` names {place}: not a JSON pointer, `crash` or `refusal`")),
+                place => return Err(format!("its `by` names {place}: not a JSON pointer, nor one of crash, refusal, order, within")),
             }
         }
         Ok(Parts {

@@ -220,20 +220,22 @@ impl Suite {
     }
 }
 
-/// Sees to it that a case rests on cases of the suite, and in the end on one that rests on none.
+/// Sees to it that a case rests on cases of the suite, and in the end on those that rest on none.
 fn foundations(cases: &[Case]) -> Result<(), SuiteError> {
-    let below: HashMap<&str, Option<&str>> =
-        cases.iter().map(|case| (case.id.as_str(), case.rests_on.as_deref())).collect();
+    let known: HashMap<&str, &Case> = cases.iter().map(|case| (case.id.as_str(), case)).collect();
     for case in cases {
         let fault = |message: String| SuiteError::Case { file: case.file.to_string(), id: case.id.clone(), message };
-        let mut rests_on = case.rests_on.as_deref();
-        for _ in 0..=DEEPEST {
-            let Some(id) = rests_on else { break };
-            let known =
-                below.get(id).ok_or_else(|| fault(format!("it rests on {id}, which the suite does not have")))?;
-            rests_on = *known;
+        let mut floor: Vec<&str> = case.rests_on.iter().map(String::as_str).collect();
+        for _ in 0..DEEPEST {
+            let mut below = Vec::new();
+            for id in floor {
+                let found = known.get(id);
+                let found = found.ok_or_else(|| fault(format!("it rests on {id}, which the suite does not have")))?;
+                below.extend(found.rests_on.iter().map(String::as_str));
+            }
+            floor = below;
         }
-        if rests_on.is_some() {
+        if !floor.is_empty() {
             return Err(fault("it rests on more cases, one on the other, than any case does".to_owned()));
         }
     }
@@ -241,7 +243,7 @@ fn foundations(cases: &[Case]) -> Result<(), SuiteError> {
 }
 
 /// On how many cases, one on the other, a case may rest.
-const DEEPEST: usize = 8;
+const DEEPEST: usize = 4;
 
 /// The case of `describe`.
 fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Result<Case, SuiteError> {
@@ -264,7 +266,7 @@ fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Resul
         args: template("{}")?,
         expect: Expect::Json(template(&expected)?),
         by: By::default(),
-        rests_on: None,
+        rests_on: Vec::new(),
         why: "Both values stand in chapter 2 of the text; the roles are those of PROTOCOL.md.".to_owned(),
         file: BUILT_IN.into(),
     }))
@@ -306,7 +308,7 @@ pub(crate) mod testing {
             call: Call::Decode,
             args: Template::new(r#"{"kind":"command_frame","text":"{}"}"#).unwrap(),
             by: By::default(),
-            rests_on: None,
+            rests_on: Vec::new(),
             expect: Expect::Accept,
             why: "Why.".to_owned(),
             file: "test.json".into(),
@@ -378,7 +380,7 @@ mod tests {
 
     #[test]
     fn a_case_rests_on_a_case_of_the_suite_and_never_on_itself() {
-        let resting = |on: &str| file("a", &["wire/a/x"]).replace(r#""why":"#, &format!(r#""rests_on":"{on}","why":"#));
+        let resting = |on: &str| file("a", &["wire/a/x"]).replace(r#""why":"#, &format!(r#""rests_on":["{on}"],"why":"#));
         for (on, message) in [
             ("wire/a/y", "it rests on wire/a/y, which the suite does not have"),
             ("wire/a/x", "it rests on more cases, one on the other, than any case does"),

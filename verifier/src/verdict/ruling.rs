@@ -65,6 +65,7 @@ impl Ruling {
             Outcome::Fail(differences) => match differences.manner {
                 Manner::Crash => case.by.crash.as_ref(),
                 Manner::Refusal => case.by.refusal.as_ref(),
+                Manner::Order => case.by.order.as_ref(),
                 Manner::Value => None,
             }
             .or_else(|| case.by.at(&differences.place)),
@@ -87,24 +88,28 @@ impl Ruling {
 pub(super) fn rulings(runs: &[(&Case, CaseRun)]) -> Vec<Ruling> {
     let alone: Vec<Ruling> = runs.iter().map(|(case, run)| Ruling::of(case, &run.outcome)).collect();
     let places: HashMap<&str, usize> = runs.iter().enumerate().map(|(i, (case, _))| (case.id.as_str(), i)).collect();
-    // The suite has no circles: a case rests on cases that rest on fewer.
-    let below = |place: usize| {
-        let rests_on = runs.get(place)?.0.rests_on.as_deref()?;
-        let place = *places.get(rests_on)?;
-        alone.get(place)?.charged().map(|_| place)
-    };
-    let settle = |(place, ruling): (usize, &Ruling)| match ruling.charged() {
-        None => ruling.clone(),
-        Some(_) => {
-            let foundation = std::iter::successors(below(place), |place| below(*place)).last();
-            let charged = foundation.and_then(|place| alone.get(place)).and_then(Ruling::charged);
-            match (charged, runs.get(place)) {
-                (Some(rule), Some((case, _))) => Ruling::charging(case, Some(rule)),
-                _ => ruling.clone(),
-            }
+    let settle = |(place, ruling): (usize, &Ruling)| {
+        let foundation = ruling.charged().and_then(|_| foundation(place, runs, &alone, &places));
+        match (foundation, runs.get(place)) {
+            (Some(rule), Some((case, _))) => Ruling::charging(case, Some(rule)),
+            _ => ruling.clone(),
         }
     };
     alone.iter().enumerate().map(settle).collect()
+}
+
+/// The rule of the lowest case that is broken, of those on which a case rests. The suite has no circles.
+fn foundation<'a>(
+    place: usize,
+    runs: &[(&Case, CaseRun)],
+    alone: &'a [Ruling],
+    places: &HashMap<&str, usize>,
+) -> Option<&'a Arc<Requirement>> {
+    let rests_on = runs.get(place)?.0.rests_on.iter();
+    rests_on.filter_map(|id| places.get(id.as_str())).find_map(|below| {
+        let broken = alone.get(*below)?.charged()?;
+        foundation(*below, runs, alone, places).or(Some(broken))
+    })
 }
 
 #[cfg(test)]
@@ -166,8 +171,8 @@ mod tests {
     #[test]
     fn a_case_that_fails_waits_for_the_rule_of_the_lowest_case_on_which_it_rests_that_fails_too() {
         let (base, mut middle, mut top) = (case("base", OTHER), case("middle", THIRD), case("top", OWN));
-        middle.rests_on = Some("base".to_owned());
-        top.rests_on = Some("middle".to_owned());
+        middle.rests_on = vec!["base".to_owned()];
+        top.rests_on = vec!["absent".to_owned(), "middle".to_owned()];
         let rulings_of = |outcomes: [Outcome; 3]| {
             let run = |outcome| CaseRun { outcome, answer: None, note: None };
             let runs: Vec<_> = [&top, &middle, &base].into_iter().zip(outcomes.map(run)).collect();
