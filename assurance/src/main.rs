@@ -23,6 +23,7 @@
 
 mod artefact;
 mod console;
+mod dictionary;
 mod document;
 mod fuzz;
 mod lock;
@@ -62,6 +63,8 @@ enum Command {
     Trace(trace::command::TraceArgs),
     /// Measure what the suite detects: run it against the Rust peer with one planted defect after the other
     Mutants(mutants::command::MutantsArgs),
+    /// Make the fault dictionary of the verifier, and measure what its diagnosis is worth
+    Dictionary(dictionary::DictionaryArgs),
     /// Change the kernel or the specification, and ask who notices
     #[command(subcommand)]
     Mutate(mutate::Mutate),
@@ -93,6 +96,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Refresh(args) => Ok(status::refresh(&project, args)?),
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
+        Command::Dictionary(args) => dictionary::dictionary(&project, args),
         Command::Mutate(command) => mutate::run(&project, command),
         Command::Prove(args) => {
             let before = proofs::Before::of(&project)?;
@@ -119,6 +123,8 @@ enum Error {
     Hunt(#[from] mutants::MutantsError),
     #[error("the suite: {0}")]
     Suite(#[from] ncp_verifier::suite::SuiteError),
+    #[error(transparent)]
+    Dictionary(#[from] ncp_verifier::dictionary::DictionaryError),
     #[error(transparent)]
     Status(#[from] status::StatusError),
     #[error(transparent)]

@@ -23,6 +23,7 @@
 pub mod check;
 pub mod cli;
 pub mod diagnosis;
+pub mod dictionary;
 pub mod diff;
 pub mod json;
 pub mod peer;
