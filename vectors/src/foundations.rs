@@ -198,3 +198,29 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
     }
     case
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::BENEATH;
+
+    #[test]
+    fn each_line_fits_a_case_and_rests_on_cases_that_there_are() {
+        let mut ids = Vec::new();
+        for (_, text) in crate::generate().unwrap() {
+            let file: Value = serde_json::from_str(&text).unwrap();
+            ids.extend(file["cases"].as_array().unwrap().iter().map(|case| case["id"].as_str().unwrap().to_owned()));
+        }
+        // What stands in braces is the kind or the key of the case.
+        let plain = |id: &&str| !id.contains('{');
+        for (begins, on) in BENEATH {
+            if plain(begins) {
+                assert!(ids.iter().any(|id| id.starts_with(begins)), "{begins} fits no case");
+            }
+            for id in on.iter().copied().filter(|id| plain(id)) {
+                assert!(ids.iter().any(|other| other == id), "there is no case {id}");
+            }
+        }
+    }
+}
