@@ -1,5 +1,5 @@
 //! Makes the broken kernels: a copy of the kernel's decisions, or of its numbers, for each defect of the table, to be
-//! compiled as it is.
+//! compiled as it is; and the sabotaged engine.
 
 use std::env;
 use std::error::Error;
@@ -8,12 +8,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ncp_defects::copy::{CopyError, planted};
+use ncp_defects::weave::{Site, weave};
 use ncp_defects::{Defect, read};
 
 /// What is copied: one of both.
 const DECISIONS: &str = "spec/kernel/src/decisions";
 const NUMBERS: &str = "spec/kernel/src/scalar.rs";
 const TABLE: &str = "defects/kernel.toml";
+
+/// The engine's own sources, and the defects that are woven into a copy of them.
+const ENGINE: [&str; 2] = ["proofs/src/engines", "proofs/src/provers"];
+const SABOTAGE: &str = "defects/engine.toml";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("..");
@@ -46,7 +51,51 @@ fn main() -> Result<(), Box<dyn Error>> {
          &[\n{missing}];\n"
     );
     fs::write(out.join("broken_missing.rs"), missing)?;
+    if env::var_os("CARGO_FEATURE_SABOTAGE").is_some() {
+        sabotage(&root, &out)?;
+    }
     Ok(())
+}
+
+/// Weaves a switch for every defect of the engine into a copy of its sources.
+fn sabotage(root: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
+    let defects = read(&root.join(SABOTAGE))?;
+    let mut modules = String::new();
+    for folder in ENGINE {
+        println!("cargo::rerun-if-changed={}", root.join(folder).display());
+        for file in files(&root.join(folder))? {
+            let name = file.strip_prefix(root)?.to_string_lossy().replace('\\', "/");
+            let sites = defects.iter().enumerate().flat_map(|(number, defect)| {
+                let edits = defect.edit.iter().filter(|edit| edit.file == name);
+                edits.map(move |edit| Site { number, name: &defect.name, edit })
+            });
+            let text = fs::read_to_string(&file)?.replace("\r\n", "\n");
+            let woven = weave(&text, "crate::sabotage::is", &sites.collect::<Vec<_>>())?;
+            let copy = out.join("sabotaged").join(&name);
+            fs::create_dir_all(copy.parent().ok_or("no folder")?)?;
+            fs::write(copy, woven)?;
+        }
+        let module = folder.rsplit('/').next().unwrap_or(folder);
+        let file = out.join("sabotaged").join(folder).join("mod.rs");
+        writeln!(modules, "#[path = {file:?}]\n#[allow(warnings, reason = \"woven\")]\npub mod {module};")?;
+    }
+    println!("cargo::rerun-if-changed={}", root.join(SABOTAGE).display());
+    fs::write(out.join("sabotaged.rs"), modules)?;
+    Ok(())
+}
+
+/// All files under a folder.
+fn files(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let mut all = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            all.extend(files(&path)?);
+        } else {
+            all.push(path);
+        }
+    }
+    Ok(all)
 }
 
 /// A broken kernel, as a module and as the harnesses of its properties.

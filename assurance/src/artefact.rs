@@ -7,6 +7,7 @@ use std::io;
 use std::path::Path;
 
 use ncp_proofs::digest::{self, ARTEFACTS as PROOFS};
+use xtask::setup;
 
 /// Something that is made from the sources and kept in git.
 #[derive(Debug)]
@@ -32,6 +33,8 @@ pub(crate) enum Freshness {
     Traced,
     /// It takes minutes or hours to make: its lock holds the digests of the sources of which it was made.
     Locked,
+    /// The page of the proofs: it is rendered from their locks once more and compared.
+    Rendered,
 }
 
 impl Artefact {
@@ -40,13 +43,30 @@ impl Artefact {
         ARTEFACTS.iter().find(|artefact| artefact.name == name)
     }
 
-    /// The digest of each source as it is now; a source that is not there has none.
+    /// The digest of each source as it is now; a source that is not there has none. To a proof belongs what decides
+    /// beside its sources: compiler, profiles, packages, and the pins of the solvers.
     ///
     /// # Errors
     /// A file cannot be read.
     pub(crate) fn digests(&self, root: &Path) -> io::Result<BTreeMap<String, String>> {
         let there = self.sources.iter().filter(|source| root.join(source).exists());
-        there.map(|source| Ok(((*source).to_owned(), short(&digest::of_sources(root, &[source])?)))).collect()
+        let digests = there.map(|source| Ok(((*source).to_owned(), short(&digest::of_sources(root, &[source])?))));
+        let mut digests: BTreeMap<String, String> = digests.collect::<io::Result<_>>()?;
+        if let Some(proofs) = PROOFS.iter().find(|proofs| self.name.strip_prefix(OF_PROOFS) == Some(proofs.name)) {
+            let is_digest = |value: &str| value.len() == 64 && !value.contains(' ');
+            let circumstances = proofs.circumstances(root)?.into_iter();
+            digests.extend(circumstances.map(|(name, value)| {
+                let value = if is_digest(&value) { short(&value) } else { value };
+                (name, value)
+            }));
+            let pins: &[&str] = match proofs.name {
+                "kernel" => &setup::SOLVERS,
+                "machine" => &setup::ANGR,
+                _ => &[],
+            };
+            digests.extend((!pins.is_empty()).then(|| ("pins".to_owned(), pins.join(", "))));
+        }
+        Ok(digests)
     }
 }
 
@@ -55,6 +75,8 @@ fn short(digest: &str) -> String {
     digest.get(..16).unwrap_or(digest).to_owned()
 }
 
+/// How the names of the artefacts begin that are results of proofs.
+pub(crate) const OF_PROOFS: &str = "proofs-";
 const GENERATE: &[&str] = &["xtask", "generate"];
 const CORPUS: &str = "vectors/MANIFEST.sha256";
 
@@ -109,31 +131,52 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
     },
     Artefact {
         name: "proofs-kernel",
-        makes: &["reports/proofs.md", "proofs/evidence"],
+        makes: &["proofs/evidence"],
         sources: PROOFS[0].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "symbolic", "--engine", "enumeration", "--engine", "kani-stand-in"],
     },
     Artefact {
         name: "proofs-machine",
-        makes: &["reports/proofs.md"],
+        makes: &[],
         sources: PROOFS[1].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "machine"],
     },
     Artefact {
         name: "proofs-model",
-        makes: &["reports/proofs.md"],
+        makes: &[],
         sources: PROOFS[2].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "model"],
     },
     Artefact {
         name: "proofs-readers",
-        makes: &["reports/proofs.md"],
+        makes: &[],
         sources: PROOFS[3].sources,
         freshness: Freshness::Locked,
         command: &["assure", "prove", "--engine", "readers"],
+    },
+    Artefact {
+        name: "proofs-path",
+        makes: &[],
+        sources: PROOFS[4].sources,
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "path"],
+    },
+    Artefact {
+        name: "proofs-theorem",
+        makes: &[],
+        sources: PROOFS[5].sources,
+        freshness: Freshness::Locked,
+        command: &["assure", "prove", "--engine", "theorem"],
+    },
+    Artefact {
+        name: "proofs-page",
+        makes: &["reports/proofs.md"],
+        sources: &["reports/lock", "spec/text"],
+        freshness: Freshness::Rendered,
+        command: &["assure", "prove", "--page"],
     },
     Artefact {
         name: "mutate-kernel",

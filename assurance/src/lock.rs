@@ -33,6 +33,59 @@ pub(crate) struct Lock {
     /// The rules that a proved claim shows, by the claim's id.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) rules: BTreeMap<String, Vec<String>>,
+    /// The engines of proofs that found it.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) engines: BTreeMap<String, Prover>,
+    /// How far the engines go with a claim, by its id.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) claims: BTreeMap<String, Scope>,
+    /// How much an engine asked of a claim, by engine and id.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) asked: BTreeMap<String, Asked>,
+}
+
+/// An engine of the proofs.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Prover {
+    pub(crate) version: String,
+    /// What it does, in a sentence.
+    pub(crate) about: String,
+    /// The digest of the library whose machine code it explored.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) library_sha256: Option<String>,
+    /// What it does not show.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) not_proved: Vec<String>,
+}
+
+/// How far a claim goes.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Scope {
+    pub(crate) family: String,
+    /// Within what it is claimed.
+    pub(crate) bounds: String,
+    /// What Coq says that it rests on, of a theorem.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub(crate) rests_on: String,
+    /// What is assumed, beside what is trusted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) assumptions: Vec<String>,
+}
+
+/// How much was asked of a claim.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Asked {
+    /// Paths, states, inputs or runs: whatever the engine counts.
+    pub(crate) cases: u64,
+    /// Questions that went to a solver.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) questions: Option<u64>,
+    /// Those of them whose answer is the same with every operation and comparison of doubles uninterpreted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) without_arithmetic: Option<u64>,
 }
 
 /// What every lock has, whatever else it keeps.
@@ -121,6 +174,8 @@ mod tests {
             fates: one("symbolic clamp/bound", "proved"),
             problems: vec!["clamp/tick: no engine proves it".to_owned()],
             rules: BTreeMap::from([("clamp/bound".to_owned(), vec!["NCP-SAFE-001".to_owned()])]),
+            claims: BTreeMap::from([("clamp/bound".to_owned(), Scope { bounds: "3".to_owned(), ..Scope::default() })]),
+            ..Lock::default()
         };
         assert_eq!(Lock::read(root.path(), "proofs").unwrap(), None);
         lock.write(root.path(), "proofs").unwrap();

@@ -10,9 +10,10 @@ use serde::Serialize;
 use thiserror::Error;
 use xtask::project::Project;
 
-use crate::artefact::{ARTEFACTS, Artefact, Freshness};
+use crate::artefact::{ARTEFACTS, Artefact, Freshness, OF_PROOFS};
 use crate::console::Styles;
 use crate::lock::{self, LockError, Standing};
+use crate::proofs::{self, ProofsError};
 use crate::trace::{self, TraceError};
 
 #[derive(Debug, Args)]
@@ -42,6 +43,8 @@ pub(crate) enum StatusError {
     Digest { name: &'static str, source: io::Error },
     #[error(transparent)]
     Lock(#[from] LockError),
+    #[error(transparent)]
+    Proofs(#[from] ProofsError),
     #[error(transparent)]
     Trace(#[from] TraceError),
     #[error("cargo {command}: {why}")]
@@ -128,6 +131,11 @@ impl<'p> Eyes<'p> {
                 self.generated()?.iter().filter(is_own).cloned().collect()
             }
             Freshness::Traced => trace::command::stale(&self.project.path(""))?,
+            Freshness::Rendered => proofs::stale_page(&self.project.path(""))?,
+            Freshness::Locked if name.starts_with(OF_PROOFS) => {
+                // A lock says what somebody wrote there: it is held against what it has to say.
+                [self.changed(artefact)?, proofs::wrong(&self.project.path(""), name)?].concat()
+            }
             Freshness::Locked => self.changed(artefact)?,
         };
         Ok(State { name, makes, sources, command: command.join(" "), fresh: why.is_empty(), why })
@@ -242,11 +250,30 @@ mod tests {
             Lock { sources, ..Lock::default() }.write(root.path(), name).unwrap();
         }
         let project = Project::at(root.path());
-        let why = |name: &str| Eyes::of(&project).state(Artefact::named(name).unwrap()).unwrap().why;
+        let why = |name: &str| Eyes::of(&project).changed(Artefact::named(name).unwrap()).unwrap();
         assert!(why("proofs-kernel").is_empty() && why("proofs-model").is_empty());
         assert_eq!(why("proofs-readers"), ["it was never made"]);
         write("spec/src/wire/messages.rs", "//! Messages, changed.\n");
         assert!(why("proofs-kernel").is_empty());
         assert!(why("proofs-model")[0].starts_with("spec/src/wire has changed"));
+    }
+    #[test]
+    fn a_lock_with_the_right_digests_that_somebody_wrote_by_hand_is_stale() {
+        let root = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(root.path().join("defects")).unwrap();
+        std::fs::write(root.path().join("defects/readers.toml"), "defect = []\n").unwrap();
+        let artefact = Artefact::named("proofs-readers").unwrap();
+        let mut lock = Lock { sources: artefact.digests(root.path()).unwrap(), ..Lock::default() };
+        let project = Project::at(root.path());
+        let why = |lock: &Lock| {
+            lock.write(root.path(), artefact.name).unwrap();
+            Eyes::of(&project).state(artefact).unwrap().why
+        };
+        assert_eq!(why(&lock), Vec::<String>::new());
+        lock.counts.insert("readers-proved".to_owned(), 12);
+        assert_eq!(why(&lock), ["the counts are not those of the entries"]);
+        lock.counts.clear();
+        lock.sources.insert("rustc".to_owned(), "1.0.0 elsewhere".to_owned());
+        assert!(why(&lock)[0].starts_with("rustc has changed (1.0.0 elsewhere, now "));
     }
 }

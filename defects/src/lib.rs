@@ -20,6 +20,10 @@
 //! with = "false"                               # by what
 //! ```
 //!
+//! A defect `of = ["one", "other"]` has the edits of others that stand before it. An edit with `always = true` is a
+//! declaration that changes nothing by itself, such as a further field of a state, and is made also where the defect is
+//! switched off.
+//!
 //! White space and trailing commas do not count where a place is looked for, so that a formatter moves no defect.
 //!
 //! - [`table`]: reads the files.

@@ -126,7 +126,7 @@ mod tests {
 
     fn edit(after: Option<&str>, code: &str, with: &str) -> Edit {
         let (after, code, with) = (after.map(str::to_owned), code.to_owned(), with.to_owned());
-        Edit { file: "a.rs".to_owned(), after, code, with }
+        Edit { file: "a.rs".to_owned(), after, code, with, always: false }
     }
 
     fn planted(source: &str, edits: Vec<Edit>) -> Result<String, PlaceError> {
@@ -138,6 +138,7 @@ mod tests {
             properties: Vec::new(),
             engines: Vec::new(),
             targets: Vec::new(),
+            of: Vec::new(),
             edit: edits,
         };
         plant(source, "a.rs", &defect)

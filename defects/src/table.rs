@@ -30,7 +30,11 @@ pub struct Defect {
     /// The fuzz targets that have to find it.
     #[serde(default)]
     pub targets: Vec<String>,
+    /// The defects of its table whose edits it has, before its own.
+    #[serde(default)]
+    pub of: Vec<String>,
     /// What makes it: mostly one edit.
+    #[serde(default)]
     pub edit: Vec<Edit>,
 }
 
@@ -50,6 +54,9 @@ pub struct Edit {
     pub code: String,
     /// What replaces it.
     pub with: String,
+    /// Whether it is made also where the defect is switched off: a declaration that changes nothing by itself.
+    #[serde(default)]
+    pub always: bool,
 }
 
 /// Why a table cannot be used.
@@ -74,6 +81,14 @@ pub enum TableError {
     /// A name stands twice.
     #[error("two defects are called {0}")]
     Repeated(String),
+    /// A defect of others, of which one does not stand before it.
+    #[error("{defect} is made of {part}, which does not stand before it")]
+    Part {
+        /// The defect's name.
+        defect: String,
+        /// The other's.
+        part: String,
+    },
 }
 
 /// Reads a file, or every file of a folder in the order of their names.
@@ -96,8 +111,29 @@ pub fn read(path: &Path) -> Result<Vec<Defect>, TableError> {
     let mut seen = HashSet::new();
     match defects.iter().find(|defect| !seen.insert(&defect.name)) {
         Some(twice) => Err(TableError::Repeated(twice.name.clone())),
-        None => Ok(defects),
+        None => composed(defects),
     }
+}
+
+/// With the edits of the parts in what is made of them, each once.
+fn composed(defects: Vec<Defect>) -> Result<Vec<Defect>, TableError> {
+    let mut composed: Vec<Defect> = Vec::with_capacity(defects.len());
+    for mut defect in defects {
+        let mut edits: Vec<Edit> = Vec::new();
+        for part in &defect.of {
+            let found = composed.iter().find(|known| known.name == *part);
+            let found = found.ok_or_else(|| TableError::Part { defect: defect.name.clone(), part: part.clone() })?;
+            edits.extend(found.edit.iter().cloned());
+        }
+        edits.append(&mut defect.edit);
+        for edit in edits {
+            if !defect.edit.contains(&edit) {
+                defect.edit.push(edit);
+            }
+        }
+        composed.push(defect);
+    }
+    Ok(composed)
 }
 
 fn files(path: &Path) -> Result<Vec<PathBuf>, TableError> {

@@ -1,7 +1,8 @@
 //! Puts switches into the text of a source file.
 //!
 //! At the place of a defect, the code becomes `(if switch(7) { with } else { code })`. Several defects may share a
-//! place, or stand within each other, so that one build holds all of them, alone and together.
+//! place, or stand within each other, so that one build holds all of them, alone and together. An edit that is always
+//! made, such as a field that only a defect uses, becomes its `with`, once for all that make it.
 
 use std::ops::Range;
 
@@ -73,6 +74,16 @@ fn replace(
             return Err(WeaveError::Overlap { first: site.name.to_owned(), second: second.name.to_owned() });
         }
         woven.push_str(slice(text, at..outer.start));
+        if let Some((_, always)) = chain.iter().find(|(_, site)| site.edit.always) {
+            let other = chain.iter().find(|(_, other)| !other.edit.always || other.edit.with != always.edit.with);
+            if let Some((_, second)) = other.or(inner.first()) {
+                return Err(WeaveError::Overlap { first: always.name.to_owned(), second: second.name.to_owned() });
+            }
+            woven.push_str(&always.edit.with);
+            at = outer.end;
+            places = behind;
+            continue;
+        }
         woven.push('(');
         for (_, Site { number, edit, .. }) in chain {
             woven.push_str(&format!("if {switch}({number}) {{ {} }} else ", edit.with));

@@ -44,3 +44,22 @@ fn every_defect_is_a_sentence_and_changes_something() {
         assert!(!edit.is_empty() && edit.iter().all(|edit| edit.code != edit.with), "{name} changes nothing");
     }
 }
+
+#[test]
+fn a_defect_of_others_has_their_edits_once_and_before_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("table.toml");
+    let defect = |name: &str, of: &str, code: &str| {
+        format!(
+            "[[defect]]\nname = \"{name}\"\nabout = \"\"\nof = [{of}]\n\
+             [[defect.edit]]\nfile = \"f\"\ncode = \"{code}\"\nwith = \"\"\n"
+        )
+    };
+    let (one, two) = (defect("one", "", "a"), defect("two", "", "a"));
+    fs::write(&table, [one, two, defect("both", "\"one\", \"two\"", "b")].concat()).unwrap();
+    let both: Vec<_> = read(&table).unwrap().remove(2).edit.into_iter().map(|edit| edit.code).collect();
+    assert_eq!(both, ["a", "b"]);
+    fs::write(&table, defect("both", "\"none\"", "b")).unwrap();
+    let error = read(&table).unwrap_err();
+    assert_eq!(error.to_string(), "both is made of none, which does not stand before it");
+}

@@ -7,7 +7,7 @@ use ncp_defects::weave::{self, Site, WeaveError};
 
 fn edit(after: Option<&str>, code: &str, with: &str) -> Edit {
     let (after, code, with) = (after.map(str::to_owned), code.to_owned(), with.to_owned());
-    Edit { file: String::new(), after, code, with }
+    Edit { file: String::new(), after, code, with, always: false }
 }
 
 /// Weaves edits of these numbers and names.
@@ -38,6 +38,23 @@ fn defects_of_one_place_and_within_each_other_are_told_apart() {
         woven,
         "(if switch(0) { false } else if switch(2) { true } else { x && (if switch(1) { y <= 1 } else { y < 1 }) })"
     );
+}
+
+#[test]
+fn what_is_always_made_has_no_switch_and_stands_once_for_all_that_make_it() {
+    let field = |number, name, with| {
+        let (number, name, edit) = site(number, name, "stop: bool", with);
+        (number, name, Edit { always: true, ..edit })
+    };
+    let counts = "stop: bool, count: u8";
+    let woven = weave("struct G { stop: bool }", &[field(0, "ninth", counts), field(1, "tenth", counts)]).unwrap();
+    assert_eq!(woven, "struct G { stop: bool, count: u8 }");
+    for other in [field(1, "tenth", "stop: bool, tens: u8"), site(1, "tenth", "stop: bool", counts)] {
+        let error = weave("struct G { stop: bool }", &[field(0, "ninth", counts), other]).unwrap_err();
+        assert!(matches!(error, WeaveError::Overlap { .. }), "{error}");
+    }
+    let within = site(1, "tenth", "bool", "u8");
+    assert!(weave("struct G { stop: bool }", &[field(0, "ninth", counts), within]).is_err());
 }
 
 #[test]

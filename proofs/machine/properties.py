@@ -540,6 +540,10 @@ def _(i, o):
     return o["stopped_after"] == 0, o["has_deadline_after"] == 0, o["has_last_after"] == 0
 
 
+# What the wrapper of the gates asks: its plan is one tick, and of their state only the accessors are read.
+GATED = "commands without a horizon, of one velocity with three components; the latch and the fault are read, the limits stay unread; else none"
+
+
 def _latched(i):
     return claripy.Or(has(i["flags"], STOPPED), i["mode"] == ESTOP)
 
@@ -549,8 +553,9 @@ def _latched(i):
     "latch",
     "gates_govern",
     "SAFE-003 SAFE-004 SAFE-005 SAFE-020",
-    "A latched governor, or one that is given an ESTOP, answers ESTOP and is latched after it, whatever all else.",
+    "A latched governor, or one that is given an ESTOP, answers ESTOP and is latched after it.",
     "stopped ∨ mode = estop ⟹ answer = stopped ∧ stopped'",
+    bounds=GATED,
     assume=lambda i: [_latched(i)],
 )
 def _(i, o):
@@ -564,6 +569,7 @@ def _(i, o):
     "SAFE-009 SAFE-013 SAFE-014 SAFE-017 SAFE-018",
     "A limit that is negative, not finite or without its channel puts the governor into config fail-closed, in which it holds on every command and stays.",
     "¬latched ∧ (bad limit ∨ limit without channel) ⟹ fault ∧ fault' ∧ answer = held ∧ ¬stopped'",
+    bounds=GATED,
     assume=lambda i: [claripy.Not(_latched(i)), _is_faulty(i)],
 )
 def _(i, o):
@@ -582,7 +588,7 @@ def _(i, o):
     "SAFE-030 SAFE-031 SAFE-032 SAFE-035",
     "A governor lets nothing pass when its sensor has no time, when the clock, that time or the timeout is not one, or when the clock went back.",
     "¬latched ∧ (no time ∨ ¬finite(now, last) ∨ now < last ∨ ¬finite(timeout) ∨ timeout ≤ 0) ⟹ answer = held ∧ ¬stopped'",
-    bounds="the age itself is left to is-fresh; else none",
+    bounds="the age itself is left to is-fresh; " + GATED,
     assume=lambda i: [
         claripy.Not(_latched(i)),
         claripy.Or(
@@ -603,6 +609,7 @@ def _(i, o):
     "SAFE-001 SAFE-002",
     "With the fence disabled, a command that is not active does not pass.",
     "mode ≠ active ∧ no fence ⟹ answer ∈ {held, stopped}",
+    bounds=GATED,
     assume=lambda i: [i["mode"] != ACTIVE, claripy.Not(has(i["flags"], SECOND))],
 )
 def _(i, o):
@@ -616,6 +623,7 @@ def _(i, o):
     "SAFE-040 SAFE-044",
     "With the fence enabled, a missing position holds, and one that is not finite latches ESTOP: no command passes.",
     "fence > 0, ¬(placed ∧ finite(x, y, z)) ⟹ answer ∈ {held, stopped}; ¬fault ∧ fresh ∧ placed ∧ ¬latched ⟹ stopped'",
+    bounds=GATED,
     assume=lambda i: [
         has(i["flags"], SECOND),
         positive(i["radius_m"]),
@@ -642,6 +650,7 @@ def _(i, o):
     "SAFE-006 SAFE-007",
     "A burst latches ESTOP; no burst changes nothing; a latch stays.",
     "stopped' = stopped ∨ burst; fault' = fault",
+    bounds=GATED,
 )
 def _(i, o):
     burst = (i["burst"] & 1) == 1
@@ -659,6 +668,7 @@ def _(i, o):
     "SAFE-008 SAFE-009",
     "The governor's reset clears the latch and not a config fault.",
     "stopped' = 0; fault' = fault",
+    bounds=GATED,
 )
 def _(i, o):
     return _gates_built(i, o), o["stopped_after"] == 0, o["fault_after"] == o["fault"]

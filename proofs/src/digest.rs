@@ -1,44 +1,53 @@
 //! The digests of what is proved and of what proves it: which results are about the sources as they are.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use sha2::{Digest, Sha256};
+use toml::{Table, Value};
 
 /// Results of proofs, and all that they depend on: what is proved, what says it, what shows it, and what decides
-/// whether it is shown. How a report looks is none of that.
+/// whether it is shown. How a report looks does not count.
 #[derive(Debug, Clone, Copy)]
 pub struct Artefact {
     /// Its name.
     pub name: &'static str,
+    /// The package that makes it: what it is built with decides, too.
+    pub package: &'static str,
     /// Files and folders, from the root of the repository.
     pub sources: &'static [&'static str],
 }
 
 /// All artefacts.
-pub const ARTEFACTS: [Artefact; 4] = [
+pub const ARTEFACTS: [Artefact; 6] = [
     // The properties of the kernel, by symbolic execution, by enumeration and by samples.
     Artefact {
         name: "kernel",
+        package: "ncp-proofs",
         sources: &[
             "spec/kernel/src",
+            "defects/engine.toml",
             "defects/kernel.toml",
             "defects/src",
             "proofs/build.rs",
             "proofs/evidence/solve.py",
+            "proofs/explored.json",
             "proofs/src/broken.rs",
             "proofs/src/counterexample.rs",
             "proofs/src/engines",
             "proofs/src/harness.rs",
             "proofs/src/kernel.rs",
             "proofs/src/main.rs",
+            "proofs/src/pins.rs",
             "proofs/src/properties",
             "proofs/src/prover.rs",
             "proofs/src/provers",
             "proofs/src/report.rs",
+            "proofs/src/sabotage.rs",
             // What the vectors of counterexamples expect.
             "proofs/src/reference.rs",
             "proofs/src/vector",
@@ -49,6 +58,7 @@ pub const ARTEFACTS: [Artefact; 4] = [
     },
     Artefact {
         name: "machine",
+        package: "ncp-machine",
         sources: &[
             "spec/kernel/src",
             "defects/kernel.toml",
@@ -69,6 +79,7 @@ pub const ARTEFACTS: [Artefact; 4] = [
     },
     Artefact {
         name: "model",
+        package: "ncp-model",
         sources: &[
             "spec/kernel/src",
             "spec/src/contract.rs",
@@ -84,6 +95,7 @@ pub const ARTEFACTS: [Artefact; 4] = [
     },
     Artefact {
         name: "readers",
+        package: "ncp-readers",
         sources: &[
             "spec/src/bulk",
             "spec/src/keys.rs",
@@ -98,16 +110,111 @@ pub const ARTEFACTS: [Artefact; 4] = [
             "proofs/src/report.rs",
         ],
     },
+    // The safety path around the kernel.
+    Artefact {
+        name: "path",
+        package: "ncp-path",
+        sources: &[
+            "spec/kernel/src",
+            "spec/src/control/control_loop.rs",
+            "spec/src/resilience",
+            "spec/src/safety",
+            "spec/src/wire",
+            "defects/path.toml",
+            "defects/src",
+            "proofs/path/build.rs",
+            "proofs/path/src",
+            "proofs/src/provers/native.rs",
+            "proofs/src/report.rs",
+        ],
+    },
+    Artefact {
+        name: "theorem",
+        package: "ncp-theorem",
+        sources: &[
+            "spec/kernel/src",
+            "proofs/src/report.rs",
+            "proofs/theorem/check.sh",
+            "proofs/theorem/claims.toml",
+            "proofs/theorem/coq",
+            "proofs/theorem/src",
+            "assurance/src/proofs/theorem.rs",
+        ],
+    },
 ];
 
+/// The sections of the workspace's manifest that say how code is built.
+const PROFILES: &str = "Cargo.toml [profile]";
+
 impl Artefact {
-    /// SHA-256 over the names and the contents of its sources.
+    /// SHA-256 over the names and the contents of its sources, and over [its circumstances](Self::circumstances).
     ///
     /// # Errors
     /// A file cannot be read.
     pub fn digest(&self, root: &Path) -> io::Result<String> {
-        of_sources(root, self.sources)
+        let mut hash = Sha256::new();
+        hash.update(of_sources(root, self.sources)?);
+        for (name, value) in self.circumstances(root)? {
+            hash.update(format!("{name}\0{value}\0"));
+        }
+        Ok(hex(hash))
     }
+
+    /// What decides beside the sources, by name: the compiler and its target, the profiles, and the packages of the
+    /// lock file that are built in. What is not there has no entry.
+    ///
+    /// # Errors
+    /// A file cannot be read, or has another form.
+    pub fn circumstances(&self, root: &Path) -> io::Result<BTreeMap<String, String>> {
+        let mut all = BTreeMap::new();
+        all.extend(compiler(root).map(|compiler| ("rustc".to_owned(), compiler)));
+        if let Some(profiles) = table(&root.join("Cargo.toml"))?.and_then(|mut manifest| manifest.remove("profile")) {
+            all.insert(PROFILES.to_owned(), of_text(&profiles.to_string()));
+        }
+        if let Some(lock) = table(&root.join("Cargo.lock"))? {
+            let packages = built_in(&lock, self.package);
+            all.insert(format!("Cargo.lock of {}", self.package), of_text(&packages.join("\n")));
+        }
+        Ok(all)
+    }
+}
+
+/// The compiler and its target: `1.90.0 (1159e78c4 2025-09-14) x86_64-unknown-linux-gnu`.
+fn compiler(root: &Path) -> Option<String> {
+    let output = Command::new("rustc").arg("-vV").current_dir(root).output().ok()?;
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let of = |kind: &str| said.lines().find_map(|line| line.strip_prefix(kind));
+    Some(format!("{} {}", of("rustc ")?, of("host: ")?))
+}
+
+/// A file of TOML; nothing if there is none.
+fn table(path: &Path) -> io::Result<Option<Table>> {
+    match fs::read_to_string(path) {
+        Ok(text) => text.parse().map(Some).map_err(io::Error::other),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+/// The packages of a lock file that one is built of, itself left out: name, version and checksum, in order.
+fn built_in(lock: &Table, package: &str) -> Vec<String> {
+    let text = |package: &'_ Value, key: &str| package.get(key).and_then(Value::as_str).unwrap_or_default().to_owned();
+    let packages = lock.get("package").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    let (mut open, mut seen) = (vec![package.to_owned()], BTreeSet::new());
+    while let Some(wanted) = open.pop() {
+        // A dependency has a version where its name is not enough.
+        let is_wanted = |package: &&Value| {
+            let (name, version) = (text(package, "name"), text(package, "version"));
+            wanted == name || wanted.starts_with(&format!("{name} {version}"))
+        };
+        for found in packages.iter().filter(is_wanted) {
+            if seen.insert(format!("{} {} {}", text(found, "name"), text(found, "version"), text(found, "checksum"))) {
+                let needs = found.get("dependencies").and_then(Value::as_array);
+                open.extend(needs.into_iter().flatten().filter_map(|need| need.as_str().map(str::to_owned)));
+            }
+        }
+    }
+    seen.into_iter().filter(|one| !one.starts_with(&format!("{package} "))).collect()
 }
 
 /// The digest over all [`ARTEFACTS`].
@@ -115,10 +222,11 @@ impl Artefact {
 /// # Errors
 /// A file cannot be read.
 pub fn of(root: &Path) -> io::Result<String> {
-    of_sources(root, &ARTEFACTS.map(|artefact| artefact.sources).concat())
+    let digests: Vec<String> = ARTEFACTS.iter().map(|artefact| artefact.digest(root)).collect::<Result<_, _>>()?;
+    Ok(of_text(&digests.join("\n")))
 }
 
-/// The same over other files and folders.
+/// SHA-256 over the names and the contents of files and folders.
 ///
 /// # Errors
 /// A file cannot be read.
@@ -144,11 +252,21 @@ pub fn of_files(root: &Path, files: Vec<PathBuf>) -> io::Result<String> {
         hash.update(text.as_bytes());
         hash.update([0]);
     }
+    Ok(hex(hash))
+}
+
+fn of_text(text: &str) -> String {
+    let mut hash = Sha256::new();
+    hash.update(text);
+    hex(hash)
+}
+
+fn hex(hash: Sha256) -> String {
     let bytes: [u8; 32] = hash.finalize().into();
-    Ok(bytes.iter().fold(String::new(), |mut hex, byte| {
+    bytes.iter().fold(String::new(), |mut hex, byte| {
         let _ = write!(hex, "{byte:02x}");
         hex
-    }))
+    })
 }
 
 fn collect(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
@@ -160,4 +278,38 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
         files.push(path.to_owned());
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LOCK: &str = "[[package]]\nname = \"a\"\nversion = \"1\"\ndependencies = [\"b 2\", \"c\"]\n\
+                        [[package]]\nname = \"b\"\nversion = \"1\"\n[[package]]\nname = \"b\"\nversion = \"2\"\n\
+                        [[package]]\nname = \"c\"\nversion = \"1\"\nchecksum = \"f\"\n\
+                        [[package]]\nname = \"d\"\nversion = \"1\"\n";
+
+    #[test]
+    fn only_the_packages_that_are_built_in_count_by_their_versions_and_checksums() {
+        assert_eq!(built_in(&LOCK.parse().unwrap(), "a"), ["b 2 ", "c 1 f"]);
+    }
+
+    #[test]
+    fn another_profile_or_another_version_of_what_is_built_in_is_another_digest() {
+        let folder = tempfile::tempdir().unwrap();
+        let artefact = Artefact { name: "a", package: "a", sources: &["Cargo.lock"] };
+        let with = |profile: &str, lock: &str| {
+            fs::write(folder.path().join("Cargo.toml"), format!("[profile.release]\nlto = {profile:?}\n")).unwrap();
+            fs::write(folder.path().join("Cargo.lock"), lock).unwrap();
+            artefact.circumstances(folder.path()).unwrap()
+        };
+        let (thin, fat) = (with("thin", LOCK), with("fat", LOCK));
+        assert_ne!(thin[PROFILES], fat[PROFILES]);
+        let newer = with("thin", &LOCK.replace("\"f\"", "\"e\""));
+        assert_eq!(thin[PROFILES], newer[PROFILES]);
+        assert_ne!(thin["Cargo.lock of a"], newer["Cargo.lock of a"]);
+        let unrelated = with("thin", &LOCK.replace("\"d\"\nversion = \"1\"", "\"d\"\nversion = \"9\""));
+        assert_eq!(thin, unrelated);
+        assert!(thin.contains_key("rustc"));
+    }
 }

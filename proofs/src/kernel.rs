@@ -21,6 +21,34 @@ pub struct Numbers {
     pub seq_lt: fn(i64, i64) -> bool,
 }
 
+/// The whole state of a watchdog. The kernel's own is taken apart and put together member by member, so that a member
+/// more or less there is an error of the compiler here; as with those below.
+#[allow(missing_docs, reason = "each member is that of the kernel")]
+#[derive(Debug, Clone, Copy)]
+pub struct WatchdogState<S, Q> {
+    pub last_seq: Option<Q>,
+    pub deadline: Option<(S, S)>,
+}
+
+/// The whole state of a plant.
+#[allow(missing_docs, reason = "each member is that of the kernel")]
+#[derive(Debug, Clone, Copy)]
+pub struct PlantState<S, Q> {
+    pub watchdog: WatchdogState<S, Q>,
+    pub estop: bool,
+}
+
+/// The whole state of the gates.
+#[allow(missing_docs, reason = "each member is that of the kernel")]
+#[derive(Debug, Clone, Copy)]
+pub struct GatesState<S> {
+    pub max_speed_mps: Limit<S>,
+    pub fence_m: Limit<S>,
+    pub timeout_ms: S,
+    pub config_fault: bool,
+    pub estop: bool,
+}
+
 /// Everything that the kernel decides.
 #[allow(missing_docs, reason = "each function is that of the kernel")]
 pub trait Kernel {
@@ -43,6 +71,21 @@ pub trait Kernel {
         channels: impl Iterator<Item = Channel<'a, S>>,
         max_mps: Limit<S>,
     ) -> Result<bool, Reason>;
+    /// What is so far, and what the channel makes of it: whether one was changed, and whether there is a velocity.
+    fn limit_channel<S: Scalar>(
+        so_far: [bool; 2],
+        channel: &mut Channel<'_, S>,
+        max_mps: Limit<S>,
+    ) -> Result<[bool; 2], Reason>;
+    fn step_end<S: Scalar>(
+        plan: &impl Plan<S>,
+        tick: usize,
+        from: &[S; 3],
+        dt_ms: S,
+        ttl_ms: S,
+        radius: S,
+    ) -> Option<[S; 3]>;
+    fn follow<T>(steps: usize, start: T, step: impl FnMut(usize, &T) -> Option<T>) -> (usize, T);
 
     fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
     fn watchdog_default<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q>;
@@ -51,7 +94,10 @@ pub trait Kernel {
     fn watchdog_should_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>, now_s: S) -> bool;
     fn watchdog_hold<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>);
     fn watchdog_reset<S: Scalar, Q: Seq>(watchdog: &mut Self::Watchdog<S, Q>);
-    fn watchdog_state<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> (Option<Q>, Option<(S, S)>);
+    fn watchdog_state<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> WatchdogState<S, Q>;
+    fn watchdog_in<S: Scalar, Q: Seq>(state: WatchdogState<S, Q>) -> Self::Watchdog<S, Q>;
+    /// What its accessors say.
+    fn watchdog_says<S: Scalar, Q: Seq>(watchdog: &Self::Watchdog<S, Q>) -> WatchdogState<S, Q>;
 
     fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
     fn plant_default<S: Scalar, Q: Seq>() -> Self::Plant<S, Q>;
@@ -70,8 +116,10 @@ pub trait Kernel {
         steps: usize,
     ) -> Option<usize>;
     fn plant_reset<S: Scalar, Q: Seq>(plant: &mut Self::Plant<S, Q>);
-    fn plant_is_stopped<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> bool;
-    fn plant_state<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> (Option<Q>, Option<(S, S)>);
+    fn plant_state<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> PlantState<S, Q>;
+    fn plant_in<S: Scalar, Q: Seq>(state: PlantState<S, Q>) -> Self::Plant<S, Q>;
+    /// What its accessors say.
+    fn plant_says<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> PlantState<S, Q>;
 
     fn gates<S: Scalar>(max_speed_mps: Option<S>, radius_m: Option<S>, timeout_ms: S) -> Self::Gates<S>;
     fn gates_bind<S: Scalar>(gates: &mut Self::Gates<S>, has_velocity: bool, has_position: bool);
@@ -86,6 +134,8 @@ pub trait Kernel {
     fn gates_reset<S: Scalar>(gates: &mut Self::Gates<S>);
     fn gates_is_stopped<S: Scalar>(gates: &Self::Gates<S>) -> bool;
     fn gates_has_config_fault<S: Scalar>(gates: &Self::Gates<S>) -> bool;
+    fn gates_state<S: Scalar>(gates: &Self::Gates<S>) -> GatesState<S>;
+    fn gates_in<S: Scalar>(state: GatesState<S>) -> Self::Gates<S>;
 }
 
 /// Makes a [`Kernel`] of a module that has the kernel's functions, and of one that has its numbers.
@@ -152,6 +202,30 @@ macro_rules! kernel {
             ) -> Result<bool, Reason> {
                 $($module)+::limit_tick(channels, max_mps)
             }
+            fn limit_channel<S: Scalar>(
+                so_far: [bool; 2],
+                channel: &mut Channel<'_, S>,
+                max_mps: Limit<S>,
+            ) -> Result<[bool; 2], Reason> {
+                let [changed, has_velocity] = so_far;
+                let so_far = $($module)+::Limited { changed, has_velocity };
+                let $($module)+::Limited { changed, has_velocity } =
+                    $($module)+::limit_channel(so_far, channel, max_mps)?;
+                Ok([changed, has_velocity])
+            }
+            fn step_end<S: Scalar>(
+                plan: &impl Plan<S>,
+                tick: usize,
+                from: &[S; 3],
+                dt_ms: S,
+                ttl_ms: S,
+                radius: S,
+            ) -> Option<[S; 3]> {
+                $($module)+::step_end(plan, tick, from, dt_ms, ttl_ms, radius)
+            }
+            fn follow<T>(steps: usize, start: T, step: impl FnMut(usize, &T) -> Option<T>) -> (usize, T) {
+                $($module)+::follow(steps, start, step)
+            }
             fn watchdog<S: Scalar, Q: Seq>() -> Self::Watchdog<S, Q> {
                 $($module)+::Watchdog::new()
             }
@@ -186,8 +260,20 @@ macro_rules! kernel {
             }
             fn watchdog_state<S: Scalar, Q: Seq>(
                 watchdog: &Self::Watchdog<S, Q>,
-            ) -> (Option<Q>, Option<(S, S)>) {
-                (watchdog.last_seq(), watchdog.deadline())
+            ) -> $crate::kernel::WatchdogState<S, Q> {
+                let $($module)+::Watchdog { last_seq, deadline } = *watchdog;
+                $crate::kernel::WatchdogState { last_seq, deadline }
+            }
+            fn watchdog_in<S: Scalar, Q: Seq>(
+                state: $crate::kernel::WatchdogState<S, Q>,
+            ) -> Self::Watchdog<S, Q> {
+                let $crate::kernel::WatchdogState { last_seq, deadline } = state;
+                $($module)+::Watchdog { last_seq, deadline }
+            }
+            fn watchdog_says<S: Scalar, Q: Seq>(
+                watchdog: &Self::Watchdog<S, Q>,
+            ) -> $crate::kernel::WatchdogState<S, Q> {
+                $crate::kernel::WatchdogState { last_seq: watchdog.last_seq(), deadline: watchdog.deadline() }
             }
             fn plant<S: Scalar, Q: Seq>() -> Self::Plant<S, Q> {
                 $($module)+::Plant::new()
@@ -218,13 +304,23 @@ macro_rules! kernel {
             fn plant_reset<S: Scalar, Q: Seq>(plant: &mut Self::Plant<S, Q>) {
                 plant.reset();
             }
-            fn plant_is_stopped<S: Scalar, Q: Seq>(plant: &Self::Plant<S, Q>) -> bool {
-                plant.is_stopped()
-            }
             fn plant_state<S: Scalar, Q: Seq>(
                 plant: &Self::Plant<S, Q>,
-            ) -> (Option<Q>, Option<(S, S)>) {
-                (plant.watchdog().last_seq(), plant.watchdog().deadline())
+            ) -> $crate::kernel::PlantState<S, Q> {
+                let $($module)+::Plant { watchdog, estop } = *plant;
+                $crate::kernel::PlantState { watchdog: Self::watchdog_state(&watchdog), estop }
+            }
+            fn plant_in<S: Scalar, Q: Seq>(
+                state: $crate::kernel::PlantState<S, Q>,
+            ) -> Self::Plant<S, Q> {
+                let $crate::kernel::PlantState { watchdog, estop } = state;
+                $($module)+::Plant { watchdog: Self::watchdog_in(watchdog), estop }
+            }
+            fn plant_says<S: Scalar, Q: Seq>(
+                plant: &Self::Plant<S, Q>,
+            ) -> $crate::kernel::PlantState<S, Q> {
+                let watchdog = Self::watchdog_says(plant.watchdog());
+                $crate::kernel::PlantState { watchdog, estop: plant.is_stopped() }
             }
             fn gates<S: Scalar>(
                 max_speed_mps: Option<S>,
@@ -260,6 +356,14 @@ macro_rules! kernel {
             }
             fn gates_has_config_fault<S: Scalar>(gates: &Self::Gates<S>) -> bool {
                 gates.has_config_fault()
+            }
+            fn gates_state<S: Scalar>(gates: &Self::Gates<S>) -> $crate::kernel::GatesState<S> {
+                let $($module)+::Gates { max_speed_mps, fence_m, timeout_ms, config_fault, estop } = *gates;
+                $crate::kernel::GatesState { max_speed_mps, fence_m, timeout_ms, config_fault, estop }
+            }
+            fn gates_in<S: Scalar>(state: $crate::kernel::GatesState<S>) -> Self::Gates<S> {
+                let $crate::kernel::GatesState { max_speed_mps, fence_m, timeout_ms, config_fault, estop } = state;
+                $($module)+::Gates { max_speed_mps, fence_m, timeout_ms, config_fault, estop }
             }
         }
     };

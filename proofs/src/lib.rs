@@ -12,6 +12,8 @@
 //! | [`engines`] | symbolic execution, enumeration, and the stand-in for Kani's API |
 //! | [`kani_engine`], `kani_proofs` | Kani as an engine, and the harnesses as proofs of it |
 //! | [`broken`], `mutants` | copies of the kernel with a planted defect, and with one token changed |
+//! | [`pins`] | how much the symbolic engine explores |
+//! | [`sabotage`] | engines with a defect of their own |
 //! | [`report`], [`digest`] | what was found out, and about which sources |
 //! | [`terminal`] | how it is shown on the terminal |
 //!
@@ -22,6 +24,7 @@
 pub mod broken;
 pub mod counterexample;
 pub mod digest;
+#[cfg(not(feature = "sabotage"))]
 pub mod engines;
 pub mod harness;
 pub mod kani_engine;
@@ -30,10 +33,17 @@ mod kani_proofs;
 pub mod kernel;
 #[cfg(feature = "mutants")]
 pub mod mutants;
+pub mod pins;
 pub mod properties;
 pub mod prover;
+#[cfg(not(feature = "sabotage"))]
 pub mod provers;
 pub mod reference;
 pub mod report;
+pub mod sabotage;
 pub mod terminal;
 pub mod vector;
+
+// The engine with a switch for every defect of its own, which the build script makes of its sources.
+#[cfg(feature = "sabotage")]
+include!(concat!(env!("OUT_DIR"), "/sabotaged.rs"));

@@ -5,27 +5,30 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard};
 use std::thread;
-use std::time::Duration;
 
 use ncp_defects::Defect;
 use ncp_proofs::broken;
 use ncp_proofs::counterexample::{Counterexample, ENDS};
 use ncp_proofs::digest::{self, ARTEFACTS};
-use ncp_proofs::engines::symbolic::{self, Solvers};
+use ncp_proofs::engines::symbolic::{self, Limits, Solvers, controls};
 use ncp_proofs::engines::{Outcome, Patience, Verdict, bounds, enumeration, standin};
 use ncp_proofs::harness::{Harness, compared, harness};
 use ncp_proofs::kernel::Production;
+use ncp_proofs::pins;
 use ncp_proofs::properties::{PROPERTIES, Property};
 use ncp_proofs::report::{self, Answer, Broken, Found, Report, Run};
+use ncp_proofs::sabotage::{self, Sabotaged};
 use ncp_proofs::terminal;
 use serde::{Deserialize, Serialize};
 
 const USAGE: &str = "\
-Usage: ncp-prove [--stage kernel|rest] [--engine kani|kani-stand-in|enumeration|symbolic|model|machine|readers]…
+Usage: ncp-prove [--stage kernel|rest] [--pin] [--engine ENGINE]…
+       ncp-prove --sabotage NAME|all
+Engines: kani, kani-stand-in, enumeration, symbolic, model, machine, readers, path, theorem
 ";
 
 /// An engine: how it proves, and how it refutes a broken kernel.
@@ -76,9 +79,10 @@ const ENGINES: &[Engine] = &[
                 Some(outcome)
             },
             refute: |property, harness, place, id| {
-                let draft = place.drafts.join(format!("{id}.smt2"));
+                // By both names: a defect is refuted by several properties, at the same time.
+                let draft = place.drafts.join(format!("{id}-{}.smt2", property.id.replace('/', "-")));
                 let found = symbolic::refute(property, harness, &place.solvers, &draft);
-                Some(found.and_then(|found| {
+                Some(found.map_err(|why| why.to_string()).and_then(|found| {
                     let (found, origin) = found.unzip();
                     let mut shown = counterexample(property, harness, found)?;
                     shown.found_by = origin.map(|origin| origin.as_str().to_owned());
@@ -123,6 +127,20 @@ const ENGINES: &[Engine] = &[
         how: How::Elsewhere(".tools/readers.json"),
     },
     Engine {
+        name: "path",
+        artefact: "path",
+        version: env!("CARGO_PKG_VERSION"),
+        about: "Exhaustive within bounds: the scanner for ESTOPs, the governor, the link monitor, the loop, natively.",
+        how: How::Elsewhere(".tools/path.json"),
+    },
+    Engine {
+        name: "theorem",
+        artefact: "theorem",
+        version: "Coq",
+        about: "Coq checks theorems about the algorithm over doubles, and that the kernel's source is it path by path.",
+        how: How::Elsewhere(".tools/theorem.json"),
+    },
+    Engine {
         name: "kani-stand-in",
         artefact: "kernel",
         version: env!("CARGO_PKG_VERSION"),
@@ -148,9 +166,6 @@ const ENGINES: &[Engine] = &[
 const SAMPLES: u64 = 20_000;
 /// How many properties or broken kernels are at work at a time.
 const WORKERS: usize = 2;
-/// How long all proofs of the kernel may take together. A kernel that was changed may have far more paths, or
-/// questions that no solver answers.
-const PATIENCE: Duration = Duration::from_secs(600);
 /// What is found out about the kernel before the slower part of the command.
 const KERNEL: &str = ".tools/proofs-kernel.json";
 
@@ -162,6 +177,12 @@ struct Place {
     solvers: Solvers,
     /// The properties whose counterexample was shown.
     shown: Mutex<BTreeSet<&'static str>>,
+}
+
+impl Place {
+    fn evidence_of_controls(&self) -> PathBuf {
+        self.drafts.join("controls").join(self.evidence.file_name().unwrap_or_default())
+    }
 }
 
 /// What part of the work is done.
@@ -196,24 +217,103 @@ fn run(args: &[&str]) -> Result<bool, Box<dyn Error>> {
         solvers: Solvers {
             bin: root.join(".tools/proofs-venv").join(if cfg!(windows) { "Scripts" } else { "bin" }),
             script: root.join("proofs/evidence/solve.py"),
-            patience: Patience::of(PATIENCE),
+            patience: Patience::default(),
+            limits: Limits::default(),
             known: None,
         },
         shown: Mutex::default(),
         root,
     };
-    let (mut names, mut stage) = (Vec::new(), Stage::Whole);
-    for pair in args.chunks(2) {
-        match pair {
-            ["--engine", name] if ENGINES.iter().any(|engine| engine.name == *name) => {
-                names.push(*name);
-            }
-            ["--stage", "kernel"] => stage = Stage::Kernel,
-            ["--stage", "rest"] => stage = Stage::Rest,
+    let (mut names, mut stage, mut pin) = (Vec::new(), Stage::Whole, false);
+    let mut words = args.iter().copied();
+    while let Some(word) = words.next() {
+        match (word, if word == "--pin" { None } else { words.next() }) {
+            ("--pin", _) => pin = true,
+            ("--engine", Some(name)) if ENGINES.iter().any(|engine| engine.name == name) => names.push(name),
+            ("--stage", Some("kernel")) => stage = Stage::Kernel,
+            ("--stage", Some("rest")) => stage = Stage::Rest,
+            ("--sabotage", Some("all")) => return sabotage_all(&place),
+            ("--sabotage", Some(name)) => return sabotage(place, name),
             _ => return Err(USAGE.into()),
         }
     }
-    prove(&place, &names, stage)
+    prove(&place, &names, stage, pin)
+}
+
+/// Runs the engine with a defect of its own, as it runs on the kernel: its controls, and then a few properties.
+/// It ends with the error that says what is wrong with the engine, or has not noticed.
+fn sabotage(mut place: Place, name: &str) -> Result<bool, Box<dyn Error>> {
+    sabotage::switch_on(name)?;
+    place.evidence = place.drafts.join("sabotage").join(name);
+    controlled(&place)?;
+    let mut answers = Vec::new();
+    for property in PROPERTIES.iter().filter(|property| QUICK.contains(&property.id)) {
+        let harness = harness::<Production>(property.id).ok_or("no harness")?;
+        let outcome = symbolic::prove(property, &harness, &place.solvers, &place.evidence);
+        if outcome.verdict != Verdict::Proved {
+            return Err(format!("{}: {} {}", property.id, outcome.verdict.as_str(), outcome.detail).into());
+        }
+        answers.push(report::outcome(property.id, &harness, &outcome));
+    }
+    let mut pinned = pins::read(&place.root)?;
+    pinned.retain(|id, _| QUICK.contains(&&**id));
+    match pins::problems(&pinned, &pins::of(&answers)).first() {
+        Some(problem) => Err(problem.clone().into()),
+        None => Ok(true),
+    }
+}
+
+/// The properties of which a sabotaged engine is asked.
+const QUICK: [&str; 4] = ["watchdog/deadline", "watchdog/ttl", "watchdog/order", "geofence/limit"];
+
+/// Runs every sabotaged engine in a process of its own; `false` if one of them does not end with an error.
+fn sabotage_all(place: &Place) -> Result<bool, Box<dyn Error>> {
+    let defects = sabotage::defects()?;
+    let program = std::env::current_exe()?;
+    let run = |nth: usize| {
+        let defect = defects.get(nth)?;
+        let output = Command::new(&program).args(["--sabotage", &defect.name]).output().ok()?;
+        let errors = String::from_utf8_lossy(&output.stderr);
+        let error = errors.lines().find_map(|line| line.strip_prefix("error: "));
+        let noticed = error.filter(|_| !output.status.success()).map(str::to_owned);
+        println!("{:28} {}", defect.name, noticed.as_deref().unwrap_or("NOT NOTICED"));
+        Some(Sabotaged { id: defect.name.clone(), about: defect.about.clone(), noticed })
+    };
+    let results: Vec<Sabotaged> = parallel(defects.len(), run).into_iter().flatten().collect();
+    let missed = results.iter().filter(|result| result.noticed.is_none()).count();
+    println!("{} sabotaged engines, {missed} not noticed", results.len());
+    let left = Left { digest: kernel_digest(place)?, results };
+    fs::write(place.root.join(SABOTAGED), serde_json::to_string_pretty(&left)?)?;
+    Ok(missed == 0 && left.results.len() == defects.len())
+}
+
+/// Where the results of the sabotaged engines are left for the report.
+const SABOTAGED: &str = ".tools/proofs-sabotage.json";
+
+/// What came of the sabotaged engines, and of which sources.
+#[derive(Serialize, Deserialize)]
+struct Left {
+    digest: String,
+    results: Vec<Sabotaged>,
+}
+
+/// The digest of what is proved here and of what proves it.
+fn kernel_digest(place: &Place) -> Result<String, Box<dyn Error>> {
+    let kernel = ARTEFACTS.iter().find(|artefact| artefact.name == "kernel").ok_or("no artefact")?;
+    Ok(kernel.digest(&place.root)?)
+}
+
+/// What came of the sabotaged engines of these sources; nothing where they were not run.
+fn sabotaged(place: &Place) -> Result<Vec<Sabotaged>, Box<dyn Error>> {
+    let text = fs::read_to_string(place.root.join(SABOTAGED)).unwrap_or_default();
+    let left = serde_json::from_str::<Left>(&text).ok();
+    let digest = kernel_digest(place)?;
+    Ok(left.filter(|left| left.digest == digest).map(|left| left.results).unwrap_or_default())
+}
+
+/// Holds the symbolic engine against its controls: so many.
+fn controlled(place: &Place) -> Result<usize, controls::AtFault> {
+    controls::hold(&place.solvers, &place.evidence_of_controls())
 }
 
 /// What the engines say of the kernel: their results by their names, in the order of the properties.
@@ -223,21 +323,25 @@ type Results = BTreeMap<String, Vec<Answer>>;
 #[derive(Serialize, Deserialize)]
 struct Before {
     digest: String,
+    /// The controls that the symbolic engine has passed.
+    controls: usize,
     results: Results,
 }
 
-fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Error>> {
+fn prove(place: &Place, names: &[&str], stage: Stage, pin: bool) -> Result<bool, Box<dyn Error>> {
     let digest = digest::of(&place.root)?;
     fs::create_dir_all(&place.drafts)?;
     let wanted: Vec<&Engine> =
         ENGINES.iter().filter(|engine| names.is_empty() || names.contains(&engine.name)).collect();
-    let kernel = match stage {
+    let is_symbolic = wanted.iter().any(|engine| engine.name == "symbolic");
+    let controls = if is_symbolic && stage != Stage::Rest { controlled(place)? } else { 0 };
+    let (controls, kernel) = match stage {
         Stage::Rest => found_before(place, &digest)?,
-        Stage::Whole | Stage::Kernel => hold_kernel(place, &wanted)?,
+        Stage::Whole | Stage::Kernel => (controls, hold_kernel(place, &wanted)?),
     };
     let mut refuted = refuted(&kernel);
     if stage == Stage::Kernel && refuted.is_empty() {
-        let found = Before { digest, results: kernel };
+        let found = Before { digest, controls, results: kernel };
         fs::write(place.root.join(KERNEL), serde_json::to_string(&found)?)?;
         return Ok(true);
     }
@@ -253,6 +357,11 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     let mut broken =
         if refuted.is_empty() && broken::IS_BUILT { refute_broken(place, &wanted)? } else { BTreeMap::new() };
 
+    // The table is one of the sources.
+    if let Some(explored) = kernel.get("symbolic").filter(|_| pin && is_symbolic) {
+        pins::write(&place.root, &pins::of(explored))?;
+    }
+    let digest = digest::of(&place.root)?;
     let file = place.root.join(report::FILE);
     let before = fs::read_to_string(&file).ok().and_then(|text| serde_json::from_str::<Report>(&text).ok());
     let before = before.unwrap_or_default();
@@ -277,14 +386,28 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
             engines.push(report::Engine { results, broken, ..head(engine) });
         }
     }
-    if names.is_empty() || names.contains(&"symbolic") {
-        let version = place.solvers.versions()?;
-        engines.iter_mut().filter(|engine| engine.name == "symbolic").for_each(|e| e.version.clone_from(&version));
+    let mut changed = Vec::new();
+    for engine in engines.iter_mut().filter(|engine| is_symbolic && engine.name == "symbolic") {
+        engine.version = place.solvers.versions()?;
+        engine.controls = Some(controls as u64);
+        engine.sabotaged = sabotaged(place)?;
+        if refuted.is_empty() {
+            changed = pins::problems(&pins::read(&place.root)?, &pins::of(&engine.results));
+        }
     }
     let run = report::take_run(&mut engines, &run);
     let (format, properties) = (report::FORMAT, report::properties());
     let mut report = Report { format, digest, digests, properties, engines, run, problems: broken::missing() };
     if refuted.is_empty() {
+        report.problems.extend(changed);
+    }
+    if refuted.is_empty() && !names.is_empty() {
+        // Who asks some engines is told about these.
+        let asked = report.engines.iter().filter(|engine| names.contains(&&*engine.name));
+        let problems: Vec<String> = asked.flat_map(report::problems_of).collect();
+        report.problems.extend(problems);
+        report.problems.extend((!broken::IS_BUILT).then(|| "the broken kernels are not part of this build".to_owned()));
+    } else if refuted.is_empty() {
         report.problems.extend(report::problems(&report));
         if !broken::IS_BUILT {
             report.problems.push("the broken kernels are not part of this build".to_owned());
@@ -298,11 +421,11 @@ fn prove(place: &Place, names: &[&str], stage: Stage) -> Result<bool, Box<dyn Er
     }
     fs::create_dir_all(file.parent().unwrap_or(&place.root))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
-    if report.problems.is_empty() {
+    if report.problems.is_empty() && report::problems(&report).is_empty() {
         fs::write(place.evidence.join(report::VECTORS), report::vectors(&report))?;
-    }
-    if report.problems.is_empty() {
         println!("{}", terminal::proved(&report));
+    } else if report.problems.is_empty() {
+        println!("shown, as far as {} go: what the others found is of other sources, or none", names.join(", "));
     }
     if !refuted.is_empty() {
         let mut ids: Vec<String> = refuted.into_iter().map(|(id, _)| id).collect();
@@ -338,14 +461,14 @@ fn refuted_of(engine: &str, results: &[Answer]) -> Vec<(String, String)> {
 }
 
 /// What the first part of the command found out.
-fn found_before(place: &Place, digest: &str) -> Result<Results, Box<dyn Error>> {
+fn found_before(place: &Place, digest: &str) -> Result<(usize, Results), Box<dyn Error>> {
     let file = place.root.join(KERNEL);
     let text = fs::read_to_string(&file).map_err(|error| format!("{KERNEL}: {error}"))?;
     let found: Before = serde_json::from_str(&text)?;
     if found.digest != digest {
         return Err(format!("{KERNEL} is about other sources").into());
     }
-    Ok(found.results)
+    Ok((found.controls, found.results))
 }
 
 /// Holds the kernel against all properties: by the quick engines first, and by the others if none of these has

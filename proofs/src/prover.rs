@@ -2,6 +2,9 @@
 
 use ncp_kernel::{Scalar, Seq};
 
+/// Small indices, those at which a narrower integer would turn, and the last of the longest horizon.
+pub const INDICES: [usize; 16] = [0, 1, 2, 3, 7, 8, 9, 15, 16, 64, 255, 256, 257, 1_000, 4_095, 4_096];
+
 /// An engine as a harness sees it.
 ///
 /// A harness draws its inputs from the engine, calls the kernel with them, and says by
@@ -21,6 +24,12 @@ pub trait Prover {
     fn seq(&mut self, name: &str) -> Self::Q;
     /// One of 0, 1, … `count` − 1.
     fn choice(&mut self, name: &str, count: usize) -> usize;
+    /// Any index of a tick. An engine on terms takes every double for the number that the kernel makes of it; the
+    /// others take some of [`INDICES`]. A harness asks for it after all numbers.
+    fn index(&mut self, name: &str) -> usize {
+        let nth = self.choice(name, INDICES.len());
+        INDICES.get(nth).copied().unwrap_or_default()
+    }
     /// How long a sequence of at most `most` events this engine explores.
     fn length(&self, most: usize) -> usize;
 

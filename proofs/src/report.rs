@@ -15,6 +15,7 @@ pub use crate::engines::Verdict;
 use crate::engines::{Outcome, bounds};
 use crate::harness::Harness;
 use crate::properties::{Family, PROPERTIES};
+use crate::sabotage::Sabotaged;
 use crate::vector;
 
 /// Where the report is written, from the root of the project.
@@ -24,9 +25,11 @@ pub const VECTORS: &str = "vectors.json";
 /// The form of the report.
 pub const FORMAT: u32 = 3;
 /// Engines whose proofs cover all inputs within the bounds that they state.
-pub const EXHAUSTIVE: [&str; 6] = ["symbolic", "enumeration", "machine", "model", "readers", "kani"];
+pub const EXHAUSTIVE: [&str; 7] = ["symbolic", "enumeration", "machine", "model", "readers", "path", "kani"];
 /// The families of what reads untrusted bytes, which is proved beside the kernel.
 const READERS: [&str; 3] = ["bulk", "version", "keys"];
+/// The families of the safety path around the kernel. Of the loop much is tried on listed numbers only.
+const PATH: [&str; 5] = ["estop", "governor", "link", "loop", "liveness"];
 /// How many broken kernels of a family an engine has to refute that covers the family.
 const ENOUGH: usize = 5;
 
@@ -127,12 +130,21 @@ pub struct Engine {
     /// Its word on each broken copy.
     #[serde(default)]
     pub broken: Vec<Broken>,
+    /// How many claims with a known answer it was held against before it was believed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub controls: Option<u64>,
+    /// Its sabotaged copies, where its run was held against them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sabotaged: Vec<Sabotaged>,
     /// What it trusts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub trusted: Vec<String>,
     /// What it does not show.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub not_proved: Vec<String>,
+    /// The digest of the library whose machine code was explored.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub library_sha256: Option<String>,
 }
 
 /// An engine's word on a claim.
@@ -154,9 +166,15 @@ pub struct Answer {
     /// States, or inputs, explored.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub states: Option<u64>,
+    /// Checks that are not true by evaluation, on all paths.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub raised: Option<u64>,
     /// Obligations that a solver answered.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub obligations: Option<u64>,
+    /// Obligations that hold with every operation and comparison of doubles uninterpreted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub without_arithmetic: Option<u64>,
     /// Checks that were true on their path without a solver.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub true_by_evaluation: Option<u64>,
@@ -301,7 +319,9 @@ impl Answer {
             detail: String::new(),
             paths: None,
             states: None,
+            raised: None,
             obligations: None,
+            without_arithmetic: None,
             true_by_evaluation: None,
             runs: None,
             reached: Vec::new(),
@@ -384,7 +404,9 @@ pub fn outcome(property: &str, harness: &Harness, outcome: &Outcome) -> Answer {
     Answer {
         detail: outcome.detail.clone(),
         paths: Some(outcome.paths),
+        raised: Some(outcome.raised),
         obligations: Some(outcome.obligations),
+        without_arithmetic: Some(outcome.without_arithmetic),
         true_by_evaluation: Some(outcome.by_evaluation),
         cross_checked: Some(outcome.cross_checked),
         runs: Some(outcome.runs),
@@ -475,7 +497,7 @@ pub fn problems(report: &Report) -> Vec<String> {
         if !exhaustive().any(proves) {
             problems.push(format!("{id}: no exhaustive engine proves it"));
         }
-        // [vacuity] What the symbolic engine checks on some path, numbers have to reach.
+        // [vacuity] What the symbolic engine checks on some path, numbers have to reach, and the other way round.
         let reached = |is_symbolic: bool| -> BTreeSet<&str> {
             let engines = engines.iter().filter(|engine| (engine.name == "symbolic") == is_symbolic);
             let results = engines.flat_map(|engine| &engine.results).filter(|result| result.property == *id);
@@ -487,6 +509,14 @@ pub fn problems(report: &Report) -> Vec<String> {
         }
         for check in by_terms.difference(&by_numbers) {
             problems.push(format!("{id}: no numbers reach the check {check:?}"));
+        }
+        for check in by_numbers.difference(&by_terms) {
+            problems.push(format!("{id}: no path on terms reaches the check {check:?}"));
+        }
+    }
+    for engine in engines {
+        for missed in engine.sabotaged.iter().filter(|sabotaged| sabotaged.noticed.is_none()) {
+            problems.push(format!("{}: sabotaged by {}, its run does not notice", engine.name, missed.id));
         }
     }
     let proves = |engine: &&Engine, family: &str| engine.results.iter().any(|r| r.family() == family && r.is_proved());
@@ -506,7 +536,7 @@ pub fn problems(report: &Report) -> Vec<String> {
             }
         }
     }
-    for family in READERS {
+    for family in READERS.into_iter().chain(PATH) {
         if !exhaustive().any(|engine| proves(&engine, family)) {
             problems.push(format!("{family}: no exhaustive engine proves it"));
         }
@@ -538,6 +568,18 @@ pub fn problems(report: &Report) -> Vec<String> {
         }
     }
     problems
+}
+
+/// What is wrong with the word of one engine: claims that it does not prove, and, of an exhaustive one, defects that it
+/// does not refute. What others found out about the same claims does not count.
+#[must_use]
+pub fn problems_of(engine: &Engine) -> Vec<String> {
+    let Engine { name, results, broken, .. } = engine;
+    let open = results.iter().filter(|result| !matches!(result.verdict, Verdict::Proved | Verdict::Tried));
+    let open =
+        open.map(|result| format!("{name}: {} is {} {}", result.property, result.verdict.as_str(), result.detail));
+    let missed = broken.iter().filter(|broken| EXHAUSTIVE.contains(&name.as_str()) && !broken.is_refuted());
+    open.chain(missed.map(|broken| format!("{name}: {} is not refuted by {}", broken.id, broken.property))).collect()
 }
 
 /// Whole seconds.
@@ -593,6 +635,7 @@ mod tests {
             engine("symbolic", &families, verdict, is_refuted, &["a"]),
             engine("enumeration", &families, verdict, is_refuted, reached),
             engine("readers", &READERS, verdict, is_refuted, &[]),
+            engine("path", &PATH, verdict, is_refuted, &[]),
         ];
         Report { properties, engines, ..Report::default() }
     }
@@ -612,6 +655,18 @@ mod tests {
         without_readers.engines[2] = Engine { name: "readers".to_owned(), not_run: true, ..Engine::default() };
         assert!(shows(&without_readers, "version: no exhaustive engine proves it"));
         assert!(shows(&report(Verdict::Proved, true, &[]), "no numbers reach the check \"a\""));
+        assert!(shows(&report(Verdict::Proved, true, &["a", "b"]), "no path on terms reaches the check \"b\""));
+    }
+
+    #[test]
+    fn a_sabotaged_engine_whose_run_does_not_notice_is_a_problem() {
+        let mut report = report(Verdict::Proved, true, &["a"]);
+        let mut sabotaged = Sabotaged { id: "deaf".to_owned(), about: String::new(), noticed: Some("so".to_owned()) };
+        report.engines[0].sabotaged.push(sabotaged.clone());
+        assert_eq!(problems(&report), [""; 0]);
+        sabotaged.noticed = None;
+        report.engines[0].sabotaged.push(sabotaged);
+        assert_eq!(problems(&report), ["symbolic: sabotaged by deaf, its run does not notice"]);
     }
 
     #[test]
@@ -619,6 +674,18 @@ mod tests {
         let mut report = report(Verdict::Proved, true, &["a"]);
         report.engines[1].broken.push(broken("clamp", 0, false));
         assert_eq!(problems(&report), ["clamp-0: enumeration does not refute it: no counterexample"]);
+    }
+
+    #[test]
+    fn one_engine_answers_for_its_own_claims_and_defects_only() {
+        let mut engine = engine("symbolic", &["clamp"], Verdict::Proved, true, &["a"]);
+        assert_eq!(problems_of(&engine), [""; 0]);
+        engine.broken.push(broken("latch", 7, false));
+        engine.results.push(Answer::new("latch/p", Verdict::Failed));
+        assert_eq!(
+            problems_of(&engine),
+            ["symbolic: latch/p is failed ", "symbolic: latch-7 is not refuted by latch/p"]
+        );
     }
 
     #[test]

@@ -155,10 +155,10 @@ fn watched(property: &str, calls: &Calls, found: &Counterexample) -> Option<Valu
 /// The state and the event of `watchdog/step`, where the protocol has a word for them.
 fn step(inputs: &Inputs<'_>) -> Option<Vec<Event>> {
     let mut events = Vec::new();
-    match inputs.choice("state")? {
-        0 => {}
-        1 => events.push(inputs.command("received", "ttl", Some("last"))?),
-        _ => return None,
+    match inputs.state()? {
+        State::Empty => {}
+        State::Followed => events.push(inputs.command("received", "ttl", Some("last"))?),
+        State::Held => return None,
     }
     match inputs.choice("event")? {
         0 => {
@@ -204,6 +204,17 @@ pub fn run<K: Kernel>(events: &[Event]) -> Vec<Value> {
     answers.collect()
 }
 
+/// The state of a watchdog, where commands lead to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// No command has come.
+    Empty,
+    /// A command is followed.
+    Followed,
+    /// The plant is held after one.
+    Held,
+}
+
 /// The inputs of a counterexample, by their names.
 struct Inputs<'a>(&'a Counterexample);
 
@@ -244,6 +255,15 @@ impl Inputs<'_> {
         match self.choice(name)? {
             0 => Some(None),
             _ => self.double(name).map(Some),
+        }
+    }
+    /// None for one to which no commands lead.
+    fn state(&self) -> Option<State> {
+        match (self.choice("has_last")?, self.choice("has_deadline")?) {
+            (0, 0) => Some(State::Empty),
+            (0, _) => None,
+            (_, 0) => Some(State::Held),
+            _ => Some(State::Followed),
         }
     }
     fn vector(&self, name: &str) -> Option<[f64; 3]> {

@@ -1,11 +1,15 @@
 //! The harnesses hold on the kernel of production, and reach what they check.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use std::fs;
+use std::path::Path;
+
 use ncp_proofs::broken::{defects, missing};
 use ncp_proofs::engines::{Verdict, enumeration, standin};
 use ncp_proofs::harness::harness;
 use ncp_proofs::kernel::Production;
 use ncp_proofs::properties::{Family, PROPERTIES};
+use ncp_proofs::sabotage;
 use ncp_text::catalogue::Catalogue;
 
 #[test]
@@ -27,6 +31,26 @@ fn every_harness_holds_on_all_combinations_of_its_values_in_short_sequences() {
         };
         assert_eq!(outcome.verdict, Verdict::Proved, "{}: {outcome:?}", property.id);
     }
+}
+
+/// A harness takes the state of gates, plant and watchdog; state that is kept elsewhere it would not see.
+#[test]
+fn the_kernel_keeps_no_state_beside_its_structs() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../spec/kernel/src");
+    let files = [root.clone(), root.join("decisions")].map(|folder| fs::read_dir(folder).unwrap());
+    let files: Vec<_> = files.into_iter().flatten().map(|entry| entry.unwrap().path()).collect();
+    let sources = files.iter().filter(|file| file.is_file()).map(|file| fs::read_to_string(file).unwrap());
+    let text: String = sources
+        .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())
+        .fold(String::new(), |all, line| all + line.split("//").next().unwrap_or_default() + "\n");
+    assert!(text.contains("pub struct Gates"), "{files:?}");
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+    let kept = |word: &&str| {
+        matches!(*word, "static" | "thread_local" | "unsafe")
+            || ["Atomic", "Once", "Lazy"].iter().any(|start| word.starts_with(start))
+            || ["Cell", "Lock", "Mutex"].iter().any(|end| word.ends_with(end))
+    };
+    assert_eq!(text.split(|c| !is_part(c)).find(kept), None);
 }
 
 #[test]
@@ -63,4 +87,17 @@ fn every_family_has_five_broken_kernels_and_each_defect_a_property_and_its_rules
 #[test]
 fn every_broken_kernel_is_a_change_of_the_kernel_as_it_is() {
     assert_eq!(missing(), Vec::<String>::new());
+}
+
+#[test]
+fn the_engine_has_more_than_ten_defects_of_its_own_in_the_sources_that_are_woven() {
+    let defects = sabotage::defects().unwrap();
+    assert!(defects.len() > 10);
+    for edit in defects.iter().flat_map(|defect| &defect.edit) {
+        let is_woven =
+            ["proofs/src/engines/", "proofs/src/provers/"].iter().any(|folder| edit.file.starts_with(folder));
+        assert!(is_woven, "{}", edit.file);
+    }
+    // This build has no switches.
+    assert!(sabotage::switch_on(&defects[0].name).is_err());
 }

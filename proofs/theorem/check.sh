@@ -5,7 +5,8 @@
 #   bash proofs/theorem/check.sh          all of it
 #   bash proofs/theorem/check.sh --tie    only that the source is the model
 #
-# Needs cargo; installs coq, Flocq by apt-get where they are missing. Nothing is written beside the target folder.
+# Needs cargo; installs coq, Flocq by apt-get where they are missing, and exits with 3 where that cannot be done. Nothing is
+# written beside the target folder.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -25,9 +26,13 @@ has_flocq() { [ -e "$(coqc -where)/user-contrib/Flocq/IEEE754/BinarySingleNaN.vo
 
 if ! command -v coqc >/dev/null || ! has_flocq; then
     sudo=$([ "$(id -u)" = 0 ] || echo sudo)
-    $sudo apt-get update -q >/dev/null
-    $sudo apt-get install -y -q --no-install-recommends coq libcoq-flocq >/dev/null
+    if ! { $sudo apt-get update -q && $sudo apt-get install -y -q --no-install-recommends coq libcoq-flocq; } >&2; then
+        echo "theorem: coq and Flocq are not there, and apt-get cannot install them" >&2
+        exit 3
+    fi
 fi
+flocq=$(dpkg-query -W -f '${Version}' libcoq-flocq 2>/dev/null || echo unknown)
+echo "versions: Coq $(coqc -print-version | cut -d ' ' -f 1), Flocq $flocq"
 
 compile() {
     if ! (cd "$work" && coqc -q -Q . NCP "$1.v") >"$work/$1.log" 2>&1; then

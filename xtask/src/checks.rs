@@ -184,6 +184,13 @@ pub(crate) const CHECKS: &[Check] = &[
         run: |work| work.program(work.project.cargo(&[ASSURE, &["status"], MADE_IN_MINUTES].concat())),
     },
     Check {
+        name: "prove",
+        about: "the quick half of the proofs says what the locks say (cargo assure prove --fast; nightly: all)",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| work.program(work.project.cargo(&[ASSURE, &["prove", "--fast"]].concat())),
+    },
+    Check {
         name: "trace",
         about: "every binding rule is shown, and all evidence cites rules (cargo assure trace)",
         lane: Lane::Peers,
@@ -230,8 +237,17 @@ fn always(_: &Project) -> bool {
 
 /// The artefacts that a change of the sources may be asked to bring along. What takes an hour (cargo-mutants, changed
 /// kernels, fuzzing) is asked for by the nightly workflow.
-const MADE_IN_MINUTES: &[&str] =
-    &["mutants", "proofs-kernel", "proofs-machine", "proofs-model", "proofs-readers", "trace"];
+const MADE_IN_MINUTES: &[&str] = &[
+    "mutants",
+    "proofs-kernel",
+    "proofs-machine",
+    "proofs-model",
+    "proofs-readers",
+    "proofs-path",
+    "proofs-theorem",
+    "proofs-page",
+    "trace",
+];
 
 /// How cargo runs the maintainers' command.
 const ASSURE: &[&str] = &["run", "--quiet", "--release", "-p", "ncp-assurance", "--"];

@@ -21,9 +21,11 @@ const VENV: &str = ".tools/venv";
 /// Where programs of crates.io are installed.
 const CARGO_ROOT: &str = ".tools";
 const SOLVERS_VENV: &str = ".tools/proofs-venv";
-const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
+/// The solvers of the proofs, as PyPI has them.
+pub const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
 const ANGR_VENV: &str = ".tools/machine-venv";
-const ANGR: [&str; 4] = ["angr==9.2.213", "bitstring==4.4.0", "pycparser==3.0", "bitwuzla==0.9.1"];
+/// What explores the machine code of the kernel, as PyPI has it.
+pub const ANGR: [&str; 4] = ["angr==9.2.213", "bitstring==4.4.0", "pycparser==3.0", "bitwuzla==0.9.1"];
 const TYPESCRIPT: &str = "peers/typescript";
 const PYTHON: &str = "peers/python";
 /// Where its `build.py` installs it.

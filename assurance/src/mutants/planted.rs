@@ -47,7 +47,19 @@ pub(crate) fn weave(project: &Project, defects: &[Defect]) -> Result<Planted, Pl
     let package_of =
         |file: &str| packages.iter().filter(|package| is_within(file, package)).max_by_key(|one| one.len());
     let edits = defects.iter().flat_map(|defect| &defect.edit);
-    let changed: BTreeSet<&String> = edits.filter_map(|edit| package_of(&edit.file)).collect();
+    let mut changed: BTreeSet<&String> = edits.filter_map(|edit| package_of(&edit.file)).collect();
+    // A constant function of one that depends on another may call a function there that is none any more.
+    loop {
+        let before = changed.len();
+        for package in &packages {
+            if dependencies(&root, &workspace, package)?.iter().any(|other| changed.contains(other)) {
+                changed.insert(package);
+            }
+        }
+        if changed.len() == before {
+            break;
+        }
+    }
     let revise = |file: &str, text: String| -> Result<Option<String>, PlantedError> {
         let Some(package) = package_of(file) else { return Ok(None) };
         Ok(if is_for_tests(file, package) {
@@ -93,13 +105,18 @@ fn packages(root: &Path, workspace: &Table) -> Result<BTreeSet<String>, PlantedE
     let mut packages = BTreeSet::new();
     let mut open = vec![PEER.to_owned()];
     while let Some(package) = open.pop() {
-        let manifest = manifest(&root.join(&package).join("Cargo.toml"))?;
-        let names = manifest.get("dependencies").and_then(Value::as_table);
-        open.extend(names.into_iter().flat_map(Table::keys).filter_map(|name| dependency(workspace, name)));
+        open.extend(dependencies(root, workspace, &package)?);
         open.retain(|other| *other != package && !packages.contains(other));
         packages.insert(package);
     }
     Ok(packages)
+}
+
+/// The folders of the packages of the project on which a package depends.
+fn dependencies(root: &Path, workspace: &Table, package: &str) -> Result<Vec<String>, PlantedError> {
+    let manifest = manifest(&root.join(package).join("Cargo.toml"))?;
+    let names = manifest.get("dependencies").and_then(Value::as_table);
+    Ok(names.into_iter().flat_map(Table::keys).filter_map(|name| dependency(workspace, name)).collect())
 }
 
 /// The folder of a package of the project, by its name.
@@ -219,7 +236,8 @@ mod tests {
     use super::*;
 
     fn defect(name: &str, file: &str, code: &str, with: &str) -> Defect {
-        let edit = Edit { file: file.to_owned(), after: None, code: code.to_owned(), with: with.to_owned() };
+        let edit =
+            Edit { file: file.to_owned(), after: None, code: code.to_owned(), with: with.to_owned(), always: false };
         let table = format!("name = {name:?}\nabout = \"It.\"\nedit = []\n");
         Defect { edit: vec![edit], ..toml::from_str(&table).unwrap() }
     }

@@ -110,7 +110,7 @@ impl MutantsReport {
             counts: counts.map(|(end, count)| (end.to_owned(), count as u64)).into(),
             fates: self.mutants.iter().map(|trial| (trial.mutant.name.clone(), fate(trial))).collect(),
             problems: self.remarks(),
-            rules: BTreeMap::new(),
+            ..Lock::default()
         }
     }
 

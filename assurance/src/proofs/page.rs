@@ -4,45 +4,43 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
-use crate::document::Block;
-
 use ncp_proofs::engines::symbolic::Origin;
 use ncp_proofs::report::{Answer, Broken, Claim, Engine, Found, Report, Run, Shown, Words};
+use ncp_text::catalogue::Catalogue;
+
+use super::held::{LISTED, is_listed};
+use super::{Locks, tables};
+use crate::document::Block;
 
 /// The report as a document.
-pub(super) fn document(report: &Report) -> Vec<Block> {
+pub(super) fn document(report: &Report, locks: &Locks, catalogue: &Catalogue, commit: &str) -> Vec<Block> {
     let engines = &report.engines;
     let mut blocks = vec![
-        heading(1, "top", "Proofs of the safety kernel"),
+        heading(1, "top", "Proofs"),
         text(
             "What is claimed of the code that decides whether a plant moves, and of the code that reads untrusted \
              bytes; by which engine, within which bounds and under which assumptions it was shown; and how to repeat \
-             it. \"proved\" is said of engines that cover every case within the stated bounds, and of nothing else.",
+             it.",
         ),
         text(&format!(
-            "Digest of the sources: of what is proved, of what proves it, and of what decides whether it is \
-             (SHA-256): `{}`. `cargo assure status` compares it with the sources as they are.",
+            "Commit: `{commit}`. Digest of what is proved, of what proves it, and of what it was built with \
+             (SHA-256): `{}`. `cargo assure status` compares both with the sources as they are.",
             report.digest
         )),
         text(
-            "[Properties](#properties) · [Engines](#engines) · [Broken kernels](#broken) · [Each property](#each) · \
-             [What is trusted](#trusted) · [What is not proved](#not-proved) · [Repeat it](#repeat) · [This \
-             run](#run)",
+            "[Claims](#claims) · [Rules](#rules) · [Trusted](#trusted) · [The theorem](#the-theorem) · \
+             [Engines](#engines) · [Made with](#made-with) · [Broken kernels](#broken) · [Each property](#each) · \
+             [Trusted, in words](#trusted-in-words) · [What is not proved](#not-proved) · [Repeat it](#repeat) · \
+             [This run](#run)",
         ),
     ];
-    if report.problems.is_empty() {
-        blocks.push(text(
-            "Every property is proved by an exhaustive engine, every family of the kernel by two; every \
-            broken kernel and every broken reader is refuted.",
-        ));
-    } else {
-        blocks.push(text("Not everything is shown:"));
-        blocks.push(Block::List(report.problems.clone()));
+    let mut problems = report.problems.clone();
+    problems.extend(tables::open(locks).into_iter().filter(|line| !report.problems.contains(line)));
+    if !problems.is_empty() {
+        blocks.push(heading(2, "not-shown", "Not shown"));
+        blocks.push(Block::List(problems));
     }
-    blocks.push(heading(2, "properties", "Properties and engines"));
-    blocks.extend(overview(report, engines));
-    blocks.push(heading(2, "engines", "Engines"));
-    blocks.push(engine_table(engines));
+    blocks.extend(tables::subject(locks, catalogue));
     broken_kernels(engines, &mut blocks);
     blocks.push(heading(2, "each", "Each property"));
     for Claim { id, words } in &report.properties {
@@ -51,7 +49,7 @@ pub(super) fn document(report: &Report) -> Vec<Block> {
     for engine in engines {
         own_claims(report, engine, &mut blocks);
     }
-    blocks.push(heading(2, "trusted", "What is trusted"));
+    blocks.push(heading(2, "trusted-in-words", "Trusted, in words"));
     blocks.push(trusted(engines));
     blocks.push(heading(2, "not-proved", "What is not proved"));
     blocks.push(not_proved(engines));
@@ -99,9 +97,10 @@ const TRUSTED: &[&str] = &[
      few lines within the harness.",
     "The kernel's source is generic over its numbers, and production runs it on `f64` and `i64`: that the few lines \
      which map `Scalar` and `Seq` to these (`scalar.rs`) do so. The engines on doubles and the machine code run \
-     them; the symbolic engine does not.",
+     them; the symbolic engine and the theorem do not.",
     "The symbolic scalar: that its terms mean in SMT-LIB what the operations of `f64` do, that both ways of every \
-     comparison are run, and the writer of the obligations. Refuting the broken kernels exercises all of that.",
+     comparison are followed, and the writer of the obligations. Refuting broken kernels exercises a part of that, and \
+     does not show that both ways were followed.",
     "The rule that drops decisions: a question to the solver keeps only those decisions of its path that its check \
      mentions. With fewer decisions the question claims more, so `unsat` stays a proof; where the answer is `sat`, \
      each path is asked again with all its decisions.",
@@ -117,11 +116,11 @@ const TRUSTED: &[&str] = &[
 const NOT_PROVED: &[&str] = &[
     "Anything about the world: that a number which is called metres, seconds or metres per second is one, that a \
      sensor tells the truth, that a clock runs, that a plant follows its command. The proofs are about doubles.",
-    "Positions against real arithmetic: NCP-SAFE-054 speaks of a plant that follows a command exactly; the proof is \
-     about positions as computed in doubles.",
+    "Positions against real arithmetic by other engines than the theorem: their claims are about positions as \
+     computed in doubles.",
     "Anything beyond the bounds: horizons of more steps, longer sequences, wider vectors, more channels than each \
      property states, except where it says that it holds by induction.",
-    "What the enumeration says it proves is proved for the listed values only.",
+    "What the enumeration tried holds on the values that it lists, and nothing is said of others.",
     "What the stand-in for Kani tried is no proof: it runs the harnesses on edges and samples.",
     "Liveness: that something moves at last. The properties say when the plant must hold and when it may move.",
     "Time and memory: how long the kernel takes, and that it is called in time.",
@@ -186,7 +185,7 @@ fn first_refutations(engines: &[Engine]) -> Vec<Refuted<'_>> {
             let Some(found) = &broken.counterexample else {
                 continue;
             };
-            match all.iter_mut().find(|known| known.broken.id == broken.id) {
+            match all.iter_mut().find(|known| is_same(known.broken, broken)) {
                 None => all.push(Refuted { broken, found, by: vec![&engine.name] }),
                 Some(known) => {
                     known.by.push(&engine.name);
@@ -198,6 +197,11 @@ fn first_refutations(engines: &[Engine]) -> Vec<Refuted<'_>> {
         }
     }
     all
+}
+
+/// Whether two words are about one broken copy: an id is one of a family.
+fn is_same(one: &Broken, other: &Broken) -> bool {
+    (&one.family, &one.id) == (&other.family, &other.id)
 }
 
 /// What differs from run to run.
@@ -226,104 +230,12 @@ fn this_run(run: &Run, engines: &[Engine], blocks: &mut Vec<Block>) {
     blocks.push(Block::Details("Each property".to_owned(), vec![table]));
 }
 
-fn overview(report: &Report, engines: &[Engine]) -> Vec<Block> {
-    let (own, shared): (Vec<&Engine>, Vec<&Engine>) = engines.iter().partition(|engine| has_own_claims(engine));
-    let mut head = vec!["property".to_owned()];
-    head.extend(shared.iter().map(|engine| engine.name.clone()));
-    let rows = report
-        .properties
-        .iter()
-        .map(|Claim { id, .. }| {
-            let mut row = vec![format!("[{id}](#{})", anchor(id))];
-            row.extend(shared.iter().map(|engine| match engine.results.iter().find(|r| r.property == *id) {
-                Some(result) => verdict(engine, result),
-                None if engine.not_run => "not run here".to_owned(),
-                None => "–".to_owned(),
-            }));
-            row
-        })
-        .collect();
-    let mut blocks = vec![Block::Table(head, rows)];
-    let own = own.into_iter().map(|Engine { name, about, results, .. }| {
-        let proved = results.iter().filter(|result| result.is_proved()).count();
-        format!("[{name}](#{name}): {proved} of {} claims of its own proved. {about}", results.len())
-    });
-    let own: Vec<String> = own.collect();
-    if !own.is_empty() {
-        blocks.push(Block::List(own));
-    }
-    blocks.push(text(
-        "How many claims of each family an engine has proved; those of the enumeration for the listed values only:",
-    ));
-    blocks.push(families(report, engines));
-    blocks
-}
-
-/// The families of claims, and how many of each an engine has proved.
-fn families(report: &Report, engines: &[Engine]) -> Block {
-    // A shared property has its family, and a claim of an engine's own says it.
-    let family = |result: &Answer| {
-        let shared = report.properties.iter().find(|claim| claim.id == result.property);
-        shared.map_or_else(|| result.family().to_owned(), |claim| claim.words.family.clone())
-    };
-    let mut proved: Vec<(&str, Vec<String>)> = Vec::new();
-    let mut names: Vec<String> = Vec::new();
-    for engine in engines {
-        let mine: Vec<String> = engine.results.iter().filter(|result| result.is_proved()).map(family).collect();
-        if mine.is_empty() {
-            continue;
-        }
-        for name in &mine {
-            if !names.contains(name) {
-                names.push(name.clone());
-            }
-        }
-        proved.push((&engine.name, mine));
-    }
-    let mut head = vec!["family".to_owned()];
-    head.extend(proved.iter().map(|(engine, _)| (*engine).to_owned()));
-    let rows = names.into_iter().map(|name| {
-        let counts = proved.iter().map(|(_, mine)| match mine.iter().filter(|family| **family == name).count() {
-            0 => "–".to_owned(),
-            count => format!("proved {count}"),
-        });
-        let counts: Vec<String> = counts.collect();
-        [vec![name], counts].concat()
-    });
-    Block::Table(head, rows.collect())
-}
-
 /// What an engine found, with how far it goes.
 fn verdict(engine: &Engine, result: &Answer) -> String {
-    if engine.name == "enumeration" && result.is_proved() {
-        return "proved for the listed values".to_owned();
+    if is_listed(&engine.name, &result.property) && result.is_proved() {
+        return LISTED.to_owned();
     }
     result.verdict.as_str().to_owned()
-}
-
-/// Whether an engine was held against other properties than the shared ones.
-fn has_own_claims(engine: &Engine) -> bool {
-    engine.results.iter().any(|result| result.words.is_some())
-}
-
-fn engine_table(engines: &[Engine]) -> Block {
-    let row = |Engine { name, version, about, not_run, results, broken, .. }: &Engine| {
-        let refuted = broken.iter().filter(|broken| broken.is_refuted()).count();
-        let what = match not_run {
-            true => "not run here".to_owned(),
-            false => format!("refuted {refuted} of {}", broken.len()),
-        };
-        let proved = results.iter().filter(|result| result.is_proved()).count();
-        let shown = match results.len() {
-            0 => "–".to_owned(),
-            all if proved == 0 => format!("tried {all}"),
-            all => format!("proved {proved} of {all}"),
-        };
-        let repeat = repeat(name).map_or("–".to_owned(), |how| format!("`{how}`"));
-        vec![name.clone(), version.clone(), about.clone(), shown, what, repeat]
-    };
-    let head = ["engine", "version", "what it does", "properties", "broken code", "repeat"];
-    Block::Table(head.map(str::to_owned).to_vec(), engines.iter().map(row).collect())
 }
 
 /// The command that runs an engine again.
@@ -351,9 +263,17 @@ fn code(engine: &str, id: &str) -> Vec<String> {
             "latch" => &["spec/src/safety/governor.rs", "spec/src/resilience/action_buffer.rs"],
             _ => &["spec/src/session", "spec/src/reply.rs"],
         },
+        ("theorem", _) => &["spec/kernel/src", "proofs/theorem/coq", "proofs/theorem/src"],
         ("readers", "bulk") => &["spec/src/bulk"],
         ("readers", "version") => &["spec/src/version.rs"],
         ("readers", _) => &["spec/src/keys.rs"],
+        ("path", "estop") => &["spec/src/resilience/action_buffer.rs"],
+        ("path", "governor") => &["spec/src/safety/governor.rs"],
+        ("path", "link") => &["spec/src/resilience/link_monitor.rs"],
+        ("path", "loop") => &["spec/src/control/control_loop.rs"],
+        ("path", _) => {
+            &["spec/src/control/control_loop.rs", "spec/src/safety/governor.rs", "spec/src/resilience/link_monitor.rs"]
+        }
         (_, "watchdog") => return kernel(&["deadline", "order", "watchdog"]),
         (_, "geofence") => return kernel(&["fence", "speed", "gates"]),
         (_, "clamp") => return kernel(&["speed"]),
@@ -368,9 +288,16 @@ fn broken_rows(engines: &[Engine]) -> (Vec<String>, Vec<Vec<String>>) {
     let engines: Vec<&Engine> = engines.iter().filter(shared).collect();
     let mut head = vec!["broken kernel".to_owned(), "change".to_owned()];
     head.extend(engines.iter().map(|engine| engine.name.clone()));
-    let rows = engines.first().into_iter().flat_map(|engine| &engine.broken).map(|broken| {
-        let mut row = vec![broken.id.clone(), change(broken)];
-        row.extend(engines.iter().map(|engine| match engine.broken.iter().find(|other| other.id == broken.id) {
+    let mut all: Vec<&Broken> = Vec::new();
+    for broken in engines.iter().flat_map(|engine| &engine.broken) {
+        if !all.iter().any(|known| is_same(known, broken) && known.property == broken.property) {
+            all.push(broken);
+        }
+    }
+    let rows = all.into_iter().map(|broken| {
+        let mut row = vec![format!("{} by {}", broken.id, broken.property), change(broken)];
+        let is_it = |other: &&Broken| is_same(other, broken) && other.property == broken.property;
+        row.extend(engines.iter().map(|engine| match engine.broken.iter().find(is_it) {
             Some(other) if other.is_refuted() => "refuted".to_owned(),
             Some(_) => "not seen".to_owned(),
             None => "–".to_owned(),
@@ -473,7 +400,7 @@ fn said(engine: &Engine, result: &Answer) -> Vec<String> {
     let (name, property) = (&*engine.name, &result.property);
     let counts = [
         (result.paths, "paths"),
-        (result.states, if name == "readers" { "inputs" } else { "states" }),
+        (result.states, if ["readers", "path"].contains(&name) { "inputs" } else { "states" }),
         (result.obligations, "obligations"),
         (result.true_by_evaluation, "checks true by evaluation"),
         (result.runs, "runs"),

@@ -27,7 +27,8 @@ const INDEPENDENT: [(&str, &str); 2] = [("peers/typescript/src", "ts"), ("peers/
 /// The tables of the defects that are planted in the Rust peer.
 const DEFECTS: &str = "defects/peer";
 /// The locks of the proofs, and the page that they are shown on.
-const PROOFS: [&str; 4] = ["proofs-kernel", "proofs-machine", "proofs-model", "proofs-readers"];
+const PROOFS: [&str; 6] =
+    ["proofs-kernel", "proofs-machine", "proofs-model", "proofs-readers", "proofs-path", "proofs-theorem"];
 const PROOFS_PAGE: &str = "reports/proofs.md";
 /// Prose that names rules.
 const PROSE: [&str; 3] = ["README.md", "peers/PROTOCOL.md", "schemas/README.md"];

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ncp_proofs::engines::symbolic::{self, Solvers};
+use ncp_proofs::engines::symbolic::{self, Limits, Solvers};
 use ncp_proofs::engines::{Outcome, Patience, Verdict, enumeration, standin};
 use ncp_proofs::harness::compared;
 use ncp_proofs::mutants::{MUTANTS, harness};
@@ -133,6 +133,7 @@ fn by_solvers(id: &str, root: &Path) -> Value {
             bin: venv(root),
             script: root.join("proofs/evidence/solve.py"),
             patience: Patience::of(left.min(PER_PROPERTY)),
+            limits: Limits::default(),
             known: Some(root.join(".tools/proofs-known")),
         };
         let evidence = root.join(".tools/mutants/evidence").join(id);

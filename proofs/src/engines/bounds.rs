@@ -40,12 +40,17 @@ pub fn of(property: &str) -> Bounds {
         "geofence/inside" => {
             values(&[0.0, -0.0, 3.0, -4.0, 5.0, 1e200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], &[0], 0)
         }
+        "geofence/step" => values(&[1.0, 3.0], &[0], 0),
+        "geofence/follow" | "geofence/long" | "clamp/channels" => values(&[0.0], &[0], 0),
+        "clamp/channel" => values(&[0.0, -3.0, 4.0, 5.0, f64::MAX, f64::NAN], &[0], 0),
         "clamp/bound" | "clamp/unchanged" => values(COMPONENTS, &[0], 0),
         "clamp/direction" => values(
             &[0.0, -3.0, 4.0, 5.0, 0.9e154, 1.2e154, 1e200, -1e300, -1e-200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY],
             &[0],
             0,
         ),
+        "latch/new" => values(TIMES, &[0], 0),
+        "latch/event" => values(&[0.0, -0.0, 1.0, 500.0, f64::NAN], &[0], 0),
         "latch/plant" => values(&[0.0, 1.0, 500.0, 1000.0, f64::NAN], &[0, 1, 2], 0),
         "latch/sequence" => values(&[0.0], &[0], 6),
         "latch/plant-sequence" => values(&[0.0], &[0, 1, 2], 6),

@@ -14,8 +14,8 @@ use crate::provers::native::{Native, Source};
 const LOOK: Duration = Duration::from_secs(2);
 /// An engine that has begun no run since so many looks may be in one without an end: a run takes microseconds.
 const STILL: u32 = 4;
-/// So long has the same run once more, from its last input on.
-const AGAIN: Duration = Duration::from_secs(4);
+/// So long has the same run once more, from its last input on: far more than a busy machine holds it up.
+const AGAIN: Duration = Duration::from_secs(15);
 
 /// How far an engine is.
 #[derive(Debug, Default)]

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use crate::counterexample::Counterexample;
 
@@ -17,10 +18,14 @@ pub struct Outcome {
     pub detail: String,
     /// Paths explored.
     pub paths: u64,
+    /// Checks that are not true by evaluation, on all paths.
+    pub raised: u64,
     /// Obligations given to the solver.
     pub obligations: u64,
     /// Checks that were true on their path without a solver: their answers were constants.
     pub by_evaluation: u64,
+    /// Obligations that hold with every operation and comparison of doubles uninterpreted.
+    pub without_arithmetic: u64,
     /// Obligations that a second solver answered alike.
     pub cross_checked: u64,
     /// Runs of the harness on numbers.
@@ -72,8 +77,10 @@ impl Outcome {
             verdict: Verdict::Tried,
             detail: String::new(),
             paths: 0,
+            raised: 0,
             obligations: 0,
             by_evaluation: 0,
+            without_arithmetic: 0,
             cross_checked: 0,
             runs: 0,
             evidence: Vec::new(),
@@ -84,18 +91,29 @@ impl Outcome {
     }
 }
 
-/// How long an engine goes on.
-#[derive(Debug)]
+/// Whether an engine goes on: until its work is done, or somebody ends it.
+#[derive(Debug, Default)]
 pub struct Patience {
-    until: Instant,
+    until: Option<Instant>,
     is_over: AtomicBool,
+}
+
+/// An engine was ended.
+#[derive(Debug, Error)]
+pub enum Ended {
+    /// By another one, which has refuted the kernel.
+    #[error("ended, as the kernel is refuted")]
+    Refuted,
+    /// By the clock, where it was given a time.
+    #[error("not decided in time")]
+    Time,
 }
 
 impl Patience {
     /// For so long from now on.
     #[must_use]
     pub fn of(time: Duration) -> Self {
-        Self { until: Instant::now() + time, is_over: AtomicBool::new(false) }
+        Self { until: Some(Instant::now() + time), is_over: AtomicBool::new(false) }
     }
 
     /// Ends it.
@@ -109,18 +127,17 @@ impl Patience {
         self.is_over.load(Ordering::Relaxed)
     }
 
-    /// What is left of it.
+    /// Whether something is left of it.
     ///
     /// # Errors
     /// Nothing; and why.
-    pub(crate) fn left(&self) -> Result<Duration, String> {
-        let left = self.until.saturating_duration_since(Instant::now());
+    pub(crate) fn left(&self) -> Result<(), Ended> {
         if self.is_over() {
-            Err("ended, as the kernel is refuted".to_owned())
-        } else if left.is_zero() {
-            Err("not decided in time".to_owned())
+            Err(Ended::Refuted)
+        } else if self.until.is_some_and(|until| until <= Instant::now()) {
+            Err(Ended::Time)
         } else {
-            Ok(left)
+            Ok(())
         }
     }
 }

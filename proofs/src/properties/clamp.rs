@@ -2,6 +2,7 @@
 
 use ncp_kernel::{Channel, Limit, Reason, Scalar};
 
+pub use super::loops::{channel, channels};
 use super::words::{all_finite, norm, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
@@ -121,7 +122,7 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
     };
     let width = p.choice("width", 3) + 2;
     let flags = [p.boolean("is_named"), p.boolean("velocity_in_mps")];
-    let other_in_mps = p.boolean("other_in_mps");
+    let (other_in_mps, is_first) = (p.boolean("other_in_mps"), p.boolean("is_first"));
     let mut velocity = [p.number(0.0); 4];
     for (axis, x) in velocity.iter_mut().enumerate().take(width) {
         *x = p.scalar(&format!("v_{axis}"));
@@ -132,7 +133,8 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
         let velocity =
             Channel { data: velocity.get_mut(..width).unwrap_or_default(), is_velocity: flags[0], in_mps: flags[1] };
         let other = Channel { data: other.as_mut_slice(), is_velocity: false, in_mps: other_in_mps };
-        K::limit_tick([velocity, other].into_iter(), limit)
+        let channels = if is_first { [velocity, other] } else { [other, velocity] };
+        K::limit_tick(channels.into_iter(), limit)
     };
     let before = velocity_before.get(..width).unwrap_or_default();
     let finite = {
@@ -149,13 +151,17 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
             [(before, velocity.get(..width).unwrap_or_default(), flags[1]), (&other_before, &other, other_in_mps)]
         {
             if is_enabled && in_mps {
-                let after = norm(p, after);
-                let within = p.le(after, max);
+                let length = norm(p, after);
+                let within = p.le(length, max);
                 p.check("every channel in m/s is within the limit", within);
-                let before = norm(p, before);
-                let was_within = p.le(before, max);
+                let length = norm(p, before);
+                let was_within = p.le(length, max);
                 let was_above = p.not(was_within);
                 above = p.or(above, was_above);
+                let same: Vec<_> = before.iter().zip(after).map(|(before, after)| p.same(*before, *after)).collect();
+                let same = p.all(&same);
+                let right = p.or(was_above, same);
+                p.check("a channel that is not above it is as it was", right);
             } else {
                 for (before, after) in before.iter().zip(after) {
                     let same = p.same(*before, *after);

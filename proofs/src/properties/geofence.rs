@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 
+pub use super::loops::{follow, long, step};
 use super::words::{enforced, norm, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;

@@ -4,12 +4,14 @@ use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Received, Scalar};
 
 use super::geofence::{Asked, Ticks, limit_says};
 use super::words::{advances, alive, fresh, hold_takes_effect, positive};
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, PlantState, WatchdogState};
 use crate::prover::Prover;
+
+pub use super::command::{event, govern, new};
 
 const MODES: [Mode; 4] = [Mode::Active, Mode::Hold, Mode::Init, Mode::Estop];
 
-fn mode<P: Prover>(p: &mut P) -> Mode {
+pub(super) fn mode<P: Prover>(p: &mut P) -> Mode {
     let nth = p.choice("mode", MODES.len());
     MODES.get(nth).copied().unwrap_or(Mode::Hold)
 }
@@ -95,35 +97,19 @@ pub fn gates<K: Kernel, P: Prover>(p: &mut P) {
     p.check("a reset clears the latch and not the fault", reset);
 }
 
-/// One event on a plant in any state that it can reach: the answer and the next state are the model's.
-pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
-    same_state::<K, P>(p, &K::plant_default(), None, None, false);
-    let mut plant = K::plant::<P::S, P::Q>();
-    let (mut last, mut deadline) = (None, None);
-    let form = p.choice("state", 3);
-    if form > 0 {
-        let (received, ttl, seq) = (p.scalar("received"), p.scalar("ttl"), p.seq("last"));
-        let answer = K::plant_command(&mut plant, Mode::Active, received, ttl, seq);
-        let accepted = p.truth(answer == Received::Accepted);
-        p.check("the first command is accepted", accepted);
-        (last, deadline) = (Some(seq), Some((received, ttl)));
-    }
-    if form > 1 {
-        // A HOLD of the same seq.
-        if let Some(seq) = last {
-            let answer = K::plant_command(&mut plant, Mode::Hold, P::S::constant(0.0), P::S::constant(0.0), seq);
-            let held = p.truth(answer == Received::Held);
-            p.check("a HOLD of the same seq takes effect", held);
-        }
-        deadline = None;
-    }
-    let mut stopped = p.boolean("was_stopped");
-    if stopped {
-        K::plant_stop(&mut plant);
-    }
-    same_state::<K, P>(p, &plant, last, deadline, stopped);
+/// How many steps the horizons of a plant have.
+pub(crate) const HORIZONS: [usize; 5] = [0, 1, 2, 3, 8];
 
-    match p.choice("event", 3) {
+/// One event on a plant in any state: the answer and the whole state after it are the model's.
+pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
+    for start in [K::plant::<P::S, P::Q>(), K::plant_default()] {
+        same_state::<K, P>(p, &start, PlantState { watchdog: super::watchdog::empty(), estop: false });
+    }
+    let watchdog = super::watchdog::any_state(p);
+    let before = PlantState { watchdog, estop: p.boolean("was_stopped") };
+    let (mut last, mut deadline, mut stopped) = (watchdog.last_seq, watchdog.deadline, before.estop);
+    let mut plant = K::plant_in(before);
+    match p.choice("event", 4) {
         0 => {
             let mode = mode(p);
             let (now, ttl, seq) = (p.scalar("now"), p.scalar("new_ttl"), p.seq("seq"));
@@ -152,7 +138,7 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                     let right = p.truth(matches!(answer, Received::Held | Received::Dropped));
                     p.check("a HOLD holds or is dropped", right);
                     if answer == Received::Held {
-                        let now = K::plant_state(&plant).0;
+                        let now = K::plant_state(&plant).watchdog.last_seq;
                         last = super::watchdog::after_hold(p, now, last, seq);
                         deadline = None;
                     }
@@ -160,7 +146,8 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
             }
         }
         1 => {
-            let (now, dt, steps) = (p.scalar("now"), p.optional("dt"), p.choice("steps", 3));
+            let (now, dt, steps) = (p.scalar("now"), p.optional("dt"), p.choice("steps", HORIZONS.len()));
+            let steps = HORIZONS.get(steps).copied().unwrap_or_default();
             let answer = K::plant_active(&mut plant, now, dt, steps);
             let lives = match deadline {
                 Some((received, ttl)) => alive(p, now, received, ttl),
@@ -199,24 +186,29 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
                 p.check("without a horizon it is tick 0", right);
             }
             // Past its end a command is over for good, as when its ttl is.
-            let state = K::plant_state(&plant);
+            let state = K::plant_state(&plant).watchdog;
             let ends = {
                 let dead = p.not(lives);
                 let free = p.truth(!stopped);
                 let over = p.and(past_end, free);
                 p.or(dead, over)
             };
-            p.exactly("a hold persists", state.1.is_none(), ends);
-            if state.1.is_none() {
+            p.exactly("a hold persists", state.deadline.is_none(), ends);
+            if state.deadline.is_none() {
                 deadline = None;
             }
         }
-        _ => {
+        2 => {
             K::plant_reset(&mut plant);
             (last, deadline, stopped) = (None, None, false);
         }
+        _ => {
+            K::plant_stop(&mut plant);
+            stopped = true;
+        }
     }
-    same_state::<K, P>(p, &plant, last, deadline, stopped);
+    let watchdog = WatchdogState { last_seq: last, deadline };
+    same_state::<K, P>(p, &plant, PlantState { watchdog, estop: stopped });
     if stopped || deadline.is_none() {
         let later = p.scalar("later");
         let answer = K::plant_active(&mut plant, later, None, 0);
@@ -225,16 +217,13 @@ pub fn plant<K: Kernel, P: Prover>(p: &mut P) {
     }
 }
 
-fn same_state<K: Kernel, P: Prover>(
-    p: &mut P,
-    plant: &K::Plant<P::S, P::Q>,
-    last: Option<P::Q>,
-    deadline: Option<(P::S, P::S)>,
-    stopped: bool,
-) {
-    super::words::same_state(p, K::plant_state(plant), last, deadline);
-    let same = p.truth(K::plant_is_stopped(plant) == stopped);
-    p.check("the latch is the model's", same);
+fn same_state<K: Kernel, P: Prover>(p: &mut P, plant: &K::Plant<P::S, P::Q>, says: PlantState<P::S, P::Q>) {
+    for PlantState { watchdog, estop } in [K::plant_state(plant), K::plant_says(plant)] {
+        let same = super::words::same_watchdog(p, watchdog, says.watchdog);
+        p.check("the state is the model's", same);
+        let same = p.truth(estop == says.estop);
+        p.check("the latch is the model's", same);
+    }
 }
 
 /// Every sequence of events at gates with a fence, a speed limit and a clock: ESTOP holds from the event

@@ -1,8 +1,10 @@
 //! The properties: what is claimed, in words and in symbols, and the harness that says it.
 
 pub mod clamp;
+mod command;
 pub mod geofence;
 pub mod latch;
+mod loops;
 pub mod number;
 mod table;
 pub mod watchdog;

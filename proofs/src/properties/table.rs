@@ -63,12 +63,12 @@ pub const PROPERTIES: &[Property] = &[
             "NCP-RES-012",
             "NCP-RES-024",
         ],
-        sentence: "In every state that a watchdog can reach, every event gives the answer and the next state of the \
-            model: only an advancing command sets the deadline, a HOLD is never ignored, a hold persists, and a \
-            reset revives nothing. With the first state this holds for sequences of any length, by induction.",
-        statement: "init = model.init; ∀ reachable states σ, events e: step(σ, e) = model.step(σ, e), where σ ∈ \
-            {(none, none), (q, (r, ttl)), (q, none)} for all q ∈ I64, r, ttl ∈ F64",
-        bounds: "none; the three forms of states are closed under all events",
+        sentence: "In every state of a watchdog, every event gives the answer and the whole next state of the model: \
+            only an advancing command sets the deadline, a HOLD is never ignored, a hold persists, and a reset \
+            revives nothing. With the first state this holds for sequences of any length, by induction.",
+        statement: "init = model.init; ∀ σ ∈ (I64 ∪ {none}) × (F64² ∪ {none}), events e: step(σ, e) = model.step(σ, \
+            e), answer and every member of the state, bit by bit",
+        bounds: "none; also states that are never reached",
         assumptions: NONE,
     },
     Property {
@@ -128,6 +128,47 @@ pub const PROPERTIES: &[Property] = &[
         assumptions: &["As geofence/projection."],
     },
     Property {
+        id: "geofence/step",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-050", "NCP-SAFE-055"],
+        sentence: "One turn of the projection, whichever: any step of a horizon, from any place, ends where its \
+            velocity leads in its share of the time, and is taken exactly when that is inside and it has a velocity.",
+        statement: "∀ k, from, v ∈ F64³ ∪ {none}, dt, T, r: step_end = some e ⇔ v ≠ none ∧ inside(e, r), where e = from \
+            ⊕ v ⊗ (share(k) ⊘ 1000), share(k) = min(dt, T ⊖ k⊗dt) where k⊗dt < T, and else 0. So inside(place) is \
+            kept by every turn",
+        bounds: "none: the number of the step is any double at all",
+        assumptions: &["That a step is projected from where the one before has ended: by geofence/follow, and \
+            latch/govern."],
+    },
+    Property {
+        id: "geofence/follow",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-050", "NCP-SAFE-066", "NCP-SAFE-067"],
+        sentence: "What turns the loops over a horizon, that of the speed limit and that of the projection: the steps \
+            are taken one after the other, each once and from what the one before has left, up to the last or the \
+            first that cannot be taken, and no more.",
+        statement: "∀ n, f: follow(n, s₀, step) = (k, sₖ) with sᵢ = step(i, sᵢ₋₁), k = min(n, f − 1), f the first i \
+            with step(i, sᵢ₋₁) = none; step is asked min(n, f) times",
+        bounds: "n up to 4,096, the longest horizon of a frame: every f for n up to 64, and above f = none, 1, 2, n/2, n \
+            − 1, n",
+        assumptions: &[
+            "It is generic over the state and the step, and so cannot look at them: that Rust's types hold.",
+        ],
+    },
+    Property {
+        id: "geofence/long",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-050", "NCP-SAFE-055", "NCP-SAFE-066", "NCP-SAFE-067"],
+        sentence: "In a long horizon one step that leads out, is not finite, is too fast, has no velocity, or comes \
+            after the ttl is noticed or left alone as it has to be, wherever it stands, with each of the limits, \
+            both and none.",
+        statement: "∀ n ∈ N, i ∈ {1, 2, n/2, n − 1, n}, kinds of step i, limits: govern keeps i − 1 steps or all, and \
+            says so",
+        bounds: "N = {1, 2, 3, 4, 7, 8, 9, 16, 31, 64, 65, 129, 257, 1025, 4096}; one position, one velocity of each \
+            kind",
+        assumptions: &["Other places, velocities and times: by geofence/step and latch/govern."],
+    },
+    Property {
         id: "clamp/bound",
         family: Family::Clamp,
         rules: &["NCP-SAFE-060", "NCP-SAFE-064"],
@@ -169,8 +210,104 @@ pub const PROPERTIES: &[Property] = &[
             within the limit, and every other one as it was. What is not finite is said to be so.",
         statement: "limit_tick(channels, limit) is ok ⇔ ¬faulty ∧ fin(channels) ∧ (enabled ⇒ velocity is named, 3 \
             wide, in m/s); and then ∀ c in m/s: ‖c‖ ≤ max",
-        bounds: "two channels, of 2 to 4 and of 1 component",
+        bounds: "two channels in either order, of 2 to 4 and of 1 component",
         assumptions: NONE,
+    },
+    Property {
+        id: "clamp/channel",
+        family: Family::Clamp,
+        rules: &["NCP-SAFE-011", "NCP-SAFE-060", "NCP-SAFE-062", "NCP-SAFE-064", "NCP-SAFE-065"],
+        sentence: "One turn of the loop over the channels of a tick, whichever: any channel, after any others, is \
+            usable exactly when it is finite and the limit, where it acts, is a bound; in m/s it is then within the \
+            limit, and left alone, to the bit, unless it was above; what is known of the channels before is kept.",
+        statement: "∀ (changed, has), limit, c: ok ⇔ fin(c) ∧ (enabled ∧ in m/s ⇒ pos(max)); then has′ = has ∨ (enabled \
+            ∧ c is the velocity, 3 wide, in m/s), changed′ = changed ∨ (enabled ∧ in m/s ∧ ‖c‖ > max), ‖c′‖ ≤ max \
+            there, and c′ = c unless ‖c‖ > max",
+        bounds: "channels of up to 4 components",
+        assumptions: NONE,
+    },
+    Property {
+        id: "clamp/channels",
+        family: Family::Clamp,
+        rules: &["NCP-SAFE-063", "NCP-SAFE-064", "NCP-SAFE-065"],
+        sentence: "In a tick of many channels the one that is too fast is limited, the one that is not finite is \
+            noticed, and the velocity is found, wherever it stands, however wide it is, and whichever of its \
+            components is to blame.",
+        statement: "∀ n ∈ N, w ∈ W, places of the velocity, of one odd channel and of its odd component in {first, \
+            middle, last}: limit_tick(c₁ … cₙ) = err not finite where one is not, err no velocity where the limit is \
+            enabled and the velocity is not 3 wide, else ok(whether one was above); and then ‖c‖ ≤ max",
+        bounds: "N = {1, 2, 3, 9, 65, 257} channels, W = {1, 3, 4, 9, 65, 257} components; one value of each kind",
+        assumptions: &["Other values: by clamp/channel."],
+    },
+    Property {
+        id: "latch/new",
+        family: Family::Latch,
+        rules: &["NCP-SAFE-012", "NCP-SAFE-013"],
+        sentence: "New gates have the limits and the timeout that they are given, a config fault exactly when a limit \
+            is faulty, and no latch.",
+        statement: "∀ speed, radius ∈ F64 ∪ {none}, timeout ∈ F64: new(speed, radius, timeout) = (limit(speed), \
+            limit(radius), timeout, faulty(speed) ∨ faulty(radius), false), the whole state",
+        bounds: "none",
+        assumptions: NONE,
+    },
+    Property {
+        id: "latch/event",
+        family: Family::Latch,
+        rules: &[
+            "NCP-SAFE-006",
+            "NCP-SAFE-007",
+            "NCP-SAFE-008",
+            "NCP-SAFE-009",
+            "NCP-SAFE-014",
+            "NCP-SAFE-017",
+            "NCP-SAFE-018",
+        ],
+        sentence: "In every state of the gates: a binding sets the config fault exactly when an enabled limit has \
+            nothing to act on; a burst sets the latch, and no burst changes nothing; a reset clears the latch. \
+            Nothing else changes: limits and timeout stay, to the bit, as they are. With latch/new and latch/govern \
+            this holds for traces of any length, by induction.",
+        statement: "∀ σ = (speed, fence, timeout, fault, estop): bind(v, p): fault′ = fault ∨ (speed ≠ disabled ∧ ¬v) \
+            ∨ (fence ≠ disabled ∧ ¬p); note_link(b): estop′ = estop ∨ b; reset: estop′ = false; all other members \
+            of σ′ are those of σ, bit by bit",
+        bounds: "none: all limits, all doubles, also states that are never reached",
+        assumptions: NONE,
+    },
+    Property {
+        id: "latch/govern",
+        family: Family::Latch,
+        rules: &[
+            "NCP-SAFE-001",
+            "NCP-SAFE-002",
+            "NCP-SAFE-003",
+            "NCP-SAFE-004",
+            "NCP-SAFE-005",
+            "NCP-SAFE-017",
+            "NCP-SAFE-020",
+            "NCP-SAFE-030",
+            "NCP-SAFE-043",
+            "NCP-SAFE-050",
+            "NCP-SAFE-051",
+            "NCP-SAFE-052",
+            "NCP-SAFE-053",
+            "NCP-SAFE-055",
+            "NCP-SAFE-066",
+            "NCP-SAFE-067",
+            "NCP-SAFE-068",
+        ],
+        sentence: "A command with limits, fence and horizon at once, at gates in every state: the first gate of 7.3 \
+            that closes decides, with its reason; every tick that passes was limited once, by the limit as \
+            configured, and then projected, and ends inside; only what is not to be used or leads out is cut off, \
+            and the decision says whether something was; ESTOP latches exactly by gates 1 and 4, and nothing else \
+            of the state changes.",
+        statement: "∀ σ with faulty ⇒ fault, mode, now, last, position, ttl, dt, n, answers aᵢ and velocities vᵢ of the \
+            ticks: decision and kept steps k are those of 7.3, with k = min(first i: aᵢ₊₁ is err, first i: \
+            ¬inside(pᵢ₊₂)); estop′ ⇔ estop ∨ mode = estop ∨ outside at gate 4; all other members of σ′ are those \
+            of σ, bit by bit",
+        bounds: "horizons of up to 2 steps",
+        assumptions: &[
+            "What a tick answers to the limit, and that its velocity is then within it: by clamp/tick. The \
+            harness takes any answer and any velocity.",
+        ],
     },
     Property {
         id: "latch/gates",
@@ -220,12 +357,14 @@ pub const PROPERTIES: &[Property] = &[
             "NCP-RES-031",
             "NCP-RES-032",
         ],
-        sentence: "In every state that a plant can reach, every event gives the answer and the next state of the \
-            model: ESTOP latches whatever its seq, only active is followed, a HOLD is never ignored, the tick is \
-            ⌊age / dt⌋, none past the end, and nothing moves after a reset.",
-        statement: "∀ reachable states σ × estop, events e: step(σ, e) = model.step(σ, e); active = k ⇒ k ≤ (age ⊘ \
-            dt) < k + 1 ∧ k ≤ n",
-        bounds: "horizons of up to 2 steps",
+        sentence: "In every state of a plant, every event gives the answer and the whole next state of the model: \
+            ESTOP latches whatever its seq, only active is followed, a HOLD is never ignored, the tick is ⌊age / \
+            dt⌋, none past the end, and nothing moves after a reset. With the first state this holds for sequences \
+            of any length, by induction.",
+        statement: "init = model.init; ∀ σ ∈ (I64 ∪ {none}) × (F64² ∪ {none}) × {0, 1}, events e: step(σ, e) = \
+            model.step(σ, e), answer and every member of the state, bit by bit; active = k ⇒ k ≤ (age ⊘ dt) < k + 1 \
+            ∧ k ≤ n",
+        bounds: "horizons of n = 0, 1, 2, 3 and 8 steps",
         assumptions: NONE,
     },
     Property {

@@ -1,7 +1,7 @@
 //! The watchdog: how long a command is worth anything, and which command counts.
 
 use super::words::{alive, enforced};
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, WatchdogState};
 use crate::prover::Prover;
 
 /// A command is alive exactly while all is finite, the ttl is positive, the clock has not gone back, and
@@ -48,51 +48,47 @@ pub fn order<K: Kernel, P: Prover>(p: &mut P) {
     p.exactly("a HOLD takes effect", answer, says);
 }
 
-/// One event on a watchdog in any state that it can reach: the answer and the next state are those of
-/// the model. With the first state, this is an induction over sequences of any length.
+/// Any state of a watchdog at all, also one that it cannot reach.
+pub(super) fn any_state<P: Prover>(p: &mut P) -> WatchdogState<P::S, P::Q> {
+    WatchdogState {
+        last_seq: p.boolean("has_last").then(|| p.seq("last")),
+        deadline: p.boolean("has_deadline").then(|| (p.scalar("received"), p.scalar("ttl"))),
+    }
+}
+
+/// The state in which nothing has happened yet. `[NCP-RES-006]`
+pub(super) const fn empty<S, Q>() -> WatchdogState<S, Q> {
+    WatchdogState { last_seq: None, deadline: None }
+}
+
+/// One event on a watchdog in any state: the answer and the whole state after it are those of the model. With the
+/// first state, this is an induction over sequences of any length.
 pub fn step<K: Kernel, P: Prover>(p: &mut P) {
-    let mut watchdog = K::watchdog::<P::S, P::Q>();
-    let start = K::watchdog_state(&watchdog);
-    let default = K::watchdog_state(&K::watchdog_default::<P::S, P::Q>());
-    for start in [start, default] {
-        let is_empty = p.truth(start.0.is_none() && start.1.is_none());
+    for start in [K::watchdog::<P::S, P::Q>(), K::watchdog_default()] {
+        let is_empty = super::words::same_watchdog(p, K::watchdog_state(&start), empty());
         p.check("a new watchdog holds", is_empty);
     }
-
-    // The states that it can reach: no command yet, one that is followed, one that is not any more.
-    let (mut last, mut deadline) = (None, None);
-    let form = p.choice("state", 3);
-    if form > 0 {
-        let (received, ttl, seq) = (p.scalar("received"), p.scalar("ttl"), p.seq("last"));
-        let took = K::watchdog_command(&mut watchdog, received, ttl, seq);
-        let took = p.truth(took);
-        p.check("the first command advances", took);
-        (last, deadline) = (Some(seq), Some((received, ttl)));
-    }
-    if form > 1 {
-        K::watchdog_hold(&mut watchdog);
-        deadline = None;
-    }
-    same_state::<K, P>(p, &watchdog, last, deadline);
-
+    let before = any_state(p);
+    let WatchdogState { mut last_seq, mut deadline } = before;
+    let mut watchdog = K::watchdog_in(before);
     match p.choice("event", 5) {
         0 => {
             let (now, ttl, seq) = (p.scalar("now"), p.scalar("new_ttl"), p.seq("seq"));
             let answer = K::watchdog_command(&mut watchdog, now, ttl, seq);
-            let says = super::words::advances(p, last, seq);
+            let says = super::words::advances(p, last_seq, seq);
             p.exactly("only an advancing command refreshes", answer, says);
             if answer {
-                (last, deadline) = (Some(seq), Some((now, ttl)));
+                (last_seq, deadline) = (Some(seq), Some((now, ttl)));
             }
         }
         1 => {
             let seq = p.seq("seq");
             let answer = K::watchdog_on_hold(&mut watchdog, seq);
-            let says = super::words::hold_takes_effect(p, last, seq);
+            let says = super::words::hold_takes_effect(p, last_seq, seq);
             p.exactly("a HOLD is never ignored", answer, says);
             if answer {
                 deadline = None;
-                last = after_hold(p, K::watchdog_state(&watchdog).0, last, seq);
+                last_seq = after_hold(p, K::watchdog_state(&watchdog).last_seq, last_seq, seq);
             }
         }
         2 => {
@@ -113,10 +109,10 @@ pub fn step<K: Kernel, P: Prover>(p: &mut P) {
         }
         _ => {
             K::watchdog_reset(&mut watchdog);
-            (last, deadline) = (None, None);
+            (last_seq, deadline) = (None, None);
         }
     }
-    same_state::<K, P>(p, &watchdog, last, deadline);
+    same_state::<K, P>(p, &watchdog, WatchdogState { last_seq, deadline });
     if deadline.is_none() {
         let later = p.scalar("later");
         let holds = K::watchdog_should_hold(&mut watchdog, later);
@@ -208,12 +204,9 @@ pub(super) fn after_hold<P: Prover>(p: &mut P, now: Option<P::Q>, last: Option<P
     now
 }
 
-fn same_state<K: Kernel, P: Prover>(
-    p: &mut P,
-    watchdog: &K::Watchdog<P::S, P::Q>,
-    last: Option<P::Q>,
-    deadline: Option<(P::S, P::S)>,
-) {
-    let state = K::watchdog_state(watchdog);
-    super::words::same_state(p, state, last, deadline);
+fn same_state<K: Kernel, P: Prover>(p: &mut P, watchdog: &K::Watchdog<P::S, P::Q>, says: WatchdogState<P::S, P::Q>) {
+    for state in [K::watchdog_state(watchdog), K::watchdog_says(watchdog)] {
+        let same = super::words::same_watchdog(p, state, says);
+        p.check("the state is the model's", same);
+    }
 }

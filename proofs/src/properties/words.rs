@@ -1,7 +1,8 @@
 //! What the text says, as formulas: written from its sentences, not from the kernel's code.
 
-use ncp_kernel::Scalar;
+use ncp_kernel::{Limit, Scalar};
 
+use crate::kernel::{GatesState, WatchdogState};
 use crate::prover::Prover;
 
 /// min(ttl, 60 s), in ms. `[NCP-RES-004]`
@@ -85,27 +86,113 @@ pub(super) fn all_finite<P: Prover>(p: &mut P, vector: &[P::S]) -> P::B {
     p.all(&parts)
 }
 
-/// What a watchdog knows: its last seq, and when it received and for how long.
-type State<S, Q> = (Option<Q>, Option<(S, S)>);
-
-/// A watchdog's last seq, when it received and for how long: those of the model.
-pub(super) fn same_state<P: Prover>(
+/// The whole state of a watchdog is this one, bit by bit; and so is what its accessors say.
+pub(super) fn same_watchdog<P: Prover>(
     p: &mut P,
-    state: State<P::S, P::Q>,
-    last: Option<P::Q>,
-    deadline: Option<(P::S, P::S)>,
-) {
-    let same_seq = match (state.0, last) {
+    state: WatchdogState<P::S, P::Q>,
+    says: WatchdogState<P::S, P::Q>,
+) -> P::B {
+    let WatchdogState { last_seq, deadline } = state;
+    let same_seq = match (last_seq, says.last_seq) {
         (Some(is), Some(says)) => p.seq_same(is, says),
         (is, says) => p.truth(is.is_none() && says.is_none()),
     };
-    let same_deadline = match (state.1, deadline) {
+    let same_deadline = match (deadline, says.deadline) {
         (Some(is), Some(says)) => {
             let (received, ttl) = (p.same(is.0, says.0), p.same(is.1, says.1));
             p.and(received, ttl)
         }
         (is, says) => p.truth(is.is_none() && says.is_none()),
     };
-    let same = p.and(same_seq, same_deadline);
-    p.check("the state is the model's", same);
+    p.and(same_seq, same_deadline)
+}
+
+/// Two limits are the same, bit by bit.
+pub(super) fn same_limit<P: Prover>(p: &mut P, is: Limit<P::S>, says: Limit<P::S>) -> P::B {
+    match (is, says) {
+        (Limit::Enabled(is), Limit::Enabled(says)) => p.same(is, says),
+        (Limit::Disabled, Limit::Disabled) | (Limit::Faulty, Limit::Faulty) => p.truth(true),
+        _ => p.truth(false),
+    }
+}
+
+/// The whole state of the gates is this one, bit by bit: what is not meant to change has not.
+pub(super) fn same_gates<P: Prover>(p: &mut P, state: GatesState<P::S>, says: GatesState<P::S>) {
+    let GatesState { max_speed_mps, fence_m, timeout_ms, config_fault, estop } = state;
+    let same = same_limit(p, max_speed_mps, says.max_speed_mps);
+    p.check("the speed limit is the model's", same);
+    let same = same_limit(p, fence_m, says.fence_m);
+    p.check("the fence is the model's", same);
+    let same = p.same(timeout_ms, says.timeout_ms);
+    p.check("the timeout is the model's", same);
+    let same = p.truth(config_fault == says.config_fault);
+    p.check("the config fault is the model's", same);
+    let same = p.truth(estop == says.estop);
+    p.check("the latch is the model's", same);
+}
+
+/// Where a plant is that follows a command from a position inside the fence.
+pub(super) struct End<B> {
+    /// Whether tick 0 alone, followed for the whole ttl, ends inside.
+    pub(super) whole: B,
+    /// Whether each tick ends inside, each projected from the end of the one before.
+    pub(super) ticks: Vec<B>,
+}
+
+/// Section 7.5: whether the ticks of these velocities end inside; one without a velocity does not.
+pub(super) fn ends<P: Prover>(
+    p: &mut P,
+    position: &[P::S; 3],
+    radius: P::S,
+    ttl: P::S,
+    dt: Option<P::S>,
+    velocities: &[Option<[P::S; 3]>],
+) -> End<P::B> {
+    let whole_ms = whole(p, ttl);
+    let first = velocities.first().copied().flatten();
+    let (_, whole) = end(p, *position, first, whole_ms, radius);
+    let dt = dt.unwrap_or_else(|| p.number(f64::NAN));
+    let mut place = *position;
+    let mut ticks = Vec::new();
+    for (tick, velocity) in velocities.iter().enumerate() {
+        let time = share(p, tick, dt, whole_ms);
+        let (next, is_inside) = end(p, place, *velocity, time, radius);
+        place = next;
+        ticks.push(is_inside);
+    }
+    End { whole, ticks }
+}
+
+/// *T* of section 7.5: the enforced ttl, and 0 for what is no time. In ms.
+pub(super) fn whole<P: Prover>(p: &mut P, ttl: P::S) -> P::S {
+    let (is_time, enforced, zero) = (positive(p, ttl), enforced(p, ttl), p.number(0.0));
+    p.select(is_time, enforced, zero)
+}
+
+/// The part of [k·dt, (k + 1)·dt) that lies before the end, in ms. `[NCP-SAFE-050]`
+pub(super) fn share<P: Prover>(p: &mut P, tick: usize, dt: P::S, whole: P::S) -> P::S {
+    #[expect(clippy::cast_precision_loss)]
+    let start = p.number(tick as f64).mul(dt);
+    let rest = whole.sub(start);
+    let (shorter, begins, zero) = (p.lt(dt, rest), p.lt(start, whole), p.number(0.0));
+    let part = p.select(shorter, dt, rest);
+    p.select(begins, part, zero)
+}
+
+/// Where this velocity leads in so many ms, and whether that is inside; without one, nowhere.
+pub(super) fn end<P: Prover>(
+    p: &mut P,
+    from: [P::S; 3],
+    velocity: Option<[P::S; 3]>,
+    time_ms: P::S,
+    radius: P::S,
+) -> ([P::S; 3], P::B) {
+    let Some([u, v, w]) = velocity else {
+        return (from, p.truth(false));
+    };
+    let seconds = time_ms.div(p.number(1000.0));
+    let [x, y, z] = from;
+    let end = [x.add(u.mul(seconds)), y.add(v.mul(seconds)), z.add(w.mul(seconds))];
+    let is_inside = inside(p, &end, radius);
+    (end, is_inside)
 }

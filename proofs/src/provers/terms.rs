@@ -7,10 +7,14 @@
 
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
+use std::panic::resume_unwind;
 
 use ncp_kernel::{Scalar, Seq};
 
-use crate::prover::Prover;
+use crate::prover::{INDICES, Prover};
+
+/// More operations on one path than these are no end of it.
+const MOST_STEPS: u64 = 1_000_000;
 
 /// A node of the graph of terms; terms are numbers of nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -44,6 +48,15 @@ struct Fork {
     ways: usize,
 }
 
+/// What a path has decided, in order: what tells it from all others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Decision {
+    /// The answer to a comparison.
+    Answer(u32, bool),
+    /// Which of how many ways the harness goes on, at its `nth` choice.
+    Way { nth: u16, way: u16, ways: u16 },
+}
+
 /// The graph of terms, and the path at work.
 #[derive(Debug, Default)]
 pub(crate) struct World {
@@ -52,8 +65,10 @@ pub(crate) struct World {
     forks: Vec<Fork>,
     at: usize,
     literals: Vec<(u32, bool)>,
+    decisions: Vec<Decision>,
     decided: HashMap<u32, bool>,
     choices: Vec<usize>,
+    steps: u64,
     variables: u32,
     seqs: u32,
     assumed: Option<u32>,
@@ -62,7 +77,13 @@ pub(crate) struct World {
     by_evaluation: u64,
     reached: BTreeSet<&'static str>,
     guide: Option<Guide>,
+    /// The variable that stands for the number [`INDEX`].
+    index: Option<u32>,
 }
+
+/// An index that stands for any: the number that the kernel makes of it is a variable. A power of two far above all
+/// that is counted, and a little more.
+const INDEX: usize = (1 << 40) + 12_345;
 
 /// Inputs that decide which path is run.
 #[derive(Debug, Clone, Default)]
@@ -87,6 +108,8 @@ pub(crate) enum Concrete {
 pub(crate) struct Path {
     /// The decisions on comparisons.
     pub(crate) literals: Vec<(u32, bool)>,
+    /// All decisions, but for those after which no check counts.
+    pub(crate) decisions: Vec<Decision>,
     /// The checks that are not true by evaluation alone.
     pub(crate) checks: Vec<(&'static str, u32)>,
     /// The choices, for a replay.
@@ -121,6 +144,7 @@ pub(crate) fn run(length: usize, harness: fn(&mut Symbolic)) -> Path {
     harness(&mut Symbolic { length });
     with(|world| Path {
         literals: std::mem::take(&mut world.literals),
+        decisions: std::mem::take(&mut world.decisions),
         checks: std::mem::take(&mut world.checks),
         choices: std::mem::take(&mut world.choices),
         by_evaluation: world.by_evaluation,
@@ -160,12 +184,14 @@ impl World {
     fn begin(&mut self) {
         self.at = 0;
         self.literals.clear();
+        self.decisions.clear();
         self.decided.clear();
         self.choices.clear();
         self.checks.clear();
         self.reached.clear();
-        (self.variables, self.seqs, self.by_evaluation) = (0, 0, 0);
+        (self.steps, self.variables, self.seqs, self.by_evaluation) = (0, 0, 0, 0);
         (self.assumed, self.is_dead) = (None, false);
+        self.index = None;
     }
 
     fn node(&self, term: u32) -> Node {
@@ -174,6 +200,10 @@ impl World {
 
     #[expect(clippy::cast_possible_truncation, reason = "far fewer than 2³² terms fit memory")]
     fn term(&mut self, node: Node) -> u32 {
+        self.steps += 1;
+        if self.steps > MOST_STEPS {
+            resume_unwind(Box::new(format!("no end after {MOST_STEPS} operations on one path")));
+        }
         if let Some(number) = self.numbers.get(&node) {
             return *number;
         }
@@ -191,8 +221,15 @@ impl World {
     }
 
     fn constant(&mut self, value: f64) -> u32 {
-        let value = if value.is_nan() { f64::NAN } else { value };
-        self.term(Node::Double(value.to_bits()))
+        #[expect(clippy::cast_precision_loss)]
+        if let Some(index) = self.index
+            && value.to_bits() == (INDEX as f64).to_bits()
+        {
+            return index;
+        }
+        // Of bits and not of doubles, where a compiler may take one NaN for another.
+        let bits = if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
+        self.term(Node::Double(bits))
     }
 
     fn binary(&mut self, node: Node, a: u32, b: u32, f: fn(f64, f64) -> f64) -> u32 {
@@ -307,6 +344,12 @@ impl World {
         0
     }
 
+    fn note(&mut self, decision: Decision) {
+        if !self.is_dead {
+            self.decisions.push(decision);
+        }
+    }
+
     /// The term's value for the inputs of the guide.
     fn concrete(&self, term: u32) -> Concrete {
         let known = self.guide.as_ref().map(|guide| &guide.known);
@@ -372,6 +415,7 @@ impl World {
             None => self.fork(2) == 0,
         };
         self.literals.push((formula, answer));
+        self.note(Decision::Answer(formula, answer));
         self.decided.insert(formula, answer);
         answer
     }
@@ -487,8 +531,24 @@ impl Prover for Symbolic {
     fn choice(&mut self, _name: &str, count: usize) -> usize {
         with(|world| {
             let way = world.fork(count);
+            let short = |number| u16::try_from(number).unwrap_or(u16::MAX);
+            let (nth, which, ways) = (short(world.choices.len()), short(way), short(count));
+            world.note(Decision::Way { nth, way: which, ways });
             world.choices.push(way);
             way
+        })
+    }
+    fn index(&mut self, name: &str) -> usize {
+        let SymbolicScalar(variable) = self.scalar(name);
+        with(|world| {
+            // A replay takes the last of those that others take; inputs that guide the run have one of them.
+            let nth = world.choices.len();
+            let guided = world.guide.as_ref().map(|guide| guide.choices.get(nth).copied().unwrap_or_default());
+            world.choices.push(guided.unwrap_or(INDICES.len() - 1));
+            if guided.is_none() {
+                world.index = Some(variable);
+            }
+            guided.map_or(INDEX, |nth| INDICES.get(nth).copied().unwrap_or_default())
         })
     }
     fn length(&self, most: usize) -> usize {
@@ -567,5 +627,109 @@ impl Prover for Symbolic {
             Some(false) => b.0,
             None => world.term(Node::Select(condition, a.0, b.0)),
         }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The decisions and the checks of all paths.
+    fn all(harness: fn(&mut Symbolic)) -> Vec<Path> {
+        clear();
+        let mut paths = vec![run(6, harness)];
+        while turn() {
+            paths.push(run(6, harness));
+        }
+        paths
+    }
+
+    #[test]
+    fn every_answer_and_every_way_is_explored_once() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            if p.choice("way", 3) == 1 {
+                return;
+            }
+            let _ = a.lt(b) && a.is_finite();
+        });
+        let answers = |path: &Path| path.literals.iter().map(|(_, answer)| *answer).collect::<Vec<_>>();
+        let found: Vec<_> = paths.iter().map(|path| (path.choices[0], answers(path))).collect();
+        let both = |way| [(way, vec![true, true]), (way, vec![true, false]), (way, vec![false])];
+        assert_eq!(found, [&both(0)[..], &[(1, Vec::new())], &both(2)].concat());
+    }
+
+    #[test]
+    fn what_follows_from_a_decision_is_no_decision() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            if a.lt(b) {
+                assert!(a.lt(b) && a.le(b) && !b.lt(a) && !b.le(a));
+            }
+        });
+        assert_eq!(paths.len(), 2);
+    }
+
+    #[test]
+    fn what_is_not_less_may_be_no_number() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            let _ = !a.lt(b) && b.le(a);
+        });
+        assert_eq!(paths.len(), 3);
+    }
+
+    #[test]
+    fn where_an_assumption_cannot_hold_nothing_is_decided_or_checked() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            let less = a.lt(b);
+            let says = p.truth(less);
+            p.assume(says);
+            let _ = p.choice("way", 5);
+            let no = p.truth(false);
+            p.check("never", no);
+        });
+        // Five ways where a < b, and one path that ends where it is not.
+        assert_eq!(paths.iter().map(|path| path.checks.len()).collect::<Vec<_>>(), [1, 1, 1, 1, 1, 0]);
+        assert_eq!(paths[5].decisions.len(), 1);
+    }
+
+    #[test]
+    fn a_check_holds_where_the_assumptions_do() {
+        let paths = all(|p| {
+            let (a, b) = (p.scalar("a"), p.scalar("b"));
+            for condition in [p.finite(a), p.finite(b)] {
+                p.assume(condition);
+            }
+            let finite = p.finite(a);
+            p.check("finite", finite);
+        });
+        let [(_, formula)] = paths[0].checks[..] else { panic!("{:?}", paths[0].checks) };
+        // ¬((a finite ∧ b finite) ∧ ¬(a finite))
+        let Node::Not(both) = node(formula) else { panic!("{:?}", node(formula)) };
+        assert!(matches!(node(both), Node::And(..)), "{:?}", node(both));
+    }
+
+    #[test]
+    fn a_path_without_an_end_is_ended() {
+        let run = || {
+            all(|p| {
+                loop {
+                    let _ = p.number(1.0).add(p.number(2.0));
+                }
+            })
+        };
+        let said = std::panic::catch_unwind(run).unwrap_err();
+        assert!(said.downcast_ref::<String>().unwrap().starts_with("no end"));
+    }
+
+    #[test]
+    fn every_nan_is_one_constant() {
+        clear();
+        let nan = [f64::NAN, -f64::NAN, f64::sqrt(std::hint::black_box(-1.0)), f64::from_bits(0x7ff0_0000_0000_0001)];
+        let terms = nan.map(SymbolicScalar::constant);
+        assert_eq!(terms, [terms[0]; 4]);
+        assert_eq!(terms[0], SymbolicScalar::constant(-1.0).sqrt());
     }
 }

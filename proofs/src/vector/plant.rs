@@ -11,8 +11,9 @@ use ncp_spec::WIRE_VERSION;
 use ncp_spec::resilience::ActionBuffer;
 use serde_json::{Value, json};
 
-use super::{Calls, Inputs, WhyNone, number};
+use super::{Calls, Inputs, State, WhyNone, number};
 use crate::kernel::{Kernel, Production};
+use crate::properties::latch::HORIZONS;
 
 /// A step of a trace.
 #[derive(Debug, Clone)]
@@ -191,19 +192,19 @@ fn traces(property: &str, inputs: &Inputs<'_>) -> Option<Vec<Vec<Step>>> {
 fn step(property: &str, inputs: &Inputs<'_>) -> Option<Vec<Vec<Step>>> {
     let is_plant = property == "latch/plant";
     let (dt, steps) = match is_plant.then(|| inputs.optional("dt")).flatten() {
-        Some(dt) => (dt, inputs.choice("steps").unwrap_or(0)),
+        Some(dt) => (dt, inputs.choice("steps").and_then(|nth| HORIZONS.get(nth).copied()).unwrap_or(0)),
         None => (None, 0),
     };
     let command = |mode, now, ttl, seq| Step::Command(Command { mode, now, ttl, seq, dt, steps });
-    let state = inputs.choice("state")?;
+    let state = inputs.state()?;
     let last = inputs.seq("last");
     let mut base = Vec::new();
-    if state > 0 {
+    if state == State::Followed {
         let (received, ttl) = (inputs.double("received")?, inputs.double("ttl")?);
         base.push(command(Mode::Active, received, ttl, last?));
     }
-    if state > 1 {
-        base.push(command(Mode::Hold, 0.0, 0.0, last?));
+    if state == State::Held {
+        base.extend([command(Mode::Active, 0.0, 1000.0, last?), command(Mode::Hold, 0.0, 0.0, last?)]);
     }
     if inputs.choice("was_stopped") == Some(1) {
         base.push(command(Mode::Estop, 0.0, 0.0, 0));
@@ -223,6 +224,7 @@ fn step(property: &str, inputs: &Inputs<'_>) -> Option<Vec<Vec<Step>>> {
         (Some(1), false) => base.push(command(Mode::Hold, 0.0, 0.0, inputs.seq("seq")?)),
         (Some(1), true) | (Some(2), false) => base.push(Step::Active(inputs.double("now")?)),
         (Some(3), false) => return None,
+        (Some(3), true) => base.push(command(Mode::Estop, 0.0, 0.0, 0)),
         _ => base.push(Step::Reset),
     }
     times.extend(["now", "received", "later"].iter().filter_map(|name| inputs.double(name)));

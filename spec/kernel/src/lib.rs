@@ -28,9 +28,9 @@ pub mod scalar;
 pub mod vocabulary;
 
 pub use decisions::{
-    Gates, MAX_TTL_MS, Plant, Watchdog, advances, age_ms, all_finite, bring_within, clamp, enforced_ttl_ms,
-    hold_takes_effect, inside, is_duration, is_fresh, limit, limit_tick, norm, steps_inside, tick_share_ms, travel,
-    within_deadline,
+    Gates, Limited, MAX_TTL_MS, Plant, Watchdog, advances, age_ms, all_finite, bring_within, clamp, end_inside,
+    enforced_ttl_ms, follow, hold_takes_effect, inside, is_duration, is_fresh, limit, limit_channel, limit_tick, norm,
+    step_end, steps_inside, tick_share_ms, travel, within_deadline,
 };
 pub use scalar::{Scalar, Seq};
 pub use vocabulary::{Channel, Decision, Limit, Mode, Plan, Reason, Received};

@@ -22,10 +22,29 @@ pub struct Solvers {
     pub bin: PathBuf,
     /// The script that decides a file with bitwuzla.
     pub script: PathBuf,
-    /// How long all proofs together may take; when it is ended, so is the solver.
+    /// When it is ended, so is a solver at work.
     pub patience: Patience,
+    /// How far they go with a question.
+    pub limits: Limits,
     /// A folder of questions that were answered before; where there is none, everything is asked.
     pub known: Option<PathBuf>,
+}
+
+/// How far a solver goes with one question, in its own steps: the same in every run, whatever else the machine does.
+#[derive(Debug, Clone, Copy)]
+pub struct Limits {
+    /// bitwuzla, where a proof depends on the answer.
+    pub proof: u64,
+    /// bitwuzla, in search of a counterexample: all questions of a file together.
+    pub search: u64,
+    /// z3.
+    pub cross: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { proof: 1_000_000, search: 6_000, cross: 5_000 }
+    }
 }
 
 /// What a solver says of one `check-sat`.
@@ -105,16 +124,16 @@ impl Solvers {
         Ok(printed)
     }
 
-    /// The answers of bitwuzla, with a limit in seconds of the processor for the whole file.
+    /// The answers of bitwuzla, each within so many steps.
     ///
     /// # Errors
-    /// It could not be run, failed, came to its limit, or printed something else than answers.
-    pub fn bitwuzla(&self, file: &Path, wanted: usize, seconds: u32) -> Result<Vec<Answer>, SolverError> {
+    /// It could not be run, failed, or printed something else than answers.
+    pub fn bitwuzla(&self, file: &Path, wanted: usize, steps: u64) -> Result<Vec<Answer>, SolverError> {
         let known = self.known_file(file);
         if let Some(known) = known.as_ref().and_then(|known| fs::read_to_string(known).ok()) {
             return read_answers(&known, wanted);
         }
-        let printed = self.bitwuzla_prints(file, seconds)?;
+        let printed = self.bitwuzla_prints(file, steps, None)?;
         let answers = read_answers(&printed, wanted)?;
         if let Some(known) = known.filter(|_| !answers.contains(&Answer::Unknown)) {
             // What is not noted is asked again.
@@ -132,60 +151,27 @@ impl Solvers {
         Some(folder.join(name))
     }
 
-    /// All that bitwuzla prints.
+    /// All that bitwuzla prints: within so many steps for each question, and so many for the whole file.
     ///
     /// # Errors
-    /// It could not be run, failed, or came to its limit.
-    pub fn bitwuzla_prints(&self, file: &Path, seconds: u32) -> Result<String, SolverError> {
+    /// It could not be run, or failed.
+    pub fn bitwuzla_prints(&self, file: &Path, steps: u64, whole: Option<u64>) -> Result<String, SolverError> {
         let mut python = Command::new(self.bin.join("python"));
-        python.arg(&self.script).arg(file).arg(BY_THE_CLOCK);
-        if cfg!(unix) {
-            python.arg(seconds.to_string());
-        }
+        python.arg(&self.script).arg(file).arg(steps.to_string()).args(whole.map(|whole| whole.to_string()));
         self.printed(python)
     }
 
-    /// What z3 answers within a limit for each question, which counts z3's own steps, and a limit for the whole
-    /// file in seconds of the processor; what comes later, or is not decided, is `None`.
+    /// What z3 answers, each within so many of its steps; what it does not decide is `None`.
     ///
     /// # Errors
-    /// It could not be run, or printed something else than answers.
-    pub fn z3(&self, file: &Path, wanted: usize, steps: u32, seconds: u32) -> Result<Vec<Option<Answer>>, SolverError> {
-        let z3 = self.bin.join("z3");
-        let steps = format!("rlimit={steps}");
-        // A shell sets the processor's limit, where there is one.
-        let mut command = if cfg!(unix) {
-            let mut shell = Command::new("sh");
-            let limited = format!("ulimit -t {seconds}; exec \"$0\" \"$@\"");
-            shell.args(["-c", &limited]).arg(z3);
-            shell
-        } else {
-            let mut command = Command::new(z3);
-            command.arg(format!("-T:{seconds}"));
-            command
-        };
-        let output = command.arg(steps).arg(file).output();
-        let output = output.map_err(|error| SolverError::Start { program: "z3".to_owned(), why: error.to_string() })?;
-        read_some(&String::from_utf8_lossy(&output.stdout), wanted)
+    /// It could not be run, failed, or printed something else than answers.
+    pub fn z3(&self, file: &Path, wanted: usize, steps: u64) -> Result<Vec<Option<Answer>>, SolverError> {
+        let mut z3 = Command::new(self.bin.join("z3"));
+        z3.arg(format!("rlimit={steps}")).arg(file);
+        let answers = read_answers(&self.printed(z3)?, wanted)?;
+        Ok(answers.into_iter().map(|answer| (answer != Answer::Unknown).then_some(answer)).collect())
     }
 }
-
-/// Reads the answers of a run that may have been ended before all were given.
-fn read_some(printed: &str, wanted: usize) -> Result<Vec<Option<Answer>>, SolverError> {
-    let whole = printed.rfind('\n').map_or("", |end| printed.get(..end).unwrap_or_default());
-    let lines: Vec<&str> = whole.lines().take_while(|line| *line != "timeout").collect();
-    let answers = lines.iter().map(|line| read_answer(line)).collect::<Result<Vec<_>, _>>()?;
-    if answers.len() > wanted {
-        return Err(SolverError::Count { found: answers.len(), wanted });
-    }
-    let is_known = |answer: &Answer| *answer != Answer::Unknown;
-    let mut some: Vec<_> = answers.into_iter().map(|answer| Some(answer).filter(is_known)).collect();
-    some.resize(wanted, None);
-    Ok(some)
-}
-
-/// What one question may take by the clock, in seconds: far more than by the processor, as machines are busy.
-const BY_THE_CLOCK: &str = "600";
 
 /// How often a solver at work is looked after.
 const LOOK: Duration = Duration::from_millis(5);
@@ -290,15 +276,6 @@ mod tests {
         ] {
             assert_eq!(read_answers(&format!("{wrong}\n"), 1), Err(SolverError::NoAnswer(wrong.to_owned())));
         }
-    }
-
-    #[test]
-    fn a_run_that_was_ended_answers_what_it_had_printed() {
-        let some = read_some("unsat\nunknown\nsat\nuns", 5);
-        let [unsat, sat] = [Some(Answer::Unsat), Some(Answer::Sat)];
-        assert_eq!(some, Ok(vec![unsat, None, sat, None, None]));
-        let wrong = read_some("(error \"no\")\n", 1);
-        assert!(matches!(wrong, Err(SolverError::NoAnswer(_))));
     }
 
     #[test]

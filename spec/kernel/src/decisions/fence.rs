@@ -34,6 +34,42 @@ pub fn tick_share_ms<S: Scalar>(tick: usize, dt_ms: S, ttl_ms: S) -> S {
     if dt_ms.lt(rest) { dt_ms } else { rest }
 }
 
+/// Where a plant ends that moves from `from` with `velocity` for `time_ms`; none where that is outside the fence.
+/// `[NCP-SAFE-050] [NCP-SAFE-051]`
+#[inline]
+pub fn end_inside<S: Scalar>(from: &[S; 3], velocity: &[S; 3], time_ms: S, radius: S) -> Option<[S; 3]> {
+    let end = travel(from, velocity, time_ms.div(S::constant(1000.0)));
+    inside(&end, radius).then_some(end)
+}
+
+/// Where step `tick` of the horizon ends that begins at `from`; none where that is outside the fence, or where the
+/// step has no velocity. Times are in ms. `[NCP-SAFE-050] [NCP-SAFE-055]`
+#[inline]
+pub fn step_end<S: Scalar>(
+    plan: &impl Plan<S>,
+    tick: usize,
+    from: &[S; 3],
+    dt_ms: S,
+    ttl_ms: S,
+    radius: S,
+) -> Option<[S; 3]> {
+    let velocity = plan.velocity(tick)?; // [NCP-SAFE-055]
+    end_inside(from, &velocity, tick_share_ms(tick, dt_ms, ttl_ms), radius)
+}
+
+/// Takes the steps 1, 2, … `steps`, each from what the one before has left, until there is one that cannot be taken.
+/// How many were taken, and what the last of them has left.
+#[inline]
+pub fn follow<T>(steps: usize, start: T, mut step: impl FnMut(usize, &T) -> Option<T>) -> (usize, T) {
+    let (mut taken, mut left) = (0, start);
+    while taken < steps {
+        let Some(next) = step(taken + 1, &left) else { break };
+        left = next;
+        taken += 1;
+    }
+    (taken, left)
+}
+
 /// How many steps of the horizon end inside the fence, from the first on, each projected from the
 /// end of the one before.
 ///
@@ -45,29 +81,18 @@ pub fn steps_inside<S: Scalar>(plan: &impl Plan<S>, position: &[S; 3], radius: S
     let velocity = plan.velocity(0).ok_or(Reason::NoVelocity)?;
     // A plant does not act on a command whose ttl is no time.
     let ttl_ms = enforced_ttl_ms(plan.ttl_ms()).unwrap_or(S::constant(0.0));
-    let after = |from: &[S; 3], velocity: &[S; 3], time_ms: S| {
-        let end = travel(from, velocity, time_ms.div(S::constant(1000.0)));
-        inside(&end, radius).then_some(end)
-    };
+    let first = |time_ms| end_inside(position, &velocity, time_ms, radius).ok_or(Reason::LeavesFence);
     if plan.steps() > 0 {
         let dt_ms = plan.dt_ms().unwrap_or(S::constant(f64::NAN));
-        let share_ms = |tick| tick_share_ms(tick, dt_ms, ttl_ms);
         // [NCP-SAFE-051]
-        let mut place = after(position, &velocity, share_ms(0)).ok_or(Reason::LeavesFence)?;
-        let mut kept = 0;
-        while kept < plan.steps() {
-            let tick = kept + 1;
-            let step = plan.velocity(tick); // [NCP-SAFE-055]
-            let end = step.and_then(|velocity| after(&place, &velocity, share_ms(tick)));
-            let Some(end) = end else { break };
-            place = end;
-            kept = tick;
-        }
+        let place = first(tick_share_ms(0, dt_ms, ttl_ms))?;
+        let step = |tick, place: &_| step_end(plan, tick, place, dt_ms, ttl_ms, radius);
+        let (kept, _) = follow(plan.steps(), place, step);
         if kept > 0 {
             return Ok(kept); // [NCP-SAFE-050]
         }
     }
     // [NCP-SAFE-053] Without a horizon, tick 0 is followed until the ttl ends.
-    after(position, &velocity, ttl_ms).ok_or(Reason::LeavesFence)?;
+    first(ttl_ms)?;
     Ok(0)
 }

@@ -2,16 +2,24 @@
 
 use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 
-use super::{inside, is_duration, is_fresh, limit, steps_inside};
+use super::{follow, inside, is_duration, is_fresh, limit, steps_inside};
 
 /// The gates of a governor: its limits, its latch, and whether the limits can be enforced.
+///
+/// Its fields are the whole of its state, and public for proofs, which take and make any state. Whoever governs uses
+/// the functions.
 #[derive(Debug, Clone, Copy)]
 pub struct Gates<S> {
-    max_speed_mps: Limit<S>,
-    fence_m: Limit<S>,
-    timeout_ms: S,
-    config_fault: bool,
-    estop: bool,
+    /// The speed limit, in m/s.
+    pub max_speed_mps: Limit<S>,
+    /// The fence's radius, in m.
+    pub fence_m: Limit<S>,
+    /// How old a sensor frame may be, in ms, as configured.
+    pub timeout_ms: S,
+    /// Whether the limits cannot be enforced.
+    pub config_fault: bool,
+    /// Whether ESTOP is latched.
+    pub estop: bool,
 }
 
 impl<S: Scalar> Gates<S> {
@@ -142,16 +150,12 @@ fn limit_ticks<S: Scalar>(plan: &mut impl Plan<S>, max_mps: Limit<S>) -> Result<
     if plan.steps() > 0 && !plan.dt_ms().is_some_and(is_duration) {
         return Err(Reason::BadHorizon);
     }
-    let mut limited = plan.limit(0, max_mps)?; // [NCP-SAFE-063] [NCP-SAFE-064]
-    for step in 0..plan.steps() {
-        match plan.limit(step + 1, max_mps) {
-            Ok(changed) => limited |= changed, // [NCP-SAFE-066]
-            // [NCP-SAFE-067]
-            Err(_) => {
-                plan.truncate(step);
-                break;
-            }
-        }
-    }
+    let first = plan.limit(0, max_mps)?; // [NCP-SAFE-063] [NCP-SAFE-064]
+    // [NCP-SAFE-066]
+    let (kept, limited) = follow(plan.steps(), first, |tick, &limited| {
+        let changed = plan.limit(tick, max_mps).ok()?;
+        Some(limited || changed)
+    });
+    plan.truncate(kept); // [NCP-SAFE-067]
     Ok(limited)
 }

@@ -16,9 +16,9 @@ mod speed;
 mod watchdog;
 
 pub use deadline::{MAX_TTL_MS, age_ms, enforced_ttl_ms, is_duration, is_fresh, within_deadline};
-pub use fence::{inside, steps_inside, tick_share_ms, travel};
+pub use fence::{end_inside, follow, inside, step_end, steps_inside, tick_share_ms, travel};
 pub use gates::Gates;
 pub use order::{advances, hold_takes_effect};
 pub use plant::Plant;
-pub use speed::{all_finite, bring_within, clamp, limit, limit_tick, norm};
+pub use speed::{Limited, all_finite, bring_within, clamp, limit, limit_channel, limit_tick, norm};
 pub use watchdog::Watchdog;

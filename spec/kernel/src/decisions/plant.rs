@@ -5,10 +5,14 @@ use ncp_kernel::{Mode, Received, Scalar, Seq};
 use super::{Watchdog, age_ms, is_duration};
 
 /// The gates of a plant. All times are seconds on its own clock.
+///
+/// Its fields are the whole of its state, and public for proofs, which take and make any state.
 #[derive(Debug, Clone, Copy)]
 pub struct Plant<S, Q> {
-    watchdog: Watchdog<S, Q>,
-    estop: bool,
+    /// Which command counts, and until when.
+    pub watchdog: Watchdog<S, Q>,
+    /// Whether ESTOP is latched.
+    pub estop: bool,
 }
 
 impl<S: Scalar, Q: Seq> Plant<S, Q> {

@@ -91,6 +91,15 @@ pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
     Some(true)
 }
 
+/// What the channels of a tick have shown so far.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limited {
+    /// Whether one was changed.
+    pub changed: bool,
+    /// Whether there is a velocity that the limit acts on.
+    pub has_velocity: bool,
+}
+
 /// Applies the speed limit to the channels of a tick. Whether anything changed.
 ///
 /// # Errors
@@ -98,28 +107,40 @@ pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
 /// velocity that it can act on.
 #[inline]
 pub fn limit_tick<'a, S: Scalar + 'a>(
-    channels: impl Iterator<Item = Channel<'a, S>>,
+    mut channels: impl Iterator<Item = Channel<'a, S>>,
     max_mps: Limit<S>,
 ) -> Result<bool, Reason> {
-    let (mut limited, mut has_velocity) = (false, false);
-    for channel in channels {
-        // [NCP-SAFE-064]
-        if !all_finite(channel.data) {
-            return Err(Reason::NotFinite);
-        }
-        let Limit::Enabled(max_mps) = max_mps else {
-            continue;
-        };
-        // [NCP-SAFE-065]
-        if !channel.in_mps {
-            continue;
-        }
-        has_velocity |= channel.is_velocity && channel.data.len() == 3;
-        limited |= bring_within(channel.data, max_mps).ok_or(Reason::NoVelocity)?;
-    }
+    let none = Limited { changed: false, has_velocity: false };
+    let all = channels.try_fold(none, |so_far, mut channel| limit_channel(so_far, &mut channel, max_mps))?;
     // [NCP-SAFE-063]
-    if !has_velocity && !matches!(max_mps, Limit::Disabled) {
+    if !all.has_velocity && !matches!(max_mps, Limit::Disabled) {
         return Err(Reason::NoVelocity);
     }
-    Ok(limited)
+    Ok(all.changed)
+}
+
+/// Applies the speed limit to one channel more.
+///
+/// # Errors
+/// Those of [`limit_tick`] that this channel causes.
+#[inline]
+pub fn limit_channel<S: Scalar>(
+    so_far: Limited,
+    channel: &mut Channel<'_, S>,
+    max_mps: Limit<S>,
+) -> Result<Limited, Reason> {
+    // [NCP-SAFE-064]
+    if !all_finite(channel.data) {
+        return Err(Reason::NotFinite);
+    }
+    let Limit::Enabled(max_mps) = max_mps else {
+        return Ok(so_far);
+    };
+    // [NCP-SAFE-065]
+    if !channel.in_mps {
+        return Ok(so_far);
+    }
+    let has_velocity = so_far.has_velocity || (channel.is_velocity && channel.data.len() == 3);
+    let changed = bring_within(channel.data, max_mps).ok_or(Reason::NoVelocity)?;
+    Ok(Limited { changed: so_far.changed || changed, has_velocity })
 }

@@ -5,12 +5,15 @@ use ncp_kernel::{Scalar, Seq};
 use super::{advances, hold_takes_effect, within_deadline};
 
 /// Holds a plant whose commands stay away. All times are seconds on the plant's own clock.
+///
+/// Its fields are the whole of its state, and public for proofs, which take and make any state.
 #[derive(Debug, Clone, Copy)]
 pub struct Watchdog<S, Q> {
-    last_seq: Option<Q>,
+    /// The seq of the last command that advanced.
+    pub last_seq: Option<Q>,
     /// When the last advancing command was received, and its ttl in ms; none while the plant is
     /// held.
-    deadline: Option<(S, S)>,
+    pub deadline: Option<(S, S)>,
 }
 
 impl<S: Scalar, Q: Seq> Watchdog<S, Q> {
