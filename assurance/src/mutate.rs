@@ -1,12 +1,16 @@
-//! Changes of the sources that nobody planted: who notices them.
+//! Changes of the sources: who notices them.
 //!
 //! | module | what it does |
 //! |---|---|
 //! | `kernel` | changes one token of the kernel at a time, and holds each changed kernel against the properties |
+//! | `hostile` | holds the kernels of the hostile auditor against the properties, and against the theorem's tie |
+//! | `copies` | copies of the kernel with a change each, and what the engines of the proofs say of them |
 //! | `spec` | has cargo-mutants change the specification, and holds each mutant against the cases and the tests |
 //! | `cargo` | reads what cargo prints for programs |
 
 mod cargo;
+mod copies;
+pub(crate) mod hostile;
 pub(crate) mod kernel;
 pub(crate) mod spec;
 
@@ -14,6 +18,7 @@ use std::io;
 use std::path::PathBuf;
 
 use clap::Subcommand;
+use ncp_defects::{PlaceError, TableError};
 use thiserror::Error;
 use xtask::project::Project;
 use xtask::setup::SetupError;
@@ -26,6 +31,9 @@ pub(crate) enum Mutate {
     /// Change one token of the kernel, so many times, and hold each changed one against the properties
     #[command(after_help = kernel::EXAMPLES)]
     Kernel(kernel::KernelArgs),
+    /// Hold the kernels of the hostile auditor, single and combined, against the properties and the theorem
+    #[command(after_help = hostile::EXAMPLES)]
+    Hostile(hostile::HostileArgs),
     /// Have cargo-mutants change the specification, and ask the golden cases and the tests who notices
     #[command(after_help = spec::EXAMPLES)]
     Spec(spec::SpecArgs),
@@ -36,6 +44,7 @@ pub(crate) enum Mutate {
 pub(crate) fn run(project: &Project, command: &Mutate) -> Result<bool, MutateError> {
     match command {
         Mutate::Kernel(args) => kernel::run(project, args),
+        Mutate::Hostile(args) => hostile::run(project, args),
         Mutate::Spec(args) => spec::run(project, args),
     }
 }
@@ -63,6 +72,16 @@ pub(crate) enum MutateError {
     NoCopy { said: String },
     #[error("changed kernels: the compiler finds errors without end")]
     ErrorsWithoutEnd,
+    #[error(transparent)]
+    Table(#[from] TableError),
+    #[error(transparent)]
+    Place(#[from] PlaceError),
+    #[error("{}: {source}", path.display())]
+    Manifest { path: PathBuf, source: Box<toml::de::Error> },
+    #[error("the copy of the kernel without a change is not the model of the theorem:\n{said}")]
+    NoTie { said: String },
+    #[error("there is no hostile kernel of that name: {name}")]
+    NoKernel { name: String },
     #[error("ncp-mutants ended with {status}")]
     Failed { status: String },
 }

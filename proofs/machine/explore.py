@@ -4,8 +4,10 @@ Exit code 0: every property is proved, and every broken kernel refuted. 1: not s
 """
 
 import argparse
+import contextlib
 import hashlib
 import importlib.metadata
+import io
 import json
 import os
 import sys
@@ -16,6 +18,7 @@ from pathlib import Path
 
 import claripy
 
+import controls
 import native
 import solver
 import vector
@@ -25,10 +28,8 @@ from properties import PROPERTIES, SIGNATURES, outputs
 HERE = Path(__file__).resolve().parent
 DEFECTS = HERE.parent.parent / "defects" / "kernel.toml"
 HINTS = HERE / "hints.toml"
-Z3_MS = 5_000
-# Where doubles are computed: z3 answers soon, or not at all.
-Z3_SHORT_MS = 500
-BITWUZLA_MS = 60_000
+# What z3 may spend where doubles are computed: it answers soon, or not at all.
+SHORT_RESOURCES = 200_000
 # So many paths are one obligation.
 GROUP = 32
 
@@ -61,6 +62,10 @@ def main():
         evidence.mkdir(parents=True, exist_ok=True)
     wanted = [p for p in PROPERTIES if arguments.only in p.id]
     defects = [] if arguments.no_broken else planted(arguments.only)
+    with contextlib.redirect_stdout(io.StringIO()):
+        faults = controls.faults(lambda control: prove(Library(arguments.library), control, None))
+    if faults:
+        raise SystemExit("the engine is at fault: " + "; ".join(faults))
     files = (arguments.library, arguments.broken if defects else None, evidence)
     # The slow ones first: none of them is left alone at the end.
     queue = sorted(wanted, key=lambda p: p.function not in SLOW)
@@ -152,9 +157,9 @@ def prove(library, wanted, evidence, prefix="ncp"):
     except Incomplete as error:
         print(f"not run  {wanted.id}: {error}")
         return result | {"verdict": "not run", "detail": str(error), "paths": 0, "seconds": 0}
-    z3_ms = Z3_SHORT_MS if SIGNATURES[wanted.function].computes else Z3_MS
+    resources = SHORT_RESOURCES if SIGNATURES[wanted.function].computes else solver.RESOURCES
     decisions = [
-        (name, text, solver.decide(text, z3_ms, BITWUZLA_MS))
+        (name, text, solver.decide(text, resources))
         for name, text in obligations(wanted, exploration)
     ]
     verdicts = {decision.verdict for _, _, decision in decisions}
@@ -198,7 +203,7 @@ def shown_model(wanted, exploration, decisions):
     """Inputs for which a property does not hold."""
     names = {name: variable.args[0] for name, variable in exploration.inputs.items()}
     text = next(text for _, text, decision in decisions if decision.verdict is solver.Verdict.SAT)
-    found = solver.model(text, names, BITWUZLA_MS)
+    found = solver.model(text, names)
     return found and native.shown(SIGNATURES[wanted.function], found)
 
 
@@ -277,7 +282,7 @@ def counterexample(code, wanted, defect):
     for path in exploration.paths:
         for _, when, said in wanted.cases(exploration.inputs):
             wrong = ends_wrongly(wanted, exploration.inputs | said, path)
-            found = solver.model(solver.smt([*assumed, when, wrong]), names, BITWUZLA_MS)
+            found = solver.model(solver.smt([*assumed, when, wrong]), names)
             if found is not None:
                 return found | fixed
     return None
@@ -293,7 +298,7 @@ def holds(wanted, inputs, left):
             for _, when, said in wanted.cases(bits)
         ]
     )
-    answer = solver.decide(solver.smt([wrong]), Z3_MS, BITWUZLA_MS)
+    answer = solver.decide(solver.smt([wrong]))
     return answer.verdict is solver.Verdict.UNSAT
 
 

@@ -19,11 +19,9 @@ OUT = 0x10_000_000
 OUT_BYTES = 256
 STACK = 0x20_000_000
 MAX_STEPS = 4_096
-# How long the question may take whether a path can be taken at all; longer is a failure.
-FORK_MS = 60_000
-# The same where doubles are computed. A path of which it stays open is followed: if no input takes it, nothing
-# that it leaves is wrong.
-OPEN_MS = 300
+# So many steps may bitwuzla take for the question whether a path can be taken where doubles are computed. A path of
+# which it stays open is followed: if no input takes it, nothing that it leaves is wrong.
+OPEN_CALLS = 2_000
 
 # Whatever would let angr go on where it does not know.
 BYPASSES = {
@@ -69,7 +67,7 @@ class Forks(SimSolver):
 
     def satisfiable(self, extra_constraints=(), exact=None):
         conditions = [*self.constraints, *extra_constraints]
-        word = solver.ask_bitwuzla(solver.smt(conditions), OPEN_MS)
+        word = solver.ask_bitwuzla(solver.smt(conditions), OPEN_CALLS)
         return solver.read(word) is not solver.Verdict.UNSAT
 
 
@@ -119,7 +117,6 @@ class Library:
             raise Incomplete(f"bypass options are on: {left}")
         if signature.computes:
             state.register_plugin("solver", Forks())
-        state.solver._solver.timeout = FORK_MS
         self._call(state, signature, inputs)
         for condition in assume(inputs):
             state.add_constraints(condition)

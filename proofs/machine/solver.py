@@ -1,7 +1,8 @@
 """What decides an obligation: two solvers, which read one SMT-LIB text.
 
 Their answers are words. Only the word `unsat` counts as a proof, only `sat` as a refutation, and
-anything else, in whatever letters, as neither.
+anything else, in whatever letters, as neither. They are limited by steps, and not by the clock: an answer
+does not depend on how busy the machine is.
 """
 
 import tempfile
@@ -12,6 +13,11 @@ from enum import Enum
 import bitwuzla
 import claripy
 import z3
+
+# What z3 may spend on a question, in its own unit, and how often bitwuzla asks whether it is to give up until it has
+# to.
+RESOURCES = 20_000_000
+CALLS = 300_000
 
 
 class Verdict(Enum):
@@ -86,59 +92,68 @@ def with_free_bits(term, bits):
     return known[term.get_id()]
 
 
-def decide(text, z3_ms, bitwuzla_ms):
+def decide(text, resources=RESOURCES):
     """Asks both solvers."""
     start = time.monotonic()
-    words = {"bitwuzla": ask_bitwuzla(text, bitwuzla_ms), "z3": ask_z3(text, z3_ms)}
+    words = {"bitwuzla": ask_bitwuzla(text), "z3": ask_z3(text, resources)}
     return Decision(words, together(words.values()), time.monotonic() - start)
 
 
-def ask_z3(text, limit_ms):
+def ask_z3(text, resources=RESOURCES):
     """The answer of z3, which is the word that it prints."""
     try:
         solver = z3.Solver(ctx=z3.Context())
-        solver.set("timeout", limit_ms)
+        solver.set("rlimit", resources)
         solver.from_string(text)
         return repr(solver.check())
     except z3.Z3Exception as error:
         return f"error: {error}"
 
 
-def ask_bitwuzla(text, limit_ms):
+def ask_bitwuzla(text, calls=CALLS):
     """The answer of bitwuzla, which is the word that it prints."""
     try:
-        terms = bitwuzla.TermManager()
-        options = bitwuzla.Options()
-        options.set(bitwuzla.Option.TIME_LIMIT_PER, limit_ms)
-        with tempfile.NamedTemporaryFile("w", suffix=".smt2") as file:
-            file.write(text.replace("(check-sat)", ""))
-            file.flush()
-            parser = bitwuzla.Parser(terms, options)
-            parser.parse(file.name)
-            return str(parser.bitwuzla().check_sat())
+        return Parsed(text, calls).word()
     except Exception as error:  # The bindings raise plain exceptions.
         return f"error: {error}"
 
 
-def model(text, names, limit_ms):
+def model(text, names, calls=CALLS):
     """The bits of some variables in a model of the text, by bitwuzla; None when there is none.
 
     A variable that the text does not mention is 0.
     """
-    terms = bitwuzla.TermManager()
-    options = bitwuzla.Options()
-    options.set(bitwuzla.Option.TIME_LIMIT_PER, limit_ms)
-    options.set(bitwuzla.Option.PRODUCE_MODELS, True)
-    with tempfile.NamedTemporaryFile("w", suffix=".smt2") as file:
-        file.write(text.replace("(check-sat)", ""))
-        file.flush()
-        parser = bitwuzla.Parser(terms, options)
-        parser.parse(file.name)
-        found = parser.bitwuzla()
-        if read(str(found.check_sat())) is not Verdict.SAT:
-            return None
-        declared = {str(symbol): symbol for symbol in parser.get_declared_funs()}
-        return {
-            name: int(found.get_value(declared[symbol]).value(10)) if symbol in declared else 0
-            for name, symbol in names.items()
-        }
+    found = Parsed(text, calls, produce_models=True)
+    if read(found.word()) is not Verdict.SAT:
+        return None
+    declared = {str(symbol): symbol for symbol in found.parser.get_declared_funs()}
+    return {
+        name: int(found.solver.get_value(declared[symbol]).value(10)) if symbol in declared else 0
+        for name, symbol in names.items()
+    }
+
+
+class Parsed:
+    """A text as bitwuzla has read it, which gives up after so many of its own questions whether to."""
+
+    def __init__(self, text, calls, produce_models=False):
+        self.left = calls
+        self.options = bitwuzla.Options()
+        self.options.set(bitwuzla.Option.PRODUCE_MODELS, produce_models)
+        # The parser does not keep what it needs alive.
+        self.terms = bitwuzla.TermManager()
+        with tempfile.NamedTemporaryFile("w", suffix=".smt2") as file:
+            file.write(text.replace("(check-sat)", ""))
+            file.flush()
+            self.parser = bitwuzla.Parser(self.terms, self.options)
+            self.parser.parse(file.name)
+        self.solver = self.parser.bitwuzla()
+        self.solver.configure_terminator(self._is_enough)
+
+    def word(self):
+        """Whether it can be satisfied."""
+        return str(self.solver.check_sat())
+
+    def _is_enough(self):
+        self.left -= 1
+        return self.left < 0

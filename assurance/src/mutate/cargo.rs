@@ -24,6 +24,8 @@ struct Target {
 #[derive(Debug, Deserialize)]
 pub(super) struct Diagnostic {
     level: String,
+    #[serde(default)]
+    message: String,
     /// As it would stand in a terminal.
     #[serde(default)]
     pub(super) rendered: Option<String>,
@@ -62,6 +64,11 @@ pub(super) fn errors(lines: &[Line]) -> impl Iterator<Item = &Diagnostic> {
 }
 
 impl Diagnostic {
+    /// What it says, in a line.
+    pub(super) fn said(&self) -> &str {
+        &self.message
+    }
+
     /// The files of its primary places, and of the macros in whose expansion these stand. Its notes may name others,
     /// too: traits that have a method of that name, say.
     pub(super) fn files(&self) -> impl Iterator<Item = &str> {

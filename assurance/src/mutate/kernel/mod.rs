@@ -3,7 +3,6 @@
 //! | module | what it does |
 //! |---|---|
 //! | `tokens` | which changes there are |
-//! | `copies` | makes a copy of the kernel of each, and holds it against all properties |
 //! | `explained` | which changes change no behaviour, and why |
 //! | `report` | what became of each |
 //!
@@ -11,7 +10,6 @@
 //! by the symbolic one if none of these refutes them. A change that nobody refutes has to be explained in
 //! `proofs/equivalent.toml`, or is a gap of the proofs.
 
-mod copies;
 mod explained;
 mod report;
 mod tokens;
@@ -24,14 +22,12 @@ use clap::Args;
 use xtask::project::Project;
 use xtask::setup;
 
-use self::copies::{Ask, Copies};
 use self::explained::{EXPLAINED, Explained};
 use self::report::{Fate, Report};
 use self::tokens::{Change, changes, variants};
 use super::MutateError;
+use super::copies::{Ask, Changed, Copies, DECISIONS, SCALAR, file_name};
 
-const DECISIONS: &str = "spec/kernel/src/decisions";
-const SCALAR: &str = "spec/kernel/src/scalar.rs";
 /// Types without decisions: only its variants are read.
 const VOCABULARY: &str = "spec/kernel/src/vocabulary.rs";
 /// Modules and exports.
@@ -118,7 +114,7 @@ fn choose(copies: &Copies<'_>, all: &[Mutant], args: &KernelArgs) -> Result<Vec<
         if some.is_empty() {
             break;
         }
-        let good = copies.that_compile(some)?;
+        let (good, _) = copies.that_compile(some)?;
         println!("{} of them compile", good.len());
         chosen.extend(good);
     }
@@ -167,7 +163,7 @@ fn ask(copies: &Copies<'_>, mutants: &[Mutant], ask: Ask) -> Result<BTreeMap<Str
 }
 
 /// The kernel's files, by their names from the root.
-fn sources(project: &Project) -> Result<BTreeMap<String, String>, MutateError> {
+pub(super) fn sources(project: &Project) -> Result<BTreeMap<String, String>, MutateError> {
     let folder = project.path(DECISIONS);
     let entries = fs::read_dir(&folder).and_then(Iterator::collect::<io::Result<Vec<_>>>);
     let entries = entries.map_err(|source| MutateError::File { path: folder, source })?;
@@ -224,19 +220,24 @@ fn shuffle(mutants: &mut [Mutant], seed: u64) {
     }
 }
 
+impl Changed for Mutant {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn change(&self, file: &str, text: &str) -> Option<String> {
+        (file == self.file).then(|| self.change.of(text))
+    }
+
+    fn is_of_numbers(&self) -> bool {
+        self.file == SCALAR
+    }
+}
+
 impl Mutant {
     fn place(&self) -> String {
         format!("{}:{}:{}", self.file, self.line, self.column)
     }
-
-    fn file_name(&self) -> &str {
-        file_name(&self.file)
-    }
-}
-
-/// The last part of a path from the root.
-fn file_name(file: &str) -> &str {
-    file.rsplit_once('/').map_or(file, |(_, name)| name)
 }
 
 #[cfg(test)]

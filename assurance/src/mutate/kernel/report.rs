@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use xtask::project::Project;
 
-use super::copies::Refuted;
+use super::super::copies::{Refuted, file_name};
 use super::explained::EXPLAINED;
 use super::{KernelArgs, Mutant, MutateError};
 use crate::artefact::Artefact;
@@ -148,7 +148,7 @@ impl Report {
     fn by_file(&self) -> BTreeMap<&str, Counts> {
         let mut files: BTreeMap<&str, Counts> = BTreeMap::new();
         for Entry { file, fate, .. } in &self.mutants {
-            let counts = files.entry(super::file_name(file)).or_default();
+            let counts = files.entry(file_name(file)).or_default();
             match fate {
                 Fate::Refuted(_) => counts.refuted += 1,
                 Fate::Equivalent(_) => counts.equivalent += 1,

@@ -3,7 +3,7 @@
 //! A copy is the folder of the decisions with the one change, as it is: it names the kernel's words by the name of
 //! their crate. `ncp-proofs` includes the table of the copies, which the environment names.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -14,14 +14,32 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use xtask::project::Project;
 
-use super::super::cargo;
-use super::{DECISIONS, Mutant, MutateError, SCALAR};
+use super::{MutateError, cargo};
 
+/// What the kernel decides, a file each.
+pub(super) const DECISIONS: &str = "spec/kernel/src/decisions";
+/// The numbers on which production runs it.
+pub(super) const SCALAR: &str = "spec/kernel/src/scalar.rs";
 const PLACE: &str = ".tools/mutants";
 /// Names the table for `ncp-proofs`.
 const TABLE: &str = "NCP_MUTANTS";
 /// More rounds of the compiler than its phases need.
 const ROUNDS: usize = 20;
+
+/// A change of the kernel, of which a copy is made.
+pub(super) trait Changed {
+    /// The name of the copy: `m_` and five digits.
+    fn id(&self) -> &str;
+
+    /// What a file of the kernel is with the change; nothing where it is as it was.
+    fn change(&self, file: &str, text: &str) -> Option<String>;
+
+    /// Whether it is a change of the numbers, and not of the decisions.
+    fn is_of_numbers(&self) -> bool;
+}
+
+/// The changes that the compiler accepts, and what it says first of each of the others.
+pub(super) type Compiled<C> = (Vec<C>, BTreeMap<String, String>);
 
 /// The copies of the kernel, in a folder of their own.
 pub(super) struct Copies<'p> {
@@ -98,23 +116,27 @@ impl<'p> Copies<'p> {
     ///
     /// # Errors
     /// A file, or an error of the compiler that is in no mutant.
-    pub(super) fn that_compile(&self, mut mutants: Vec<Mutant>) -> Result<Vec<Mutant>, MutateError> {
+    pub(super) fn that_compile<C: Changed>(&self, mut mutants: Vec<C>) -> Result<Compiled<C>, MutateError> {
         const CHECK: [&str; 8] =
             ["check", "--quiet", "-p", "ncp-proofs", "--lib", "--features", "mutants", "--message-format=json"];
         for mutant in &mutants {
             self.write(mutant)?;
         }
+        let mut refused = BTreeMap::new();
         for _ in 0..ROUNDS {
             let output = self.cargo(&mutants, Ask::Numbers, &CHECK)?.output();
             let output = output.map_err(|source| MutateError::Start { program: "cargo", source })?;
             if output.status.success() {
-                return Ok(mutants);
+                return Ok((mutants, refused));
             }
             let lines = cargo::lines(&output.stdout);
-            let bad: BTreeSet<&str> =
-                cargo::errors(&lines).flat_map(cargo::Diagnostic::files).filter_map(id_in).collect();
             let before = mutants.len();
-            mutants.retain(|mutant| !bad.contains(&*mutant.id));
+            for error in cargo::errors(&lines) {
+                for id in error.files().filter_map(id_in) {
+                    refused.entry(id.to_owned()).or_insert_with(|| error.said().to_owned());
+                }
+            }
+            mutants.retain(|mutant| !refused.contains_key(mutant.id()));
             if mutants.len() == before {
                 let shown = cargo::errors(&lines).find_map(|error| error.rendered.clone());
                 let said = shown.unwrap_or_else(|| String::from_utf8_lossy(&output.stderr).into_owned());
@@ -128,7 +150,7 @@ impl<'p> Copies<'p> {
     ///
     /// # Errors
     /// A file, or a program that fails.
-    pub(super) fn hold(&self, mutants: &[Mutant], ask: Ask) -> Result<Vec<Answer>, MutateError> {
+    pub(super) fn hold(&self, mutants: &[impl Changed], ask: Ask) -> Result<Vec<Answer>, MutateError> {
         const RUN: [&str; 8] = ["run", "--quiet", "-p", "ncp-proofs", "--features", "mutants", "--bin", "ncp-mutants"];
         let mut command = self.cargo(mutants, ask, &RUN)?;
         if ask == Ask::Solvers {
@@ -151,7 +173,7 @@ impl<'p> Copies<'p> {
     }
 
     /// cargo, with the table of these mutants.
-    fn cargo(&self, mutants: &[Mutant], ask: Ask, args: &[&str]) -> Result<Command, MutateError> {
+    fn cargo(&self, mutants: &[impl Changed], ask: Ask, args: &[&str]) -> Result<Command, MutateError> {
         let table = self.place.join("mutants.rs");
         save(&table, &self.table(mutants, ask))?;
         let mut command = self.project.cargo(args);
@@ -160,22 +182,22 @@ impl<'p> Copies<'p> {
     }
 
     /// The table that `ncp-proofs` includes.
-    fn table(&self, mutants: &[Mutant], ask: Ask) -> String {
+    fn table(&self, mutants: &[impl Changed], ask: Ask) -> String {
         let harness = match ask {
             Ask::Numbers => "native_harness",
             Ask::Solvers => "harness",
         };
         let (mut modules, mut ids, mut arms) = (String::new(), String::new(), String::new());
         for mutant in mutants {
-            let id = &mutant.id;
+            let id = mutant.id();
             let path = self.place.join(id).join("glue.rs");
             let _ = writeln!(modules, "#[path = {path:?}]\npub mod {id};");
-            let _ = writeln!(ids, "({id:?}, {:?}),", mutant.file_name());
+            let _ = writeln!(ids, "({id:?}, {}),", mutant.is_of_numbers());
             let _ = writeln!(arms, "{id:?} => crate::harness::{harness}::<{id}::Mutant>(property),");
         }
         format!(
-            "{modules}/// The changed kernels: the name of each, and the file that is changed.\n\
-             pub const MUTANTS: &[(&str, &str)] = &[\n{ids}];\n\
+            "{modules}/// The changed kernels: the name of each, and whether it is a change of the numbers.\n\
+             pub const MUTANTS: &[(&str, bool)] = &[\n{ids}];\n\
              /// The harness of a property on a changed kernel.\n#[must_use]\n\
              pub fn harness(id: &str, property: &str) -> Option<crate::harness::Harness> {{\n\
              match id {{\n{arms}_ => None,\n}}\n}}\n"
@@ -183,20 +205,17 @@ impl<'p> Copies<'p> {
     }
 
     /// Writes the copy of a mutant: the decisions, or the numbers, with its change.
-    fn write(&self, mutant: &Mutant) -> Result<(), MutateError> {
-        let folder = self.place.join(&mutant.id);
-        let is_number = mutant.file == SCALAR;
+    fn write(&self, mutant: &impl Changed) -> Result<(), MutateError> {
+        let folder = self.place.join(mutant.id());
+        let is_number = mutant.is_of_numbers();
         let wanted = |file: &str| if is_number { file == SCALAR } else { file.starts_with(DECISIONS) };
         for (file, text) in self.sources.iter().filter(|(file, _)| wanted(file)) {
-            let mut text = text.clone();
-            if *file == mutant.file {
-                text = mutant.change.of(&text);
-            }
+            let mut text = mutant.change(file, text).unwrap_or_else(|| text.clone());
             if is_number {
                 // The feature is the kernel's, and its doubles are what is changed.
                 text = text.replace("#[cfg(feature = \"std\")]\n", "");
             }
-            save(&folder.join(super::file_name(file)), &text)?;
+            save(&folder.join(file_name(file)), &text)?;
         }
         let path = folder.join(if is_number { "scalar.rs" } else { "mod.rs" });
         let kernel = if is_number { "[ncp_kernel] [self::changed]" } else { "[self::changed] [ncp_kernel]" };
@@ -207,6 +226,11 @@ impl<'p> Copies<'p> {
         );
         save(&folder.join("glue.rs"), &glue)
     }
+}
+
+/// The last part of a path from the root.
+pub(super) fn file_name(file: &str) -> &str {
+    file.rsplit_once('/').map_or(file, |(_, name)| name)
 }
 
 /// The id of the mutant in whose folder a file is.

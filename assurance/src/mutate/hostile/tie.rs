@@ -1,0 +1,200 @@
+//! The tie of the theorem, held against changed kernels: each is put into a copy of the tree, run on terms there, and
+//! Coq is asked whether what differs is still the model.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde::Serialize;
+use toml::{Table, Value};
+use xtask::project::Project;
+
+use super::super::MutateError;
+use super::Kernel;
+
+/// The copy, from the root of the project.
+const PLACE: &str = ".tools/hostile-tie";
+/// What is copied: the kernel, and what ties it.
+const PARTS: [&str; 2] = ["spec/kernel", "proofs/theorem"];
+/// Where the scripts leave what Coq compiles, within the target folder.
+const COQ: &str = "theorem";
+/// What begins a function or a state in the export.
+const ITEM: &str = "\n\n(* ";
+
+/// What the tie says of a changed kernel.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "tie", content = "said")]
+pub(super) enum Tied {
+    /// It is the model: a change of its numbers, or none of its behaviour.
+    Accepted,
+    /// Coq does not prove that it is the model: the first function or state of which it does not.
+    Refused(String),
+    /// The source does what the export cannot say.
+    NotExported(String),
+    /// It does not compile where it is taken apart member by member.
+    NotBuilt(String),
+}
+
+/// The copy of the tree, in which the kernel without a change is the model.
+pub(super) struct Tie<'p> {
+    project: &'p Project,
+    place: PathBuf,
+    /// The export of the kernel as it is: its items.
+    sound: BTreeSet<String>,
+}
+
+impl<'p> Tie<'p> {
+    /// Copies the tree, and holds the kernel as it is.
+    ///
+    /// # Errors
+    /// A file, or the kernel without a change is refused: what says no to every copy says nothing of a change.
+    pub(super) fn new(project: &'p Project) -> Result<Self, MutateError> {
+        let tie = Self { project, place: project.path(PLACE), sound: BTreeSet::new() };
+        if tie.place.exists() {
+            fs::remove_dir_all(&tie.place).map_err(|source| tie.failed(&tie.place, source))?;
+        }
+        for part in PARTS {
+            tie.copy(&project.path(part), &tie.place.join(part))?;
+        }
+        tie.save("Cargo.lock", &tie.read(&project.path("Cargo.lock"))?)?;
+        tie.save("Cargo.toml", &tie.manifest()?)?;
+        let output = tie.run(Command::new("bash").arg(tie.place.join("proofs/theorem/check.sh")).arg("--tie"))?;
+        if !output.status.success() {
+            return Err(MutateError::NoTie { said: String::from_utf8_lossy(&output.stderr).into_owned() });
+        }
+        print!("the theorem: {}", String::from_utf8_lossy(&output.stdout));
+        let sound = items(&tie.read(&tie.coq().join("Exported.v"))?).map(str::to_owned).collect();
+        Ok(Self { sound, ..tie })
+    }
+
+    /// What it says of each kernel.
+    ///
+    /// # Errors
+    /// A file, or a program that cannot be started.
+    pub(super) fn hold(&self, kernels: &[Kernel]) -> Result<BTreeMap<String, Tied>, MutateError> {
+        let mut ties = BTreeMap::new();
+        for kernel in kernels {
+            for (file, text) in &kernel.texts {
+                self.save(file, text)?;
+            }
+            let tied = self.one()?;
+            println!("{}: {tied}", kernel.defect.name);
+            ties.insert(kernel.id.clone(), tied);
+            for file in kernel.texts.keys() {
+                self.save(file, &self.read(&self.project.path(file))?)?;
+            }
+        }
+        Ok(ties)
+    }
+
+    /// What it says of the kernel that stands in the copy.
+    fn one(&self) -> Result<Tied, MutateError> {
+        let export = self.coq().join("Changed.v");
+        let manifest = self.place.join("Cargo.toml");
+        let mut cargo = self.project.cargo(&["run", "--quiet", "--release", "-p", "ncp-theorem", "--manifest-path"]);
+        let output = self.run(cargo.arg(manifest).arg("--").arg(&export))?;
+        if !output.status.success() {
+            let said = String::from_utf8_lossy(&output.stderr);
+            let error = said.lines().find(|line| line.starts_with("error")).map(str::to_owned);
+            let last = || said.lines().last().unwrap_or_default().to_owned();
+            return Ok(error.map_or_else(|| Tied::NotExported(last()), Tied::NotBuilt));
+        }
+        let text = self.read(&export)?;
+        let mut others: Vec<&str> = items(&text).filter(|item| !self.sound.contains(*item)).collect();
+        if others.is_empty() {
+            return Ok(Tied::Accepted);
+        }
+        // What is short is soon refused.
+        others.sort_by_key(|item| item.len());
+        let head = text.split_once(ITEM).map_or("", |(head, _)| head);
+        let script = format!("{head}{ITEM}{}\n\nEnd Exported.\n", others.join(ITEM));
+        fs::write(&export, &script).map_err(|source| self.failed(&export, source))?;
+        let mut coq = Command::new("coqc");
+        let output = self.run(coq.current_dir(self.coq()).args(["-q", "-Q", ".", "NCP", "Changed.v"]))?;
+        if output.status.success() {
+            return Ok(Tied::Accepted);
+        }
+        let said = String::from_utf8_lossy(&output.stderr);
+        let line = said.lines().find_map(|line| line.split_once(", line ")?.1.split(',').next()?.parse().ok());
+        let before = script.lines().take(line.unwrap_or(usize::MAX));
+        let lemmas = before.filter_map(|line| line.strip_prefix("Lemma ")?.split(' ').next());
+        Ok(Tied::Refused(lemmas.last().unwrap_or("no lemma").to_owned()))
+    }
+
+    /// The manifest of the workspace, with these two members alone.
+    fn manifest(&self) -> Result<String, MutateError> {
+        let path = self.project.path("Cargo.toml");
+        let wrong = |source| MutateError::Manifest { path: path.clone(), source: Box::new(source) };
+        let mut manifest: Table = self.read(&path)?.parse().map_err(wrong)?;
+        if let Some(workspace) = manifest.get_mut("workspace").and_then(Value::as_table_mut) {
+            workspace.insert("members".to_owned(), PARTS.map(|part| Value::from(part)).to_vec().into());
+        }
+        Ok(manifest.to_string())
+    }
+
+    /// Where Coq works.
+    fn coq(&self) -> PathBuf {
+        self.place.join("target").join(COQ)
+    }
+
+    fn run(&self, command: &mut Command) -> Result<Output, MutateError> {
+        let output = command.env("CARGO_TARGET_DIR", self.place.join("target")).output();
+        output.map_err(|source| MutateError::Start { program: "cargo, bash or coqc", source })
+    }
+
+    fn copy(&self, from: &Path, to: &Path) -> Result<(), MutateError> {
+        let failed = |source| self.failed(from, source);
+        fs::create_dir_all(to).map_err(failed)?;
+        for entry in fs::read_dir(from).map_err(failed)? {
+            let (path, name) = entry.map(|entry| (entry.path(), entry.file_name())).map_err(failed)?;
+            if path.is_dir() {
+                self.copy(&path, &to.join(name))?;
+            } else {
+                fs::copy(&path, to.join(name)).map_err(failed)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn read(&self, path: &Path) -> Result<String, MutateError> {
+        fs::read_to_string(path).map_err(|source| self.failed(path, source))
+    }
+
+    fn save(&self, file: &str, text: &str) -> Result<(), MutateError> {
+        let path = self.place.join(file);
+        fs::write(&path, text).map_err(|source| self.failed(&path, source))
+    }
+
+    fn failed(&self, path: &Path, source: std::io::Error) -> MutateError {
+        MutateError::File { path: path.to_owned(), source }
+    }
+}
+
+/// The functions and states of an export, each with its lemma.
+fn items(export: &str) -> impl Iterator<Item = &str> {
+    export.split(ITEM).skip(1).map(|item| item.trim_end().trim_end_matches("End Exported.").trim_end())
+}
+
+impl std::fmt::Display for Tied {
+    fn fmt(&self, form: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Accepted => write!(form, "ACCEPTED by the tie"),
+            Self::Refused(lemma) => write!(form, "refused by {lemma}"),
+            Self::NotExported(said) | Self::NotBuilt(said) => write!(form, "refused: {said}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_items_of_an_export_stand_each_by_itself() {
+        let export = "(** Head. *)\n\nSection Exported.\n\n(* 3 paths. *)\nDefinition a.\nLemma a. Qed.\n\n(* 1 paths. *)\n\
+                      Definition b.\nLemma b. Qed.\n\nEnd Exported.\n";
+        let items: Vec<&str> = items(export).collect();
+        assert_eq!(items, ["3 paths. *)\nDefinition a.\nLemma a. Qed.", "1 paths. *)\nDefinition b.\nLemma b. Qed."]);
+    }
+}
