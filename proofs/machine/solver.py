@@ -17,7 +17,7 @@ import z3
 # What z3 may spend on a question, in its own unit, and how often bitwuzla asks whether it is to give up until it has
 # to.
 RESOURCES = 20_000_000
-CALLS = 300_000
+CALLS = 3_000_000
 
 
 class Verdict(Enum):
