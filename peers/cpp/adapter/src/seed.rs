@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 
 use ncp_adapter::CallError;
 use ncp_adapter::args::parse;
+use ncp_adapter::json::Raw;
 use ncp_adapter::value::Double;
 use serde_json::Value;
-use serde_json::value::RawValue;
 
 use crate::library::Library;
 
@@ -27,7 +27,7 @@ pub(crate) fn kind(kind: &str) -> Result<&str, CallError> {
 /// # Errors
 /// Unsupported if the fields say what no frame says: a number that JSON lacks; or leave out what a program
 /// has another default for than the wire.
-pub(crate) fn frame(library: &Library, kind: &str, fields: &RawValue) -> Result<String, CallError> {
+pub(crate) fn frame(library: &Library, kind: &str, fields: Raw<'_>) -> Result<String, CallError> {
     let members = expressible(fields)?;
     // [NCP-WIRE-038] and the hash, which a program advertises and the wire does not suppose.
     let differs = match kind {
@@ -52,7 +52,7 @@ pub(crate) fn frame(library: &Library, kind: &str, fields: &RawValue) -> Result<
 ///
 /// # Errors
 /// Unsupported if a string in it may stand for a number that JSON lacks.
-pub(crate) fn expressible(object: &RawValue) -> Result<BTreeMap<String, &RawValue>, CallError> {
+pub(crate) fn expressible(object: Raw<'_>) -> Result<BTreeMap<String, Raw<'_>>, CallError> {
     fn is_plain(value: &Value) -> bool {
         match value {
             Value::String(text) => Double::from_name(text).is_none(),
@@ -70,7 +70,7 @@ pub(crate) fn expressible(object: &RawValue) -> Result<BTreeMap<String, &RawValu
 
 /// Whether the seed's functions can be given this codec. Nobody says in which form of JSON they read one, so
 /// a library that refuses the plainest codec in the form of PROTOCOL.md is not asked for others.
-pub(crate) fn codec(library: &Library, codec: &RawValue) -> Result<(), CallError> {
+pub(crate) fn codec(library: &Library, codec: Raw<'_>) -> Result<(), CallError> {
     const PLAINEST: &str = concat!(
         r#"{"encoders":[{"channel":"c","component":0,"population":"p","value_range":[-1.0,1.0],"#,
         r#""rate_range":[0.0,200.0]}],"decoders":[]}"#
@@ -97,9 +97,10 @@ pub(crate) fn codec(library: &Library, codec: &RawValue) -> Result<(), CallError
 #[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 mod tests {
     use super::*;
+    use ncp_adapter::json;
 
-    fn raw(text: &str) -> &RawValue {
-        serde_json::from_str(text).unwrap()
+    fn raw(text: &str) -> Raw<'_> {
+        json::read(text).unwrap()
     }
 
     #[test]
