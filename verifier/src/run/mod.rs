@@ -80,8 +80,11 @@ pub enum Outcome {
     Pass,
     /// The answer is wrong.
     Fail(Differences),
-    /// The peer has no such function.
-    Unsupported,
+    /// The peer has no such function, or cannot do a step of a trace.
+    Unsupported {
+        /// Where that step is, as a JSON pointer; none: the whole call.
+        step: Option<String>,
+    },
     /// The peer ended while it worked on the case.
     Crash {
         /// How.
@@ -117,7 +120,7 @@ impl Outcome {
         match self {
             Self::NotRun { .. } => OutcomeKind::NotRun,
             Self::Pass => OutcomeKind::Pass,
-            Self::Unsupported => OutcomeKind::Unsupported,
+            Self::Unsupported { .. } => OutcomeKind::Unsupported,
             Self::Fail(_) => OutcomeKind::Fail,
             Self::Protocol { .. } => OutcomeKind::Protocol,
             Self::Timeout { .. } => OutcomeKind::Timeout,

@@ -256,7 +256,10 @@ impl<'r> Worker<'r> {
         let run = match parsed {
             Ok(reply) => match self.judged(case, &reply.answer) {
                 Judgement::Pass { note } => CaseRun { outcome: Outcome::Pass, answer: None, note },
-                Judgement::Unsupported => CaseRun { outcome: Outcome::Unsupported, answer: None, note: None },
+                Judgement::Unsupported { step } => {
+                    let note = step.as_ref().map(|step| format!("it cannot do the step {step}"));
+                    CaseRun { outcome: Outcome::Unsupported { step }, answer: None, note }
+                }
                 Judgement::Fail(differences) => {
                     CaseRun { outcome: Outcome::Fail(differences), answer: shown(), note: None }
                 }
