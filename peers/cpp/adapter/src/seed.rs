@@ -68,29 +68,75 @@ pub(crate) fn expressible(object: Raw<'_>) -> Result<BTreeMap<String, Raw<'_>>, 
     parse(object)
 }
 
-/// Whether the seed's functions can be given this codec. Nobody says in which form of JSON they read one, so
-/// a library that refuses the plainest codec in the form of PROTOCOL.md is not asked for others.
-pub(crate) fn codec(library: &Library, codec: Raw<'_>) -> Result<(), CallError> {
-    const PLAINEST: &str = concat!(
-        r#"{"encoders":[{"channel":"c","component":0,"population":"p","value_range":[-1.0,1.0],"#,
-        r#""rate_range":[0.0,200.0]}],"decoders":[]}"#
-    );
-
-    let form = if codec.get() == r#""uav""# {
-        codec.get()
-    } else {
-        expressible(codec)?;
-        PLAINEST
-    };
-    let version = Value::from(library.constant("version")?);
-    let sensor = format!(
-        r#"{{"kind":"sensor_frame","ncp_version":{version},"seq":1,"t":0.0,"frame_id":"world","channels":{{{}}}}}"#,
-        r#""c":{"data":[0.0],"unit":null}"#
-    );
-    match library.encode_rates(form, &sensor) {
-        Ok(_) => Ok(()),
-        Err(_) => Err(CallError::Unsupported),
+/// A codec in the form of JSON that every published build reads. What the protocol leaves out is left out, so that
+/// the build's own defaults are on trial.
+///
+/// # Errors
+/// Unsupported for a number that JSON lacks.
+pub(crate) fn codec(codec: Raw<'_>) -> Result<String, CallError> {
+    #[derive(serde::Deserialize)]
+    struct Codec<'a> {
+        #[serde(borrow)]
+        encoders: Vec<Mapping<'a>>,
+        #[serde(borrow)]
+        decoders: Vec<Mapping<'a>>,
     }
+
+    #[derive(serde::Deserialize)]
+    struct Mapping<'a> {
+        #[serde(borrow)]
+        channel: Raw<'a>,
+        component: Option<Raw<'a>>,
+        population: Raw<'a>,
+        value_range: Option<Raw<'a>>,
+        rate_range: Option<Raw<'a>>,
+        unit: Option<Raw<'a>>,
+    }
+
+    fn side(mappings: &[Mapping<'_>], channel: &str) -> String {
+        let shown = mappings.iter().map(|mapping| {
+            let mut members = vec![(channel, mapping.channel), ("population", mapping.population)];
+            let optional = [
+                ("component", mapping.component),
+                ("value_range", mapping.value_range),
+                ("rate_range_hz", mapping.rate_range),
+                ("unit", mapping.unit),
+            ];
+            members.extend(optional.into_iter().filter_map(|(name, value)| Some((name, value?))));
+            let members: Vec<String> = members.iter().map(|(name, value)| format!("\"{name}\":{value}")).collect();
+            format!("{{{}}}", members.join(","))
+        });
+        format!("[{}]", shown.collect::<Vec<_>>().join(","))
+    }
+
+    if codec.get() == r#""uav""# {
+        return Ok(uav());
+    }
+    expressible(codec)?;
+    let Codec { encoders, decoders } = parse(codec)?;
+    Ok(published(&side(&encoders, "channel"), &side(&decoders, "command_channel")))
+}
+
+fn published(encoder: &str, decoder: &str) -> String {
+    format!(r#"{{"codec_id":"ncp.codec.rate.v0","encoder":{encoder},"decoder":{decoder}}}"#)
+}
+
+/// The default UAV codec, as chapter 9 of the text has it.
+fn uav() -> String {
+    let side = |mapping: fn((usize, char)) -> String| {
+        format!("[{}]", "xyz".chars().enumerate().map(mapping).collect::<Vec<_>>().join(","))
+    };
+    let encoder = side(|(component, axis)| {
+        format!(
+            r#"{{"channel":"pose_error","component":{component},"population":"err_{axis}","value_range":[-2.0,2.0]}}"#
+        )
+    });
+    let decoder = side(|(component, axis)| {
+        format!(
+            r#"{{"population":"vel_{axis}","command_channel":"velocity_setpoint","component":{component},"unit":"m/s","value_range":[-1.5,1.5]}}"#
+        )
+    });
+    published(&encoder, &decoder)
 }
 
 #[cfg(test)]
@@ -112,5 +158,21 @@ mod tests {
         let members = expressible(raw(r#"{"t":1e400,"frame_id":"world","NaN":1}"#));
         assert!(members.is_err(), "a number beyond a double is none that JSON readers share");
         assert_eq!(expressible(raw(r#"{"seq":1,"NaN":2}"#)).unwrap().len(), 2);
+    }
+
+    #[test]
+    fn a_codec_goes_in_the_form_that_every_published_build_reads() {
+        let own = r#"{"encoders":[{"channel":"c","component":1,"population":"p","rate_range":[0.5,9]}],
+            "decoders":[{"channel":"d","component":0,"population":"q","value_range":[1,2],"unit":"m/s"}]}"#;
+        let expected = concat!(
+            r#"{"codec_id":"ncp.codec.rate.v0","#,
+            r#""encoder":[{"channel":"c","population":"p","component":1,"rate_range_hz":[0.5,9]}],"#,
+            r#""decoder":[{"command_channel":"d","population":"q","component":0,"value_range":[1,2],"unit":"m/s"}]}"#,
+        );
+        assert_eq!(codec(raw(own)).unwrap(), expected);
+        let uav: Value = json::read(&codec(raw(r#""uav""#)).unwrap()).unwrap();
+        assert_eq!((&uav["encoder"][2]["population"], &uav["decoder"][1]["component"]), (&"err_z".into(), &1.into()));
+        let infinite = r#"{"encoders":[{"channel":"c","component":1,"population":"p","rate_range":[0,"Infinity"]}],"decoders":[]}"#;
+        assert!(matches!(codec(raw(infinite)), Err(CallError::Unsupported)));
     }
 }

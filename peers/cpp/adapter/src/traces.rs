@@ -109,8 +109,7 @@ pub(crate) fn codec_encode(library: &Library, args: &args::CodecEncode<'_>) -> R
     } else {
         let sensor = args.sensor.ok_or(CallError::Unsupported)?;
         let sensor = seed::frame(library, "sensor_frame", sensor)?;
-        seed::codec(library, args.codec)?;
-        library.encode_rates(args.codec.get(), &sensor)?
+        library.encode_rates(&seed::codec(args.codec)?, &sensor)?
     };
     Fields::of_text(rates)
 }
@@ -128,11 +127,10 @@ pub(crate) fn codec_decode(library: &Library, args: &args::CodecDecode<'_>) -> R
         library.codec_decode(&decode)?
     } else {
         seed::expressible(args.rates)?;
-        seed::codec(library, args.codec)?;
         if !decode.t.is_finite() {
             return Err(CallError::Unsupported);
         }
-        library.decode_command(&decode)?
+        library.decode_command(&Decode { codec: &seed::codec(args.codec)?, ..decode })?
     };
     Fields::of_text(command)
 }
