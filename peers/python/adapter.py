@@ -291,8 +291,8 @@ class Peer:
             args["steps"],
             {
                 "govern": govern,
-                "note_link": lambda step: governor.note_link(step["burst"]),
-                "reset": lambda _step: governor.reset(),
+                "note_link": lambda step: method(governor, "note_link")(step["burst"]),
+                "reset": lambda _step: method(governor, "reset")(),
             },
         )
 
@@ -307,7 +307,7 @@ class Peer:
             {
                 "command": command,
                 "should_hold": lambda step: {"hold": watchdog.should_hold(double_in(step["now_s"]))},
-                "reset": lambda _step: watchdog.reset(),
+                "reset": lambda _step: method(watchdog, "reset")(),
             },
         )
 
@@ -323,7 +323,7 @@ class Peer:
             {
                 "command": command,
                 "active": lambda step: {"channels": buffer.active(double_in(step["now_s"]))},
-                "reset": lambda _step: buffer.reset(),
+                "reset": lambda _step: method(buffer, "reset")(),
             },
         )
 
@@ -396,7 +396,7 @@ class Peer:
 
         return run(
             args["steps"],
-            {"sensor": sensor, "tick": tick, "reset": lambda _step: control.reset()},
+            {"sensor": sensor, "tick": tick, "reset": lambda _step: method(control, "reset")()},
         )
 
     def session_run(self, args):
@@ -438,6 +438,14 @@ def run(steps, done):
         entry = reply(lambda step=step: done[step["op"]](step) or {})
         entries.append(entry.get("result", entry))
     return {"steps": entries}
+
+
+def method(thing, name):
+    """A method of an object of the module. A step that needs one which is not there is unsupported."""
+    found = getattr(thing, name, None)
+    if found is None:
+        raise Unsupported
+    return found
 
 
 def status_name(status):
