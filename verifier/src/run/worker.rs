@@ -36,6 +36,8 @@ const SPARES_AFTER: u32 = 3;
 const MOST_SPARES: usize = 4;
 /// How many cases in a row a peer has to answer one at a time, after a crash, until many are in flight again.
 const CALM: usize = 256;
+/// Of so many calls a way to end has to be known until it is believed of the others.
+const CALLS_THAT_TELL: usize = 3;
 /// How much of an answer is kept.
 const KEPT_BYTES: usize = 16_000;
 
@@ -419,11 +421,11 @@ impl<'r> Worker<'r> {
     }
 
     /// Charges the fault that came while a case was the only one in flight: to that case, or to the one before it, if
-    /// that does it again. A call that is known to end processes in this way needs no second one. Whether it is
-    /// certain.
+    /// that does it again. A way to end that is known of the call, or of several others, needs no second one. Whether
+    /// it is certain.
     fn blame(&mut self, case: usize, previous: Option<usize>, post: &Post, fresh: bool) -> bool {
         let way = |case: usize, post: &Post| (self.shared.cases[case].call, post.what());
-        if fresh || matches!(post.fault, Fault::Silent(_)) || self.known.contains(&way(case, post)) {
+        if fresh || matches!(post.fault, Fault::Silent(_)) || self.is_known(&way(case, post)) {
             self.known.insert(way(case, post));
             self.charge(case, post, None);
             return true;
@@ -444,6 +446,11 @@ impl<'r> Worker<'r> {
         }
         self.charge(case, post, Some(note));
         false
+    }
+
+    fn is_known(&self, way: &(Call, String)) -> bool {
+        let others = self.known.iter().filter(|(_, how)| *how == way.1).count();
+        others >= CALLS_THAT_TELL || self.known.contains(way)
     }
 
     /// After faults without an answer between them: asks what the peer has answered before, or else a case of each
