@@ -687,7 +687,11 @@ macro_rules! objects {
             type Ok = ();
             type Error = JsonError;
 
-            fn serialize_field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), JsonError> {
+            fn serialize_field<T: Serialize + ?Sized>(
+                &mut self,
+                name: &'static str,
+                value: &T,
+            ) -> Result<(), JsonError> {
                 self.member(name, value)
             }
 

@@ -353,8 +353,10 @@ mod tests {
     #[test]
     fn a_codec_is_read_in_the_form_of_every_published_build() {
         let uav = r#"{"codec_id":"ncp.codec.rate.v0","note":7,
-            "encoder":[{"channel":"e","component":2,"population":"p","coding":"rate","value_range":[-2,2],"n_neurons":9}],
-            "decoder":[{"population":"q","readout":"rate","command_channel":"v","unit":"m/s","rate_range_hz":[5,50]}]}"#;
+            "encoder":[{"channel":"e","component":2,"population":"p","coding":"rate",
+                "value_range":[-2,2],"n_neurons":9}],
+            "decoder":[{"population":"q","readout":"rate","command_channel":"v","unit":"m/s",
+                "rate_range_hz":[5,50]}]}"#;
         let RateCodec { encoders, decoders } = codec(uav).unwrap();
         let encoder = Mapping { value_range: (-2.0, 2.0), ..Mapping::new("e".to_owned(), 2, "p".to_owned()) };
         let decoder = Mapping::new("v".to_owned(), 0, "q".to_owned());

@@ -12,8 +12,8 @@
 //! *not run*.
 //!
 //! A peer that dies again and again is asked one case at a time, until it is calm, and its next processes are started
-//! ahead of need. So that a death is cheap, processes are started without backtraces; the first case that was charged with a crash is
-//! run once more with them, and [that log](CrashLog) is kept whole.
+//! ahead of need. So that a death is cheap, processes are started without backtraces; the first case that was charged
+//! with a crash is run once more with them, and [that log](CrashLog) is kept whole.
 
 mod worker;
 

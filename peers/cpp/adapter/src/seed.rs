@@ -126,6 +126,7 @@ fn uav() -> String {
     let side = |mapping: fn((usize, char)) -> String| {
         format!("[{}]", "xyz".chars().enumerate().map(mapping).collect::<Vec<_>>().join(","))
     };
+    const RANGE: &str = r#""unit":"m/s","value_range":[-1.5,1.5]"#;
     let encoder = side(|(component, axis)| {
         format!(
             r#"{{"channel":"pose_error","component":{component},"population":"err_{axis}","value_range":[-2.0,2.0]}}"#
@@ -133,7 +134,7 @@ fn uav() -> String {
     });
     let decoder = side(|(component, axis)| {
         format!(
-            r#"{{"population":"vel_{axis}","command_channel":"velocity_setpoint","component":{component},"unit":"m/s","value_range":[-1.5,1.5]}}"#
+            r#"{{"population":"vel_{axis}","command_channel":"velocity_setpoint","component":{component},{RANGE}}}"#
         )
     });
     published(&encoder, &decoder)
@@ -172,7 +173,8 @@ mod tests {
         assert_eq!(codec(raw(own)).unwrap(), expected);
         let uav: Value = json::read(&codec(raw(r#""uav""#)).unwrap()).unwrap();
         assert_eq!((&uav["encoder"][2]["population"], &uav["decoder"][1]["component"]), (&"err_z".into(), &1.into()));
-        let infinite = r#"{"encoders":[{"channel":"c","component":1,"population":"p","rate_range":[0,"Infinity"]}],"decoders":[]}"#;
+        let infinite = r#"{"encoders":[{"channel":"c","component":1,"population":"p","rate_range":[0,"Infinity"]}],
+            "decoders":[]}"#;
         assert!(matches!(codec(raw(infinite)), Err(CallError::Unsupported)));
     }
 }
