@@ -291,8 +291,8 @@ class Peer:
             args["steps"],
             {
                 "govern": govern,
-                "note_link": lambda step: governor.note_link(step["burst"]),
-                "reset": lambda _step: governor.reset(),
+                "note_link": lambda step: method(governor, "note_link")(step["burst"]),
+                "reset": lambda _step: method(governor, "reset")(),
             },
         )
 
@@ -307,7 +307,7 @@ class Peer:
             {
                 "command": command,
                 "should_hold": lambda step: {"hold": watchdog.should_hold(double_in(step["now_s"]))},
-                "reset": lambda _step: watchdog.reset(),
+                "reset": lambda _step: method(watchdog, "reset")(),
             },
         )
 
@@ -323,7 +323,7 @@ class Peer:
             {
                 "command": command,
                 "active": lambda step: {"channels": buffer.active(double_in(step["now_s"]))},
-                "reset": lambda _step: buffer.reset(),
+                "reset": lambda _step: method(buffer, "reset")(),
             },
         )
 
@@ -350,9 +350,9 @@ class Peer:
         encode = self.function("encode_rates")
         if sensor is None:
             raise Unsupported
-        codec = json_of(codec_in(args["codec"]))
+        codec = json_of(published(args["codec"]))
         sensor = self.frame("sensor_frame", sensor)
-        return {"rates": json_in(in_its_own_form(lambda: encode(codec, sensor)))}
+        return {"rates": json_in(encode(codec, sensor))}
 
     def codec_decode(self, args):
         rates = {name: double_in(rate) for name, rate in args["rates"].items()}
@@ -360,10 +360,10 @@ class Peer:
         if self.has("RateCodec"):
             return {"command": self.codec(args["codec"]).decode(rates, *rest)}
         decode = self.function("decode_command")
-        codec, rates = json_of(codec_in(args["codec"])), json_of(rates)
+        codec, rates = json_of(published(args["codec"])), json_of(rates)
         if not math.isfinite(rest[0]):
             raise Unsupported
-        return {"command": json_in(in_its_own_form(lambda: decode(codec, rates, *rest)))}
+        return {"command": json_in(decode(codec, rates, *rest))}
 
     def codec(self, codec):
         if codec == "uav":
@@ -396,7 +396,7 @@ class Peer:
 
         return run(
             args["steps"],
-            {"sensor": sensor, "tick": tick, "reset": lambda _step: control.reset()},
+            {"sensor": sensor, "tick": tick, "reset": lambda _step: method(control, "reset")()},
         )
 
     def session_run(self, args):
@@ -431,23 +431,21 @@ def given(function, frame):
     return function(text)
 
 
-def in_its_own_form(function):
-    """A function with a codec. Which JSON a codec is, nothing published says: a refusal may mean that."""
-    try:
-        return function()
-    except ValueError:
-        raise Unsupported from None
-
-
 def run(steps, done):
     """Does the steps of a trace, by their `op`."""
     entries = []
     for step in steps:
         entry = reply(lambda step=step: done[step["op"]](step) or {})
-        if entry.get("unsupported"):
-            raise Unsupported
         entries.append(entry.get("result", entry))
     return {"steps": entries}
+
+
+def method(thing, name):
+    """A method of an object of the module. A step that needs one which is not there is unsupported."""
+    found = getattr(thing, name, None)
+    if found is None:
+        raise Unsupported
+    return found
 
 
 def status_name(status):
@@ -515,6 +513,24 @@ def codec_in(codec):
         return filled
 
     return {side: [mapping(given) for given in codec[side]] for side in ("encoders", "decoders")}
+
+
+def published(codec):
+    """A codec in the form that every published build reads, with what was given and no more."""
+    codec = _UAV if codec == "uav" else codec
+
+    def mapping(given, channel):
+        names = {"channel": channel, "rate_range": "rate_range_hz"}
+        given = {names.get(name, name): value for name, value in given.items() if value is not None}
+        for name in {"value_range", "rate_range_hz"} & given.keys():
+            given[name] = list(map(double_in, given[name]))
+        return given
+
+    return {
+        "codec_id": "ncp.codec.rate.v0",
+        "encoder": [mapping(given, "channel") for given in codec["encoders"]],
+        "decoder": [mapping(given, "command_channel") for given in codec["decoders"]],
+    }
 
 
 # --- the conversation ----------------------------------------------------------------------------

@@ -6,17 +6,17 @@
 use std::borrow::Cow;
 
 use serde::Deserialize;
-use serde_json::value::RawValue;
 
 use crate::error::CallError;
+use crate::json::{self, Raw};
 use crate::value::{Bytes, Column, Double, Long};
 
 /// A part of a request, in the form in which the adapter wants it.
 ///
 /// # Errors
 /// It is of another form than PROTOCOL.md allows.
-pub fn parse<'a, T: Deserialize<'a>>(text: &'a RawValue) -> Result<T, CallError> {
-    serde_json::from_str(text.get()).map_err(CallError::misfit)
+pub fn parse<'a, T: Deserialize<'a>>(text: Raw<'a>) -> Result<T, CallError> {
+    json::read(text.get()).map_err(CallError::misfit)
 }
 
 /// The arguments of `decode`.
@@ -60,7 +60,7 @@ pub struct Encode<'a> {
     pub kind: Cow<'a, str>,
     /// The fields that are set.
     #[serde(borrow)]
-    pub fields: &'a RawValue,
+    pub fields: Raw<'a>,
 }
 
 /// The arguments of `version.check`.
@@ -214,20 +214,20 @@ pub struct ReplyCheck<'a> {
 pub struct Governor<'a> {
     /// The fields of the limits.
     #[serde(borrow)]
-    pub limits: &'a RawValue,
+    pub limits: Raw<'a>,
     #[serde(borrow)]
     capabilities: Option<DeclaredChannels<'a>>,
     /// Read by [`GovernorStep`](crate::steps::GovernorStep).
     #[serde(borrow)]
-    pub steps: Vec<&'a RawValue>,
+    pub steps: Vec<Raw<'a>>,
 }
 
 #[derive(Debug, Deserialize)]
 struct DeclaredChannels<'a> {
     #[serde(borrow)]
-    sensor_channels: &'a RawValue,
+    sensor_channels: Raw<'a>,
     #[serde(borrow)]
-    command_channels: &'a RawValue,
+    command_channels: Raw<'a>,
 }
 
 impl Governor<'_> {
@@ -247,7 +247,7 @@ impl Governor<'_> {
 pub struct Watchdog<'a> {
     /// Read by [`WatchdogStep`](crate::steps::WatchdogStep).
     #[serde(borrow)]
-    pub steps: Vec<&'a RawValue>,
+    pub steps: Vec<Raw<'a>>,
 }
 
 /// The arguments of `buffer.run`.
@@ -258,7 +258,7 @@ pub struct Buffer<'a> {
     pub strict: bool,
     /// Read by [`BufferStep`](crate::steps::BufferStep).
     #[serde(borrow)]
-    pub steps: Vec<&'a RawValue>,
+    pub steps: Vec<Raw<'a>>,
 }
 
 /// The arguments of `horizon.max_len`.
@@ -279,7 +279,7 @@ pub struct Link<'a> {
     pub threshold: Option<Double>,
     /// Read by [`LinkStep`](crate::steps::LinkStep).
     #[serde(borrow)]
-    pub steps: Vec<&'a RawValue>,
+    pub steps: Vec<Raw<'a>>,
 }
 
 /// The arguments of `codec.encode`.
@@ -287,10 +287,10 @@ pub struct Link<'a> {
 pub struct CodecEncode<'a> {
     /// The name of a codec, or its mappings.
     #[serde(borrow)]
-    pub codec: &'a RawValue,
+    pub codec: Raw<'a>,
     /// The fields of the sensor frame, if there is one.
     #[serde(borrow)]
-    pub sensor: Option<&'a RawValue>,
+    pub sensor: Option<Raw<'a>>,
 }
 
 /// The arguments of `codec.decode`.
@@ -298,9 +298,9 @@ pub struct CodecEncode<'a> {
 #[expect(missing_docs, reason = "PROTOCOL.md describes them")]
 pub struct CodecDecode<'a> {
     #[serde(borrow)]
-    pub codec: &'a RawValue,
+    pub codec: Raw<'a>,
     #[serde(borrow)]
-    pub rates: &'a RawValue,
+    pub rates: Raw<'a>,
     pub t: Double,
     pub seq: i64,
     #[serde(borrow)]
@@ -314,10 +314,10 @@ pub struct CodecDecode<'a> {
 pub struct Reflex<'a> {
     /// The configuration.
     #[serde(borrow)]
-    pub config: &'a RawValue,
+    pub config: Raw<'a>,
     /// The fields of the sensor frame, if there is one.
     #[serde(borrow)]
-    pub sensor: Option<&'a RawValue>,
+    pub sensor: Option<Raw<'a>>,
 }
 
 /// The arguments of `loop.run`.
@@ -327,13 +327,13 @@ pub struct Loop<'a> {
     pub period_ms: Double,
     /// The fields of the limits.
     #[serde(borrow)]
-    pub limits: &'a RawValue,
+    pub limits: Raw<'a>,
     /// The configuration of the reflex controller.
     #[serde(borrow)]
-    pub config: &'a RawValue,
+    pub config: Raw<'a>,
     /// Read by [`LoopStep`](crate::steps::LoopStep).
     #[serde(borrow)]
-    pub steps: Vec<&'a RawValue>,
+    pub steps: Vec<Raw<'a>>,
 }
 
 /// The arguments of `session.run`.

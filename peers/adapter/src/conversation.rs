@@ -5,9 +5,9 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::panic::{self, AssertUnwindSafe};
 
 use serde::{Deserialize, Serialize};
-use serde_json::value::RawValue;
 
 use crate::error::CallError;
+use crate::json::{self, Raw};
 use crate::peer::{self, Peer};
 use crate::reply::Reply;
 
@@ -42,13 +42,13 @@ pub fn hold(peer: &impl Peer, mut input: BufReader<impl Read>, mut output: impl 
         if input.read_until(b'\n', &mut line)? == 0 {
             return output.flush();
         }
-        match serde_json::from_slice::<Request<'_>>(&line) {
+        match request(&line) {
             Ok(Request { id, call, args }) => {
                 let outcome = guarded(|| peer::answer(peer, &call, args));
                 write_answer(&mut output, id, &outcome)?;
             }
             Err(_) if line.trim_ascii().is_empty() => {}
-            Err(error) => eprintln!("not a request: {error}"),
+            Err(error) => eprintln!("not a request: {error:?}"),
         }
     }
 }
@@ -76,9 +76,9 @@ pub enum Answer {
 #[must_use]
 pub fn ask(peer: &impl Peer, call: &str, args: &str) -> Answer {
     let outcome = guarded(|| {
-        let args: &RawValue = serde_json::from_str(args).map_err(CallError::misfit)?;
+        let args = json::read(args).map_err(CallError::misfit)?;
         let reply = peer::answer(peer, call, args)?;
-        serde_json::to_string(&reply).map_err(CallError::misfit)
+        json::write(&reply).map_err(CallError::internal)
     });
     match outcome {
         Ok(result) => Answer::Result(result),
@@ -91,11 +91,11 @@ pub fn ask(peer: &impl Peer, call: &str, args: &str) -> Answer {
 #[derive(Deserialize)]
 struct Request<'a> {
     #[serde(borrow)]
-    id: &'a RawValue,
+    id: Raw<'a>,
     #[serde(borrow)]
     call: Cow<'a, str>,
     #[serde(borrow)]
-    args: &'a RawValue,
+    args: Raw<'a>,
 }
 
 /// Carries out one call, and turns a panic into the answer `internal`.
@@ -111,27 +111,25 @@ fn guarded<T>(call: impl FnOnce() -> Result<T, CallError>) -> Result<T, CallErro
     })
 }
 
+/// Reads the envelope of a line.
+fn request(line: &[u8]) -> Result<Request<'_>, CallError> {
+    json::read(std::str::from_utf8(line).map_err(CallError::internal)?).map_err(CallError::internal)
+}
+
 /// The id goes back as it came, digit for digit.
-fn write_answer(output: &mut impl Write, id: &RawValue, outcome: &Result<Reply<'_>, CallError>) -> io::Result<()> {
+fn write_answer(output: &mut impl Write, id: Raw<'_>, outcome: &Result<Reply<'_>, CallError>) -> io::Result<()> {
     #[derive(Serialize)]
     struct Error<'a> {
         code: &'a str,
         message: &'a str,
     }
 
-    write!(output, "{{\"id\":{id},")?;
-    match outcome {
-        Ok(reply) => {
-            output.write_all(b"\"result\":")?;
-            serde_json::to_writer(&mut *output, reply)?;
-        }
-        Err(CallError::Refused { code, message }) => {
-            output.write_all(b"\"error\":")?;
-            serde_json::to_writer(&mut *output, &Error { code, message })?;
-        }
-        Err(CallError::Unsupported) => output.write_all(b"\"unsupported\":true")?,
-    }
-    output.write_all(b"}\n")
+    let (member, value) = match outcome {
+        Ok(reply) => ("result", json::write(reply)),
+        Err(CallError::Refused { code, message }) => ("error", json::write(&Error { code, message })),
+        Err(CallError::Unsupported) => ("unsupported", json::write(&true)),
+    };
+    writeln!(output, "{{\"id\":{id},\"{member}\":{}}}", value.map_err(io::Error::other)?)
 }
 
 #[cfg(test)]

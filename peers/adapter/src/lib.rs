@@ -9,6 +9,7 @@
 //! | [`args`] | what each call is given |
 //! | [`steps`] | the steps of a trace, and how they are done |
 //! | [`reply`] | what calls and steps give |
+//! | [`json`] | JSON, bit for bit, and messages with serde's traits |
 //! | [`value`] | numbers, bytes, columns and messages in the form of the protocol |
 //! | `peer` | the calls: [`Peer`] |
 //! | `conversation` | lines in, lines out: [`serve`], [`hold`], [`ask`] |
@@ -45,13 +46,14 @@
 //! assert_eq!(ask(&FlightStack, "plane.qos", r#"{"plane":"action"}"#), Answer::Unsupported);
 //! ```
 //!
-//! Its `main` is `ncp_adapter::serve(&FlightStack)`.
+//! Its `main` is `ncp_adapter::serve(&FlightStack)`; `examples/small.rs` is a whole program.
 
 #![forbid(unsafe_code)]
 
 pub mod args;
 mod conversation;
 mod error;
+pub mod json;
 mod peer;
 pub mod reply;
 pub mod steps;

@@ -1,9 +1,8 @@
 //! The calls: what an adapter implements, and how a request finds it.
 
-use serde_json::value::RawValue;
-
 use crate::args::{self, parse};
 use crate::error::CallError;
+use crate::json::Raw;
 use crate::reply::{Arrays, Description, Qos, Reply, StepReply};
 use crate::value::{Bytes, Column, Fields};
 
@@ -149,11 +148,11 @@ fn unsupported<T, E: From<CallError>>() -> Result<T, E> {
 /// # Errors
 /// The refusal of the peer; [`CallError::Unsupported`] for a name that is none of the calls; `internal` for arguments
 /// that PROTOCOL.md does not allow.
-pub(crate) fn answer<'p, P: Peer>(peer: &'p P, call: &str, args: &RawValue) -> Result<Reply<'p>, CallError> {
+pub(crate) fn answer<'p, P: Peer>(peer: &'p P, call: &str, args: Raw<'_>) -> Result<Reply<'p>, CallError> {
     carried_out(peer, call, args).map_err(P::Error::into)
 }
 
-fn carried_out<'p, P: Peer>(peer: &'p P, call: &str, args: &RawValue) -> Result<Reply<'p>, P::Error> {
+fn carried_out<'p, P: Peer>(peer: &'p P, call: &str, args: Raw<'_>) -> Result<Reply<'p>, P::Error> {
     let steps = |steps| Reply::Steps { steps };
     let block = |block| Reply::Block { block: Bytes(block) };
     let command = |command| Reply::Command { command };

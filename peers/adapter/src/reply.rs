@@ -48,12 +48,33 @@ pub struct Arrays {
 #[serde(untagged)]
 #[expect(missing_docs, reason = "PROTOCOL.md describes them")]
 pub enum StepReply {
-    Frame { frame: Fields },
-    Hold { hold: bool },
-    Active { channels: Option<Fields> },
-    Link { last_seq: i64, received: i64, lost: i64, loss_rate: Double, burst: bool },
-    Tick { command: Fields, status: Fields },
-    Refused { error: Refusal },
+    Frame {
+        frame: Fields,
+    },
+    Hold {
+        hold: bool,
+    },
+    Active {
+        channels: Option<Fields>,
+    },
+    Link {
+        last_seq: i64,
+        received: i64,
+        lost: i64,
+        loss_rate: Double,
+        burst: bool,
+    },
+    Tick {
+        command: Fields,
+        status: Fields,
+    },
+    Refused {
+        error: Refusal,
+    },
+    /// Always true: the peer cannot do the step.
+    Unsupported {
+        unsupported: bool,
+    },
     Nothing {},
 }
 

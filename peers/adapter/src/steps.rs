@@ -3,20 +3,20 @@
 use std::borrow::Cow;
 
 use serde::Deserialize;
-use serde_json::value::RawValue;
 
 use crate::args::{frame, parse};
 use crate::error::CallError;
+use crate::json::Raw;
 use crate::reply::{Refusal, StepReply};
 use crate::value::{Bytes, Double};
 
-/// Does the steps. One that is refused is an entry like others; one that the peer cannot do, or that PROTOCOL.md does
-/// not allow, ends the call.
+/// Does the steps. One that is refused, or that the peer cannot do, is an entry like others; one that breaks a rule, or
+/// that PROTOCOL.md does not allow, ends the call.
 ///
 /// # Errors
 /// What ends the call.
 pub fn run<'a, S: Step<'a>, E: From<CallError> + Into<CallError>>(
-    steps: &[&'a RawValue],
+    steps: &[Raw<'a>],
     mut each: impl FnMut(S) -> Result<StepReply, E>,
 ) -> Result<Vec<StepReply>, E> {
     #[derive(Deserialize)]
@@ -26,11 +26,12 @@ pub fn run<'a, S: Step<'a>, E: From<CallError> + Into<CallError>>(
     }
 
     let mut replies = Vec::with_capacity(steps.len());
-    for step in steps {
+    for &step in steps {
         let Op { op } = parse(step)?;
         replies.push(match each(S::read(&op, step)?).map_err(E::into) {
             Err(error) if error.is_internal() => return Err(error.into()),
             Err(CallError::Refused { code, message }) => StepReply::Refused { error: Refusal { code, message } },
+            Err(CallError::Unsupported) => StepReply::Unsupported { unsupported: true },
             reply => reply?,
         });
     }
@@ -43,7 +44,7 @@ pub trait Step<'a>: Sized {
     ///
     /// # Errors
     /// No such step belongs to the trace, or its members are others.
-    fn read(op: &str, members: &'a RawValue) -> Result<Self, CallError>;
+    fn read(op: &str, members: Raw<'a>) -> Result<Self, CallError>;
 }
 
 /// A step of `governor.run`.
@@ -58,7 +59,7 @@ pub enum GovernorStep<'a> {
 }
 
 impl<'a> Step<'a> for GovernorStep<'a> {
-    fn read(op: &str, members: &'a RawValue) -> Result<Self, CallError> {
+    fn read(op: &str, members: Raw<'a>) -> Result<Self, CallError> {
         match op {
             "govern" => Ok(Self::Govern(parse(members)?)),
             "note_link" => Ok(Self::NoteLink(parse(members)?)),
@@ -73,12 +74,12 @@ impl<'a> Step<'a> for GovernorStep<'a> {
 pub struct Govern<'a> {
     /// The fields of the command.
     #[serde(borrow)]
-    pub command: &'a RawValue,
+    pub command: Raw<'a>,
     /// The time, in seconds.
     pub now_s: Double,
     /// The fields of the sensor frame, if there is one.
     #[serde(borrow)]
-    pub sensor: Option<&'a RawValue>,
+    pub sensor: Option<Raw<'a>>,
     /// When it arrived, in seconds.
     pub last_sensor_s: Option<Double>,
 }
@@ -102,7 +103,7 @@ pub enum WatchdogStep {
 }
 
 impl<'a> Step<'a> for WatchdogStep {
-    fn read(op: &str, members: &'a RawValue) -> Result<Self, CallError> {
+    fn read(op: &str, members: Raw<'a>) -> Result<Self, CallError> {
         match op {
             "command" => Ok(Self::Command(parse(members)?)),
             "should_hold" => Ok(Self::ShouldHold(parse(members)?)),
@@ -149,7 +150,7 @@ pub enum BufferStep<'a> {
 }
 
 impl<'a> Step<'a> for BufferStep<'a> {
-    fn read(op: &str, members: &'a RawValue) -> Result<Self, CallError> {
+    fn read(op: &str, members: Raw<'a>) -> Result<Self, CallError> {
         match op {
             "command" => Ok(Self::Command(parse(members)?)),
             "active" => Ok(Self::Active(parse(members)?)),
@@ -187,7 +188,7 @@ pub enum LinkStep {
 }
 
 impl<'a> Step<'a> for LinkStep {
-    fn read(op: &str, members: &'a RawValue) -> Result<Self, CallError> {
+    fn read(op: &str, members: Raw<'a>) -> Result<Self, CallError> {
         match op {
             "frame" => Ok(Self::Frame(parse(members)?)),
             _ => Err(foreign(op)),
@@ -214,7 +215,7 @@ pub enum LoopStep<'a> {
 }
 
 impl<'a> Step<'a> for LoopStep<'a> {
-    fn read(op: &str, members: &'a RawValue) -> Result<Self, CallError> {
+    fn read(op: &str, members: Raw<'a>) -> Result<Self, CallError> {
         match op {
             "sensor" => Ok(Self::Sensor(parse(members)?)),
             "tick" => Ok(Self::Tick(parse(members)?)),
@@ -229,7 +230,7 @@ impl<'a> Step<'a> for LoopStep<'a> {
 pub struct Sensed<'a> {
     /// Its fields.
     #[serde(borrow)]
-    pub sensor: &'a RawValue,
+    pub sensor: Raw<'a>,
     /// When, in seconds.
     pub now_s: Double,
 }
@@ -242,9 +243,10 @@ fn foreign(op: &str) -> CallError {
 #[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 mod tests {
     use super::*;
+    use crate::json;
 
     fn done(each: impl Fn(i64) -> Result<StepReply, CallError>) -> Result<Vec<StepReply>, CallError> {
-        let steps: Vec<&RawValue> = serde_json::from_str(r#"[{"op":"frame","seq":1},{"op":"frame","seq":2}]"#).unwrap();
+        let steps: Vec<Raw<'_>> = json::read(r#"[{"op":"frame","seq":1},{"op":"frame","seq":2}]"#).unwrap();
         run(&steps, |LinkStep::Frame(Seen { seq })| each(seq))
     }
 
@@ -254,16 +256,21 @@ mod tests {
             1 => Err(CallError::refused("value", "one")),
             _ => Ok(StepReply::Nothing {}),
         });
-        let shown = serde_json::to_string(&replies.unwrap()).unwrap();
+        let shown = json::write(&replies.unwrap()).unwrap();
         assert_eq!(shown, r#"[{"error":{"code":"value","message":"one"}},{}]"#);
     }
 
     #[test]
-    fn a_step_that_breaks_a_rule_or_is_unsupported_ends_the_call() {
-        for error in [CallError::internal("broken"), CallError::Unsupported] {
-            assert_eq!(done(|_| Err(error.clone())).unwrap_err(), error);
-        }
-        let steps: Vec<&RawValue> = serde_json::from_str(r#"[{"op":"jump"}]"#).unwrap();
+    fn a_step_that_the_peer_cannot_do_is_an_entry_too() {
+        let replies = done(|seq| if seq == 1 { Err(CallError::Unsupported) } else { Ok(StepReply::Nothing {}) });
+        assert_eq!(json::write(&replies.unwrap()).unwrap(), r#"[{"unsupported":true},{}]"#);
+    }
+
+    #[test]
+    fn a_step_that_breaks_a_rule_ends_the_call() {
+        let broken = CallError::internal("broken");
+        assert_eq!(done(|_| Err(broken.clone())).unwrap_err(), broken);
+        let steps: Vec<Raw<'_>> = json::read(r#"[{"op":"jump"}]"#).unwrap();
         assert!(run(&steps, |_: LoopStep<'_>| -> Result<StepReply, CallError> { unreachable!() }).is_err());
     }
 }

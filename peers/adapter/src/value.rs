@@ -7,12 +7,13 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::ser::{Serialize, Serializer};
-use serde_json::value::RawValue;
 
 use crate::error::CallError;
+use crate::json::{self, Raw};
 
 /// A double: a JSON number, or one of `"NaN"`, `"Infinity"`, `"-Infinity"`, `"-0"`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, serde::Serialize)]
+#[serde(transparent)]
 pub struct Double(
     /// Its value.
     pub f64,
@@ -22,61 +23,26 @@ impl Double {
     /// The double that one of the four strings stands for, or `None`.
     #[must_use]
     pub fn from_name(name: &str) -> Option<f64> {
-        match name {
-            "NaN" => Some(f64::NAN),
-            "Infinity" => Some(f64::INFINITY),
-            "-Infinity" => Some(f64::NEG_INFINITY),
-            "-0" => Some(-0.0),
-            _ => None,
-        }
+        json::double_of_name(name)
     }
 }
 
-impl Serialize for Double {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let value = self.0;
-        if value.is_nan() {
-            serializer.serialize_str("NaN")
-        } else if value.is_infinite() {
-            serializer.serialize_str(if value > 0.0 { "Infinity" } else { "-Infinity" })
-        } else if value == 0.0 && value.is_sign_negative() {
-            serializer.serialize_str("-0")
-        } else {
-            serializer.serialize_f64(value)
-        }
-    }
-}
-
+/// Reads the four strings also where serde keeps a value before it knows its type, as in an untagged enum.
 impl<'de> Deserialize<'de> for Double {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct DoubleVisitor;
-
-        impl Visitor<'_> for DoubleVisitor {
-            type Value = Double;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number, \"NaN\", \"Infinity\", \"-Infinity\" or \"-0\"")
-            }
-
-            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Double, E> {
-                Ok(Double(value))
-            }
-
-            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Double, E> {
-                Ok(Double(value as f64))
-            }
-
-            fn visit_u64<E: de::Error>(self, value: u64) -> Result<Double, E> {
-                Ok(Double(value as f64))
-            }
-
-            fn visit_str<E: de::Error>(self, name: &str) -> Result<Double, E> {
-                let value = Double::from_name(name);
-                value.map(Double).ok_or_else(|| E::invalid_value(de::Unexpected::Str(name), &self))
-            }
+        #[derive(serde::Deserialize)]
+        #[serde(untagged)]
+        enum Spelled {
+            Number(f64),
+            Name(String),
         }
 
-        deserializer.deserialize_any(DoubleVisitor)
+        match Spelled::deserialize(deserializer)? {
+            Spelled::Number(value) => Ok(Self(value)),
+            Spelled::Name(name) => Self::from_name(&name).map(Self).ok_or_else(|| {
+                de::Error::invalid_value(de::Unexpected::Str(&name), &"a number or the name of one that JSON lacks")
+            }),
+        }
     }
 }
 
@@ -206,11 +172,11 @@ impl<'de> Deserialize<'de> for Column {
             dtype: Cow<'a, str>,
             /// Parsed once the dtype is known, which may stand behind it.
             #[serde(borrow)]
-            data: &'a RawValue,
+            data: Raw<'a>,
         }
 
-        fn values<'a, T: Deserialize<'a>, E: de::Error>(data: &'a RawValue) -> Result<T, E> {
-            serde_json::from_str(data.get()).map_err(E::custom)
+        fn values<'a, T: Deserialize<'a>, E: de::Error>(data: Raw<'a>) -> Result<T, E> {
+            json::read(data.get()).map_err(E::custom)
         }
 
         let Given { name, dtype, data } = Given::deserialize(deserializer)?;
@@ -239,7 +205,7 @@ pub fn longs(values: Vec<Long>) -> Vec<i64> {
 
 /// The fields of a message, or another JSON value, as an answer shows it.
 #[derive(Debug)]
-pub struct Fields(Box<RawValue>);
+pub struct Fields(String);
 
 impl Fields {
     /// A JSON text of the implementation.
@@ -247,28 +213,25 @@ impl Fields {
     /// # Errors
     /// It is not JSON.
     pub fn of_text(text: String) -> Result<Self, CallError> {
-        let no_json = |error| CallError::internal(format_args!("the implementation shows no JSON: {error}"));
-        let value = RawValue::from_string(text).map_err(no_json)?;
+        json::read::<Raw<'_>>(&text)
+            .map_err(|error| CallError::internal(format_args!("the implementation shows no JSON: {error}")))?;
         // An answer is one line. In JSON, a line break is white space: within a string it is escaped.
-        if value.get().contains(['\n', '\r']) {
-            let line = value.get().replace(['\n', '\r'], " ");
-            return RawValue::from_string(line).map(Self).map_err(no_json);
-        }
-        Ok(Self(value))
+        Ok(Self(if text.contains(['\n', '\r']) { text.replace(['\n', '\r'], " ") } else { text }))
     }
 
-    /// The JSON of a value, whose doubles are [`Double`]s.
+    /// The JSON of a value, such as a message with serde's traits. Its doubles come bit for bit, those that JSON lacks
+    /// as the strings of the protocol.
     ///
     /// # Errors
     /// It has no JSON.
     pub fn of(value: &impl Serialize) -> Result<Self, CallError> {
-        serde_json::value::to_raw_value(value).map(Self).map_err(CallError::internal)
+        json::write(value).map(Self).map_err(CallError::internal)
     }
 }
 
 impl Serialize for Fields {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.0.serialize(serializer)
+        Raw::of(&self.0).serialize(serializer)
     }
 }
 
@@ -281,59 +244,55 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_double_comes_back_with_the_same_bits(bits: u64) {
-            let value = f64::from_bits(bits);
-            let text = serde_json::to_string(&Double(value)).unwrap();
-            let Double(back) = serde_json::from_str(&text).unwrap();
-            if value.is_nan() {
-                prop_assert!(back.is_nan());
-            } else {
-                prop_assert_eq!(back.to_bits(), bits);
-            }
-        }
-
-        #[test]
         fn every_long_comes_back(value: i64) {
-            let text = serde_json::to_string(&Long(value)).unwrap();
-            let Long(back) = serde_json::from_str(&text).unwrap();
+            let text = json::write(&Long(value)).unwrap();
+            let Long(back) = json::read(&text).unwrap();
             prop_assert_eq!(back, value);
         }
 
         #[test]
         fn all_bytes_come_back(bytes: Vec<u8>) {
-            let text = serde_json::to_string(&Bytes(bytes.clone())).unwrap();
-            let Bytes(back) = serde_json::from_str(&text).unwrap();
+            let text = json::write(&Bytes(bytes.clone())).unwrap();
+            let Bytes(back) = json::read(&text).unwrap();
             prop_assert_eq!(back, bytes);
         }
     }
 
     #[test]
-    fn the_numbers_that_json_lacks_travel_as_the_four_strings() {
-        let values = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 0.0].map(Double);
-        let text = serde_json::to_string(&values).unwrap();
-        assert_eq!(text, r#"["NaN","Infinity","-Infinity","-0",0.0]"#);
+    fn a_double_is_read_also_where_its_type_is_still_unknown() {
+        #[derive(serde::Deserialize)]
+        #[serde(untagged)]
+        enum Either {
+            Range([Double; 2]),
+            One(Double),
+        }
+
+        let either = |text: &str| json::read::<Either>(text);
+        assert!(matches!(either(r#"["-Infinity",1]"#), Ok(Either::Range([Double(f64::NEG_INFINITY), Double(1.0)]))));
+        assert!(matches!(either(r#""-0""#), Ok(Either::One(Double(zero))) if zero.is_sign_negative()));
+        assert!(either(r#""zero""#).is_err());
     }
 
     #[test]
     fn a_long_that_does_not_fit_or_is_a_number_is_refused() {
         for text in [r#""9223372036854775808""#, r#""1.0""#, r#""""#, "1"] {
-            assert!(serde_json::from_str::<Long>(text).is_err(), "{text}");
+            assert!(json::read::<Long>(text).is_err(), "{text}");
         }
     }
 
     #[test]
     fn a_column_is_read_whatever_the_order_of_its_members() {
         let text = r#"{"data":["-7"],"dtype":"i64","name":"c"}"#;
-        let column: Column = serde_json::from_str(text).unwrap();
+        let column: Column = json::read(text).unwrap();
         assert_eq!(column, Column { name: "c".to_owned(), data: Data::I64(vec![-7]) });
-        assert_eq!(serde_json::to_string(&column).unwrap(), r#"{"name":"c","dtype":"i64","data":["-7"]}"#);
-        assert!(serde_json::from_str::<Column>(r#"{"name":"c","dtype":"u8","data":[]}"#).is_err());
+        assert_eq!(json::write(&column).unwrap(), r#"{"name":"c","dtype":"i64","data":["-7"]}"#);
+        assert!(json::read::<Column>(r#"{"name":"c","dtype":"u8","data":[]}"#).is_err());
     }
 
     #[test]
     fn a_json_text_of_several_lines_becomes_one_line_and_what_is_no_json_is_refused() {
         let Fields(one) = Fields::of_text("{\n\"a\":\r\n1e400}".to_owned()).unwrap();
-        assert_eq!(one.get(), "{ \"a\":  1e400}");
+        assert_eq!(one, "{ \"a\":  1e400}");
         // A line break within a string is no JSON, and must not become a space.
         for text in ["{", "", "\"a\nb\""] {
             assert!(Fields::of_text(text.to_owned()).unwrap_err().is_internal(), "{text}");

@@ -136,6 +136,10 @@ char *ncp_key_observation(const char *realm, const char *session);
 
 // The rates in Hz by population, a JSON object, for a codec and a sensor_frame. For a sensor that is not
 // there, see ncp_codec_encode.
+//
+// The codec is that of every NCP build: an object with encoder and decoder, arrays of mappings with population,
+// channel (of a decoder command_channel) and, if need be, component, value_range, rate_range_hz, unit; members
+// that are not known are ignored. Or it is one as ncp_codec_new takes it.
 char *ncp_encode_rates(const char *codec,
                        const char *sensor);
 
@@ -394,7 +398,8 @@ int32_t ncp_link_report(ncp_link *link, ncp_link_report_t *report);
 void ncp_link_free(ncp_link *link);
 
 // A codec from its JSON text: "uav" in quotes for the default one, or an object of encoders and decoders,
-// arrays of mappings: channel, component, population, and, if need be, value_range, rate_range, unit.
+// arrays of mappings: channel, component, population, and, if need be, value_range, rate_range, unit. An
+// object without them is read as ncp_encode_rates reads one.
 ncp_codec *ncp_codec_new(const char *codec);
 
 // The rates in Hz by population, a JSON object, for the fields of a sensor frame, or NULL for none.

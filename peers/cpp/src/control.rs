@@ -18,7 +18,8 @@ use crate::seed::stamp;
 pub struct Codec(RateCodec);
 
 /// A codec from its JSON text: "uav" in quotes for the default one, or an object of encoders and decoders,
-/// arrays of mappings: channel, component, population, and, if need be, value_range, rate_range, unit.
+/// arrays of mappings: channel, component, population, and, if need be, value_range, rate_range, unit. An
+/// object without them is read as ncp_encode_rates reads one.
 #[unsafe(no_mangle)]
 pub extern "C" fn ncp_codec_new(codec: Text<'_>) -> Option<Box<Codec>> {
     entry(|| {

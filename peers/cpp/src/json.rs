@@ -62,14 +62,23 @@ pub(crate) fn capabilities(fields: &str) -> Result<Capabilities, Refusal> {
     }
 }
 
-/// A codec: `"uav"`, or an object of mappings.
+/// A codec: `"uav"`, an object of mappings, or one in the form of every published build.
 pub(crate) fn codec(text: &str) -> Result<RateCodec, Refusal> {
-    Ok(match serde_json::from_str(text)? {
-        CodecText::Preset(Preset::Uav) => RateCodec::uav(),
-        CodecText::Own(Own { encoders, decoders }) => RateCodec {
+    if let Ok(Preset::Uav) = serde_json::from_str(text) {
+        return Ok(RateCodec::uav());
+    }
+    let Form { encoders, decoders } = serde_json::from_str(text)?;
+    if encoders.is_some() || decoders.is_some() {
+        let Own { encoders, decoders } = serde_json::from_str(text)?;
+        return Ok(RateCodec {
             encoders: encoders.into_iter().map(Into::into).collect(),
             decoders: decoders.into_iter().map(Into::into).collect(),
-        },
+        });
+    }
+    let Published { codec_id: RateCodecId::Rate, encoder, decoder } = serde_json::from_str(text)?;
+    Ok(RateCodec {
+        encoders: encoder.into_iter().map(|encoder| MappingText::from(encoder).into()).collect(),
+        decoders: decoder.into_iter().map(|decoder| MappingText::from(decoder).into()).collect(),
     })
 }
 
@@ -160,11 +169,77 @@ impl Serialize for Double {
     }
 }
 
+/// What tells our own form, in which a misspelt member is an error, from the published one.
 #[derive(Deserialize)]
-#[serde(untagged)]
-enum CodecText {
-    Preset(Preset),
-    Own(Own),
+struct Form {
+    encoders: Option<de::IgnoredAny>,
+    decoders: Option<de::IgnoredAny>,
+}
+
+/// The form that every published build reads: members that it does not know are ignored, and an empty object is a
+/// codec without mappings.
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct Published {
+    codec_id: RateCodecId,
+    encoder: Vec<EncoderText>,
+    decoder: Vec<DecoderText>,
+}
+
+/// The only codec that there is.
+#[derive(Deserialize, Default)]
+enum RateCodecId {
+    #[default]
+    #[serde(rename = "ncp.codec.rate.v0")]
+    Rate,
+}
+
+/// The only coding that there is.
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "snake_case")]
+enum Coding {
+    #[default]
+    Rate,
+}
+
+#[derive(Deserialize)]
+struct EncoderText {
+    channel: String,
+    #[serde(default)]
+    component: usize,
+    population: String,
+    #[serde(default, rename = "coding")]
+    _coding: Coding,
+    value_range: Option<[Double; 2]>,
+    rate_range_hz: Option<[Double; 2]>,
+}
+
+impl From<EncoderText> for MappingText {
+    fn from(text: EncoderText) -> Self {
+        let EncoderText { channel, component, population, value_range, rate_range_hz, .. } = text;
+        Self { channel, component, population, value_range, rate_range: rate_range_hz, unit: None }
+    }
+}
+
+#[derive(Deserialize)]
+struct DecoderText {
+    population: String,
+    #[serde(default, rename = "readout")]
+    _readout: Coding,
+    command_channel: String,
+    #[serde(default)]
+    component: usize,
+    unit: Option<String>,
+    rate_range_hz: Option<[Double; 2]>,
+    value_range: Option<[Double; 2]>,
+}
+
+impl From<DecoderText> for MappingText {
+    fn from(text: DecoderText) -> Self {
+        let DecoderText { population, command_channel: channel, component, unit, rate_range_hz, value_range, .. } =
+            text;
+        Self { channel, component, population, value_range, rate_range: rate_range_hz, unit }
+    }
 }
 
 #[derive(Deserialize)]
@@ -273,6 +348,24 @@ mod tests {
         };
         assert!(mapping("value_range").is_ok());
         assert!(mapping("valu_range").is_err());
+    }
+
+    #[test]
+    fn a_codec_is_read_in_the_form_of_every_published_build() {
+        let uav = r#"{"codec_id":"ncp.codec.rate.v0","note":7,
+            "encoder":[{"channel":"e","component":2,"population":"p","coding":"rate",
+                "value_range":[-2,2],"n_neurons":9}],
+            "decoder":[{"population":"q","readout":"rate","command_channel":"v","unit":"m/s",
+                "rate_range_hz":[5,50]}]}"#;
+        let RateCodec { encoders, decoders } = codec(uav).unwrap();
+        let encoder = Mapping { value_range: (-2.0, 2.0), ..Mapping::new("e".to_owned(), 2, "p".to_owned()) };
+        let decoder = Mapping::new("v".to_owned(), 0, "q".to_owned());
+        let decoder = Mapping { rate_range: (5.0, 50.0), unit: Some("m/s".into()), ..decoder };
+        assert_eq!((&encoders[..], &decoders[..]), (&[encoder][..], &[decoder][..]));
+        assert_eq!(codec("{}").unwrap(), RateCodec { encoders: vec![], decoders: vec![] });
+        for other in [r#"{"codec_id":"x"}"#, r#"{"encoder":[{"population":"p"}]}"#, r#"[]"#] {
+            assert!(codec(other).is_err(), "{other}");
+        }
     }
 
     #[test]

@@ -79,6 +79,10 @@ pub extern "C" fn ncp_key_observation(realm: Text<'_>, session: Text<'_>) -> *mu
 
 /// The rates in Hz by population, a JSON object, for a codec and a sensor_frame. For a sensor that is not
 /// there, see ncp_codec_encode.
+///
+/// The codec is that of every NCP build: an object with encoder and decoder, arrays of mappings with population,
+/// channel (of a decoder command_channel) and, if need be, component, value_range, rate_range_hz, unit; members
+/// that are not known are ignored. Or it is one as ncp_codec_new takes it.
 #[unsafe(no_mangle)]
 pub extern "C" fn ncp_encode_rates(codec: Text<'_>, sensor: Text<'_>) -> *mut c_char {
     entry(|| {

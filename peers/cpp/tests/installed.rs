@@ -295,6 +295,19 @@ fn a_library_with_the_seeds_functions_alone_fails_no_case() {
 
 #[test]
 #[ignore = "needs cc, c++ and valgrind: cargo xtask test --only cpp"]
+fn a_seed_library_that_reads_a_codec_in_the_published_form_alone_fails_no_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let args = ["tests/seed_published_codec.c", "-Wl,--allow-multiple-definition"];
+    let published = library(folder.path(), "libseed_published.so", &args, true);
+    let result = verified(&published, &["--filter", "codec/"]);
+    let passed = cases(&result, "pass").len();
+    let lacking = cases(&result, "unsupported").len();
+    let all = result["peers"][0]["cases"].as_array().unwrap().len();
+    assert_eq!((passed + lacking, passed > 200), (all, true), "{passed} passing and {lacking} lacking of {all}");
+}
+
+#[test]
+#[ignore = "needs cc, c++ and valgrind: cargo xtask test --only cpp"]
 fn a_seed_library_whose_govern_knows_no_limit_is_told_the_rule_that_it_breaks() {
     let folder = tempfile::tempdir().unwrap();
     let args = ["tests/seed_broken_govern.c", "-Wl,--allow-multiple-definition"];

@@ -9,7 +9,7 @@ use ncp_spec::wire::{Frame as _, Mode, SensorFrame, Text};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedStr;
 use pyo3::types::PyDict;
-use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
+use serde::de::{Deserialize, Deserializer, Error as _, IgnoredAny, MapAccess, Visitor};
 
 use crate::argument::{Frame, double, index, integer, range};
 use crate::error::{Error, Result};
@@ -146,8 +146,10 @@ impl RateCodec {
 
 /// The rates of the populations in Hz, as JSON, for a sensor frame.
 ///
-/// `codec_json` is `"uav"`, or an object with `encoders` and `decoders`, arrays of mappings with
-/// `channel`, `component`, `population` and optionally `value_range`, `rate_range` and `unit`.
+/// `codec_json` is that of every published build: an object with `encoder` and `decoder`, arrays of mappings with
+/// `channel` (of a decoder `command_channel`), `population`, and optionally `component`, `value_range`,
+/// `rate_range_hz` and `unit`. It may also be `"uav"`, or an object with `encoders` and `decoders`, arrays of
+/// mappings by the arguments of `RateMapping`.
 #[pyfunction]
 #[pyo3(signature = (codec_json, sensor_json=None))]
 pub(crate) fn encode_rates(codec_json: PyBackedStr, sensor_json: Option<Frame>) -> Result<String> {
@@ -194,12 +196,21 @@ fn mode_of(name: Option<&str>) -> Result<Mode> {
 }
 
 fn codec_of(json: &str) -> Result<codec::RateCodec> {
-    Ok(match parse::<CodecJson>("codec", json)? {
-        CodecJson::Preset(Preset::Uav) => codec::RateCodec::uav(),
-        CodecJson::Own(OwnJson { encoders, decoders }) => codec::RateCodec {
+    if let Ok(Preset::Uav) = serde_json::from_str(json) {
+        return Ok(codec::RateCodec::uav());
+    }
+    let Form { encoders, decoders } = parse("codec", json)?;
+    if encoders.is_some() || decoders.is_some() {
+        let OwnJson { encoders, decoders } = parse("codec", json)?;
+        return Ok(codec::RateCodec {
             encoders: encoders.into_iter().map(mapping).collect(),
             decoders: decoders.into_iter().map(mapping).collect(),
-        },
+        });
+    }
+    let PublishedJson { codec_id: RateCodecId::Rate, encoder, decoder } = parse("codec", json)?;
+    Ok(codec::RateCodec {
+        encoders: encoder.into_iter().map(EncoderJson::mapping).collect(),
+        decoders: decoder.into_iter().map(DecoderJson::mapping).collect(),
     })
 }
 
@@ -220,11 +231,76 @@ fn parse<'a, T: Deserialize<'a>>(what: &str, json: &'a str) -> Result<T> {
     })
 }
 
+/// What tells our own form, in which a misspelt member is an error, from the published one.
 #[derive(serde::Deserialize)]
-#[serde(untagged)]
-enum CodecJson {
-    Preset(Preset),
-    Own(OwnJson),
+struct Form {
+    encoders: Option<IgnoredAny>,
+    decoders: Option<IgnoredAny>,
+}
+
+/// The form that every published build reads: members that it does not know are ignored, and an empty object is a
+/// codec without mappings.
+#[derive(serde::Deserialize, Default)]
+#[serde(default)]
+struct PublishedJson {
+    codec_id: RateCodecId,
+    encoder: Vec<EncoderJson>,
+    decoder: Vec<DecoderJson>,
+}
+
+/// The only codec that there is.
+#[derive(serde::Deserialize, Default)]
+enum RateCodecId {
+    #[default]
+    #[serde(rename = "ncp.codec.rate.v0")]
+    Rate,
+}
+
+/// The only coding that there is.
+#[derive(serde::Deserialize, Default)]
+#[serde(rename_all = "snake_case")]
+enum Coding {
+    #[default]
+    Rate,
+}
+
+#[derive(serde::Deserialize)]
+struct EncoderJson {
+    channel: String,
+    #[serde(default)]
+    component: usize,
+    population: String,
+    #[serde(default, rename = "coding")]
+    _coding: Coding,
+    value_range: Option<(f64, f64)>,
+    rate_range_hz: Option<(f64, f64)>,
+}
+
+impl EncoderJson {
+    fn mapping(self) -> Mapping {
+        let Self { channel, component, population, value_range, rate_range_hz, .. } = self;
+        mapping(MappingJson { channel, component, population, value_range, rate_range: rate_range_hz, unit: None })
+    }
+}
+
+#[derive(serde::Deserialize)]
+struct DecoderJson {
+    population: String,
+    #[serde(default, rename = "readout")]
+    _readout: Coding,
+    command_channel: String,
+    #[serde(default)]
+    component: usize,
+    unit: Option<String>,
+    rate_range_hz: Option<(f64, f64)>,
+    value_range: Option<(f64, f64)>,
+}
+
+impl DecoderJson {
+    fn mapping(self) -> Mapping {
+        let Self { population, command_channel: channel, component, unit, rate_range_hz, value_range, .. } = self;
+        mapping(MappingJson { channel, component, population, value_range, rate_range: rate_range_hz, unit })
+    }
 }
 
 #[derive(serde::Deserialize)]

@@ -78,6 +78,11 @@ class Conversation(unittest.TestCase):
         steps = answers[1]["result"]["steps"]
         self.assertEqual((steps[0]["error"]["code"], steps[1]), ("type", {"channels": None}))
 
+    def test_a_step_for_which_the_object_has_no_method_is_unsupported_and_the_trace_goes_on(self):
+        steps = [{"op": "should_hold", "now_s": 0}, {"op": "reset"}, {"op": "should_hold", "now_s": 1}]
+        answers, _ = ask("no_reset", ("watchdog.run", {"steps": steps}))
+        self.assertEqual(answers[0]["result"]["steps"], [{"hold": True}, {"unsupported": True}, {"hold": True}])
+
     def test_the_four_strings_stand_for_numbers_only_where_numbers_stand(self):
         fields = {"frame_id": "NaN", "t": "-0", "channels": {"t": {"data": ["-0", 1], "unit": "NaN"}}}
         answers, _ = ask("ncp", ("encode", {"kind": "sensor_frame", "fields": fields}))

@@ -72,6 +72,20 @@ class Published(unittest.TestCase):
         frame = '{"kind":"capabilities","controller_id":"c","sensor_channels":[{"name":"a","kind":"quaternion9"}]}'
         self.assertEqual(json.loads(ncp.validate("capabilities", frame))["kind"], "capabilities")
 
+    def test_a_codec_is_read_in_the_form_of_every_published_build(self):
+        mapping = {"channel": "e", "component": 0, "population": "p", "rate_range": [5, 50]}
+        own = {"encoders": [mapping], "decoders": []}
+        published = {
+            "codec_id": "ncp.codec.rate.v0",
+            "encoder": [{"channel": "e", "population": "p", "coding": "rate", "rate_range_hz": [5, 50], "n_neurons": 3}],
+        }
+        sensor = json.dumps({"kind": "sensor_frame", "channels": {"e": {"data": [0.5]}}})
+        rates = [json.loads(ncp.encode_rates(json.dumps(codec), sensor)) for codec in (own, published, {})]
+        self.assertEqual(rates, [{"p": 38.75}, {"p": 38.75}, {}])
+        for other in ({"codec_id": "x"}, {"encoder": [{"population": "p"}]}, []):
+            with self.assertRaises(ncp.NcpError):
+                ncp.encode_rates(json.dumps(other), sensor)
+
     def test_the_uav_codec_goes_from_the_middle_to_the_middle(self):
         # [NCP-CODEC-005] [NCP-CODEC-006]
         self.assertEqual(json.loads(ncp.encode_rates('"uav"')), {"err_x": 100.0, "err_y": 100.0, "err_z": 100.0})

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use ncp_adapter::CallError;
 use ncp_adapter::args::{self, parse};
+use ncp_adapter::json::Raw;
 use ncp_adapter::reply::StepReply;
 use ncp_adapter::steps::{
     BufferStep, Govern, GovernorStep, LinkStep, LoopStep, NoteLink, Seen, Sensed, Stamp, WatchdogStep, run,
@@ -20,7 +21,6 @@ use ncp_spec::safety::SafetyGovernor;
 use ncp_spec::session::{ReferenceBackend, SessionService};
 use ncp_spec::wire::Mode;
 use serde::Deserialize;
-use serde_json::value::RawValue;
 
 use crate::refusal::Refusal;
 use crate::value::{capabilities, channels, command, fields, kind, sensor};
@@ -153,7 +153,7 @@ pub(crate) fn session_run(args: &args::Session<'_>) -> Result<Vec<String>, Refus
 }
 
 /// A governor with the canonical channels.
-fn governor(limits: &RawValue) -> Result<SafetyGovernor, Refusal> {
+fn governor(limits: Raw<'_>) -> Result<SafetyGovernor, Refusal> {
     let capabilities = capabilities(&format!(r#"{{"safety":{limits}}}"#))?;
     Ok(SafetyGovernor::new(&capabilities.safety))
 }
@@ -181,7 +181,7 @@ struct MappingArgs {
     unit: Option<String>,
 }
 
-fn codec(args: &RawValue) -> Result<RateCodec, CallError> {
+fn codec(args: Raw<'_>) -> Result<RateCodec, CallError> {
     Ok(match parse(args)? {
         CodecArgs::Preset(Preset::Uav) => RateCodec::uav(),
         CodecArgs::Own { encoders, decoders } => RateCodec {
@@ -210,7 +210,7 @@ struct ReflexConfigArgs {
     max_speed: Option<Double>,
 }
 
-fn reflex(config: &RawValue) -> Result<ReflexController, Refusal> {
+fn reflex(config: Raw<'_>) -> Result<ReflexController, Refusal> {
     let args: ReflexConfigArgs = parse(config)?;
     let default = ReflexConfig::default();
     let or = |value: Option<Double>, default| value.map_or(default, |Double(value)| value);

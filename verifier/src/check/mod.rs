@@ -33,8 +33,11 @@ pub enum Judgement {
     },
     /// It is wrong.
     Fail(Differences),
-    /// The peer has no such function.
-    Unsupported,
+    /// The peer has no such function, or cannot do a step of a trace.
+    Unsupported {
+        /// Where that step is, as a JSON pointer; none: the whole call.
+        step: Option<String>,
+    },
 }
 
 /// What differs between an answer and its expectation.
@@ -92,7 +95,7 @@ pub fn judge(case: &Case, answer: &Answer<'_>) -> Judgement {
 fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
     let mut differences = Differences::default();
     match (answer, expect) {
-        (Answer::Unsupported, _) => return Judgement::Unsupported,
+        (Answer::Unsupported, _) => return Judgement::Unsupported { step: None },
         (Answer::Error { code, message }, Expect::Reject(suggested)) => {
             if code == ErrorCode::Internal.as_str() {
                 differences.manner = Manner::Crash;
@@ -152,7 +155,27 @@ fn judge_by(expect: &Expect, answer: &Answer<'_>) -> Judgement {
             pattern::fits(shape, *tolerance, result, &mut differences);
         }
     }
-    if differences.is_empty() { Judgement::Pass { note: None } } else { Judgement::Fail(differences) }
+    match (answer, differences.is_empty()) {
+        (Answer::Result(result), _) if let Some(step) = lacking(result, &differences) => {
+            Judgement::Unsupported { step: Some(step) }
+        }
+        (_, true) => Judgement::Pass { note: None },
+        (_, false) => Judgement::Fail(differences),
+    }
+}
+
+/// The first step of a trace that the peer cannot do, unless an earlier one is wrong: what comes behind rests on it.
+fn lacking(result: &Json<'_>, differences: &Differences) -> Option<String> {
+    let Some(Json::Array(steps)) = result.get("steps") else {
+        return None;
+    };
+    let lacking = steps.iter().position(|step| step.get("unsupported") == Some(&Json::Bool(true)))?;
+    let mut tokens = differences.place.split('/').skip(1);
+    let wrong = match (tokens.next(), tokens.next()) {
+        (Some("steps"), Some(step)) => step.parse::<usize>().ok(),
+        _ => None,
+    };
+    wrong.is_none_or(|wrong| lacking <= wrong).then(|| format!("/steps/{lacking}"))
 }
 
 /// What an expectation asks for, in words.
@@ -303,7 +326,30 @@ mod tests {
             assert_eq!(passes(&pattern(true), &result), right);
             assert_eq!(passes(&pattern(false), &result), right);
         }
-        assert_eq!(judge_by(&pattern(true), &Answer::Unsupported), Judgement::Unsupported);
+        assert_eq!(judge_by(&pattern(true), &Answer::Unsupported), Judgement::Unsupported { step: None });
+    }
+
+    #[test]
+    fn a_trace_is_judged_up_to_the_step_that_the_peer_cannot_do() {
+        let shape = Shape::parse(r#"{"steps":[{},{"hold":true},{},{"hold":false}]}"#).unwrap();
+        let expect = Expect::Pattern { shape, tolerance: 0.0, or_reject: false };
+        let judged = |steps: &str| {
+            let result = format!("{{\"steps\":[{steps}]}}");
+            judge_by(&expect, &Answer::Result(Json::parse(&result).unwrap()))
+        };
+        let lacks = |step: &str| Judgement::Unsupported { step: Some(step.to_owned()) };
+        assert_eq!(judged(r#"{},{"hold":true},{},{"hold":false}"#), Judgement::Pass { note: None });
+        assert_eq!(judged(r#"{},{"hold":true},{"unsupported":true},{"hold":true}"#), lacks("/steps/2"));
+        assert_eq!(judged(r#"{},{"hold":true},{"unsupported":true},{"hold":false}"#), lacks("/steps/2"));
+        assert_eq!(judged(r#"{},{"unsupported":true},{"unsupported":true},{"hold":true}"#), lacks("/steps/1"));
+        // What is wrong before it is wrong, and what is no such claim is an answer like others.
+        for wrong in [
+            r#"{},{"hold":false},{"unsupported":true},{"hold":false}"#,
+            r#"{},{"unsupported":false},{},{"hold":false}"#,
+            r#"{},{"hold":true},{},{"hold":true}"#,
+        ] {
+            assert!(matches!(judged(wrong), Judgement::Fail(_)), "{wrong}");
+        }
     }
 
     #[test]

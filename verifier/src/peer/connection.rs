@@ -163,6 +163,11 @@ impl Connection {
         }
     }
 
+    /// Whether the process is still running.
+    pub fn is_alive(&mut self) -> bool {
+        matches!(self.child.try_wait(), Ok(None))
+    }
+
     /// Tells the peer that no more requests will come.
     pub fn close_requests(&mut self) {
         self.requests = None;

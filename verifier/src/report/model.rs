@@ -387,7 +387,8 @@ pub struct CaseReport {
     pub status: Status,
     /// What it says of the first of its rules: `passed`, `failed`, `inconclusive`, `unsupported` or `not run`.
     pub ruling: &'static str,
-    /// The rule that it is charged to; of an inconclusive case the one that it waits for.
+    /// The rule that it is charged to; of an inconclusive case the one that it waits for, and of a trace with a step
+    /// that the peer cannot do the one of that step.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub charged: Option<String>,
     /// What was expected, in words, unless it passed.
@@ -648,7 +649,7 @@ impl CaseReport {
                 (Some(what.clone()), (!log.is_empty()).then(|| log.clone()))
             }
             Outcome::NotRun { why } => (Some(why.clone()), None),
-            Outcome::Pass | Outcome::Fail(_) | Outcome::Unsupported => (None, None),
+            Outcome::Pass | Outcome::Fail(_) | Outcome::Unsupported { .. } => (None, None),
         };
         let differences = match &run.outcome {
             Outcome::Fail(differences) => differences.clone(),
@@ -665,7 +666,7 @@ impl CaseReport {
             outcome: run.outcome.kind(),
             status: *status,
             ruling: ruling.as_str(),
-            charged: ruling.charged().map(|rule| rule.id.clone()),
+            charged: ruling.decided_by().map(|rule| rule.id.clone()),
             expected: (!passed).then(|| in_words(&case.expect)),
             more_differences: differences.more,
             differences: differences

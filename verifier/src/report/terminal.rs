@@ -415,7 +415,7 @@ impl Page<'_> {
         self.line(&format!("    {mark} {} [{}]", case.id, case.outcome.as_str()));
         self.paragraph(6, &case.title);
         match (&case.charged, case.rules.first()) {
-            (Some(rule), Some(own)) if rule != own => {
+            (Some(rule), Some(own)) if waits(case) => {
                 self.paragraph(6, &format!("inconclusive for {own}: waits for {rule}"));
             }
             _ if case.rules.len() > 1 => self.item(6, "also about", &case.rules[1..].join(", ")),
@@ -677,7 +677,8 @@ fn is_unsupported(case: &CaseReport) -> bool {
 
 /// Whether a case says nothing of the rule that it is about, since another is broken first.
 fn waits(case: &CaseReport) -> bool {
-    matches!((&case.charged, case.rules.first()), (Some(charged), Some(own)) if charged != own)
+    case.outcome != crate::run::OutcomeKind::Unsupported
+        && matches!((&case.charged, case.rules.first()), (Some(charged), Some(own)) if charged != own)
 }
 
 /// What a peer says about itself, made harmless.

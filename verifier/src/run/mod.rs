@@ -11,8 +11,9 @@
 //! times. Whoever answers nothing any more, not even what it has answered before, is given up, and what is left is
 //! *not run*.
 //!
-//! So that a death is cheap, processes are started without backtraces; the first case that was charged with a crash is
-//! run once more with them, and [that log](CrashLog) is kept whole.
+//! A peer that dies again and again is asked one case at a time, until it is calm, and its next processes are started
+//! ahead of need. So that a death is cheap, processes are started without backtraces; the first case that was charged
+//! with a crash is run once more with them, and [that log](CrashLog) is kept whole.
 
 mod worker;
 
@@ -80,8 +81,11 @@ pub enum Outcome {
     Pass,
     /// The answer is wrong.
     Fail(Differences),
-    /// The peer has no such function.
-    Unsupported,
+    /// The peer has no such function, or cannot do a step of a trace.
+    Unsupported {
+        /// Where that step is, as a JSON pointer; none: the whole call.
+        step: Option<String>,
+    },
     /// The peer ended while it worked on the case.
     Crash {
         /// How.
@@ -117,7 +121,7 @@ impl Outcome {
         match self {
             Self::NotRun { .. } => OutcomeKind::NotRun,
             Self::Pass => OutcomeKind::Pass,
-            Self::Unsupported => OutcomeKind::Unsupported,
+            Self::Unsupported { .. } => OutcomeKind::Unsupported,
             Self::Fail(_) => OutcomeKind::Fail,
             Self::Protocol { .. } => OutcomeKind::Protocol,
             Self::Timeout { .. } => OutcomeKind::Timeout,

@@ -2,9 +2,10 @@
 
 use std::collections::{HashSet, VecDeque};
 use std::sync::atomic::Ordering;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use super::{CaseRun, CrashLog, Event, Outcome, Settings, Shared, keep_worst};
+use super::{CaseRun, CrashLog, Event, Outcome, Settings, Shared, Stop, keep_worst};
 use crate::check::{Judgement, judge};
 use crate::peer::{
     Answer, Call, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
@@ -29,6 +30,14 @@ const LINGER: Duration = Duration::from_millis(20);
 const MAX_STRAYS: usize = 256;
 /// How often in a row a process may fail to start anew.
 const STARTS: u32 = 3;
+/// After so many faults, processes are started ahead of need.
+const SPARES_AFTER: u32 = 3;
+/// How many of them there may be.
+const MOST_SPARES: usize = 4;
+/// How many cases in a row a peer has to answer one at a time, after a crash, until many are in flight again.
+const CALM: usize = 256;
+/// Of so many calls a way to end has to be known until it is believed of the others.
+const CALLS_THAT_TELL: usize = 3;
 /// How much of an answer is kept.
 const KEPT_BYTES: usize = 16_000;
 
@@ -45,7 +54,16 @@ pub(super) struct Worker<'r> {
     again: VecDeque<usize>,
     /// How processes were seen to end, again and again, on cases of a call.
     known: HashSet<(Call, String)>,
+    spares: Spares,
     report: Report,
+}
+
+/// Processes that are started ahead of need: where a peer dies often, starting it is most of the time of a run.
+struct Spares {
+    starting: VecDeque<JoinHandle<Option<Process>>>,
+    wanted: usize,
+    /// Nobody waits for them any more.
+    enough: Stop,
 }
 
 /// A process, and what is in flight to it.
@@ -89,7 +107,9 @@ struct Post {
 impl<'r> Worker<'r> {
     pub(super) fn new(shared: &'r Shared<'r>, connection: Option<Connection>) -> Self {
         let report = Report { cases: vec![None; shared.cases.len()], notes: Vec::new() };
-        Self { shared, process: connection.map(Process::new), again: VecDeque::new(), known: HashSet::new(), report }
+        let process = connection.map(Process::new);
+        let spares = Spares::new(shared.settings.jobs);
+        Self { shared, process, again: VecDeque::new(), known: HashSet::new(), spares, report }
     }
 
     /// Runs cases until there are no more.
@@ -121,6 +141,12 @@ impl<'r> Worker<'r> {
     fn ready(&mut self) -> Option<Process> {
         if let Some(process) = self.process.take() {
             return Some(process);
+        }
+        if self.shared.faults.load(Ordering::Relaxed) >= SPARES_AFTER {
+            let spare = self.spares.take(self.shared);
+            if spare.is_some() {
+                return spare;
+            }
         }
         let mut refusal = None;
         for _ in 0..STARTS {
@@ -256,7 +282,10 @@ impl<'r> Worker<'r> {
         let run = match parsed {
             Ok(reply) => match self.judged(case, &reply.answer) {
                 Judgement::Pass { note } => CaseRun { outcome: Outcome::Pass, answer: None, note },
-                Judgement::Unsupported => CaseRun { outcome: Outcome::Unsupported, answer: None, note: None },
+                Judgement::Unsupported { step } => {
+                    let note = step.as_ref().map(|step| format!("it cannot do the step {step}"));
+                    CaseRun { outcome: Outcome::Unsupported { step }, answer: None, note }
+                }
                 Judgement::Fail(differences) => {
                     CaseRun { outcome: Outcome::Fail(differences), answer: shown(), note: None }
                 }
@@ -357,7 +386,7 @@ impl<'r> Worker<'r> {
             }
         }
         if found {
-            return;
+            return self.go_carefully();
         }
         match last.filter(|_| !silent).map(|case| (case, self.alone(case, LINGER))) {
             Some((case, Alone::Fault { post, .. })) => self.charge(case, &post, None),
@@ -368,12 +397,35 @@ impl<'r> Worker<'r> {
         }
     }
 
+    /// Goes on one case at a time until the peer is calm: where crashes stand close together, each is then found by one
+    /// death, and not by that of all that was in flight and its own.
+    fn go_carefully(&mut self) {
+        let (mut previous, mut calm) = (None, 0);
+        while calm < CALM {
+            let Some(case) = self.again.pop_front().or_else(|| self.shared.take()) else {
+                return;
+            };
+            self.look_for_life();
+            match self.alone(case, Duration::ZERO) {
+                Alone::Answered => {
+                    previous = Some(case);
+                    calm += 1;
+                }
+                Alone::Fault { post, fresh } => {
+                    self.blame(case, previous.take(), &post, fresh);
+                    calm = 0;
+                }
+                Alone::Over => return self.again.push_front(case),
+            }
+        }
+    }
+
     /// Charges the fault that came while a case was the only one in flight: to that case, or to the one before it, if
-    /// that does it again. A call that is known to end processes in this way needs no second one. Whether it is
-    /// certain.
+    /// that does it again. A way to end that is known of the call, or of several others, needs no second one. Whether
+    /// it is certain.
     fn blame(&mut self, case: usize, previous: Option<usize>, post: &Post, fresh: bool) -> bool {
         let way = |case: usize, post: &Post| (self.shared.cases[case].call, post.what());
-        if fresh || matches!(post.fault, Fault::Silent(_)) || self.known.contains(&way(case, post)) {
+        if fresh || matches!(post.fault, Fault::Silent(_)) || self.is_known(&way(case, post)) {
             self.known.insert(way(case, post));
             self.charge(case, post, None);
             return true;
@@ -382,6 +434,9 @@ impl<'r> Worker<'r> {
         for suspect in [Some(case), previous].into_iter().flatten() {
             match self.alone(suspect, LINGER) {
                 Alone::Fault { post, .. } => {
+                    if suspect == case {
+                        self.known.insert(way(case, &post));
+                    }
                     self.charge(suspect, &post, None);
                     return true;
                 }
@@ -391,6 +446,11 @@ impl<'r> Worker<'r> {
         }
         self.charge(case, post, Some(note));
         false
+    }
+
+    fn is_known(&self, way: &(Call, String)) -> bool {
+        let others = self.known.iter().filter(|(_, how)| *how == way.1).count();
+        others >= CALLS_THAT_TELL || self.known.contains(way)
     }
 
     /// After faults without an answer between them: asks what the peer has answered before, or else a case of each
@@ -485,6 +545,56 @@ pub(super) fn crash_log(shared: &Shared<'_>, index: usize) -> Option<CrashLog> {
         }
     }
     None
+}
+
+impl Spares {
+    fn new(jobs: usize) -> Self {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        // Twice as many as can run at once, for a start is not work alone, and the machine may be busy.
+        let wanted = (2 * cores / jobs.max(1)).clamp(1, MOST_SPARES);
+        Self { starting: VecDeque::new(), wanted, enough: Stop::default() }
+    }
+
+    /// The process that was started first, once it has described itself. `None` if it did not: a peer that cannot be
+    /// there twice, since it holds a port or a file, is from now on started when it is needed, and not before.
+    fn take(&mut self, shared: &Shared<'_>) -> Option<Process> {
+        while self.starting.len() <= self.wanted && self.wanted > 0 {
+            let (launch, patience, enough) =
+                (shared.launch.clone(), shared.settings.start_timeout, self.enough.clone());
+            self.starting.push_back(thread::spawn(move || {
+                let mut connection = Connection::open(&launch).ok()?;
+                handshake(&mut connection, patience, &enough).ok()?;
+                Some(Process::new(connection))
+            }));
+        }
+        let first = self.starting.pop_front()?;
+        while !first.is_finished() && !shared.is_over() {
+            thread::sleep(Duration::from_millis(1));
+        }
+        if shared.is_over() {
+            self.enough.set();
+        }
+        let spare = first.join().ok().flatten().and_then(|mut spare| spare.connection.is_alive().then_some(spare));
+        if spare.is_none() {
+            self.end();
+        }
+        spare
+    }
+
+    fn end(&mut self) {
+        self.wanted = 0;
+        self.enough.set();
+        for started in self.starting.drain(..) {
+            // What it started ends with it.
+            drop(started.join());
+        }
+    }
+}
+
+impl Drop for Spares {
+    fn drop(&mut self) {
+        self.end();
+    }
 }
 
 /// How a case went that ran alone.

@@ -124,8 +124,8 @@ const EXCUSABLE: [OutcomeKind; 5] =
 
 /// Whether an entry excuses a case: it fails, by the rule, in the way, and is one of the cases that the entry names.
 fn excuses(entry: &ExpectedFailure, case: &Case, outcome: OutcomeKind, ruling: &Ruling) -> bool {
-    // What is unsupported is charged to no rule: the one that it is about is not kept.
-    let by = ruling.charged().or(case.requirements.first()).map(|rule| rule.id.as_str());
+    // A call that is unsupported is charged to no rule: the one that the case is about is not kept.
+    let by = ruling.decided_by().or(case.requirements.first()).map(|rule| rule.id.as_str());
     EXCUSABLE.contains(&outcome)
         && entry.requirement.as_deref().is_none_or(|rule| by == Some(rule))
         && entry.outcome.as_deref().is_none_or(|name| name == outcome.as_str())

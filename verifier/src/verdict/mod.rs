@@ -311,7 +311,8 @@ mod tests {
     fn whatever_is_not_a_pass_keeps_its_roles_from_conforming_and_no_other() {
         for outcome in [
             fail(),
-            Outcome::Unsupported,
+            Outcome::Unsupported { step: None },
+            Outcome::Unsupported { step: Some("/steps/0".to_owned()) },
             Outcome::NotRun { why: String::new() },
             Outcome::Crash { what: String::new(), log: String::new() },
             Outcome::Timeout { what: String::new(), log: String::new() },

@@ -28,8 +28,11 @@ pub enum Ruling {
         /// The rule that is broken. It is charged with the case.
         waits_for: Arc<Requirement>,
     },
-    /// The peer has no such function.
-    Unsupported,
+    /// The peer has no such function, or cannot do a step of a trace.
+    Unsupported {
+        /// The rule of that step; none: it is the whole call.
+        rule: Option<Arc<Requirement>>,
+    },
     /// The case was not run.
     NotRun,
 }
@@ -42,7 +45,7 @@ impl Ruling {
             Self::Passed => "passed",
             Self::Failed { .. } => "failed",
             Self::Inconclusive { .. } => "inconclusive",
-            Self::Unsupported => "unsupported",
+            Self::Unsupported { .. } => "unsupported",
             Self::NotRun => "not run",
         }
     }
@@ -52,7 +55,16 @@ impl Ruling {
     pub fn charged(&self) -> Option<&Arc<Requirement>> {
         match self {
             Self::Failed { rule } | Self::Inconclusive { waits_for: rule } => Some(rule),
-            Self::Passed | Self::Unsupported | Self::NotRun => None,
+            Self::Passed | Self::Unsupported { .. } | Self::NotRun => None,
+        }
+    }
+
+    /// The rule that is broken, or that is not judged since the peer cannot do its step.
+    #[must_use]
+    pub fn decided_by(&self) -> Option<&Arc<Requirement>> {
+        match self {
+            Self::Unsupported { rule } => rule.as_ref(),
+            _ => self.charged(),
         }
     }
 
@@ -60,7 +72,10 @@ impl Ruling {
     fn of(case: &Case, outcome: &Outcome) -> Self {
         let charged = match outcome {
             Outcome::Pass => return Self::Passed,
-            Outcome::Unsupported => return Self::Unsupported,
+            Outcome::Unsupported { step } => {
+                let rule = step.as_ref().and_then(|step| case.by.at(step).or(case.requirements.first()));
+                return Self::Unsupported { rule: rule.cloned() };
+            }
             Outcome::NotRun { .. } => return Self::NotRun,
             Outcome::Fail(differences) => match differences.manner {
                 Manner::Crash => case.by.crash.as_ref(),
@@ -150,6 +165,18 @@ mod tests {
         assert_eq!(ruling("/steps/1/frame/mode"), waits_for(THIRD));
         for own in ["/steps/10", "/steps/3", "/steps", ""] {
             assert_eq!(ruling(own), Ruling::Failed { rule: rule(OWN) }, "{own}");
+        }
+    }
+
+    #[test]
+    fn a_step_that_the_peer_cannot_do_is_unsupported_for_the_rule_of_that_step() {
+        let mut case = case("a", OWN);
+        case.by.places = vec![("/steps/1".to_owned(), rule(OTHER))];
+        let ruling = |step: Option<&str>| Ruling::of(&case, &Outcome::Unsupported { step: step.map(str::to_owned) });
+        for (step, by) in [(Some("/steps/1"), Some(OTHER)), (Some("/steps/3"), Some(OWN)), (None, None)] {
+            let ruling = ruling(step);
+            assert_eq!(ruling, Ruling::Unsupported { rule: by.map(rule) });
+            assert_eq!((ruling.decided_by().cloned(), ruling.charged()), (by.map(rule), None));
         }
     }
 

@@ -1,12 +1,12 @@
 //! The calls with a trace (PROTOCOL.md, section 4): one function each, named after its call.
 
+use ncp_adapter::json::Raw;
 use ncp_adapter::reply::StepReply;
 use ncp_adapter::steps::{
     BufferStep, Govern, GovernorStep, LinkStep, LoopStep, NoteLink, Seen, Sensed, Stamp, WatchdogStep, run,
 };
 use ncp_adapter::value::{Double, Fields};
 use ncp_adapter::{CallError, args};
-use serde_json::value::RawValue;
 
 use crate::library::{Decode, Library, LinkReport, yes};
 use crate::seed;
@@ -26,7 +26,7 @@ pub(crate) fn governor_run(library: &Library, args: &args::Governor<'_>) -> Step
             GovernorStep::Govern(Govern { command, now_s, sensor, last_sensor_s }) => {
                 // The governor wants to be told what a program leaves to the message's defaults.
                 let command = library.build("command_frame", command.get())?;
-                let (sensor, last_sensor_s) = (sensor.map(RawValue::get), last_sensor_s.map(|Double(last_s)| last_s));
+                let (sensor, last_sensor_s) = (sensor.map(Raw::get), last_sensor_s.map(|Double(last_s)| last_s));
                 let frame = library.governor_govern(&governor, &command, now_s.0, sensor, last_sensor_s)?;
                 return Ok(StepReply::Frame { frame: Fields::of_text(frame)? });
             }
@@ -105,12 +105,11 @@ pub(crate) fn link_run(library: &Library, args: &args::Link<'_>) -> Steps {
 pub(crate) fn codec_encode(library: &Library, args: &args::CodecEncode<'_>) -> Result<Fields, CallError> {
     let rates = if library.extended {
         let codec = library.codec(args.codec.get())?;
-        library.codec_encode(&codec, args.sensor.map(RawValue::get))?
+        library.codec_encode(&codec, args.sensor.map(Raw::get))?
     } else {
         let sensor = args.sensor.ok_or(CallError::Unsupported)?;
         let sensor = seed::frame(library, "sensor_frame", sensor)?;
-        seed::codec(library, args.codec)?;
-        library.encode_rates(args.codec.get(), &sensor)?
+        library.encode_rates(&seed::codec(args.codec)?, &sensor)?
     };
     Fields::of_text(rates)
 }
@@ -128,18 +127,17 @@ pub(crate) fn codec_decode(library: &Library, args: &args::CodecDecode<'_>) -> R
         library.codec_decode(&decode)?
     } else {
         seed::expressible(args.rates)?;
-        seed::codec(library, args.codec)?;
         if !decode.t.is_finite() {
             return Err(CallError::Unsupported);
         }
-        library.decode_command(&decode)?
+        library.decode_command(&Decode { codec: &seed::codec(args.codec)?, ..decode })?
     };
     Fields::of_text(command)
 }
 
 pub(crate) fn reflex_step(library: &Library, args: &args::Reflex<'_>) -> Result<Fields, CallError> {
     // The clock is nothing to a controller without memory.
-    let sensor = args.sensor.map(RawValue::get);
+    let sensor = args.sensor.map(Raw::get);
     Fields::of_text(library.reflex_step(args.config.get(), 0.0, sensor)?)
 }
 

@@ -7,9 +7,9 @@ from ncp import (
     channel_value,
     check_version,
     contract_status,
-    decode_command,
-    encode_rates,
 )
+import json as _json
+
 import ncp
 
 
@@ -39,6 +39,23 @@ class Keys:
 
     def session_glob(self, session):
         return self._keys.session_glob(session)
+
+
+def _codec(codec_json):
+    """The codec in the published form alone: in another one it is a codec without mappings."""
+    codec = _json.loads(codec_json)
+    if not isinstance(codec, dict):
+        raise ValueError("a codec is an object")
+    names = ("codec_id", "encoder", "decoder")
+    return _json.dumps({name: codec[name] for name in names if name in codec})
+
+
+def encode_rates(codec_json, sensor_json):
+    return ncp.encode_rates(_codec(codec_json), sensor_json)
+
+
+def decode_command(codec_json, rates_json, t=0.0, seq=0, frame_id="world", mode="active"):
+    return ncp.decode_command(_codec(codec_json), rates_json, t, seq, frame_id, mode)
 
 
 def validate(kind, json):
