@@ -85,7 +85,7 @@ impl fmt::Display for Held {
         write!(form, "{}: ", self.name)?;
         match &self.properties {
             Fate::Refuted(by) => {
-                write!(form, "refuted by {}, {}: {}", by.property, by.engine, by.counterexample.check)?
+                write!(form, "refuted by {}, {}: {}", by.property, by.engine, by.counterexample.check)?;
             }
             Fate::NotBuilt(said) => write!(form, "does not build with the properties: {said}")?,
             Fate::Open(said) => write!(form, "NOT REFUTED by the properties ({said})")?,

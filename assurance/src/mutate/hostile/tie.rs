@@ -92,7 +92,7 @@ impl<'p> Tie<'p> {
     fn one(&self) -> Result<Tied, MutateError> {
         let export = self.coq().join("Changed.v");
         let manifest = self.place.join("Cargo.toml");
-        let mut cargo = self.project.cargo(&["run", "--quiet", "--release", "-p", "ncp-theorem", "--manifest-path"]);
+        let mut cargo = self.project.cargo(&["run", "--quiet", "-p", "ncp-theorem", "--manifest-path"]);
         let output = self.run(cargo.arg(manifest).arg("--").arg(&export))?;
         if !output.status.success() {
             let said = String::from_utf8_lossy(&output.stderr);
@@ -128,7 +128,7 @@ impl<'p> Tie<'p> {
         let wrong = |source| MutateError::Manifest { path: path.clone(), source: Box::new(source) };
         let mut manifest: Table = self.read(&path)?.parse().map_err(wrong)?;
         if let Some(workspace) = manifest.get_mut("workspace").and_then(Value::as_table_mut) {
-            workspace.insert("members".to_owned(), PARTS.map(|part| Value::from(part)).to_vec().into());
+            workspace.insert("members".to_owned(), PARTS.map(Value::from).to_vec().into());
         }
         Ok(manifest.to_string())
     }
