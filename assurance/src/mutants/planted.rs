@@ -141,13 +141,17 @@ fn is_for_tests(file: &str, package: &str) -> bool {
 }
 
 /// What every package with a switch depends on: the package of the switches, and what the code of a defect may name,
-/// which is what the peer itself may.
+/// which is what the peer itself and its tests may.
 fn shared(root: &Path, workspace: &Table) -> Result<Table, PlantedError> {
     let mut manifest = manifest(&root.join(PEER).join("Cargo.toml"))?;
     let mut shared =
         Table::from_iter([(KERNEL.to_owned(), Table::from_iter([("workspace".to_owned(), true.into())]).into())]);
-    if let Some(Value::Table(dependencies)) = manifest.remove("dependencies") {
-        shared.extend(dependencies.into_iter().filter(|(name, _)| dependency(workspace, name).is_none()));
+    for kind in ["dependencies", "dev-dependencies"] {
+        if let Some(Value::Table(dependencies)) = manifest.remove(kind) {
+            let is_foreign =
+                |(name, value): &(String, Value)| dependency(workspace, name).is_none() && value.get("path").is_none();
+            shared.extend(dependencies.into_iter().filter(is_foreign));
+        }
     }
     Ok(shared)
 }
