@@ -9,6 +9,7 @@
 //! | `status` | says what is stale, and makes just that anew |
 //! | `trace` | leads from every rule to what shows it, and back |
 //! | `mutants` | holds the suite against peers with planted defects |
+//! | `dictionary` | makes the fault dictionary, and measures what a diagnosis by it is worth |
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
 //! | `proofs` | what git keeps of what the engines found |
 //! | `prove` | drives the engines of `proofs/` |
@@ -23,6 +24,7 @@
 
 mod artefact;
 mod console;
+mod dictionary;
 mod document;
 mod fuzz;
 mod lock;
@@ -62,6 +64,8 @@ enum Command {
     Trace(trace::command::TraceArgs),
     /// Measure what the suite detects: run it against the Rust peer with one planted defect after the other
     Mutants(mutants::command::MutantsArgs),
+    /// Make the fault dictionary of the verifier, and measure what a diagnosis by it is worth
+    Dictionary(dictionary::DictionaryArgs),
     /// Change the kernel or the specification, and ask who notices
     #[command(subcommand)]
     Mutate(mutate::Mutate),
@@ -93,6 +97,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Refresh(args) => Ok(status::refresh(&project, args)?),
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
+        Command::Dictionary(args) => dictionary::dictionary(&project, args),
         Command::Mutate(command) => Ok(mutate::run(&project, command)?),
         Command::Prove(args) if args.page => Ok(proofs::render(&project).map(|()| true)?),
         Command::Prove(args) if args.fast => {
@@ -129,6 +134,8 @@ enum Error {
     Hunt(#[from] mutants::MutantsError),
     #[error("the suite: {0}")]
     Suite(#[from] ncp_verifier::suite::SuiteError),
+    #[error(transparent)]
+    Dictionary(#[from] ncp_verifier::dictionary::DictionaryError),
     #[error(transparent)]
     Status(#[from] status::StatusError),
     #[error(transparent)]

@@ -11,6 +11,7 @@
 //! | [`check`] | judges one answer by the relation that its case states |
 //! | [`verdict`] | folds outcomes into levels per role, under a peer's expected failures |
 //! | [`diagnosis`] | ranks the rules that a peer most likely breaks |
+//! | [`dictionary`] | explains what a peer does by the fewest known defects |
 //! | [`severity`] | what it costs to break a rule |
 //! | [`diff`] | compares two results of one peer, case by case |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
@@ -24,6 +25,7 @@
 pub mod check;
 pub mod cli;
 pub mod diagnosis;
+pub mod dictionary;
 pub mod diff;
 pub mod json;
 pub mod peer;

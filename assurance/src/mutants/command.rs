@@ -59,7 +59,7 @@ Examples:
   cargo assure mutants --only fence-open-ball --only speed-per-axis --together";
 
 /// Where the tables of defects are, from the root of the project.
-const TABLES: &str = "defects/peer";
+pub(crate) const TABLES: &str = "defects/peer";
 /// The artefact that this command makes.
 const ARTEFACT: &str = "mutants";
 
@@ -106,7 +106,7 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
 }
 
 /// Brings the copy with the defects up to date and builds it.
-fn build(project: &Project, defects: &[ncp_defects::Defect], stop: &Stop) -> Result<PathBuf, MutantsError> {
+pub(crate) fn build(project: &Project, defects: &[ncp_defects::Defect], stop: &Stop) -> Result<PathBuf, MutantsError> {
     let planted = planted::weave(project, defects)?;
     let setup = Setup { say: "build the mutants".to_owned(), launch: planted.build() };
     let said = Progress::spinner(setup.say.clone(), std::io::stderr().is_terminal());

@@ -15,7 +15,7 @@
 pub(crate) mod command;
 mod planted;
 mod report;
-mod trial;
+pub(crate) mod trial;
 
 pub(crate) use report::MutantsReport;
 pub(crate) use trial::{Fate, Trial};
@@ -116,6 +116,8 @@ pub(crate) enum MutantsError {
     /// Without a defect, the peer does not conform: so what fails with one says nothing.
     #[error("without a mutant the peer fails {count} cases, {first} first")]
     Sick { count: usize, first: String },
+    #[error("with {mutant} the suite does not come to its end in time")]
+    Late { mutant: String },
     #[error("interrupted")]
     Interrupted,
 }

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Hunt, Mutant, MutantsError};
 use ncp_verifier::diagnosis;
+use ncp_verifier::dictionary::Observed;
 use ncp_verifier::peer::{Connection, Description, Launch, handshake};
 use ncp_verifier::report::{CaseReport, PeerReport};
 use ncp_verifier::run::{self, CaseRun, Deaf, Settings};
@@ -114,6 +115,32 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
     })
 }
 
+/// How each of these cases ends against the peer with these defects.
+pub(crate) fn observe(hunt: &Hunt<'_>, defects: &[String], cases: &[&Case]) -> Result<Observed, MutantsError> {
+    let (observed, in_time) = limited(hunt, |stop| -> Result<Observed, MutantsError> {
+        let (launch, settings) = (launch(hunt, defects), Settings::default());
+        let mut connection = Connection::open(&launch)?;
+        let description = handshake(&mut connection, settings.start_timeout, stop)?;
+        let describe = (hunt.suite.describe(&description), judge_description(&description));
+        let record = run::run(&launch, connection, cases, &settings, &Deaf, stop);
+        let runs: Vec<(&Case, CaseRun)> =
+            std::iter::once(describe).chain(cases.iter().copied().zip(record.cases)).collect();
+        Ok(Observed::of(runs.iter().map(|(case, run)| (*case, &run.outcome))))
+    });
+    match in_time {
+        true => observed,
+        false if hunt.stop.is_set() => Err(MutantsError::Interrupted),
+        false => Err(MutantsError::Late { mutant: defects.join(" + ") }),
+    }
+}
+
+/// The program with some defects switched on.
+fn launch(hunt: &Hunt<'_>, defects: &[String]) -> Launch {
+    let mut argv = vec![hunt.program.to_string_lossy().into_owned()];
+    argv.extend(defects.iter().flat_map(|defect| ["--defect".to_owned(), defect.clone()]));
+    Launch::new(argv, ".")
+}
+
 /// What does not pass, and the rules that the verdict names for it.
 #[derive(Debug, Default)]
 struct Findings {
@@ -139,10 +166,7 @@ fn failing(
     more: impl Fn(&[CaseReport]) -> bool,
     stop: &Stop,
 ) -> Result<Findings, MutantsError> {
-    let mut argv = vec![hunt.program.to_string_lossy().into_owned()];
-    let defects = mutant.into_iter().flat_map(|mutant| &mutant.defects);
-    argv.extend(defects.flat_map(|defect| ["--defect".to_owned(), defect.clone()]));
-    let launch = Launch::new(argv, ".");
+    let launch = launch(hunt, mutant.map_or(&[], |mutant| &mutant.defects));
     let settings = Settings {
         // A mutant that crashes is run to its end too: the time bounds it.
         max_restarts: None,

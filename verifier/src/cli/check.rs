@@ -9,6 +9,7 @@ use ncp_text::catalogue::{Level, Role};
 
 use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
+use crate::dictionary::Dictionary;
 use crate::peer::{
     Connection, Description, ExpectedFailure, ExpectedFailures, Launch, Manifest, StartError, handshake,
 };
@@ -281,14 +282,10 @@ impl Check<'_> {
         let runs = cases.into_iter().zip(record.cases.iter().cloned());
         let all: Vec<(&Case, CaseRun)> = std::iter::once(describe).chain(runs).collect();
         let verdict = judge(all, &roles, level, &source.baseline, !self.patterns.is_empty());
-        Ok(PeerReport::checked(
-            name,
-            source.shown,
-            &description,
-            &verdict,
-            &record,
-            not_asked.into_iter().map(|(count, _)| count).collect(),
-        ))
+        let not_asked = not_asked.into_iter().map(|(count, _)| count).collect();
+        let mut report = PeerReport::checked(name, source.shown, &description, &verdict, &record, not_asked);
+        report.diagnose(Dictionary::embedded(), &verdict);
+        Ok(report)
     }
 
     /// Sets a peer up, starts it, and lets it describe itself.

@@ -9,6 +9,7 @@ use serde::{Serialize, Serializer};
 
 use crate::check::{Differences, in_words};
 use crate::diagnosis::{self, Suspect};
+use crate::dictionary::{CaseKey, Dictionary, Explained, Explanation, Observed};
 use crate::peer::{Call, Description, excerpt};
 use crate::run::{CrashLog, Outcome, OutcomeKind, RunRecord};
 use crate::severity::Severity;
@@ -212,7 +213,7 @@ pub struct DiagnosisReport {
 pub struct DefectReport {
     /// The id of the defect.
     pub defect: String,
-    /// What it is, in words.
+    /// What it is, in words; of defects that no case tells apart, in the words of each.
     pub words: String,
     /// What it costs.
     pub severity: Severity,
@@ -564,6 +565,42 @@ impl PeerReport {
             broken: diagnosis::likeliest_first(&verdict.cases, of(Status::Failed)),
             advised: diagnosis::by_rule(&verdict.cases, of(Status::Advice)),
         }
+    }
+}
+
+impl PeerReport {
+    /// Explains the failing cases by the fewest known defects; none if the dictionary knows none of the cases.
+    pub fn diagnose(&mut self, dictionary: &Dictionary, verdict: &Verdict<'_>) {
+        let observed = Observed::of(verdict.cases.iter().map(|judged| (judged.case, &judged.run.outcome)));
+        if !dictionary.knows(&observed) {
+            return;
+        }
+        let fails = |judged: &&Judged<'_>| {
+            let Judged { run, status, .. } = judged;
+            matches!(status, Status::Failed | Status::ExpectedFailure) && run.outcome != Outcome::Unsupported
+        };
+        let failing: HashMap<CaseKey, &Case> =
+            verdict.cases.iter().filter(fails).map(|judged| (CaseKey::of(&judged.case.id), judged.case)).collect();
+        let cases = |keys: &[CaseKey]| keys.iter().filter_map(|key| failing.get(key).copied()).collect::<Vec<_>>();
+        let ids = |cases: &[&Case]| cases.iter().map(|case| case.id.clone()).collect::<Vec<_>>();
+        let Explanation { defects, unexplained } = dictionary.explain(&observed);
+        let report = |found: &Explained| {
+            let explained = cases(&found.cases);
+            let shortest = explained.iter().min_by_key(|case| (case.request_bytes(), &case.id))?;
+            let entries: Vec<_> = found.entries.iter().filter_map(|entry| dictionary.entries.get(*entry)).collect();
+            let first = entries.first()?;
+            Some(DefectReport {
+                defect: first.name.clone(),
+                words: entries.iter().map(|entry| entry.words.as_str()).collect::<Vec<_>>().join(" Or: "),
+                severity: Severity::of(first.rules.first()?),
+                explained: ids(&explained),
+                passing: found.missed,
+                shortest: shortest.id.clone(),
+            })
+        };
+        let mut defects: Vec<DefectReport> = defects.iter().filter_map(report).collect();
+        defects.sort_by_key(|found| (found.severity, std::cmp::Reverse(found.explained.len())));
+        self.diagnosis = Some(DiagnosisReport { defects, unexplained: ids(&cases(&unexplained)) });
     }
 }
 

@@ -286,11 +286,19 @@ impl Page<'_> {
 
     /// The known defects that explain the failing cases, and what none explains.
     fn defects(&mut self, peer: &PeerReport) {
-        let Some(diagnosis) = peer.diagnosis.as_ref().filter(|found| !found.defects.is_empty()) else {
+        let Some(diagnosis) = &peer.diagnosis else {
             return;
         };
         let explained: usize = diagnosis.defects.iter().map(|found| found.explained.len()).sum();
         let failing = explained + diagnosis.unexplained.len();
+        if failing == 0 {
+            return;
+        }
+        if diagnosis.defects.is_empty() {
+            self.line("");
+            let failing = plural_verb(failing, "failing case", "failing cases");
+            return self.paragraph(2, &format!("no known defect explains the {failing}"));
+        }
         let defects = plural_verb(diagnosis.defects.len(), "known defect explains", "known defects explain");
         self.line("");
         self.said(
