@@ -42,7 +42,7 @@ impl Symptom {
     #[must_use]
     pub fn of(case: &Case, outcome: &Outcome) -> Option<Self> {
         match outcome {
-            Outcome::Pass | Outcome::Unsupported | Outcome::NotRun { .. } => None,
+            Outcome::Pass | Outcome::Unsupported { .. } | Outcome::NotRun { .. } => None,
             Outcome::Crash { .. } => Some(Self::whole("crash")),
             Outcome::Timeout { .. } => Some(Self::whole("timeout")),
             Outcome::Protocol { .. } => Some(Self::whole("protocol")),
@@ -134,7 +134,7 @@ impl Observed {
     #[must_use]
     pub fn of<'c>(runs: impl IntoIterator<Item = (&'c Case, &'c Outcome)>) -> Self {
         let was_judged =
-            |(_, outcome): &(&Case, &Outcome)| !matches!(outcome, Outcome::Unsupported | Outcome::NotRun { .. });
+            |(_, outcome): &(&Case, &Outcome)| !matches!(outcome, Outcome::Unsupported { .. } | Outcome::NotRun { .. });
         let seen =
             |(case, outcome): (&Case, &Outcome)| (CaseKey::of(&case.id), Seen::new(case, Symptom::of(case, outcome)));
         Self { cases: runs.into_iter().filter(was_judged).map(seen).collect() }

@@ -52,6 +52,12 @@ fn test(peer: &str, case: &CaseReport) -> TestCase {
     let outcome = case.outcome.as_str();
     let differences: Vec<&str> = case.differences.iter().map(|difference| difference.text.as_str()).collect();
     let what = case.what.clone().unwrap_or_else(|| differences.first().map_or(outcome, |first| first).to_owned());
+    // The rule that is broken comes first, so that a list of messages is one of rules.
+    let what = match &case.charged {
+        Some(rule) if case.waits() => format!("waits for {rule}: {what}"),
+        Some(rule) => format!("{rule}: {what}"),
+        None => what,
+    };
     let status = match case.status {
         Status::Failed if case.outcome.is_fault() => {
             non_success(NonSuccessKind::Error, outcome, &what, case.log.as_deref().unwrap_or_default())

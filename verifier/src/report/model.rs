@@ -577,7 +577,8 @@ impl PeerReport {
         }
         let fails = |judged: &&Judged<'_>| {
             let Judged { run, status, .. } = judged;
-            matches!(status, Status::Failed | Status::ExpectedFailure) && run.outcome != Outcome::Unsupported
+            matches!(status, Status::Failed | Status::ExpectedFailure)
+                && !matches!(run.outcome, Outcome::Unsupported { .. })
         };
         let failing: HashMap<CaseKey, &Case> =
             verdict.cases.iter().filter(fails).map(|judged| (CaseKey::of(&judged.case.id), judged.case)).collect();
@@ -678,6 +679,12 @@ impl From<Tally> for TallyReport {
 }
 
 impl CaseReport {
+    /// Whether it is charged to another rule than the one that it is about.
+    pub(super) fn waits(&self) -> bool {
+        self.outcome != OutcomeKind::Unsupported
+            && matches!((&self.charged, self.rules.first()), (Some(charged), Some(own)) if charged != own)
+    }
+
     fn new(judged: &Judged<'_>) -> Self {
         let Judged { case, run, status, ruling, reason } = judged;
         let passed = run.outcome == Outcome::Pass;

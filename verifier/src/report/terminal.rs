@@ -266,7 +266,7 @@ impl Page<'_> {
         let lacking =
             |status: Status| peer.cases.iter().filter(|case| is_unsupported(case) && case.status == status).count();
         let (must, should) = (lacking(Status::Failed), lacking(Status::Advice));
-        let waiting = peer.cases.iter().filter(|case| case.status == Status::Failed && waits(case)).count();
+        let waiting = peer.cases.iter().filter(|case| case.status == Status::Failed && case.waits()).count();
         let counted = [
             (passed, "passing"),
             (failed - must - waiting, "failing by the rule that is meant"),
@@ -347,7 +347,7 @@ impl Page<'_> {
     /// One rule: its id, its level, how many of its cases fail, its sentence, and one case.
     fn rule(&mut self, peer: &PeerReport, Suspect { rule: id, cases }: &Suspect) {
         let failing = || cases.iter().filter_map(|place| peer.cases.get(*place));
-        let own = failing().filter(|case| !waits(case)).count();
+        let own = failing().filter(|case| !case.waits()).count();
         let rule = self.report.rules.iter().find(|rule| rule.id == *id);
         let (level, all) = rule.map_or(("", own), |rule| (rule.level.as_str(), rule.cases));
         let sentence = rule.map_or("", |rule| rule.sentence.as_str());
@@ -356,7 +356,7 @@ impl Page<'_> {
             0 => String::new(),
             count => format!("+{}", thousands(count as u64)),
         };
-        let waiting_width = if peer.cases.iter().any(waits) { 5 } else { 0 };
+        let waiting_width = if peer.cases.iter().any(CaseReport::waits) { 5 } else { 0 };
         let head = format!("    {id:13} {level:6} {of:>7}{waiting:>waiting_width$}  ");
         let example = failing().next().map_or("", |case| case.id.as_str());
         let room = self.style.width.saturating_sub(head.chars().count());
@@ -423,7 +423,7 @@ impl Page<'_> {
         self.line(&format!("    {mark} {} [{}]", case.id, case.outcome.as_str()));
         self.paragraph(6, &case.title);
         match (&case.charged, case.rules.first()) {
-            (Some(rule), Some(own)) if waits(case) => {
+            (Some(rule), Some(own)) if case.waits() => {
                 self.paragraph(6, &format!("inconclusive for {own}: waits for {rule}"));
             }
             _ if case.rules.len() > 1 => self.item(6, "also about", &case.rules[1..].join(", ")),
@@ -681,12 +681,6 @@ fn shares(sizes: impl Iterator<Item = usize>, room: usize) -> Vec<usize> {
 /// Whether a case was answered by `unsupported`, and not expected to be.
 fn is_unsupported(case: &CaseReport) -> bool {
     verdict::is_unsupported(case.outcome, case.status)
-}
-
-/// Whether a case says nothing of the rule that it is about, since another is broken first.
-fn waits(case: &CaseReport) -> bool {
-    case.outcome != crate::run::OutcomeKind::Unsupported
-        && matches!((&case.charged, case.rules.first()), (Some(charged), Some(own)) if charged != own)
 }
 
 /// What a peer says about itself, made harmless.
