@@ -195,7 +195,10 @@ pub(crate) enum LiveError {
     /// The tap was too slow.
     #[error("the tap lost {0} samples itself, so it says nothing of the rest")]
     Overrun(u64),
-    /// A result cannot be written as JSON.
+    /// A certificate.
+    #[error(transparent)]
+    Certificate(#[from] rcgen::Error),
+    /// A result cannot be written as JSON, or the access rules cannot be read.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
 }

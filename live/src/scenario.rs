@@ -95,6 +95,8 @@ pub(crate) enum Motion {
     Moves,
     /// It holds.
     Holds,
+    /// It has held before, and does not move.
+    Still,
 }
 
 /// Why the scenarios cannot be read.

@@ -43,7 +43,7 @@ pub(super) fn commander(target: &Target, planted: &Planted) -> Result<Running, L
         let began_s = now();
         while let Some(frame) = perception.next_frame() {
             if planted.is("perception-blocks") {
-                thread::sleep(Duration::from_millis(15));
+                thread::sleep(Duration::from_millis(5));
             }
             control.on_sensor(frame, now());
         }

@@ -157,6 +157,9 @@ fn take(planted: &Planted, buffer: &mut ActionBuffer, last_seq: &mut i64, frame:
     if planted.is("ttl-unchecked") || (planted.is("zero-ttl-moves") && command.ttl_ms <= 0.0) {
         command.ttl_ms = 60_000.0;
     }
+    if planted.is("ttl-default") && command.ttl_ms <= 0.0 {
+        command.ttl_ms = 200.0;
+    }
     if planted.is("ttl-in-seconds") {
         command.ttl_ms *= 1e3;
     }
@@ -180,11 +183,10 @@ fn take(planted: &Planted, buffer: &mut ActionBuffer, last_seq: &mut i64, frame:
     {
         return;
     }
-    let is_stale = command.seq < *last_seq;
     let forgets = (planted.is("latch-forgets") && command.mode == Mode::Active && buffer.is_stopped())
         || (planted.is("duplicate-renews") && command.seq == *last_seq)
-        || (planted.is("stale-obeyed") && is_stale && command.seq > 1)
-        || (planted.is("restart-obeyed") && is_stale && command.seq == 1);
+        || (planted.is("stale-obeyed") && command.seq == *last_seq - 1)
+        || (planted.is("restart-obeyed") && command.seq < *last_seq - 1);
     if forgets {
         buffer.reset();
     }

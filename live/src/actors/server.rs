@@ -24,7 +24,7 @@ pub(super) fn server(target: &Target, planted: &Planted) -> Result<Running, Live
     let handler = handler(&bus, planted);
     let running = Running::default();
     let of_server = Arc::clone(&handler);
-    let running = if ["late-first", "reply-express", "error-reply"].iter().any(|name| planted.is(name)) {
+    let running = if ["late-first", "error-reply"].iter().any(|name| planted.is(name)) {
         running.keeping(bare_server(&bus, planted, handler)?)
     } else {
         let running = running.keeping(ControlServer::start(&bus, move |request| of_server(request))?);
@@ -58,7 +58,7 @@ fn handler(bus: &Arc<Bus>, planted: &Planted) -> Handler {
             Err(_) if planted.is("malformed-is-fine") => {
                 reply = r#"{"kind":"session_closed","session_id":"x"}"#.to_owned()
             }
-            Err(_) if planted.is("silent") => thread::sleep(Duration::from_secs(5)),
+            Err(_) if planted.is("silent") => thread::sleep(Duration::from_secs(7)),
             Ok(Message::StepRequest(_)) if planted.is("cut-reply") => reply.truncate(reply.len() / 2),
             _ => {}
         }
@@ -152,7 +152,7 @@ fn bare_server(bus: &Bus, planted: &Planted, handler: Handler) -> Result<impl Se
             // A client that went has its reply nowhere.
             let _ = match planted.is("error-reply") && is_error {
                 true => query.reply_err(reply).wait(),
-                false => query.reply(query.key_expr(), reply).express(planted.is("reply-express")).wait(),
+                false => query.reply(query.key_expr(), reply).wait(),
             };
         }
     });

@@ -6,7 +6,7 @@ use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, SensorFrame}
 use ncp_zenoh::{Bus, BusError, CommandPublisher, Intake, Perception};
 use serde_json::{Map, Value};
 
-use super::{PATIENCE, until};
+use super::{PATIENCE, first_seq, until};
 use crate::LiveError;
 use crate::scenario::{Motion, Step};
 use crate::target::{Mapping, Noise, Target};
@@ -27,11 +27,12 @@ pub(super) fn steps(
     rulings: &mut Rulings,
 ) -> Result<(), LiveError> {
     let Some(plant) = Plant::meet(bus, target, rulings)? else { return Ok(()) };
+    let base = first_seq();
     for (number, step) in (1..).zip(steps) {
         let (frame, (motion, for_ms, rule)) = match step {
             Step::Ask { .. } => continue,
             Step::Command { command, plant, for_ms, rule } => {
-                (Some(frame(&target.mapping, command)), (*plant, *for_ms, rule))
+                (Some(frame(&target.mapping, base, command)), (*plant, *for_ms, rule))
             }
             Step::Raw { raw, plant, for_ms, rule } => (Some(raw.clone()), (*plant, *for_ms, rule)),
             Step::Look { plant, for_ms, rule } => (None, (*plant, *for_ms, rule)),
@@ -41,7 +42,12 @@ pub(super) fn steps(
         }
         noise.worst_ms();
         let moves = motion == Motion::Moves;
-        match plant.comes_to(moves, Duration::from_millis(for_ms)) {
+        let lasting = Duration::from_millis(for_ms);
+        let reaction = match motion {
+            Motion::Still => plant.stays(false, Instant::now(), lasting),
+            _ => plant.comes_to(moves, lasting),
+        };
+        match reaction {
             Reaction::Stays => rulings.observe(rule, true, String::new),
             Reaction::Silent => rulings.unclear(rule, "the plant's sensor stream fell silent"),
             _ if noise.worst_ms() > NOISY_MS => rulings.unclear(rule, "this machine is too noisy to tell"),
@@ -62,7 +68,7 @@ pub(super) fn expiry(bus: &Bus, target: &Target, noise: &Noise, rulings: &mut Ru
     let Some(plant) = Plant::meet(bus, target, rulings)? else { return Ok(()) };
     let (mut moved_ms, mut seen_ms, mut period_ms) = (Vec::new(), Vec::new(), 0.0_f64);
     let mut worst_ms = 0.0_f64;
-    for seq in (1..=TIMES).map(|time| i64::try_from(time).unwrap_or(i64::MAX)) {
+    for seq in (first_seq()..).take(TIMES) {
         noise.worst_ms();
         plant.drain();
         let sent = Instant::now();
@@ -179,8 +185,8 @@ impl<'a> Plant<'a> {
             match self.next(REACTION) {
                 None => return Reaction::Silent,
                 Some((at, _, is)) if is == moves => {
-                    // What was on its way before the step says nothing of it.
-                    if at > began + Duration::from_millis(30) || (moves && at > began) {
+                    // A plant that moved may have said so on the way.
+                    if at > began + if moves { Duration::ZERO } else { Duration::from_millis(30) } {
                         break at;
                     }
                 }
@@ -190,6 +196,11 @@ impl<'a> Plant<'a> {
                 return Reaction::Never;
             }
         };
+        self.stays(moves, since, lasting)
+    }
+
+    /// Looks whether a motion lasts.
+    fn stays(&self, moves: bool, since: Instant, lasting: Duration) -> Reaction {
         while since.elapsed() < lasting {
             match self.next(REACTION) {
                 None => return Reaction::Silent,
@@ -208,11 +219,14 @@ fn moving(mapping: &Mapping, seq: i64, ttl_ms: f64) -> CommandFrame {
     CommandFrame { seq, ttl_ms, channels, ..CommandFrame::default() }
 }
 
-/// Such a command with the members that a step gives it.
-fn frame(mapping: &Mapping, members: &Map<String, Value>) -> String {
+/// Such a command with the members that a step gives it; its seq counts from `base` on.
+fn frame(mapping: &Mapping, base: i64, members: &Map<String, Value>) -> String {
     let text = moving(mapping, 1, 200.0).encode().unwrap_or_default();
     let mut frame: Map<String, Value> = serde_json::from_str(&text).unwrap_or_default();
     frame.extend(members.iter().map(|(name, value)| (name.clone(), value.clone())));
+    if let Some(seq) = frame.get_mut("seq") {
+        *seq = (base + seq.as_i64().unwrap_or_default()).into();
+    }
     Value::Object(frame).to_string()
 }
 

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use ncp_spec::wire::{ChannelMap, ChannelValue, CommandFrame, Frame, Mode, SensorFrame};
 use ncp_zenoh::{Bus, BusError, Intake, SensorPublisher};
 
-use super::{PATIENCE, until};
+use super::{PATIENCE, first_seq, until};
 use crate::LiveError;
 use crate::target::{Noise, Target};
 use crate::verdict::{Measured, Rulings};
@@ -131,7 +131,7 @@ impl Loop {
         let sensors = SensorPublisher::declare(bus, &target.session, target.mapping.stream.as_deref())?;
         let key = bus.keys().command(&target.session, None).map_err(BusError::from)?;
         let commands = Intake::subscribe(bus, key, 1 << 16)?;
-        let mut loops = Self { sensors, commands, began: Instant::now(), seq: 1_000, stamps: BTreeSet::new() };
+        let mut loops = Self { sensors, commands, began: Instant::now(), seq: first_seq(), stamps: BTreeSet::new() };
         let is_there = until(PATIENCE, || {
             loops.sense([0.1, 0.0, 0.0])?;
             Ok(!loops.commands(PERIOD).is_empty())

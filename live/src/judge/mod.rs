@@ -7,7 +7,9 @@
 //! | [`body`] | who obeys commands |
 //! | [`commander`] | who sends them |
 //! | [`observer`] | who reads |
+//! | [`acl`] | the access rules of a router |
 
+mod acl;
 mod body;
 mod commander;
 mod observer;
@@ -15,7 +17,7 @@ mod server;
 pub(crate) mod traffic;
 
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 use ncp_text::Catalogue;
 
@@ -66,10 +68,13 @@ pub(crate) fn judge(
         }
         "watch/server" => server::watch(&bus, target, &mut rulings)?,
         "qos/request" => server::request_qos(&bus, &mut rulings)?,
-        "qos/reply" => server::reply_qos(&bus, &mut rulings)?,
         "server/order" => server::order(&bus, target, &mut rulings)?,
         "server/side-by-side" => server::side_by_side(&bus, target, &mut rulings)?,
         "server/alone" => server::alone(&bus, &mut rulings)?,
+        "acl/matrix" => match parts {
+            Parts::Actors(planted) => acl::matrix(planted, &mut rulings)?,
+            Parts::Deployed => rulings.all_unclear("the certificates of a deployment are its own"),
+        },
         "body/expiry" => body::expiry(&bus, target, &noise, &mut rulings)?,
         "commander/echo" => commander::echo(&bus, target, &mut rulings)?,
         "commander/flood" => commander::flood(&bus, target, &noise, &mut rulings)?,
@@ -100,6 +105,12 @@ fn until(longest: Duration, mut is_so: impl FnMut() -> Result<bool, LiveError>) 
         }
         thread::sleep(Duration::from_millis(2));
     }
+}
+
+/// A stamp that is beyond all that a running system has seen: what it was sent before does not make it stale.
+fn first_seq() -> i64 {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    i64::try_from(since.as_micros()).unwrap_or(1)
 }
 
 /// The beginning of what a peer sent, for people.

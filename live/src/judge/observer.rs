@@ -6,7 +6,7 @@ use std::time::Duration;
 use ncp_spec::wire::{CommandFrame, SensorFrame};
 use ncp_zenoh::{Bus, BusError, CommandPublisher, Intake, SensorPublisher};
 
-use super::{PATIENCE, until};
+use super::{PATIENCE, first_seq, until};
 use crate::LiveError;
 use crate::target::Target;
 use crate::verdict::Rulings;
@@ -16,7 +16,7 @@ pub(super) fn quiet(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result
     let key = bus.keys().command_glob(&target.session).map_err(BusError::from)?;
     let commands: Intake<CommandFrame> = Intake::subscribe(bus, key, 16)?;
     let Some(sensors) = meet(bus, target, rulings)? else { return Ok(()) };
-    for seq in 1..=50 {
+    for seq in (first_seq()..).take(50) {
         sensors.send(&SensorFrame { seq, ..SensorFrame::default() })?;
         thread::sleep(Duration::from_millis(10));
     }
@@ -28,14 +28,14 @@ pub(super) fn quiet(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result
 /// Commands come late, early and out of step; the observer joins them by their stamps.
 pub(super) fn join(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
     const RULE: &str = "NCP-PLANE-007";
-    const FRAMES: i64 = 20;
+    const FRAMES: usize = 20;
     let Some(sensors) = meet(bus, target, rulings)? else { return Ok(()) };
     let commands = CommandPublisher::declare(bus, &target.session, None)?;
     until(PATIENCE, || Ok(commands.stream().has_reader()?))?;
     let pause = || thread::sleep(Duration::from_millis(10));
     // Every third command comes before its sensor frame, and every other three frames late.
     let mut late = Vec::new();
-    for seq in 1..=FRAMES {
+    for seq in (first_seq()..).take(FRAMES) {
         let command = CommandFrame { seq, ..CommandFrame::default() };
         if seq % 3 == 0 {
             commands.send(&command)?;
@@ -58,7 +58,7 @@ pub(super) fn join(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result<
         let text = std::fs::read_to_string(&target.joined)?;
         Ok(text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
     };
-    until(PATIENCE, || Ok(i64::try_from(pairs()?.len()).unwrap_or(i64::MAX) >= FRAMES))?;
+    until(PATIENCE, || Ok(pairs()?.len() >= FRAMES))?;
     for (command, sensor) in pairs()? {
         let why = || format!("the command with seq {command} was joined with the sensor frame with seq {sensor}");
         rulings.observe(RULE, command == sensor, why);

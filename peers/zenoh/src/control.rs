@@ -156,8 +156,7 @@ impl Lanes {
 
     /// The reply goes out with the quality of service of its query.
     fn reply(&self, query: &Query, reply: Vec<u8>) {
-        let SeenQos { express, .. } = Plane::Control.qos().into();
-        if query.reply(query.key_expr(), reply).express(express).wait().is_err() {
+        if query.reply(query.key_expr(), reply).wait().is_err() {
             self.failed.fetch_add(1, Ordering::Relaxed);
         }
     }
