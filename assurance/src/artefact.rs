@@ -269,6 +269,8 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
             "vectors/corpus",
             "fuzz/bodies/src",
             "defects/peer",
+            "live/scenarios.toml",
+            "peers/zenoh/tests",
             "peers/python-pure/ncp_pure",
             "peers/typescript/src",
             "reports/lock",

@@ -16,7 +16,7 @@ use super::{Evidence, EvidenceKind, Fault, TraceError};
 /// Folders of Rust code whose functions carry out rules, and whose tests show them.
 const CODE: [&str; 3] = ["spec/kernel/src", "spec/src", "proto/src"];
 /// Folders of Rust tests.
-const TESTS: [&str; 2] = ["spec/tests", "proto/tests"];
+const TESTS: [&str; 3] = ["spec/tests", "proto/tests", "peers/zenoh/tests"];
 /// The modules in which every public function has to say which rule it serves.
 const ACCOUNTABLE: [&str; 5] =
     ["spec/kernel/src/", "spec/src/wire/", "spec/src/safety/", "spec/src/resilience/", "spec/src/bulk/"];
@@ -30,6 +30,8 @@ const DEFECTS: &str = "defects/peer";
 const PROOFS: [&str; 6] =
     ["proofs-kernel", "proofs-machine", "proofs-model", "proofs-readers", "proofs-path", "proofs-theorem"];
 const PROOFS_PAGE: &str = "reports/proofs.md";
+/// The live scenarios, each with the rules that it judges.
+const LIVE: &str = "live/scenarios.toml";
 /// Prose that names rules.
 const PROSE: [&str; 3] = ["README.md", "peers/PROTOCOL.md", "schemas/README.md"];
 
@@ -66,6 +68,7 @@ impl Sources {
         sources.independent(root)?;
         sources.mutants(root)?;
         sources.proofs(root)?;
+        sources.live(root)?;
         for file in PROSE {
             if root.join(file).is_file() {
                 for Citation { id, line } in cited(&text(root, file)?) {
@@ -257,6 +260,28 @@ impl Sources {
         Ok(())
     }
 
+    /// A live scenario shows the rules on which it gives a verdict.
+    fn live(&mut self, root: &Path) -> Result<(), TraceError> {
+        if !root.join(LIVE).is_file() {
+            return Ok(());
+        }
+        let content = text(root, LIVE)?;
+        let table: LiveTable = toml::from_str(&content)
+            .map_err(|error| TraceError::Content { path: LIVE.to_owned(), message: error.to_string() })?;
+        for LiveScenario { name, rules } in table.scenario {
+            if rules.is_empty() {
+                self.orphans.push(Fault::Orphan { what: "the live scenario", place: name.clone() });
+            }
+            let entry = format!("name = \"{name}\"");
+            let line = content.lines().position(|line| line == entry).map(|before| before + 1);
+            let evidence = Evidence { kind: EvidenceKind::Live, place: format!("{LIVE} {name}"), line, count: 1 };
+            for id in rules {
+                self.add(&id, evidence.clone());
+            }
+        }
+        Ok(())
+    }
+
     /// Code that names rules outside of functions: once a file and rule, at the first line.
     fn lines(&mut self, file: &str, citations: Vec<Citation>) {
         let mut first: BTreeMap<String, usize> = BTreeMap::new();
@@ -297,6 +322,19 @@ struct VectorCase {
     requirements: Vec<String>,
     #[serde(default)]
     flags: Vec<String>,
+}
+
+/// What is read of the live scenarios.
+#[derive(Deserialize)]
+struct LiveTable {
+    scenario: Vec<LiveScenario>,
+}
+
+#[derive(Deserialize)]
+struct LiveScenario {
+    name: String,
+    #[serde(default)]
+    rules: Vec<String>,
 }
 
 /// Every `vectors/corpus/<area>/<name>.json`, sorted.

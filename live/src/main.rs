@@ -1,0 +1,376 @@
+//! Judges running NCP programs over Zenoh, as a black box: rule by rule of the text, with the evidence that there was.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`scenario`] | the scenarios, as data |
+//! | [`target`] | the system under test, and what runs beside it |
+//! | [`judge`] | sets scenarios up, looks, and rules |
+//! | [`actors`] | a reference system, and the defects that can be planted in it |
+//! | [`mutants`] | asks whether each planted defect fails its scenario, by its rule |
+//! | [`verdict`] | passed, failed or inconclusive |
+//! | [`report`] | shows verdicts, and computes none |
+
+mod actors;
+mod judge;
+mod mutants;
+mod report;
+mod scenario;
+mod target;
+mod verdict;
+
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Duration;
+
+use clap::{Args, Parser, Subcommand};
+use ncp_text::Catalogue;
+use ncp_zenoh::{Bus, BusError, Link};
+use thiserror::Error;
+
+use actors::Planted;
+use judge::{Parts, traffic};
+use scenario::{Scenario, scenarios};
+use target::{Mapping, Target};
+use verdict::{Ruling, Rulings, Verdict};
+
+#[derive(Debug, Parser)]
+#[command(name = "ncp-live", version, about = "Judge running NCP programs over Zenoh, rule by rule")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Start a router and the reference actors on loopback, run every scenario, and end what was started
+    All(All),
+    /// Judge what the samples of each plane really carry
+    Qos(Deployed),
+    /// Drive the session service of a deployment
+    Server(Deployed),
+    /// Act as commander against a plant; the scenarios at the end latch its ESTOP
+    Body(Deployed),
+    /// Act as plant against a commander; the last scenario latches its ESTOP
+    Commander(Deployed),
+    /// Act as plant and commander beside an observer
+    Observer(Deployed),
+    /// Judge the traffic of a running system, and change nothing
+    Watch(Watch),
+    /// Judge a capture of `watch` again
+    Replay(Replay),
+    /// Ask whether each planted defect fails its scenario, by its rule
+    Mutants(Mutants),
+    /// List the scenarios
+    List,
+}
+
+#[derive(Debug, Args)]
+struct All {
+    /// Only scenarios whose name contains this
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+    /// Plant a defect in the actors
+    #[arg(long, value_name = "NAME")]
+    defect: Option<String>,
+    /// Write every verdict as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+struct Deployed {
+    #[command(flatten)]
+    place: Place,
+    /// The session whose planes are looked at
+    #[arg(long, default_value = "s1")]
+    session: String,
+    /// The built-in network that a server is asked to open
+    #[arg(long, default_value = "ncp.reference.lif")]
+    network: String,
+    /// How the plant's motion is read from its sensor stream (TOML)
+    #[arg(long, value_name = "FILE")]
+    mapping: Option<PathBuf>,
+    /// Where the observer writes its pairs: `[command seq, sensor seq]`, one a line
+    #[arg(long, value_name = "FILE", default_value = "joined.jsonl")]
+    joined: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct Place {
+    /// A router or a peer of the deployment
+    #[arg(long, value_name = "ENDPOINT", default_value = "tcp/127.0.0.1:7447")]
+    connect: String,
+    /// The realm
+    #[arg(long, default_value = "ncp")]
+    realm: String,
+    /// Write every verdict as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+struct Watch {
+    #[command(flatten)]
+    place: Place,
+    /// For how long, in seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
+    time: f64,
+    /// Write the samples, one JSON object a line
+    #[arg(long, value_name = "FILE")]
+    capture: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+struct Replay {
+    /// What `watch --capture` wrote
+    file: PathBuf,
+    /// The realm
+    #[arg(long, default_value = "ncp")]
+    realm: String,
+    /// Write every verdict as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+struct Mutants {
+    /// Only these defects [default: all]
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+    /// Write every verdict as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// Why there is no verdict.
+#[derive(Debug, Error)]
+pub(crate) enum LiveError {
+    /// The bus, or somebody on it.
+    #[error(transparent)]
+    Bus(#[from] BusError),
+    /// A file, or the operating system.
+    #[error(transparent)]
+    Io(#[from] std::io::Error),
+    /// The text.
+    #[error(transparent)]
+    Text(#[from] ncp_text::catalogue::CatalogueError),
+    /// The scenarios.
+    #[error(transparent)]
+    Scenario(#[from] scenario::ScenarioError),
+    /// The table of defects.
+    #[error("defects.toml: {0}")]
+    Defects(toml::de::Error),
+    /// The mapping of a plant.
+    #[error("{path}: {source}")]
+    Mapping {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: toml::de::Error,
+    },
+    /// A capture.
+    #[error("{path}:{line}: {source}")]
+    Capture {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// Why.
+        source: serde_json::Error,
+    },
+    /// The reflex controller of an actor.
+    #[error(transparent)]
+    Reflex(#[from] ncp_spec::control::ReflexError),
+    /// The loop of an actor.
+    #[error(transparent)]
+    Loop(#[from] ncp_spec::control::LoopError),
+    /// A number of seconds that is none.
+    #[error("{0} s is no time to watch")]
+    Time(f64),
+    /// No such scenario or defect.
+    #[error("there is no {0:?}")]
+    Unknown(String),
+    /// The tap was too slow.
+    #[error("the tap lost {0} samples itself, so it says nothing of the rest")]
+    Overrun(u64),
+    /// A certificate.
+    #[error(transparent)]
+    Certificate(#[from] rcgen::Error),
+    /// A result cannot be written as JSON, or the access rules cannot be read.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse().command) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("ncp-live: {error}");
+            ExitCode::from(3)
+        }
+    }
+}
+
+/// Whether nothing failed.
+fn run(command: Command) -> Result<bool, LiveError> {
+    match command {
+        Command::All(all) => own(&all),
+        Command::Qos(deployed) => deployment(&deployed, "qos/"),
+        Command::Server(deployed) => deployment(&deployed, "server/"),
+        Command::Body(deployed) => deployment(&deployed, "body/"),
+        Command::Commander(deployed) => deployment(&deployed, "commander/"),
+        Command::Observer(deployed) => deployment(&deployed, "observer/"),
+        Command::Watch(watch) => look(&watch),
+        Command::Replay(Replay { file, realm, json }) => {
+            finish(&of_traffic(&captured(&file)?, &realm)?, json.as_deref())
+        }
+        Command::Mutants(Mutants { only, json }) => {
+            let found = mutants::run(&only)?;
+            write_json(json.as_deref(), &found)?;
+            Ok(found.iter().all(mutants::Found::is_caught))
+        }
+        Command::List => {
+            for Scenario { name, about, rules, .. } in scenarios()? {
+                println!("{name}\n  {about}\n  {}", rules.join(", "));
+            }
+            Ok(true)
+        }
+    }
+}
+
+/// A router and the target of the reference actors, which live until it is dropped.
+pub(crate) struct OwnNet {
+    target: Target,
+    _router: Bus,
+    _folder: tempfile::TempDir,
+    scenarios: usize,
+}
+
+impl OwnNet {
+    /// Starts a router on loopback.
+    pub(crate) fn start() -> Result<Self, LiveError> {
+        let endpoint = target::free_endpoint("tcp")?;
+        let _router = Bus::open(&Link::Router(endpoint.clone()), None)?;
+        let _folder = tempfile::tempdir()?;
+        let target = Target {
+            endpoint,
+            realm: "ncp".to_owned(),
+            session: "live".to_owned(),
+            network: "ncp.reference.lif".to_owned(),
+            joined: _folder.path().join("joined.jsonl"),
+            mapping: Mapping::default(),
+        };
+        Ok(Self { target, _router, _folder, scenarios: 0 })
+    }
+
+    /// Runs a scenario in a realm of its own, so that nothing of the one before is seen.
+    pub(crate) fn judge(
+        &mut self,
+        scenario: &Scenario,
+        planted: &Planted,
+        catalogue: &Catalogue,
+    ) -> Result<Vec<Ruling>, LiveError> {
+        self.scenarios += 1;
+        let target = Target { realm: format!("live/{}", self.scenarios), ..self.target.clone() };
+        judge::judge(scenario, &target, &Parts::Actors(planted.clone()), catalogue)
+    }
+}
+
+fn own(All { only, defect, json }: &All) -> Result<bool, LiveError> {
+    let planted = Planted(defect.clone());
+    if let Some(name) = defect {
+        mutants::defects()?.iter().find(|known| known.name == *name).ok_or_else(|| LiveError::Unknown(name.clone()))?;
+    }
+    let catalogue = Catalogue::load()?;
+    let mut net = OwnNet::start()?;
+    let mut rulings = Vec::new();
+    for scenario in scenarios()? {
+        if only.as_ref().is_none_or(|text| scenario.name.contains(text.as_str())) {
+            let found = net.judge(&scenario, &planted, &catalogue)?;
+            report::progress(&scenario, &found);
+            rulings.extend(found);
+        }
+    }
+    finish(&rulings, json.as_deref())
+}
+
+fn deployment(deployed: &Deployed, group: &str) -> Result<bool, LiveError> {
+    let Deployed { place, session, network, mapping, joined } = deployed;
+    let mapping = match mapping {
+        None => Mapping::default(),
+        Some(path) => toml::from_str(&fs::read_to_string(path)?)
+            .map_err(|source| LiveError::Mapping { path: path.clone(), source })?,
+    };
+    let target = Target {
+        endpoint: place.connect.clone(),
+        realm: place.realm.clone(),
+        session: session.clone(),
+        network: network.clone(),
+        joined: joined.clone(),
+        mapping,
+    };
+    let catalogue = Catalogue::load()?;
+    let mut rulings = Vec::new();
+    for scenario in scenarios()?.into_iter().filter(|scenario| scenario.name.starts_with(group)) {
+        let found = judge::judge(&scenario, &target, &Parts::Deployed, &catalogue)?;
+        report::progress(&scenario, &found);
+        rulings.extend(found);
+    }
+    finish(&rulings, place.json.as_deref())
+}
+
+fn look(Watch { place, time, capture }: &Watch) -> Result<bool, LiveError> {
+    let longest = Duration::try_from_secs_f64(*time).map_err(|_| LiveError::Time(*time))?;
+    let bus = Bus::open(&Link::Connect(place.connect.clone()), Some(&place.realm))?;
+    let mut samples = Vec::new();
+    let lost = traffic::tap_into(&bus, longest, |sample| samples.push(sample))?;
+    println!("{} samples, {lost} lost by the tap", samples.len());
+    if let Some(path) = capture {
+        let mut file = BufWriter::new(File::create(path)?);
+        for sample in &samples {
+            writeln!(file, "{}", serde_json::to_string(sample)?)?;
+        }
+        file.flush()?;
+    }
+    if lost > 0 {
+        return Err(LiveError::Overrun(lost));
+    }
+    finish(&of_traffic(&samples, &place.realm)?, place.json.as_deref())
+}
+
+fn captured(path: &Path) -> Result<Vec<traffic::Sample>, LiveError> {
+    let lines = BufReader::new(File::open(path)?).lines();
+    let samples = (1..).zip(lines).map(|(line, text)| {
+        serde_json::from_str(&text?).map_err(|source| LiveError::Capture { path: path.to_owned(), line, source })
+    });
+    samples.collect()
+}
+
+/// Judges traffic by all rules that traffic alone shows.
+fn of_traffic(samples: &[traffic::Sample], realm: &str) -> Result<Vec<Ruling>, LiveError> {
+    let of_tap = ["qos/planes", "watch/loop", "watch/server"];
+    let scenarios = scenarios()?.into_iter().filter(|scenario| of_tap.contains(&scenario.name.as_str()));
+    let rules: Vec<String> = scenarios.flat_map(|scenario| scenario.rules).collect();
+    let catalogue = Catalogue::load()?;
+    let mut rulings = Rulings::new(&rules);
+    traffic::judge(samples, realm, &mut rulings);
+    let sentence = |rule: &str| catalogue.get(rule).map(|rule| rule.sentence.clone()).unwrap_or_default();
+    Ok(rulings.verdicts("watch", sentence))
+}
+
+/// Shows the verdicts; whether none failed.
+fn finish(rulings: &[Ruling], json: Option<&Path>) -> Result<bool, LiveError> {
+    report::matrix(rulings);
+    write_json(json, rulings)?;
+    Ok(rulings.iter().all(|ruling| ruling.verdict != Verdict::Failed))
+}
+
+fn write_json(path: Option<&Path>, content: &(impl serde::Serialize + ?Sized)) -> Result<(), LiveError> {
+    if let Some(path) = path {
+        fs::write(path, serde_json::to_string_pretty(content)? + "\n")?;
+    }
+    Ok(())
+}
