@@ -160,11 +160,11 @@ impl Measured {
         let mut page = vec![
             heading(1, "The fault dictionary"),
             text(format!(
-                "Made by `cargo assure dictionary`. `verifier/dictionary.json` holds how each of the {} planted defects \
-                 (`defects/peer`) shows in the corpus `{}`: which cases fail, and in which way. `ncp-verify run` explains \
-                 what a peer does by the fewest of them. This page says what that is worth: peers with planted defects \
-                 were diagnosed, each asked every case with a request of up to 64 KiB, and the larger ones where only \
-                 these show one of its defects.",
+                "Made by `cargo assure dictionary`. `verifier/dictionary.json` holds how each of the {} planted \
+                 defects (`defects/peer`) shows in the corpus `{}`: which cases fail, and in which way. `ncp-verify \
+                 run` explains what a peer does by the fewest of them. This page says what that is worth: peers with \
+                 planted defects were diagnosed, each asked every case with a request of up to 64 KiB, and the larger \
+                 ones where only these show one of its defects.",
                 self.alone.whole,
                 self.corpus.get(..16).unwrap_or_default()
             )),

@@ -2,8 +2,8 @@
 //!
 //! Every planted defect is run alone against the whole suite: that is the dictionary. Then pairs and triples of them,
 //! drawn at random, are woven into one peer, and the diagnosis has to name them; and every single defect is diagnosed
-//! with its own entry left out, when it has to come out as unexplained. What was seen is kept in `.tools/dictionary`, so
-//! that a change of the diagnosis alone is measured without running anything again.
+//! with its own entry left out, when it has to come out as unexplained. What was seen is kept in `.tools/dictionary`,
+//! so that a change of the diagnosis alone is measured without running anything again.
 //!
 //! Cases with requests above 64 KiB take longer than all others together. They are run only for a defect that no other
 //! case shows.

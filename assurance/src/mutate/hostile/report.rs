@@ -157,12 +157,13 @@ impl Report {
         let mut page = vec![
             heading(1, "Hostile kernels"),
             text(format!(
-                "`cargo assure mutate hostile`: the {} kernels of [`{TABLE}`](../{TABLE}), single and combined, planted \
-                 by an author who had not read the properties. Each is held against two engines that share no harness: \
-                 the properties of the proofs - on samples, on enumerated values, and for all doubles by the solvers -, \
-                 and the tie of the theorem, for which the changed source is run on terms and Coq is asked whether that \
-                 is still its model. A kernel with another state than the properties or the tie take apart does not \
-                 build with them, and is noticed so. Of a change of the numbers alone the terms know nothing.",
+                "`cargo assure mutate hostile`: the {} kernels of [`{TABLE}`](../{TABLE}), single and combined, \
+                 planted by an author who had not read the properties. Each is held against two engines that share no \
+                 harness: the properties of the proofs - on samples, on enumerated values, and for all doubles by the \
+                 solvers -, and the tie of the theorem, for which the changed source is run on terms and Coq is asked \
+                 whether that is still its model. A kernel with another state than the properties or the tie take \
+                 apart does not build with them, and is noticed so. Of a change of the numbers alone the terms know \
+                 nothing.",
                 self.kernels.len()
             )),
             table(

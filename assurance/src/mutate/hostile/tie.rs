@@ -192,8 +192,8 @@ mod tests {
 
     #[test]
     fn the_items_of_an_export_stand_each_by_itself() {
-        let export = "(** Head. *)\n\nSection Exported.\n\n(* 3 paths. *)\nDefinition a.\nLemma a. Qed.\n\n(* 1 paths. *)\n\
-                      Definition b.\nLemma b. Qed.\n\nEnd Exported.\n";
+        let export = "(** Head. *)\n\nSection Exported.\n\n(* 3 paths. *)\nDefinition a.\nLemma a. Qed.\n\n\
+                      (* 1 paths. *)\nDefinition b.\nLemma b. Qed.\n\nEnd Exported.\n";
         let items: Vec<&str> = items(export).collect();
         assert_eq!(items, ["3 paths. *)\nDefinition a.\nLemma a. Qed.", "1 paths. *)\nDefinition b.\nLemma b. Qed."]);
     }
