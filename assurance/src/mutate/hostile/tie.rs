@@ -92,7 +92,7 @@ impl<'p> Tie<'p> {
     fn one(&self) -> Result<Tied, MutateError> {
         let export = self.coq().join("Changed.v");
         let manifest = self.place.join("Cargo.toml");
-        let mut cargo = self.project.cargo(&["run", "--quiet", "-p", "ncp-theorem", "--manifest-path"]);
+        let mut cargo = self.project.cargo(&["run", "--quiet", "--profile", "changed", "-p", "ncp-theorem", "--manifest-path"]);
         let output = self.run(cargo.arg(manifest).arg("--").arg(&export))?;
         if !output.status.success() {
             let said = String::from_utf8_lossy(&output.stderr);
