@@ -133,8 +133,8 @@ pub const PROPERTIES: &[Property] = &[
         rules: &["NCP-SAFE-050", "NCP-SAFE-055"],
         sentence: "One turn of the projection, whichever: any step of a horizon, from any place, ends where its \
             velocity leads in its share of the time, and is taken exactly when that is inside and it has a velocity.",
-        statement: "∀ k, from, v ∈ F64³ ∪ {none}, dt, T, r: step_end = some e ⇔ v ≠ none ∧ inside(e, r), where e = from \
-            ⊕ v ⊗ (share(k) ⊘ 1000), share(k) = min(dt, T ⊖ k⊗dt) where k⊗dt < T, and else 0. So inside(place) is \
+        statement: "∀ k, from, v ∈ F64³ ∪ {none}, dt, T, r: step_end = some e ⇔ v ≠ none ∧ inside(e, r), where e = \
+            from ⊕ v ⊗ (share(k) ⊘ 1000), share(k) = min(dt, T ⊖ k⊗dt) where k⊗dt < T, and else 0. So inside(place) is \
             kept by every turn",
         bounds: "none: the number of the step is any double at all",
         assumptions: &["That a step is projected from where the one before has ended: by geofence/follow, and \
@@ -149,8 +149,8 @@ pub const PROPERTIES: &[Property] = &[
             first that cannot be taken, and no more.",
         statement: "∀ n, f: follow(n, s₀, step) = (k, sₖ) with sᵢ = step(i, sᵢ₋₁), k = min(n, f − 1), f the first i \
             with step(i, sᵢ₋₁) = none; step is asked min(n, f) times",
-        bounds: "n up to 4,096, the longest horizon of a frame: every f for n up to 64, and above f = none, 1, 2, n/2, n \
-            − 1, n",
+        bounds: "n up to 4,096, the longest horizon of a frame: every f for n up to 64, and above f = none, 1, 2, n/2, \
+            n − 1, n",
         assumptions: &[
             "It is generic over the state and the step, and so cannot look at them: that Rust's types hold.",
         ],
@@ -220,9 +220,9 @@ pub const PROPERTIES: &[Property] = &[
         sentence: "One turn of the loop over the channels of a tick, whichever: any channel, after any others, is \
             usable exactly when it is finite and the limit, where it acts, is a bound; in m/s it is then within the \
             limit, and left alone, to the bit, unless it was above; what is known of the channels before is kept.",
-        statement: "∀ (changed, has), limit, c: ok ⇔ fin(c) ∧ (enabled ∧ in m/s ⇒ pos(max)); then has′ = has ∨ (enabled \
-            ∧ c is the velocity, 3 wide, in m/s), changed′ = changed ∨ (enabled ∧ in m/s ∧ ‖c‖ > max), ‖c′‖ ≤ max \
-            there, and c′ = c unless ‖c‖ > max",
+        statement: "∀ (changed, has), limit, c: ok ⇔ fin(c) ∧ (enabled ∧ in m/s ⇒ pos(max)); then has′ = has ∨ \
+            (enabled ∧ c is the velocity, 3 wide, in m/s), changed′ = changed ∨ (enabled ∧ in m/s ∧ ‖c‖ > max), ‖c′‖ ≤ \
+            max there, and c′ = c unless ‖c‖ > max",
         bounds: "channels of up to 4 components",
         assumptions: NONE,
     },
@@ -299,8 +299,8 @@ pub const PROPERTIES: &[Property] = &[
             configured, and then projected, and ends inside; only what is not to be used or leads out is cut off, \
             and the decision says whether something was; ESTOP latches exactly by gates 1 and 4, and nothing else \
             of the state changes.",
-        statement: "∀ σ with faulty ⇒ fault, mode, now, last, position, ttl, dt, n, answers aᵢ and velocities vᵢ of the \
-            ticks: decision and kept steps k are those of 7.3, with k = min(first i: aᵢ₊₁ is err, first i: \
+        statement: "∀ σ with faulty ⇒ fault, mode, now, last, position, ttl, dt, n, answers aᵢ and velocities vᵢ of \
+            the ticks: decision and kept steps k are those of 7.3, with k = min(first i: aᵢ₊₁ is err, first i: \
             ¬inside(pᵢ₊₂)); estop′ ⇔ estop ∨ mode = estop ∨ outside at gate 4; all other members of σ′ are those \
             of σ, bit by bit",
         bounds: "horizons of up to 2 steps",

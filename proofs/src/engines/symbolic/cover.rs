@@ -1,8 +1,8 @@
 //! Whether the explored paths are all: that every input takes one of them.
 //!
 //! The condition of a path is the conjunction of its decisions, and the disjunction of all conditions has to be valid.
-//! Comparisons and choices are unknowns here, which claims more than of comparisons of numbers. A choice is known by its
-//! place among the choices of a path and by the number of its ways, of which there has to be one.
+//! Comparisons and choices are unknowns here, which claims more than of comparisons of numbers. A choice is known by
+//! its place among the choices of a path and by the number of its ways, of which there has to be one.
 //!
 //! Where the paths are many, they are asked part by part: that the decisions which follow a common beginning leave
 //! nothing out, and then the same behind each of them. Parts that ask the same are asked once.

@@ -254,7 +254,8 @@ impl Origin {
         match self {
             Self::Model => "a model of bitwuzla, replayed on doubles",
             Self::Sampled => {
-                "a sampled hint, confirmed by bitwuzla with the inputs fixed; its own search found none within its limit"
+                "a sampled hint, confirmed by bitwuzla with the inputs fixed; its own search found none within \
+                 its limit"
             }
             Self::Enumerated => {
                 "an enumerated hint, confirmed by bitwuzla with the inputs fixed; its own search found none within \
