@@ -18,12 +18,13 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use ncp_proofs::digest::ARTEFACTS;
 use ncp_proofs::report::{self, Answer, Broken, Engine, FILE, Report, Verdict};
 use ncp_text::catalogue::{Catalogue, CatalogueError};
 use thiserror::Error;
 use xtask::project::Project;
 
-use crate::artefact::Artefact;
+use crate::artefact::{Artefact, OF_PROOFS};
 use crate::document::{self, Block};
 use crate::lock::{Asked, Lock, LockError, Prover, Scope};
 use crate::prove::QUICK;
@@ -100,6 +101,11 @@ pub(crate) fn keep(
         is_asked && report.engine(engine).is_some_and(|engine| !engine.not_run)
     };
     for (name, made_by) in MADE_BY.iter().filter(|(_, made_by)| made_by.iter().all(&ran)) {
+        // A run that ends with an error leaves the report of an earlier one.
+        if !is_about(&report, name, &root)? {
+            println!("NOT KEPT: {name}: the report is about other sources; was this run ended by an error?");
+            continue;
+        }
         let sources = before.0.get(name).cloned().unwrap_or_default();
         lock(&report, made_by, sources).write(&root, name)?;
     }
@@ -110,6 +116,15 @@ pub(crate) fn keep(
         reports::long_pages(&project.path(reports::PAGES), PAGE, &document)?;
     }
     Ok(())
+}
+
+/// Whether what a report says of an artefact is about the sources as they are.
+fn is_about(report: &Report, name: &str, root: &Path) -> Result<bool, ProofsError> {
+    let name = name.strip_prefix(OF_PROOFS).unwrap_or(name);
+    let artefact = ARTEFACTS.iter().find(|artefact| artefact.name == name);
+    let digest = artefact.map(|artefact| artefact.digest(root)).transpose();
+    let digest = digest.map_err(|source| ProofsError::File { path: root.to_owned(), source })?;
+    Ok(digest.is_some() && report.digests.get(name) == digest.as_ref())
 }
 
 /// Writes the page anew.
@@ -281,6 +296,18 @@ mod tests {
     fn engine(name: &str, results: &Value, broken: &Value) -> Engine {
         let engine = json!({"name": name, "version": "1", "about": "All.", "results": results, "broken": broken});
         serde_json::from_value(engine).unwrap()
+    }
+
+    #[test]
+    fn a_report_counts_only_for_the_sources_that_it_is_about() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let kernel = ARTEFACTS.iter().find(|artefact| artefact.name == "kernel").unwrap();
+        let mut report = report();
+        report.digests.insert("kernel".to_owned(), "of an earlier run".to_owned());
+        assert!(!is_about(&report, "proofs-kernel", root).unwrap());
+        report.digests.insert("kernel".to_owned(), kernel.digest(root).unwrap());
+        assert!(is_about(&report, "proofs-kernel", root).unwrap());
+        assert!(!is_about(&report, "proofs-model", root).unwrap());
     }
 
     pub(super) fn report() -> Report {
