@@ -47,6 +47,7 @@ impl Tree {
         tree.write("spec/kernel/src/lib.rs", "");
         tree.write("proto/src/lib.rs", "");
         tree.write("proto/tests/none.rs", "");
+        tree.write("peers/zenoh/tests/none.rs", "");
         tree.write("peers/typescript/src/one.ts", "// [NCP-TEST-001]\n");
         tree.write("peers/python-pure/ncp_pure/one.py", "# [NCP-TEST-001]\n");
         tree.write("defects/peer/wire.toml", &mutant("NCP-TEST-001"));
@@ -298,6 +299,23 @@ fn a_tree_that_is_none_is_said() {
     let (exit, out) = tree.trace(&[]);
     assert_eq!(exit, 4, "{out}");
     assert!(out.contains("spec/text"), "{out}");
+}
+
+#[test]
+fn a_live_scenario_shows_the_rules_that_it_judges_and_one_that_judges_none_is_an_orphan() {
+    let tree = Tree::new();
+    let scenario = "[[scenario]]\nname = \"qos/planes\"\nrules = [\"NCP-TEST-003\"]\n";
+    tree.write("live/scenarios.toml", scenario);
+    let (exit, out) = tree.trace(&[]);
+    assert_eq!(exit, 0, "{out}");
+    let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
+    let evidence = json!([{"kind": "live", "place": "live/scenarios.toml qos/planes", "count": 1}]);
+    assert_eq!(report["rules"][2]["evidence"], evidence);
+
+    tree.write("live/scenarios.toml", &scenario.replace("NCP-TEST-003", "NCP-TEST-099"));
+    tree.fails_with(&["NCP-TEST-099 is not in the text", "live/scenarios.toml:2 qos/planes"]);
+    tree.write("live/scenarios.toml", "[[scenario]]\nname = \"qos/planes\"\nrules = []\n");
+    tree.fails_with(&["the live scenario qos/planes cites no rule"]);
 }
 
 #[test]

@@ -97,7 +97,13 @@ impl Streams {
 /// How the plant obeys: the sound one as every plant may, the others with what goes wrong in plants.
 enum Obeys {
     Sound(Commands),
-    Defective { planted: Planted, intake: Intake<CommandFrame>, buffer: ActionBuffer, last_seq: i64, has_any: bool },
+    Defective {
+        planted: Planted,
+        intake: Intake<CommandFrame>,
+        buffer: Box<ActionBuffer>,
+        last_seq: i64,
+        has_any: bool,
+    },
 }
 
 impl Obeys {
@@ -108,7 +114,7 @@ impl Obeys {
         }
         let key = bus.keys().command(&target.session, None).map_err(ncp_zenoh::BusError::from)?;
         let intake = Intake::subscribe(bus, key, 4_096)?;
-        Ok(Self::Defective { planted: planted.clone(), intake, buffer, last_seq: 0, has_any: false })
+        Ok(Self::Defective { planted: planted.clone(), intake, buffer: Box::new(buffer), last_seq: 0, has_any: false })
     }
 
     fn velocity(&mut self, now_s: f64) -> [f64; 3] {

@@ -56,7 +56,7 @@ fn handler(bus: &Arc<Bus>, planted: &Planted) -> Handler {
         }
         match &asked {
             Err(_) if planted.is("malformed-is-fine") => {
-                reply = r#"{"kind":"session_closed","session_id":"x"}"#.to_owned()
+                reply = r#"{"kind":"session_closed","session_id":"x"}"#.to_owned();
             }
             Err(_) if planted.is("silent") => thread::sleep(Duration::from_secs(7)),
             Ok(Message::StepRequest(_)) if planted.is("cut-reply") => reply.truncate(reply.len() / 2),

@@ -103,7 +103,7 @@ pub(crate) fn judge(samples: &[Sample], realm: &str, rulings: &mut Rulings) {
             let of_plane = streams.iter().filter(move |(stream, _)| stream.session == session && stream.plane == plane);
             of_plane.map(|(stream, frames)| (stream.name, frames))
         };
-        let sensors: Vec<(Option<&str>, Vec<(f64, &SensorFrame)>)> = of_session(PlaneOf::Perception)
+        let sensors: Vec<Sensors<'_>> = of_session(PlaneOf::Perception)
             .map(|(name, frames)| (name, frames.iter().filter_map(|(at, m)| Some((*at, sensor(m)?))).collect()))
             .collect();
         let commands: Vec<(Option<&str>, Vec<&CommandFrame>)> = of_session(PlaneOf::Action)
@@ -120,6 +120,9 @@ pub(crate) fn judge(samples: &[Sample], realm: &str, rulings: &mut Rulings) {
         observations(session, &observed, rulings);
     }
 }
+
+/// A sensor stream: its name, and its frames with the second at which each arrived.
+type Sensors<'a> = (Option<&'a str>, Vec<(f64, &'a SensorFrame)>);
 
 /// A plane that is published on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -215,7 +218,7 @@ fn content(frame: &[u8], stream: Stream<'_>, rulings: &mut Rulings) -> Option<Me
 }
 
 /// Each stream counts for itself, and does not begin again.
-fn counters(session: &str, sensors: &[(Option<&str>, Vec<(f64, &SensorFrame)>)], rulings: &mut Rulings) {
+fn counters(session: &str, sensors: &[Sensors<'_>], rulings: &mut Rulings) {
     const RULE: &str = "NCP-PLANE-005";
     let stamped = |frames: &[(f64, &SensorFrame)]| -> Vec<i64> {
         frames.iter().map(|(_, frame)| frame.seq).filter(|seq| *seq != 0).collect()
@@ -252,12 +255,12 @@ fn counters(session: &str, sensors: &[(Option<&str>, Vec<(f64, &SensorFrame)>)],
 }
 
 /// `t` is in seconds: it goes on as fast as the frames arrive.
-fn clocks(session: &str, sensors: &[(Option<&str>, Vec<(f64, &SensorFrame)>)], rulings: &mut Rulings) {
+fn clocks(session: &str, sensors: &[Sensors<'_>], rulings: &mut Rulings) {
     for (name, frames) in sensors {
         let (Some((first_s, first)), Some((last_s, last))) = (frames.first(), frames.last()) else { continue };
         let arrived_s = last_s - first_s;
         let rate = (last.t - first.t) / arrived_s;
-        if arrived_s > 0.5 && (rate > 100.0 || rate < 0.01) {
+        if arrived_s > 0.5 && !(0.01..=100.0).contains(&rate) {
             let why = format!("{session}, stream {name:?}: t goes on by {rate:.3} a second, and is no time in s");
             rulings.fail("NCP-WIRE-093", why);
         }
@@ -279,7 +282,7 @@ fn order(session: &str, commands: &[(Option<&str>, Vec<&CommandFrame>)], rulings
 /// A command's seq is that of a sensor frame.
 fn echoes(
     session: &str,
-    sensors: &[(Option<&str>, Vec<(f64, &SensorFrame)>)],
+    sensors: &[Sensors<'_>],
     commands: &[(Option<&str>, Vec<&CommandFrame>)],
     rulings: &mut Rulings,
 ) {

@@ -46,8 +46,10 @@ pub struct ControlServer {
     queryable: Option<Queryable<()>>,
 }
 
+type Handler = dyn Fn(&[u8]) -> Vec<u8> + Send + Sync;
+
 struct Lanes {
-    handler: Box<dyn Fn(&[u8]) -> Vec<u8> + Send + Sync>,
+    handler: Box<Handler>,
     /// By session; requests that name none share a lane. A lane is here as long as a thread works on it.
     waiting: Mutex<HashMap<Option<Text>, VecDeque<Query>>>,
     idle: Condvar,

@@ -113,8 +113,9 @@ mod tests {
         for id in exclusions.rules.keys().chain(answering) {
             assert!(catalogue.get(id).is_some(), "{id}");
         }
-        for (stronger, weaker) in [(Lack::Code, Lack::Evidence), (Lack::Evidence, Lack::Case)] {
-            assert!(exclusions.without(stronger).all(|(id, _)| exclusions.rules[id].without.contains(&weaker)));
+        // What the specification does not carry out has no case; a live scenario of other programs may still show it.
+        for stronger in [Lack::Code, Lack::Evidence] {
+            assert!(exclusions.without(stronger).all(|(id, _)| exclusions.rules[id].without.contains(&Lack::Case)));
         }
     }
 
