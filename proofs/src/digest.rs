@@ -143,8 +143,8 @@ pub const ARTEFACTS: [Artefact; 6] = [
     },
 ];
 
-/// The sections of the workspace's manifest that say how code is built.
-const PROFILES: &str = "Cargo.toml [profile]";
+/// The section of the workspace's manifest that says how what is proved is built, and what proves it.
+const PROFILE: &str = "Cargo.toml [profile.release]";
 
 impl Artefact {
     /// SHA-256 over the names and the contents of its sources, and over [its circumstances](Self::circumstances).
@@ -160,7 +160,7 @@ impl Artefact {
         Ok(hex(hash))
     }
 
-    /// What decides beside the sources, by name: the compiler and its target, the profiles, and the packages of the
+    /// What decides beside the sources, by name: the compiler and its target, the profile, and the packages of the
     /// lock file that are built in. What is not there has no entry.
     ///
     /// # Errors
@@ -168,8 +168,9 @@ impl Artefact {
     pub fn circumstances(&self, root: &Path) -> io::Result<BTreeMap<String, String>> {
         let mut all = BTreeMap::new();
         all.extend(compiler(root).map(|compiler| ("rustc".to_owned(), compiler)));
-        if let Some(profiles) = table(&root.join("Cargo.toml"))?.and_then(|mut manifest| manifest.remove("profile")) {
-            all.insert(PROFILES.to_owned(), of_text(&profiles.to_string()));
+        let manifest = table(&root.join("Cargo.toml"))?;
+        if let Some(profile) = manifest.as_ref().and_then(|manifest| manifest.get("profile")?.get("release")) {
+            all.insert(PROFILE.to_owned(), of_text(&profile.to_string()));
         }
         if let Some(lock) = table(&root.join("Cargo.lock"))? {
             let packages = built_in(&lock, self.package);
@@ -299,14 +300,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let artefact = Artefact { name: "a", package: "a", sources: &["Cargo.lock"] };
         let with = |profile: &str, lock: &str| {
-            fs::write(folder.path().join("Cargo.toml"), format!("[profile.release]\nlto = {profile:?}\n")).unwrap();
+            let profiles = format!("[profile.dev]\nopt-level = 1\n[profile.release]\nlto = {profile:?}\n");
+            fs::write(folder.path().join("Cargo.toml"), profiles).unwrap();
             fs::write(folder.path().join("Cargo.lock"), lock).unwrap();
             artefact.circumstances(folder.path()).unwrap()
         };
         let (thin, fat) = (with("thin", LOCK), with("fat", LOCK));
-        assert_ne!(thin[PROFILES], fat[PROFILES]);
+        assert_ne!(thin[PROFILE], fat[PROFILE]);
         let newer = with("thin", &LOCK.replace("\"f\"", "\"e\""));
-        assert_eq!(thin[PROFILES], newer[PROFILES]);
+        assert_eq!(thin[PROFILE], newer[PROFILE]);
         assert_ne!(thin["Cargo.lock of a"], newer["Cargo.lock of a"]);
         let unrelated = with("thin", &LOCK.replace("\"d\"\nversion = \"1\"", "\"d\"\nversion = \"9\""));
         assert_eq!(thin, unrelated);

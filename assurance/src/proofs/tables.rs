@@ -386,7 +386,7 @@ fn made_with(locks: &Locks) -> Block {
         let packages = lock.sources.iter().find(|(key, _)| key.starts_with("Cargo.lock of "));
         let packages = packages.map_or("", |(_, digest)| digest);
         let library = lock.engines.values().find_map(|prover| prover.library_sha256.clone()).unwrap_or_default();
-        let cells = [of("rustc"), of("pins"), of("Cargo.toml [profile]"), packages.to_owned(), library];
+        let cells = [of("rustc"), of("pins"), of("Cargo.toml [profile.release]"), packages.to_owned(), library];
         [vec![name.clone()], cells.iter().map(|cell| dash(cell)).collect()].concat()
     });
     let head = ["artefact", "rustc and target", "pinned tools", "profiles", "packages", "explored library (SHA-256)"];

@@ -287,7 +287,10 @@ mod tests {
         assert_eq!(named(&known, &found), ["first", "second"]);
         assert_eq!(found.unexplained, []);
         assert_eq!(found.defects.iter().map(|defect| defect.cases.len()).sum::<usize>(), 5);
-        assert_eq!(named(&known, &known.explain_without(&seen, &[0])), ["second"]);
+        // Where the first is not known, most of what fails beside the second is not its doing: no name is better than
+        // a wrong one.
+        let found = known.explain_without(&seen, &[0]);
+        assert_eq!((found.defects.len(), found.unexplained.len()), (0, 5));
     }
 
     #[test]

@@ -59,6 +59,7 @@ pub fn step_end<S: Scalar>(
 
 /// Takes the steps 1, 2, … `steps`, each from what the one before has left, until there is one that cannot be taken.
 /// How many were taken, and what the last of them has left.
+/// `[NCP-SAFE-050] [NCP-SAFE-066] [NCP-SAFE-067]`
 #[inline]
 pub fn follow<T>(steps: usize, start: T, mut step: impl FnMut(usize, &T) -> Option<T>) -> (usize, T) {
     let (mut taken, mut left) = (0, start);
