@@ -6,15 +6,21 @@
 //! | [`target`] | the system under test, and what runs beside it |
 //! | [`judge`] | sets scenarios up, looks, and rules |
 //! | [`actors`] | a reference system, and the defects that can be planted in it |
+//! | [`relay`] | a hostile link |
+//! | [`soak`] | the reference system over it, judged all the time |
+//! | [`bench`] | what judging costs |
 //! | [`mutants`] | asks whether each planted defect fails its scenario, by its rule |
 //! | [`verdict`] | passed, failed or inconclusive |
 //! | [`report`] | shows verdicts, and computes none |
 
 mod actors;
+mod bench;
 mod judge;
 mod mutants;
+mod relay;
 mod report;
 mod scenario;
+mod soak;
 mod target;
 mod verdict;
 
@@ -62,6 +68,12 @@ enum Command {
     Replay(Replay),
     /// Ask whether each planted defect fails its scenario, by its rule
     Mutants(Mutants),
+    /// Judge the access rules of a router, or say which of them decides on what
+    Acl(judge::Acl),
+    /// Run the reference system over a hostile link, for long, and judge it all the time
+    Soak(soak::Soak),
+    /// Measure what judging costs, and how fast commands are obeyed
+    Bench(bench::Bench),
     /// List the scenarios
     List,
 }
@@ -159,6 +171,18 @@ pub(crate) enum LiveError {
     /// The scenarios.
     #[error(transparent)]
     Scenario(#[from] scenario::ScenarioError),
+    /// Access rules that cannot be explained.
+    #[error(transparent)]
+    Rules(#[from] judge::RulesError),
+    /// The schedule of a link.
+    #[error(transparent)]
+    Schedule(#[from] relay::schedule::ScheduleError),
+    /// A plot.
+    #[error("the plot: {0}")]
+    Plot(String),
+    /// The signals that end a soak.
+    #[error(transparent)]
+    Signal(#[from] ctrlc::Error),
     /// The table of defects.
     #[error("defects.toml: {0}")]
     Defects(toml::de::Error),
@@ -232,6 +256,9 @@ fn run(command: Command) -> Result<bool, LiveError> {
             write_json(json.as_deref(), &found)?;
             Ok(found.iter().all(mutants::Found::is_caught))
         }
+        Command::Acl(acl) => judge::acl(&acl),
+        Command::Soak(soak) => soak::run(&soak),
+        Command::Bench(bench) => bench::run(&bench),
         Command::List => {
             for Scenario { name, about, rules, .. } in scenarios()? {
                 println!("{name}\n  {about}\n  {}", rules.join(", "));

@@ -116,7 +116,7 @@ mod tests {
             include_str!("actors/commander.rs"),
             include_str!("actors/server.rs"),
             include_str!("actors/observer.rs"),
-            include_str!("judge/acl.rs"),
+            include_str!("judge/acl/planted.rs"),
         ]
         .concat();
         let mut names = BTreeSet::new();

@@ -5,6 +5,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use thiserror::Error;
 
+use crate::soak::OverLink;
+
 /// A live scenario: what is set up, what is done, and on which rules it gives a verdict.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -20,6 +22,9 @@ pub(crate) struct Scenario {
     /// What is done, one after the other; empty where the code of the judge says it.
     #[serde(default, rename = "step")]
     pub(crate) steps: Vec<Step>,
+    /// The hostile link over which the reference actors meet, for scenarios of their own.
+    #[serde(default)]
+    pub(crate) link: Option<OverLink>,
 }
 
 /// A running program.

@@ -73,6 +73,8 @@ pub(crate) struct Ruling {
     pub(crate) verdict: Verdict,
     /// How many observations passed.
     pub(crate) observed: usize,
+    /// How many failed.
+    pub(crate) violations: usize,
     /// What decided it, unless it passed; the first such thing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) why: Option<String>,
@@ -92,6 +94,7 @@ pub(crate) struct Rulings {
 #[derive(Debug, Default)]
 struct Found {
     passed: usize,
+    violations: usize,
     failed: Option<String>,
     unclear: Option<String>,
     measured: Option<Measured>,
@@ -110,6 +113,7 @@ impl Rulings {
         if is_so {
             found.passed += 1;
         } else {
+            found.violations += 1;
             found.failed.get_or_insert_with(why_not);
         }
     }
@@ -142,8 +146,8 @@ impl Rulings {
 
     /// The verdicts: a failure outweighs what is unclear, and that what passed.
     pub(crate) fn verdicts(self, scenario: &str, sentence: impl Fn(&str) -> String) -> Vec<Ruling> {
-        let rulings = self.of.into_iter().map(|(rule, found)| {
-            let (verdict, why) = match (found.failed, found.unclear) {
+        let rulings = self.of.into_iter().map(|(rule, mut found)| {
+            let (verdict, why) = match (found.failed.take(), found.unclear.take()) {
                 (Some(why), _) => (Verdict::Failed, Some(why)),
                 (None, Some(why)) => (Verdict::Inconclusive, Some(why)),
                 (None, None) if found.passed == 0 => {
@@ -152,7 +156,8 @@ impl Rulings {
                 (None, None) => (Verdict::Passed, None),
             };
             let (scenario, sentence) = (scenario.to_owned(), sentence(&rule));
-            Ruling { scenario, rule, verdict, observed: found.passed, why, measured: found.measured, sentence }
+            let Found { passed: observed, violations, measured, .. } = found;
+            Ruling { scenario, rule, verdict, observed, violations, why, measured, sentence }
         });
         rulings.collect()
     }

@@ -3,14 +3,14 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ncp_spec::control::{ControlLoop, LoopConfig, ReflexConfig, ReflexController};
+use ncp_spec::control::{ControlLoop, Controller, LoopConfig, ReflexConfig, ReflexController};
 use ncp_spec::plane::{Congestion, Plane, Priority, Qos};
 use ncp_spec::resilience::LinkMonitor;
 use ncp_spec::safety::SafetyGovernor;
-use ncp_spec::wire::{BulkObservation, CommandFrame, SafetyLimits};
+use ncp_spec::wire::{BulkObservation, CommandFrame, Mode, SafetyLimits, SensorFrame};
 use ncp_zenoh::{Bus, BusError, Perception, StreamPublisher};
 
-use super::Planted;
+use super::{Care, Planted};
 use crate::LiveError;
 use crate::target::{Running, Target};
 
@@ -19,7 +19,7 @@ const PERIOD: Duration = Duration::from_millis(20);
 /// How far the plant may go, in m.
 const FENCE_M: f64 = 50.0;
 
-pub(super) fn commander(target: &Target, planted: &Planted) -> Result<Running, LiveError> {
+pub(super) fn commander(target: &Target, planted: &Planted, care: &Care) -> Result<Running, LiveError> {
     let bus = target.bus()?;
     let perception = Perception::of(&bus, &target.session, None)?;
     let sends = Sends::declare(&bus, target, planted)?;
@@ -30,15 +30,18 @@ pub(super) fn commander(target: &Target, planted: &Planted) -> Result<Running, L
         command_timeout_ms: if planted.is("stale-for-long") { 60_000.0 } else { 300.0 },
         ..SafetyLimits::default()
     };
-    let reflex = ReflexConfig { target_m: [2.0, 0.0, 0.0], ..ReflexConfig::default() };
     let config = LoopConfig { period_ms: PERIOD.as_secs_f64() * 1e3 };
-    // What is not sampled is no loss, so a burst is not what this loop is about.
-    let link = LinkMonitor::new(0.99, 1e6);
-    let mut control = ControlLoop::new(config, ReflexController::new(reflex)?, SafetyGovernor::new(&limits), link)?;
+    // Where no link is judged, what a busy machine loses is no burst.
+    let minds_link = care.minds_link && !planted.is("burst-ignored");
+    let link = if minds_link { LinkMonitor::new(0.05, 5.0) } else { LinkMonitor::new(0.99, 1e6) };
+    let mut control = ControlLoop::new(config, Shuttle::new()?, SafetyGovernor::new(&limits), link)?;
 
     let (planted, began) = (planted.clone(), Instant::now());
     let (mut took_ms, mut ticks, mut held_back) = (0.0, 0_i64, None::<CommandFrame>);
+    let mut last_active = None::<CommandFrame>;
+    let resets = care.commander.clone();
     let running = Running::default().every(PERIOD, move || {
+        resets.carry_out(|| control.governor_mut().reset());
         let now = || began.elapsed().as_secs_f64();
         let began_s = now();
         while let Some(frame) = perception.next_frame() {
@@ -60,6 +63,13 @@ pub(super) fn commander(target: &Target, planted: &Planted) -> Result<Running, L
         }
         if planted.is("status-seq-of-command") {
             tick.status.seq = tick.command.seq;
+        }
+        if planted.is("goes-on-blind") {
+            if tick.command.mode == Mode::Active {
+                last_active = Some(tick.command.clone());
+            } else if let Some(last) = &last_active {
+                tick.command = last.clone();
+            }
         }
         // What a publisher counts as failed, the next tick makes good.
         if planted.is("commands-reordered") {
@@ -83,6 +93,29 @@ pub(super) fn commander(target: &Target, planted: &Planted) -> Result<Running, L
         took_ms = (now() - began_s) * 1e3;
     });
     Ok(running.keeping(bus))
+}
+
+/// Flies to and fro, so that a plant that obeys keeps moving.
+struct Shuttle {
+    ways: [ReflexController; 2],
+}
+
+impl Shuttle {
+    /// How long it flies one way, in s.
+    const WAY_S: f64 = 6.0;
+
+    fn new() -> Result<Self, LiveError> {
+        let to = |x: f64| ReflexController::new(ReflexConfig { target_m: [x, 0.0, 0.0], ..ReflexConfig::default() });
+        Ok(Self { ways: [to(2.0)?, to(-2.0)?] })
+    }
+}
+
+impl Controller for Shuttle {
+    fn step(&mut self, now_s: f64, sensor: Option<&SensorFrame>) -> CommandFrame {
+        let [to, fro] = &mut self.ways;
+        let way = if (now_s / Self::WAY_S) % 2.0 < 1.0 { to } else { fro };
+        way.step(now_s, sensor)
+    }
 }
 
 struct Sends {

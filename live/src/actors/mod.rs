@@ -12,6 +12,9 @@ mod observer;
 mod plant;
 mod server;
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use crate::LiveError;
 use crate::scenario::Role;
 use crate::target::{Running, Target};
@@ -27,16 +30,64 @@ impl Planted {
     }
 }
 
+/// What the actors have besides: a commander that minds its link, and a supervisor who resets. By default neither.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Care {
+    /// Whether a burst of losses stops the commander.
+    minds_link: bool,
+    plant: Resets,
+    commander: Resets,
+}
+
+/// The resets of one actor.
+#[derive(Debug, Clone, Default)]
+struct Resets {
+    asked: Arc<AtomicU64>,
+    done: Arc<AtomicU64>,
+}
+
+impl Care {
+    /// That of a system whose link may lose frames.
+    pub(crate) fn over_a_link() -> Self {
+        Self { minds_link: true, ..Self::default() }
+    }
+
+    /// Asks plant and commander to reset themselves.
+    pub(crate) fn ask_for_resets(&self) {
+        for resets in [&self.plant, &self.commander] {
+            resets.asked.fetch_add(1, Ordering::SeqCst);
+        }
+    }
+
+    /// Whether both have.
+    pub(crate) fn are_reset(&self) -> bool {
+        [&self.plant, &self.commander]
+            .iter()
+            .all(|resets| resets.asked.load(Ordering::SeqCst) == resets.done.load(Ordering::SeqCst))
+    }
+}
+
+impl Resets {
+    /// Resets, if that was asked for.
+    fn carry_out(&self, reset: impl FnOnce()) {
+        let asked = self.asked.load(Ordering::SeqCst);
+        if asked != self.done.load(Ordering::SeqCst) {
+            reset();
+            self.done.store(asked, Ordering::SeqCst);
+        }
+    }
+}
+
 /// Starts an actor, until what is returned is dropped.
 ///
 /// # Errors
 /// Zenoh refuses.
-pub(crate) fn start(role: Role, target: &Target, planted: &Planted) -> Result<Running, LiveError> {
+pub(crate) fn start(role: Role, target: &Target, planted: &Planted, care: &Care) -> Result<Running, LiveError> {
     match role {
         Role::Server => server::server(target, planted),
         Role::Client => server::client(target, planted),
-        Role::Plant => plant::plant(target, planted),
-        Role::Commander => commander::commander(target, planted),
+        Role::Plant => plant::plant(target, planted, care),
+        Role::Commander => commander::commander(target, planted, care),
         Role::Observer => observer::observer(target, planted),
     }
 }

@@ -1,6 +1,6 @@
 //! A reader that joins each command with the sensor frame that it was computed from.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::fs::File;
 use std::io::Write;
 use std::mem;
@@ -12,6 +12,9 @@ use ncp_zenoh::{BusError, CommandPublisher, Intake, Perception};
 use super::Planted;
 use crate::LiveError;
 use crate::target::{Running, Target};
+
+/// How many frames of a stream are kept: what was lost on the way is not waited for.
+const KEPT: usize = 1_024;
 
 pub(super) fn observer(target: &Target, planted: &Planted) -> Result<Running, LiveError> {
     let bus = target.bus()?;
@@ -25,7 +28,7 @@ pub(super) fn observer(target: &Target, planted: &Planted) -> Result<Running, Li
     let mut joined = File::create(&target.joined)?;
     let planted = planted.clone();
     let mut known: BTreeMap<i64, SensorFrame> = BTreeMap::new();
-    let mut waiting: Vec<CommandFrame> = Vec::new();
+    let mut waiting: VecDeque<CommandFrame> = VecDeque::new();
     let mut last_arrived = 0;
 
     let leaks = planted.is("subscription-leaks");
@@ -35,9 +38,15 @@ pub(super) fn observer(target: &Target, planted: &Planted) -> Result<Running, Li
         while let Some(frame) = sensors.next_frame() {
             last_arrived = frame.seq;
             known.insert(frame.seq, frame);
+            if known.len() > KEPT {
+                known.pop_first();
+            }
         }
         while let Some(command) = commands.next_frame() {
-            waiting.push(command);
+            waiting.push_back(command);
+            if waiting.len() > KEPT {
+                waiting.pop_front();
+            }
         }
         // [NCP-PLANE-007] What was computed from a frame that is not here yet waits for it.
         waiting.retain(|command| {

@@ -8,19 +8,21 @@ use ncp_spec::resilience::{ActionBuffer, is_estop};
 use ncp_spec::wire::{BulkObservation, ChannelMap, ChannelValue, CommandFrame, Frame, Mode, SensorFrame};
 use ncp_zenoh::{Bus, Commands, Intake, StreamPublisher};
 
-use super::Planted;
+use super::{Care, Planted};
 use crate::LiveError;
 use crate::target::{Running, Target};
 
 const PERIOD: Duration = Duration::from_millis(10);
 
-pub(super) fn plant(target: &Target, planted: &Planted) -> Result<Running, LiveError> {
+pub(super) fn plant(target: &Target, planted: &Planted, care: &Care) -> Result<Running, LiveError> {
     let bus = target.bus()?;
     let mut streams = Streams::declare(&bus, target, planted)?;
     let mut obeys = Obeys::new(&bus, target, planted)?;
     let began = Instant::now();
     let mut position = [0.0; 3];
+    let resets = care.plant.clone();
     let running = Running::default().every(PERIOD, move || {
+        resets.carry_out(|| obeys.reset());
         let now_s = began.elapsed().as_secs_f64();
         let velocity = obeys.velocity(now_s);
         for (position, velocity) in position.iter_mut().zip(velocity) {
@@ -103,6 +105,10 @@ enum Obeys {
         buffer: Box<ActionBuffer>,
         last_seq: i64,
         has_any: bool,
+        /// The last command that moved it.
+        last: Option<CommandFrame>,
+        has_ended: bool,
+        was_active: bool,
     },
 }
 
@@ -114,25 +120,80 @@ impl Obeys {
         }
         let key = bus.keys().command(&target.session, None).map_err(ncp_zenoh::BusError::from)?;
         let intake = Intake::subscribe(bus, key, 4_096)?;
-        Ok(Self::Defective { planted: planted.clone(), intake, buffer: Box::new(buffer), last_seq: 0, has_any: false })
+        let (planted, buffer) = (planted.clone(), Box::new(buffer));
+        Ok(Self::Defective {
+            planted,
+            intake,
+            buffer,
+            last_seq: 0,
+            has_any: false,
+            last: None,
+            has_ended: false,
+            was_active: false,
+        })
+    }
+
+    /// By a supervisor's decision. `[NCP-RES-030]`
+    fn reset(&mut self) {
+        match self {
+            Self::Sound(commands) => commands.reset(),
+            Self::Defective { buffer, last_seq, .. } => {
+                buffer.reset();
+                *last_seq = 0;
+            }
+        }
     }
 
     fn velocity(&mut self, now_s: f64) -> [f64; 3] {
         let active = match self {
             Self::Sound(commands) => commands.active(),
-            Self::Defective { planted, intake, buffer, last_seq, has_any } => {
+            Self::Defective { planted, intake, buffer, last_seq, has_any, last, has_ended, was_active } => {
                 while let Some(arrival) = intake.next() {
                     *has_any = true;
-                    take(planted, buffer, last_seq, &arrival.payload.to_bytes(), now_s);
+                    let frame = arrival.payload.to_bytes();
+                    if planted.is("damage-ends") && CommandFrame::decode(&frame).is_err() {
+                        *has_ended = true;
+                    }
+                    over_a_link(planted, buffer, last, &frame, now_s);
+                    take(planted, buffer, last_seq, &frame, now_s);
                 }
                 if planted.is("moves-at-start") && !*has_any {
                     return [0.1, 0.0, 0.0];
                 }
-                buffer.active(now_s).cloned()
+                let active = buffer.active(now_s).cloned();
+                *has_ended |= planted.is("stays-down") && *was_active && active.is_none();
+                *was_active = active.is_some();
+                if *has_ended { None } else { active }
             }
         };
         let setpoint = active.as_ref().and_then(|channels| channels.get("velocity_setpoint"));
         setpoint.and_then(|channel| channel.data.as_slice().try_into().ok()).unwrap_or_default()
+    }
+}
+
+/// What goes wrong in plants when a link damages or doubles frames.
+fn over_a_link(
+    planted: &Planted,
+    buffer: &mut ActionBuffer,
+    last: &mut Option<CommandFrame>,
+    frame: &[u8],
+    now_s: f64,
+) {
+    let decoded = CommandFrame::decode(frame);
+    let renews = (planted.is("damage-renews") && decoded.is_err())
+        || (planted.is("copy-renews") && decoded.as_ref().is_ok_and(|command| command.mode == Mode::Active));
+    if renews
+        && !buffer.is_stopped()
+        && let Some(last) = last.clone()
+    {
+        buffer.reset();
+        buffer.on_command(last, now_s);
+    }
+    if let Ok(command) = decoded
+        && command.mode == Mode::Active
+        && last.as_ref().is_none_or(|last| command.seq > last.seq)
+    {
+        *last = Some(command);
     }
 }
 
@@ -165,6 +226,9 @@ fn take(planted: &Planted, buffer: &mut ActionBuffer, last_seq: &mut i64, frame:
     }
     if planted.is("ttl-default") && command.ttl_ms <= 0.0 {
         command.ttl_ms = 200.0;
+    }
+    if planted.is("coasts") && command.ttl_ms > 0.0 {
+        command.ttl_ms += 400.0;
     }
     if planted.is("ttl-in-seconds") {
         command.ttl_ms *= 1e3;

@@ -16,14 +16,17 @@ mod observer;
 mod server;
 pub(crate) mod traffic;
 
+pub(crate) use acl::{Acl, RulesError, run as acl};
+
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use ncp_text::Catalogue;
 
 use crate::LiveError;
-use crate::actors::{self, Planted};
+use crate::actors::{self, Care, Planted};
 use crate::scenario::Scenario;
+use crate::soak;
 use crate::target::{Noise, Target};
 use crate::verdict::{Ruling, Rulings};
 
@@ -53,10 +56,18 @@ pub(crate) fn judge(
     catalogue: &Catalogue,
 ) -> Result<Vec<Ruling>, LiveError> {
     let mut rulings = Rulings::new(&scenario.rules);
+    let sentence = |rule: &str| catalogue.get(rule).map(|rule| rule.sentence.clone()).unwrap_or_default();
+    if let Some(link) = &scenario.link {
+        match parts {
+            Parts::Actors(planted) => soak::over_link(link, planted, &mut rulings)?,
+            Parts::Deployed => rulings.all_unclear("the link of a deployment is its own"),
+        }
+        return Ok(rulings.verdicts(&scenario.name, sentence));
+    }
     let mut running = Vec::new();
     if let Parts::Actors(planted) = parts {
         for role in &scenario.needs {
-            running.push(actors::start(*role, target, planted)?);
+            running.push(actors::start(*role, target, planted, &Care::default())?);
         }
     }
     let bus = target.bus()?;
@@ -89,7 +100,6 @@ pub(crate) fn judge(
         name if name.starts_with("server/") => server::steps(&bus, target, &scenario.steps, &mut rulings)?,
         _ => body::steps(&bus, target, &scenario.steps, &noise, &mut rulings)?,
     }
-    let sentence = |rule: &str| catalogue.get(rule).map(|rule| rule.sentence.clone()).unwrap_or_default();
     Ok(rulings.verdicts(&scenario.name, sentence))
 }
 

@@ -38,7 +38,7 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    fn new(arrival: &Arrival, began: Instant) -> Self {
+    pub(crate) fn new(arrival: &Arrival, began: Instant) -> Self {
         let SeenQos { congestion, priority, express } = arrival.qos;
         Self {
             at_s: arrival.at.saturating_duration_since(began).as_secs_f64(),
@@ -74,12 +74,25 @@ pub(crate) fn tap(bus: &Bus, longest: Duration) -> Result<Vec<Sample>, LiveError
 ///
 /// # Errors
 /// Zenoh refuses.
-pub(crate) fn tap_into(bus: &Bus, longest: Duration, mut take: impl FnMut(Sample)) -> Result<u64, LiveError> {
+pub(crate) fn tap_into(bus: &Bus, longest: Duration, take: impl FnMut(Sample)) -> Result<u64, LiveError> {
+    let began = Instant::now();
+    tap_while(bus, || began.elapsed() < longest, take)
+}
+
+/// The same, while something is so.
+///
+/// # Errors
+/// Zenoh refuses.
+pub(crate) fn tap_while(
+    bus: &Bus,
+    mut goes_on: impl FnMut() -> bool,
+    mut take: impl FnMut(Sample),
+) -> Result<u64, LiveError> {
     let pattern = bus.keys().fleet_glob().map_err(BusError::from)?;
     let intake: Intake<()> = Intake::subscribe(bus, pattern, TAP)?;
     let began = Instant::now();
-    while let Some(rest) = longest.checked_sub(began.elapsed()) {
-        if let Some(arrival) = intake.wait_for(rest) {
+    while goes_on() {
+        if let Some(arrival) = intake.wait_for(Duration::from_millis(10)) {
             take(Sample::new(&arrival, began));
         }
     }
