@@ -47,7 +47,7 @@ fn faults_a_second(report: &Report) -> Vec<Line> {
     let line = |plane: PlaneName| {
         let pairs = report.seconds.windows(2).map(|pair| {
             let [before, after] = [&pair[0], &pair[1]];
-            (after.at_s, number(total(plane, after) - total(plane, before)) / (after.at_s - before.at_s))
+            (after.at_s, number(total(plane, after).saturating_sub(total(plane, before))) / (after.at_s - before.at_s))
         });
         (plane.plane().as_str().to_owned(), pairs.collect())
     };
@@ -86,12 +86,10 @@ fn bands(area: &DrawingArea<SVGBackend<'_>, Shift>, report: &Report, schedule: &
         .build_cartesian_2d(0.0..report.time_s, 0.0..6.0)
         .map_err(failed)?;
     chart.configure_mesh().disable_mesh().y_labels(0).draw().map_err(failed)?;
-    let of_seconds = report.seconds.iter().flat_map(|second| {
-        let (from_s, to_s) = ((second.at_s - 1.0).max(0.0), second.at_s);
-        let moves = second.moved.then(|| Rectangle::new([(from_s, 5.1), (to_s, 5.9)], GREEN.mix(0.6).filled()));
-        let latched = second.latched.then(|| Rectangle::new([(from_s, 4.1), (to_s, 4.9)], RED.mix(0.6).filled()));
-        [moves, latched].into_iter().flatten()
-    });
+    let moved = runs(report, |second| second.moved);
+    let moved = moved.into_iter().map(|(from_s, to_s)| Rectangle::new([(from_s, 5.1), (to_s, 5.9)], GREEN.filled()));
+    let latched = runs(report, |second| second.latched);
+    let latched = latched.into_iter().map(|(from_s, to_s)| Rectangle::new([(from_s, 4.1), (to_s, 4.9)], RED.filled()));
     let windows = schedule.windows(report.time_s);
     let of_cuts = windows.into_iter().flat_map(|(planes, from_s, to_s)| {
         let rows = [3.1, 2.1, 1.1, 0.1];
@@ -100,8 +98,24 @@ fn bands(area: &DrawingArea<SVGBackend<'_>, Shift>, report: &Report, schedule: &
             Rectangle::new([(from_s, low), (to_s.min(report.time_s), low + 0.8)], BLACK.mix(0.5).filled())
         })
     });
-    chart.draw_series(of_seconds.chain(of_cuts)).map_err(failed)?;
+    chart.draw_series(moved.chain(latched).chain(of_cuts)).map_err(failed)?;
     Ok(())
+}
+
+/// From when to when something was so, as few times as there are.
+fn runs(report: &Report, is_so: fn(&super::Second) -> bool) -> Vec<(f64, f64)> {
+    let mut runs: Vec<(f64, f64)> = Vec::new();
+    let mut before_s = 0.0;
+    for second in &report.seconds {
+        if is_so(second) {
+            match runs.last_mut() {
+                Some((_, to_s)) if *to_s >= before_s => *to_s = second.at_s,
+                _ => runs.push((before_s, second.at_s)),
+            }
+        }
+        before_s = second.at_s;
+    }
+    runs
 }
 
 #[expect(clippy::cast_precision_loss, reason = "counts of a soak")]

@@ -311,7 +311,7 @@ impl Judge {
         let silent_s = until_s - self.last_sensed_s;
         if silent_s > SILENT_S + 2.0 * self.noise_s(until_s) {
             self.last_sensed_s = until_s;
-            seen(Seen::new("NCP-PLANE-005", false, || {
+            seen(Seen::new("NCP-RES-026", false, || {
                 format!("the plant was silent for {silent_s:.1} s, until {until_s:.3} s")
             }));
         }
