@@ -180,9 +180,6 @@ pub(crate) enum LiveError {
     /// A plot.
     #[error("the plot: {0}")]
     Plot(String),
-    /// The signals that end a soak.
-    #[error(transparent)]
-    Signal(#[from] ctrlc::Error),
     /// The table of defects.
     #[error("defects.toml: {0}")]
     Defects(toml::de::Error),

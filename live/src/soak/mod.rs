@@ -30,6 +30,8 @@ use std::time::Duration;
 use clap::Args;
 use ncp_text::Catalogue;
 use serde::Deserialize;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 
 use crate::LiveError;
 use crate::actors::Planted;
@@ -221,8 +223,9 @@ const fn recovers_s() -> f64 {
 /// Whether somebody asked to stop: the report is written all the same.
 fn stop_on_signal() -> Result<Arc<AtomicBool>, LiveError> {
     let is_stopped = Arc::new(AtomicBool::new(false));
-    let stop = Arc::clone(&is_stopped);
-    ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed))?;
+    for signal in [SIGINT, SIGTERM] {
+        flag::register(signal, Arc::clone(&is_stopped))?;
+    }
     Ok(is_stopped)
 }
 

@@ -24,7 +24,7 @@ use crate::actors::Planted;
 use crate::target::free_endpoint;
 use crate::verdict::Rulings;
 use crate::{LiveError, finish};
-use cell::{Act, Cell, IDENTITIES, KNOWN, PLANES, Plane, RPC};
+use cell::{Act, Cell, IDENTITIES, KNOWN, PLANES, RPC};
 use credentials::Credentials;
 pub(crate) use explain::RulesError;
 
