@@ -144,11 +144,12 @@ impl Body {
         self.last_seq = Some(command.seq);
         let setpoint = command.channels.get(&self.mapping.command);
         let moves = setpoint.is_some_and(|channel| channel.data.iter().any(|value| value.abs() > self.mapping.still));
-        if ttl_s > 0.0 && moves {
-            (self.until_s, self.then) = (at_s + ttl_s, "NCP-RES-002");
-        } else {
-            (self.until_s, self.then) = (self.until_s.min(at_s), "NCP-RES-005");
-        }
+        let until_s = self.until_s.min(at_s);
+        (self.until_s, self.then) = match (ttl_s > 0.0, moves) {
+            (true, true) => (at_s + ttl_s, "NCP-RES-002"),
+            (true, false) => (until_s, "NCP-RES-026"),
+            (false, _) => (until_s, "NCP-RES-005"),
+        };
     }
 
     /// One that is older may be dropped or obeyed, so it says nothing.
