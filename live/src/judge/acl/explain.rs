@@ -295,8 +295,8 @@ mod tests {
             .unwrap();
             for cell in Cell::all() {
                 let passes = rules.explain(&cell).iter().all(|(_, decided)| decided.is_allowed);
-                // What cannot be told is stopped for everybody.
-                let found = arrived.get(&cell.to_string()).copied().unwrap().unwrap_or(false);
+                // Where not even what is allowed arrives, the router says nothing of the others.
+                let Some(found) = arrived[&cell.to_string()] else { continue };
                 assert_eq!(passes, found, "{defect:?}: {cell}");
             }
         }
