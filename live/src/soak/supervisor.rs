@@ -32,6 +32,17 @@ enum Does {
     Settles(f64),
 }
 
+/// What a supervisor has done just now.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tended {
+    /// Nothing that matters to a judge.
+    Nothing,
+    /// It has asked for the resets: from now on the commander may be reset.
+    Asked,
+    /// Plant and commander are reset.
+    Reset,
+}
+
 impl Supervisor {
     pub(super) const fn new(care: Care) -> Self {
         Self { care, does: Does::Looks(0.0), resets: 0 }
@@ -42,8 +53,8 @@ impl Supervisor {
         self.resets
     }
 
-    /// Goes on with what it does; whether plant and commander are reset now.
-    pub(super) fn tend(&mut self, now_s: f64, body: &Body, is_cut: bool, noise_s: f64, relay: &Relay) -> bool {
+    /// Goes on with what it does.
+    pub(super) fn tend(&mut self, now_s: f64, body: &Body, is_cut: bool, noise_s: f64, relay: &Relay) -> Tended {
         match self.does {
             Does::Looks(from_s) => {
                 let is_latched = body.latched_s().is_some_and(|since_s| now_s - since_s > LOOKS_S);
@@ -56,11 +67,12 @@ impl Supervisor {
             Does::Stops(until_s) if now_s > until_s => {
                 self.care.ask_for_resets();
                 self.does = Does::Resets;
+                return Tended::Asked;
             }
             Does::Resets if self.care.are_reset() => {
                 self.resets += 1;
                 self.does = Does::Settles(now_s + QUIET_S + 2.0 * noise_s);
-                return true;
+                return Tended::Reset;
             }
             Does::Settles(until_s) if now_s > until_s => {
                 relay.stop_commands(false);
@@ -68,6 +80,6 @@ impl Supervisor {
             }
             Does::Stops(_) | Does::Resets | Does::Settles(_) => {}
         }
-        false
+        Tended::Nothing
     }
 }

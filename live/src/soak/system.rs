@@ -11,7 +11,7 @@ use ncp_zenoh::{Bus, BusError, Intake, Link, Perception};
 use super::body::{Body, Seen};
 use super::commander::Commander;
 use super::replies;
-use super::supervisor::Supervisor;
+use super::supervisor::{Supervisor, Tended};
 use crate::LiveError;
 use crate::actors::{self, Care, Planted};
 use crate::relay::schedule::{PlaneName, Schedule};
@@ -55,6 +55,8 @@ enum Event {
     Passed(Passed),
     /// The plant says whether it moves.
     Moves(bool),
+    /// The supervisor has asked for the resets.
+    Asked,
     /// The supervisor has reset plant and commander.
     Reset,
 }
@@ -139,8 +141,10 @@ impl System {
         judge.sense(&self.sensors);
         judge.hear_noise(now_s, self.noise.worst_ms() / 1e3);
         let is_cut = self.schedule.is_cut(PlaneName::Action, now_s);
-        if self.supervisor.tend(now_s, &judge.body, is_cut, judge.noise_s(now_s), &self.relay) {
-            judge.events.push((now_s, Event::Reset));
+        match self.supervisor.tend(now_s, &judge.body, is_cut, judge.noise_s(now_s), &self.relay) {
+            Tended::Asked => judge.events.push((now_s, Event::Asked)),
+            Tended::Reset => judge.events.push((now_s, Event::Reset)),
+            Tended::Nothing => {}
         }
         judge.events.sort_by(|a, b| a.0.total_cmp(&b.0));
         judge.judge(now_s - LAG_S, &mut seen);
@@ -260,6 +264,7 @@ impl Judge {
             let is_noisy = noise_s > NOISY_S;
             let mut found = Vec::new();
             match event {
+                Event::Asked => self.commander.reset(),
                 Event::Reset => {
                     self.body.reset(at_s);
                     self.commander.reset();
