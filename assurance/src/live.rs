@@ -1,7 +1,7 @@
 //! `cargo assure live`: what the live scenarios say of our own system, and whether they notice what is planted in it.
 //!
-//! Zenoh is built and run by the workspace `live/`; here its verdicts are kept, so that what a scenario shows is counted
-//! as evidence only where it was run on the sources as they are.
+//! Zenoh is built and run by the workspace `live/`; here its verdicts are kept, so that a scenario counts as evidence
+//! only where it was run and passed.
 
 use std::collections::BTreeMap;
 use std::fs;
