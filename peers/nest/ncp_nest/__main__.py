@@ -47,9 +47,7 @@ def _options() -> argparse.Namespace:
     address = os.environ.get("NCP_BRIDGE_ADDR", "127.0.0.1:28474")
     parser.add_argument("--listen", metavar="HOST:PORT", default=address, help="where to listen")
     parser.add_argument("--threads", type=_positive, default=1, help="threads of each NEST kernel (1)")
-    parser.add_argument(
-        "--sessions", type=_positive, default=MAX_SESSIONS, help=f"sessions at a time ({MAX_SESSIONS})"
-    )
+    parser.add_argument("--sessions", type=_positive, default=MAX_SESSIONS, help=f"sessions at a time ({MAX_SESSIONS})")
     return parser.parse_args()
 
 

@@ -97,9 +97,7 @@ def _builtin(reference: NetworkRef) -> Network:
     if reference.model_name not in (None, model):
         raise SimulationError(f"the network {reference.ref[:80]!r} has no neurons of {reference.model_name[:80]!r}")
     params = {**_ALIAS_PARAMS.get(reference.ref, {}), **reference.params}
-    populations = {
-        name: Population(model, size, params) for name, size in reference.population_sizes.items()
-    }
+    populations = {name: Population(model, size, params) for name, size in reference.population_sizes.items()}
     return Network(reference.ref, populations)
 
 
@@ -187,8 +185,7 @@ def _spec(reference: NetworkRef) -> Network:
         raise SimulationError(f"the spec is {error}") from None
     parts = _members(spec, "the spec", {"populations": dict, "projections": list, "background": list})
     populations = {
-        name: _population(name, value, reference.population_sizes)
-        for name, value in parts["populations"].items()
+        name: _population(name, value, reference.population_sizes) for name, value in parts["populations"].items()
     }
     for name in reference.population_sizes.keys() - populations.keys():
         raise SimulationError(f"the spec has no population {name[:80]!r}")
@@ -208,6 +205,8 @@ def _projection(value: Any, populations: dict[str, Population]) -> Projection:
     for end in ("source", "target"):
         _known(parts[end], populations)
     rule, synapse = (_scalars(parts[name], f"a projection's {name}") for name in ("rule", "synapse"))
+    if type(synapse.get("delay", 1.0)) not in (int, float):
+        raise SimulationError("a projection's delay is no number")
     return Projection(parts["source"], parts["target"], {"rule": "all_to_all", **rule}, synapse)
 
 

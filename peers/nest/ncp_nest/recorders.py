@@ -4,8 +4,9 @@ NEST gives a recorder's whole history, and forgets it only between `Cleanup` and
 remembers how much it has read; `history` says how much NEST holds, and `forget` clears it.
 """
 
+from abc import ABC, abstractmethod
 from collections import Counter
-from typing import Any, Protocol
+from typing import Any
 
 import nest
 import numpy
@@ -26,25 +27,27 @@ RECORDABLES = {"V_m": "V_m", "rate": "rate", "binary_state": "S"}
 """What is recorded of an observable when a target names no recordable."""
 
 
-class Recorder(Protocol):
+class Recorder(ABC):
     """Records one port."""
 
-    cadence: int | None
+    cadence: int | None = None
     """The tics at whose multiples a run has to stop for this recorder; none: it needs no stop."""
 
-    history: int
+    history = 0
     """The samples that NEST holds of it."""
 
+    @abstractmethod
     def expected(self, duration: int) -> int:
-        """The most samples of a run of so many tics, so far as can be told before."""
+        """The most samples of a run of so many tics, as far as can be told before."""
 
-    def sample(self, now: int) -> None:
-        """Called at each multiple of the cadence."""
-
+    @abstractmethod
     def read(self, now: int) -> Observation:
         """What was recorded since the last call."""
 
-    def forget(self) -> None:
+    def sample(self, now: int) -> None:  # noqa: B027 most have no need of it
+        """Called at each multiple of the cadence."""
+
+    def forget(self) -> None:  # noqa: B027 most hold nothing
         """Clears what NEST holds. The kernel is not prepared then."""
 
 
@@ -81,15 +84,15 @@ def _recordable(target: RecordTarget) -> str:
     return RECORDABLES[target.observable]
 
 
-class _Device:
-    """A recording device of NEST."""
+class _DeviceRecorder(Recorder):
+    """Records with a recording device of NEST."""
 
-    def __init__(self, device: Any, neurons: Neurons) -> None:
-        self._device = device
+    def __init__(self, target: RecordTarget, neurons: Neurons, device: Any) -> None:
+        self._target = target
         self._first = neurons.first
-        self.history = 0
+        self._device = device
 
-    def new(self, value: str | None = None) -> tuple[Any, Any, Any]:
+    def _new(self, value: str | None = None) -> tuple[Any, Any, Any]:
         """The times in ms, senders and values since the last call, by time and then sender."""
         events = self._device.get("events")
         seen, self.history = self.history, len(events["times"])
@@ -103,61 +106,39 @@ class _Device:
         self.history = 0
 
 
-class SpikeRecorder:
+class SpikeRecorder(_DeviceRecorder):
     """Each spike, when it occurs, whatever the cadence."""
 
-    cadence = None
-
     def __init__(self, target: RecordTarget, neurons: Neurons, delay: float) -> None:
-        self._target = target
-        self._device = _spike_recorder(neurons, delay)
-
-    @property
-    def history(self) -> int:
-        return self._device.history
+        super().__init__(target, neurons, _spike_recorder(neurons, delay))
 
     def expected(self, duration: int) -> int:
-        return 0  # no more than the reply's limit of bytes, which is checked when it is written
-
-    def sample(self, now: int) -> None:
-        pass
+        return 0  # nobody knows; the reply's limit of bytes is checked when it is written
 
     def read(self, now: int) -> Observation:
-        times, senders, _ = self._device.new()
+        times, senders, _ = self._new()
         return _observation(self._target, times=times.tolist(), senders=senders.tolist())
 
-    def forget(self) -> None:
-        self._device.forget()
 
+class Multimeter(_DeviceRecorder):
+    """A recordable of each neuron, at each multiple of the cadence.
 
-class Multimeter:
-    """A recordable of each neuron, at each multiple of the cadence."""
+    NEST hands a sample over one min_delay after its time, so the last ones come with the next frame.
+    """
 
-    cadence = None
-
-    def __init__(
-        self, target: RecordTarget, neurons: Neurons, cadence: int, name: str, delay: float
-    ) -> None:
-        self._target = target
+    def __init__(self, target: RecordTarget, neurons: Neurons, cadence: int, name: str, delay: float) -> None:
+        device = nest.Create("multimeter", params={"record_from": [name], "interval": ms(cadence)})
+        nest.Connect(device, neurons.in_order, syn_spec={"delay": delay})
+        super().__init__(target, neurons, device)
         self._name = name
         self._size = len(neurons.ids)
         self._interval = cadence
-        device = nest.Create("multimeter", params={"record_from": [name], "interval": ms(cadence)})
-        nest.Connect(device, neurons.in_order, syn_spec={"delay": delay})
-        self._device = _Device(device, neurons)
-
-    @property
-    def history(self) -> int:
-        return self._device.history
 
     def expected(self, duration: int) -> int:
         return self._size * (duration // self._interval + 1)
 
-    def sample(self, now: int) -> None:
-        pass
-
     def read(self, now: int) -> Observation:
-        times, senders, values = self._device.new(self._name)
+        times, senders, values = self._new(self._name)
         return _observation(
             self._target,
             times=times.tolist(),
@@ -167,37 +148,24 @@ class Multimeter:
             recordable=self._name,
         )
 
-    def forget(self) -> None:
-        self._device.forget()
 
-
-class RateRecorder:
+class RateRecorder(_DeviceRecorder):
     """The mean rate of spiking neurons over each cadence: one sample for all of them, without a sender."""
 
-    cadence = None
-
     def __init__(self, target: RecordTarget, neurons: Neurons, cadence: int, delay: float) -> None:
-        self._target = target
-        self._device = _spike_recorder(neurons, delay)
+        super().__init__(target, neurons, _spike_recorder(neurons, delay))
         self._interval = cadence
         self._per_spike = 1.0 / (len(neurons.ids) * ms(cadence) / 1000.0)
         self._next = 1
         self._spikes: Counter[int] = Counter()
 
-    @property
-    def history(self) -> int:
-        return self._device.history
-
     def expected(self, duration: int) -> int:
         return duration // self._interval + 1
 
-    def sample(self, now: int) -> None:
-        pass
-
     def read(self, now: int) -> Observation:
-        times, _, _ = self._device.new()
+        times, _, _ = self._new()
         # A spike at the end of an interval belongs to it.
-        self._spikes.update((-(-tics(time, "a spike's time") // self._interval) for time in times.tolist()))
+        self._spikes.update(-(-tics(time, "a spike's time") // self._interval) for time in times.tolist())
         intervals = range(self._next, now // self._interval + 1)
         self._next = intervals.stop
         return _observation(
@@ -207,14 +175,9 @@ class RateRecorder:
             unit="Hz",
         )
 
-    def forget(self) -> None:
-        self._device.forget()
 
-
-class WeightRecorder:
+class WeightRecorder(Recorder):
     """The weight of each synapse that a neuron of the target has onto others, at each multiple of the cadence."""
-
-    history = 0
 
     def __init__(self, target: RecordTarget, neurons: Neurons, cadence: int) -> None:
         self._target = target
@@ -244,14 +207,11 @@ class WeightRecorder:
         observed, self._read = self._read, _observation(self._target, recordable="weight")
         return observed
 
-    def forget(self) -> None:
-        pass
 
-
-def _spike_recorder(neurons: Neurons, delay: float) -> _Device:
+def _spike_recorder(neurons: Neurons, delay: float) -> Any:
     device = nest.Create("spike_recorder")
     nest.Connect(neurons.in_order, device, syn_spec={"delay": delay})
-    return _Device(device, neurons)
+    return device
 
 
 def _observation(target: RecordTarget, **samples: Any) -> Observation:

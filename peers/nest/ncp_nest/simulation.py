@@ -18,10 +18,10 @@ from .frames import BACKEND
 from .grid import check_multiple, ms, positive_tics, tics
 from .network import Network, Population, resolve
 from .recorders import Recorder, WeightRecorder, recorder
-from .stimuli import Stimulus, WeightSet, stimulus
+from .stimuli import WeightSet, stimulus
 from .targets import by_port, neurons_of
 
-MAX_NEURON_STEPS = 2_000_000_000
+MAX_NEURON_STEPS = 200_000_000
 """The most steps, summed over the neurons, that one request may ask for."""
 
 MAX_SAMPLES = 1_000_000
@@ -118,9 +118,7 @@ class Simulation:
         self._now = 0
         with refusals():
             nest.ResetKernel()
-            nest.set(
-                resolution=ms(self._resolution), rng_seed=self.seed, local_num_threads=self._threads
-            )
+            nest.set(resolution=ms(self._resolution), rng_seed=self.seed, local_num_threads=self._threads)
             delay = _device_delay(self.network, ms(self._resolution))
             populations = _create(self.network, delay)
             neurons = sum(populations.values(), start=nest.NodeCollection())

@@ -15,7 +15,7 @@ from ncp_pure import ChannelValue, SimulationError, StimulusTarget
 from .grid import check_multiple, ms, tics
 from .targets import Neurons
 
-NUMBERS = {"weight", "delay", "receptor_type"}
+PARAMS = {"weight", "delay", "receptor_type"}
 """The params of a stimulus: of the synapses between its generator and the neurons."""
 
 
@@ -59,7 +59,7 @@ def stimulus(target: StimulusTarget, neurons: Neurons, resolution: int, delay: f
 
 def _synapse(target: StimulusTarget, resolution: int, delay: float) -> dict[str, Any]:
     """How the generator of a target reaches its neurons."""
-    if unknown := target.params.keys() - NUMBERS:
+    if unknown := target.params.keys() - PARAMS:
         raise SimulationError(f"port {target.port[:80]!r}: a stimulus has no {min(unknown)[:80]!r}")
     synapse: dict[str, Any] = {"delay": delay, **target.params}
     check_multiple(tics(synapse["delay"], "delay"), resolution, "delay", "dt_ms")
@@ -78,9 +78,7 @@ class Scheduled(Stimulus):
     values: str
     synapse_model = "static_synapse"
 
-    def __init__(
-        self, target: StimulusTarget, neurons: Neurons, resolution: int, synapse: dict[str, Any]
-    ) -> None:
+    def __init__(self, target: StimulusTarget, neurons: Neurons, resolution: int, synapse: dict[str, Any]) -> None:
         super().__init__(target)
         self._step = resolution
         self._generators = nest.Create(self.model, len(target.ids) or 1)
@@ -143,9 +141,7 @@ class SpikeTimes(Stimulus):
 
     unit = "ms"
 
-    def __init__(
-        self, target: StimulusTarget, neurons: Neurons, resolution: int, synapse: dict[str, Any]
-    ) -> None:
+    def __init__(self, target: StimulusTarget, neurons: Neurons, resolution: int, synapse: dict[str, Any]) -> None:
         super().__init__(target)
         self._resolution = resolution
         self._ahead: list[int] = []
