@@ -15,6 +15,9 @@ from ncp_pure import Observation, RecordTarget, SimulationError
 from .grid import check_multiple, ms, positive_tics, tics
 from .targets import Neurons
 
+MAX_SAMPLES = 1_000_000
+"""The most samples that one request may ask for, so that its reply is a frame."""
+
 UNITS = {
     **dict.fromkeys(("V_m", "U_m", "V_th", "theta", "E_sfa"), "mV"),
     **dict.fromkeys(("g_ex", "g_in", "g_ahp", "g_sfa", "g_rr"), "nS"),
@@ -96,6 +99,8 @@ class _DeviceRecorder(Recorder):
         """The times in ms, senders and values since the last call, by time and then sender."""
         events = self._device.get("events")
         seen, self.history = self.history, len(events["times"])
+        if self.history - seen > MAX_SAMPLES:
+            raise SimulationError(f"port {self._target.port[:80]!r} has more than {MAX_SAMPLES} samples")
         times, senders = events["times"][seen:], events["senders"][seen:].astype(numpy.int64) - self._first + 1
         order = numpy.lexsort((senders, times))
         values = events[value][seen:][order] if value else numpy.empty(0)
@@ -113,7 +118,7 @@ class SpikeRecorder(_DeviceRecorder):
         super().__init__(target, neurons, _spike_recorder(neurons, delay))
 
     def expected(self, duration: int) -> int:
-        return 0  # nobody knows; the reply's limit of bytes is checked when it is written
+        return 0  # that is known when they are read
 
     def read(self, now: int) -> Observation:
         times, senders, _ = self._new()

@@ -11,7 +11,16 @@ import multiprocessing.forkserver
 import threading
 from multiprocessing.connection import Connection
 
-from ncp_pure import CloseSession, DecodeError, NcpError, OpenSession, SessionClosed, check_version, encode
+from ncp_pure import (
+    CloseSession,
+    DecodeError,
+    NcpError,
+    OpenSession,
+    SessionClosed,
+    check_version,
+    contract_status,
+    encode,
+)
 from ncp_pure.keys import REQUEST_KINDS
 from ncp_pure.wire import decode_object, read_frame
 
@@ -87,7 +96,8 @@ class SessionService:
         return error_frame(NcpError("the session is not open"), request.session_id)  # [NCP-SESS-026]
 
     def _open(self, request: OpenSession) -> bytes:
-        # The contract hash decides nothing [NCP-SESS-025].
+        if contract_status(request.contract_hash) == "mismatch":  # which decides nothing [NCP-SESS-025]
+            logging.getLogger(__name__).warning("session %s: another contract", request.session_id)
         try:
             check_version(request.ncp_version, strict=True)  # [NCP-SESS-023]
             worker = self._start(request.session_id)

@@ -17,15 +17,12 @@ from ncp_pure import ChannelValue, Observation, OpenSession, SimProvenance, Simu
 from .frames import BACKEND
 from .grid import check_multiple, ms, positive_tics, tics
 from .network import Network, Population, resolve
-from .recorders import Recorder, WeightRecorder, recorder
+from .recorders import MAX_SAMPLES, Recorder, WeightRecorder, recorder
 from .stimuli import WeightSet, stimulus
 from .targets import by_port, neurons_of
 
 MAX_NEURON_STEPS = 200_000_000
 """The most steps, summed over the neurons, that one request may ask for."""
-
-MAX_SAMPLES = 1_000_000
-"""The most samples that one request may ask for, so that its reply is a frame."""
 
 MAX_HISTORY = 2_000
 """The samples of a recorder, once read, that NEST may hold on to."""

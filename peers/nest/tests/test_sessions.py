@@ -13,6 +13,9 @@ import ncp_pure as ncp
 import pytest
 from conftest import ANSWER_S, Connection, Samples, drive, running
 
+from ncp_nest import recorders, simulation
+from ncp_nest.worker import Session
+
 POP = ncp.NetworkRef(ref="iaf_psc_alpha", population_sizes={"pop": 2})
 V = ncp.RecordSpec(targets=[ncp.RecordTarget(port="v", target="pop", cadence_ms=0.5)])
 CURRENT = ncp.StimulusSpec(targets=[ncp.StimulusTarget(port="in", target="pop")])
@@ -116,6 +119,42 @@ def test_the_session_goes_on_as_if_a_step_that_failed_in_nest_had_not_been(clien
         return [frame.seq for frame in frames], frames[-1].sim_time_ms, vars(Samples(frames, "v"))
 
     assert values(failing=True) == values(failing=False)
+
+
+def test_a_session_that_cannot_be_brought_back_is_over(monkeypatch):
+    monkeypatch.setattr(simulation, "MAX_REQUESTS", 0)
+    session = Session(threads=1)
+    network = ncp.NetworkRef(ref="aeif_cond_alpha", population_sizes={"pop": 1})
+    assert session.handle(ncp.OpenSession(session_id="s", network=network, stimulus=CURRENT)).open
+    step = ncp.StepRequest(session_id="s")
+    assert session.handle(step).open
+    value = ncp.ChannelValue(data=[1e300])
+    failing = step.replace(stimulus=ncp.StimulusFrame(session_id="s", values={"in": value}))
+    reply = session.handle(failing)
+    session.close()
+    assert not reply.open
+    assert "too old to be brought back" in json.loads(reply.frame)["error"]
+
+
+def test_a_run_of_more_spikes_than_a_frame_holds_is_an_error_and_undone(monkeypatch):
+    monkeypatch.setattr(recorders, "MAX_SAMPLES", 100)
+    session = Session(threads=1)
+    record = ncp.RecordSpec(targets=[ncp.RecordTarget(port="spk", target="pop", observable="spikes")])
+    network = ncp.NetworkRef(ref="parrot_neuron", population_sizes={"pop": 1})
+    stimulus = ncp.StimulusSpec(targets=[ncp.StimulusTarget(port="in", target="pop", kind="spike_times")])
+    opening = ncp.OpenSession(session_id="s", network=network, record=record, stimulus=stimulus)
+    assert session.handle(opening).open
+
+    def step(spikes):
+        value = ncp.ChannelValue(data=[1.0] * spikes)
+        stimulus = ncp.StimulusFrame(session_id="s", values={"in": value})
+        return json.loads(session.handle(ncp.StepRequest(session_id="s", stimulus=stimulus)).frame)
+
+    assert "more than 100 samples" in step(101)["error"]
+    told = step(100)
+    session.close()
+    assert told["sim_time_ms"] == 10.0
+    assert len(told["records"]["spk"]["times"]) == 100
 
 
 def test_a_number_that_json_lacks_is_an_error_and_undone(client):

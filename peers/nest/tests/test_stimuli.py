@@ -8,6 +8,8 @@ import nest
 import pytest
 from conftest import Samples, drive
 
+from ncp_nest.simulation import MAX_HISTORY, Simulation
+
 
 def open_session(client, network, record=(), stimulus=(), **sim):
     session = client()
@@ -180,3 +182,19 @@ def test_a_value_stays_over_long_silence_and_many_read_samples(client):
     wanted = direct.family("iaf_psc_alpha", 1, {0.1: 600.0}, 3000.0)
     assert vars(Samples(frames, "out")) == wanted["spk"]
     assert vars(Samples(frames, "v")) == wanted["v"]
+
+
+def test_what_nest_holds_of_a_recorder_stays_small_over_a_long_session():
+    session = ncp.OpenSession(
+        session_id="s",
+        network=neurons("iaf_psc_alpha", 2),
+        record=ncp.RecordSpec(targets=[ncp.RecordTarget(port="v", target="pop", cadence_ms=0.1)]),
+    )
+    simulation = Simulation(session)
+    held = []
+    for _ in range(100):
+        simulation.advance(10.0, {})
+        held.append(nest.GetNodes({"element_type": "recorder"}).get("n_events"))
+    simulation.close()
+    assert max(held) <= MAX_HISTORY
+    assert held.count(0) == 9, "it is cleared after each eleventh step"
