@@ -4,8 +4,10 @@
 The network is `brunel`: 400 excitatory and 100 inhibitory inputs a neuron, g = 5, `iaf_psc_alpha`, spikes recorded
 of at most 1,000 neurons. Building is not timed, one run warms up, and the fastest of three counts.
 
-`real-time factor` is biological time over wall time of `nest.Run`. Then, for a small network and several chunks:
-`run` (`nest.Run`), `read` (what is new of the recorders, as messages) and `lines` (frames, processes and TCP).
+The real-time factor is biological time over wall time of `nest.Run`; beside it stands the processor time of all
+threads, which tells more when the machine is not idle. Then, for the smallest network and several chunks, what the
+fastest chunk costs: `run` (`nest.Run`), `read` (what is new of the recorders, as messages), and `lines` (frames,
+processes and TCP).
 
 It writes sweep.csv, cost.csv and sweep.svg into .tools/nest-sweep, and prints both tables.
 """
@@ -18,16 +20,19 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import NamedTuple
+from typing import BinaryIO, NamedTuple, TypeVar
 
 import ncp_pure as ncp
 
 OUT = Path(__file__).resolve().parents[2] / ".tools" / "nest-sweep"
 RECORDED = 1000
 REPEATS = 3
+CHUNKS = 200
 PORT = "spk"
+
+Result = TypeVar("Result")
 
 
 class Speed(NamedTuple):
@@ -37,12 +42,13 @@ class Speed(NamedTuple):
     threads: int
     biological_ms: float
     wall_ms: float
+    processor_ms: float
     real_time_factor: float
     rate_hz: float
 
 
 class Cost(NamedTuple):
-    """What a chunk costs, ms, each the mean of a run of many."""
+    """What the fastest chunk of many costs, ms."""
 
     neurons: int
     chunk_ms: float
@@ -63,7 +69,7 @@ def main() -> None:
         for neurons in options.neurons
     ]
     _tell(OUT / "sweep.csv", speeds)
-    costs = [measure_cost(options.neurons[0], chunk, options.duration) for chunk in options.chunks]
+    costs = [measure_cost(min(options.neurons), chunk) for chunk in options.chunks]
     _tell(OUT / "cost.csv", costs)
     plot(speeds, costs, load)
     print(f"written to {OUT}")
@@ -90,45 +96,49 @@ def measure_speed(neurons: int, threads: int, duration_ms: float) -> Speed:
     request = opening(neurons, duration_ms)
     simulation = Simulation(request, threads)
     simulation.advance(duration_ms, {})
-    walls, spikes = [], 0
+    runs, spikes = [], 0
     for _ in range(REPEATS):
-        timed.run_ms = 0.0
         observed = simulation.advance(duration_ms, {})
-        walls.append(timed.run_ms)
+        runs.append((timed.wall_ms, timed.processor_ms))
         spikes += len(observed[PORT].times)
     recorded = len(request.record.targets[0].ids)
     rate_hz = spikes / recorded / (REPEATS * duration_ms / 1000.0)
-    wall_ms = min(walls)
-    return Speed(neurons, threads, duration_ms, round(wall_ms, 1), round(duration_ms / wall_ms, 3), round(rate_hz, 1))
+    wall_ms, processor_ms = map(min, zip(*runs, strict=True))
+    return Speed(
+        neurons,
+        threads,
+        duration_ms,
+        round(wall_ms, 1),
+        round(processor_ms, 1),
+        round(duration_ms / wall_ms, 3),
+        round(rate_hz, 1),
+    )
 
 
-def measure_cost(neurons: int, chunk_ms: float, duration_ms: float) -> Cost:
+def measure_cost(neurons: int, chunk_ms: float) -> Cost:
     """What a chunk costs within the process, and what the way through the service adds."""
-    chunks = max(1, round(duration_ms / chunk_ms))
-    run_ms, advance_ms = _apart(measure_advance, neurons, chunk_ms, chunks)
-    round_trip_ms = measure_round_trip(neurons, chunk_ms, chunks)
-    parts = (run_ms, advance_ms - run_ms, round_trip_ms - advance_ms)
-    return Cost(neurons, chunk_ms, *(round(part, 4) for part in parts))
+    run_ms, advance_ms = _apart(measure_advance, neurons, chunk_ms)
+    parts = (run_ms, advance_ms - run_ms, measure_round_trip(neurons, chunk_ms) - advance_ms)
+    return Cost(neurons, chunk_ms, *(round(part, 3) for part in parts))
 
 
-def measure_advance(neurons: int, chunk_ms: float, chunks: int) -> tuple[float, float]:
-    """The mean wall time of `nest.Run`, and of a chunk with its reading, ms: the fastest of three."""
+def measure_advance(neurons: int, chunk_ms: float) -> tuple[float, float]:
+    """The wall time of the fastest `nest.Run`, and of the fastest chunk with its reading, ms."""
     from ncp_nest.simulation import Simulation
 
     timed = _TimedNest()
     simulation = Simulation(opening(neurons, chunk_ms))
-    results = []
-    for _ in range(REPEATS + 1):
-        timed.run_ms, begin = 0.0, time.perf_counter()
-        for _ in range(chunks):
-            simulation.advance(chunk_ms, {})
-        results.append(((time.perf_counter() - begin) * 1000.0 / chunks, timed.run_ms / chunks))
-    advance_ms, run_ms = min(results[1:])
-    return run_ms, advance_ms
+    runs, chunks = [], []
+    for _ in range(CHUNKS):
+        begin = time.perf_counter()
+        simulation.advance(chunk_ms, {})
+        chunks.append((time.perf_counter() - begin) * 1000.0)
+        runs.append(timed.wall_ms)
+    return min(runs), min(chunks)
 
 
-def measure_round_trip(neurons: int, chunk_ms: float, chunks: int) -> float:
-    """The mean wall time of a step over the line protocol, ms: the fastest of three."""
+def measure_round_trip(neurons: int, chunk_ms: float) -> float:
+    """The wall time of the fastest step over the line protocol, ms."""
     command = [sys.executable, "-m", "ncp_nest", "--listen", "127.0.0.1:0"]
     service = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     try:
@@ -136,17 +146,16 @@ def measure_round_trip(neurons: int, chunk_ms: float, chunks: int) -> float:
         with socket.create_connection((host, int(port))) as connection:
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             lines = connection.makefile("rwb")
-            ask = _asker(lines)
-            request = opening(neurons, chunk_ms)
-            ncp.check_reply(request, ask(request))
-            step = ncp.StepRequest(session_id=request.session_id)
-            walls = []
-            for _ in range(REPEATS + 1):
+            opened = opening(neurons, chunk_ms)
+            ncp.check_reply(opened, _ask(lines, opened))
+            step = ncp.StepRequest(session_id=opened.session_id)
+            trips = []
+            for _ in range(CHUNKS):
                 begin = time.perf_counter()
-                replies = [ask(step) for _ in range(chunks)]
-                walls.append((time.perf_counter() - begin) * 1000.0 / chunks)
-                ncp.check_reply(step, replies[-1])
-            return min(walls[1:])
+                reply = _ask(lines, step)
+                trips.append((time.perf_counter() - begin) * 1000.0)
+                ncp.check_reply(step, reply)
+            return min(trips)
     finally:
         service.terminate()
         service.wait()
@@ -180,37 +189,35 @@ def plot(speeds: list[Speed], costs: list[Cost], load: float) -> None:
 
 
 class _TimedNest:
-    """NEST with a clock on `Run`, in the place of the module that the simulation uses."""
+    """NEST with clocks on `Run`, in the place of the module that the simulation uses."""
 
     def __init__(self) -> None:
         from ncp_nest import simulation
 
         self._nest = simulation.nest
-        self.run_ms = 0.0
+        self.wall_ms = self.processor_ms = 0.0
         simulation.nest = self
 
     def __getattr__(self, name: str) -> object:
         return getattr(self._nest, name)
 
     def Run(self, duration_ms: float) -> None:  # noqa: N802 NEST's name
-        begin = time.perf_counter()
+        begin, used = time.perf_counter(), time.process_time()
         self._nest.Run(duration_ms)
-        self.run_ms += (time.perf_counter() - begin) * 1000.0
+        self.wall_ms = (time.perf_counter() - begin) * 1000.0
+        self.processor_ms = (time.process_time() - used) * 1000.0
 
 
-def _apart(function: object, *args: object) -> object:
+def _apart(function: Callable[..., Result], *args: float) -> Result:
     """Calls a function in a process of its own."""
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         return pool.apply(function, args)
 
 
-def _asker(lines: object) -> object:
-    def ask(request: object) -> bytes:
-        lines.write(ncp.encode(request) + b"\n")
-        lines.flush()
-        return lines.readline()
-
-    return ask
+def _ask(lines: BinaryIO, request: ncp.messages.Frame) -> bytes:
+    lines.write(ncp.encode(request) + b"\n")
+    lines.flush()
+    return lines.readline()
 
 
 def _tell(path: Path, rows: Iterable[NamedTuple]) -> None:

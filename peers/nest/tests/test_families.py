@@ -2,6 +2,7 @@
 
 import direct
 import ncp_pure as ncp
+import nest
 import pytest
 from conftest import Samples, drive
 
@@ -87,3 +88,20 @@ def test_a_session_is_the_same_again_with_its_seed(client):
     assert spikes(seed, [10.0] * 10) == (seed, first)
     assert spikes(seed % 1000 + 1, [100.0])[1] != first
     assert len(first["times"]) > 100
+
+
+@pytest.mark.parametrize("model", [m for m in nest.node_models if nest.GetDefaults(m)["element_type"] == "neuron"])
+def test_every_neuron_model_of_nest_is_run_or_refused_in_its_words(client, model):
+    names = nest.GetDefaults(model).get("recordables", ())[:1]
+    targets = [ncp.RecordTarget(port="out", target="pop", recordables=[name]) for name in names]
+    session = client()
+    network = ncp.NetworkRef(ref=model, population_sizes={"pop": 2})
+    try:
+        assert session.open(network, record=ncp.RecordSpec(targets=targets)).resolved == {"pop": 2}
+        told = session.step(3.0)
+    except ncp.ReplyError as refused:
+        # One wants compartments first; another divides by its width, which is 0 unless it is told.
+        assert any(reason in str(refused) for reason in ("NEST: Compartment", "no JSON form"))
+        return
+    assert told.sim_time_ms == 3.0
+    assert [record.recordable for record in told.records.values()] == list(names)
