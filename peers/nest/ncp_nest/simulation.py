@@ -8,7 +8,7 @@ it is not prepared, and to prepare it again changes no result.
 import logging
 import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import nest
@@ -28,9 +28,10 @@ MAX_HISTORY = 2_000
 """The samples of a recorder, once read, that NEST may hold on to."""
 
 MAX_REQUESTS = 100_000
-"""The requests with a stimulus after which a session can no more be brought back from a failure."""
+"""The requests after which a session can no more be brought back from a failure."""
 
-Values = dict[str, ChannelValue]
+Data = dict[str, list[float]]
+"""The values of stimulus ports."""
 
 nest.verbosity = nest.VerbosityLevel.ERROR
 
@@ -50,7 +51,7 @@ class Simulation:
         self._threads = threads
         self._resolution = positive_tics(request.sim.dt_ms, "dt_ms")
         positive_tics(self.chunk_ms, "chunk_ms")
-        self._past: list[tuple[int, Values]] = []
+        self._past: list[tuple[int, Data]] | None = []
         self._build()
 
     @property
@@ -69,7 +70,7 @@ class Simulation:
             f" threads={self._threads} rng={nest.rng_type}; raw output of a model",
         )
 
-    def advance(self, duration_ms: float, values: Values) -> dict[str, Observation]:
+    def advance(self, duration_ms: float, values: dict[str, ChannelValue]) -> dict[str, Observation]:
         """Applies the values of the ports and runs for a time; what is new of each recorded port.
 
         A request that is refused changes nothing. One that fails in NEST is undone [NCP-SESS-037].
@@ -79,37 +80,46 @@ class Simulation:
             if port not in self._stimuli:
                 raise SimulationError(f"there is no stimulus port {port[:80]!r}")
             self._stimuli[port].check(value, self._now)
+        data = {port: value.data for port, value in values.items()}
         try:
-            observed = self._run(duration, values)
+            observed = self._run(duration, data)
         except Exception as error:
-            self.undo(error)
+            self._undo(error)
             raise
-        self._past.append((duration, values))
+        self._remember(duration, data)
         return observed
 
     def undo_last(self, error: Exception) -> None:
         """Undoes the last `advance`, whose observations could not be told."""
-        self._past.pop()
-        self.undo(error)
+        if self._past:
+            self._past.pop()
+        self._undo(error)
 
-    def undo(self, error: Exception) -> None:
+    def close(self) -> None:
+        """Ends the simulation."""
+        with suppress(nest.NESTError):  # a network that could not be brought back is not prepared
+            nest.Cleanup()
+
+    def _remember(self, duration: int, data: Data) -> None:
+        if self._past is not None:
+            self._past.append((duration, data))
+            if len(self._past) > MAX_REQUESTS:
+                self._past = None
+
+    def _undo(self, error: Exception) -> None:
         """Brings the network back to where the last request left it: NEST does not go on after a failure.
 
         A network is what its requests made of it, so they are run again.
         """
-        if len(self._past) > MAX_REQUESTS:
+        if self._past is None:
             raise Lost(f"{error}; the session is too old to be brought back") from error
         logging.getLogger(__name__).info("going back over %d requests", len(self._past))
         try:
             self._build()
-            for duration, values in self._past:
-                self._run(duration, values)
+            for duration, data in self._past:
+                self._run(duration, data)
         except Exception as again:
             raise Lost(f"{error}; the session could not be brought back: {again}") from error
-
-    def close(self) -> None:
-        """Ends the simulation."""
-        nest.Cleanup()
 
     def _build(self) -> None:
         self._now = 0
@@ -156,10 +166,10 @@ class Simulation:
             raise SimulationError("this would take too many samples in one request")
         return duration
 
-    def _run(self, duration: int, values: Values) -> dict[str, Observation]:
+    def _run(self, duration: int, data: Data) -> dict[str, Observation]:
         with refusals():
-            for port, value in values.items():
-                self._stimuli[port].apply(value.data, self._now)
+            for port, values in data.items():
+                self._stimuli[port].apply(values, self._now)
             end = self._now + duration
             while self._now < end:
                 stop = min([end, *(_next(self._now, part.cadence) for part in self._pausing)])
@@ -203,9 +213,10 @@ def _seed(seed: int | None) -> int:
 
 
 def _device_delay(network: Network, resolution_ms: float) -> float:
-    """The delay of devices, ms: the shortest of the network's, so that they shorten its min_delay not."""
-    delays = [projection.synapse.get("delay", 1.0) for projection in network.projections]
-    return min(delays, default=resolution_ms)
+    """The delay of devices, ms: the shortest of the network's, so that they do not shorten its min_delay."""
+    synapses = [{"synapse_model": "static_synapse", **each.synapse} for each in network.projections]
+    models = [{**nest.GetDefaults(synapse["synapse_model"]), **synapse} for synapse in synapses]
+    return min((model["delay"] for model in models if model["has_delay"]), default=resolution_ms)
 
 
 def _create(network: Network, delay: float) -> dict[str, Any]:
