@@ -33,6 +33,7 @@ CHUNKS = 200
 PORT = "spk"
 
 Result = TypeVar("Result")
+Row = TypeVar("Row", bound=NamedTuple)
 
 
 class Speed(NamedTuple):
@@ -63,14 +64,10 @@ def main() -> None:
     OUT.mkdir(parents=True, exist_ok=True)
     load = os.getloadavg()[0]
     print(f"{os.cpu_count()} cores, load {load:.1f} before the first run")
-    speeds = [
-        _apart(measure_speed, neurons, threads, options.duration)
-        for threads in options.threads
-        for neurons in options.neurons
-    ]
-    _tell(OUT / "sweep.csv", speeds)
-    costs = [measure_cost(min(options.neurons), chunk) for chunk in options.chunks]
-    _tell(OUT / "cost.csv", costs)
+    sizes = [(neurons, threads) for threads in options.threads for neurons in options.neurons]
+    speeds = _table(OUT / "sweep.csv", Speed, (_apart(measure_speed, *size, options.duration) for size in sizes))
+    smallest = min(options.neurons)
+    costs = _table(OUT / "cost.csv", Cost, (measure_cost(smallest, chunk) for chunk in options.chunks))
     plot(speeds, costs, load)
     print(f"written to {OUT}")
 
@@ -220,14 +217,18 @@ def _ask(lines: BinaryIO, request: ncp.messages.Frame) -> bytes:
     return lines.readline()
 
 
-def _tell(path: Path, rows: Iterable[NamedTuple]) -> None:
-    """Writes a table, and prints it."""
-    rows = list(rows)
+def _table(path: Path, kind: type[Row], rows: Iterable[Row]) -> list[Row]:
+    """Writes a table, and prints each row when it is there."""
+    told = []
+    print("\n" + ",".join(kind._fields), flush=True)
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(rows[0]._fields)
-        writer.writerows(rows)
-    print("\n" + path.read_text())
+        writer.writerow(kind._fields)
+        for row in rows:
+            writer.writerow(row)
+            print(",".join(map(str, row)), flush=True)
+            told.append(row)
+    return told
 
 
 def _options() -> argparse.Namespace:
