@@ -10,6 +10,7 @@
 //! | [`backend`] | what the front ends share: a lane a session, and the bridge |
 //! | [`failure`] | why a request is answered with an error frame |
 //! | [`metrics`] | what is counted |
+//! | [`service`] | the other end of the bridge, for simulators in Rust and for tests |
 //! | `front` | Zenoh, WebSocket, gRPC, and HTTP for those who watch |
 //! | `bridge` | the connections to the service |
 //! | `request` | a request as one line, and which reply fits it |
@@ -25,6 +26,7 @@ mod front;
 pub mod gateway;
 pub mod metrics;
 mod request;
+pub mod service;
 
 /// The service `NeuroSim`, server and client, as tonic makes them from the proto.
 #[expect(missing_docs, clippy::all, clippy::semicolon_if_nothing_returned, reason = "generated")]

@@ -9,7 +9,7 @@ use tonic::Code;
 use tonic::transport::Channel;
 
 use crate::program::Program;
-use crate::service::{Does, Service};
+use crate::service::{self, Does};
 use crate::{json, observation};
 
 fn runtime() -> Runtime {
@@ -33,8 +33,8 @@ fn step(session: &str, advance_ms: f64) -> v0::StepRequest {
 
 #[test]
 fn a_session_is_opened_stepped_run_and_closed() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     runtime().block_on(async {
         let mut client = connect(&program).await;
         let opened = client.open(open("s")).await.unwrap().into_inner();
@@ -52,14 +52,14 @@ fn a_session_is_opened_stepped_run_and_closed() {
 
 #[test]
 fn what_goes_wrong_is_a_status() {
-    let service = Service::start(|line| match json(line.as_bytes())["session_id"].as_str().unwrap() {
+    let service = service::start(|line| match json(line.as_bytes())["session_id"].as_str().unwrap() {
         "cut" => Does::Cut("{".to_owned()),
         "junk" => Does::Reply("junk".to_owned()),
         "silent" => Does::Nothing,
         "error" => Does::Reply(r#"{"kind":"error","error":"no such session"}"#.to_owned()),
         id => Does::Reply(observation(id, 1)),
     });
-    let program = Program::start(service.address, &[("NCP_BRIDGE_TIMEOUT_MS", "1000")]);
+    let program = Program::start(service.address(), &[("NCP_BRIDGE_TIMEOUT_MS", "1000")]);
     runtime().block_on(async {
         let mut client = connect(&program).await;
         for (session, code) in [
@@ -79,7 +79,7 @@ fn what_goes_wrong_is_a_status() {
         assert_eq!(control.code(), Code::Unimplemented);
         assert_eq!(client.step(step("fine", 1.0)).await.unwrap().into_inner().session_id, "fine");
     });
-    service.die();
+    service::die(service);
     runtime().block_on(async {
         let status = connect(&program).await.step(step("s", 1.0)).await.unwrap_err();
         assert_eq!(status.code(), Code::Unavailable, "{status}");
@@ -88,8 +88,8 @@ fn what_goes_wrong_is_a_status() {
 
 #[test]
 fn an_observer_gets_a_frame_a_step_until_it_leaves_or_the_session_ends() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     runtime().block_on(async {
         let mut client = connect(&program).await;
         client.open(open("s")).await.unwrap();
@@ -124,8 +124,8 @@ fn an_observer_gets_a_frame_a_step_until_it_leaves_or_the_session_ends() {
 #[test]
 fn what_protobuf_cannot_carry_of_a_reply_is_named_beside_it() {
     let reply = r#"{"kind":"observation_frame","session_id":"s","sim_time_ms":-0.0}"#;
-    let service = Service::start(move |_| Does::Reply(reply.to_owned()));
-    let program = Program::start(service.address, &[]);
+    let service = service::start(move |_| Does::Reply(reply.to_owned()));
+    let program = Program::start(service.address(), &[]);
     runtime().block_on(async {
         let reply = connect(&program).await.step(step("s", 1.0)).await.unwrap();
         assert_eq!(reply.metadata().get("ncp-lost-fields").unwrap(), "sim_time_ms");

@@ -4,7 +4,7 @@ use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 
 use crate::program::Program;
-use crate::service::Service;
+use crate::service;
 use crate::{observation, open, step, until};
 
 /// The status line and the body.
@@ -19,19 +19,19 @@ pub(crate) fn get(address: SocketAddr, path: &str) -> (String, String) {
 
 #[test]
 fn health_says_whether_the_service_can_be_reached() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let health = || get(program.address("http"), "/healthz");
     assert_eq!(health(), ("HTTP/1.1 200 OK".to_owned(), "ok\n".to_owned()));
-    service.die();
+    service::die(service);
     until("it notices", || health().0.contains("503"));
     assert!(health().1.contains("cannot be reached"));
 }
 
 #[test]
 fn requests_error_frames_bytes_and_times_are_counted() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     let asked = program.counted("ncp_gateway_requests_total{front=\"Zenoh\"}");
     client.ask(&open("s"));

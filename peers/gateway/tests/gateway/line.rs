@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use ncp_spec::wire::{MAX_FRAME_BYTES, MAX_OBSERVATION_BYTES};
 
 use crate::program::Program;
-use crate::service::{Does, Service, reference};
+use crate::service::{self, Does, Service};
 use crate::{close, error, json, observation, open, step, until};
 
 /// The session that a line names.
@@ -17,8 +17,8 @@ fn session(line: &str) -> String {
 
 #[test]
 fn a_session_is_opened_stepped_and_closed_through_the_gateway() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     assert_eq!(client.json(&open("s"))["ok"], true);
     assert_eq!(client.json(&step("s", 2.5))["sim_time_ms"], 2.5);
@@ -31,8 +31,8 @@ fn a_session_is_opened_stepped_and_closed_through_the_gateway() {
 /// `[NCP-TRANS-003] [NCP-TRANS-004]`
 #[test]
 fn a_line_feed_in_a_request_smuggles_no_second_one() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     let spaced = step("s", 1.0).replace(':', ":\n\r\n").replace(',', "\n,\t");
     assert!(error(&client.ask(&spaced)).contains("not open"));
@@ -50,7 +50,7 @@ fn a_line_feed_in_a_request_smuggles_no_second_one() {
 #[test]
 fn a_reply_that_is_cut_short_or_no_json_or_answers_something_else_is_an_error_frame() {
     let whole = observation("s", 1);
-    let service = Service::start(move |line| match session(line).as_str() {
+    let service = service::start(move |line| match session(line).as_str() {
         // Whole but for the line feed: nothing tells it from the beginning of a longer one.
         "cut" => Does::Cut(whole.replace("\"s\"", "\"cut\"")),
         "half" => Does::Cut(whole[..20].to_owned()),
@@ -62,7 +62,7 @@ fn a_reply_that_is_cut_short_or_no_json_or_answers_something_else_is_an_error_fr
         "failure" => Does::Reply(r#"{"kind":"error","error":"no","session_id":"other"}"#.to_owned()),
         id => Does::Reply(observation(id, 1)),
     });
-    let program = Program::start(service.address, &[]);
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     for (id, says, cause) in [
         ("cut", "before its reply was whole", "cut"),
@@ -92,19 +92,19 @@ fn a_reply_that_is_cut_short_or_no_json_or_answers_something_else_is_an_error_fr
 #[test]
 fn a_reply_arrives_byte_for_byte() {
     let reply = r#" {"kind" : "observation_frame","session_id":"s","sim_time_ms":1.50,"mood":"good"} "#;
-    let service = Service::start(move |_| Does::Reply(reply.to_owned()));
-    let program = Program::start(service.address, &[]);
+    let service = service::start(move |_| Does::Reply(reply.to_owned()));
+    let program = Program::start(service.address(), &[]);
     assert_eq!(String::from_utf8_lossy(&program.client().ask(&step("s", 1.0))), reply);
 }
 
 /// `[NCP-TRANS-007]`
 #[test]
 fn a_slow_session_holds_up_no_other() {
-    let service = Service::start(|line| match session(line).as_str() {
+    let service = service::start(|line| match session(line).as_str() {
         "slow" => Does::Late(Duration::from_secs(4), observation("slow", 1)),
         id => Does::Reply(observation(id, 1)),
     });
-    let program = Program::start(service.address, &[]);
+    let program = Program::start(service.address(), &[]);
     let (slow, fast) = (program.client(), program.client());
     thread::scope(|scope| {
         let slow = scope.spawn(|| slow.json(&step("slow", 1.0)));
@@ -123,13 +123,13 @@ fn the_requests_of_one_session_reach_the_service_in_their_order_one_at_a_time() 
     const REQUESTS: usize = 20;
     let (inside, most) = (AtomicUsize::new(0), std::sync::Arc::new(AtomicUsize::new(0)));
     let seen = std::sync::Arc::clone(&most);
-    let service = Service::start(move |line| {
+    let service = service::start(move |line| {
         seen.fetch_max(inside.fetch_add(1, Ordering::SeqCst) + 1, Ordering::SeqCst);
         thread::sleep(Duration::from_millis(5));
         inside.fetch_sub(1, Ordering::SeqCst);
         Does::Reply(observation(&session(line), 1))
     });
-    let program = Program::start(service.address, &[]);
+    let program = Program::start(service.address(), &[]);
     // Messages of one WebSocket come in their order; those of several queries need not.
     let mut socket = crate::websocket::connect(&program);
     for number in 0..REQUESTS {
@@ -146,8 +146,8 @@ fn the_requests_of_one_session_reach_the_service_in_their_order_one_at_a_time() 
 /// `[NCP-TRANS-006]`
 #[test]
 fn a_service_that_does_not_answer_is_given_up_before_its_client_gives_up() {
-    let service = Service::start(|_| Does::Nothing);
-    let program = Program::start(service.address, &[]);
+    let service = service::start(|_| Does::Nothing);
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     let began = Instant::now();
     // The client waits for 10 s, and would panic.
@@ -160,11 +160,11 @@ fn a_service_that_does_not_answer_is_given_up_before_its_client_gives_up() {
 #[test]
 fn a_late_reply_is_never_the_next_ones() {
     let late = Duration::from_millis(1_500);
-    let service = Service::start(move |line| match session(line).as_str() {
+    let service = service::start(move |line| match session(line).as_str() {
         "late" => Does::Late(late, observation("s", 13)),
         id => Does::Reply(observation(id, 1)),
     });
-    let program = Program::start(service.address, &[("NCP_BRIDGE_TIMEOUT_MS", "1000")]);
+    let program = Program::start(service.address(), &[("NCP_BRIDGE_TIMEOUT_MS", "1000")]);
     let client = program.client();
     assert!(error(&client.ask(&step("late", 1.0))).contains("no reply"));
     let began = Instant::now();
@@ -178,8 +178,8 @@ fn a_late_reply_is_never_the_next_ones() {
 
 #[test]
 fn a_request_whose_time_ran_out_in_the_queue_is_not_forwarded() {
-    let service = Service::start(|_| Does::Nothing);
-    let program = Program::start(service.address, &[("NCP_BRIDGE_TIMEOUT_MS", "1500")]);
+    let service = service::start(|_| Does::Nothing);
+    let program = Program::start(service.address(), &[("NCP_BRIDGE_TIMEOUT_MS", "1500")]);
     let mut socket = crate::websocket::connect(&program);
     crate::websocket::send(&mut socket, &step("s", 1.0));
     crate::websocket::send(&mut socket, &step("s", 2.0));
@@ -190,18 +190,18 @@ fn a_request_whose_time_ran_out_in_the_queue_is_not_forwarded() {
 
 #[test]
 fn a_dead_service_is_an_error_frame_and_one_that_comes_back_is_found() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     assert_eq!(client.json(&open("s"))["ok"], true);
-    let address = service.die();
+    let address = service::die(service);
     let began = Instant::now();
     for _ in 0..3 {
         assert!(error(&client.ask(&step("s", 1.0))).contains("cannot be reached"));
     }
     assert!(began.elapsed() < Duration::from_secs(5), "nobody waits for the dead");
 
-    let service = Service::at(address, reference());
+    let service = Service::reference(address).unwrap();
     assert_eq!(client.json(&open("s"))["ok"], true);
     assert_eq!(client.json(&step("s", 1.0))["sim_time_ms"], 1.0);
     assert_eq!(service.lines().len(), 2);
@@ -211,19 +211,19 @@ fn a_dead_service_is_an_error_frame_and_one_that_comes_back_is_found() {
 
 #[test]
 fn a_request_that_died_with_the_service_is_not_sent_again() {
-    let service = Service::start(|_| Does::Cut(String::new()));
-    let program = Program::start(service.address, &[]);
+    let service = service::start(|_| Does::Cut(String::new()));
+    let program = Program::start(service.address(), &[]);
     assert!(error(&program.client().ask(&step("s", 1.0))).contains("may have been carried out"));
     assert_eq!(service.lines().len(), 1);
 }
 
 #[test]
 fn what_is_longer_than_a_frame_is_not_carried_in_either_direction() {
-    let service = Service::start(|line| {
+    let service = service::start(|line| {
         let padding = if session(line) == "long" { MAX_OBSERVATION_BYTES } else { 10 * MAX_FRAME_BYTES };
         Does::Reply(observation(&session(line), 1) + &" ".repeat(padding))
     });
-    let program = Program::start(service.address, &[]);
+    let program = Program::start(service.address(), &[]);
     let client = program.client();
     assert!(error(&client.ask(&step("long", 1.0))).contains("more than 67108864 bytes"));
     assert_eq!(client.json(&step("short", 1.0))["session_id"], "short");
@@ -240,11 +240,11 @@ fn what_is_longer_than_a_frame_is_not_carried_in_either_direction() {
 /// `[NCP-TRANS-010]`
 #[test]
 fn a_gateway_that_is_told_to_end_answers_what_is_in_flight_takes_nothing_new_and_ends_with_0() {
-    let service = Service::start(|line| match session(line).as_str() {
+    let service = service::start(|line| match session(line).as_str() {
         "slow" => Does::Late(Duration::from_secs(2), observation("slow", 1)),
         id => Does::Reply(observation(id, 1)),
     });
-    let mut program = Program::start(service.address, &[]);
+    let mut program = Program::start(service.address(), &[]);
     let mut socket = crate::websocket::connect(&program);
     let client = program.client();
     thread::scope(|scope| {

@@ -10,7 +10,7 @@ use tungstenite::http::HeaderValue;
 use tungstenite::{Error, Message, WebSocket};
 
 use crate::program::Program;
-use crate::service::{Does, Service};
+use crate::service::{self, Does};
 use crate::{LONG, error, json, observation, open, step, until};
 
 pub(crate) type Socket = WebSocket<TcpStream>;
@@ -59,7 +59,7 @@ pub(crate) fn closed(socket: &mut Socket) -> Option<u16> {
 
 #[test]
 fn replies_come_in_the_order_of_the_requests_also_of_sessions_side_by_side() {
-    let service = Service::start(|line| {
+    let service = service::start(|line| {
         let line = json(line.as_bytes());
         let id = line["session_id"].as_str().unwrap().to_owned();
         match id.as_str() {
@@ -67,7 +67,7 @@ fn replies_come_in_the_order_of_the_requests_also_of_sessions_side_by_side() {
             _ => Does::Reply(observation(&id, 1)),
         }
     });
-    let program = Program::start(service.address, &[]);
+    let program = Program::start(service.address(), &[]);
     let mut socket = connect(&program);
     let asked = ["slow", "a", "b", "slow", "a"];
     for id in asked {
@@ -84,8 +84,8 @@ fn replies_come_in_the_order_of_the_requests_also_of_sessions_side_by_side() {
 /// `[NCP-SESS-020] [NCP-SESS-021] [NCP-SESS-022]`
 #[test]
 fn each_bad_request_has_one_error_frame_and_the_socket_stays() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let mut socket = connect(&program);
     send(&mut socket, &open("s"));
     assert_eq!(json(&receive(&mut socket))["ok"], true);
@@ -102,8 +102,8 @@ fn each_bad_request_has_one_error_frame_and_the_socket_stays() {
 
 #[test]
 fn a_message_beyond_all_limits_has_an_error_frame_and_costs_its_socket() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[]);
     let mut socket = connect(&program);
     send(&mut socket, &open("s"));
     socket.write(Message::text(" ".repeat(3 << 20))).unwrap();
@@ -117,11 +117,11 @@ fn a_message_beyond_all_limits_has_an_error_frame_and_costs_its_socket() {
 #[test]
 fn a_client_that_takes_no_replies_is_dropped_and_that_is_said() {
     let large = " ".repeat(8 << 20);
-    let service = Service::start(move |line| {
+    let service = service::start(move |line| {
         let id = json(line.as_bytes())["session_id"].as_str().unwrap().to_owned();
         Does::Reply(observation(&id, 1) + if id == "large" { &large } else { "" })
     });
-    let program = Program::start(service.address, &[("NCP_WS_SEND_TIMEOUT_MS", "500")]);
+    let program = Program::start(service.address(), &[("NCP_WS_SEND_TIMEOUT_MS", "500")]);
     let (mut slow, mut other) = (connect(&program), connect(&program));
     for _ in 0..4 {
         send(&mut slow, &step("large", 1.0));
@@ -144,8 +144,8 @@ fn a_client_that_takes_no_replies_is_dropped_and_that_is_said() {
 #[test]
 fn a_client_with_many_requests_and_no_replies_is_read_no_further() {
     const QUEUED: usize = 32;
-    let service = Service::start(|_| Does::Nothing);
-    let program = Program::start(service.address, &[]);
+    let service = service::start(|_| Does::Nothing);
+    let program = Program::start(service.address(), &[]);
     let mut socket = connect(&program);
     for number in 0..3 * QUEUED {
         send(&mut socket, &step(&format!("s{number}"), 1.0));
@@ -158,8 +158,8 @@ fn a_client_with_many_requests_and_no_replies_is_read_no_further() {
 
 #[test]
 fn a_page_of_another_host_is_turned_away_unless_it_is_named() {
-    let service = Service::reference();
-    let program = Program::start(service.address, &[("NCP_WS_ORIGINS", "https://lab.example,https://b.example")]);
+    let service = service::reference();
+    let program = Program::start(service.address(), &[("NCP_WS_ORIGINS", "https://lab.example,https://b.example")]);
     let refused = connect_from(&program, Some("https://evil.example"));
     assert!(refused.as_ref().is_err_and(|error| error.contains("403")), "{refused:?}");
     assert_eq!(program.counted("ncp_gateway_dropped_clients_total{reason=\"origin\"}"), 1.0);
