@@ -11,7 +11,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use clap::Parser;
 use ncp_gateway::service::LineService;
 use ncp_gateway::{Gateway, Settings};
 use ncp_spec::reply::{ReplyError, check_reply};
@@ -68,7 +67,7 @@ fn sound(target: &Target) -> Result<Running, LiveError> {
         ws_addr: *websocket,
         bridge_timeout_ms: u64::try_from(query.as_millis() / 2).unwrap_or(u64::MAX),
         query_timeout_ms: u64::try_from(query.as_millis()).unwrap_or(u64::MAX),
-        ..Settings::parse_from(["ncp-gateway"])
+        ..Settings::default()
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
     let gateway = Some(runtime.block_on(Gateway::start(&settings))?);

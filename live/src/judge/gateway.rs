@@ -1,15 +1,11 @@
 //! Whoever stands between clients and a simulation service on a line. The judge is both: what it asks, and what reaches
 //! the service, it sees itself.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::io;
-use std::net::TcpStream;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::Mutex;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -17,7 +13,6 @@ use ncp_gateway::service::{Does, LineService};
 use ncp_spec::wire::{Frame, Message, ObservationFrame, decode_any};
 use ncp_zenoh::{Bus, BusError, ControlClient};
 use serde_json::Value;
-use tungstenite::WebSocket;
 
 use super::server::{has_server, session, step};
 use super::{PATIENCE, Parts, shown, until};
@@ -200,91 +195,6 @@ pub(super) fn dead_service(bus: &Bus, target: &Target, rulings: &mut Rulings) ->
     Ok(())
 }
 
-/// Replies come over a WebSocket in the order of its requests, and those of one session are handled in it.
-pub(super) fn websocket_order(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
-    let slow = session(target, "slow");
-    let (of_script, run_ms) = (slow.clone(), Mutex::new(BTreeMap::<String, f64>::new()));
-    let service = service(target, rulings, move |line| {
-        let id = session_in(line);
-        let mut run_ms = run_ms.lock().unwrap_or_else(PoisonError::into_inner);
-        let run_ms = run_ms.entry(id.clone()).or_default();
-        *run_ms += number_in(line, "advance_ms");
-        let reply = observation(&id, *run_ms);
-        // The first of a session takes its time, so that those behind it could overtake.
-        let is_late = id == of_script || number_in(line, "advance_ms") == 1.0;
-        if is_late { Does::Late(Duration::from_millis(150), reply) } else { Does::Reply(reply) }
-    });
-    if service.is_none() || !has_server(bus, rulings)? {
-        return Ok(());
-    }
-    let Some(mut socket) = connect(target, rulings) else { return Ok(()) };
-    let others = ["a", "b", "c"].map(|name| session(target, name));
-    let mut asked: Vec<(&str, f64)> = Vec::new();
-    for number in 1..=6_u8 {
-        asked.push((&slow, f64::from(number)));
-        asked.extend(others.iter().map(|other| (other.as_str(), f64::from(number))));
-    }
-    for (id, advance_ms) in &asked {
-        let request = step(id, *advance_ms).encode().map_err(BusError::from)?;
-        if socket.send(tungstenite::Message::text(request)).is_err() {
-            rulings.fail("NCP-SESS-027", "the socket takes no more requests");
-            return Ok(());
-        }
-    }
-    let mut run_ms: BTreeMap<&str, f64> = BTreeMap::new();
-    for (nth, (id, advance_ms)) in asked.iter().enumerate() {
-        let expected = run_ms.entry(id).or_default();
-        *expected += advance_ms;
-        let reply = receive(&mut socket).unwrap_or_default();
-        let found = match decode_any(reply.as_bytes()) {
-            Ok(Message::ObservationFrame(frame)) if frame.session_id == *id => Some(frame.sim_time_ms),
-            _ => None,
-        };
-        rulings.observe("NCP-SESS-027", found.is_some(), || {
-            format!("reply {} is {}, and the request was about {id}", nth + 1, shown(reply.as_bytes()))
-        });
-        if let Some(found) = found {
-            rulings.observe("NCP-SESS-036", found == *expected, || {
-                format!("reply {} of {id} is of {found} ms, and in order it is {expected} ms", nth + 1)
-            });
-        }
-    }
-    Ok(())
-}
-
-/// Whatever is sent over a WebSocket has one reply, and the socket stays.
-pub(super) fn websocket_refusals(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
-    let service = service(target, rulings, |line| Does::Reply(observation(&session_in(line), 1.0)));
-    if service.is_none() || !has_server(bus, rulings)? {
-        return Ok(());
-    }
-    let Some(mut socket) = connect(target, rulings) else { return Ok(()) };
-    let bad = [
-        ("NCP-SESS-021", "no frame"),
-        ("NCP-SESS-021", r#"{"kind":"step_request","session_id":"a","session_id":"b"}"#),
-        ("NCP-SESS-021", ""),
-        ("NCP-SESS-022", r#"{"kind":"sensor_frame","ncp_version":"0.5","seq":1}"#),
-    ];
-    for (nth, (rule, request)) in (1_u32..).zip(bad) {
-        let id = session(target, &format!("after-{nth}"));
-        let good = step(&id, 1.0).encode().map_err(BusError::from)?;
-        let is_sent = [request, &good].into_iter().all(|one| socket.send(tungstenite::Message::text(one)).is_ok());
-        let replies = [receive(&mut socket), receive(&mut socket)].map(Option::unwrap_or_default);
-        let is_error = matches!(decode_any(replies[0].as_bytes()), Ok(Message::Error(_)));
-        rulings.observe(rule, is_sent && is_error, || {
-            format!("{} was answered with {:?}", shown(request.as_bytes()), shown(replies[0].as_bytes()))
-        });
-        rulings.observe("NCP-SESS-020", is_observation_of(replies[1].as_bytes(), &id), || {
-            format!(
-                "a sound request after {} was answered with {:?}",
-                shown(request.as_bytes()),
-                shown(replies[1].as_bytes())
-            )
-        });
-    }
-    Ok(())
-}
-
 /// A program whose configuration is named and cannot be read does not start.
 pub(super) fn config(target: &Target, parts: &Parts, rulings: &mut Rulings) -> Result<(), LiveError> {
     let program = match (parts, &target.gateway.program) {
@@ -327,7 +237,7 @@ fn refuses(mut command: Command, config: &Path, target: &Target) -> Result<bool,
 }
 
 /// A service of the judge's own where the gateway looks for one.
-fn service(
+pub(super) fn service(
     target: &Target,
     rulings: &mut Rulings,
     script: impl Fn(&str) -> Does + Send + Sync + 'static,
@@ -367,49 +277,21 @@ fn is_observation(bus: &Bus, target: &Target, name: &str, rule: &str, rulings: &
     Ok(())
 }
 
-fn is_observation_of(reply: &[u8], id: &str) -> bool {
+pub(super) fn is_observation_of(reply: &[u8], id: &str) -> bool {
     matches!(decode_any(reply), Ok(Message::ObservationFrame(frame)) if frame.session_id == id)
 }
 
-fn observation(id: &str, sim_time_ms: f64) -> String {
+pub(super) fn observation(id: &str, sim_time_ms: f64) -> String {
     let frame = ObservationFrame { session_id: id.to_owned().into(), sim_time_ms, ..ObservationFrame::default() };
     frame.encode().unwrap_or_default()
 }
 
-fn session_in(line: &str) -> String {
+pub(super) fn session_in(line: &str) -> String {
     let line: Value = serde_json::from_str(line).unwrap_or_default();
     line["session_id"].as_str().unwrap_or("none").to_owned()
 }
 
-fn number_in(line: &str, member: &str) -> f64 {
+pub(super) fn number_in(line: &str, member: &str) -> f64 {
     let line: Value = serde_json::from_str(line).unwrap_or_default();
     line[member].as_f64().unwrap_or_default()
-}
-
-/// A WebSocket of the gateway's, if it serves any.
-fn connect(target: &Target, rulings: &mut Rulings) -> Option<WebSocket<TcpStream>> {
-    let address = target.gateway.websocket;
-    let connected = address.ok_or(io::ErrorKind::NotFound.into()).and_then(TcpStream::connect).and_then(|stream| {
-        stream.set_read_timeout(Some(PATIENCE))?;
-        Ok((stream, address.map(|address| format!("ws://{address}/")).unwrap_or_default()))
-    });
-    let opened = connected.map_err(|error| error.to_string()).and_then(|(stream, url)| {
-        tungstenite::client(url, stream).map(|(socket, _)| socket).map_err(|error| error.to_string())
-    });
-    if let Err(why) = &opened {
-        rulings.all_unclear(&format!("no WebSocket to talk to: {why}"));
-    }
-    opened.ok()
-}
-
-/// The next reply, unless the socket ends or none comes.
-fn receive(socket: &mut WebSocket<TcpStream>) -> Option<String> {
-    loop {
-        match socket.read() {
-            Ok(tungstenite::Message::Text(reply)) => return Some(reply.as_str().to_owned()),
-            Ok(tungstenite::Message::Binary(reply)) => return String::from_utf8(reply.to_vec()).ok(),
-            Ok(tungstenite::Message::Close(_)) | Err(_) => return None,
-            Ok(_) => {}
-        }
-    }
 }

@@ -8,6 +8,7 @@
 //! | [`commander`] | who sends them |
 //! | [`observer`] | who reads |
 //! | [`gateway`] | who stands before a simulation service on a line |
+//! | [`websocket`] | the same, over WebSocket |
 //! | [`acl`] | the access rules of a router |
 
 mod acl;
@@ -17,6 +18,7 @@ mod gateway;
 mod observer;
 mod server;
 pub(crate) mod traffic;
+mod websocket;
 
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
@@ -100,8 +102,8 @@ pub(crate) fn judge(
         "gateway/time-out" => gateway::time_out(&bus, target, &mut rulings)?,
         "gateway/late-reply" => gateway::late_reply(&bus, target, &mut rulings)?,
         "gateway/dead-service" => gateway::dead_service(&bus, target, &mut rulings)?,
-        "gateway/websocket-order" => gateway::websocket_order(&bus, target, &mut rulings)?,
-        "gateway/websocket-refusals" => gateway::websocket_refusals(&bus, target, &mut rulings)?,
+        "gateway/websocket-order" => websocket::order(&bus, target, &mut rulings)?,
+        "gateway/websocket-refusals" => websocket::refusals(&bus, target, &mut rulings)?,
         "gateway/config" => gateway::config(target, parts, &mut rulings)?,
         name if name.starts_with("server/") || name == "gateway/session" => {
             server::steps(&bus, target, &scenario.steps, &mut rulings)?

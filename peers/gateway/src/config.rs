@@ -12,15 +12,22 @@ use zenoh::Config;
 
 use crate::bridge::BridgeSettings;
 
+const BRIDGE_ADDR: &str = "127.0.0.1:28474";
+const WS_SEND_TIMEOUT_MS: u64 = 5_000;
+const BRIDGE_TIMEOUT_MS: u64 = 8_000;
+/// The default of Zenoh's queries.
+const QUERY_TIMEOUT_MS: u64 = 10_000;
+const BRIDGE_CONNECTIONS: usize = 64;
+
 /// Stand between NCP clients and a simulation service that speaks JSON by lines over TCP
-#[derive(Debug, Clone, Parser)]
+#[derive(Debug, Clone, PartialEq, Eq, Parser)]
 #[command(name = "ncp-gateway", version)]
 pub struct Settings {
     /// The realm whose control key is answered
     #[arg(long, env = "NCP_REALM", default_value = ncp_spec::keys::DEFAULT_REALM)]
     pub realm: String,
     /// Where the simulation service listens
-    #[arg(long, env = "NCP_BRIDGE_ADDR", value_name = "HOST:PORT", default_value = "127.0.0.1:28474")]
+    #[arg(long, env = "NCP_BRIDGE_ADDR", value_name = "HOST:PORT", default_value = BRIDGE_ADDR)]
     pub bridge_addr: String,
     /// Zenoh's configuration [default: Zenoh's own: a peer that scouts, and listens on every interface]
     #[arg(long, env = "NCP_ZENOH_CONFIG", value_name = "FILE")]
@@ -32,7 +39,7 @@ pub struct Settings {
     #[arg(long, env = "NCP_WS_ORIGINS", value_name = "ORIGIN", value_delimiter = ',')]
     pub ws_origins: Vec<String>,
     /// Drop a WebSocket that has not taken a reply within this time, in ms
-    #[arg(long, env = "NCP_WS_SEND_TIMEOUT_MS", value_name = "MS", default_value_t = 5_000)]
+    #[arg(long, env = "NCP_WS_SEND_TIMEOUT_MS", value_name = "MS", default_value_t = WS_SEND_TIMEOUT_MS)]
     pub ws_send_timeout_ms: u64,
     /// Serve gRPC here
     #[arg(long, env = "NCP_GRPC_ADDR", value_name = "ADDRESS")]
@@ -44,13 +51,13 @@ pub struct Settings {
     #[arg(long, env = "NCP_ALLOW_REMOTE", value_parser = FalseyValueParser::new())]
     pub allow_remote: bool,
     /// Answer with an error frame when a request took longer, in ms
-    #[arg(long, env = "NCP_BRIDGE_TIMEOUT_MS", value_name = "MS", default_value_t = 8_000)]
+    #[arg(long, env = "NCP_BRIDGE_TIMEOUT_MS", value_name = "MS", default_value_t = BRIDGE_TIMEOUT_MS)]
     pub bridge_timeout_ms: u64,
     /// How long the clients of this deployment wait for a reply, in ms
-    #[arg(long, env = "NCP_QUERY_TIMEOUT_MS", value_name = "MS", default_value_t = 10_000)]
+    #[arg(long, env = "NCP_QUERY_TIMEOUT_MS", value_name = "MS", default_value_t = QUERY_TIMEOUT_MS)]
     pub query_timeout_ms: u64,
     /// Connections to the simulation service at most: as many sessions are stepped side by side
-    #[arg(long, env = "NCP_BRIDGE_CONNECTIONS", value_name = "COUNT", default_value_t = 64)]
+    #[arg(long, env = "NCP_BRIDGE_CONNECTIONS", value_name = "COUNT", default_value_t = BRIDGE_CONNECTIONS)]
     pub bridge_connections: usize,
     /// How the log is written to stderr; RUST_LOG says how much of it
     #[arg(long, env = "NCP_LOG", default_value = "text")]
@@ -99,6 +106,27 @@ pub enum ConfigError {
         /// The address.
         address: SocketAddr,
     },
+}
+
+impl Default for Settings {
+    /// What an environment that says nothing says.
+    fn default() -> Self {
+        Self {
+            realm: ncp_spec::keys::DEFAULT_REALM.to_owned(),
+            bridge_addr: BRIDGE_ADDR.to_owned(),
+            zenoh_config: None,
+            ws_addr: None,
+            ws_origins: Vec::new(),
+            ws_send_timeout_ms: WS_SEND_TIMEOUT_MS,
+            grpc_addr: None,
+            http_addr: None,
+            allow_remote: false,
+            bridge_timeout_ms: BRIDGE_TIMEOUT_MS,
+            query_timeout_ms: QUERY_TIMEOUT_MS,
+            bridge_connections: BRIDGE_CONNECTIONS,
+            log: LogForm::Text,
+        }
+    }
 }
 
 impl Settings {
@@ -150,8 +178,9 @@ mod tests {
 
     #[test]
     fn the_defaults_are_those_of_the_text() {
+        assert_eq!(settings(&[]), Settings::default());
         let chapter = include_str!("../../../spec/text/11-transports.md");
-        let Settings { realm, bridge_addr, zenoh_config, .. } = settings(&[]);
+        let Settings { realm, bridge_addr, zenoh_config, .. } = Settings::default();
         for (variable, default) in [("NCP_REALM", realm), ("NCP_BRIDGE_ADDR", bridge_addr)] {
             let row = format!("| `{variable}` | `{default}` |");
             assert!(chapter.lines().any(|line| line == row), "{row}");

@@ -20,8 +20,8 @@ use crate::front::zenoh::ZenohFront;
 use crate::front::{grpc, http};
 use crate::metrics::Metrics;
 
-/// How long front ends may take to end once all requests are answered.
-const FAREWELL: Duration = Duration::from_secs(6);
+/// How long front ends may take to end once all requests are answered, and clients have taken their replies.
+const FAREWELL: Duration = Duration::from_secs(2);
 
 /// A running gateway.
 pub struct Gateway {
@@ -34,6 +34,7 @@ pub struct Gateway {
     /// Told, also `/healthz` and `/metrics` end.
     stop_http: CancellationToken,
     serving: TaskTracker,
+    send_timeout: Duration,
 }
 
 /// Where the front ends listen that do.
@@ -96,13 +97,14 @@ impl Gateway {
         });
         let zenoh = zenoh.await??;
 
+        let send_timeout = Duration::from_millis(settings.ws_send_timeout_ms);
         let (stop, stop_http, serving) = (CancellationToken::new(), CancellationToken::new(), TaskTracker::new());
         if let Some(listener) = websocket {
             let serves = WebSockets {
                 backend: backend.clone(),
                 metrics: metrics.clone(),
                 origins: settings.ws_origins.clone().into(),
-                send_timeout: Duration::from_millis(settings.ws_send_timeout_ms),
+                send_timeout,
                 stop: stop.clone(),
             };
             serving.spawn(serves.serve(listener));
@@ -114,7 +116,7 @@ impl Gateway {
             serving.spawn(http::serve(listener, backend.clone(), metrics.clone(), stop_http.clone()));
         }
         tracing::info!(realm = settings.realm, service = settings.bridge_addr, "requests are taken");
-        Ok(Self { backend, metrics, addresses, zenoh, stop, stop_http, serving })
+        Ok(Self { backend, metrics, addresses, zenoh, stop, stop_http, serving, send_timeout })
     }
 
     /// Where it listens, besides Zenoh.
@@ -132,7 +134,7 @@ impl Gateway {
     /// Takes no more requests, answers those that are in flight, and ends; whether all were answered.
     /// `[NCP-TRANS-010]`
     pub async fn stop(self) -> bool {
-        let Self { backend, zenoh, stop, stop_http, serving, .. } = self;
+        let Self { backend, zenoh, stop, stop_http, serving, send_timeout, .. } = self;
         tracing::info!("stopping: what is in flight is answered");
         stop.cancel();
         let answering = spawn_blocking(move || zenoh.stop_taking()).await;
@@ -145,7 +147,7 @@ impl Gateway {
         }
         stop_http.cancel();
         serving.close();
-        let has_ended = timeout(FAREWELL, serving.wait()).await.is_ok();
+        let has_ended = timeout(send_timeout + FAREWELL, serving.wait()).await.is_ok();
         tracing::info!(is_drained, has_ended, "stopped");
         is_drained && has_ended
     }
