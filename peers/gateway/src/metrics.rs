@@ -65,7 +65,7 @@ impl Default for Metrics {
         // 0.1 ms to 13 s.
         let buckets: fn() -> Histogram = || Histogram::new(exponential_buckets(1e-4, 2.0, 18));
         let mut counters = Counters {
-            registry: Registry::with_prefix("ncp_gateway"),
+            registry: Registry::default(),
             requests: Family::default(),
             seconds: Family::new_with_constructor(buckets),
             failures: Family::default(),
@@ -76,7 +76,7 @@ impl Default for Metrics {
             reconnects: Counter::default(),
             in_flight: Gauge::default(),
         };
-        let Counters { registry, .. } = &mut counters;
+        let mut registry = Registry::with_prefix("ncp_gateway");
         registry.register("requests", "Requests that came", counters.requests.clone());
         let help = "Time from a request's arrival to its reply";
         registry.register_with_unit("request_duration", help, Unit::Seconds, counters.seconds.clone());
@@ -91,6 +91,7 @@ impl Default for Metrics {
         let help = "Those of them that took the place of one that was lost";
         registry.register("reconnects", help, counters.reconnects.clone());
         registry.register("in_flight", "Requests that wait for their reply", counters.in_flight.clone());
+        counters.registry = registry;
         Self(Arc::new(counters))
     }
 }
