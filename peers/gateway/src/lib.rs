@@ -29,7 +29,7 @@ mod request;
 pub mod service;
 
 /// The service `NeuroSim`, server and client, as tonic makes them from the proto.
-#[expect(missing_docs, clippy::all, clippy::semicolon_if_nothing_returned, reason = "generated")]
+#[allow(missing_docs, clippy::all, clippy::semicolon_if_nothing_returned, reason = "generated")]
 pub mod neuro_sim {
     tonic::include_proto!("ncp.v0");
 }

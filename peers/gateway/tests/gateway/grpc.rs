@@ -6,7 +6,7 @@ use ncp_proto::v0;
 use ncp_spec::wire::{CloseSession, NetworkRef, OpenSession, RunRequest, StepRequest};
 use tokio::runtime::Runtime;
 use tonic::Code;
-use tonic::transport::Channel;
+use tonic::transport::{Channel, Endpoint};
 
 use crate::program::Program;
 use crate::service::{self, Does};
@@ -17,8 +17,8 @@ fn runtime() -> Runtime {
 }
 
 async fn connect(program: &Program) -> NeuroSimClient<Channel> {
-    let client = NeuroSimClient::connect(format!("http://{}", program.address("grpc"))).await.unwrap();
-    client.max_decoding_message_size(64 << 20)
+    let endpoint = Endpoint::from_shared(format!("http://{}", program.address("grpc"))).unwrap();
+    NeuroSimClient::new(endpoint.connect().await.unwrap()).max_decoding_message_size(64 << 20)
 }
 
 fn open(session: &str) -> v0::OpenSession {
