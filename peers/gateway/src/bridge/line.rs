@@ -13,6 +13,9 @@ use crate::failure::Failure;
 /// The longest reply, without its line feed: no frame is longer. `[NCP-WIRE-062]`
 const MAX_REPLY_BYTES: usize = MAX_OBSERVATION_BYTES;
 
+/// How much is read at once: an observation may be large.
+const READ_BYTES: usize = 64 << 10;
+
 /// A connection. After a failure it is of no more use: a late reply would be taken for the next one's.
 pub(crate) struct Line {
     stream: BufReader<TcpStream>,
@@ -26,7 +29,7 @@ impl Line {
     pub(crate) async fn dial(address: &str) -> io::Result<Self> {
         let stream = TcpStream::connect(address).await?;
         stream.set_nodelay(true)?;
-        Ok(Self { stream: BufReader::new(stream) })
+        Ok(Self { stream: BufReader::with_capacity(READ_BYTES, stream) })
     }
 
     /// Sends a line, and reads the one that answers it.
