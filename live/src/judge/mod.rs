@@ -102,8 +102,8 @@ pub(crate) fn judge(
         "gateway/time-out" => gateway::time_out(&bus, target, &mut rulings)?,
         "gateway/late-reply" => gateway::late_reply(&bus, target, &mut rulings)?,
         "gateway/dead-service" => gateway::dead_service(&bus, target, &mut rulings)?,
-        "gateway/websocket-order" => websocket::order(&bus, target, &mut rulings)?,
-        "gateway/websocket-refusals" => websocket::refusals(&bus, target, &mut rulings)?,
+        "gateway/ws-order" => websocket::order(&bus, target, &mut rulings)?,
+        "gateway/ws-refusals" => websocket::refusals(&bus, target, &mut rulings)?,
         "gateway/config" => gateway::config(target, parts, &mut rulings)?,
         name if name.starts_with("server/") || name == "gateway/session" => {
             server::steps(&bus, target, &scenario.steps, &mut rulings)?
