@@ -98,7 +98,8 @@ mod tests {
     #[test]
     fn a_request_is_one_line_whatever_its_white_space_and_loses_nothing() {
         let request = read(
-            "{\r\n\"kind\":\n\"step_request\",\t\"session_id\" : \"s\",\n\"x\": [1,\n0.1, -0.0, 1e300, \"a\\nb\u{2028}\"]\n}\n",
+            "{\r\n\"kind\":\n\"step_request\",\t\"session_id\" : \"s\",\n\
+             \"x\": [1,\n0.1, -0.0, 1e300, \"a\\nb\u{2028}\"]\n}\n",
         );
         let line = "{\"kind\":\"step_request\",\"session_id\":\"s\",\"x\":[1,0.1,-0.0,1e+300,\"a\\nb\u{2028}\"]}\n";
         assert_eq!(String::from_utf8_lossy(request.line()), line);

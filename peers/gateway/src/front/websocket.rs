@@ -97,8 +97,12 @@ impl WebSockets {
         let config = WebSocketConfig::default()
             .max_message_size(Some(MAX_MESSAGE_BYTES))
             .max_frame_size(Some(MAX_MESSAGE_BYTES));
-        let may_connect = |request: &Request, response| self.admit(request, response);
-        let opened = timeout(HANDSHAKE, accept_hdr_async_with_config(stream, may_connect, Some(config))).await;
+        #[expect(clippy::result_large_err, reason = "the handshake's own type")]
+        let admit = |request: &Request, response: Response| match self.admits(request) {
+            true => Ok(response),
+            false => Err(forbidden()),
+        };
+        let opened = timeout(HANDSHAKE, accept_hdr_async_with_config(stream, admit, Some(config))).await;
         let (sink, messages) = match opened {
             Ok(Ok(socket)) => socket.split(),
             Ok(Err(error)) => return tracing::info!(%address, "websocket: not opened: {error}"),
@@ -191,21 +195,22 @@ impl WebSockets {
     }
 
     /// Any page that a browser shows could reach loopback: those of other hosts are turned away.
-    #[expect(clippy::result_large_err, reason = "the handshake's own type")]
-    fn admit(&self, request: &Request, response: Response) -> Result<Response, ErrorResponse> {
-        let Some(origin) = request.headers().get(header::ORIGIN) else { return Ok(response) };
-        let is_known = origin
-            .to_str()
-            .is_ok_and(|origin| is_of_this_host(origin) || self.origins.iter().any(|known| known == origin));
-        if is_known {
-            return Ok(response);
+    fn admits(&self, request: &Request) -> bool {
+        let Some(origin) = request.headers().get(header::ORIGIN) else { return true };
+        let is_named = |origin: &str| self.origins.iter().any(|known| known == origin);
+        let is_known = origin.to_str().is_ok_and(|origin| is_of_this_host(origin) || is_named(origin));
+        if !is_known {
+            self.metrics.dropped("origin");
+            tracing::warn!(?origin, "websocket: a page of another host is turned away");
         }
-        self.metrics.dropped("origin");
-        tracing::warn!(?origin, "websocket: a page of another host is turned away");
-        let mut refused = ErrorResponse::new(None);
-        *refused.status_mut() = StatusCode::FORBIDDEN;
-        Err(refused)
+        is_known
     }
+}
+
+fn forbidden() -> ErrorResponse {
+    let mut refused = ErrorResponse::new(None);
+    *refused.status_mut() = StatusCode::FORBIDDEN;
+    refused
 }
 
 fn is_of_this_host(origin: &str) -> bool {

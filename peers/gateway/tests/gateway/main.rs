@@ -25,9 +25,8 @@ fn until(what: &str, mut is_so: impl FnMut() -> bool) {
 }
 
 fn open(session: &str) -> String {
-    format!(
-        r#"{{"kind":"open_session","ncp_version":"0.5","session_id":"{session}","network":{{"kind":"builtin","ref":"ncp.reference.rate"}}}}"#
-    )
+    let network = r#"{"kind":"builtin","ref":"ncp.reference.rate"}"#;
+    format!(r#"{{"kind":"open_session","ncp_version":"0.5","session_id":"{session}","network":{network}}}"#)
 }
 
 fn step(session: &str, advance_ms: f64) -> String {
