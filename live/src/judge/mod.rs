@@ -106,7 +106,7 @@ pub(crate) fn judge(
         "gateway/ws-refusals" => websocket::refusals(&bus, target, &mut rulings)?,
         "gateway/config" => gateway::config(target, parts, &mut rulings)?,
         name if name.starts_with("server/") || name == "gateway/session" => {
-            server::steps(&bus, target, &scenario.steps, &mut rulings)?
+            server::steps(&bus, target, &scenario.steps, &mut rulings)?;
         }
         _ => body::steps(&bus, target, &scenario.steps, &noise, &mut rulings)?,
     }
