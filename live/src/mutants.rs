@@ -116,6 +116,7 @@ mod tests {
             include_str!("actors/commander.rs"),
             include_str!("actors/server.rs"),
             include_str!("actors/observer.rs"),
+            include_str!("actors/gateway.rs"),
             include_str!("judge/acl.rs"),
         ]
         .concat();
