@@ -256,6 +256,23 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         command: &["assure", "fuzz", "--report"],
     },
     Artefact {
+        name: "live",
+        makes: &["reports/live.md"],
+        sources: &[
+            "live/defects.toml",
+            "live/scenarios.toml",
+            "live/src",
+            "peers/gateway/src",
+            "peers/zenoh/deploy",
+            "peers/zenoh/src",
+            "spec/kernel/src",
+            "spec/src",
+            "spec/text",
+        ],
+        freshness: Freshness::Locked,
+        command: &["assure", "live"],
+    },
+    Artefact {
         name: "trace",
         makes: &["reports/traceability.md", "reports/lock/trace.toml"],
         sources: &[

@@ -5,11 +5,13 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, ErrorKind};
+use std::mem;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
+use toml_edit::Item;
 
 /// Where the locks are, from the root of the project.
 pub(crate) const FOLDER: &str = "reports/lock";
@@ -107,7 +109,7 @@ pub(crate) enum LockError {
     #[error("{}: {source}", path.display())]
     Form { path: PathBuf, source: Box<toml::de::Error> },
     #[error("the lock of {name} cannot be written: {source}")]
-    Write { name: String, source: toml::ser::Error },
+    Write { name: String, source: toml_edit::ser::Error },
 }
 
 impl Lock {
@@ -156,7 +158,11 @@ pub(crate) fn read<T: DeserializeOwned>(root: &Path, name: &str) -> Result<Optio
 /// # Errors
 /// What TOML cannot hold.
 pub(crate) fn text<T: Serialize>(name: &str, lock: &T) -> Result<String, LockError> {
-    let body = toml::to_string(lock).map_err(|source| LockError::Write { name: name.to_owned(), source })?;
+    let mut body =
+        toml_edit::ser::to_document(lock).map_err(|source| LockError::Write { name: name.to_owned(), source })?;
+    for (_, section) in body.iter_mut() {
+        *section = mem::take(section).into_table().map_or_else(|other| other, Item::Table);
+    }
     Ok(format!("# Written by cargo assure: what was found last, and of which sources.\n\n{body}"))
 }
 

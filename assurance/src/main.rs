@@ -12,6 +12,7 @@
 //! | `dictionary` | makes the fault dictionary, and measures what a diagnosis by it is worth |
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
 //! | `proofs` | what git keeps of what the engines found |
+//! | `live` | what the scenarios of `live/` say of our own system |
 //! | `prove` | drives the engines of `proofs/` |
 //! | `fuzz` | drives the targets of `fuzz/` |
 //! | `lock` | what git keeps of what was found: digests, counts, and fates by id |
@@ -27,6 +28,7 @@ mod console;
 mod dictionary;
 mod document;
 mod fuzz;
+mod live;
 mod lock;
 mod mutants;
 mod mutate;
@@ -72,6 +74,8 @@ enum Command {
     /// Prove the kernel, its readers and the protocol anew
     #[command(after_help = prove::EXAMPLES)]
     Prove(prove::ProveArgs),
+    /// Run the live scenarios on our own system, and with each planted defect; Zenoh takes minutes to compile
+    Live,
     /// Fuzz every target for a while, replay its inputs, or ask what it finds and reaches
     #[command(after_help = fuzz::EXAMPLES)]
     Fuzz(fuzz::FuzzArgs),
@@ -115,6 +119,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
             proofs::keep(&project, args.engines(), &before, args.report)?;
             Ok(good)
         }
+        Command::Live => Ok(live::run(&project)?),
         Command::Fuzz(args) => Ok(fuzz::run(&project, args)?),
     }
 }
@@ -150,6 +155,8 @@ enum Error {
     Mutate(#[from] mutate::MutateError),
     #[error(transparent)]
     Prove(#[from] prove::ProveError),
+    #[error(transparent)]
+    Live(#[from] live::LiveError),
     #[error(transparent)]
     Fuzz(#[from] fuzz::FuzzError),
     #[error("{}: {source}", path.display())]

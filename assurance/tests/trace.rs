@@ -302,15 +302,22 @@ fn a_tree_that_is_none_is_said() {
 }
 
 #[test]
-fn a_live_scenario_shows_the_rules_that_it_judges_and_one_that_judges_none_is_an_orphan() {
+fn a_live_scenario_shows_the_rules_that_it_found_kept_and_one_that_judges_none_is_an_orphan() {
     let tree = Tree::new();
     let scenario = "[[scenario]]\nname = \"qos/planes\"\nrules = [\"NCP-TEST-003\"]\n";
+    let found = |verdict: &str| format!("[fates]\n\"qos/planes NCP-TEST-003\" = {verdict:?}\n");
+    let evidence = || {
+        let (exit, out) = tree.trace(&[]);
+        assert_eq!(exit, 0, "{out}");
+        let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
+        report["rules"][2]["evidence"].clone()
+    };
     tree.write("live/scenarios.toml", scenario);
-    let (exit, out) = tree.trace(&[]);
-    assert_eq!(exit, 0, "{out}");
-    let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
-    let evidence = json!([{"kind": "live", "place": "live/scenarios.toml qos/planes", "count": 1}]);
-    assert_eq!(report["rules"][2]["evidence"], evidence);
+    assert_eq!(evidence(), json!([]), "it was never run");
+    tree.write("reports/lock/live.toml", &found("inconclusive"));
+    assert_eq!(evidence(), json!([]));
+    tree.write("reports/lock/live.toml", &found("passed"));
+    assert_eq!(evidence(), json!([{"kind": "live", "place": "live/scenarios.toml qos/planes", "count": 1}]));
 
     tree.write("live/scenarios.toml", &scenario.replace("NCP-TEST-003", "NCP-TEST-099"));
     tree.fails_with(&["NCP-TEST-099 is not in the text", "live/scenarios.toml:2 qos/planes"]);

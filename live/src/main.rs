@@ -26,6 +26,7 @@ mod verdict;
 
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -38,7 +39,7 @@ use thiserror::Error;
 use actors::Planted;
 use judge::{Parts, traffic};
 use scenario::{Scenario, scenarios};
-use target::{Mapping, Target};
+use target::{GatewayPlace, Mapping, Target};
 use verdict::{Ruling, Rulings, Verdict};
 
 #[derive(Debug, Parser)]
@@ -62,6 +63,8 @@ enum Command {
     Commander(Deployed),
     /// Act as plant and commander beside an observer
     Observer(Deployed),
+    /// Act as clients and as the simulation service of a gateway; the service of the deployment has to be stopped
+    Gateway(BeforeService),
     /// Judge the traffic of a running system, and change nothing
     Watch(Watch),
     /// Judge a capture of `watch` again
@@ -76,6 +79,9 @@ enum Command {
     Bench(bench::Bench),
     /// List the scenarios
     List,
+    /// What a scenario starts to see the program of the gateway start
+    #[command(hide = true)]
+    GatewayProgram(OfGateway),
 }
 
 #[derive(Debug, Args)]
@@ -107,6 +113,32 @@ struct Deployed {
     /// Where the observer writes its pairs: `[command seq, sensor seq]`, one a line
     #[arg(long, value_name = "FILE", default_value = "joined.jsonl")]
     joined: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct BeforeService {
+    #[command(flatten)]
+    place: Place,
+    /// Where the gateway looks for the simulation service
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:28474")]
+    bridge: SocketAddr,
+    /// Where the gateway serves WebSockets [default: nowhere]
+    #[arg(long, value_name = "ADDRESS")]
+    websocket: Option<SocketAddr>,
+    /// The program of the gateway, to see it start [default: none]
+    #[arg(long, value_name = "FILE")]
+    program: Option<PathBuf>,
+    /// How long the clients of the deployment wait for a reply, in ms
+    #[arg(long, value_name = "MS", default_value_t = 10_000)]
+    query_ms: u64,
+}
+
+#[derive(Debug, Args)]
+struct OfGateway {
+    #[command(flatten)]
+    settings: ncp_gateway::Settings,
+    #[arg(long)]
+    defect: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -216,6 +248,9 @@ pub(crate) enum LiveError {
     /// The tap was too slow.
     #[error("the tap lost {0} samples itself, so it says nothing of the rest")]
     Overrun(u64),
+    /// The gateway of an actor.
+    #[error(transparent)]
+    Gateway(#[from] ncp_gateway::GatewayError),
     /// A certificate.
     #[error(transparent)]
     Certificate(#[from] rcgen::Error),
@@ -225,7 +260,13 @@ pub(crate) enum LiveError {
 }
 
 fn main() -> ExitCode {
-    match run(Cli::parse().command) {
+    let command = match Cli::parse().command {
+        Command::GatewayProgram(OfGateway { settings, defect }) => {
+            return actors::gateway::program(&settings, &Planted(defect));
+        }
+        command => command,
+    };
+    match run(command) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
@@ -244,6 +285,7 @@ fn run(command: Command) -> Result<bool, LiveError> {
         Command::Body(deployed) => deployment(&deployed, "body/"),
         Command::Commander(deployed) => deployment(&deployed, "commander/"),
         Command::Observer(deployed) => deployment(&deployed, "observer/"),
+        Command::Gateway(before) => gateway(&before),
         Command::Watch(watch) => look(&watch),
         Command::Replay(Replay { file, realm, json }) => {
             finish(&of_traffic(&captured(&file)?, &realm)?, json.as_deref())
@@ -262,6 +304,8 @@ fn run(command: Command) -> Result<bool, LiveError> {
             }
             Ok(true)
         }
+        // The program that runs is another one.
+        Command::GatewayProgram(_) => Ok(false),
     }
 }
 
@@ -286,6 +330,7 @@ impl OwnNet {
             network: "ncp.reference.lif".to_owned(),
             joined: _folder.path().join("joined.jsonl"),
             mapping: Mapping::default(),
+            gateway: GatewayPlace::free()?,
         };
         Ok(Self { target, _router, _folder, scenarios: 0 })
     }
@@ -298,7 +343,8 @@ impl OwnNet {
         catalogue: &Catalogue,
     ) -> Result<Vec<Ruling>, LiveError> {
         self.scenarios += 1;
-        let target = Target { realm: format!("live/{}", self.scenarios), ..self.target.clone() };
+        let realm = format!("live/{}", self.scenarios);
+        let target = Target { realm, gateway: GatewayPlace::free()?, ..self.target.clone() };
         judge::judge(scenario, &target, &Parts::Actors(planted.clone()), catalogue)
     }
 }
@@ -335,15 +381,39 @@ fn deployment(deployed: &Deployed, group: &str) -> Result<bool, LiveError> {
         network: network.clone(),
         joined: joined.clone(),
         mapping,
+        gateway: GatewayPlace::free()?,
     };
+    of_group(&target, group, place.json.as_deref())
+}
+
+fn gateway(BeforeService { place, bridge, websocket, program, query_ms }: &BeforeService) -> Result<bool, LiveError> {
+    let target = Target {
+        endpoint: place.connect.clone(),
+        realm: place.realm.clone(),
+        session: "live".to_owned(),
+        network: "ncp.reference.lif".to_owned(),
+        joined: PathBuf::new(),
+        mapping: Mapping::default(),
+        gateway: GatewayPlace {
+            bridge: *bridge,
+            websocket: *websocket,
+            program: program.clone(),
+            query: Duration::from_millis(*query_ms),
+        },
+    };
+    of_group(&target, "gateway/", place.json.as_deref())
+}
+
+/// Runs the scenarios of a group against a deployment.
+fn of_group(target: &Target, group: &str, json: Option<&Path>) -> Result<bool, LiveError> {
     let catalogue = Catalogue::load()?;
     let mut rulings = Vec::new();
     for scenario in scenarios()?.into_iter().filter(|scenario| scenario.name.starts_with(group)) {
-        let found = judge::judge(&scenario, &target, &Parts::Deployed, &catalogue)?;
+        let found = judge::judge(&scenario, target, &Parts::Deployed, &catalogue)?;
         report::progress(&scenario, &found);
         rulings.extend(found);
     }
-    finish(&rulings, place.json.as_deref())
+    finish(&rulings, json)
 }
 
 fn look(Watch { place, time, capture }: &Watch) -> Result<bool, LiveError> {

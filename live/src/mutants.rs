@@ -117,6 +117,7 @@ mod tests {
             include_str!("actors/server.rs"),
             include_str!("actors/observer.rs"),
             include_str!("judge/acl/planted.rs"),
+            include_str!("actors/gateway.rs"),
         ]
         .concat();
         let mut names = BTreeSet::new();

@@ -41,6 +41,10 @@ pub(crate) enum Role {
     Commander,
     /// Reads.
     Observer,
+    /// Answers lines.
+    Simulator,
+    /// Answers control RPC by asking whoever answers lines.
+    Gateway,
 }
 
 /// One thing that is done, and what it has to lead to.

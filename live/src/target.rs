@@ -1,6 +1,6 @@
 //! The system under test: where it is, and what of it is looked at.
 
-use std::net::TcpListener;
+use std::net::{SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -29,6 +29,34 @@ pub(crate) struct Target {
     pub(crate) joined: PathBuf,
     /// How its motion is read from its sensor stream.
     pub(crate) mapping: Mapping,
+    /// Where its gateway is, if that is looked at.
+    pub(crate) gateway: GatewayPlace,
+}
+
+/// A gateway, and what it stands before.
+#[derive(Debug, Clone)]
+pub(crate) struct GatewayPlace {
+    /// Where it looks for the simulation service.
+    pub(crate) bridge: SocketAddr,
+    /// Where it serves WebSockets, if it does.
+    pub(crate) websocket: Option<SocketAddr>,
+    /// The program, if it can be started.
+    pub(crate) program: Option<PathBuf>,
+    /// How long a client waits for a reply.
+    pub(crate) query: Duration,
+}
+
+impl GatewayPlace {
+    /// Addresses on loopback that are free now, and a client that does not wait long.
+    ///
+    /// # Errors
+    /// The operating system has none.
+    pub(crate) fn free() -> Result<Self, LiveError> {
+        let listeners = [(); 2].map(|()| TcpListener::bind("127.0.0.1:0"));
+        let [bridge, websocket] = listeners.map(|listener| listener.and_then(|listener| listener.local_addr()));
+        let query = Duration::from_millis(2_500);
+        Ok(Self { bridge: bridge?, websocket: Some(websocket?), program: None, query })
+    }
 }
 
 /// How a plant's motion is read from its sensor stream, and which command moves it.

@@ -15,6 +15,7 @@
 //! | [`pins`] | how much the symbolic engine explores |
 //! | [`sabotage`] | engines with a defect of their own |
 //! | [`report`], [`digest`] | what was found out, and about which sources |
+//! | [`program`] | how an engine's program leaves its result, and how it ends |
 //! | [`terminal`] | how it is shown on the terminal |
 //!
 //! Each row knows those above it, and none below.
@@ -34,6 +35,7 @@ pub mod kernel;
 #[cfg(feature = "mutants")]
 pub mod mutants;
 pub mod pins;
+pub mod program;
 pub mod properties;
 pub mod prover;
 #[cfg(not(feature = "sabotage"))]

@@ -39,7 +39,7 @@ fn unexplained(result: &Value) -> usize {
 
 const ESTOP: &str = "estop-not-latched";
 const RESET: &str = "governor-reset-ignored";
-const REPEATED: &str = "repeated-member-last-wins";
+const REPEATED: &str = "repeated-member-anywhere";
 
 #[test]
 fn three_defects_of_which_one_hides_another_are_named_in_words_in_the_first_screen() {
@@ -50,7 +50,7 @@ fn three_defects_of_which_one_hides_another_are_named_in_words_in_the_first_scre
     for words in [
         "• An inbound ESTOP is passed on but not latched.",
         "• reset does not clear the latch.",
-        "• Of two members of one name the last counts.",
+        "• Of two members of one name the last counts, wherever they stand.",
     ] {
         assert!(screen.contains(&words), "{text}");
     }

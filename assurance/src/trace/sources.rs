@@ -7,6 +7,7 @@ use ncp_defects::Defect;
 use serde::Deserialize;
 use walkdir::WalkDir;
 
+use crate::live;
 use crate::lock::Lock;
 
 use ncp_text::citations::{Citation, FunctionRole, RustFile, cited};
@@ -260,7 +261,7 @@ impl Sources {
         Ok(())
     }
 
-    /// A live scenario shows the rules on which it gives a verdict.
+    /// A live scenario shows the rules that it found kept when it was last run.
     fn live(&mut self, root: &Path) -> Result<(), TraceError> {
         if !root.join(LIVE).is_file() {
             return Ok(());
@@ -268,6 +269,9 @@ impl Sources {
         let content = text(root, LIVE)?;
         let table: LiveTable = toml::from_str(&content)
             .map_err(|error| TraceError::Content { path: LIVE.to_owned(), message: error.to_string() })?;
+        let fates = Lock::read(root, live::NAME)?.map_or_else(BTreeMap::new, |lock| lock.fates);
+        let is_kept =
+            |name: &str, rule: &str| fates.get(&live::fate_of(name, rule)).is_some_and(|fate| fate == live::PASSED);
         for LiveScenario { name, rules } in table.scenario {
             if rules.is_empty() {
                 self.orphans.push(Fault::Orphan { what: "the live scenario", place: name.clone() });
@@ -276,7 +280,11 @@ impl Sources {
             let line = content.lines().position(|line| line == entry).map(|before| before + 1);
             let evidence = Evidence { kind: EvidenceKind::Live, place: format!("{LIVE} {name}"), line, count: 1 };
             for id in rules {
-                self.add(&id, evidence.clone());
+                if is_kept(&name, &id) {
+                    self.add(&id, evidence.clone());
+                } else {
+                    self.mentions.push((id, evidence.shown_place()));
+                }
             }
         }
         Ok(())

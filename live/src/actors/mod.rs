@@ -5,9 +5,11 @@
 //! | [`server`] | the session service, and a client of it |
 //! | [`plant`] | a body that moves as commanded |
 //! | [`commander`] | a control loop with the reflex controller |
+//! | [`gateway`] | a simulation service on a line, and a gateway before it |
 //! | [`observer`] | a reader that joins commands with what they were computed from |
 
 mod commander;
+pub(crate) mod gateway;
 mod observer;
 mod plant;
 mod server;
@@ -89,5 +91,7 @@ pub(crate) fn start(role: Role, target: &Target, planted: &Planted, care: &Care)
         Role::Plant => plant::plant(target, planted, care),
         Role::Commander => commander::commander(target, planted, care),
         Role::Observer => observer::observer(target, planted),
+        Role::Simulator => gateway::simulator(target),
+        Role::Gateway => gateway::gateway(target, planted),
     }
 }

@@ -7,14 +7,18 @@
 //! | [`body`] | who obeys commands |
 //! | [`commander`] | who sends them |
 //! | [`observer`] | who reads |
+//! | [`gateway`] | who stands before a simulation service on a line |
+//! | [`websocket`] | the same, over WebSocket |
 //! | [`acl`] | the access rules of a router |
 
 mod acl;
 mod body;
 mod commander;
+mod gateway;
 mod observer;
 mod server;
 pub(crate) mod traffic;
+mod websocket;
 
 pub(crate) use acl::{Acl, RulesError, run as acl};
 
@@ -25,7 +29,7 @@ use ncp_text::Catalogue;
 
 use crate::LiveError;
 use crate::actors::{self, Care, Planted};
-use crate::scenario::Scenario;
+use crate::scenario::{Role, Scenario};
 use crate::soak;
 use crate::target::{Noise, Target};
 use crate::verdict::{Ruling, Rulings};
@@ -65,8 +69,13 @@ pub(crate) fn judge(
         return Ok(rulings.verdicts(&scenario.name, sentence));
     }
     let mut running = Vec::new();
-    if let Parts::Actors(planted) = parts {
-        for role in &scenario.needs {
+    let planted = match parts {
+        Parts::Actors(planted) => planted,
+        Parts::Deployed => &Planted::default(),
+    };
+    for role in &scenario.needs {
+        // Of a deployment's gateway, the judge is the service.
+        if matches!(parts, Parts::Actors(_)) || *role == Role::Simulator {
             running.push(actors::start(*role, target, planted, &Care::default())?);
         }
     }
@@ -97,7 +106,19 @@ pub(crate) fn judge(
             let ends = matches!(parts, Parts::Actors(_)).then(|| move || running.clear());
             observer::leaves(&bus, target, ends, &mut rulings)?;
         }
-        name if name.starts_with("server/") => server::steps(&bus, target, &scenario.steps, &mut rulings)?,
+        "gateway/one-line" => gateway::one_line(&bus, target, &mut rulings)?,
+        "gateway/broken-reply" => gateway::broken_reply(&bus, target, &mut rulings)?,
+        "gateway/misfit" => gateway::misfit(&bus, target, &mut rulings)?,
+        "gateway/side-by-side" => gateway::side_by_side(&bus, target, &mut rulings)?,
+        "gateway/time-out" => gateway::time_out(&bus, target, &mut rulings)?,
+        "gateway/late-reply" => gateway::late_reply(&bus, target, &mut rulings)?,
+        "gateway/dead-service" => gateway::dead_service(&bus, target, &mut rulings)?,
+        "gateway/ws-order" => websocket::order(&bus, target, &mut rulings)?,
+        "gateway/ws-refusals" => websocket::refusals(&bus, target, &mut rulings)?,
+        "gateway/config" => gateway::config(target, parts, &mut rulings)?,
+        name if name.starts_with("server/") || name == "gateway/session" => {
+            server::steps(&bus, target, &scenario.steps, &mut rulings)?;
+        }
         _ => body::steps(&bus, target, &scenario.steps, &noise, &mut rulings)?,
     }
     Ok(rulings.verdicts(&scenario.name, sentence))

@@ -222,7 +222,7 @@ pub(super) fn alone(bus: &Bus, rulings: &mut Rulings) -> Result<(), LiveError> {
 }
 
 /// Waits for somebody to answer; whether anybody does.
-fn has_server(bus: &Bus, rulings: &mut Rulings) -> Result<bool, LiveError> {
+pub(super) fn has_server(bus: &Bus, rulings: &mut Rulings) -> Result<bool, LiveError> {
     let is_there =
         until(PATIENCE, || Ok(!ask_all(bus, br#"{"kind":"sensor_frame"}"#, Duration::from_millis(500))?.is_empty()))?;
     if !is_there {
@@ -253,7 +253,7 @@ fn same(found: &Value, expected: &Value, ids: &impl Fn(&str) -> String) -> bool 
     }
 }
 
-fn session(target: &Target, name: &str) -> String {
+pub(super) fn session(target: &Target, name: &str) -> String {
     format!("{}-{name}", target.session)
 }
 
@@ -264,7 +264,7 @@ fn open(target: &Target, id: &str, neurons: Option<i64>) -> Message {
     OpenSession { session_id, network, sim: SimConfig::default(), ..OpenSession::default() }.into()
 }
 
-fn step(id: &str, advance_ms: f64) -> Message {
+pub(super) fn step(id: &str, advance_ms: f64) -> Message {
     let session_id = id.to_owned().into();
     StepRequest { session_id, advance_ms: Some(advance_ms), ..StepRequest::default() }.into()
 }

@@ -17,7 +17,7 @@ use crate::actors::{self, Care, Planted};
 use crate::relay::schedule::{PlaneName, Schedule};
 use crate::relay::{Fate, FaultCounts, Passed, Relay};
 use crate::scenario::Role;
-use crate::target::{Mapping, Noise, Running, Target, free_endpoint};
+use crate::target::{GatewayPlace, Mapping, Noise, Running, Target, free_endpoint};
 
 /// Where the parts stand: who obeys and answers on the right, the others on the left.
 const RIGHT: [Role; 2] = [Role::Plant, Role::Server];
@@ -99,6 +99,8 @@ impl System {
         let routers = [&left, &right].map(|endpoint| Bus::open(&Link::Router(endpoint.clone()), None));
         let [left_router, right_router] = routers;
         let folder = tempfile::tempdir()?;
+        // No gateway stands in the loop.
+        let nobody = GatewayPlace::free()?;
         let target = |endpoint: String| Target {
             endpoint,
             realm: "soak".to_owned(),
@@ -106,6 +108,7 @@ impl System {
             network: "ncp.reference.lif".to_owned(),
             joined: folder.path().join("joined.jsonl"),
             mapping: Mapping::default(),
+            gateway: nobody.clone(),
         };
         let (routers, care) = ([left_router?, right_router?], Care::over_a_link());
         let relay = Relay::start(&left, &right, "soak", schedule.clone())?;

@@ -1,16 +1,17 @@
 //! `ncp-path`: holds the safety path around the kernel against its claims, and the engine against planted defects.
 #![forbid(unsafe_code)]
 
+use std::panic;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
-use std::{fs, io, panic};
 
 use clap::Parser;
 use ncp_defects::{Defect, TableError};
 use ncp_path::claims::{CLAIMS, Claim, NOT_PROVED, TRUSTED};
 use ncp_path::engine::{Counterexample, Outcome, Scope};
 use ncp_path::subjects::{PRODUCTION, defects, harness};
+use ncp_proofs::program::{self, WriteError};
 use ncp_proofs::report::{Answer, Broken, Engine, Found, Shown, Verdict, Words, owned};
 use serde_json::json;
 use thiserror::Error;
@@ -32,22 +33,14 @@ enum Failure {
     NoHarness(String),
     #[error(transparent)]
     Defects(#[from] TableError),
-    #[error("cannot write the result: {0}")]
-    Json(#[from] serde_json::Error),
-    #[error("cannot write {0}: {1}")]
-    Write(PathBuf, io::Error),
+    #[error(transparent)]
+    Write(#[from] WriteError),
     #[error("a claim is not proved, or a planted defect not refuted")]
     NotShown,
 }
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            eprintln!("ncp-path: {failure}");
-            ExitCode::FAILURE
-        }
-    }
+    program::end(env!("CARGO_BIN_NAME"), run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -70,8 +63,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     }
     if let Some(file) = &arguments.json {
-        let text = serde_json::to_string_pretty(&report)? + "\n";
-        fs::write(file, text).map_err(|error| Failure::Write(file.clone(), error))?;
+        program::write(&report, file)?;
     }
     let is_good = |answer: &Answer| matches!(answer.verdict, Verdict::Proved | Verdict::Tried);
     let is_shown = report.results.iter().all(is_good) && report.broken.iter().all(Broken::is_refuted);

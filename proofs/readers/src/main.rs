@@ -1,12 +1,13 @@
 //! `ncp-readers`: holds the readers against their properties, and the engine against broken readers.
 #![forbid(unsafe_code)]
 
+use std::panic;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::{fs, io, panic};
 
 use clap::Parser;
 use ncp_defects::{Defect, TableError};
+use ncp_proofs::program::{self, WriteError};
 use ncp_proofs::provers::native::{Native, Replay};
 use ncp_proofs::report::{Answer, Broken, Engine, Found, Shown, Verdict, Words, owned};
 use ncp_readers::broken;
@@ -30,10 +31,8 @@ enum Failure {
     NoHarness(String),
     #[error(transparent)]
     Defects(#[from] TableError),
-    #[error("cannot write the result: {0}")]
-    Json(#[from] serde_json::Error),
-    #[error("cannot write {0}: {1}")]
-    Write(PathBuf, io::Error),
+    #[error(transparent)]
+    Write(#[from] WriteError),
     #[error("a property is not proved, or a broken reader not refuted")]
     NotShown,
 }
@@ -55,13 +54,7 @@ const NOT_PROVED: [&str; 4] = [
 ];
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            eprintln!("ncp-readers: {failure}");
-            ExitCode::FAILURE
-        }
-    }
+    program::end(env!("CARGO_BIN_NAME"), run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -83,8 +76,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     }
     if let Some(file) = &arguments.json {
-        let text = serde_json::to_string_pretty(&report)? + "\n";
-        fs::write(file, text).map_err(|error| Failure::Write(file.clone(), error))?;
+        program::write(&report, file)?;
     }
     let is_shown = report.results.iter().all(Answer::is_proved) && report.broken.iter().all(Broken::is_refuted);
     is_shown.then_some(()).ok_or(Failure::NotShown)

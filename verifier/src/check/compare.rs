@@ -1,6 +1,6 @@
 //! Two JSON values side by side, under one of three relations.
 
-use super::{Difference, Differences, Manner, short};
+use super::{Difference, Differences, Manner, SHOWN, excerpt, short};
 use crate::json::{Json, Members, Number, is_integer, pointer_token};
 
 /// When two values are the same.
@@ -52,6 +52,13 @@ impl Found<'_> {
         }
         let items = |count: usize| Some(format!("{count} items"));
         let (expected, got, hint) = match &self.what {
+            What::Values { expected: Json::String(expected), got: Json::String(got), .. }
+                if part_late(expected, got) =>
+            {
+                let at = shared(expected, got);
+                let hint = format!("the texts part at character {} of {}", at + 1, expected.chars().count());
+                (Some(from(expected, at)), Some(from(got, at)), Some(hint))
+            }
             What::Values { expected, got, hint } => (Some(short(expected)), Some(short(got)), hint.map(str::to_owned)),
             What::Missing { expected, hint } => (Some(short(expected)), None, hint.map(str::to_owned)),
             What::Added { got, hint } => (None, Some(short(got)), hint.map(str::to_owned)),
@@ -183,6 +190,29 @@ impl<'v> Walk<'v> {
     }
 }
 
+/// How many characters that two texts share stand before the first in which they differ.
+const BEFORE: usize = 8;
+/// How many stand from that one on.
+const AFTER: usize = 40;
+
+/// Whether two texts first differ where neither would be shown any more.
+fn part_late(expected: &str, got: &str) -> bool {
+    shared(expected, got) >= SHOWN - BEFORE
+}
+
+/// How many characters two texts begin with in common.
+fn shared(expected: &str, got: &str) -> usize {
+    expected.chars().zip(got.chars()).take_while(|(expected, got)| expected == got).count()
+}
+
+/// A text from shortly before a character on, and whether more follows.
+fn from(text: &str, at: usize) -> String {
+    let mut rest = text.chars().skip(at - BEFORE.min(at));
+    let window: String = rest.by_ref().take(BEFORE + AFTER).collect();
+    let more = if rest.next().is_some() { "…" } else { "" };
+    format!("\"…{}{more}\"", excerpt(window.as_bytes(), BEFORE + AFTER))
+}
+
 type Member<'v> = (std::borrow::Cow<'v, str>, Json<'v>);
 
 fn number(value: &Json<'_>) -> Option<Number> {
@@ -214,6 +244,19 @@ mod tests {
         assert_eq!(differ("[1,2]", "[1,3,4]"), ["expected 2 items, got 3 items", "/1: expected 2, got 3"]);
         assert_eq!(differ("true", "1"), ["expected true, got 1"]);
         assert_eq!(differ("5", "\"5\""), ["expected 5, got \"5\""]);
+    }
+
+    #[test]
+    fn long_texts_are_shown_from_where_they_part() {
+        let long = "x".repeat(65_535);
+        let (expected, got) = (format!("{{\"note\":\"{long}a\"}}"), format!("{{\"note\":\"{long}bc\"}}"));
+        assert_eq!(
+            differ(&expected, &got),
+            ["/note: expected \"…xxxxxxxxa\", got \"…xxxxxxxxbc\" (the texts part at character 65536 of 65536)"]
+        );
+        let cut_short = format!("{{\"note\":\"{}\"}}", &long[..200]);
+        assert!(differ(&expected, &cut_short)[0].contains("got \"…xxxxxxxx\" (the texts part at character 201 of"));
+        assert_eq!(differ("\"short\"", "\"shorn\""), ["expected \"short\", got \"shorn\""]);
     }
 
     #[test]

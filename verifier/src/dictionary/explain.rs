@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::symptom::{CaseKey, Observed, Symptom};
 use super::{Dictionary, Symptoms};
+use crate::suite::DESCRIBE;
 
 /// What it costs to name a defect.
 const NAMED: i64 = 5;
@@ -46,10 +47,13 @@ pub struct Explained {
 }
 
 impl Dictionary {
-    /// Whether any case that was judged breaks with a known defect.
+    /// Whether any case that was judged breaks with a known defect; the question that every run asks, whatever its
+    /// cases, does not count.
     #[must_use]
     pub fn knows(&self, observed: &Observed) -> bool {
-        self.entries.iter().flat_map(|entry| entry.symptoms.keys()).any(|key| observed.cases.contains_key(key))
+        let describe = CaseKey::of(DESCRIBE);
+        let known = |key: &CaseKey| *key != describe && observed.cases.contains_key(key);
+        self.entries.iter().flat_map(|entry| entry.symptoms.keys()).any(known)
     }
 
     /// Explains what was seen by the fewest entries.

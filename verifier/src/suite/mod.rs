@@ -31,7 +31,7 @@ use crate::peer::{Call, Description};
 use case::Parts;
 
 /// The id of the case of `describe`.
-const DESCRIBE: &str = "describe";
+pub(crate) const DESCRIBE: &str = "describe";
 /// Stands for the file of a case that no file holds.
 const BUILT_IN: &str = "built in";
 

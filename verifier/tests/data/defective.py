@@ -31,8 +31,8 @@ def governor_reset_ignored():
     SafetyGovernor.reset = lambda self: None
 
 
-def repeated_member_last_wins():
-    """Of two members of one name the last counts."""
+def repeated_member_anywhere():
+    """Of two members of one name the last counts, wherever they stand."""
     jsontext._object = dict
 
 
