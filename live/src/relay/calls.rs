@@ -76,7 +76,7 @@ impl Calls {
     /// Takes what came, and lets go on what is due.
     pub(super) fn pump(&mut self) {
         if let Ok(call) = self.came.recv_timeout(self.late.rest(NAP)) {
-            self.take(call);
+            self.take(&call);
         }
         let now = Instant::now();
         for way in [&mut self.requests, &mut self.replies] {
@@ -90,7 +90,7 @@ impl Calls {
         while self.silent.pop(now).is_some() {}
     }
 
-    fn take(&mut self, call: Call) {
+    fn take(&mut self, call: &Call) {
         let Self { state, requests, replies, late, silent, .. } = self;
         let way = if matches!(call, Call::Request(..)) { requests } else { replies };
         let now = Instant::now();
