@@ -213,23 +213,6 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         freshness: Freshness::Locked,
         command: &["assure", "mutate", "kernel", "--count", "450", "--seed", "3"],
     },
-    Artefact {
-        name: "hostile",
-        makes: &["reports/hostile.md"],
-        sources: &[
-            "spec/kernel/src",
-            "defects/hostile.toml",
-            "proofs/src/bin/mutants.rs",
-            "proofs/src/engines",
-            "proofs/src/properties",
-            "proofs/theorem/coq",
-            "proofs/theorem/src",
-            "assurance/src/mutate/copies.rs",
-            "assurance/src/mutate/hostile",
-        ],
-        freshness: Freshness::Locked,
-        command: &["assure", "mutate", "hostile"],
-    },
     spec_module(
         "mutate-spec-safety",
         &["spec/src/safety", "spec/kernel/src", CORPUS],

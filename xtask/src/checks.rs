@@ -239,6 +239,7 @@ fn always(_: &Project) -> bool {
 /// kernels, fuzzing) is asked for by the nightly workflow.
 const MADE_IN_MINUTES: &[&str] = &[
     "mutants",
+    "dictionary",
     "proofs-kernel",
     "proofs-machine",
     "proofs-model",
@@ -246,6 +247,7 @@ const MADE_IN_MINUTES: &[&str] = &[
     "proofs-path",
     "proofs-theorem",
     "proofs-page",
+    "live",
     "trace",
 ];
 
