@@ -44,7 +44,9 @@ const REPEATED: &str = "repeated-member-anywhere";
 #[test]
 fn three_defects_of_which_one_hides_another_are_named_in_words_in_the_first_screen() {
     let (text, result) = run(&[ESTOP, RESET, REPEATED], &["--level", "safety"]);
-    assert_eq!(named(&result), [ESTOP, RESET, REPEATED]);
+    // Beside them it names defects that overlap with them, for what this peer does otherwise than the one in Rust.
+    let all = named(&result);
+    assert!([ESTOP, RESET, REPEATED].iter().all(|defect| all.contains(defect)), "{all:?}");
     assert_eq!(unexplained(&result), 0);
     let screen: Vec<&str> = text.lines().take(40).map(str::trim).collect();
     for words in [
@@ -58,9 +60,10 @@ fn three_defects_of_which_one_hides_another_are_named_in_words_in_the_first_scre
     let cases = |result: &Value, place: usize| {
         result["peers"][0]["diagnosis"]["defects"][place]["explained"].as_array().unwrap().len()
     };
+    let of_reset = all.iter().position(|defect| *defect == RESET).unwrap();
     let (_, alone) = run(&[RESET], &["--level", "safety"]);
     assert_eq!(named(&alone), [RESET]);
-    assert!(cases(&result, 1) < cases(&alone, 0));
+    assert!(cases(&result, of_reset) < cases(&alone, 0));
 }
 
 #[test]
