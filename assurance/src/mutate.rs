@@ -19,11 +19,13 @@ use std::path::PathBuf;
 
 use clap::Subcommand;
 use ncp_defects::{PlaceError, TableError};
+use ncp_verifier::suite::SuiteError;
 use thiserror::Error;
 use xtask::project::Project;
 use xtask::setup::SetupError;
 
 use crate::lock::LockError;
+use crate::mutants::MutantsError;
 use crate::reports::ReportError;
 
 #[derive(Debug, Subcommand)]
@@ -82,6 +84,14 @@ pub(crate) enum MutateError {
     NoTie { said: String },
     #[error("there is no hostile kernel of that name: {name}")]
     NoKernel { name: String },
+    #[error(transparent)]
+    Mutants(#[from] MutantsError),
+    #[error(transparent)]
+    Suite(#[from] SuiteError),
+    #[error("the kernel without a change fails {failing} golden cases")]
+    UnsoundKernel { failing: usize },
+    #[error("signals cannot be caught: {0}")]
+    Signals(io::Error),
     #[error("ncp-mutants ended with {status}")]
     Failed { status: String },
 }

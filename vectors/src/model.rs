@@ -238,10 +238,11 @@ mod tests {
     fn a_command_frame_without_a_mode_means_hold() {
         assert_eq!(
             meaning("command_frame", &minimal("command_frame")).text(),
-            concat!(
-                r#"{"ncp_version":"0.5","kind":"command_frame","seq":0,"t":0.0,"frame_id":"world","#,
-                r#""mode":"hold","ttl_ms":200.0,"channels":{},"horizon":[],"horizon_dt_ms":null}"#
-            )
+            [
+                &format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":0,"t":0.0,"#),
+                r#""frame_id":"world","mode":"hold","ttl_ms":200.0,"channels":{},"horizon":[],"horizon_dt_ms":null}"#,
+            ]
+            .concat()
         );
     }
 

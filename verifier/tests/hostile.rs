@@ -303,7 +303,7 @@ fn a_trace_is_shown_by_its_steps_and_what_rests_on_a_broken_rule_waits_for_it() 
     let folder = tempfile::tempdir().unwrap();
     let vectors = traces(folder.path());
     // Every frame is active, so that the latch is lost; both traces fail in their second step.
-    let frame = r#"{"frame":{"ncp_version":"0.5","seq":1,"mode":"%s"}}"#.replace("%s", "active");
+    let frame = format!(r#"{{"frame":{{"ncp_version":"{WIRE_VERSION}","seq":1,"mode":"active"}}}}"#);
     let first = frame.replace("active", "estop");
     let rest = [frame.as_str(); 9].join(",");
     let answers = [format!("{first},{frame}"), format!("{first},{frame},{{}},{rest}")];

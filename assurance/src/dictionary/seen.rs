@@ -4,9 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::IsTerminal as _;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 
 use ncp_verifier::dictionary::{CaseKey, DictionaryError, Observed, Seen, Symptom};
 use ncp_verifier::report::Progress;
@@ -14,7 +11,7 @@ use ncp_verifier::suite::Case;
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
-use crate::mutants::{Hunt, MutantsError, trial};
+use crate::mutants::{self, Hunt, MutantsError};
 
 /// How many peers are run between two words on how far it is.
 const SAID_EVERY: usize = 25;
@@ -84,29 +81,11 @@ fn unpacked((_, failing, unjudged): &Peer, cases: &[&Case]) -> Observed {
 /// Runs the cases against a peer with each of these sets of defects.
 fn observe(name: &str, hunt: &Hunt<'_>, peers: &[Vec<String>], cases: &[&Case]) -> Result<Vec<Observed>, Error> {
     let said = Progress::spinner(format!("{name}: {} peers", peers.len()), std::io::stderr().is_terminal());
-    let (next, seen): (_, Mutex<Vec<_>>) = (AtomicUsize::new(0), Mutex::default());
-    thread::scope(|scope| {
-        for _ in 0..hunt.jobs.max(1) {
-            scope.spawn(|| {
-                while !hunt.stop.is_set() {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(defects) = peers.get(number) else {
-                        break;
-                    };
-                    let observed = trial::observe(hunt, defects, cases);
-                    if (number + 1).is_multiple_of(SAID_EVERY) {
-                        said.say(&format!("{name}: {} of {}", number + 1, peers.len()));
-                    }
-                    seen.lock().unwrap_or_else(PoisonError::into_inner).push((number, observed));
-                }
-            });
+    let seen = mutants::observe(hunt, peers, cases, &|number| {
+        if number.is_multiple_of(SAID_EVERY) {
+            said.say(&format!("{name}: {number} of {}", peers.len()));
         }
     });
     said.done();
-    if hunt.stop.is_set() {
-        return Err(MutantsError::Interrupted.into());
-    }
-    let mut seen = seen.into_inner().unwrap_or_else(PoisonError::into_inner);
-    seen.sort_by_key(|(number, _)| *number);
-    Ok(seen.into_iter().map(|(_, observed)| observed).collect::<Result<_, MutantsError>>()?)
+    Ok(seen?.into_iter().collect::<Result<_, MutantsError>>()?)
 }

@@ -27,9 +27,10 @@ use std::thread;
 use std::time::Duration;
 
 use ncp_defects::{Defect, TableError};
+use ncp_verifier::dictionary::Observed;
 use ncp_verifier::peer::StartError;
 use ncp_verifier::stop::Stop;
-use ncp_verifier::suite::Suite;
+use ncp_verifier::suite::{Case, Suite};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -136,21 +137,48 @@ fn list(defects: &[Defect], suite: &Suite) -> Result<Vec<Mutant>, MutantsError> 
 /// Puts every mutant on trial, after the peer without a defect. `told` hears of each trial as it ends.
 fn hunt(hunt: &Hunt<'_>, mutants: &[Mutant], told: &(dyn Fn(&Trial) + Sync)) -> Result<Vec<Trial>, MutantsError> {
     trial::healthy(hunt)?;
-    let next = AtomicUsize::new(0);
-    let trials: Mutex<Vec<(usize, Result<Trial, MutantsError>)>> = Mutex::default();
+    let trials = side_by_side(hunt, mutants, |_, mutant| {
+        let trial = trial::try_mutant(hunt, mutant);
+        if let Ok(trial) = &trial {
+            told(trial);
+        }
+        trial
+    })?;
+    trials.into_iter().collect()
+}
+
+/// How these cases end against each of the peers with these defects. `told` hears the number of each as it ends, from
+/// 1.
+pub(crate) fn observe(
+    hunt: &Hunt<'_>,
+    peers: &[Vec<String>],
+    cases: &[&Case],
+    told: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Result<Observed, MutantsError>>, MutantsError> {
+    side_by_side(hunt, peers, |number, defects| {
+        let observed = trial::observe(hunt, defects, cases);
+        told(number + 1);
+        observed
+    })
+}
+
+/// What comes of each, as many at a time as the hunt has jobs.
+fn side_by_side<T: Sync, D: Send>(
+    hunt: &Hunt<'_>,
+    all: &[T],
+    work: impl Fn(usize, &T) -> D + Sync,
+) -> Result<Vec<D>, MutantsError> {
+    let (next, done): (_, Mutex<Vec<(usize, D)>>) = (AtomicUsize::new(0), Mutex::default());
     thread::scope(|scope| {
-        for _ in 0..hunt.jobs.clamp(1, mutants.len().max(1)) {
+        for _ in 0..hunt.jobs.clamp(1, all.len().max(1)) {
             scope.spawn(|| {
                 while !hunt.stop.is_set() {
                     let number = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(mutant) = mutants.get(number) else {
+                    let Some(one) = all.get(number) else {
                         break;
                     };
-                    let trial = trial::try_mutant(hunt, mutant);
-                    if let Ok(trial) = &trial {
-                        told(trial);
-                    }
-                    trials.lock().unwrap_or_else(PoisonError::into_inner).push((number, trial));
+                    let came = work(number, one);
+                    done.lock().unwrap_or_else(PoisonError::into_inner).push((number, came));
                 }
             });
         }
@@ -158,7 +186,7 @@ fn hunt(hunt: &Hunt<'_>, mutants: &[Mutant], told: &(dyn Fn(&Trial) + Sync)) -> 
     if hunt.stop.is_set() {
         return Err(MutantsError::Interrupted);
     }
-    let mut trials = trials.into_inner().unwrap_or_else(PoisonError::into_inner);
-    trials.sort_by_key(|(number, _)| *number);
-    trials.into_iter().map(|(_, trial)| trial).collect()
+    let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
+    done.sort_by_key(|(number, _)| *number);
+    Ok(done.into_iter().map(|(_, came)| came).collect())
 }

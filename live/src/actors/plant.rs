@@ -91,7 +91,7 @@ impl Streams {
             let _ = self.rear.send_bytes(*b"NCPB\x01\x00\x00\x00\x0c\x00\x00\x00");
         }
         if self.planted.is("cut-sensor") && self.ticks % 10 == 0 {
-            let _ = self.front.send_bytes(*b"{\"kind\":\"sensor_frame\",\"ncp_version\":\"0.5\",\"seq\":");
+            let _ = self.front.send_bytes(*b"{\"kind\":\"sensor_frame\",\"seq\":");
         }
     }
 }

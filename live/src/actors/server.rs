@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use ncp_spec::WIRE_VERSION;
 use ncp_spec::plane::{Congestion, Plane, Priority, Qos};
 use ncp_spec::session::ReferenceBackend;
 use ncp_spec::wire::{
@@ -89,7 +90,7 @@ fn mangled(planted: &Planted, request: &[u8]) -> Vec<u8> {
     let text = String::from_utf8_lossy(request);
     let replaced = |from: &str, to: &str| text.replace(from, to).into_bytes();
     if planted.is("version-ignored") {
-        return replaced(r#""ncp_version":"0.4""#, r#""ncp_version":"0.5""#);
+        return replaced(r#""ncp_version":"0.4""#, &format!(r#""ncp_version":"{WIRE_VERSION}""#));
     }
     if planted.is("negative-time") {
         return replaced(r#""advance_ms":-"#, r#""advance_ms":"#);

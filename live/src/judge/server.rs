@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use ncp_spec::WIRE_VERSION;
 use ncp_spec::plane::Plane;
 use ncp_spec::wire::{
     CloseSession, Message, NetworkRef, ObservationFrame, OpenSession, RunRequest, SimConfig, SortedMap, StepRequest,
@@ -28,7 +29,8 @@ pub(super) fn steps(bus: &Bus, target: &Target, steps: &[Step], rulings: &mut Ru
     }
     let ids = |text: &str| {
         let (a, b) = (session(target, "a"), session(target, "b"));
-        text.replace("{a}", &a).replace("{b}", &b).replace("{network}", &target.network)
+        let text = text.replace("{a}", &a).replace("{b}", &b);
+        text.replace("{network}", &target.network).replace("{wire}", WIRE_VERSION)
     };
     for step in steps {
         let Step::Ask { ask, reply, rule } = step else { continue };

@@ -81,7 +81,7 @@ pub(super) fn refusals(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Res
         ("NCP-SESS-021", "no frame"),
         ("NCP-SESS-021", r#"{"kind":"step_request","session_id":"a","session_id":"b"}"#),
         ("NCP-SESS-021", ""),
-        ("NCP-SESS-022", r#"{"kind":"sensor_frame","ncp_version":"0.5","seq":1}"#),
+        ("NCP-SESS-022", r#"{"kind":"sensor_frame","seq":1}"#),
     ];
     for (nth, (rule, request)) in (1_u32..).zip(bad) {
         let id = session(target, &format!("after-{nth}"));

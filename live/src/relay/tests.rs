@@ -112,7 +112,7 @@ fn requests_and_replies_pass_and_a_reply_that_is_lost_is_silence() {
     let asked: Message = CloseSession { session_id: "s".into(), ..CloseSession::default() }.into();
     for (schedule, answers) in [("", true), ("[control]\nlose = 1.0", false)] {
         let net = Net::new(schedule);
-        let reply = r#"{"kind":"session_closed","session_id":"s","ncp_version":"0.5","ok":true}"#;
+        let reply = r#"{"kind":"session_closed","session_id":"s","ok":true}"#;
         let _server = ControlServer::start(&net.right, move |_| reply.as_bytes().to_vec()).unwrap();
         let client = ControlClient::new(&net.left, Duration::from_millis(500)).unwrap();
         if answers {

@@ -261,7 +261,7 @@ mod tests {
     #[test]
     fn an_estop_with_a_member_twice_latches_and_one_that_is_cut_off_may() {
         let stop = command(9, Mode::Estop);
-        let twice = stop.replacen("{\"ncp_version\"", "{\"ncp_version\":\"0.5\",\"ncp_version\"", 1);
+        let twice = stop.replacen("{\"ncp_version\"", "{\"ncp_version\":\"\",\"ncp_version\"", 1);
         let mut told = body(&[(1.0, 5, Mode::Active)]);
         told.told(1.05, twice.as_bytes(), Some(Damage::Twice));
         assert_eq!(broken(&mut told, 1.15), Some("NCP-RES-022"));

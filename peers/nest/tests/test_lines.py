@@ -6,7 +6,7 @@ import ncp_pure as ncp
 import pytest
 from ncp_pure.wire import MAX_FRAME
 
-STRAY = '{"kind":"step_request","session_id":"nobody","ncp_version":"0.5"}'
+STRAY = json.dumps({"kind": "step_request", "session_id": "nobody", "ncp_version": ncp.WIRE_VERSION})
 
 LINES = {
     "an empty line": "",

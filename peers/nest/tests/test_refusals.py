@@ -11,7 +11,7 @@ def request(session, **changes):
     """A request that opens a session, with other members."""
     value = {
         "kind": "open_session",
-        "ncp_version": "0.5",
+        "ncp_version": ncp.WIRE_VERSION,
         "session_id": session.session_id,
         "network": {"kind": "builtin", "ref": "iaf_psc_alpha", "population_sizes": {"pop": 2}},
     }

@@ -1,9 +1,11 @@
-//! Holds the kernels of the hostile auditor against two engines that share no harness.
+//! Holds the kernels of the hostile auditor against means that share no harness, of which two have to notice each.
 //!
-//! The one is the properties, on samples, on enumerated values, and for all doubles by the solvers. The other is the
-//! tie of the theorem: what the changed source does on terms is not what Coq has as its model. A kernel that one of
-//! them lets pass fails the command, but for changes of the numbers, of which the terms know nothing.
+//! - The properties: on samples, on enumerated values, and for all doubles by the solvers.
+//! - The golden cases: the changed kernel behind the Rust peer, judged by the verifier.
+//! - The tie of the theorem: what the changed source does on terms is not what Coq has as its model. It takes minutes
+//!   for some kernels, and is asked only of those that one of the others lets pass; terms know nothing of numbers.
 
+mod cases;
 mod report;
 mod tie;
 
@@ -14,8 +16,9 @@ use ncp_defects::{Defect, place};
 use xtask::project::Project;
 use xtask::setup;
 
+use self::cases::Judged;
 use self::report::{Fate, Held, Report};
-use self::tie::{Tie, Tied};
+use self::tie::Tie;
 use super::MutateError;
 use super::copies::{Ask, Changed, Copies, SCALAR};
 use super::kernel::sources;
@@ -26,6 +29,7 @@ const TABLE: &str = "defects/hostile.toml";
 pub(super) const EXAMPLES: &str = "\
 Examples:
   cargo assure mutate hostile                          all: what reports/hostile.md is made of
+  cargo assure mutate hostile --tie                    the theorem's tie is asked of each, which takes hours
   cargo assure mutate hostile --only frame-reset-speed   one; no report
   cargo assure mutate hostile --table mine.toml        kernels of your own, in the form of defects/hostile.toml";
 
@@ -37,9 +41,13 @@ pub(crate) struct HostileArgs {
     /// Another table of changed kernels, from the root of the project. Nothing is written into the tree
     #[arg(long, value_name = "FILE", default_value = TABLE)]
     table: String,
+    /// Ask the theorem's tie of every kernel, also of those that properties and golden cases both notice
+    #[arg(long)]
+    tie: bool,
 }
 
 /// A kernel of the table.
+#[derive(Clone)]
 struct Kernel {
     id: String,
     defect: Defect,
@@ -61,7 +69,7 @@ impl Changed for Kernel {
     }
 }
 
-/// Holds the kernels against both; `false` if one of them lets a kernel pass.
+/// Holds the kernels against all; `false` if fewer than two notice one.
 ///
 /// # Errors
 /// A table, a file, or a program that cannot be started.
@@ -71,21 +79,29 @@ pub(crate) fn run(project: &Project, args: &HostileArgs) -> Result<bool, MutateE
     println!("{} hostile kernels", kernels.len());
 
     let copies = Copies::new(project, &sources)?;
-    let names: Vec<(String, Defect, bool)> =
-        kernels.iter().map(|kernel| (kernel.id.clone(), kernel.defect.clone(), kernel.is_of_numbers())).collect();
-    let mut ties = Tie::new(project)?.hold(&kernels)?;
-    let (good, refused) = copies.that_compile(kernels)?;
+    let (good, refused) = copies.that_compile(kernels.clone())?;
     let mut fates = properties(&copies, &good)?;
     fates.extend(refused.into_iter().map(|(id, said)| (id, Fate::NotBuilt(said))));
+    let mut judged = cases::hold(project, &kernels)?;
 
-    let held = names.into_iter().map(|(id, defect, is_of_numbers)| Held {
-        properties: fates.remove(&id).unwrap_or_else(|| Fate::Open("not held against anything".to_owned())),
-        tie: ties.remove(&id).unwrap_or(Tied::Accepted),
-        name: defect.name,
-        about: defect.about,
-        is_of_numbers,
+    let held = kernels.iter().map(|kernel| Held {
+        properties: fates.remove(&kernel.id).unwrap_or_else(|| Fate::Open("not held against anything".to_owned())),
+        cases: judged.remove(&kernel.id).unwrap_or(Judged::Passed),
+        tie: None,
+        name: kernel.defect.name.clone(),
+        about: kernel.defect.about.clone(),
+        is_of_numbers: kernel.is_of_numbers(),
     });
-    let report = Report { kernels: held.collect() };
+    let mut report = Report { kernels: held.collect() };
+    let asked = kernels.iter().zip(&report.kernels).filter(|(_, held)| args.tie || held.asks_the_tie());
+    let asked: Vec<Kernel> = asked.map(|(kernel, _)| kernel.clone()).collect();
+    if !asked.is_empty() {
+        println!("{} are left for the tie of the theorem", asked.len());
+        let mut ties = Tie::new(project)?.hold(&asked)?;
+        for (kernel, held) in kernels.iter().zip(&mut report.kernels) {
+            held.tie = ties.remove(&kernel.id);
+        }
+    }
     report.kernels.iter().for_each(|held| println!("{held}"));
     println!("{}", report.summary());
     if args.only.is_empty() && args.table == TABLE {

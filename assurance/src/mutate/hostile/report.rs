@@ -9,6 +9,7 @@ use xtask::project::Project;
 use super::super::MutateError;
 use super::super::copies::Refuted;
 use super::TABLE;
+use super::cases::Judged;
 use super::tie::Tied;
 use crate::artefact::Artefact;
 use crate::document::{Block, heading, table, text};
@@ -17,6 +18,8 @@ use crate::reports;
 
 /// The name of the artefact, of its lock and of its page.
 const NAME: &str = "hostile";
+/// So many have to notice a kernel.
+const ENOUGH: usize = 2;
 
 /// Everything.
 #[derive(Debug, Serialize)]
@@ -24,7 +27,7 @@ pub(super) struct Report {
     pub(super) kernels: Vec<Held>,
 }
 
-/// A kernel, and what both engines say of it.
+/// A kernel, and who notices it.
 #[derive(Debug, Serialize)]
 pub(super) struct Held {
     pub(super) name: String,
@@ -32,8 +35,9 @@ pub(super) struct Held {
     /// Whether it is a change of the numbers alone, of which terms know nothing.
     pub(super) is_of_numbers: bool,
     pub(super) properties: Fate,
-    #[serde(flatten)]
-    pub(super) tie: Tied,
+    pub(super) cases: Judged,
+    /// Nothing where the tie was not asked.
+    pub(super) tie: Option<Tied>,
 }
 
 /// What the properties say of a kernel.
@@ -49,12 +53,26 @@ pub(super) enum Fate {
 }
 
 impl Held {
+    /// Whether the tie has a word to say: fewer than two of the others notice it, and terms can tell.
+    pub(super) fn asks_the_tie(&self) -> bool {
+        !self.is_of_numbers && self.noticed_by() < ENOUGH
+    }
+
     fn is_refuted(&self) -> bool {
         !matches!(self.properties, Fate::Open(_))
     }
 
+    fn is_failed(&self) -> bool {
+        self.cases != Judged::Passed
+    }
+
     fn is_refused(&self) -> bool {
-        self.tie != Tied::Accepted
+        self.tie.as_ref().is_some_and(|tie| *tie != Tied::Accepted)
+    }
+
+    /// How many notice it.
+    fn noticed_by(&self) -> usize {
+        [self.is_refuted(), self.is_failed(), self.is_refused()].into_iter().filter(|notices| *notices).count()
     }
 
     /// The first word of its name.
@@ -70,12 +88,21 @@ impl Held {
         }
     }
 
+    fn by_cases(&self) -> &'static str {
+        match &self.cases {
+            Judged::Failed { .. } => "failed",
+            Judged::Late => "too late",
+            Judged::Passed => "passed",
+        }
+    }
+
     fn by_tie(&self) -> &'static str {
         match &self.tie {
-            Tied::Accepted => "accepted",
-            Tied::Refused(_) => "refused",
-            Tied::NotExported(_) => "not exported",
-            Tied::NotBuilt(_) => "not built",
+            None => "not asked",
+            Some(Tied::Accepted) => "accepted",
+            Some(Tied::Refused(_)) => "refused",
+            Some(Tied::NotExported(_)) => "not exported",
+            Some(Tied::NotBuilt(_)) => "not built",
         }
     }
 }
@@ -90,29 +117,35 @@ impl fmt::Display for Held {
             Fate::NotBuilt(said) => write!(form, "does not build with the properties: {said}")?,
             Fate::Open(said) => write!(form, "NOT REFUTED by the properties ({said})")?,
         }
-        write!(form, "; {}", self.tie)
+        match &self.cases {
+            Judged::Failed { cases, first } => write!(form, "; {cases} golden cases fail, {first} first")?,
+            Judged::Late => write!(form, "; the golden cases come to no end")?,
+            Judged::Passed => write!(form, "; PASSES the golden cases")?,
+        }
+        self.tie.as_ref().map_or(Ok(()), |tie| write!(form, "; {tie}"))
     }
 }
 
 impl Report {
-    /// The kernels that one engine lets pass, but for numbers and the tie.
+    /// The kernels that fewer than two notice.
     pub(super) fn problems(&self) -> Vec<String> {
-        let open = self.kernels.iter().filter_map(|held| match (held.is_refuted(), held.is_refused()) {
-            (false, false) => Some(format!("{}: neither engine refutes it", held.name)),
-            (false, true) => Some(format!("{}: no property refutes it", held.name)),
-            (true, false) if !held.is_of_numbers => Some(format!("{}: the tie accepts it", held.name)),
-            (true, _) => None,
-        });
-        open.collect()
+        let open = self.kernels.iter().filter(|held| held.noticed_by() < ENOUGH);
+        open.map(|held| match held.noticed_by() {
+            0 => format!("{}: nothing notices it", held.name),
+            _ => format!(
+                "{}: only one notices it (properties {}, golden cases {}, tie {})",
+                held.name,
+                held.by_properties(),
+                held.by_cases(),
+                held.by_tie()
+            ),
+        })
+        .collect()
     }
 
     pub(super) fn summary(&self) -> String {
-        let (all, both) = (self.kernels.len(), self.both().count());
-        format!("{all} hostile kernels: {both} noticed by both engines; {} PROBLEMS", self.problems().len())
-    }
-
-    fn both(&self) -> impl Iterator<Item = &Held> {
-        self.kernels.iter().filter(|held| held.is_refuted() && held.is_refused())
+        let (all, problems) = (self.kernels.len(), self.problems().len());
+        format!("{all} hostile kernels: {} noticed by two at least; {problems} PROBLEMS", all - problems)
     }
 
     /// Keeps it.
@@ -126,9 +159,12 @@ impl Report {
         let mut counts = BTreeMap::new();
         for held in &self.kernels {
             *counts.entry(format!("properties {}", held.by_properties())).or_default() += 1;
+            *counts.entry(format!("golden cases {}", held.by_cases())).or_default() += 1;
             *counts.entry(format!("tie {}", held.by_tie())).or_default() += 1;
         }
-        let fate = |held: &Held| (held.name.clone(), format!("{}, {}", held.by_properties(), held.by_tie()));
+        let fate = |held: &Held| {
+            (held.name.clone(), [held.by_properties(), held.by_cases(), held.by_tie()].join(", "))
+        };
         let fates = self.kernels.iter().map(fate).collect();
         Lock { sources, counts, fates, problems: self.problems(), ..Lock::default() }.write(&root, NAME)?;
         let (folder, page) = (project.path(reports::PAGES), self.page());
@@ -139,17 +175,17 @@ impl Report {
 
     /// What people read.
     fn page(&self) -> Vec<Block> {
-        let mut classes: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
+        let mut classes: BTreeMap<&str, [usize; 6]> = BTreeMap::new();
         for held in &self.kernels {
             for class in [held.class(), "~all"] {
                 let row = classes.entry(class).or_default();
-                row[0] += 1;
-                row[1] += usize::from(held.is_refuted());
-                row[2] += usize::from(held.is_refused());
-                row[3] += usize::from(held.is_refuted() && held.is_refused());
+                let is_enough = held.noticed_by() >= ENOUGH;
+                let marks =
+                    [true, held.is_refuted(), held.is_failed(), held.tie.is_some(), held.is_refused(), is_enough];
+                row.iter_mut().zip(marks).for_each(|(count, mark)| *count += usize::from(mark));
             }
         }
-        let row = |(class, counts): (&str, [usize; 4])| {
+        let row = |(class, counts): (&str, [usize; 6])| {
             let mut row = vec![class.trim_start_matches('~').to_owned()];
             row.extend(counts.map(|count| count.to_string()));
             row
@@ -158,26 +194,32 @@ impl Report {
             heading(1, "Hostile kernels"),
             text(format!(
                 "`cargo assure mutate hostile`: the {} kernels of [`{TABLE}`](../{TABLE}), single and combined, \
-                 planted by an author who had not read the properties. Each is held against two engines that share no \
-                 harness: the properties of the proofs - on samples, on enumerated values, and for all doubles by the \
-                 solvers -, and the tie of the theorem, for which the changed source is run on terms and Coq is asked \
-                 whether that is still its model. A kernel with another state than the properties or the tie take \
-                 apart does not build with them, and is noticed so. Of a change of the numbers alone the terms know \
-                 nothing.",
+                 planted by an author who had not read the properties. Three share no harness, and two of them have to \
+                 notice each kernel: the properties of the proofs - on samples, on enumerated values, and for all \
+                 doubles by the solvers -; the golden cases of what moves a plant, asked of the Rust peer with that \
+                 kernel, which are no proof and whose author knew these kernels; and the tie of the theorem, for which \
+                 the changed source is run on terms and Coq is asked whether that is still its model. The tie takes \
+                 minutes for some kernels and is asked of those that one of the others lets pass; of a change of the \
+                 numbers alone the terms know nothing. A kernel with another state than the properties or the tie \
+                 take apart does not build with them, and is noticed so.",
                 self.kernels.len()
             )),
             table(
-                &["class", "kernels", "noticed by the properties", "by the tie", "by both"],
+                &["class", "kernels", "properties", "golden cases", "tie asked", "tie", "by two at least"],
                 classes.into_iter().map(row),
             ),
         ];
-        let passing = self.kernels.iter().filter(|held| !(held.is_refuted() && held.is_refused()));
+        let passing = self.kernels.iter().filter(|held| !held.is_refuted() || !held.is_failed());
         let passing: Vec<Vec<String>> = passing
-            .map(|held| [&*held.name, &held.about, held.by_properties(), held.by_tie()].map(str::to_owned).to_vec())
+            .map(|held| {
+                [&*held.name, &held.about, held.by_properties(), held.by_cases(), held.by_tie()]
+                    .map(str::to_owned)
+                    .to_vec()
+            })
             .collect();
         if !passing.is_empty() {
-            page.push(heading(2, "What one of them lets pass"));
-            page.push(table(&["kernel", "what it does", "properties", "tie"], passing));
+            page.push(heading(2, "What the properties or the golden cases let pass"));
+            page.push(table(&["kernel", "what it does", "properties", "golden cases", "tie"], passing));
         }
         page
     }

@@ -13,6 +13,8 @@ mod websocket;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use ncp_spec::WIRE_VERSION;
+
 /// How long something may take that takes no time on an idle machine.
 const LONG: Duration = Duration::from_secs(30);
 
@@ -26,19 +28,21 @@ fn until(what: &str, mut is_so: impl FnMut() -> bool) {
 
 fn open(session: &str) -> String {
     let network = r#"{"kind":"builtin","ref":"ncp.reference.rate"}"#;
-    format!(r#"{{"kind":"open_session","ncp_version":"0.5","session_id":"{session}","network":{network}}}"#)
+    format!(r#"{{"kind":"open_session","ncp_version":"{WIRE_VERSION}","session_id":"{session}","network":{network}}}"#)
 }
 
 fn step(session: &str, advance_ms: f64) -> String {
-    format!(r#"{{"kind":"step_request","ncp_version":"0.5","session_id":"{session}","advance_ms":{advance_ms}}}"#)
+    format!(
+        r#"{{"kind":"step_request","ncp_version":"{WIRE_VERSION}","session_id":"{session}","advance_ms":{advance_ms}}}"#
+    )
 }
 
 fn close(session: &str) -> String {
-    format!(r#"{{"kind":"close_session","ncp_version":"0.5","session_id":"{session}"}}"#)
+    format!(r#"{{"kind":"close_session","ncp_version":"{WIRE_VERSION}","session_id":"{session}"}}"#)
 }
 
 fn observation(session: &str, seq: i64) -> String {
-    format!(r#"{{"kind":"observation_frame","ncp_version":"0.5","session_id":"{session}","seq":{seq}}}"#)
+    format!(r#"{{"kind":"observation_frame","ncp_version":"{WIRE_VERSION}","session_id":"{session}","seq":{seq}}}"#)
 }
 
 fn json(frame: &[u8]) -> serde_json::Value {
