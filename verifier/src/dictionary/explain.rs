@@ -72,7 +72,10 @@ impl Dictionary {
             search.run();
             match search.most_contradicted() {
                 Some(suspect) => refuted.insert(suspect),
-                None => return search.explanation(),
+                None => {
+                    search.forget_the_superfluous();
+                    return search.explanation();
+                }
             };
         }
     }
@@ -206,6 +209,26 @@ impl<'s> Search<'s> {
         refuted.max().map(|(_, suspect)| suspect)
     }
 
+    /// Forgets the named suspects without which every failing case still ends as one of the others predicts: they
+    /// were named for the cases that pass alone, as two defects that would break such a case speak less against each
+    /// other than one.
+    fn forget_the_superfluous(&mut self) {
+        let alike = |suspect: &usize| {
+            let is_alike = |(key, symptom): &(CaseKey, Symptom)| self.observed.symptom(*key) == Some(*symptom);
+            self.predictions(*suspect).filter(is_alike).collect::<Vec<_>>()
+        };
+        let mut named: Vec<_> = self.named.iter().map(|suspect| (*suspect, alike(suspect))).collect();
+        named.sort_by_key(|(_, alike)| alike.len());
+        for (suspect, alike) in named {
+            let is_shared = |(key, seen): &(CaseKey, Symptom)| {
+                self.predicted(*key).iter().filter(|symptom| *symptom == seen).count() > 1
+            };
+            if alike.iter().all(is_shared) {
+                self.withdraw(suspect);
+            }
+        }
+    }
+
     fn explanation(self) -> Explanation {
         let mut defects: Vec<(usize, Explained)> = Vec::new();
         for suspect in &self.named {
@@ -295,6 +318,16 @@ mod tests {
         // a wrong one.
         let found = known.explain_without(&seen, &[0]);
         assert_eq!((found.defects.len(), found.unexplained.len()), (0, 5));
+    }
+
+    #[test]
+    fn a_defect_that_explains_no_failing_case_of_its_own_is_not_named_for_the_cases_that_pass() {
+        let whole: Vec<(u32, Symptom)> = (1..=20).map(|key| (key, PLACE)).collect();
+        let part = [(1, PLACE), (19, PLACE), (20, PLACE)];
+        let known = dictionary(&[("whole", &whole), ("part", &part)]);
+        // The two cases that pass would speak less against both together than against the whole alone.
+        let found = known.explain(&observed(&whole[..18]));
+        assert_eq!(named(&known, &found), ["whole"]);
     }
 
     #[test]

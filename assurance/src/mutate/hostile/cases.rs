@@ -59,10 +59,9 @@ pub(super) fn hold(project: &Project, kernels: &[Kernel]) -> Result<BTreeMap<Str
             Err(error) => return Err(error.into()),
             Ok(observed) => {
                 let symptoms = observed.symptoms();
-                cases.iter().find(|case| symptoms.contains_key(&CaseKey::of(&case.id))).map_or(Judged::Passed, |first| Judged::Failed {
-                    cases: symptoms.len(),
-                    first: first.id.clone(),
-                })
+                let first = cases.iter().find(|case| symptoms.contains_key(&CaseKey::of(&case.id)));
+                let failed = |first: &&Case| Judged::Failed { cases: symptoms.len(), first: first.id.clone() };
+                first.map_or(Judged::Passed, failed)
             }
         };
         Ok((kernel.id.clone(), judged))

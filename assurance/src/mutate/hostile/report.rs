@@ -162,9 +162,7 @@ impl Report {
             *counts.entry(format!("golden cases {}", held.by_cases())).or_default() += 1;
             *counts.entry(format!("tie {}", held.by_tie())).or_default() += 1;
         }
-        let fate = |held: &Held| {
-            (held.name.clone(), [held.by_properties(), held.by_cases(), held.by_tie()].join(", "))
-        };
+        let fate = |held: &Held| (held.name.clone(), [held.by_properties(), held.by_cases(), held.by_tie()].join(", "));
         let fates = self.kernels.iter().map(fate).collect();
         Lock { sources, counts, fates, problems: self.problems(), ..Lock::default() }.write(&root, NAME)?;
         let (folder, page) = (project.path(reports::PAGES), self.page());
