@@ -90,4 +90,4 @@ class ActionBuffer:
         if not self._command.horizon or dt_ms is None or not isfinite(dt_ms) or dt_ms <= 0:
             return 0
         ticks = age_s * 1000.0 / dt_ms
-        return floor(ticks) if ticks <= MAX_HORIZON else MAX_HORIZON + 1
+        return floor(ticks) if ticks < MAX_HORIZON + 1 else MAX_HORIZON + 1

@@ -226,6 +226,8 @@ def _scaled(velocity, limit):
     """A finite velocity, scaled to the limit if it is above [NCP-SAFE-060] [NCP-SAFE-061] [NCP-SAFE-062]."""
     if hypot(*velocity) <= limit:
         return velocity
+    if not limit > 0:  # nothing is within such a limit but standing still
+        return [0.0] * len(velocity)
     largest = max(map(abs, velocity))
     direction = [x / largest for x in velocity]  # so that no norm overflows
     length = hypot(*direction)

@@ -51,7 +51,7 @@ class LifModel:
         if refractory:
             return (self._reset, refractory - 1), False
         v = self._rest + (v - self._rest) * self._decay + (self._bias + current) * self._gain
-        if v >= self._threshold:
+        if v >= self._threshold and isfinite(v):  # what left the doubles is no spike [NCP-SESS-057]
             return (self._reset, self._refractory_steps), True
         return (v, 0), False
 

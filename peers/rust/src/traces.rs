@@ -162,7 +162,12 @@ fn governor(limits: Raw<'_>) -> Result<SafetyGovernor, Refusal> {
 #[serde(untagged)]
 enum CodecArgs {
     Preset(Preset),
-    Own { encoders: Vec<MappingArgs>, decoders: Vec<MappingArgs> },
+    Own {
+        #[serde(default)]
+        encoders: Vec<MappingArgs>,
+        #[serde(default)]
+        decoders: Vec<MappingArgs>,
+    },
 }
 
 #[derive(Deserialize)]

@@ -107,7 +107,7 @@ export class LifNeurons extends Neurons {
         continue;
       }
       const v = this.#rest + (state[n]! - this.#rest) * this.#decay + (this.#current + input[n]!) * this.#drift;
-      const spikes = v >= this.#threshold;
+      const spikes = v >= this.#threshold && Number.isFinite(v); // what left the doubles is none [NCP-SESS-057]
       state[n] = spikes ? this.#reset : v;
       if (spikes) {
         spiked[n] = 1;

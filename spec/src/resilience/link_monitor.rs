@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 /// The most updates of the detector that one gap makes. `[NCP-RES-047]`
 const MAX_UPDATES: u64 = 256;
-/// The most missing seqs that are remembered. `[NCP-RES-048]`
+/// The most missing seqs that are remembered. `[NCP-RES-048] [NCP-RES-056]`
 const MAX_MISSING: usize = 4_096;
 /// The share of losses that is usual, unless it is said otherwise. `[NCP-RES-051]`
 pub const DEFAULT_REF_LOSS: f64 = 0.05;

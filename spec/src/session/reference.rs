@@ -165,16 +165,12 @@ impl Model {
         if !(0.0..=MAX_STEPS).contains(&steps) {
             return Err(refuse("t_ref", t_ref));
         }
-        let v_th = plain("V_th");
-        if plain("V_reset") >= v_th {
-            return Err(refuse("V_reset", plain("V_reset")));
-        }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
         Ok(Self::Lif {
             propagator: (-dt_ms / tau).exp(),
             gain: tau / c_m,
             e_l: plain("E_L"),
-            v_th,
+            v_th: plain("V_th"),
             v_reset: plain("V_reset"),
             i_e: plain("I_e"),
             t_ref: steps as u64,
@@ -210,7 +206,8 @@ impl Model {
             Self::Lif { propagator, gain, e_l, v_th, v_reset, i_e, t_ref } => {
                 neuron.state =
                     e_l + (neuron.state - e_l) * propagator + (i_e + neuron.input) * gain * (1.0 - propagator);
-                if neuron.state >= v_th {
+                // What left the doubles is no spike. [NCP-SESS-057]
+                if neuron.state >= v_th && neuron.state.is_finite() {
                     neuron.spiked = true;
                     neuron.state = v_reset;
                     neuron.refractory = t_ref;

@@ -153,6 +153,14 @@ fn ranges() -> Vec<Case> {
             .because("The defaults are \u{2212}1 \u{2026} 1 and 0 \u{2026} 200 Hz."),
         );
     }
+    // A codec of one side: an absent array is empty.
+    let one_sided = object! { "encoders" => Json::Array(vec![PLAIN.json()]) };
+    cases.push(
+        case("one-sided".to_owned(), &["NCP-CODEC-001"], one_sided, sensor(&[("x", &[0.5])]))
+            .shows(rates(&[("p", map(0.5, PLAIN.value, PLAIN.rate))]))
+            .title("A codec that is given encoders alone encodes by them.")
+            .because("Encoding takes no decoder; an absent array of mappings is empty."),
+    );
     // Ranges without length.
     for (name, value) in [
         ("zero-length", [1.0, 1.0]),

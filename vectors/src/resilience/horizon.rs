@@ -2,17 +2,21 @@
 
 use super::model::Event;
 use super::{buffer_case as case, buffer_row};
+use ncp_text::WIRE_VERSION;
+
 use crate::case::{Case, File, Role};
 use crate::command::{Command, active};
-use crate::json::object;
+use crate::json::{Json, object};
 use crate::scenario::{ScenarioError, Scenarios, source};
-use crate::trace::{any, int, name_of, num, within};
+use crate::template::Text;
+use crate::trace::{any, int, name_of, no_result, num, nums, steps, within};
 
 pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
     cases.extend(lengths_of_a_tick());
     cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     cases.push(long_replay());
+    cases.push(longest_replay());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
     Ok(File::new("resilience", "horizon", about, cases))
 }
@@ -70,6 +74,37 @@ fn long_replay() -> Case {
     events.extend(ticks.map(|tick| Event::Ask(4.0 + 0.125 * f64::from(tick))));
     case("long/300-steps", &["NCP-RES-028", "NCP-RES-029"], &events)
         .title("Of a horizon of 300 steps the plant follows each in its time, and none behind the end.")
+        .flags(&["wrong-tick"])
+        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and none past the end of the horizon.")
+}
+
+/// The last step of the longest horizon is replayed until its tick is over.
+fn longest_replay() -> Case {
+    let tick = |x: u32| format!(r#"{{"velocity_setpoint":{{"data":[{x}.0,0.0,0.0],"unit":"m/s"}}}}"#);
+    let frame = Text::concat([
+        Text::from(format!(
+            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":1,"mode":"active","ttl_ms":60000.0,"#
+        )),
+        Text::from(format!(r#""horizon_dt_ms":1.0,"channels":{},"horizon":["#, tick(1))),
+        Text::repeat(format!("{},", tick(2)), 4095),
+        Text::from(format!("{}]}}", tick(3))),
+    ]);
+    let ask = |at_ms: f64| object! { "op" => "active", "now_s" => num(at_ms / 1000.0) };
+    let moves = |x: f64| {
+        object! { "channels" => object! {
+        "velocity_setpoint" => object! { "data" => nums(&[x, 0.0, 0.0]), "unit" => "m/s" } } }
+    };
+    let holds = || object! { "channels" => Json::Null };
+    // Received at 0, so that no difference of clocks rounds.
+    let asked =
+        [(0.5, moves(1.0)), (4095.5, moves(2.0)), (4096.25, moves(3.0)), (4096.75, moves(3.0)), (4097.5, holds())];
+    let command = object! { "op" => "command", "text" => frame.json(), "now_s" => num(0.0) };
+    let events = std::iter::once(command).chain(asked.iter().map(|(at_ms, _)| ask(*at_ms))).collect();
+    let shown = std::iter::once(no_result()).chain(asked.iter().map(|(_, shown)| shown.clone())).collect();
+    Case::new("long/4096-steps", &["NCP-RES-028", "NCP-RES-029"], &[Role::Body])
+        .call("buffer.run", object! { "steps" => Json::Array(events) })
+        .shows(steps(shown))
+        .title("Of a horizon of 4,096 steps, the longest, the plant follows the last until its tick is over.")
         .flags(&["wrong-tick"])
         .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and none past the end of the horizon.")
 }

@@ -231,7 +231,7 @@ fn counts() -> Vec<Case> {
         seqs.extend(order);
         seqs.extend([6, 7]);
         cases.push(
-            usual(&format!("order/{nth:02}"), &["NCP-RES-041", "NCP-RES-040", "NCP-RES-043"], &seqs)
+            usual(&format!("order/{nth:02}"), &["NCP-RES-041", "NCP-RES-040", "NCP-RES-043", "NCP-RES-056"], &seqs)
                 .title(format!("The frames {seqs:?} lose nothing in the end, in this order."))
                 .flags(&["wrong-loss"])
                 .because(
@@ -473,6 +473,21 @@ fn extremes() -> Vec<Case> {
             .because("Nothing overflows at the largest seq of the wire."),
         );
     }
+    // As many missing as have to be remembered: all of them are taken back, the oldest last.
+    let gap = 4_096_i64;
+    let seqs: Vec<i64> = [0, gap + 1].into_iter().chain((1..=gap).rev()).collect();
+    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+    if let Some(last) = entries.last_mut() {
+        *last = object! { "lost" => int(0), "received" => int(gap + 2) };
+    }
+    cases.push(
+        Case::new("extreme/remembers", &["NCP-RES-056", "NCP-RES-041"], &BOTH)
+            .call("link.run", args(None, None, &seqs))
+            .shows(steps(entries))
+            .title("Of 4,096 missing frames that all come late, each is taken back.")
+            .flags(&["wrong-loss"])
+            .because("While no more than 4,096 seqs are missing, the monitor remembers each of them."),
+    );
     // More missing than may be remembered: not all of them can be taken back.
     let gap = 4_200_i64;
     let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(1..=gap).collect();

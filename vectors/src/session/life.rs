@@ -305,8 +305,14 @@ fn failures() -> Vec<Case> {
     };
     let rate = driven(Open { params: vec![("mu", 1.7e308)], ..Open::rate("a") }, "rate", "rate_inject");
     let membrane = driven(Open { params: vec![("C_m", 1.0)], ..Open::lif("a") }, "V_m", "current_pA");
+    // Beyond the doubles in whatever order it is computed, and above every threshold.
+    let spiking = driven(Open { params: vec![("C_m", 1e-3)], ..Open::lif("a") }, "V_m", "current_pA");
     // With the second input, either network stays where it began.
-    let table = [("rate", rate, 1.7e308, -1.7e308, 0.0), ("membrane", membrane, -1.7e308, 0.0, -70.0)];
+    let table = [
+        ("rate", rate, 1.7e308, -1.7e308, 0.0),
+        ("membrane", membrane, -1.7e308, 0.0, -70.0),
+        ("spiking-membrane", spiking, 1.7e308, 0.0, -70.0),
+    ];
     let mut cases = Vec::new();
     for (what, a, too_much, rest, state) in table {
         let open = || (a.text(), opened("a"));

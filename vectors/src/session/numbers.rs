@@ -112,6 +112,8 @@ fn networks() -> Vec<(&'static str, Params)> {
         // No whole number of steps, and never half of one.
         ("rest-rounded-up", vec![("t_ref", 0.8), ("I_e", 600.0)]),
         ("rest-rounded-down", vec![("t_ref", 1.2), ("I_e", 600.0)]),
+        ("reset-to-threshold", vec![("V_reset", -55.0), ("I_e", 600.0)]),
+        ("reset-above-threshold", vec![("V_reset", -40.0), ("I_e", 600.0)]),
         ("other-levels", vec![("E_L", -65.0), ("V_th", -50.0), ("V_reset", -75.0), ("I_e", 450.0)]),
     ]
 }
