@@ -74,6 +74,7 @@ impl Listener for Progress {
                 FAULTS_SAID => self.say("further faults are in the report"),
                 _ => {}
             },
+            Event::Recorded { .. } | Event::Opened => {}
             Event::GivenUp { why } => self.say(&format!("given up: {why}")),
         }
     }

@@ -181,6 +181,15 @@ pub enum Event<'e> {
         /// How many of them were not right.
         wrong: u64,
     },
+    /// What became of a case. Of a case that is told more than once, the [worst](keep_worst) counts.
+    Recorded {
+        /// The case.
+        case: &'e str,
+        /// What became of it.
+        run: &'e CaseRun,
+    },
+    /// An answer to `session.run` opened a session, for the first time in the run.
+    Opened,
     /// A fault was charged to a case.
     Fault {
         /// The case.
@@ -308,7 +317,7 @@ pub fn run(
 }
 
 /// Keeps the worse of what is known and what is new.
-fn keep_worst(known: &mut Option<CaseRun>, new: CaseRun) {
+pub fn keep_worst(known: &mut Option<CaseRun>, new: CaseRun) {
     if known.as_ref().is_none_or(|known| known.outcome.kind() < new.outcome.kind()) {
         *known = Some(new);
     }
@@ -414,8 +423,12 @@ impl<'r> Shared<'r> {
 
     /// Takes note if an answer opens a session.
     fn look_for_a_session(&self, case: &Case, answer: &Answer<'_>) {
-        if case.call == Call::SessionRun && !self.opened.load(Ordering::Relaxed) && opens_a_session(answer) {
-            self.opened.store(true, Ordering::Relaxed);
+        if case.call == Call::SessionRun
+            && !self.opened.load(Ordering::Relaxed)
+            && opens_a_session(answer)
+            && !self.opened.swap(true, Ordering::Relaxed)
+        {
+            self.listener.on(Event::Opened);
         }
     }
 

@@ -306,6 +306,7 @@ impl<'r> Worker<'r> {
     }
 
     fn record(&mut self, index: usize, run: CaseRun) {
+        self.shared.listener.on(Event::Recorded { case: &self.shared.cases[index].id, run: &run });
         if let Some(known) = self.report.cases.get_mut(index) {
             keep_worst(known, run);
         }
