@@ -97,6 +97,8 @@ harnesses! {
     "latch/sequence" => latch::sequence,
     "latch/plant-sequence" => latch::plant_sequence,
     "latch/horizon" => latch::horizon,
+    "latch/closed" => latch::closed,
+    "latch/replay" => latch::replay,
     "number/operations" => number::operations,
 }
 

@@ -28,6 +28,8 @@ crate::kani_proofs! {
     latch_sequence = "latch/sequence", 7;
     latch_plant_sequence = "latch/plant-sequence", 7;
     latch_horizon = "latch/horizon", 6;
+    latch_closed = "latch/closed", 4098;
+    latch_replay = "latch/replay", 10;
     number_operations = "number/operations", 10;
 }
 

@@ -8,6 +8,7 @@ use crate::kernel::{Kernel, PlantState, WatchdogState};
 use crate::prover::Prover;
 
 pub use super::command::{event, govern, new};
+pub use super::loops::{closed, replay};
 
 const MODES: [Mode; 4] = [Mode::Active, Mode::Hold, Mode::Init, Mode::Estop];
 

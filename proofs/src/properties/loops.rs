@@ -9,8 +9,8 @@ use std::marker::PhantomData;
 use ncp_kernel::{Channel, Decision, Limit, Mode, Plan, Reason, Scalar};
 
 use super::command::any_limit;
-use super::words::{all_finite, end, norm, positive, share};
-use crate::kernel::Kernel;
+use super::words::{all_finite, end, norm, positive, same_gates, share};
+use crate::kernel::{GatesState, Kernel, PlantState, WatchdogState};
 use crate::prover::Prover;
 
 /// One turn of the projection: any step of a horizon, from any place, with any velocity, for any times and radius.
@@ -144,7 +144,7 @@ pub fn channel<K: Kernel, P: Prover>(p: &mut P) {
 /// How many channels a tick has.
 const CHANNELS: [usize; 6] = [1, 2, 3, 9, 65, 257];
 /// How wide one of them is.
-const WIDTHS: [usize; 6] = [1, 3, 4, 9, 65, 257];
+const WIDTHS: [usize; 7] = [1, 3, 4, 9, 65, 257, 259];
 
 /// The loops over channels and over components: with many of both, a channel that is too fast is limited, one that is
 /// not finite is noticed and the velocity is found, wherever it stands, and whichever of its components is to blame.
@@ -201,10 +201,12 @@ pub fn long<K: Kernel, P: Prover>(p: &mut P) {
         _ => Some([max, zero, zero]),
     };
     let velocities = (0..=steps).map(|tick| if tick == at { odd } else { Some([zero; 3]) }).collect();
-    let mut plan = Long::<K, P::S> { ttl, dt, velocities, kernel: PhantomData };
+    let mut plan = Long::<K, P::S> { mode: Mode::Active, ttl, dt: Some(dt), velocities, kernel: PhantomData };
     let (now, timeout) = (p.number(0.0), p.number(500.0));
     let mut gates = K::gates(is_limited.then_some(max), is_fenced.then_some(radius), timeout);
+    let before = K::gates_state(&gates);
     let decision = K::gates_govern(&mut gates, &mut plan, now, Some(now), Some([edge, zero, zero]));
+    same_gates(p, K::gates_state(&gates), before);
 
     let is_cut = match kind {
         0 => is_fenced,
@@ -224,23 +226,117 @@ pub fn long<K: Kernel, P: Prover>(p: &mut P) {
     }
 }
 
+/// A whole command with a long horizon at a gate that is closed: what it is answered, and the state after it, are those
+/// of any other command there.
+pub fn closed<K: Kernel, P: Prover>(p: &mut P) {
+    let nth = p.choice("steps", LONG.len());
+    let steps = LONG.get(nth).copied().unwrap_or(1);
+    let closes = p.choice("closes", 13);
+    let (is_fenced, is_limited) = (p.boolean("is_fenced"), p.boolean("is_limited"));
+    let [zero, one, far, radius, timeout, long_ago, nan] =
+        [0.0, 1.0, 11.0, 10.0, 500.0, -0.501, f64::NAN].map(|x| p.number(x));
+    let (is_fenced, is_limited) = (is_fenced || matches!(closes, 5 | 6), is_limited || closes == 12);
+    let bound = |is_enabled, bound| if is_enabled { Limit::Enabled(bound) } else { Limit::Disabled };
+    let before = GatesState {
+        max_speed_mps: bound(is_limited, one),
+        fence_m: bound(is_fenced, radius),
+        timeout_ms: timeout,
+        config_fault: closes == 2,
+        estop: closes == 0,
+    };
+    let mode = match closes {
+        1 => Mode::Estop,
+        7 => Mode::Hold,
+        8 => Mode::Init,
+        _ => Mode::Active,
+    };
+    let last = match closes {
+        3 => None,
+        4 => Some(long_ago),
+        _ => Some(zero),
+    };
+    let position = match closes {
+        5 => None,
+        6 => Some([far, zero, zero]),
+        _ => Some([zero; 3]),
+    };
+    let dt = match closes {
+        9 => None,
+        10 => Some(zero),
+        _ => Some(one),
+    };
+    let first = match closes {
+        11 => Some([zero, zero, nan]),
+        12 => None,
+        _ => Some([zero; 3]),
+    };
+    let velocities = std::iter::once(first).chain((0..steps).map(|_| Some([zero; 3]))).collect();
+    let mut plan = Long::<K, P::S> { mode, ttl: timeout, dt, velocities, kernel: PhantomData };
+    let mut gates = K::gates_in(before);
+    let decision = K::gates_govern(&mut gates, &mut plan, zero, last, position);
+
+    let says = match closes {
+        0 | 1 => Decision::Stopped(Reason::Estop),
+        2 => Decision::Held(Reason::ConfigFault),
+        3 | 4 => Decision::Held(Reason::StaleSensor),
+        5 => Decision::Held(Reason::NoPosition),
+        6 => Decision::Stopped(Reason::OutsideFence),
+        7 | 8 => Decision::Held(Reason::NotActive),
+        9 | 10 => Decision::Held(Reason::BadHorizon),
+        11 => Decision::Held(Reason::NotFinite),
+        _ => Decision::Held(Reason::NoVelocity),
+    };
+    let right = p.truth(decision == says);
+    p.check("a closed gate stops a horizon of any length", right);
+    same_gates(p, K::gates_state(&gates), GatesState { estop: matches!(closes, 0 | 1 | 6), ..before });
+}
+
+/// A plant with a long horizon, asked at the beginning and in the middle of a tick: the one that it follows is that of
+/// the command's age, and there is none past the end, however far.
+pub fn replay<K: Kernel, P: Prover>(p: &mut P) {
+    let nth = p.choice("steps", LONG.len() + 1);
+    let steps = nth.checked_sub(1).and_then(|nth| LONG.get(nth)).copied().unwrap_or(0);
+    let ticks = [0, 1, steps / 2, steps.saturating_sub(1), steps, steps + 1, steps + 256, 65_536, 65_537];
+    // Beyond 32 bits, where a wider index is what a target has.
+    let far = [1_u64 << 32, (1 << 32) + 1].map(|tick| usize::try_from(tick).unwrap_or(usize::MAX >> 12));
+    let nth = p.choice("tick", ticks.len() + far.len());
+    let tick = ticks.into_iter().chain(far).nth(nth).unwrap_or(0);
+    // A tick of 2⁻³⁰ s, so that no age rounds.
+    let length_s = 1.0 / f64::from(1 << 30);
+    #[expect(clippy::cast_precision_loss)]
+    let age_s = (tick as f64 + if p.boolean("is_halfway") { 0.5 } else { 0.0 }) * length_s;
+    let [now, received, ttl, dt] = [age_s, 0.0, 60_000.0, 1000.0 * length_s].map(|x| p.number(x));
+    let mut plant = K::plant_in::<P::S, P::Q>(PlantState {
+        watchdog: WatchdogState { last_seq: None, deadline: Some((received, ttl)) },
+        estop: false,
+    });
+    let answer = K::plant_active(&mut plant, now, Some(dt), steps);
+    let says = if steps == 0 { Some(0) } else { Some(tick).filter(|tick| *tick <= steps) };
+    let right = p.truth(answer == says);
+    p.check("the tick of a long horizon is that of its age", right);
+    let is_over = K::plant_state(&plant).watchdog.deadline.is_none();
+    let right = p.truth(is_over == says.is_none());
+    p.check("and past its end the plant holds for good", right);
+}
+
 /// A command whose ticks have a velocity, or nothing.
 struct Long<K, S> {
+    mode: Mode,
     ttl: S,
-    dt: S,
+    dt: Option<S>,
     velocities: Vec<Option<[S; 3]>>,
     kernel: PhantomData<K>,
 }
 
 impl<K: Kernel, S: Scalar> Plan<S> for Long<K, S> {
     fn mode(&self) -> Mode {
-        Mode::Active
+        self.mode
     }
     fn ttl_ms(&self) -> S {
         self.ttl
     }
     fn dt_ms(&self) -> Option<S> {
-        Some(self.dt)
+        self.dt
     }
     fn steps(&self) -> usize {
         self.velocities.len() - 1

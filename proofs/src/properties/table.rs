@@ -163,7 +163,7 @@ pub const PROPERTIES: &[Property] = &[
             after the ttl is noticed or left alone as it has to be, wherever it stands, with each of the limits, \
             both and none.",
         statement: "∀ n ∈ N, i ∈ {1, 2, n/2, n − 1, n}, kinds of step i, limits: govern keeps i − 1 steps or all, and \
-            says so",
+            says so; the gates stay as they were",
         bounds: "N = {1, 2, 3, 4, 7, 8, 9, 16, 31, 64, 65, 129, 257, 1025, 4096}; one position, one velocity of each \
             kind",
         assumptions: &["Other places, velocities and times: by geofence/step and latch/govern."],
@@ -236,7 +236,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "∀ n ∈ N, w ∈ W, places of the velocity, of one odd channel and of its odd component in {first, \
             middle, last}: limit_tick(c₁ … cₙ) = err not finite where one is not, err no velocity where the limit is \
             enabled and the velocity is not 3 wide, else ok(whether one was above); and then ‖c‖ ≤ max",
-        bounds: "N = {1, 2, 3, 9, 65, 257} channels, W = {1, 3, 4, 9, 65, 257} components; one value of each kind",
+        bounds: "N = {1, 2, 3, 9, 65, 257} channels, W = {1, 3, 4, 9, 65, 257, 259} components; one value of each kind",
         assumptions: &["Other values: by clamp/channel."],
     },
     Property {
@@ -400,6 +400,42 @@ pub const PROPERTIES: &[Property] = &[
             = err r ⇒ held for r; else kept = min{i: aᵢ₊₁ is err} ∪ {n}, limited ⇔ kept < n ∨ ∃ i ≤ kept: aᵢ changed",
         bounds: "horizons of up to 3 steps; no fence",
         assumptions: &["What a tick answers: by clamp/tick."],
+    },
+    Property {
+        id: "latch/closed",
+        family: Family::Latch,
+        rules: &[
+            "NCP-SAFE-002",
+            "NCP-SAFE-003",
+            "NCP-SAFE-004",
+            "NCP-SAFE-005",
+            "NCP-SAFE-017",
+            "NCP-SAFE-030",
+            "NCP-SAFE-033",
+            "NCP-SAFE-043",
+            "NCP-SAFE-063",
+            "NCP-SAFE-064",
+            "NCP-SAFE-068",
+        ],
+        sentence: "A gate that is closed answers a command with a long horizon as it answers any other, and leaves the \
+            gates as it then leaves them, with each of the limits, both and none.",
+        statement: "∀ n ∈ N, closed gates g, limits: govern = the decision of g; σ′ = σ, but latched for ESTOP and \
+            outside",
+        bounds: "N = {1, 2, 3, 4, 7, 8, 9, 16, 31, 64, 65, 129, 257, 1025, 4096}; thirteen ways of closing, one value \
+            of each kind",
+        assumptions: &["Other values: by latch/govern."],
+    },
+    Property {
+        id: "latch/replay",
+        family: Family::Latch,
+        rules: &["NCP-RES-028", "NCP-RES-029", "NCP-RES-010"],
+        sentence: "Of a long horizon a plant follows the tick of the command's age, and none past the end, however \
+            far beyond: then it holds for good.",
+        statement: "∀ n ∈ N, k ∈ K, h ∈ {0, ½}: active at the age (k + h)·dt is k for k ≤ n, and none above; without a \
+            horizon it is 0",
+        bounds: "N = {0, 1, 2, 3, 4, 7, 8, 9, 16, 31, 64, 65, 129, 257, 1025, 4096}, K = {0, 1, n/2, n − 1, n, n + 1, \
+            n + 256, 2¹⁶, 2¹⁶ + 1, 2³², 2³² + 1}; a tick of 2⁻³⁰ s",
+        assumptions: &["Other times and ticks: by latch/plant."],
     },
     Property {
         id: "number/operations",

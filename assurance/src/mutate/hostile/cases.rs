@@ -43,12 +43,24 @@ pub(super) fn hold(project: &Project, kernels: &[Kernel]) -> Result<BTreeMap<Str
     let defects: Vec<Defect> = kernels.iter().map(|kernel| kernel.defect.clone()).collect();
     let program = command::build(project, &defects, &stop)?;
     let hunt = Hunt { program: &program, suite: &suite, jobs: JOBS, limit: LIMIT, stop: &stop };
-    let is_asked = |case: &&Case| !case.is_large() && AREAS.iter().any(|area| case.id.starts_with(area));
-    let cases: Vec<&Case> = suite.cases().iter().filter(is_asked).collect();
-    let names = |kernels: &[Kernel]| kernels.iter().map(|kernel| vec![kernel.defect.name.clone()]).collect();
+    let is_asked = |case: &&Case| AREAS.iter().any(|area| case.id.starts_with(area));
+    // Those with large requests take longer than all others together: they are for the kernels that pass these.
+    let (large, small): (Vec<&Case>, Vec<&Case>) =
+        suite.cases().iter().filter(is_asked).partition(|case| case.is_large());
+    let all: Vec<&Kernel> = kernels.iter().collect();
+    let mut judged = judge(&hunt, &all, &small)?;
+    let passed: Vec<&Kernel> =
+        kernels.iter().filter(|kernel| judged.get(&kernel.id) == Some(&Judged::Passed)).collect();
+    judged.extend(judge(&hunt, &passed, &large)?);
+    Ok(judged)
+}
+
+/// What these cases say of each of these kernels.
+fn judge(hunt: &Hunt<'_>, kernels: &[&Kernel], cases: &[&Case]) -> Result<BTreeMap<String, Judged>, MutateError> {
     // The kernel without a change comes first: a case that it fails says nothing of the others.
-    let peers: Vec<Vec<String>> = [vec![Vec::new()], names(kernels)].concat();
-    let mut observed = mutants::observe(&hunt, &peers, &cases, &|_| ())?.into_iter();
+    let changed = kernels.iter().map(|kernel| vec![kernel.defect.name.clone()]);
+    let peers: Vec<Vec<String>> = std::iter::once(Vec::new()).chain(changed).collect();
+    let mut observed = mutants::observe(hunt, &peers, cases, &|_| ())?.into_iter();
     let sound = observed.next().transpose()?.map(|sound| sound.symptoms().len());
     if let Some(failing) = sound.filter(|failing| *failing > 0) {
         return Err(MutateError::UnsoundKernel { failing });
