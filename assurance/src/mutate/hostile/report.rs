@@ -67,7 +67,7 @@ impl Held {
     }
 
     fn is_refused(&self) -> bool {
-        self.tie.as_ref().is_some_and(|tie| *tie != Tied::Accepted)
+        self.tie.as_ref().is_some_and(|tie| !matches!(tie, Tied::Accepted | Tied::Late))
     }
 
     /// How many notice it.
@@ -103,6 +103,7 @@ impl Held {
             Some(Tied::Refused(_)) => "refused",
             Some(Tied::NotExported(_)) => "not exported",
             Some(Tied::NotBuilt(_)) => "not built",
+            Some(Tied::Late) => "too late",
         }
     }
 }

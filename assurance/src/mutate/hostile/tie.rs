@@ -4,7 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use serde::Serialize;
 use toml::{Table, Value};
@@ -19,6 +21,11 @@ const PLACE: &str = ".tools/hostile-tie";
 const PARTS: [&str; 2] = ["spec/kernel", "proofs/theorem"];
 /// Where the scripts leave what Coq compiles, within the target folder.
 const COQ: &str = "theorem";
+/// How long the export of one kernel, and Coq's word on it, may each take. A kernel that comes to no end on terms never
+/// leaves an export.
+const LIMIT: Duration = Duration::from_secs(600);
+/// How often a program is looked at.
+const LOOK: Duration = Duration::from_millis(50);
 /// What begins a function or a state in the export.
 const ITEM: &str = "\n\n(* ";
 
@@ -34,6 +41,8 @@ pub(super) enum Tied {
     NotExported(String),
     /// It does not compile where it is taken apart member by member.
     NotBuilt(String),
+    /// The export, or Coq, comes to no end in time.
+    Late,
 }
 
 /// The copy of the tree, in which the kernel without a change is the model.
@@ -93,13 +102,19 @@ impl<'p> Tie<'p> {
         let export = self.coq().join("Changed.v");
         let manifest = self.place.join("Cargo.toml");
         // The release build takes longer than all that it then does.
-        let words = ["run", "--quiet", "--profile", "changed", "-p", "ncp-theorem", "--manifest-path"];
-        let output = self.run(self.project.cargo(&words).arg(manifest).arg("--").arg(&export))?;
+        let words = ["build", "--quiet", "--profile", "changed", "-p", "ncp-theorem", "--manifest-path"];
+        let output = self.run(self.project.cargo(&words).arg(manifest))?;
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if !output.status.success() {
-            let said = String::from_utf8_lossy(&output.stderr);
-            let error = said.lines().find(|line| line.starts_with("error")).map(str::to_owned);
-            let last = || said.lines().last().unwrap_or_default().to_owned();
-            return Ok(error.map_or_else(|| Tied::NotExported(last()), Tied::NotBuilt));
+            let error = said.lines().find(|line| line.starts_with("error"));
+            return Ok(Tied::NotBuilt(error.unwrap_or_default().to_owned()));
+        }
+        let program = self.place.join("target/changed").join(format!("ncp-theorem{}", std::env::consts::EXE_SUFFIX));
+        let Some((is_exported, said)) = self.limited(Command::new(program).arg(&export))? else {
+            return Ok(Tied::Late);
+        };
+        if !is_exported {
+            return Ok(Tied::NotExported(said.lines().last().unwrap_or_default().to_owned()));
         }
         let text = self.read(&export)?;
         let mut others: Vec<&str> = items(&text).filter(|item| !self.sound.contains(*item)).collect();
@@ -112,11 +127,11 @@ impl<'p> Tie<'p> {
         let script = format!("{head}{ITEM}{}\n\nEnd Exported.\n", others.join(ITEM));
         fs::write(&export, &script).map_err(|source| self.failed(&export, source))?;
         let mut coq = Command::new("coqc");
-        let output = self.run(coq.current_dir(self.coq()).args(["-q", "-Q", ".", "NCP", "Changed.v"]))?;
-        if output.status.success() {
+        let coq = coq.args(["-q", "-Q", ".", "NCP", "Changed.v"]);
+        let Some((is_the_model, said)) = self.limited(coq)? else { return Ok(Tied::Late) };
+        if is_the_model {
             return Ok(Tied::Accepted);
         }
-        let said = String::from_utf8_lossy(&output.stderr);
         let line = said.lines().find_map(|line| line.split_once(", line ")?.1.split(',').next()?.parse().ok());
         let before = script.lines().take(line.unwrap_or(usize::MAX));
         let lemmas = before.filter_map(|line| line.strip_prefix("Lemma ")?.split(' ').next());
@@ -142,6 +157,25 @@ impl<'p> Tie<'p> {
     fn run(&self, command: &mut Command) -> Result<Output, MutateError> {
         let output = command.env("CARGO_TARGET_DIR", self.place.join("target")).output();
         output.map_err(|source| MutateError::Start { program: "cargo, bash or coqc", source })
+    }
+
+    /// Whether a program ends well, and what it says; nothing of one that takes longer than it may, and is stopped.
+    fn limited(&self, command: &mut Command) -> Result<Option<(bool, String)>, MutateError> {
+        let failed = |source| MutateError::Start { program: "ncp-theorem or coqc", source };
+        let said = self.coq().join("said.txt");
+        let file = fs::File::create(&said).map_err(|source| self.failed(&said, source))?;
+        let child = command.current_dir(self.coq()).stdout(Stdio::null()).stderr(file).spawn();
+        let (mut child, began) = (child.map_err(failed)?, Instant::now());
+        loop {
+            if let Some(status) = child.try_wait().map_err(failed)? {
+                return Ok(Some((status.success(), self.read(&said)?)));
+            }
+            if began.elapsed() > LIMIT {
+                child.kill().and_then(|()| child.wait()).map_err(failed)?;
+                return Ok(None);
+            }
+            thread::sleep(LOOK);
+        }
     }
 
     fn copy(&self, from: &Path, to: &Path) -> Result<(), MutateError> {
@@ -183,6 +217,7 @@ impl std::fmt::Display for Tied {
             Self::Accepted => write!(form, "ACCEPTED by the tie"),
             Self::Refused(lemma) => write!(form, "refused by {lemma}"),
             Self::NotExported(said) | Self::NotBuilt(said) => write!(form, "refused: {said}"),
+            Self::Late => write!(form, "not decided in {} s", LIMIT.as_secs()),
         }
     }
 }
