@@ -27,6 +27,7 @@ pub mod cli;
 pub mod diagnosis;
 pub mod dictionary;
 pub mod diff;
+pub mod fuzz;
 pub mod json;
 pub mod peer;
 pub mod report;
