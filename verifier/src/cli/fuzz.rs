@@ -92,6 +92,9 @@ pub(super) struct FuzzArgs {
     /// Mebibytes of memory that a process of a peer may hold
     #[arg(long, value_name = "MIB", default_value_t = 2048, value_parser = clap::value_parser!(u64).range(16..))]
     memory: u64,
+    /// Draw traces of N steps each [default: mostly up to 40, some of hundreds, rarely of thousands]
+    #[arg(long, value_name = "N")]
+    steps: Option<usize>,
     /// How often an input is tried on the way to the smallest
     #[arg(long, value_name = "N", default_value_t = 1500)]
     tries: usize,
@@ -109,7 +112,8 @@ struct Source {
 pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     let patterns: Vec<Pattern> = args.filter.iter().map(|pattern| Pattern::new(pattern)).collect();
     let calls = crate::peer::Call::ALL;
-    if !patterns.is_empty() && !calls.iter().any(|call| patterns.iter().any(|pattern| pattern.fits_text(call.as_str()))) {
+    if !patterns.is_empty() && !calls.iter().any(|call| patterns.iter().any(|pattern| pattern.fits_text(call.as_str())))
+    {
         return Err(CliError::Usage(format!("no call fits --filter {}", args.filter.join(" --filter "))));
     }
     let harvest = Harvest::of_files(&args.dictionary).map_err(|error| CliError::Usage(error.to_string()))?;
@@ -135,13 +139,16 @@ pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) 
             seed,
             jobs: usize::from(args.jobs),
             patterns: patterns.clone(),
-            level: args.level.unwrap_or_else(|| source.manifest.as_ref().map_or(Level::Wire, |manifest| manifest.level)),
+            level: args
+                .level
+                .unwrap_or_else(|| source.manifest.as_ref().map_or(Level::Wire, |manifest| manifest.level)),
             roles: args.role.clone(),
             timeout: args.timeout,
             start_timeout: args.start_timeout,
             memory: args.memory << 20,
             tries: args.tries,
             harvest: harvest.clone(),
+            length: args.steps,
         };
         let result = match one(&source, suite, &settings, stop) {
             Ok(result) => result,

@@ -12,6 +12,8 @@ const WINDOW_BYTES: usize = 1 << 20;
 const ANSWER_BYTES: usize = 16 << 20;
 /// How often we look up from waiting.
 const TICK: Duration = Duration::from_millis(20);
+/// How long a process may take to end after the end of its input.
+const END_GRACE: Duration = Duration::from_secs(3);
 /// How often in a row a process may fail to start.
 const STARTS: usize = 3;
 /// How much of a log is kept.
@@ -99,6 +101,14 @@ impl<'a> Asker<'a> {
         let mut flight = Flight { first: self.next, sent: 0 };
         flight.send_more(self, bodies);
         Ok(flight)
+    }
+
+    /// Lets the process end by itself at the end of its input, so that what it writes at its end is written.
+    pub(crate) fn end_in_peace(&mut self) {
+        if let Some(mut connection) = self.connection.take().filter(|_| !self.stop.is_set()) {
+            connection.close_requests();
+            connection.wait(END_GRACE);
+        }
     }
 
     fn ready(&mut self) -> Result<(), StartError> {
@@ -191,8 +201,9 @@ impl Flight {
             // Which one it was, is found by asking each of a process of its own.
             batch.said.clear();
         }
-        let mut answers: Vec<Said> =
-            (0..bodies.len()).map(|nth| batch.said.remove(&(self.first + nth as u64)).unwrap_or(Said::Nothing)).collect();
+        let mut answers: Vec<Said> = (0..bodies.len())
+            .map(|nth| batch.said.remove(&(self.first + nth as u64)).unwrap_or(Said::Nothing))
+            .collect();
         if let Some(fault) = batch.fault {
             if bodies.len() == 1 {
                 return Ok(vec![Said::Fault(fault)]);
@@ -233,7 +244,9 @@ fn wait(asker: &mut Asker<'_>, first: u64, sent: usize, said: &mut HashMap<u64, 
                     };
                     let is_ours = id >= first && id < first + sent as u64;
                     if !is_ours || said.insert(id, Said::Line(line.to_vec())).is_some() {
-                        return Some(asker.end("protocol", |_| format!("answered the request {id}, which does not wait")));
+                        return Some(
+                            asker.end("protocol", |_| format!("answered the request {id}, which does not wait")),
+                        );
                     }
                 }
                 return None;

@@ -70,7 +70,10 @@ impl Court {
         if asked.is_empty() {
             return Ok(Vec::new());
         }
-        let cases = asked.iter().enumerate().map(|(nth, (question, _))| case(question, &nth.to_string(), "It was found.", "By the text."));
+        let cases = asked
+            .iter()
+            .enumerate()
+            .map(|(nth, (question, _))| case(question, &nth.to_string(), "It was found.", "By the text."));
         let file = file(NAME, "What is judged.", cases.collect());
         let path = self.folder.join(AREA).join(format!("{NAME}.json"));
         std::fs::write(&path, file).map_err(|source| CourtError::Write { path, source })?;
@@ -168,7 +171,8 @@ fn pretty(tree: &Tree) -> String {
 /// The file cannot be written.
 pub(crate) fn save(folder: &Path, name: &str, about: &str, cases: Vec<Tree>) -> Result<PathBuf, CourtError> {
     let path = folder.join(AREA).join(format!("{name}.json"));
-    let written = std::fs::create_dir_all(folder.join(AREA)).and_then(|()| std::fs::write(&path, file(name, about, cases)));
+    let written =
+        std::fs::create_dir_all(folder.join(AREA)).and_then(|()| std::fs::write(&path, file(name, about, cases)));
     written.map_err(|source| CourtError::Write { path: path.clone(), source })?;
     Ok(path)
 }

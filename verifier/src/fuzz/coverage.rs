@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::generate::Input;
 use super::rules::fnv;
-use super::tree::{doubles, double, integer, items, members, string};
+use super::tree::{double, doubles, integer, items, members, string};
 use crate::json::Json;
 use crate::peer::Call;
 
@@ -69,12 +69,41 @@ const SESSION: &[Axis] = &[
 ];
 
 const FRAME: &[Axis] = &[
-    ("answer", &["result", "malformed", "type", "kind", "missing", "value", "provenance", "limit", "version", "reply", "other"]),
-    ("kind", &[
-        "open_session", "session_opened", "stimulus_frame", "step_request", "run_request", "observation_frame",
-        "close_session", "session_closed", "capabilities", "sensor_frame", "command_frame", "control_status",
-        "link_status", "error",
-    ]),
+    (
+        "answer",
+        &[
+            "result",
+            "malformed",
+            "type",
+            "kind",
+            "missing",
+            "value",
+            "provenance",
+            "limit",
+            "version",
+            "reply",
+            "other",
+        ],
+    ),
+    (
+        "kind",
+        &[
+            "open_session",
+            "session_opened",
+            "stimulus_frame",
+            "step_request",
+            "run_request",
+            "observation_frame",
+            "close_session",
+            "session_closed",
+            "capabilities",
+            "sensor_frame",
+            "command_frame",
+            "control_status",
+            "link_status",
+            "error",
+        ],
+    ),
     ("bytes", &["to 256", "to 4 Ki", "to 64 Ki", "to 1 Mi", "beyond"]),
     ("receiver", &["lenient", "strict"]),
 ];
@@ -113,8 +142,17 @@ pub(crate) struct Reached {
 }
 
 /// Classes of numbers.
-const NUMBERS: [&str; 9] =
-    ["zero", "minus zero", "subnormal", "below 1e-9", "plain", "above 1e9", "integer above 2^31", "near the largest", "not finite"];
+const NUMBERS: [&str; 9] = [
+    "zero",
+    "minus zero",
+    "subnormal",
+    "below 1e-9",
+    "plain",
+    "above 1e9",
+    "integer above 2^31",
+    "near the largest",
+    "not finite",
+];
 
 /// What all inputs reached.
 #[derive(Debug, Clone, Default)]
@@ -287,7 +325,8 @@ pub(crate) fn reached(input: &Input, bytes: usize, answer: &Answer) -> Reached {
     }
     if let Answer::Error { code, message } = answer {
         // Without what was drawn, the message says which check it was.
-        let words: String = message.chars().filter(|c| c.is_ascii_alphabetic() || matches!(c, ' ' | '_')).take(60).collect();
+        let words: String =
+            message.chars().filter(|c| c.is_ascii_alphabetic() || matches!(c, ' ' | '_')).take(60).collect();
         reached.keys.push(fnv(fnv(call, code), &words));
     }
     numbers(args, &mut reached.numbers, 4000);
@@ -307,10 +346,10 @@ fn code_of(answer: &Answer) -> &str {
 
 fn size_class(bytes: usize) -> u8 {
     match bytes {
-        ..=256 => 0,
-        ..=4096 => 1,
-        ..=65_536 => 2,
-        ..=1_048_576 => 3,
+        0..=256 => 0,
+        257..=4096 => 1,
+        4097..=65_536 => 2,
+        65_537..=1_048_576 => 3,
         _ => 4,
     }
 }
@@ -476,7 +515,13 @@ fn plant(args: &Json<'_>, result: &Json<'_>, reached: &mut Reached) {
                 last = match of.and_then(|frame| string(frame, "mode")) {
                     _ if answer.get("error").is_some() => 4,
                     _ if is_watchdog => 1,
-                    None => if of.is_none() { 4 } else { 2 },
+                    None => {
+                        if of.is_none() {
+                            4
+                        } else {
+                            2
+                        }
+                    }
                     Some("active") => 1,
                     Some("estop") => 3,
                     Some(_) => 2,
@@ -563,7 +608,15 @@ fn control_loop(args: &Json<'_>, result: &Json<'_>, reached: &mut Reached) {
             Some("tick") => {
                 let mode = answer.get("command").and_then(|command| string(command, "mode")).unwrap_or("hold");
                 let decision = place_of(LOOP[0].1, mode, 1);
-                reached.steps.push(vec![decision, speed, fence, position_class(kept, fence_of(limits)), sensor, latched, reset]);
+                reached.steps.push(vec![
+                    decision,
+                    speed,
+                    fence,
+                    position_class(kept, fence_of(limits)),
+                    sensor,
+                    latched,
+                    reset,
+                ]);
                 sensor = if sensor == 0 { 0 } else { 2 };
                 latched = u8::from(mode == "estop");
             }
@@ -578,7 +631,8 @@ fn session(args: &Json<'_>, result: &Json<'_>, reached: &mut Reached) {
     let requests = items(args.get("requests"));
     reached.length = requests.len();
     for (request, reply) in requests.iter().zip(items(result.get("replies"))) {
-        let parse = |json: &Json<'_>| json.as_str().and_then(|text| Json::parse(text).ok().map(|json| super::tree::own(&json)));
+        let parse =
+            |json: &Json<'_>| json.as_str().and_then(|text| Json::parse(text).ok().map(|json| super::tree::own(&json)));
         let (request, reply) = (parse(request), parse(reply));
         let kind = request.as_ref().and_then(|request| string(request, "kind")).unwrap_or_default();
         let ok = reply.as_ref().is_some_and(|reply| reply.get("ok") != Some(&Json::Bool(false)));
@@ -589,7 +643,8 @@ fn session(args: &Json<'_>, result: &Json<'_>, reached: &mut Reached) {
             Some("session_opened" | "session_closed") => 3,
             _ => 4,
         };
-        let network = request.as_ref().and_then(|request| request.get("network")).and_then(|network| string(network, "ref"));
+        let network =
+            request.as_ref().and_then(|request| request.get("network")).and_then(|network| string(network, "ref"));
         let network = match network {
             Some("ncp.reference.lif") => 1,
             Some("ncp.reference.rate") => 2,
@@ -619,8 +674,8 @@ fn frame(input: &Input, answer: &Answer, bytes: usize, reached: &mut Reached) {
 mod tests {
     use super::*;
     use crate::fuzz::draw::Draw;
-    use crate::fuzz::generate::tests::whole_menu;
     use crate::fuzz::generate;
+    use crate::fuzz::generate::tests::whole_menu;
     use crate::fuzz::harvest::Harvest;
 
     #[test]
@@ -629,7 +684,9 @@ mod tests {
         let mut coverage = Coverage::default();
         let mut inputs = 0;
         for number in 0..200 {
-            let Some(input) = generate::input(&menu, &mut Draw::new(1, number, &harvest)) else { continue };
+            let mut draw = Draw::new(1, number, &harvest);
+            let call = generate::call(&menu, &mut draw).unwrap();
+            let input = Input { call, args: generate::args(call, &menu, &mut draw).unwrap() };
             let answer = ncp_peer_rust::ask(input.call.as_str(), &input.args.to_string());
             let reached = reached(&input, input.body().len(), &answer);
             coverage.count(input.call, &reached);

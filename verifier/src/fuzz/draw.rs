@@ -65,16 +65,38 @@ pub(crate) struct Draw<'h> {
     harvest: &'h Harvest,
     /// Doubles that stand in the input already.
     seen: Vec<f64>,
+    /// How many values an input may still have, so that large is not large times large.
+    left: usize,
+    /// How many steps every trace has, if that is not drawn.
+    length: Option<usize>,
 }
 
 impl<'h> Draw<'h> {
     /// The source for the input of this number.
     pub(crate) fn new(seed: u64, number: u64, harvest: &'h Harvest) -> Self {
-        let mut draw = Self { state: seed ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15), harvest, seen: Vec::new() };
+        let mut draw = Self {
+            state: seed ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            harvest,
+            seen: Vec::new(),
+            left: 0,
+            length: None,
+        };
         // Neighbouring seeds are to have nothing in common.
         draw.next();
         draw.next();
+        draw.left = if draw.chance(2) { 20_000 } else { 1500 };
         draw
+    }
+
+    /// The same, with so many steps in every trace.
+    pub(crate) fn with_length(mut self, length: Option<usize>) -> Self {
+        self.length = length;
+        self
+    }
+
+    /// How many steps every trace has, if that is not drawn.
+    pub(crate) fn length(&self) -> Option<usize> {
+        self.length
     }
 
     /// 64 random bits, by SplitMix64.
@@ -135,6 +157,13 @@ impl<'h> Draw<'h> {
             _ => (self.share() * top).exp_m1() as usize,
         };
         size.clamp(low, high)
+    }
+
+    /// So many, or as many as the input may still have.
+    pub(crate) fn afford(&mut self, count: usize) -> usize {
+        let count = count.min(self.left);
+        self.left -= count;
+        count
     }
 
     /// Takes note of a double that stands in the input, so that others are drawn next to it.
@@ -275,9 +304,8 @@ impl<'h> Draw<'h> {
             }
             4 => self.spiced(),
             5 => self.pick(&["NaN", "null", "true", "-0", "0", "1e3", "__proto__", "constructor", "kind"]).to_owned(),
-            6 => ["é", "e\u{301}", "ﬁ", "ǆ", "İ", "ß", "\u{1f681}", "\u{ff5e}", "\u{feff}", "中", "ا"]
-                [self.below(11)]
-            .to_owned(),
+            6 => ["é", "e\u{301}", "ﬁ", "ǆ", "İ", "ß", "\u{1f681}", "\u{ff5e}", "\u{feff}", "中", "ا"][self.below(11)]
+                .to_owned(),
             _ => self.name(),
         }
     }
@@ -307,8 +335,24 @@ impl<'h> Draw<'h> {
     /// A string with characters that encoders have to escape, or that sort in different orders.
     pub(crate) fn spiced(&mut self) -> String {
         const SPICE: [&str; 18] = [
-            "\"", "\\", "/", "\u{8}", "\u{c}", "\n", "\r", "\t", "\u{0}", "\u{1f}", "\u{7f}", "\u{80}", "\u{2028}",
-            "\u{feff}", "\u{ffff}", "\u{1f681}", "]", "}",
+            "\"",
+            "\\",
+            "/",
+            "\u{8}",
+            "\u{c}",
+            "\n",
+            "\r",
+            "\t",
+            "\u{0}",
+            "\u{1f}",
+            "\u{7f}",
+            "\u{80}",
+            "\u{2028}",
+            "\u{feff}",
+            "\u{ffff}",
+            "\u{1f681}",
+            "]",
+            "}",
         ];
         (0..=self.below(5)).map(|_| self.pick(&SPICE).to_owned() + if self.chance(50) { "a" } else { "" }).collect()
     }

@@ -116,7 +116,8 @@ mod tests {
     #[test]
     fn strings_and_numbers_of_a_source_and_of_a_binary_are_found() {
         let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("a.py"), "if frame_id == 'open sesame' and x == 1_234.5 or y > 0x2A:\n").unwrap();
+        std::fs::write(folder.path().join("a.py"), "if frame_id == 'open sesame' and x == 1_234.5 or y > 0x2A:\n")
+            .unwrap();
         std::fs::write(folder.path().join("b.bin"), b"\x00\x01\xffbackdoor42\x00\x02ab\x00").unwrap();
         let found = Harvest::of_files(&[folder.path().to_owned()]).unwrap();
         for word in ["open sesame", "backdoor42"] {

@@ -8,6 +8,7 @@
 //! - `tree`: JSON that is built and changed.
 //! - [`harvest`]: strings and numbers from a peer's own sources.
 //! - `generate`: inputs for every call.
+//! - `known`: known defects of the specification, which no peer is charged with.
 //! - `oracle`: what the text asks of an answer, with every freedom that it leaves.
 //! - `asker`: one peer with requests in flight, and what becomes of each.
 //! - `court`: judges a disagreement by the reader and the judge of the suite.
@@ -23,6 +24,7 @@ pub mod coverage;
 mod draw;
 mod generate;
 pub mod harvest;
+mod known;
 mod oracle;
 pub mod report;
 mod rules;
@@ -73,7 +75,13 @@ pub(crate) fn concerns(call: Call) -> (&'static [Role], Level) {
 fn reads(role: Role) -> &'static [&'static str] {
     match role {
         Role::Commander => &[
-            "session_opened", "session_closed", "error", "observation_frame", "sensor_frame", "link_status", "capabilities",
+            "session_opened",
+            "session_closed",
+            "error",
+            "observation_frame",
+            "sensor_frame",
+            "link_status",
+            "capabilities",
         ],
         Role::Body => &["command_frame", "capabilities"],
         Role::Server => &["open_session", "step_request", "run_request", "close_session", "stimulus_frame"],
@@ -87,8 +95,14 @@ fn reads(role: Role) -> &'static [&'static str] {
 fn writes(role: Role) -> &'static [&'static str] {
     match role {
         Role::Commander => &[
-            "command_frame", "control_status", "open_session", "step_request", "run_request", "close_session",
-            "stimulus_frame", "capabilities",
+            "command_frame",
+            "control_status",
+            "open_session",
+            "step_request",
+            "run_request",
+            "close_session",
+            "stimulus_frame",
+            "capabilities",
         ],
         Role::Body => &["sensor_frame", "link_status", "capabilities"],
         Role::Server => &["session_opened", "observation_frame", "session_closed", "error"],

@@ -31,6 +31,7 @@ struct OfPeer<'t> {
     seconds: f64,
     allowed: u64,
     open: Vec<(&'t str, u64)>,
+    known: Vec<(&'t str, u64)>,
     unsupported: Vec<(&'t str, u64)>,
     faults: usize,
     given_up: Option<&'t str>,
@@ -72,6 +73,7 @@ pub fn json(seed: u64, tested: &[(String, Tested)]) -> Result<String, serde_json
             seconds: tested.elapsed.as_secs_f64(),
             allowed: tested.allowed,
             open: tested.open.iter().map(|(why, count)| (*why, *count)).collect(),
+            known: tested.known.iter().map(|(what, count)| (*what, *count)).collect(),
             unsupported: tested.unsupported.iter().map(|(call, count)| (*call, *count)).collect(),
             faults: tested.faults,
             given_up: tested.given_up.as_deref(),
@@ -125,8 +127,7 @@ pub fn terminal(name: &str, seed: u64, tested: &Tested, style: Style, whole_cove
     if let Some(why) = &tested.given_up {
         line(&mut out, &style.red(&format!("  given up: {why}")));
     }
-    let unsupported: Vec<String> =
-        tested.unsupported.iter().map(|(call, count)| format!("{call} ({count})")).collect();
+    let unsupported: Vec<String> = tested.unsupported.iter().map(|(call, count)| format!("{call} ({count})")).collect();
     if !unsupported.is_empty() {
         line(&mut out, &format!("  answered `unsupported`: {}", unsupported.join(", ")));
     }
@@ -136,17 +137,24 @@ pub fn terminal(name: &str, seed: u64, tested: &Tested, style: Style, whole_cove
     }
     out.push('\n');
     let found = tested.findings.len();
-    line(&mut out, &match found {
-        0 => style.green("  no disagreement"),
-        1 => style.red("  1 disagreement"),
-        _ => style.red(&format!("  {found} disagreements")),
-    });
+    line(
+        &mut out,
+        &match found {
+            0 => style.green("  no disagreement"),
+            1 => style.red("  1 disagreement"),
+            _ => style.red(&format!("  {found} disagreements")),
+        },
+    );
+    for (what, count) in &tested.known {
+        line(
+            &mut out,
+            &style.yellow(&format!("  {count} answers differ by a known defect that is not the peer's: {what}")),
+        );
+    }
     let open: u64 = tested.open.values().sum();
     if open + tested.allowed > 0 {
-        let text = format!(
-            "  {} answers differ as the text allows, {open} where it leaves the answer open",
-            tested.allowed
-        );
+        let text =
+            format!("  {} answers differ as the text allows, {open} where it leaves the answer open", tested.allowed);
         line(&mut out, &style.dim(&text));
         if whole_coverage {
             for (why, count) in &tested.open {
@@ -184,7 +192,7 @@ fn show(out: &mut String, nth: usize, finding: &Finding, style: Style) {
     line(out, &format!("   spec      {}", excerpt(found.specification.as_bytes(), INPUT_CHARS)));
     line(out, &format!("   peer      {}", excerpt(found.answer.as_bytes(), INPUT_CHARS)));
     for difference in found.differences.first.iter().take(3) {
-        line(out, &format!("   {}", difference));
+        line(out, &format!("   {difference}"));
     }
     if let Some(fault) = finding.fault.as_ref().filter(|fault| !fault.log.trim().is_empty()) {
         for said in fault.log.lines().rev().take(4).collect::<Vec<_>>().into_iter().rev() {

@@ -86,7 +86,10 @@ impl<'s> Rules<'s> {
 }
 
 fn role_of(case: &Case, roles: &[Role]) -> Option<Role> {
-    case.roles.iter().copied().find(|role| roles.contains(role) && case.requirements.iter().any(|rule| rule.binds(*role)))
+    case.roles
+        .iter()
+        .copied()
+        .find(|role| roles.contains(role) && case.requirements.iter().any(|rule| rule.binds(*role)))
 }
 
 /// What a request is made of: the ways to its values, what these are, and short strings.

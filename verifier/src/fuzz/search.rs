@@ -19,6 +19,7 @@ use super::coverage::{Coverage, Reached, reached};
 use super::draw::Draw;
 use super::generate::{self, Input, Menu, body, mutate};
 use super::harvest::Harvest;
+use super::known;
 use super::oracle::{self, Verdict, agree};
 use super::rules::{Decided, Rules};
 use super::shrink::shrink;
@@ -34,10 +35,10 @@ const ROUND: usize = 1024;
 const CHUNK: usize = 32;
 /// How many inputs of a call are kept.
 const KEPT: usize = 400;
-/// How many disagreements that look alike are shrunk.
-const SHRUNK_ALIKE: usize = 2;
-/// How many of those that look alike are judged in one round.
-const JUDGED_ALIKE: usize = 12;
+/// How many disagreements that look alike are shrunk; of more, each that doubles their number.
+const SHRUNK_ALIKE: u64 = 4;
+/// How many disagreements of a call are judged in one round.
+const JUDGED: usize = 256;
 /// After so many faults a peer is given up.
 const MOST_FAULTS: usize = 60;
 /// How much of an answer is shown.
@@ -77,6 +78,8 @@ pub struct Settings {
     pub tries: usize,
     /// What the peer's own sources hold.
     pub harvest: Harvest,
+    /// How many steps every trace has; none: drawn for each.
+    pub length: Option<usize>,
 }
 
 /// A disagreement, shrunk.
@@ -130,6 +133,8 @@ pub struct Tested {
     pub elapsed: Duration,
     /// How many disagreements the text lets be, by why it does.
     pub open: BTreeMap<&'static str, u64>,
+    /// How many are by a known defect of the specification, by what is known.
+    pub known: BTreeMap<&'static str, u64>,
     /// How many the judge lets be, since the answer is one of several.
     pub allowed: u64,
     /// How often a call was answered `unsupported`.
@@ -187,8 +192,8 @@ struct Parted {
     said: Said,
 }
 
-/// What a disagreement looks like before it is shrunk.
-type Look = (Call, &'static str, String, String);
+/// What a disagreement looks like before it is shrunk: the call and its kind, how and where the answers differ.
+type Look = (Call, String, &'static str, String);
 
 /// Searches a peer whose first process has described itself.
 ///
@@ -226,6 +231,7 @@ pub fn fuzz(
             steps: 0,
             elapsed: Duration::ZERO,
             open: BTreeMap::new(),
+            known: BTreeMap::new(),
             allowed: 0,
             unsupported: BTreeMap::new(),
             faults: 0,
@@ -249,8 +255,8 @@ struct Search<'s> {
     court: Court,
     /// Inputs whose answers reached something new, by call.
     kept: BTreeMap<Call, Vec<Input>>,
-    /// For each look of a disagreement, how many were shrunk, and which finding it is.
-    looks: BTreeMap<Look, (usize, Option<usize>)>,
+    /// For each look of a disagreement, how many had it, and which finding it is.
+    looks: BTreeMap<Look, (u64, Option<usize>)>,
     askers: Vec<Asker<'s>>,
     tested: Tested,
 }
@@ -266,7 +272,9 @@ impl Search<'_> {
             let left = match self.settings.extent {
                 Extent::Time(time) if started.elapsed() >= time => break,
                 Extent::Time(_) => ROUND,
-                Extent::Cases(cases) => usize::try_from(cases - self.tested.inputs.min(cases)).unwrap_or(ROUND).min(ROUND),
+                Extent::Cases(cases) => {
+                    usize::try_from(cases - self.tested.inputs.min(cases)).unwrap_or(ROUND).min(ROUND)
+                }
             };
             if left == 0 {
                 break;
@@ -281,6 +289,7 @@ impl Search<'_> {
         }
         self.tested.elapsed = started.elapsed();
         self.tested.faults = self.askers.iter().map(|asker| asker.faults).sum();
+        self.askers.iter_mut().for_each(Asker::end_in_peace);
         Ok(())
     }
 
@@ -366,11 +375,11 @@ impl Search<'_> {
     /// Judges what parted, all of a round at once.
     fn judge(&mut self, parted: Vec<(u64, Input, Parted)>) -> Result<(), FuzzError> {
         let mut asked = Vec::new();
-        let mut alike: BTreeMap<(Call, usize), usize> = BTreeMap::new();
+        let mut judged: BTreeMap<Call, usize> = BTreeMap::new();
         for (number, input, what) in parted {
             if let Said::Fault(fault) = &what.said {
                 if code_of(&what.spec) != Some("internal") {
-                    self.broke_off(number, &input, &what.spec, fault.clone())?;
+                    self.broke_off(number, &input, fault)?;
                 }
                 continue;
             }
@@ -381,11 +390,14 @@ impl Search<'_> {
                 *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1;
                 continue;
             }
-            // So many that look alike tell nothing more.
-            let class = (input.call, line.len() % 7);
-            let count = alike.entry(class).or_default();
+            if let Some(known) = known::of(&input) {
+                *self.tested.known.entry(known).or_default() += 1;
+                continue;
+            }
+            // A peer that is always wrong is not judged for ever.
+            let count = judged.entry(input.call).or_default();
             *count += 1;
-            if *count > JUDGED_ALIKE * 4 {
+            if *count > JUDGED {
                 continue;
             }
             match oracle::expectation(&input, &what.spec, said) {
@@ -418,9 +430,10 @@ impl Search<'_> {
 
     /// Whether a disagreement of this look is still to be shrunk; it counts for its finding otherwise.
     fn is_fresh(&mut self, look: &Look) -> bool {
-        let (shrunk, finding) = self.looks.entry(look.clone()).or_default();
-        if *shrunk < SHRUNK_ALIKE {
-            *shrunk += 1;
+        let (seen, finding) = self.looks.entry(look.clone()).or_default();
+        *seen += 1;
+        // Another defect may look the same.
+        if *seen <= SHRUNK_ALIKE || seen.is_power_of_two() {
             return true;
         }
         if let Some(known) = finding.and_then(|place| self.tested.findings.get_mut(place)) {
@@ -437,7 +450,7 @@ impl Search<'_> {
         line: &[u8],
         differences: &Differences,
     ) -> Result<(), FuzzError> {
-        let look = (input.call, kind_of(differences), starred(&differences.place), hint_of(&input.args));
+        let look = (input.call, hint_of(&input.args), kind_of(differences), in_short(differences));
         if !self.is_fresh(&look) {
             return Ok(());
         }
@@ -454,7 +467,9 @@ impl Search<'_> {
         let (court, stop) = (&self.court, self.stop);
         let mut trouble = None;
         let mut look_at = |args: &Tree, best: &mut Found| -> Result<bool, FuzzError> {
-            let Some((candidate, found)) = disagreement(asker, court, call, args, &rule, role)? else { return Ok(false) };
+            let Some((candidate, found)) = disagreement(asker, court, call, args, &rule, role)? else {
+                return Ok(false);
+            };
             let same = kind_of(&found) == wanted;
             if same {
                 *best = candidate;
@@ -488,8 +503,8 @@ impl Search<'_> {
         Ok(())
     }
 
-    fn broke_off(&mut self, number: u64, input: &Input, spec: &Answer, fault: Fault) -> Result<(), FuzzError> {
-        let look = (input.call, fault.kind, fault.what.clone(), hint_of(&input.args));
+    fn broke_off(&mut self, number: u64, input: &Input, fault: &Fault) -> Result<(), FuzzError> {
+        let look = (input.call, hint_of(&input.args), fault.kind, fault.what.clone());
         if !self.is_fresh(&look) {
             return Ok(());
         }
@@ -541,7 +556,6 @@ impl Search<'_> {
             answer: format!("it {}", last.what),
             differences: Differences::default(),
         };
-        let _ = spec;
         self.report(number, found, Some(last), steps, &look);
         trouble.map_or(Ok(()), |error| Err(error.into()))
     }
@@ -552,8 +566,7 @@ impl Search<'_> {
         let place = starred(&found.differences.place);
         let rejects = found.expect.get("reject").is_some();
         let (call, level) = (found.input.call, self.settings.level);
-        let decided =
-            self.rules.decide(call, &found.input.args, rejects, &found.differences.place, &self.roles, level);
+        let decided = self.rules.decide(call, &found.input.args, rejects, &found.differences.place, &self.roles, level);
         let (decided, role) = match decided {
             Some((decided, role)) => (Some(decided), role),
             None => (None, self.roles.first().copied().unwrap_or(Role::Commander)),
@@ -591,11 +604,12 @@ impl Search<'_> {
 
 /// The input of this number: drawn anew, or one that was kept, changed.
 fn draw_input(menu: &Menu, kept: &BTreeMap<Call, Vec<Input>>, settings: &Settings, number: u64) -> Option<Input> {
-    let mut draw = Draw::new(settings.seed, number, &settings.harvest);
-    let fresh = generate::input(menu, &mut draw)?;
-    let others = kept.get(&fresh.call).map_or(&[][..], Vec::as_slice);
-    if others.len() < 4 || !draw.chance(30) {
-        return Some(fresh);
+    let mut draw = Draw::new(settings.seed, number, &settings.harvest).with_length(settings.length);
+    let call = generate::call(menu, &mut draw)?;
+    let others = kept.get(&call).map_or(&[][..], Vec::as_slice);
+    // A trace that was changed may have another length.
+    if others.len() < 4 || settings.length.is_some() || !draw.chance(30) {
+        return Some(Input { call, args: generate::args(call, menu, &mut draw)? });
     }
     let (one, other) = (draw.below(others.len()), draw.below(others.len()));
     Some(mutate(&others[one], others.get(other), &mut draw))
@@ -650,12 +664,14 @@ fn disagreement(
     let written = args.to_string();
     let spec = oracle::specification(call, &written);
     let Said::Line(line) = asker.ask(&body(call, &written))? else { return Ok(None) };
-    if code_of(&spec) == Some("internal") || !parts(call, &spec, &Said::Line(line.clone())) {
+    let input = Input { call, args: args.clone() };
+    let is_question = code_of(&spec) != Some("internal") && known::of(&input).is_none();
+    if !is_question || !parts(call, &spec, &Said::Line(line.clone())) {
         return Ok(None);
     }
-    let input = Input { call, args: args.clone() };
     let reply = Reply::parse(&line);
-    let Verdict::Expect(expect) = oracle::expectation(&input, &spec, reply.as_ref().ok().map(|reply| &reply.answer)) else {
+    let Verdict::Expect(expect) = oracle::expectation(&input, &spec, reply.as_ref().ok().map(|reply| &reply.answer))
+    else {
         return Ok(None);
     };
     let question = Question { call, args, expect: &expect, rules: vec![rule.to_owned()], role };
@@ -694,8 +710,22 @@ fn kind_of(differences: &Differences) -> &'static str {
 
 /// A place with a star for each number.
 fn starred(place: &str) -> String {
-    let token = |token: &str| if token.bytes().all(|b| b.is_ascii_digit()) && !token.is_empty() { "*".to_owned() } else { token.to_owned() };
+    let token = |token: &str| {
+        if token.bytes().all(|b| b.is_ascii_digit()) && !token.is_empty() { "*".to_owned() } else { token.to_owned() }
+    };
     place.split('/').map(token).collect::<Vec<_>>().join("/")
+}
+
+/// Where answers differ first, and words that are there in place of each other, such as modes.
+fn in_short(differences: &Differences) -> String {
+    let word = |value: &Option<String>| match value.as_deref() {
+        Some(word) if word.len() <= 12 && !word.bytes().any(|b| b.is_ascii_digit()) => word.to_owned(),
+        Some(_) => "…".to_owned(),
+        None => "nothing".to_owned(),
+    };
+    let first = differences.first.first();
+    let words = first.map(|first| format!(" {} {}", word(&first.expected), word(&first.got))).unwrap_or_default();
+    format!("{}{words}", starred(&differences.place))
 }
 
 /// What tells inputs of a call apart that are about different things.
@@ -720,9 +750,18 @@ pub fn save(folder: &Path, peer: &str, seed: u64, findings: &[Finding]) -> Resul
         let decided = finding.decided.as_ref();
         let rules = decided.map(|decided| decided.rule.clone()).into_iter().collect();
         let found = &finding.found;
-        let question =
-            Question { call: found.input.call, args: &found.input.args, expect: &found.expect, rules, role: finding.role };
-        let title = format!("A disagreement of {}, found as input {} of the seed {seed}.", found.input.call.as_str(), finding.first);
+        let question = Question {
+            call: found.input.call,
+            args: &found.input.args,
+            expect: &found.expect,
+            rules,
+            role: finding.role,
+        };
+        let title = format!(
+            "A disagreement of {}, found as input {} of the seed {seed}.",
+            found.input.call.as_str(),
+            finding.first
+        );
         let why = decided.map_or_else(|| "By the specification.".to_owned(), |decided| decided.sentence.clone());
         let mut case = court::case(&question, "", &title, &why);
         let id = format!("{}/{name}/{}-{nth}", court::AREA, found.input.call.as_str().replace('.', "-"));
@@ -735,7 +774,7 @@ pub fn save(folder: &Path, peer: &str, seed: u64, findings: &[Finding]) -> Resul
 
 /// Asks so many inputs of the specification alone, twice, and says how many agree with themselves: for benchmarks.
 #[must_use]
-pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern]) -> u64 {
+pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern], length: Option<usize>) -> u64 {
     let menu = super::menu(&Role::ALL, Level::Strict, true, filter);
     let settings = Settings {
         extent: Extent::Cases(count),
@@ -749,6 +788,7 @@ pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern]) -> u64 {
         memory: 0,
         tries: 0,
         harvest: Harvest::default(),
+        length,
     };
     let kept = BTreeMap::new();
     let agrees = |number: u64| {

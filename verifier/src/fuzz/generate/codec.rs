@@ -66,7 +66,8 @@ pub(super) fn encode(draw: &mut Draw<'_>) -> Tree {
     let sensor = (!draw.chance(5)).then(|| {
         let channels = ["x", "pose_error", "velocity_setpoint", "y"].map(|name| {
             let width = if draw.chance(5) { draw.one(&[64, 65, 4095, 4096]) } else { draw.below(6) };
-            let data: Vec<f64> = (0..width).map(|_| if draw.chance(40) { draw.plain() } else { draw.double() }).collect();
+            let data: Vec<f64> =
+                (0..width).map(|_| if draw.chance(40) { draw.plain() } else { draw.double() }).collect();
             (name.to_owned(), object([("data", nums(&data))]))
         });
         let channels = channels.into_iter().filter(|_| draw.chance(80)).collect();

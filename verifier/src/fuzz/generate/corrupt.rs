@@ -10,7 +10,8 @@ pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
     if draw.chance(20) {
         let unknown = unknown(draw);
         let name = draw.pick(&["future", "x", "Kind", "kind ", "ncp_versio", "s\u{e9}q", ""]).to_owned();
-        let sites: Vec<_> = places(&frame).into_iter().filter(|place| matches!(at(&frame, place), Some(Json::Object(_)))).collect();
+        let sites: Vec<_> =
+            places(&frame).into_iter().filter(|place| matches!(at(&frame, place), Some(Json::Object(_)))).collect();
         // A member of a map is an entry, so only the top is sure to ignore it.
         if let Some(top) = sites.first().and_then(|place| at_mut(&mut frame, place)) {
             set(top, &name, unknown);
@@ -138,8 +139,21 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
         // An integer in another spelling, or beyond the wire's.
         4 | 5 => {
             let spelling = [
-                "1.0", "1e0", "-0", "0.0", "1E1", "9007199254740991", "9007199254740992", "-9007199254740992", "10e-1",
-                "9007199254740993", "18446744073709551617", "9007199254740991.0", "1e15", "-0.0", "2147483648",
+                "1.0",
+                "1e0",
+                "-0",
+                "0.0",
+                "1E1",
+                "9007199254740991",
+                "9007199254740992",
+                "-9007199254740992",
+                "10e-1",
+                "9007199254740993",
+                "18446744073709551617",
+                "9007199254740991.0",
+                "1e15",
+                "-0.0",
+                "2147483648",
             ];
             let spelling = draw.pick(&spelling).to_owned();
             let numbers: Vec<_> =
@@ -161,7 +175,8 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
         }
         // A member less.
         7 => {
-            let sites: Vec<_> = all.iter().filter(|place| matches!(at(frame, place), Some(Json::Object(_)))).cloned().collect();
+            let sites: Vec<_> =
+                all.iter().filter(|place| matches!(at(frame, place), Some(Json::Object(_)))).cloned().collect();
             if let Some(Json::Object(members)) = at_mut(frame, &sites[draw.below(sites.len())])
                 && !members.is_empty()
             {
@@ -174,8 +189,9 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
             set(frame, "kind", text(draw.pick(&kinds)));
         }
         9 => {
-            let versions =
-                ["0.4", "0.6", "1.0", "1", "0", "0.5.0", "v0.5", "", "0.", ".5", " 0.5", "0.5 ", "00.5", "0.05", "0.５"];
+            let versions = [
+                "0.4", "0.6", "1.0", "1", "0", "0.5.0", "v0.5", "", "0.", ".5", " 0.5", "0.5 ", "00.5", "0.05", "0.５",
+            ];
             set(frame, "ncp_version", text(draw.pick(&versions)));
         }
         10 => {
@@ -271,7 +287,8 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
         }
         1 => bytes.truncate(place),
         2 => {
-            let what = draw.pick(&[",", ":", "}", "]", "{", "[", "\"", "0", "-", "+", ".", "\\", "/**/", "\u{0}", "\u{b}"]);
+            let what =
+                draw.pick(&[",", ":", "}", "]", "{", "[", "\"", "0", "-", "+", ".", "\\", "/**/", "\u{0}", "\u{b}"]);
             insert(&mut bytes, place, what.as_bytes());
         }
         3 => {
@@ -279,20 +296,29 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
             bytes.extend_from_slice(what.as_bytes());
         }
         4 => insert(&mut bytes, 0, draw.pick(&["x", "[", "\u{a0}", "\u{c}", ",", "//\n"]).as_bytes()),
-        5 => insert(&mut bytes, place, draw.pick(&["\u{a0}", "\u{c}", "\u{2028}", "\u{1680}", "NaN", "nul"]).as_bytes()),
+        5 => {
+            insert(&mut bytes, place, draw.pick(&["\u{a0}", "\u{c}", "\u{2028}", "\u{1680}", "NaN", "nul"]).as_bytes());
+        }
         // A byte that no UTF-8 has there.
         6 | 7 => {
             let what: &[u8] = [
-                &b"\xff"[..], b"\xc0\x80", b"\xed\xa0\x80", b"\xf4\x90\x80\x80", b"\x80", b"\xe2\x82", b"\xf8\x88\x80\x80\x80",
+                &b"\xff"[..],
+                b"\xc0\x80",
+                b"\xed\xa0\x80",
+                b"\xf4\x90\x80\x80",
+                b"\x80",
+                b"\xe2\x82",
+                b"\xf8\x88\x80\x80\x80",
             ][draw.below(7)];
             insert(&mut bytes, place, what);
         }
         // A member twice, its name as it is or escaped.
         8..=10 => {
             let text = String::from_utf8_lossy(&bytes).into_owned();
-            if let Some(name) = text.find('"').and_then(|from| {
-                text[from + 1..].find('"').map(|length| text[from + 1..from + 1 + length].to_owned())
-            }) {
+            if let Some(name) = text
+                .find('"')
+                .and_then(|from| text[from + 1..].find('"').map(|length| text[from + 1..from + 1 + length].to_owned()))
+            {
                 let again = match name.chars().next().filter(|c| draw.chance(50) && c.is_ascii_alphabetic()) {
                     Some(first) => format!("\\u{:04x}{}", first as u32, &name[1..]),
                     None => name,

@@ -118,7 +118,11 @@ fn stimulus_within(request: &Tree, draw: &mut Draw<'_>) -> Tree {
         }
     }
     if draw.chance(80) {
-        set(&mut stimulus, "values", value_of(&Shape::Map(Box::new(Shape::Message("ChannelValue".to_owned()))), &swarm, draw));
+        set(
+            &mut stimulus,
+            "values",
+            value_of(&Shape::Map(Box::new(Shape::Message("ChannelValue".to_owned()))), &swarm, draw),
+        );
     }
     if draw.chance(50) {
         set(&mut stimulus, "t", number(&swarm, draw));
@@ -187,11 +191,13 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
             let numeric = matches!(**item, Shape::Number | Shape::Integer);
             let most = if numeric && draw.chance(2) { 4 * swarm.most } else { swarm.most.min(4096) };
             let count = draw.size(0, most);
+            let count = draw.afford(count);
             let inner = Swarm { most: if numeric { swarm.most } else { swarm.most.min(3) }, ..*swarm };
             list((0..count).map(|_| value_of(item, &inner, draw)).collect())
         }
         Shape::Map(value) => {
             let count = draw.size(0, swarm.most.min(4096));
+            let count = draw.afford(count);
             let inner = Swarm { most: swarm.most.min(4), ..*swarm };
             let entry = |nth: usize, draw: &mut Draw<'_>| {
                 let name = if count > 8 && !draw.chance(5) { format!("k{nth}") } else { string(swarm, draw) };

@@ -83,18 +83,17 @@ pub(crate) const fn weight(call: Call) -> usize {
     }
 }
 
-/// An input for one of the calls of the menu; none if it has none.
-pub(crate) fn input(menu: &Menu, draw: &mut Draw<'_>) -> Option<Input> {
+/// One of the calls of the menu, by their weights; none if it has none.
+pub(crate) fn call(menu: &Menu, draw: &mut Draw<'_>) -> Option<Call> {
     let total: usize = menu.calls.iter().map(|(_, weight)| weight).sum();
     let mut left = draw.below(total);
-    let call = menu.calls.iter().find_map(|(call, weight)| {
+    menu.calls.iter().find_map(|(call, weight)| {
         if left < *weight {
             return Some(*call);
         }
         left -= weight;
         None
-    })?;
-    Some(Input { call, args: args(call, menu, draw)? })
+    })
 }
 
 /// Arguments for a call.
@@ -129,9 +128,12 @@ pub(crate) fn args(call: Call, menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree>
 
 /// How many steps a trace has: mostly a few dozen, often hundreds, rarely up to `most`.
 fn steps(draw: &mut Draw<'_>, most: usize) -> usize {
-    match draw.below(200) {
+    if let Some(length) = draw.length() {
+        return length;
+    }
+    match draw.below(1000) {
         0 => draw.size(300, most),
-        1..=20 => draw.size(40, 400.min(most)),
+        1..=40 => draw.size(40, 400.min(most)),
         _ => draw.size(2, 40),
     }
 }

@@ -53,7 +53,8 @@ fn value(args: &mut Tree, draw: &mut Draw<'_>) {
     let all = places(args);
     let place = all[draw.below(all.len())].clone();
     let elsewhere = all[draw.below(all.len())].clone();
-    let same = at(args, &elsewhere).filter(|found| at(args, &place).is_some_and(|here| here.kind() == found.kind())).cloned();
+    let same =
+        at(args, &elsewhere).filter(|found| at(args, &place).is_some_and(|here| here.kind() == found.kind())).cloned();
     // What is written within a string is changed in there.
     if let Some(Json::String(written)) = at(args, &place)
         && written.starts_with('{')

@@ -21,7 +21,11 @@ fn version_string(draw: &mut Draw<'_>) -> String {
             let mut version: Vec<char> = WIRE_VERSION.chars().collect();
             let place = draw.below(version.len() + 1);
             let odd = draw.one(&['.', '0', '5', ' ', '-', '+', 'v', '_', '\n', '٥', '５', 'e', ',', '\u{0}', 'x']);
-            if draw.chance(60) || place >= version.len() { version.insert(place, odd) } else { version[place] = odd }
+            if draw.chance(60) || place >= version.len() {
+                version.insert(place, odd);
+            } else {
+                version[place] = odd;
+            }
             version.into_iter().collect()
         }
         _ => draw.string(),
@@ -100,7 +104,8 @@ pub(super) fn key_build(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
         set(&mut args, "name", text(any_segment(draw)));
     }
     if key == "rpc" && menu.strict && draw.chance(50) {
-        let verbs = ["open_session", "step_request", "run_request", "close_session", "sensor_frame", "", "Step_request"];
+        let verbs =
+            ["open_session", "step_request", "run_request", "close_session", "sensor_frame", "", "Step_request"];
         set(&mut args, "verb", text(draw.pick(&verbs)));
     }
     Some(args)

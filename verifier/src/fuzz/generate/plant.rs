@@ -3,7 +3,7 @@
 use ncp_text::WIRE_VERSION;
 
 use super::frames::base64;
-use super::safety::{command, Shapes};
+use super::safety::{Shapes, command};
 use super::{Draw, Menu, Tree, steps};
 use crate::fuzz::tree::{int, list, literal, num, object, set, spelled, text};
 use crate::json::{Json, write_string};
@@ -196,7 +196,11 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
             frame.to_string()
         }
         5 => {
-            set(&mut frame, "mode", text(draw.pick(&["Estop", "ESTOP", "estop ", " estop", "stop", "e\u{301}stop", ""])));
+            set(
+                &mut frame,
+                "mode",
+                text(draw.pick(&["Estop", "ESTOP", "estop ", " estop", "stop", "e\u{301}stop", ""])),
+            );
             frame.to_string()
         }
         6 => {
@@ -242,8 +246,10 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
 /// The arguments of `link.run`.
 pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
     let count = steps(draw, 10_000);
-    let ref_loss = if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.share() } else { draw.double() }) };
-    let threshold = if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.positive() } else { draw.double() }) };
+    let ref_loss =
+        if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.share() } else { draw.double() }) };
+    let threshold =
+        if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.positive() } else { draw.double() }) };
     let (gaps, late, wide) = (draw.one(&[0, 5, 40]), draw.one(&[0, 5, 40]), draw.one(&[0, 0, 10]));
     let mut next = if draw.chance(80) { draw.range(0, 3) } else { draw.integer() };
     let largest = crate::fuzz::draw::LARGEST;

@@ -38,13 +38,14 @@ impl Shapes {
             2 => &["active", "active", "hold", "init", "active", "active", "active", "estop"],
             _ => &["active", "active", "active", "hold"],
         };
+        let longest = if draw.chance(3) { draw.size(16, 4096) } else { draw.size(1, 12) };
         Self {
             modes: modes.to_vec(),
             horizons: draw.one(&[0, 30, 100]),
-            longest: if draw.chance(3) { draw.size(16, 4096) } else { draw.size(1, 12) },
+            longest,
             bad_dt: draw.one(&[0, 0, 10]),
             more: draw.one(&[0, 0, 30]),
-            channels: if draw.chance(5) { draw.size(1, 80) } else { 2 },
+            channels: if longest < 16 && draw.chance(5) { draw.size(1, 80) } else { 2 },
             odd: draw.one(&[0, 0, 10]),
             strange: draw.one(&[0, 0, 0, 5]),
             unitless: draw.one(&[0, 0, 50]),
@@ -91,7 +92,8 @@ impl Shapes {
             channels.push(("velocity_setpoint".to_owned(), sample(&self.velocity(draw), unit)));
         }
         if draw.chance(self.more) {
-            for nth in 0..draw.size(1, self.channels) {
+            let count = draw.size(1, self.channels);
+            for nth in 0..draw.afford(count) {
                 let name = match draw.below(6) {
                     0 => "Velocity_setpoint".to_owned(),
                     1 => "velocity_setpoint2".to_owned(),
@@ -136,6 +138,7 @@ pub(super) fn command(shapes: &Shapes, seq: i64, draw: &mut Draw<'_>) -> Tree {
     ]);
     if draw.chance(shapes.horizons) {
         let count = draw.size(1, shapes.longest);
+        let count = draw.afford(count).max(1);
         // Long horizons of few different steps are quick to draw.
         let kinds: Vec<Tree> = (0..count.min(6)).map(|_| shapes.tick(draw)).collect();
         let horizon = (0..count).map(|_| kinds[draw.below(kinds.len())].clone()).collect();

@@ -62,7 +62,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     });
     let records: Vec<Tree> = records.collect();
     let kind = if rate { "rate_inject" } else { "current_pA" };
-    let stimuli = ["in", "in2"].into_iter().take(draw.below(3)).map(|port| {
+    let stimuli = ["in", "in2"].into_iter().map(|port| {
         let target = draw.one(&targets);
         let of = if target == "other" { 2 } else { neurons };
         object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, draw))])
@@ -121,16 +121,23 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
     let mut requests = Vec::new();
     let mut kinds = Vec::new();
+    let mut open_now = std::collections::HashSet::new();
     for nth in 0..count {
         let id = script.ids[draw.below(script.ids.len())].clone();
         let kind = match draw.below(100) {
-            0..=9 => "open_session",
+            // What a second opening of a session does is advice, so it is rare.
+            0..=9 if !open_now.contains(&id) || draw.chance(3) => "open_session",
             _ if nth < script.ids.len() => "open_session",
             roll if roll < 10 + usize::try_from(closes).unwrap_or(0) => "close_session",
             roll if roll < 75 => "step_request",
             _ => "run_request",
         };
         let id = if kind == "open_session" && nth < script.ids.len() { script.ids[nth].clone() } else { id };
+        match kind {
+            "open_session" => drop(open_now.insert(id.clone())),
+            "close_session" => drop(open_now.remove(&id)),
+            _ => {}
+        }
         let time = match draw.below(20) {
             0 => -script.dt,
             1 => script.dt * draw.range(50, 2000) as f64,

@@ -63,7 +63,7 @@ fn mapped(x: Option<f64>, from: [f64; 2], to: [f64; 2], mapped: f64) -> Option<T
     if !to.iter().all(|end| end.is_finite()) {
         return None;
     }
-    let slack = TOLERANCE * (to[0].abs() + to[1].abs());
+    let slack = TOLERANCE * (to[0].abs() + to[1].abs()) + TINY;
     let about = |value: f64| range(value - slack, value + slack);
     let usable = x.is_some_and(f64::is_finite) && from.iter().all(|end| end.is_finite()) && from[0] != from[1];
     if !usable {

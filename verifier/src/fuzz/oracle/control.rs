@@ -4,7 +4,7 @@ use ncp_peer_rust::Answer;
 
 use super::exact::norm;
 use super::{Outcome, TOLERANCE, Verdict, any, fits, fits_or_refused, free, num, range, reject, specification, steps};
-use crate::fuzz::tree::{Tree, double, doubles, integer, items, list, nums, object, set, string, text};
+use crate::fuzz::tree::{Tree, double, doubles, integer, items, list, members, nums, object, set, string, text};
 use crate::json::Json;
 use crate::peer::Call;
 
@@ -28,6 +28,16 @@ struct Gains {
     kp: f64,
     kd: f64,
     max_speed: f64,
+}
+
+/// Whether a configuration has the members of the protocol and no others.
+fn is_config(config: Option<&Tree>) -> bool {
+    let known = |(name, value): &(std::borrow::Cow<'_, str>, Tree)| match name.as_ref() {
+        "target" => items(Some(value)).len() == 3,
+        "kp" | "kd" | "max_speed" => double(Some(value)).is_some(),
+        _ => false,
+    };
+    config.is_some_and(|config| matches!(config, Json::Object(_)) && members(Some(config)).iter().all(known))
 }
 
 impl Gains {
@@ -72,6 +82,9 @@ fn hold() -> Tree {
 }
 
 pub(super) fn reflex(args: &Tree, result: Outcome<'_>) -> Verdict {
+    if !is_config(args.get("config")) {
+        return Verdict::Open("the configuration has other members than the protocol says");
+    }
     let gains = Gains::read(args.get("config"));
     let result = match result {
         Ok(result) => result,
@@ -106,6 +119,9 @@ pub(super) fn reflex(args: &Tree, result: Outcome<'_>) -> Verdict {
 }
 
 pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
+    if !is_config(args.get("config")) {
+        return Verdict::Open("the configuration has other members than the protocol says");
+    }
     let result = match result {
         Ok(result) => result,
         Err(code) => return reject(code),
@@ -117,7 +133,9 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
     let period = double(args.get("period_ms")).unwrap_or(f64::NAN);
     let fence = limit("geofence_radius_m").filter(|fence| fence.is_finite() && *fence > 0.0);
     let other_roundings: Vec<Tree> = match fence {
-        Some(fence) => [1.0 - TOLERANCE, 1.0 + TOLERANCE].into_iter().filter_map(|by| widened(args, fence * by)).collect(),
+        Some(fence) => {
+            [1.0 - TOLERANCE, 1.0 + TOLERANCE].into_iter().filter_map(|by| widened(args, fence * by)).collect()
+        }
         None => Vec::new(),
     };
     let (mut newest, mut seen): (Option<Tree>, Option<f64>) = (None, None);
@@ -128,15 +146,18 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
         let now = double(step.get("now_s")).unwrap_or(f64::NAN);
         match string(step, "op") {
             Some("sensor") => {
+                if answer.get("error").is_some() {
+                    return Verdict::Open("the trace holds what is no sensor frame");
+                }
                 let sensor = step.get("sensor").cloned().unwrap_or_else(|| object([]));
                 let stamp = |sensor: &Tree| integer(sensor.get("seq")).unwrap_or(0);
                 let t = |sensor: &Tree| double(sensor.get("t")).unwrap_or(0.0);
                 let is_stamped = stamp(&sensor) != 0;
                 // Streams in which stamped frames and others alternate are open.
                 is_known &= *stamped.get_or_insert(is_stamped) == is_stamped && t(&sensor).is_finite();
-                let newer = newest.as_ref().is_none_or(|kept| {
-                    if is_stamped { stamp(&sensor) > stamp(kept) } else { t(&sensor) > t(kept) }
-                });
+                let newer = newest
+                    .as_ref()
+                    .is_none_or(|kept| if is_stamped { stamp(&sensor) > stamp(kept) } else { t(&sensor) > t(kept) });
                 if newer {
                     (newest, seen) = (Some(sensor), Some(now));
                 }
@@ -149,7 +170,8 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
                     !now.is_finite() || !timeout.is_finite() || super::exact::age(now, seen, timeout).is_some()
                 });
                 let mode = |answer: &Tree| answer.get("command").and_then(|c| string(c, "mode")).map(str::to_owned);
-                let rounds = |other: &Tree| items(other.get("steps")).get(place).is_some_and(|o| mode(o) != mode(answer));
+                let rounds =
+                    |other: &Tree| items(other.get("steps")).get(place).is_some_and(|o| mode(o) != mode(answer));
                 is_known &= !other_roundings.iter().any(rounds);
                 entries.push(match tick(answer, newest.as_ref(), &gains, period, limits).filter(|_| is_known) {
                     Some(pattern) => pattern,
@@ -166,7 +188,8 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
             }
         }
     }
-    let written = limits.is_none_or(|limits| !limits.to_string().contains("\"NaN\"") && !limits.to_string().contains("Inf"));
+    let written =
+        limits.is_none_or(|limits| !limits.to_string().contains("\"NaN\"") && !limits.to_string().contains("Inf"));
     let pattern = steps(entries);
     if gains.may_be_refused() || !written { fits_or_refused(pattern) } else { fits(pattern) }
 }
@@ -206,7 +229,11 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
         let about = gains.about(&given, &position?, &velocity?)?;
         let limited = most.is_some_and(|most| most > 0.0 && norm(&given) > most * (1.0 - 1e-6));
         let about = if limited { list(given.iter().map(|x| super::near(*x, 1e-12)).collect()) } else { about };
-        set(&mut pattern, "channels", object([("velocity_setpoint", object([("data", about), ("unit", text("m/s"))]))]));
+        set(
+            &mut pattern,
+            "channels",
+            object([("velocity_setpoint", object([("data", about), ("unit", text("m/s"))]))]),
+        );
         set(&mut pattern, "ttl_ms", range(2.0 * period * (1.0 - 1e-12), f64::MAX));
         if !limited {
             set(&mut status, "safety_ok", Json::Bool(true));

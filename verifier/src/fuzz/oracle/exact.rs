@@ -13,7 +13,9 @@ pub(super) fn age(now_s: f64, then_s: f64, limit_ms: f64) -> Option<Ordering> {
         return None;
     }
     // 1,000 times both is exact as well then, so that it makes no difference who multiplies first.
-    let exact = is_difference(now_s, then_s, age) && is_product(age, 1000.0) && is_product(now_s, 1000.0)
+    let exact = is_difference(now_s, then_s, age)
+        && is_product(age, 1000.0)
+        && is_product(now_s, 1000.0)
         && is_product(then_s, 1000.0);
     let slack = 1e-12 * (now_s.abs().max(then_s.abs()) * 1000.0) + 1e-12 * limit_ms.abs();
     if exact || (ms - limit_ms).abs() > slack { ms.partial_cmp(&limit_ms) } else { None }

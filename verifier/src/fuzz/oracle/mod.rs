@@ -56,13 +56,20 @@ pub(crate) fn expectation(input: &Input, spec: &Answer, said: Option<&peer::Answ
         },
     };
     let result = result.as_ref().map_err(|code| *code);
+    // An object of sections 7 to 10 is refused for its configuration, and for nothing else.
+    let has_steps = concerns_objects(input.call);
+    if has_steps && result.is_err_and(|code| code != "value") {
+        return Verdict::Open("the arguments are none of the protocol");
+    }
     let args = &input.args;
     match input.call {
         Call::Describe => Verdict::Open("it is no question of the text"),
         Call::Decode => frames::decode(args, result),
         Call::Encode => frames::encode(args, result),
         Call::ReplyCheck => frames::reply(args, result),
-        Call::VersionCheck | Call::ContractStatus | Call::ContractVerify | Call::Negotiate => plain::version(args, result),
+        Call::VersionCheck | Call::ContractStatus | Call::ContractVerify | Call::Negotiate => {
+            plain::version(args, result)
+        }
         Call::KeyBuild => plain::key_build(args, result),
         Call::KeyMatch => plain::key_match(args, result),
         Call::PlaneQos => by_result(result),
@@ -80,6 +87,21 @@ pub(crate) fn expectation(input: &Input, spec: &Answer, said: Option<&peer::Answ
         Call::CodecDecode => codec::decode(args, result),
         Call::SessionRun => session::run(args, result, said),
     }
+}
+
+fn concerns_objects(call: Call) -> bool {
+    matches!(
+        call,
+        Call::GovernorRun
+            | Call::WatchdogRun
+            | Call::BufferRun
+            | Call::LinkRun
+            | Call::CodecEncode
+            | Call::CodecDecode
+            | Call::ReflexStep
+            | Call::LoopRun
+            | Call::SessionRun
+    )
 }
 
 /// What the specification answered: a result, or the code of a refusal.

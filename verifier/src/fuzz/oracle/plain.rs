@@ -19,7 +19,8 @@ pub(super) fn version(args: &Tree, result: Outcome<'_>) -> Verdict {
 }
 
 pub(super) fn key_build(args: &Tree, result: Outcome<'_>) -> Verdict {
-    let odd = |name: &str| string(args, name).is_some_and(|part| part.chars().any(|c| ('\u{80}'..='\u{9f}').contains(&c)));
+    let odd =
+        |name: &str| string(args, name).is_some_and(|part| part.chars().any(|c| ('\u{80}'..='\u{9f}').contains(&c)));
     if ["realm", "session", "name"].into_iter().any(odd) {
         return Verdict::Open("a control character of U+0080 to U+009F, KEY-016");
     }

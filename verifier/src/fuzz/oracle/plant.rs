@@ -75,7 +75,11 @@ pub(super) fn watchdog(args: &Tree, result: Outcome<'_>) -> Verdict {
         match string(step, "op") {
             Some("command") => {
                 known.read(now);
-                known.advance(integer(step.get("seq")).unwrap_or(0), now, double(step.get("ttl_ms")).unwrap_or(f64::NAN));
+                known.advance(
+                    integer(step.get("seq")).unwrap_or(0),
+                    now,
+                    double(step.get("ttl_ms")).unwrap_or(f64::NAN),
+                );
                 entries.push(free());
             }
             Some("should_hold") => {
@@ -159,7 +163,8 @@ fn arrives(frame: &[u8], now: f64, strict: bool, known: &mut Known, unstamped: &
         known.lost = true;
         return;
     }
-    let read = if strict { wire::decode_strict(Kind::CommandFrame, frame) } else { wire::decode(Kind::CommandFrame, frame) };
+    let read =
+        if strict { wire::decode_strict(Kind::CommandFrame, frame) } else { wire::decode(Kind::CommandFrame, frame) };
     let Ok(Message::CommandFrame(command)) = read else {
         // It may hold on what it rejects; a strict plant leaves its buffer as it was.
         known.may_hold |= !strict;
@@ -214,7 +219,8 @@ fn active(answer: &Tree, now: f64, latched: bool, known: &mut Known, horizon: &H
         let tick = ((now - received) * 1000.0 / dt).round();
         // At the border of two ticks a rounding decides, and at the end of the last whether it goes on.
         if tick <= horizon.steps as f64 + 2.0 && exact::age(now, received, tick * dt).is_none()
-            || tick > 0.0 && !(dt * tick / tick == dt && tick.mul_add(dt, -(tick * dt)) == 0.0)
+            || tick > 0.0
+                && !(dt * tick / tick == dt && tick.mul_add(dt, -(tick * dt)) == 0.0)
                 && ((now - received) * 1000.0 - tick * dt).abs() <= 1e-9 * tick * dt
         {
             if tick >= horizon.steps as f64 {
@@ -342,7 +348,11 @@ pub(super) fn link(args: &Tree, result: Outcome<'_>) -> Verdict {
         }
         let received = integer(answer.get("received")).unwrap_or(0);
         let at_least = received - older.min(received);
-        set(&mut report, "received", if older > 0 { range(at_least as f64, (received + older) as f64) } else { int(received) });
+        set(
+            &mut report,
+            "received",
+            if older > 0 { range(at_least as f64, (received + older) as f64) } else { int(received) },
+        );
         set(&mut report, "lost", int(lost));
         set(&mut report, "loss_rate", near(double(answer.get("loss_rate")).unwrap_or(0.0), 1e-12));
         if let Some(burst) = detector.burst() {

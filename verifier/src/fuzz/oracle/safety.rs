@@ -8,13 +8,18 @@ use ncp_spec::safety::{Decision, Reason};
 use ncp_spec::wire::{self, Capabilities, ChannelMap, CommandFrame, Kind, Message, Mode, SensorFrame};
 
 use super::exact::{is_settled, norm};
-use super::{Outcome, TOLERANCE, Verdict, any, exactly, fits, fits_or_refused, free, near, num, refused, reject, steps};
+use super::{
+    Outcome, TOLERANCE, Verdict, any, exactly, fits, fits_or_refused, free, near, num, refused, reject, steps,
+};
 use crate::fuzz::tree::{Tree, double, items, list, nums, object, set, string, text};
 use crate::json::Json;
 
 const POSITION: &str = "pose_position";
 const VELOCITY: &str = "velocity_setpoint";
 const MPS: &str = "m/s";
+/// How far off, m/s, a velocity may be whose digits are lost among the subnormals: how far below the limit it may be is
+/// nowhere said.
+const SUBNORMAL: f64 = 1e-300;
 /// How many readings of one trace are listed.
 const MOST_READINGS: usize = 24;
 
@@ -75,7 +80,8 @@ fn enabled(limit: Option<f64>) -> Option<f64> {
 impl Setup {
     fn read(args: &Tree) -> Option<Self> {
         let limits = args.get("limits")?;
-        let limit = |name: &str| limits.get(name).filter(|limit| !limit.is_null()).and_then(|limit| double(Some(limit)));
+        let limit =
+            |name: &str| limits.get(name).filter(|limit| !limit.is_null()).and_then(|limit| double(Some(limit)));
         let tilt = limit("max_tilt_rad");
         if tilt.is_some_and(|tilt| !tilt.is_finite() || tilt < 0.0) {
             return None;
@@ -83,7 +89,8 @@ impl Setup {
         let negotiated = args.get("capabilities").filter(|capabilities| !capabilities.is_null());
         let mut fields = negotiated.cloned().unwrap_or_else(|| object([]));
         set(&mut fields, "safety", limits.clone());
-        let Ok(Message::Capabilities(capabilities)) = wire::build(Kind::Capabilities, fields.to_string().as_bytes()) else {
+        let Ok(Message::Capabilities(capabilities)) = wire::build(Kind::Capabilities, fields.to_string().as_bytes())
+        else {
             return None;
         };
         for (specs, name, limit) in [
@@ -91,9 +98,10 @@ impl Setup {
             (&capabilities.command_channels, VELOCITY, limit("max_speed_mps")),
         ] {
             // Another width is advice, SAFE-016.
-            let wide = specs.iter().filter(|spec| spec.name == name).all(|spec| {
-                matches!((spec.kind.as_str(), spec.size), ("vec3", None | Some(3)) | ("array", Some(3)))
-            });
+            let wide = specs
+                .iter()
+                .filter(|spec| spec.name == name)
+                .all(|spec| matches!((spec.kind.as_str(), spec.size), ("vec3", None | Some(3)) | ("array", Some(3))));
             if enabled(limit).is_some() && !wide {
                 return None;
             }
@@ -239,7 +247,13 @@ impl Setup {
     }
 
     /// Whether another rounding of the look ahead decides otherwise.
-    fn is_at_the_fence(&self, before: &SafetyGovernor, step: &Govern, decision: &Decision, frame: &CommandFrame) -> bool {
+    fn is_at_the_fence(
+        &self,
+        before: &SafetyGovernor,
+        step: &Govern,
+        decision: &Decision,
+        frame: &CommandFrame,
+    ) -> bool {
         if enabled(self.fence).is_none() {
             return false;
         }
@@ -323,7 +337,7 @@ impl Setup {
             let length = before.map_or(0.0, |before| norm(&before.data));
             let limited = unit == Some(MPS) && enabled(self.speed).is_some_and(|most| length > most * (1.0 - 1e-12));
             let data = match before {
-                Some(_) if limited => list(after.data.iter().map(|x| near(*x, 0.0)).collect()),
+                Some(_) if limited => list(after.data.iter().map(|x| near(*x, SUBNORMAL)).collect()),
                 Some(before) => nums(&before.data),
                 None => nums(&after.data),
             };

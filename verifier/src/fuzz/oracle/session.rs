@@ -3,11 +3,14 @@
 use std::collections::HashMap;
 
 use ncp_peer_rust::Answer;
+use ncp_text::WIRE_VERSION;
 
 use super::frames::is_strict;
 use super::open::{Freedom, freedom};
 use super::{Outcome, TOLERANCE, Verdict, any, exactly, fits, reject, specification};
-use crate::fuzz::tree::{Tree, double, integer, items, list, map, members, near_list, object, own, set, spelled, string, text};
+use crate::fuzz::tree::{
+    Tree, double, integer, items, list, map, members, near_list, object, own, set, spelled, string, text,
+};
 use crate::json::Json;
 use crate::peer::{self, Call};
 
@@ -53,8 +56,11 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
             "session_opened" if open.contains_key(&id) => {
                 return Verdict::Open("a session that is open already, SESS-030");
             }
-            "error" if of == "open_session" && Session::is_network(asked.as_ref()) => {
-                return Verdict::Open("whether a server opens such a network is its own affair");
+            "error" | "session_opened" if of == "open_session" && Session::is_network(asked.as_ref()) => {
+                let version = asked.as_ref().and_then(|asked| string(asked, "ncp_version")).unwrap_or(WIRE_VERSION);
+                if version == WIRE_VERSION {
+                    return Verdict::Open("whether a server opens such a network is its own affair");
+                }
             }
             _ => {}
         }
@@ -102,7 +108,8 @@ fn pattern(reply: &Tree, kind: &str, of: &str) -> Tree {
             if ok == Json::Bool(false) { any(vec![own, error()]) } else { own }
         }
         "observation_frame" => {
-            let records = members(reply.get("records")).iter().map(|(port, record)| (port.to_string(), record_of(record)));
+            let records =
+                members(reply.get("records")).iter().map(|(port, record)| (port.to_string(), record_of(record)));
             written(object([
                 ("kind", text(kind)),
                 ("session_id", id),
@@ -191,9 +198,9 @@ impl Session {
                     && is_grid(double(target.get("cadence_ms")).unwrap_or(1.0))
                     && items(target.get("recordables")).is_empty()
             })
-            && targets("stimulus").iter().all(|target| {
-                fits(&target, stimuli, "kind", "current_pA") && members(target.get("params")).is_empty()
-            })
+            && targets("stimulus")
+                .iter()
+                .all(|target| fits(&target, stimuli, "kind", "current_pA") && members(target.get("params")).is_empty())
             && sizes.iter().all(|(_, size)| integer(Some(size)).is_some_and(|size| (1..=4096).contains(&size)))
             && string(network, "kind").unwrap_or("builtin") == "builtin"
             && items(asked.get("bindings")).is_empty()
@@ -215,7 +222,8 @@ impl Session {
 
     /// What the text leaves open of a step or a run of this session.
     fn openness(&self, asked: &Tree) -> Option<&'static str> {
-        let time = ["advance_ms", "duration_ms"].into_iter().find_map(|name| double(asked.get(name).filter(|t| !t.is_null())));
+        let time =
+            ["advance_ms", "duration_ms"].into_iter().find_map(|name| double(asked.get(name).filter(|t| !t.is_null())));
         let time = time.unwrap_or(self.chunk);
         if time == 0.0 || time > 0.0 && !is_whole(time / self.dt) {
             return Some("a time that is no whole number of steps");
@@ -259,7 +267,8 @@ fn moved(request: &Tree, by: f64) -> Tree {
         return request.clone();
     };
     let mut asked = own(&asked);
-    let Some(mut network) = asked.get("network").filter(|n| string(n, "ref") == Some("ncp.reference.lif")).cloned() else {
+    let Some(mut network) = asked.get("network").filter(|n| string(n, "ref") == Some("ncp.reference.lif")).cloned()
+    else {
         return request.clone();
     };
     let mut params = network.get("params").cloned().unwrap_or_else(|| object([]));
@@ -278,7 +287,8 @@ fn shape(result: &Json<'_>) -> Vec<(String, usize)> {
             let parsed = reply.as_str().and_then(|text| Json::parse(text).ok());
             let count = parsed.as_ref().map_or(0, |reply| reply.to_string().matches(',').count());
             let times = parsed.as_ref().and_then(|reply| reply.get("records")).map(|records| {
-                let spikes = members(Some(records)).iter().map(|(_, record)| record.get("times").map(ToString::to_string));
+                let spikes =
+                    members(Some(records)).iter().map(|(_, record)| record.get("times").map(ToString::to_string));
                 spikes.flatten().collect::<Vec<_>>().join(";")
             });
             (times.unwrap_or_default(), count)
@@ -289,7 +299,6 @@ fn shape(result: &Json<'_>) -> Vec<(String, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ncp_text::WIRE_VERSION;
 
     #[test]
     fn a_session_that_the_text_describes_is_told_from_others() {
