@@ -79,7 +79,8 @@ fn a_conforming_peer_differs_nowhere() {
 #[test]
 fn a_watchdog_that_is_renewed_by_being_asked_is_found_shrunk_saved_and_fails_again() {
     let folder = TempDir::new().unwrap();
-    let change = "if call == 'watchdog.run':\n    asked = 0\n    for step, entry in zip(args['steps'], result['steps']):\n\
+    let change = "if call == 'watchdog.run':\n    asked = 0\n\
+                  \x20   for step, entry in zip(args['steps'], result['steps']):\n\
                   \x20       asked = asked + 1 if step['op'] == 'should_hold' else 0\n        if asked >= 6:\n\
                   \x20           entry['hold'] = False";
     let peer = changed(folder.path(), change);

@@ -23,8 +23,8 @@ Draws inputs and whole traces at random and asks the specification and the peer 
 the text does not leave it open, the input is shrunk to the smallest that still shows it. A crash, a hang, or memory
 beyond a bound is found as well. The same seed finds the same, whatever --jobs.
 
-No black box finds a value that switches checks off, unless it is tried: --dictionary takes such values out of the peer's
-own sources or binary.
+No black box finds a value that switches checks off, unless it is tried: --dictionary takes such values out of the
+peer's own sources or binary.
 
 Examples:
   ncp-verify fuzz --peer my/peer                              a minute of it

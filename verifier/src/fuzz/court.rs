@@ -1,5 +1,5 @@
-//! Judging a disagreement exactly as `ncp-verify run --vectors` would: as a case in a vector file, by the same reader and
-//! the same judge.
+//! Judging a disagreement exactly as `ncp-verify run --vectors` would: as a case in a vector file, by the same reader
+//! and the same judge.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,8 +1,8 @@
 //! Known defects of the specification itself, which no peer is charged with.
 //!
-//! An input that reaches one of them and on which a peer differs is counted, by what is known, and is no finding; nor does
-//! an input become one on its way to the smallest. The list is short, is printed with every result, and shrinks when the
-//! specification is mended: an entry that goes makes the search stricter.
+//! An input that reaches one of them and on which a peer differs is counted, by what is known, and is no finding; nor
+//! does an input become one on its way to the smallest. The list is short, is printed with every result, and shrinks
+//! when the specification is mended: an entry that goes makes the search stricter.
 
 use super::generate::Input;
 use super::tree::double;

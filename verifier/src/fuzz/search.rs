@@ -1,4 +1,4 @@
-//! The search itself: rounds of inputs, those that reach something new kept, disagreements judged, shrunk and grouped.
+//! The search itself: rounds of inputs, those that reach something new kept, disagreements judged, shrunk, grouped.
 //!
 //! A round is drawn from what was kept before it, and its results are taken in the order of its inputs. So what is found
 //! depends on the seed alone, and not on how many threads work or how fast.

@@ -75,8 +75,7 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
     }
 }
 
-pub(super) fn pack(args: &Tree, result: Outcome<'_>) -> Verdict {
-    let _ = args;
+pub(super) fn pack(result: Outcome<'_>) -> Verdict {
     let result = match result {
         Ok(result) => result,
         Err(code) => return reject(code),

@@ -1,7 +1,7 @@
 //! Whether doubles tell what real numbers would.
 //!
-//! The text speaks of real numbers where it compares an age with a limit. Where a correct program may round another way,
-//! no answer can be asked for.
+//! The text speaks of real numbers where it compares an age with a limit. Where a correct program may round another
+//! way, no answer can be asked for.
 
 use std::cmp::Ordering;
 

@@ -76,7 +76,7 @@ pub(crate) fn expectation(input: &Input, spec: &Answer, said: Option<&peer::Answ
         Call::HorizonMaxLen => plain::horizon(args, result),
         Call::BulkDecode | Call::ObservationUnpack => bulk::decode(input.call, args, result),
         Call::BulkEncode => bulk::encode(args, result),
-        Call::ObservationPack => bulk::pack(args, result),
+        Call::ObservationPack => bulk::pack(result),
         Call::WatchdogRun => plant::watchdog(args, result),
         Call::BufferRun => plant::buffer(args, result),
         Call::LinkRun => plant::link(args, result),
@@ -185,8 +185,8 @@ fn steps(entries: Vec<Tree>) -> Tree {
     object([("steps", list(entries))])
 }
 
-/// Whether two answers say the same, so surely that no expectation has to be asked. What the messages of errors say, and
-/// the order of members outside of frames, is nobody's affair.
+/// Whether two answers say the same, so surely that no expectation has to be asked. What the messages of errors say,
+/// and the order of members outside of frames, is nobody's affair.
 pub(crate) fn agree(call: Call, spec: &Answer, said: &peer::Answer<'_>) -> bool {
     match (spec, said) {
         (Answer::Error { .. }, peer::Answer::Error { code, .. }) => code != "internal",

@@ -247,7 +247,8 @@ fn active(answer: &Tree, now: f64, latched: bool, known: &mut Known, horizon: &H
     }
 }
 
-/// The detector by each reading of the text: whether a gap or its delivery counts first, and what a late frame is worth.
+/// The detector by each reading of the text: whether a gap or its delivery counts first, and what a late frame is
+/// worth.
 struct Detector {
     ref_loss: f64,
     threshold: f64,
