@@ -13,6 +13,7 @@
 //! | [`diagnosis`] | ranks the rules that a peer most likely breaks |
 //! | [`dictionary`] | explains what a peer does by the fewest known defects |
 //! | [`severity`] | what it costs to break a rule |
+//! | [`fuzz`] | searches a peer by inputs drawn at random, held against the specification |
 //! | [`diff`] | compares two results of one peer, case by case |
 //! | [`report`] | one model of a result, rendered for terminals, JSON and JUnit |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
@@ -27,6 +28,7 @@ pub mod cli;
 pub mod diagnosis;
 pub mod dictionary;
 pub mod diff;
+pub mod fuzz;
 pub mod json;
 pub mod peer;
 pub mod report;

@@ -5,6 +5,7 @@
 
 mod check;
 mod explain;
+mod fuzz;
 mod list;
 mod workspace;
 
@@ -62,6 +63,7 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
     match &cli.command {
         None => check::bundled(&suite()?, &cli.check, styles, &stop),
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
+        Some(Command::Fuzz(args)) => fuzz::fuzz(&suite()?, args, styles, &stop),
         Some(Command::Diff(diff)) => compare(diff, style),
         Some(Command::List(list)) => list::list(&suite()?, list, style),
         Some(Command::Explain(explain)) => explain::explain(&suite()?, &explain.id, style),
@@ -108,6 +110,7 @@ Examples:
   ncp-verify run --peer-cmd 'python3 my_adapter.py'     your peer, by a command
   ncp-verify run --peer my/peer --role body             the peer of a folder with peer.toml, as a body
   ncp-verify run --peer my/peer --filter 'wire/*/seq/*' some cases only
+  ncp-verify fuzz --peer my/peer --time 10m             random traces, held against the specification
   ncp-verify list --filter duplicate                    which cases there are
   ncp-verify explain NCP-WIRE-007                       a rule and the cases that test it
   ncp-verify diff old.json new.json                     what a release fixes, and what it breaks
@@ -125,6 +128,9 @@ enum Command {
     /// Check the peers that you name
     #[command(after_help = RUN_HELP)]
     Run(RunArgs),
+    /// Search a peer for what no case shows: random traces, held against the specification
+    #[command(after_help = fuzz::HELP)]
+    Fuzz(fuzz::FuzzArgs),
     /// Compare two results of one peer, such as those of two releases
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArgs),
