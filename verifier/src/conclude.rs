@@ -6,7 +6,7 @@ use crate::dictionary::Dictionary;
 use crate::peer::{Call, Description, ExpectedFailure};
 use crate::report::{NotAsked, PeerReport, RunReport};
 use crate::run::CaseRun;
-use crate::suite::{Case, Need, Suite};
+use crate::suite::{Case, Need, Pattern, Suite};
 use crate::verdict::{Baseline, judge, judge_description};
 
 /// What is said of a peer that was asked of sessions, and never opened one.
@@ -85,6 +85,28 @@ pub fn roles(asked: &[Role], description: &Description) -> Vec<(Role, bool)> {
     let claimed = |role: Role| description.roles.iter().any(|name| name == role.as_str());
     let is_meant = |role: &Role| if asked.is_empty() { claimed(*role) } else { asked.contains(role) };
     Role::ALL.into_iter().filter(is_meant).map(|role| (role, claimed(role))).collect()
+}
+
+/// The cases to ask a peer in its roles, up to a level, and by patterns, if there are any; and those of them that need
+/// what the peer does not claim.
+#[must_use]
+pub fn selected<'s>(
+    suite: &'s Suite,
+    roles: &[(Role, bool)],
+    level: Level,
+    patterns: &[Pattern],
+    description: &Description,
+) -> (Vec<&'s Case>, Vec<&'s Case>) {
+    let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
+    let meant = |case: &&Case| {
+        case.concerns(&roles)
+            && case.level <= level
+            && (patterns.is_empty() || patterns.iter().any(|pattern| pattern.fits(case)))
+    };
+    let has = |need: &Need| match need {
+        Need::ReferenceNetworks => description.reference_networks,
+    };
+    suite.cases().iter().filter(meant).partition(|case| case.needs.iter().all(has))
 }
 
 /// How many cases were kept from a peer for want of what they need.

@@ -17,6 +17,7 @@
 //! | [`conclude`] | from what became of a peer's cases to the report on it |
 //! | [`journal`] | a run as it goes on, on disk, so that one that was killed is resumed |
 //! | [`merge`] | one result from those of shards |
+//! | [`attest`] | a result that somebody answers for: a signed statement |
 //! | [`diff`] | compares two results of one peer, case by case |
 //! | [`report`] | one model of a result, rendered for terminals, and in the formats of files |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
@@ -26,6 +27,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod attest;
 pub mod check;
 pub mod cli;
 pub mod conclude;

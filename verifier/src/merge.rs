@@ -3,14 +3,14 @@
 //! A shard judges its own cases alone; which rule a case is charged to, and what the peer is found to be, follows from
 //! all of them. So [`merge`] takes of each shard only what became of the cases, and judges anew.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::time::Duration;
 
-use crate::conclude::{Checked, Extent, opened, own_notes};
+use crate::conclude::{Checked, Extent, not_asked, opened, own_notes, roles, selected};
 use crate::peer::{Description, ExpectedFailure};
-use crate::report::{Asked, CrashLogReport, NotAsked, PeerReport, RateReport, Report, RunReport, State};
+use crate::report::{Asked, CrashLogReport, PeerReport, RateReport, Report, RunReport, State};
 use crate::run::{CaseRun, OutcomeKind};
-use crate::suite::{Case, DESCRIBE, Suite};
+use crate::suite::{Case, DESCRIBE, Pattern, Selection, Suite};
 use crate::verdict::{Baseline, BaselineError};
 
 /// Why results cannot be merged, or judged anew.
@@ -42,6 +42,14 @@ pub enum MergeError {
     /// A case is not one of the suite, or not of this peer's roles and level.
     #[error("{peer}: the suite has no case {case}")]
     Case {
+        /// The peer.
+        peer: String,
+        /// The case.
+        case: String,
+    },
+    /// A case is missing, or is there without having been meant.
+    #[error("{peer}: the cases are not those that were to be asked: {case}")]
+    Asked {
         /// The peer.
         peer: String,
         /// The case.
@@ -106,7 +114,7 @@ pub fn merge(mut shards: Vec<Report>, suite: &Suite) -> Result<Report, MergeErro
 /// [`MergeError`] if its cases are not those of the suite.
 pub fn judged_anew(report: &Report, suite: &Suite) -> Result<Report, MergeError> {
     is_of(report, suite)?;
-    let mut anew = Report::new(suite, report.asked.clone(), std::time::SystemTime::UNIX_EPOCH);
+    let mut anew = Report::new(suite, asked_anew(report, suite), std::time::SystemTime::UNIX_EPOCH);
     anew.tool = report.tool.clone();
     anew.started.clone_from(&report.started);
     for peer in &report.peers {
@@ -116,6 +124,29 @@ pub fn judged_anew(report: &Report, suite: &Suite) -> Result<Report, MergeError>
     // Seconds are not made of nanoseconds alone.
     anew.elapsed_s = report.elapsed_s;
     Ok(anew)
+}
+
+/// What was asked for, with all that follows from the rest of it.
+fn asked_anew(report: &Report, suite: &Suite) -> Asked {
+    let asked = &report.asked;
+    let levels = || report.peers.iter().map(|peer| peer.level);
+    // The level of a peer that was not checked is not known.
+    let level = if levels().all(|level| level.is_some()) { levels().flatten().max() } else { None };
+    let level = level.unwrap_or(asked.level);
+    let selection = Selection { patterns: patterns(asked), roles: asked.roles.clone(), level: Some(level) };
+    let selected = || suite.cases().iter().filter(|case| selection.meets(case));
+    let files: HashSet<&str> = selected().map(|case| &*case.file).collect();
+    Asked {
+        level,
+        files: files.len(),
+        cases: selected().count(),
+        partial: asked.shard.is_some() || asked.rerun || !asked.filters.is_empty(),
+        ..asked.clone()
+    }
+}
+
+fn patterns(asked: &Asked) -> Vec<Pattern> {
+    asked.filters.iter().map(|pattern| Pattern::new(pattern)).collect()
 }
 
 fn seconds(seconds: f64) -> Duration {
@@ -184,10 +215,22 @@ fn merge_peer(parts: &[&PeerReport], of: &Report, suite: &Suite) -> Result<PeerR
     }
     let cases = cases(parts, suite)?;
     let asked = &of.asked;
+    let about = Description::from(description);
+    let (mut meant, kept_back) = selected(suite, &roles(&asked.roles, &about), level, &patterns(asked), &about);
+    if let Some(shard) = asked.shard {
+        meant = shard.pick(&meant);
+    }
+    all_asked(&first.name, &cases, &meant, asked.rerun)?;
+    let not_asked = match asked.shard {
+        _ if asked.rerun => Vec::new(),
+        // What no shard asks is told by the first.
+        Some(shard) if shard.index != 1 => Vec::new(),
+        _ => not_asked(&kept_back),
+    };
     let checked = Checked {
         name: first.name.clone(),
         source: first.source.clone(),
-        description: Description::from(description),
+        description: about,
         level,
         asked: &asked.roles,
         entries: &entries,
@@ -200,9 +243,22 @@ fn merge_peer(parts: &[&PeerReport], of: &Report, suite: &Suite) -> Result<PeerR
         run: run(parts, &cases),
         cases,
         opened: parts.iter().filter_map(|part| opened(part)).reduce(|one, other| one || other),
-        not_asked: not_asked(parts),
+        not_asked,
     };
     Ok(checked.conclude(suite))
+}
+
+/// Makes sure that no case was left out, and none put in.
+fn all_asked(peer: &str, cases: &[(&Case, CaseRun)], meant: &[&Case], rerun: bool) -> Result<(), MergeError> {
+    let found: HashSet<&str> = cases.iter().map(|(case, _)| case.id.as_str()).collect();
+    let due: HashSet<&str> = meant.iter().map(|case| case.id.as_str()).collect();
+    let mut wrong: Vec<&str> = found.difference(&due).copied().collect();
+    // Which cases failed before, only the earlier result knows.
+    wrong.extend(due.difference(&found).filter(|_| !rerun));
+    match wrong.iter().min() {
+        None => Ok(()),
+        Some(case) => Err(MergeError::Asked { peer: peer.to_owned(), case: (*case).to_owned() }),
+    }
 }
 
 /// What became of each case, in the order of the suite.
@@ -259,15 +315,4 @@ fn run(parts: &[&PeerReport], cases: &[(&Case, CaseRun)]) -> RunReport {
         given_up: runs().find_map(|run| run.given_up.clone()),
         notes,
     }
-}
-
-fn not_asked(parts: &[&PeerReport]) -> Vec<NotAsked> {
-    let mut all: Vec<NotAsked> = Vec::new();
-    for part in parts.iter().flat_map(|part| &part.not_asked) {
-        match all.iter_mut().find(|known| known.needs == part.needs) {
-            Some(known) => known.cases += part.cases,
-            None => all.push(part.clone()),
-        }
-    }
-    all
 }

@@ -9,7 +9,7 @@ use ncp_text::catalogue::{Level, Role};
 
 use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
-use crate::conclude::{Checked, Extent, not_asked, roles};
+use crate::conclude::{Checked, Extent, not_asked, roles, selected};
 use crate::journal::{Head, Journal, Kept};
 use crate::peer::{
     Call, Connection, Description, ExpectedFailure, ExpectedFailures, Launch, Manifest, StartError, handshake,
@@ -20,7 +20,7 @@ use crate::report::{
 use crate::run::{self, Listener, RunRecord, Settings};
 use crate::shard::Shard;
 use crate::stop::Stop;
-use crate::suite::{Case, Need, Pattern, Suite};
+use crate::suite::{Case, Pattern, Suite};
 use crate::verdict::{Baseline, Status};
 
 /// Checks every bundled peer.
@@ -251,7 +251,7 @@ fn check(
     };
     let mut report = Report::new(suite, asked, started);
     for ((place, source), kept) in sources.into_iter().enumerate().zip(kept) {
-        report.peers.extend(check.peer(place, source, kept)?);
+        report.peers.extend(check.peer(place, source, &kept)?);
     }
     let exit = report.close(clock.elapsed(), stop.is_set());
     // When none could be started, all there is to say has been said.
@@ -304,7 +304,7 @@ fn journal(
 
 impl Check<'_> {
     /// Checks one peer, from its set-up to its verdict, but for the cases that are kept; none: it has none to run again.
-    fn peer(&self, place: usize, source: Source, kept: Kept) -> Result<Option<PeerReport>, CliError> {
+    fn peer(&self, place: usize, source: Source, kept: &Kept) -> Result<Option<PeerReport>, CliError> {
         let name = source.name().to_owned();
         let unchecked =
             |state, reason| Ok(Some(PeerReport::unchecked(name.clone(), source.shown.clone(), state, reason)));
@@ -340,7 +340,11 @@ impl Check<'_> {
         }
         let roles = roles(self.roles, &description);
         let level = self.level.unwrap_or_else(|| source.claimed());
-        let (mut cases, kept_back) = self.cases(&roles, level, &description, failed);
+        let (mut cases, mut kept_back) = selected(self.suite, &roles, level, &self.patterns, &description);
+        if let Some(failed) = failed {
+            cases.retain(|case| failed.contains(&case.id));
+            kept_back.clear();
+        }
         let mut not_asked = not_asked(&kept_back);
         if cases.is_empty() && !roles.is_empty() {
             let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
@@ -355,7 +359,7 @@ impl Check<'_> {
             // What no shard asks is told by the first.
             not_asked.retain(|_| shard.index == 1);
         }
-        let record = self.run(place, &source, &name, connection, &description, &cases, &kept);
+        let record = self.run(place, &source, &name, connection, &description, &cases, kept);
         let checked = Checked {
             name,
             source: source.shown,
@@ -425,28 +429,6 @@ impl Check<'_> {
         let mut connection = Connection::open(&source.launch)?;
         let description = handshake(&mut connection, self.settings.start_timeout, self.stop)?;
         Ok((connection, description))
-    }
-
-    /// The cases to ask, and those that need what the peer does not claim.
-    fn cases(
-        &self,
-        roles: &[(Role, bool)],
-        level: Level,
-        description: &Description,
-        failed: Option<&HashSet<String>>,
-    ) -> (Vec<&Case>, Vec<&Case>) {
-        let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
-        let meant = |case: &&Case| {
-            case.concerns(&roles)
-                && case.level <= level
-                && (self.patterns.is_empty() || self.patterns.iter().any(|pattern| pattern.fits(case)))
-                && failed.is_none_or(|failed| failed.contains(&case.id))
-        };
-        let has = |need: &Need| match need {
-            Need::ReferenceNetworks => description.reference_networks,
-        };
-        let cases = self.suite.cases().iter().filter(meant);
-        cases.partition(|case| case.needs.iter().all(has))
     }
 }
 

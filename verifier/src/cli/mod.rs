@@ -3,6 +3,7 @@
 //! Every error is one message on stderr and an exit code of PROTOCOL.md, section 8. What is asked for goes to stdout;
 //! what happens meanwhile goes to stderr.
 
+mod attest;
 mod check;
 mod convert;
 mod explain;
@@ -20,6 +21,7 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use ncp_text::catalogue::{Level, Role};
 
+use crate::attest::AttestError;
 use crate::diff::{self, DiffError};
 use crate::journal::JournalError;
 use crate::merge::MergeError;
@@ -30,6 +32,7 @@ use crate::stop::Stop;
 use crate::suite::{Pattern, Selection, Suite, SuiteError};
 use crate::verdict::BaselineError;
 
+use attest::{AttestArgs, CheckReportArgs};
 use convert::ConvertArgs;
 use merge::MergeArgs;
 use output::OutputArgs;
@@ -73,6 +76,8 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
         None => check::bundled(&suite()?, &cli.check, styles, &stop),
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
         Some(Command::Diff(diff)) => compare(diff, style),
+        Some(Command::Attest(args)) => attest::attest(&suite()?, args),
+        Some(Command::CheckReport(args)) => attest::check_report(&suite()?, args),
         Some(Command::Convert(args)) => convert::convert(&suite()?, args),
         Some(Command::Merge(args)) => merge::merge(&suite()?, args, styles),
         Some(Command::List(list)) => list::list(&suite()?, list, style),
@@ -125,6 +130,7 @@ Examples:
   ncp-verify diff old.json new.json                     what a release fixes, and what it breaks
   ncp-verify merge one.json two.json                    one result from the shards of a run
   ncp-verify convert result.json --to md                a stored result in another format
+  ncp-verify attest result.json --key KEY -o FILE       a signed result
 
 Exit codes:
     0  conformant, or as expected: nothing fails but the peer's expected failures
@@ -138,7 +144,7 @@ Exit codes:
 enum Command {
     /// Check the peers that you name
     #[command(after_help = RUN_HELP)]
-    Run(RunArgs),
+    Run(Box<RunArgs>),
     /// Compare two results of one peer, such as those of two releases
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArgs),
@@ -146,6 +152,10 @@ enum Command {
     Merge(MergeArgs),
     /// Write a stored result in another format
     Convert(ConvertArgs),
+    /// Sign a result, as an in-toto statement about the peer
+    Attest(AttestArgs),
+    /// Check a signed result: its signature, its digests, and that its verdict follows from its cases
+    CheckReport(CheckReportArgs),
     /// List the cases, or the rules that they test
     List(ListArgs),
     /// Explain a case, a rule or a flag
@@ -175,12 +185,39 @@ Exit codes:
     1  a case that passed no longer does
     2  usage: a file that is no result";
 
+const ATTEST_HELP: &str = "\
+The attestation is a DSSE envelope, signed with ed25519, around an in-toto statement. Its subjects are the files that
+the peer's command names, by their digests as they are now, and those that you name; it also has the digests of vectors,
+text and verifier, and holds the whole result. A result whose verdict does not follow from its cases is not signed.
+
+Examples:
+  ncp-verify attest --new-key release.key
+  ncp-verify attest result.json --key release.key --artefact dist/peer.tar.gz -o result.attestation.json
+
+Exit codes:
+    0  it is written, whatever the verdict
+    2  usage: a file that is no result or no key, or a result that does not hold";
+
+const CHECK_REPORT_HELP: &str = "\
+Refuses what was not signed by the key, or was changed; what is about other vectors or another text than this program
+has; and a result that is not what follows from its cases, which are all judged anew.
+
+Examples:
+  ncp-verify check-report result.attestation.json --key release.key.pub
+  ncp-verify check-report result.attestation.json --key release.key.pub --artefact dist/peer.tar.gz
+
+Exit codes:
+    0  it holds, whatever the verdict
+    1  it is refused
+    2  usage: a file that cannot be read, or no key";
+
 const CONVERT_HELP: &str = "\
 Formats:
   json     the whole result, by schemas/result.schema.json
   junit    JUnit XML: a test a case; what was not run, or is expected to fail, is skipped
   md       Markdown, for the summary of a CI job
   sarif    SARIF 2.1.0, for code hosts: a result a case that does not pass
+  html     one page for people, without a network: every case, to its input and its trace
   tsv      a line a case, separated by tabs
   badge    an SVG badge
   shields  the JSON of a shields.io endpoint
@@ -372,6 +409,8 @@ enum CliError {
     Journal(#[from] JournalError),
     #[error(transparent)]
     Render(#[from] RenderError),
+    #[error(transparent)]
+    Attest(#[from] AttestError),
     #[error("the suite: {0}")]
     Suite(#[from] SuiteError),
     #[error("{0}")]
@@ -382,7 +421,7 @@ impl CliError {
     fn exit(&self) -> Exit {
         match self {
             Self::Usage(_) | Self::Manifest(_) | Self::Baseline { .. } | Self::Diff(_) => Exit::Usage,
-            Self::Read(_) | Self::Merge(_) => Exit::Usage,
+            Self::Read(_) | Self::Merge(_) | Self::Attest(_) => Exit::Usage,
             Self::Journal(JournalError::File { .. }) => Exit::Harness,
             Self::Journal(_) => Exit::Usage,
             Self::Start(_) => Exit::NotStarted,

@@ -1,6 +1,7 @@
 //! The formats of a result.
 
 use super::badge::{badge, shields};
+use super::html::html;
 use super::junit::junit;
 use super::markdown::markdown;
 use super::model::Report;
@@ -19,6 +20,8 @@ pub enum Format {
     Markdown,
     /// SARIF 2.1.0, for code hosts.
     Sarif,
+    /// One page without a network, for people.
+    Html,
     /// A line a case, separated by tabs.
     Tsv,
     /// An SVG badge.
@@ -36,12 +39,15 @@ pub enum RenderError {
     /// As JUnit XML.
     #[error("the result cannot be written as JUnit XML: {0}")]
     Junit(#[from] quick_junit::SerializeError),
+    /// As a page.
+    #[error("the data of the page cannot be packed: {0}")]
+    Pack(#[source] std::io::Error),
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Json, Self::Junit, Self::Markdown, Self::Sarif, Self::Tsv, Self::Badge, Self::Shields];
+    pub const ALL: [Self; 8] =
+        [Self::Json, Self::Junit, Self::Markdown, Self::Sarif, Self::Html, Self::Tsv, Self::Badge, Self::Shields];
 
     /// As a command line has it.
     #[must_use]
@@ -51,6 +57,7 @@ impl Format {
             Self::Junit => "junit",
             Self::Markdown => "md",
             Self::Sarif => "sarif",
+            Self::Html => "html",
             Self::Tsv => "tsv",
             Self::Badge => "badge",
             Self::Shields => "shields",
@@ -74,12 +81,13 @@ impl Format {
 ///
 /// # Errors
 /// [`RenderError`] if it cannot be written, which does not occur.
-pub fn render(report: &Report, format: Format, _suite: Option<&Suite>) -> Result<String, RenderError> {
+pub fn render(report: &Report, format: Format, suite: Option<&Suite>) -> Result<String, RenderError> {
     match format {
         Format::Json => Ok(report.to_json()?),
         Format::Junit => Ok(junit(report)?),
         Format::Markdown => Ok(markdown(report)),
         Format::Sarif => Ok(sarif(report)?),
+        Format::Html => html(report, suite),
         Format::Tsv => Ok(tsv(report)),
         Format::Badge => Ok(badge(report)),
         Format::Shields => Ok(shields(report)),

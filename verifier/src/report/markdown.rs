@@ -1,6 +1,7 @@
 //! Markdown, for the summary of a job on a code host.
 
 use super::model::{CaseReport, PeerReport, Report, State};
+use super::terminal::plural;
 use crate::verdict::Status;
 
 /// How many failing cases of a peer are named.
@@ -83,9 +84,9 @@ fn of_peer(report: &Report, peer: &PeerReport) -> String {
     if !defects.is_empty() {
         text.push_str("\nKnown defects that explain failing cases:\n");
         for defect in defects.iter().take(LISTED) {
-            let (words, cases) = (cell(&defect.words), defect.explained.len());
+            let (words, cases) = (cell(&defect.words), plural(defect.explained.len(), "case"));
             text.push_str(&format!(
-                "\n- **{}** {words} ({cases} cases, such as `{}`)",
+                "\n- **{}** {words} ({cases}, such as `{}`)",
                 cell(&defect.defect),
                 defect.shortest
             ));
@@ -105,7 +106,8 @@ fn of_peer(report: &Report, peer: &PeerReport) -> String {
     }
     if !failed.is_empty() {
         let count = failed.len();
-        text.push_str(&format!("\n<details><summary>{count} failing cases</summary>\n\n| case | what |\n|---|---|\n"));
+        let summary = plural(count, "failing case");
+        text.push_str(&format!("\n<details><summary>{summary}</summary>\n\n| case | what |\n|---|---|\n"));
         for case in failed.iter().take(NAMED) {
             let brief: String = case.in_brief().chars().take(300).collect();
             text.push_str(&format!("| `{}` | {} |\n", case.id, cell(&brief)));

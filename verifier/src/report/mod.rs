@@ -10,6 +10,7 @@ mod comparison;
 mod exchange;
 mod expected;
 mod format;
+mod html;
 mod junit;
 mod layout;
 mod markdown;
