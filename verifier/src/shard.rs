@@ -1,7 +1,7 @@
 //! Parts of the cases, for several machines: `--shard 2/5`.
 //!
-//! The parts are disjoint and hold all cases between them. Which part a case is in depends on nothing but the cases, and
-//! the parts are about as much work each: a request is dear by its length, and every case costs something.
+//! The parts are disjoint and hold all cases between them. Which part a case is in depends on nothing but the cases,
+//! and the parts are about as much work each: a request is dear by its length, and every case costs something.
 
 use std::fmt;
 use std::str::FromStr;
@@ -117,7 +117,8 @@ mod tests {
         ) {
             let dealt = deal(&costs, parts);
             prop_assert_eq!(&dealt, &deal(&costs, parts));
-            let load = |part| dealt.iter().zip(&costs).filter(|(of, _)| **of == part).map(|(_, cost)| cost).sum::<usize>();
+            let of = |part: usize| dealt.iter().zip(&costs).filter(move |(of, _)| **of == part);
+            let load = |part| of(part).map(|(_, cost)| cost).sum::<usize>();
             let loads: Vec<usize> = (0..parts).map(load).collect();
             prop_assert_eq!(loads.iter().sum::<usize>(), costs.iter().sum::<usize>());
             let most = costs.iter().max().copied().unwrap_or_default();

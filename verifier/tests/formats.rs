@@ -74,7 +74,8 @@ fn each_format_of_a_stored_result_is_that_of_the_run() {
 
 #[test]
 fn sarif_is_by_its_schema_and_has_a_result_for_each_case_that_does_not_pass() {
-    // That of OASIS, as the crate serde-sarif 0.8.0 has it (MIT), with a typing error in a pattern that nothing here uses.
+    // That of OASIS, as the crate serde-sarif 0.8.0 has it (MIT), with a typing error in a pattern that no result
+    // comes to.
     let text = std::fs::read_to_string("tests/data/sarif-2.1.0.schema.json").unwrap();
     let text = text.replace("-[a-zA-Z]{2}]?$", "-[a-zA-Z]{2}$");
     let schema = jsonschema::validator_for(&serde_json::from_str(&text).unwrap()).unwrap();

@@ -270,8 +270,8 @@ fn check(
     Ok(exit)
 }
 
-/// The journal of a run, and what it holds of each peer if the run goes on with it. Who repeats every case measures, and
-/// has none.
+/// The journal of a run, and what it holds of each peer if the run goes on with it. Who repeats every case measures,
+/// and has none.
 fn journal(
     suite: &Suite,
     sources: &[Source],
@@ -303,7 +303,8 @@ fn journal(
 }
 
 impl Check<'_> {
-    /// Checks one peer, from its set-up to its verdict, but for the cases that are kept; none: it has none to run again.
+    /// Checks one peer, from its set-up to its verdict, but for the cases that are kept. None: nothing is to be run
+    /// again of it.
     fn peer(&self, place: usize, source: Source, kept: &Kept) -> Result<Option<PeerReport>, CliError> {
         let name = source.name().to_owned();
         let unchecked =

@@ -34,9 +34,6 @@ const pill = (mark, text) => el("span", { class: `pill ${LOOK[mark] ?? ""}` }, t
 
 unpack("index").then((index) => {
   data = index;
-  data.cases.forEach((each) => {
-    each.text = [each.id, each.title, each.call, ...each.rules].join(" ").toLowerCase();
-  });
   about();
   verdicts();
   defects();
@@ -65,7 +62,7 @@ function verdicts() {
       .map(([mark, count, word]) => [pill(mark, `${count.toLocaleString("en")} ${word}`), " "]);
     const levels = each.roles.map(([role, levels]) => el("div", {},
       `${role}: `, levels.map(([level, conformant, passed, all]) =>
-        [pill(conformant ? "p" : "f", `${conformant ? "✓" : "✗"} ${level}${all ? ` ${passed}/${all}` : ""}`), " "])));
+        [pill(conformant ? "p" : "f", `${conformant ? "✓" : "✗"} ${level} ${all ? `${passed}/${all}` : ""}`.trim()), " "])));
     return el("div", { class: `card ${each.verdict.replace(" ", "-")}` },
       el("h3", {}, each.name, " ", el("span", { class: "dim" }, each.version)),
       el("p", {}, el("strong", {}, each.verdict), each.reason ? `: ${each.reason}` : ""),
@@ -99,12 +96,10 @@ function defects() {
     const left = plural(each.unexplained, "failing case");
     const unexplained = each.defects.length && each.unexplained ? `${left} no known defect explains. ` : "";
     const rules = new Map();
-    data.cases.forEach((of, i) => {
-      if (each.status[i] === "f") {
-        const rule = each.charged[i] ?? of.rules[0];
-        rules.set(rule, (rules.get(rule) ?? 0) + 1);
-      }
-    });
+    for (let i = each.status.indexOf("f"); i >= 0; i = each.status.indexOf("f", i + 1)) {
+      const rule = each.charged[i] ?? data.cases[i].rules[0];
+      rules.set(rule, (rules.get(rule) ?? 0) + 1);
+    }
     const weight = (rule) => data.severities.indexOf(data.rules[rule]?.severity);
     const sorted = [...rules].sort((a, b) => weight(a[0]) - weight(b[0]) || b[1] - a[1]);
     const row = ([rule, count]) => el("tr", {},
@@ -116,31 +111,32 @@ function defects() {
       el("thead", {}, el("tr", {}, ["rule", "severity", "cases", "sentence"].map((head) => el("th", {}, head)))),
       el("tbody", {}, rows.map(row))));
     if (sorted.length) {
-      section.append(el("details", { open: sorted.length <= 8 || !each.defects.length },
-        el("summary", {}, `${unexplained}${plural(sorted.length, "broken rule")}`), table(sorted.slice(0, 60)),
-        sorted.length > 60 ? el("p", { class: "dim" }, `and ${sorted.length - 60} more`) : ""));
+      const list = el("details", {}, el("summary", {}, `${unexplained}${plural(sorted.length, "broken rule")}`));
+      const more = sorted.length > 60 ? el("p", { class: "dim" }, `and ${sorted.length - 60} more`) : "";
+      list.addEventListener("toggle", () => list.append(table(sorted.slice(0, 60)), more), { once: true });
+      list.open = data.peers.length <= 3 && (sorted.length <= 8 || !each.defects.length);
+      section.append(list);
     }
   });
 }
 
 function matrix() {
-  const count = (each) => {
-    const cells = new Map();
-    data.cases.forEach((of, i) => {
-      const status = each.status[i];
-      if (status === "o") return;
-      const key = `${of.chapter} ${of.level}`;
-      const cell = cells.get(key) ?? { all: 0, good: 0, f: 0, x: 0, n: 0 };
+  const deep = data.levels.length;
+  const place = Int32Array.from(data.cases, (of) => of.chapter * deep + of.level);
+  const count = ({ status }) => {
+    const cells = Array.from({ length: data.chapters.length * deep }, () => ({ all: 0, good: 0, f: 0, x: 0, n: 0 }));
+    for (let i = 0; i < place.length; i++) {
+      const mark = status[i], cell = cells[place[i]];
+      if (mark === "o" || cell === undefined) continue;
       cell.all++;
-      if (status === "p" || status === "u" || status === "a") cell.good++;
-      else cell[status]++;
-      cells.set(key, cell);
-    });
+      if (mark === "p" || mark === "u" || mark === "a") cell.good++;
+      else cell[mark]++;
+    }
     return cells;
   };
   const cellOf = (cells, place, chapter) => el("td", {}, data.levels.map((level, l) => {
-    const cell = cells.get(`${chapter} ${l}`);
-    if (!cell) return "";
+    const cell = cells[chapter * deep + l];
+    if (!cell.all) return "";
     const mark = cell.f ? "f" : cell.n ? "n" : cell.x ? "x" : "p";
     const status = cell.f ? "f" : cell.x ? "x" : "";
     return el("button", { type: "button", class: `pill ${LOOK[mark]}`,
@@ -196,10 +192,13 @@ function filter() {
   data.cases.forEach((each, i) => {
     if (chapter !== "" && each.chapter !== Number(chapter)) return;
     if (level !== "" && each.level !== Number(level)) return;
-    const meant = peers.filter((peer) => fits(peer, i, status));
-    if (!meant.length) return;
-    const charged = () => meant.map((peer) => peer.charged[i] ?? "").join(" ").toLowerCase();
-    if (!words.every((word) => each.text.includes(word) || charged().includes(word))) return;
+    if (!peers.some((peer) => fits(peer, i, status))) return;
+    if (words.length) {
+      each.text ??= [each.id, each.title, each.call, ...each.rules].join(" ").toLowerCase();
+      const meant = () => peers.filter((peer) => fits(peer, i, status));
+      const charged = () => meant().map((peer) => peer.charged[i] ?? "").join(" ").toLowerCase();
+      if (!words.every((word) => each.text.includes(word) || charged().includes(word))) return;
+    }
     shown.push(i);
   });
   chosen = Math.min(Math.max(chosen, shown.indexOf(opened)), shown.length - 1);
