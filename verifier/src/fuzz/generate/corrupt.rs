@@ -27,7 +27,7 @@ pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
 /// A value for a member that nobody knows.
 fn unknown(draw: &mut Draw<'_>) -> Tree {
     match draw.below(6) {
-        0 => deep(draw),
+        0 => deep(&[2, 31, 32, 61, 62, 63], draw),
         1 => text(draw.string()),
         2 => literal(draw.pick(&["1.0", "-0", "1e308", "0.1e-400", "123456789012345678901234567890"])),
         3 => object([("kind", text("estop")), ("mode", text("estop")), ("seq", literal("1.5"))]),
@@ -36,9 +36,9 @@ fn unknown(draw: &mut Draw<'_>) -> Tree {
     }
 }
 
-/// Arrays and objects within each other, up to the limit or a level beyond.
-fn deep(draw: &mut Draw<'_>) -> Tree {
-    let levels = draw.one(&[2, 31, 32, 61, 62, 63, 64, 65]);
+/// Arrays and objects within each other, of so many levels.
+fn deep(levels: &[usize], draw: &mut Draw<'_>) -> Tree {
+    let levels = draw.one(levels);
     let objects = draw.chance(30);
     (0..levels).fold(int(1), |inner, _| if objects { object([("a", inner)]) } else { list(vec![inner]) })
 }
@@ -219,6 +219,11 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
             } else {
                 set(frame, pin, value);
             }
+        }
+        // At the limit of levels, or beyond.
+        12 => {
+            let levels = deep(&[63, 64, 65, 100], draw);
+            set(frame, "future", levels);
         }
         // An array or a map at its limit.
         _ => {

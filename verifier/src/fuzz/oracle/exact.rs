@@ -89,7 +89,9 @@ mod tests {
     #[test]
     fn an_age_at_its_limit_is_settled_where_doubles_are_exact() {
         assert_eq!(age(10.5, 10.25, 250.0), Some(Ordering::Equal));
-        assert_eq!(age(10.5_f64.next_up(), 10.25, 250.0), Some(Ordering::Greater));
+        // Who multiplies first may round another way.
+        assert_eq!(age(10.5_f64.next_up(), 10.25, 250.0), None);
+        assert_eq!(age(10.5625, 10.25, 250.0), Some(Ordering::Greater));
         assert_eq!(age(0.35, 0.1, 250.0), None);
         assert_eq!(age(0.36, 0.1, 250.0), Some(Ordering::Greater));
         assert_eq!(age(f64::NAN, 0.1, 250.0), None);

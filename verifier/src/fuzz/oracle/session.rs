@@ -187,12 +187,17 @@ impl Session {
         let count = ports.len();
         ports.sort_unstable();
         ports.dedup();
+        // What two targets of one port are, the text does not say.
+        let mut driven: Vec<&str> = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default()).collect();
+        driven.sort_unstable();
+        driven.dedup();
         let is_grid = |ms: f64| ms > 0.0 && is_whole(ms / dt) && ms < 1e7;
         let plain = is_dyadic(dt)
             && (0.01..=100.0).contains(&dt)
             && is_grid(chunk)
             && params.iter().all(|(name, _)| known.contains(&name.as_ref()))
             && ports.len() == count
+            && driven.len() == targets("stimulus").len()
             && targets("record").iter().all(|target| {
                 fits(&target, observables, "observable", "V_m")
                     && is_grid(double(target.get("cadence_ms")).unwrap_or(1.0))
