@@ -24,6 +24,9 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         Err(code) => return reject(code),
     };
     let strict = is_strict(args);
+    if args.get("verbs").is_some() && items(args.get("verbs")).len() != items(args.get("requests")).len() {
+        return Verdict::Open("there are not as many verbs as requests");
+    }
     let replies = items(result.get("replies"));
     let theirs = match said {
         Some(peer::Answer::Result(result)) => items(result.get("replies")),
