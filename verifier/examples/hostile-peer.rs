@@ -28,7 +28,8 @@ fn main() {
         _ => {}
     }
     let mut held = Vec::new();
-    for (count, line) in (1..).zip(std::io::stdin().lock().lines()) {
+    let luck = usize::try_from(std::process::id() % 13).unwrap_or_default();
+    for (count, line) in (1_usize..).zip(std::io::stdin().lock().lines()) {
         let Ok(line) = line else { break };
         let Ok(request) = serde_json::from_str::<Value>(&line) else { exit(9) };
         let answer = answer(&mode, &request);
@@ -94,6 +95,20 @@ fn main() {
             "slow" => {
                 sleep(Duration::from_millis(120));
                 say(&answer);
+            }
+            // It is slow, and writes down what it was asked.
+            "writes-down" if case => {
+                note(&format!("{}\n", text_of(&request)));
+                sleep(Duration::from_millis(1));
+                say(&answer);
+            }
+            // It dies after a few answers, until it has died as often as it was told.
+            "dies-at-random" if case => {
+                say(&answer);
+                if count > 1 + luck && deaths_left() {
+                    note("x");
+                    std::process::abort();
+                }
             }
             "unordered" if case => {
                 held.push(answer);
@@ -184,6 +199,22 @@ fn is_one_of_150(request: &Value) -> bool {
 /// Whether the file that stands for a broken machine is there; `now` breaks it.
 fn ruined(flag: &str, now: bool) -> bool {
     now && std::fs::write(flag, "").is_ok() || std::path::Path::new(flag).exists()
+}
+
+/// Appends to the file that is named.
+fn note(text: &str) {
+    let file = std::env::args().nth(2).unwrap_or_default();
+    let written = std::fs::OpenOptions::new().append(true).create(true).open(file);
+    if written.and_then(|mut file| file.write_all(text.as_bytes())).is_err() {
+        exit(9);
+    }
+}
+
+/// Whether the file that is named has fewer bytes than the number behind it.
+fn deaths_left() -> bool {
+    let (file, most) = (std::env::args().nth(2), std::env::args().nth(3));
+    let died = std::fs::metadata(file.unwrap_or_default()).map_or(0, |file| file.len());
+    most.and_then(|most| most.parse().ok()).is_some_and(|most: u64| died < most)
 }
 
 fn say(answer: &Value) {

@@ -1,6 +1,6 @@
 //! Checking peers: the bundled ones, or those that were named.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::io::IsTerminal as _;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
@@ -9,20 +9,19 @@ use ncp_text::catalogue::{Level, Role};
 
 use super::workspace::{Workspace, target};
 use super::{CheckArgs, CliError, RunArgs, print};
-use crate::dictionary::Dictionary;
+use crate::conclude::{Checked, Extent, not_asked, roles, selected};
+use crate::journal::{Head, Journal, Kept};
 use crate::peer::{
-    Connection, Description, ExpectedFailure, ExpectedFailures, Launch, Manifest, StartError, handshake,
+    Call, Connection, Description, ExpectedFailure, ExpectedFailures, Launch, Manifest, StartError, handshake,
 };
 use crate::report::{
-    Asked, Detail, Exit, NotAsked, PeerReport, Progress, Report, State, Style, expected_list, junit, terminal, today,
+    Asked, CaseReport, Exit, PeerReport, Progress, Report, RunReport, State, Style, day_of, expected_list,
 };
-use crate::run::{self, CaseRun, Settings};
+use crate::run::{self, Listener, RunRecord, Settings};
+use crate::shard::Shard;
 use crate::stop::Stop;
-use crate::suite::{Case, Need, Pattern, Suite};
-use crate::verdict::{Baseline, judge, judge_description};
-
-/// Where the result goes, from the workspace's root.
-const RESULT: &str = "reports/run/result.json";
+use crate::suite::{Case, Pattern, Suite};
+use crate::verdict::{Baseline, Status};
 
 /// Checks every bundled peer.
 pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
@@ -33,16 +32,16 @@ pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &St
                 .to_owned(),
         ));
     };
-    let target = workspace.target();
+    let (target, started) = (workspace.target(), SystemTime::now());
     let sources = workspace
         .peers
         .iter()
         .map(|folder| {
             let shown = folder.strip_prefix(&workspace.root).unwrap_or(folder).display().to_string();
-            Source::folder(folder, shown, &workspace.root, &target, Vec::new(), suite)
+            Source::folder(folder, shown, &workspace.root, &target, Vec::new(), (suite, started))
         })
         .collect::<Result<_, _>>()?;
-    check(suite, sources, args, None, styles, &workspace.root, stop)
+    check(suite, sources, args, None, styles, &workspace.root, (started, stop))
 }
 
 /// Checks the peers that were named.
@@ -59,7 +58,7 @@ pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) 
         Some(file) => ExpectedFailures::load(file)?.entries,
         None => Vec::new(),
     };
-    let here = current_dir()?;
+    let (here, started) = (current_dir()?, SystemTime::now());
     let mut sources = Vec::new();
     for folder in &args.peer {
         let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.clone());
@@ -70,7 +69,7 @@ pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) 
             &root,
             &target(&root),
             listed.clone(),
-            suite,
+            (suite, started),
         )?);
     }
     for command in &args.peer_cmd {
@@ -79,16 +78,22 @@ pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) 
             shown: command.clone(),
             launch: Launch::from_command_line(command, &here)?,
             manifest: None,
-            baseline: baseline(command, listed.clone(), suite)?,
+            baseline: baseline(command, listed.clone(), (suite, started))?,
+            entries: listed.clone(),
         });
     }
     let root = Workspace::above(&here).map_or(here, |workspace| workspace.root);
-    check(suite, sources, &args.check, args.write_expected.as_deref(), styles, &root, stop)
+    check(suite, sources, &args.check, args.write_expected.as_deref(), styles, &root, (started, stop))
 }
 
-/// The expected failures of a peer.
-fn baseline(peer: &str, entries: Vec<ExpectedFailure>, suite: &Suite) -> Result<Baseline, CliError> {
-    Baseline::new(entries, suite, &today()).map_err(|source| CliError::Baseline { peer: peer.to_owned(), source })
+/// The expected failures of a peer, on the day on which the run begins.
+fn baseline(
+    peer: &str,
+    entries: Vec<ExpectedFailure>,
+    (suite, started): (&Suite, SystemTime),
+) -> Result<Baseline, CliError> {
+    Baseline::new(entries, suite, &day_of(started))
+        .map_err(|source| CliError::Baseline { peer: peer.to_owned(), source })
 }
 
 /// How to write to stdout and to stderr.
@@ -104,6 +109,7 @@ struct Source {
     shown: String,
     launch: Launch,
     manifest: Option<Manifest>,
+    entries: Vec<ExpectedFailure>,
     baseline: Baseline,
 }
 
@@ -114,13 +120,13 @@ impl Source {
         root: &Path,
         target: &Path,
         listed: Vec<ExpectedFailure>,
-        suite: &Suite,
+        judged_by: (&Suite, SystemTime),
     ) -> Result<Self, CliError> {
         let manifest = Manifest::load(folder, root, target)?;
-        let entries = manifest.expected_failures.iter().cloned().chain(listed).collect();
-        let baseline = baseline(&manifest.name, entries, suite)?;
+        let entries: Vec<_> = manifest.expected_failures.iter().cloned().chain(listed).collect();
+        let baseline = baseline(&manifest.name, entries.clone(), judged_by)?;
         let (name, launch) = (Some(manifest.name.clone()), manifest.launch.clone());
-        Ok(Self { name, shown, launch, manifest: Some(manifest), baseline })
+        Ok(Self { name, shown, launch, manifest: Some(manifest), entries, baseline })
     }
 
     fn name(&self) -> &str {
@@ -140,10 +146,45 @@ struct Check<'c> {
     roles: &'c [Role],
     /// The level that was asked for; none: each peer is held to the one that it claims.
     level: Option<Level>,
+    shard: Option<Shard>,
+    rerun: Option<&'c Rerun>,
     settings: Settings,
+    journal: Option<&'c Journal>,
     visible: bool,
     error_style: Style,
     stop: &'c Stop,
+}
+
+/// The cases that failed in an earlier result, by peer.
+struct Rerun {
+    file: PathBuf,
+    peers: Vec<(String, HashSet<String>)>,
+}
+
+impl Rerun {
+    fn read(file: &Path) -> Result<Self, CliError> {
+        let failed = |case: &&CaseReport| matches!(case.status, Status::Failed | Status::NotRun);
+        let peer = |peer: PeerReport| {
+            let failed = peer.cases.iter().filter(failed).map(|case| case.id.clone()).collect();
+            (peer.name, failed)
+        };
+        let peers: Vec<_> = Report::read(file)?.peers.into_iter().map(peer).collect();
+        if peers.iter().all(|(_, failed): &(_, HashSet<String>)| failed.is_empty()) {
+            return Err(CliError::Usage(format!(
+                "nothing failed in {}: there is nothing to run again",
+                file.display()
+            )));
+        }
+        Ok(Self { file: file.to_owned(), peers })
+    }
+
+    /// Which cases of a peer failed. A peer that is the only one of the result is meant, whatever its name.
+    fn of(&self, name: &str) -> Result<&HashSet<String>, CliError> {
+        let alone = self.peers.first().filter(|_| self.peers.len() == 1);
+        let found = self.peers.iter().find(|(of, _)| of == name).or(alone);
+        let none = || CliError::Usage(format!("{} has no peer {name}", self.file.display()));
+        found.map(|(_, failed)| failed).ok_or_else(none)
+    }
 }
 
 fn check(
@@ -153,9 +194,9 @@ fn check(
     write_expected: Option<&Path>,
     styles: Styles,
     root: &Path,
-    stop: &Stop,
+    (started, stop): (SystemTime, &Stop),
 ) -> Result<Exit, CliError> {
-    let (started, clock) = (SystemTime::now(), Instant::now());
+    let clock = Instant::now();
     let mut selection = args.select.selection();
     // A peer is held to what it claims; who filters has said which cases are meant.
     let default = (!selection.patterns.is_empty()).then(|| suite.highest_level());
@@ -165,7 +206,11 @@ fn check(
         let highest = suite.highest_level();
         return Err(CliError::Usage(format!("there is no case of level {level} yet; the highest is {highest}")));
     }
-    let partial = !selection.patterns.is_empty();
+    if args.resume && args.repeat > 1 {
+        return Err(CliError::Usage("--resume goes on with a run that asks every case once, not --repeat".to_owned()));
+    }
+    let rerun = args.rerun_failed.as_deref().map(Rerun::read).transpose()?;
+    let partial = !selection.patterns.is_empty() || rerun.is_some() || args.shard.is_some();
     selection.level = Some(level);
     let selected = || suite.cases().iter().filter(|case| selection.meets(case));
     let files: HashSet<&str> = selected().map(|case| &*case.file).collect();
@@ -180,12 +225,18 @@ fn check(
         cases: selected().count(),
         repeat: args.repeat,
         partial,
+        shard: args.shard,
+        rerun: rerun.is_some(),
     };
+    let result = args.output.result(root);
+    let (journal, kept) = journal(suite, &sources, &asked, rerun.as_ref(), args, &result)?;
     let check = Check {
         suite,
         patterns: selection.patterns,
         roles: &args.select.role,
         level: asked_level,
+        shard: args.shard,
+        rerun: rerun.as_ref(),
         settings: Settings {
             jobs: usize::from(args.jobs),
             timeout: args.timeout,
@@ -193,48 +244,71 @@ fn check(
             max_restarts: args.max_restarts,
             repeat: args.repeat,
         },
+        journal: journal.as_ref(),
         visible: std::io::stderr().is_terminal(),
         error_style: styles.error,
         stop,
     };
     let mut report = Report::new(suite, asked, started);
-    for source in sources {
-        report.peers.push(check.peer(source)?);
+    for ((place, source), kept) in sources.into_iter().enumerate().zip(kept) {
+        report.peers.extend(check.peer(place, source, &kept)?);
     }
     let exit = report.close(clock.elapsed(), stop.is_set());
     // When none could be started, all there is to say has been said.
     let silent = report.peers.iter().all(|peer| peer.state == State::NotStarted);
-    if !silent {
-        let examples = args.examples.unwrap_or(Detail::NORMAL.examples);
-        let detail = if args.verbose { Detail::VERBOSE } else { Detail { examples, ..Detail::NORMAL } };
-        print(&terminal(&report, styles.out, detail))?;
-    }
-    let json = report.to_json().map_err(|error| CliError::Harness(format!("the result cannot be written: {error}")))?;
-    let file = args.json.clone().unwrap_or_else(|| root.join(RESULT));
-    write(&file, &json)?;
-    let shown = args.json.as_ref().map_or(RESULT.to_owned(), |file| file.display().to_string());
-    if !silent {
-        print(&format!("{}\n", styles.out.dim(&format!("result: {shown}"))))?;
-    }
+    args.output.write(&report, suite, styles.out, &result, silent)?;
     if let (Some(file), Some(peer)) = (write_expected, report.peers.first().filter(|_| !silent)) {
         let list = expected_list(peer);
         let list = list.map_err(|error| CliError::Harness(format!("the expected failures: {error}")))?;
         write(file, &list)?;
         print(&format!("{}\n", styles.out.dim(&format!("expected failures: {}", file.display()))))?;
     }
-    if let Some(file) = &args.junit {
-        let xml =
-            junit(&report).map_err(|error| CliError::Harness(format!("the JUnit file cannot be written: {error}")))?;
-        write(file, &xml)?;
+    // The journal of a run that was interrupted is taken up by --resume.
+    if let Some(journal) = journal.filter(|_| !stop.is_set()) {
+        journal.remove();
     }
     Ok(exit)
 }
 
+/// The journal of a run, and what it holds of each peer if the run goes on with it. Who repeats every case measures,
+/// and has none.
+fn journal(
+    suite: &Suite,
+    sources: &[Source],
+    asked: &Asked,
+    rerun: Option<&Rerun>,
+    args: &CheckArgs,
+    result: &Path,
+) -> Result<(Option<Journal>, Vec<Kept>), CliError> {
+    let nothing = || vec![Kept::default(); sources.len()];
+    if args.repeat > 1 {
+        return Ok((None, nothing()));
+    }
+    let only = rerun.map_or_else(Vec::new, |rerun| {
+        let sorted = |failed: &HashSet<String>| failed.iter().cloned().collect::<BTreeSet<_>>();
+        rerun.peers.iter().map(|(name, failed)| (name.clone(), sorted(failed))).collect()
+    });
+    let head = Head {
+        corpus: suite.digest(),
+        asked,
+        peers: sources.iter().map(|source| source.shown.as_str()).collect(),
+        only,
+    };
+    let path = Journal::beside(result);
+    if args.resume {
+        let (journal, kept) = Journal::resume(&path, &head)?;
+        return Ok((Some(journal), kept));
+    }
+    Ok((Some(Journal::begin(&path, &head)?), nothing()))
+}
+
 impl Check<'_> {
-    /// Checks one peer, from its set-up to its verdict.
-    fn peer(&self, source: Source) -> Result<PeerReport, CliError> {
+    /// Checks one peer, from its set-up to its verdict, but for the cases that are kept. None: nothing is to be run
+    /// again of it.
+    fn peer(&self, place: usize, source: Source, kept: &Kept) -> Result<Option<PeerReport>, CliError> {
         let name = source.name().to_owned();
-        let unchecked = |state, reason| Ok(PeerReport::unchecked(name.clone(), source.shown.clone(), state, reason));
+        let unchecked =
+            |state, reason| Ok(Some(PeerReport::unchecked(name.clone(), source.shown.clone(), state, reason)));
         if self.stop.is_set() {
             return unchecked(State::NotStarted, "the run was interrupted".to_owned());
         }
@@ -255,37 +329,94 @@ impl Check<'_> {
             }
         };
         let name = source.name.clone().unwrap_or_else(|| description.name.clone());
-        let mut roles = self.roles(&description);
+        if kept.description.as_ref().is_some_and(|before| *before != description) {
+            let other =
+                "describes itself otherwise than in the run that is resumed; without --resume a run begins anew";
+            return Err(CliError::Usage(format!("{name} {other}")));
+        }
+        let failed = self.rerun.map(|rerun| rerun.of(&name)).transpose()?;
+        if failed.is_some_and(HashSet::is_empty) {
+            eprintln!("{name}: nothing of it failed, and nothing is run again");
+            return Ok(None);
+        }
+        let roles = roles(self.roles, &description);
         let level = self.level.unwrap_or_else(|| source.claimed());
-        let (cases, kept) = self.cases(&roles, level, &description);
-        let not_asked = not_asked(&kept);
-        // That a peer describes itself rightly is no evidence for a role of which nothing is known.
-        let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
+        let (mut cases, mut kept_back) = selected(self.suite, &roles, level, &self.patterns, &description);
+        if let Some(failed) = failed {
+            cases.retain(|case| failed.contains(&case.id));
+            kept_back.clear();
+        }
+        let mut not_asked = not_asked(&kept_back);
         if cases.is_empty() && !roles.is_empty() {
+            let claimed: Vec<&str> = roles.iter().map(|(role, _)| role.as_str()).collect();
             let mut message = format!("no case is selected for the roles of {name}: {}", claimed.join(", "));
-            for (_, why) in &not_asked {
-                message.push_str(&format!("; {why}"));
+            for not_asked in &not_asked {
+                message.push_str(&format!("; {}", not_asked.in_words()));
             }
             return Err(CliError::Usage(message));
         }
-        roles.retain(|(role, _)| cases.iter().any(|case| case.roles.contains(role)));
-        let repeat = u64::from(self.settings.repeat);
-        let total = cases.iter().map(|case| if case.is_large() { 1 } else { repeat }).sum();
-        let progress = Progress::new(&name, total, self.visible);
-        let mut record = run::run(&source.launch, connection, &cases, &self.settings, &progress, self.stop);
-        progress.done();
-        record.notes.extend(not_asked.iter().map(|(_, why)| why.clone()));
-        if record.opened == Some(false) && self.patterns.is_empty() && record.given_up.is_none() {
-            record.notes.push(NO_SESSION.to_owned());
+        if let Some(shard) = self.shard {
+            cases = shard.pick(&cases);
+            // What no shard asks is told by the first.
+            not_asked.retain(|_| shard.index == 1);
         }
-        let describe = (self.suite.describe(&description), judge_description(&description));
-        let runs = cases.into_iter().zip(record.cases.iter().cloned());
-        let all: Vec<(&Case, CaseRun)> = std::iter::once(describe).chain(runs).collect();
-        let verdict = judge(all, &roles, level, &source.baseline, !self.patterns.is_empty());
-        let not_asked = not_asked.into_iter().map(|(count, _)| count).collect();
-        let mut report = PeerReport::checked(name, source.shown, &description, &verdict, &record, not_asked);
-        report.diagnose(Dictionary::embedded(), &verdict);
-        Ok(report)
+        let record = self.run(place, &source, &name, connection, &description, &cases, kept);
+        let checked = Checked {
+            name,
+            source: source.shown,
+            description,
+            level,
+            asked: self.roles,
+            entries: &source.entries,
+            baseline: &source.baseline,
+            extent: match (self.shard, self.rerun) {
+                (Some(_), _) => Extent::Shard,
+                (None, None) if self.patterns.is_empty() => Extent::Whole,
+                (None, _) => Extent::Picked,
+            },
+            cases: cases.into_iter().zip(record.cases.iter().cloned()).collect(),
+            run: RunReport::from(&record),
+            opened: record.opened,
+            not_asked,
+        };
+        Ok(Some(checked.conclude(self.suite)))
+    }
+
+    /// Runs the cases of a peer but for those that are kept, and puts these with the others.
+    #[expect(clippy::too_many_arguments, reason = "one call, of what the caller has just found out")]
+    fn run(
+        &self,
+        place: usize,
+        source: &Source,
+        name: &str,
+        connection: Connection,
+        description: &Description,
+        cases: &[&Case],
+        kept: &Kept,
+    ) -> RunRecord {
+        let open: Vec<&Case> = cases.iter().copied().filter(|case| !kept.cases.contains_key(&case.id)).collect();
+        let repeat = u64::from(self.settings.repeat);
+        let total = open.iter().map(|case| if case.is_large() { 1 } else { repeat }).sum();
+        let progress = Progress::new(name, total, self.visible);
+        let recorder = self.journal.map(|journal| journal.record(place, description, &progress));
+        let listener: &dyn Listener = recorder.as_ref().map_or(&progress, |recorder| recorder);
+        let mut record = run::run(&source.launch, connection, &open, &self.settings, listener, self.stop);
+        progress.done();
+        if open.len() == cases.len() {
+            return record;
+        }
+        let mut fresh = record.cases.into_iter();
+        let known = |case: &&Case| kept.cases.get(&case.id).cloned().or_else(|| fresh.next());
+        record.cases = cases.iter().filter_map(known).collect();
+        let kept_runs = || cases.iter().filter_map(|case| kept.cases.get(&case.id));
+        let faults = kept_runs().filter(|run| run.outcome.kind().is_fault()).count();
+        record.answers += (kept_runs().count() - faults) as u64;
+        record.faults += u32::try_from(faults).unwrap_or(u32::MAX);
+        // Not all was answered in this run.
+        record.rate = None;
+        let is_asked = cases.iter().any(|case| case.call == Call::SessionRun);
+        record.opened = is_asked.then(|| kept.opened || record.opened == Some(true));
+        record
     }
 
     /// Sets a peer up, starts it, and lets it describe itself.
@@ -300,56 +431,6 @@ impl Check<'_> {
         let description = handshake(&mut connection, self.settings.start_timeout, self.stop)?;
         Ok((connection, description))
     }
-
-    /// The roles to judge: those that were asked for, or else all that the peer claims.
-    fn roles(&self, description: &Description) -> Vec<(Role, bool)> {
-        let claimed = |role: Role| description.roles.iter().any(|name| name == role.as_str());
-        Role::ALL
-            .into_iter()
-            .filter(|role| if self.roles.is_empty() { claimed(*role) } else { self.roles.contains(role) })
-            .map(|role| (role, claimed(role)))
-            .collect()
-    }
-
-    /// The cases to ask, and those that need what the peer does not claim.
-    fn cases(&self, roles: &[(Role, bool)], level: Level, description: &Description) -> (Vec<&Case>, Vec<&Case>) {
-        let roles: Vec<Role> = roles.iter().map(|(role, _)| *role).collect();
-        let meant = |case: &&Case| {
-            case.concerns(&roles)
-                && case.level <= level
-                && (self.patterns.is_empty() || self.patterns.iter().any(|pattern| pattern.fits(case)))
-        };
-        let has = |need: &Need| match need {
-            Need::ReferenceNetworks => description.reference_networks,
-        };
-        let cases = self.suite.cases().iter().filter(meant);
-        cases.partition(|case| case.needs.iter().all(has))
-    }
-}
-
-/// What is said of a peer that was asked of sessions, and never opened one.
-const NO_SESSION: &str =
-    "no session was opened in the whole run: the cases about open sessions show nothing about this server";
-
-/// How many cases were kept from a peer for want of what they need, and that in words.
-fn not_asked(kept: &[&Case]) -> Vec<(NotAsked, String)> {
-    let counted = Need::ALL.into_iter().map(|need| {
-        let cases = kept.iter().filter(|case| case.needs.contains(&need));
-        (need, cases.count())
-    });
-    counted
-        .filter(|(_, cases)| *cases > 0)
-        .map(|(need, cases)| {
-            let (were, need_it) = if cases == 1 { ("case was", "it needs") } else { ("cases were", "they need") };
-            let count = NotAsked { needs: need.as_str(), cases };
-            let why = format!(
-                "{cases} {were} not asked: {need_it} {}, which the peer's `describe` does not claim (`{}`)",
-                need.in_words(),
-                need.as_str()
-            );
-            (count, why)
-        })
-        .collect()
 }
 
 fn nothing_selected(args: &CheckArgs) -> String {

@@ -3,9 +3,14 @@
 //! Every error is one message on stderr and an exit code of PROTOCOL.md, section 8. What is asked for goes to stdout;
 //! what happens meanwhile goes to stderr.
 
+mod attest;
 mod check;
+mod convert;
 mod explain;
+mod fuzz;
 mod list;
+mod merge;
+mod output;
 mod workspace;
 
 use std::io::{IsTerminal as _, Write as _};
@@ -17,12 +22,21 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use ncp_text::catalogue::{Level, Role};
 
+use crate::attest::AttestError;
 use crate::diff::{self, DiffError};
+use crate::journal::JournalError;
+use crate::merge::MergeError;
 use crate::peer::{ManifestError, StartError};
-use crate::report::{Exit, Form, Style, comparison};
+use crate::report::{Exit, Form, ReadError, RenderError, Style, comparison};
+use crate::shard::Shard;
 use crate::stop::Stop;
 use crate::suite::{Pattern, Selection, Suite, SuiteError};
 use crate::verdict::BaselineError;
+
+use attest::{AttestArgs, CheckReportArgs};
+use convert::ConvertArgs;
+use merge::MergeArgs;
+use output::OutputArgs;
 
 /// How wide a line is where there is no terminal to ask.
 const PIPED_WIDTH: usize = 100;
@@ -62,7 +76,12 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
     match &cli.command {
         None => check::bundled(&suite()?, &cli.check, styles, &stop),
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
+        Some(Command::Fuzz(args)) => fuzz::fuzz(&suite()?, args, styles, &stop),
         Some(Command::Diff(diff)) => compare(diff, style),
+        Some(Command::Attest(args)) => attest::attest(&suite()?, args),
+        Some(Command::CheckReport(args)) => attest::check_report(&suite()?, args),
+        Some(Command::Convert(args)) => convert::convert(&suite()?, args),
+        Some(Command::Merge(args)) => merge::merge(&suite()?, args, styles),
         Some(Command::List(list)) => list::list(&suite()?, list, style),
         Some(Command::Explain(explain)) => explain::explain(&suite()?, &explain.id, style),
     }
@@ -108,9 +127,13 @@ Examples:
   ncp-verify run --peer-cmd 'python3 my_adapter.py'     your peer, by a command
   ncp-verify run --peer my/peer --role body             the peer of a folder with peer.toml, as a body
   ncp-verify run --peer my/peer --filter 'wire/*/seq/*' some cases only
+  ncp-verify fuzz --peer my/peer --time 10m             random traces, held against the specification
   ncp-verify list --filter duplicate                    which cases there are
   ncp-verify explain NCP-WIRE-007                       a rule and the cases that test it
   ncp-verify diff old.json new.json                     what a release fixes, and what it breaks
+  ncp-verify merge one.json two.json                    one result from the shards of a run
+  ncp-verify convert result.json --to md                a stored result in another format
+  ncp-verify attest result.json --key KEY -o FILE       a signed result
 
 Exit codes:
     0  conformant, or as expected: nothing fails but the peer's expected failures
@@ -124,10 +147,21 @@ Exit codes:
 enum Command {
     /// Check the peers that you name
     #[command(after_help = RUN_HELP)]
-    Run(RunArgs),
+    Run(Box<RunArgs>),
+    /// Search a peer for what no case shows: random traces, held against the specification
+    #[command(after_help = fuzz::HELP)]
+    Fuzz(fuzz::FuzzArgs),
     /// Compare two results of one peer, such as those of two releases
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArgs),
+    /// Make one result of those of the shards of a run
+    Merge(MergeArgs),
+    /// Write a stored result in another format
+    Convert(ConvertArgs),
+    /// Sign a result, as an in-toto statement about the peer
+    Attest(AttestArgs),
+    /// Check a signed result: its signature, its digests, and that its verdict follows from its cases
+    CheckReport(CheckReportArgs),
     /// List the cases, or the rules that they test
     List(ListArgs),
     /// Explain a case, a rule or a flag
@@ -157,6 +191,63 @@ Exit codes:
     1  a case that passed no longer does
     2  usage: a file that is no result";
 
+const ATTEST_HELP: &str = "\
+The attestation is a DSSE envelope, signed with ed25519, around an in-toto statement. Its subjects are the files that
+the peer's command names, by their digests as they are now, and those that you name; it also has the digests of vectors,
+text and verifier, and holds the whole result. A result whose verdict does not follow from its cases is not signed.
+
+Examples:
+  ncp-verify attest --new-key release.key
+  ncp-verify attest result.json --key release.key --artefact dist/peer.tar.gz -o result.attestation.json
+
+Exit codes:
+    0  it is written, whatever the verdict
+    2  usage: a file that is no result or no key, or a result that does not hold";
+
+const CHECK_REPORT_HELP: &str = "\
+Refuses what was not signed by the key, or was changed; what is about other vectors or another text than this program
+has; and a result that is not what follows from its cases, which are all judged anew.
+
+Examples:
+  ncp-verify check-report result.attestation.json --key release.key.pub
+  ncp-verify check-report result.attestation.json --key release.key.pub --artefact dist/peer.tar.gz
+
+Exit codes:
+    0  it holds, whatever the verdict
+    1  it is refused
+    2  usage: a file that cannot be read, or no key";
+
+const CONVERT_HELP: &str = "\
+Formats:
+  json     the whole result, by schemas/result.schema.json
+  junit    JUnit XML: a test a case; what was not run, or is expected to fail, is skipped
+  md       Markdown, for the summary of a CI job
+  sarif    SARIF 2.1.0, for code hosts: a result a case that does not pass
+  html     one page for people, without a network: every case, to its input and its trace
+  tsv      a line a case, separated by tabs
+  badge    an SVG badge
+  shields  the JSON of a shields.io endpoint
+
+Examples:
+  ncp-verify convert result.json --to md >> summary.md
+  ncp-verify convert result.json --to sarif -o result.sarif
+  ncp-verify run --peer my/peer --report md=summary.md --report sarif=result.sarif
+
+Exit codes:
+    0  it is written, whatever the verdict
+    2  usage: a file that is no result";
+
+const MERGE_HELP: &str = "\
+The merged result is that of one run over all cases, byte for byte, but for the time that it took. It draws on the same
+vectors as the shards, so that this has to be the same version of ncp-verify.
+
+Examples:
+  ncp-verify run --peer my/peer --shard 1/2 --json one.json
+  ncp-verify run --peer my/peer --shard 2/2 --json two.json
+  ncp-verify merge one.json two.json --json result.json --junit result.xml
+
+Exit codes: those of the one run";
+
 const RUN_HELP: &str = "\
 A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
 A copy of peers/PROTOCOL-starter.py is an adapter to begin with.
@@ -167,7 +258,10 @@ Examples:
   ncp-verify run --peer my/peer --filter NCP-WIRE-01? --verbose
   ncp-verify run --peer my/peer --write-expected known.toml
   ncp-verify run --peer my/peer --expected known.toml
-  ncp-verify run --peer peers/rust --repeat 50 --jobs 2";
+  ncp-verify run --peer peers/rust --repeat 50 --jobs 2
+  ncp-verify run --peer peers/rust --jobs 4 --shard 2/5 --json shard-2.json
+  ncp-verify run --peer my/peer --resume
+  ncp-verify run --peer my/peer --rerun-failed reports/run/result.json";
 
 #[derive(Debug, Args)]
 struct RunArgs {
@@ -206,18 +300,17 @@ struct CheckArgs {
     /// Run every case N times, those above 64 KiB once, and print the rate
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     repeat: u32,
-    /// Where to write the result as JSON [default: reports/run/result.json]
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Also write the result as JUnit XML
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
-    /// Show N failing cases of each peer with what went over the wire [default: 1]
-    #[arg(long, value_name = "N")]
-    examples: Option<usize>,
-    /// Show every failing case, in full
-    #[arg(long, short, conflicts_with = "examples")]
-    verbose: bool,
+    /// Run one part of the cases, such as 2/5; `ncp-verify merge` makes one result of all parts
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+    /// Go on with a run that was killed or interrupted, by the journal beside its result
+    #[arg(long)]
+    resume: bool,
+    /// Run only the cases that failed, or were not run, in this result
+    #[arg(long, value_name = "RESULT")]
+    rerun_failed: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
 }
 
 #[derive(Debug, Args)]
@@ -314,6 +407,16 @@ enum CliError {
     Start(#[from] StartError),
     #[error(transparent)]
     Diff(#[from] DiffError),
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    #[error(transparent)]
+    Journal(#[from] JournalError),
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    #[error(transparent)]
+    Attest(#[from] AttestError),
     #[error("the suite: {0}")]
     Suite(#[from] SuiteError),
     #[error("{0}")]
@@ -324,8 +427,11 @@ impl CliError {
     fn exit(&self) -> Exit {
         match self {
             Self::Usage(_) | Self::Manifest(_) | Self::Baseline { .. } | Self::Diff(_) => Exit::Usage,
+            Self::Read(_) | Self::Merge(_) | Self::Attest(_) => Exit::Usage,
+            Self::Journal(JournalError::File { .. }) => Exit::Harness,
+            Self::Journal(_) => Exit::Usage,
             Self::Start(_) => Exit::NotStarted,
-            Self::Suite(_) | Self::Harness(_) => Exit::Harness,
+            Self::Suite(_) | Self::Render(_) | Self::Harness(_) => Exit::Harness,
         }
     }
 }

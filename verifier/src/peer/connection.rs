@@ -168,6 +168,15 @@ impl Connection {
         matches!(self.child.try_wait(), Ok(None))
     }
 
+    /// The most bytes of memory that the process has held, where the operating system tells.
+    #[must_use]
+    pub fn memory(&self) -> Option<u64> {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).ok()?;
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+        let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+        Some(kilobytes << 10)
+    }
+
     /// Tells the peer that no more requests will come.
     pub fn close_requests(&mut self) {
         self.requests = None;

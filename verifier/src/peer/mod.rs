@@ -155,6 +155,19 @@ impl Launch {
         shlex::try_join(self.argv.iter().map(String::as_str)).unwrap_or_else(|_| self.argv.join(" "))
     }
 
+    /// The files that it names: the program, and each argument that is a file.
+    #[must_use]
+    pub fn files(&self) -> Vec<PathBuf> {
+        let program = self.program();
+        let on_path = || {
+            let path = std::env::var_os("PATH").unwrap_or_default();
+            std::env::split_paths(&path).map(|dir| dir.join(program)).find(|file| is_executable(file))
+        };
+        let program = if program.contains('/') { Some(self.folder.join(program)) } else { on_path() };
+        let arguments = self.argv.iter().skip(1).map(|argument| self.folder.join(argument));
+        program.into_iter().chain(arguments).filter(|file| file.is_file()).collect()
+    }
+
     /// The folder that it is started in.
     #[must_use]
     pub fn folder(&self) -> &Path {

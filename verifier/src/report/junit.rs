@@ -13,7 +13,7 @@ use crate::verdict::Status;
 /// # Errors
 /// If the XML cannot be written, which does not occur.
 pub fn junit(report: &Report) -> Result<String, quick_junit::SerializeError> {
-    let mut junit = JunitReport::new(report.tool.name);
+    let mut junit = JunitReport::new(report.tool.name.clone());
     junit.set_time(Duration::from_secs_f64(report.elapsed_s.max(0.0)));
     junit.add_test_suites(report.peers.iter().map(suite));
     junit.to_string()
@@ -51,13 +51,7 @@ fn suite(peer: &PeerReport) -> TestSuite {
 fn test(peer: &str, case: &CaseReport) -> TestCase {
     let outcome = case.outcome.as_str();
     let differences: Vec<&str> = case.differences.iter().map(|difference| difference.text.as_str()).collect();
-    let what = case.what.clone().unwrap_or_else(|| differences.first().map_or(outcome, |first| first).to_owned());
-    // The rule that is broken comes first, so that a list of messages is one of rules.
-    let what = match &case.charged {
-        Some(rule) if case.waits() => format!("waits for {rule}: {what}"),
-        Some(rule) => format!("{rule}: {what}"),
-        None => what,
-    };
+    let what = case.in_brief();
     let status = match case.status {
         Status::Failed if case.outcome.is_fault() => {
             non_success(NonSuccessKind::Error, outcome, &what, case.log.as_deref().unwrap_or_default())

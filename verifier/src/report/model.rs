@@ -1,18 +1,22 @@
 //! The one model of a result. Its JSON form is that of `schemas/result.schema.json`.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use ncp_text::catalogue::{Keyword, Level, Role};
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
-use crate::check::{Differences, in_words};
+use super::named::{by_name, by_name_or_null, by_names};
+use crate::check::{Difference, Differences, Manner, in_words};
 use crate::diagnosis::{self, Suspect};
 use crate::dictionary::{CaseKey, Dictionary, Explained, Explanation, Observed};
-use crate::peer::{Call, Description, excerpt};
-use crate::run::{CrashLog, Outcome, OutcomeKind, RunRecord};
+use crate::peer::{Call, Description, ExpectedFailure, excerpt};
+use crate::run::{CaseRun, CrashLog, Outcome, OutcomeKind, RunRecord};
 use crate::severity::Severity;
+use crate::shard::Shard;
 use crate::suite::{Case, Suite};
 use crate::verdict::{Conclusion, Excuse, Judged, LevelVerdict, RoleVerdict, Status, Tally, Verdict, is_unsupported};
 
@@ -54,7 +58,8 @@ impl Exit {
 }
 
 /// What a run of the program found.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Report {
     /// The format of this model.
     pub format: u32,
@@ -65,9 +70,9 @@ pub struct Report {
     /// How long it took, in seconds.
     pub elapsed_s: f64,
     /// The wire version of the text.
-    pub wire_version: &'static str,
+    pub wire_version: String,
     /// The contract hash of the text.
-    pub contract_hash: &'static str,
+    pub contract_hash: String,
     /// The cases.
     pub corpus: Corpus,
     /// What was asked for.
@@ -83,16 +88,18 @@ pub struct Report {
 }
 
 /// What made a report.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Tool {
     /// The program.
-    pub name: &'static str,
+    pub name: String,
     /// Its version.
-    pub version: &'static str,
+    pub version: String,
 }
 
 /// The cases that a run could draw on.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Corpus {
     /// How many files.
     pub files: usize,
@@ -103,13 +110,14 @@ pub struct Corpus {
 }
 
 /// What was asked for.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Asked {
     /// The highest level that was judged.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub level: Level,
     /// The roles that were asked for; empty: those that each peer claims.
-    #[serde(serialize_with = "by_names")]
+    #[serde(with = "by_names")]
     pub roles: Vec<Role>,
     /// The filters; empty: all cases.
     pub filters: Vec<String>,
@@ -119,25 +127,30 @@ pub struct Asked {
     pub cases: usize,
     /// How often each case was run.
     pub repeat: u32,
-    /// Whether the filters left cases out, so that a pass is no conformance.
+    /// Whether cases were left out, by filters or since this is a shard or a rerun, so that a pass is no conformance.
     pub partial: bool,
+    /// Which part of the cases that are meant was run; none: all of them.
+    pub shard: Option<Shard>,
+    /// Whether only those cases are meant that failed in an earlier result.
+    pub rerun: bool,
 }
 
 /// A rule that a case cites.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Rule {
     /// Its id.
     pub id: String,
     /// Identifies its sentence.
     pub digest: String,
     /// Its keyword.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub keyword: Keyword,
     /// Its level.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub level: Level,
     /// The roles that it binds.
-    #[serde(serialize_with = "by_names")]
+    #[serde(with = "by_names")]
     pub roles: Vec<Role>,
     /// Its sentence.
     pub sentence: String,
@@ -150,7 +163,7 @@ pub struct Rule {
 }
 
 /// Whether a peer was checked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum State {
     /// It was.
@@ -162,7 +175,8 @@ pub enum State {
 }
 
 /// What was found about one peer.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PeerReport {
     /// Its name, as its `peer.toml` or it itself says.
     pub name: String,
@@ -174,8 +188,11 @@ pub struct PeerReport {
     pub reason: Option<String>,
     /// What it says about itself.
     pub description: Option<DescriptionReport>,
+    /// The level that it is held to, if it was checked.
+    #[serde(default, with = "by_name_or_null")]
+    pub level: Option<Level>,
     /// The verdict, if it was checked.
-    #[serde(serialize_with = "by_name_or_null")]
+    #[serde(default, with = "by_name_or_null")]
     pub conclusion: Option<Conclusion>,
     /// The roles that were judged.
     pub roles: Vec<RoleReport>,
@@ -200,7 +217,8 @@ pub struct PeerReport {
 }
 
 /// The fewest known defects that explain the failing cases of a peer.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct DiagnosisReport {
     /// The defects, most severe first.
     pub defects: Vec<DefectReport>,
@@ -209,7 +227,8 @@ pub struct DiagnosisReport {
 }
 
 /// One known defect, and what it explains.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct DefectReport {
     /// The id of the defect.
     pub defect: String,
@@ -226,7 +245,8 @@ pub struct DefectReport {
 }
 
 /// What became of an entry of a peer's expected failures.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ExcuseReport {
     /// What it is called.
     pub entry: String,
@@ -244,19 +264,23 @@ pub struct ExcuseReport {
     pub stale: bool,
     /// The cases that it names and that no longer fail as it says.
     pub stale_cases: Vec<String>,
+    /// The entry itself, so that the verdict can be computed anew.
+    pub says: ExpectedFailure,
 }
 
 /// Cases that a peer was not asked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct NotAsked {
     /// What they need.
-    pub needs: &'static str,
+    pub needs: String,
     /// How many there are.
     pub cases: usize,
 }
 
 /// What a peer says about itself.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct DescriptionReport {
     /// The implementation's name.
     pub name: String,
@@ -275,10 +299,11 @@ pub struct DescriptionReport {
 }
 
 /// One role of a peer.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RoleReport {
     /// The role.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub role: Role,
     /// Whether the peer claims it.
     pub claimed: bool,
@@ -287,10 +312,11 @@ pub struct RoleReport {
 }
 
 /// One level of a role.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct LevelReport {
     /// The level.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub level: Level,
     /// Whether the role conforms at it.
     pub conformant: bool,
@@ -305,7 +331,8 @@ pub struct LevelReport {
 }
 
 /// How many cases count for what.
-#[derive(Debug, Default, Clone, Copy, Serialize)]
+#[derive(Debug, Default, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct TallyReport {
     /// All.
     pub total: usize,
@@ -322,7 +349,8 @@ pub struct TallyReport {
 }
 
 /// How a run went.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RunReport {
     /// How many answers were judged.
     pub answers: u64,
@@ -341,7 +369,8 @@ pub struct RunReport {
 }
 
 /// The whole log of one crash.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CrashLogReport {
     /// The case.
     pub case: String,
@@ -350,7 +379,8 @@ pub struct CrashLogReport {
 }
 
 /// So many answers in so much time.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct RateReport {
     /// How many answers were judged.
     pub answers: u64,
@@ -361,7 +391,8 @@ pub struct RateReport {
 }
 
 /// What became of one case.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CaseReport {
     /// Its id.
     pub id: String,
@@ -370,59 +401,66 @@ pub struct CaseReport {
     /// The rules that it cites.
     pub rules: Vec<String>,
     /// The roles that need it.
-    #[serde(serialize_with = "by_names")]
+    #[serde(with = "by_names")]
     pub roles: Vec<Role>,
     /// Its level.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub level: Level,
     /// Whether it decides the verdict.
     pub binding: bool,
     /// The call.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub call: Call,
     /// What became of it.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub outcome: OutcomeKind,
     /// What it counts for.
-    #[serde(serialize_with = "by_name")]
+    #[serde(with = "by_name")]
     pub status: Status,
     /// What it says of the first of its rules: `passed`, `failed`, `inconclusive`, `unsupported` or `not run`.
-    pub ruling: &'static str,
+    pub ruling: Cow<'static, str>,
     /// The rule that it is charged to; of an inconclusive case the one that it waits for, and of a trace with a step
     /// that the peer cannot do the one of that step.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub charged: Option<String>,
     /// What was expected, in words, unless it passed.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub expected: Option<String>,
     /// What differs.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub differences: Vec<DifferenceReport>,
     /// How many more differences there are.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "is_zero")]
     pub more_differences: usize,
+    /// Where the answer first differs, as a JSON pointer; of a trace with a step that the peer cannot do, that step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place: Option<String>,
+    /// What the answer is there, unless another value: `refusal`, `order` or `crash`.
+    #[serde(default, skip_serializing_if = "is_value", with = "by_name")]
+    pub manner: Manner,
     /// What happened, for a case without a proper answer.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub what: Option<String>,
     /// What was sent, shortened, without its id, unless it passed.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub request: Option<String>,
     /// What came back, shortened.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub answer: Option<String>,
     /// The end of the peer's log.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub log: Option<String>,
     /// What else is worth knowing.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
     /// Why it was expected to fail.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
 /// One difference.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct DifferenceReport {
     /// Where, as a JSON pointer.
     pub at: String,
@@ -436,6 +474,38 @@ pub struct DifferenceReport {
     pub text: String,
 }
 
+/// Why a result file cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// It cannot be read.
+    #[error("{}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// It is no result.
+    #[error("{}: {source}", path.display())]
+    Form {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        source: FormError,
+    },
+}
+
+/// Why a text is no result.
+#[derive(Debug, thiserror::Error)]
+pub enum FormError {
+    /// Its JSON is not that of a result.
+    #[error("this is no result of ncp-verify: {0}")]
+    Json(#[from] serde_json::Error),
+    /// It is a result of another format.
+    #[error("its format is {0}, and this program understands {FORMAT}")]
+    Format(u32),
+}
+
 impl Report {
     /// Begins a report.
     #[must_use]
@@ -443,11 +513,11 @@ impl Report {
         let corpus = Corpus { files: suite.files(), cases: suite.cases().len(), sha256: suite.digest().to_owned() };
         Self {
             format: FORMAT,
-            tool: Tool { name: "ncp-verify", version: env!("CARGO_PKG_VERSION") },
+            tool: Tool { name: "ncp-verify".to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() },
             started: rfc3339(started),
             elapsed_s: 0.0,
-            wire_version: WIRE_VERSION,
-            contract_hash: CONTRACT_HASH,
+            wire_version: WIRE_VERSION.to_owned(),
+            contract_hash: CONTRACT_HASH.to_owned(),
             corpus,
             asked,
             interrupted: false,
@@ -478,6 +548,38 @@ impl Report {
         exit
     }
 
+    /// How the program that wrote it ended.
+    #[must_use]
+    pub fn exit(&self) -> Exit {
+        let all = [Exit::Conformant, Exit::NotConformant, Exit::NotStarted, Exit::Interrupted];
+        all.into_iter().find(|exit| exit.code() == self.exit_code).unwrap_or(Exit::Harness)
+    }
+
+    /// Reads a result file.
+    ///
+    /// # Errors
+    /// [`ReadError`] if it cannot be read or is no result of this format.
+    pub fn read(path: &Path) -> Result<Self, ReadError> {
+        let text = std::fs::read_to_string(path).map_err(|source| ReadError::Read { path: path.to_owned(), source })?;
+        Self::from_json(&text).map_err(|source| ReadError::Form { path: path.to_owned(), source })
+    }
+
+    /// Reads the text of a result file.
+    ///
+    /// # Errors
+    /// [`FormError`] if it is no result of this format.
+    pub fn from_json(text: &str) -> Result<Self, FormError> {
+        #[derive(Deserialize)]
+        struct Known {
+            format: u32,
+        }
+        let Known { format } = serde_json::from_str(text)?;
+        if format != FORMAT {
+            return Err(FormError::Format(format));
+        }
+        Ok(serde_json::from_str(text)?)
+    }
+
     /// The JSON result file.
     ///
     /// # Errors
@@ -490,6 +592,16 @@ impl Report {
 }
 
 impl PeerReport {
+    /// The verdict in a word, or why there is none.
+    #[must_use]
+    pub fn verdict(&self) -> &'static str {
+        match (self.state, self.conclusion) {
+            (State::Checked, Some(conclusion)) => conclusion.as_str(),
+            (State::Checked | State::NotStarted, _) => "not started",
+            (State::Skipped, _) => "skipped",
+        }
+    }
+
     /// A peer that was not checked.
     #[must_use]
     pub fn unchecked(name: String, source: String, state: State, reason: String) -> Self {
@@ -499,6 +611,7 @@ impl PeerReport {
             state,
             reason: Some(reason),
             description: None,
+            level: None,
             conclusion: None,
             roles: Vec::new(),
             totals: TallyReport::default(),
@@ -512,14 +625,15 @@ impl PeerReport {
         }
     }
 
-    /// A peer that was checked.
+    /// A peer that was checked. What it was held to is still to be said: its [level](Self::level), and by
+    /// [`expecting`](Self::expecting) its expected failures.
     #[must_use]
     pub fn checked(
         name: String,
         source: String,
         description: &Description,
         verdict: &Verdict<'_>,
-        run: &RunRecord,
+        run: impl Into<RunReport>,
         not_asked: Vec<NotAsked>,
     ) -> Self {
         let mut totals = TallyReport::default();
@@ -534,32 +648,14 @@ impl PeerReport {
             source,
             state: State::Checked,
             reason: None,
-            description: Some(DescriptionReport {
-                name: description.name.clone(),
-                version: description.version.clone(),
-                language: description.language.clone(),
-                wire_version: description.wire_version.clone(),
-                contract_hash: description.contract_hash.clone(),
-                roles: description.roles.clone(),
-                reference_networks: description.reference_networks,
-            }),
+            description: Some(DescriptionReport::from(description)),
+            level: None,
             conclusion: Some(verdict.conclusion),
             roles: verdict.roles.iter().map(|role| RoleReport::new(role, &verdict.cases)).collect(),
             totals,
             not_asked,
             expected_failures: verdict.excuses.iter().map(ExcuseReport::new).collect(),
-            run: Some(RunReport {
-                answers: run.answers,
-                elapsed_s: run.elapsed.as_secs_f64(),
-                rate: run.rate.map(|rate| {
-                    let elapsed_s = rate.elapsed.as_secs_f64().max(1e-9);
-                    RateReport { answers: rate.answers, elapsed_s, per_second: rate.answers as f64 / elapsed_s }
-                }),
-                faults: run.faults,
-                crash_log: run.crash_log.clone().map(|CrashLog { case, log }| CrashLogReport { case, log }),
-                given_up: run.given_up.clone(),
-                notes: run.notes.clone(),
-            }),
+            run: Some(run.into()),
             cases: verdict.cases.iter().map(CaseReport::new).collect(),
             diagnosis: None,
             broken: diagnosis::likeliest_first(&verdict.cases, of(Status::Failed)),
@@ -568,7 +664,53 @@ impl PeerReport {
     }
 }
 
+impl From<&RunRecord> for RunReport {
+    fn from(run: &RunRecord) -> Self {
+        Self {
+            answers: run.answers,
+            elapsed_s: run.elapsed.as_secs_f64(),
+            rate: run.rate.map(|rate| RateReport::new(rate.answers, rate.elapsed.as_secs_f64())),
+            faults: run.faults,
+            crash_log: run.crash_log.clone().map(|CrashLog { case, log }| CrashLogReport { case, log }),
+            given_up: run.given_up.clone(),
+            notes: run.notes.clone(),
+        }
+    }
+}
+
+impl RateReport {
+    /// So many answers in so many seconds.
+    #[must_use]
+    pub fn new(answers: u64, elapsed_s: f64) -> Self {
+        let elapsed_s = elapsed_s.max(1e-9);
+        Self { answers, elapsed_s, per_second: answers as f64 / elapsed_s }
+    }
+}
+
+impl From<&Description> for DescriptionReport {
+    fn from(description: &Description) -> Self {
+        let Description { name, version, language, wire_version, contract_hash, roles, reference_networks } =
+            description.clone();
+        Self { name, version, language, wire_version, contract_hash, roles, reference_networks }
+    }
+}
+
+impl From<&DescriptionReport> for Description {
+    fn from(description: &DescriptionReport) -> Self {
+        let DescriptionReport { name, version, language, wire_version, contract_hash, roles, reference_networks } =
+            description.clone();
+        Self { name, version, language, wire_version, contract_hash, roles, reference_networks }
+    }
+}
+
 impl PeerReport {
+    /// Says of each expected failure which entry of the list it is; `entries` is that list.
+    pub fn expecting(&mut self, entries: &[ExpectedFailure]) {
+        for (excuse, entry) in self.expected_failures.iter_mut().zip(entries) {
+            excuse.says = entry.clone();
+        }
+    }
+
     /// Explains the failing cases by the fewest known defects; none if the dictionary knows none of the cases.
     pub fn diagnose(&mut self, dictionary: &Dictionary, verdict: &Verdict<'_>) {
         let observed = Observed::of(verdict.cases.iter().map(|judged| (judged.case, &judged.run.outcome)));
@@ -609,7 +751,8 @@ impl ExcuseReport {
     fn new(excuse: &Excuse) -> Self {
         let too_broad = excuse.is_too_broad();
         let Excuse { entry, reason, cases, written, expired, stale_cases, stale } = excuse.clone();
-        Self { entry, reason, cases, written, too_broad, expired, stale, stale_cases }
+        let says = ExpectedFailure::default();
+        Self { entry, reason, cases, written, too_broad, expired, stale, stale_cases, says }
     }
 
     /// What is untrue about it, in words; each fails the run.
@@ -685,20 +828,29 @@ impl CaseReport {
             && matches!((&self.charged, self.rules.first()), (Some(charged), Some(own)) if charged != own)
     }
 
+    /// What is wrong, in a line. The rule that is broken comes first, so that a list of such lines is one of rules.
+    #[must_use]
+    pub fn in_brief(&self) -> String {
+        let difference = || self.differences.first().map_or(self.outcome.as_str(), |first| &first.text).to_owned();
+        let what = self.what.clone().unwrap_or_else(difference);
+        match &self.charged {
+            Some(rule) if self.waits() => format!("waits for {rule}: {what}"),
+            Some(rule) => format!("{rule}: {what}"),
+            None => what,
+        }
+    }
+
+    /// The rule that it is charged to, or else is about.
+    #[must_use]
+    pub fn rule(&self) -> &str {
+        self.charged.as_ref().or(self.rules.first()).map_or("", String::as_str)
+    }
+
     fn new(judged: &Judged<'_>) -> Self {
         let Judged { case, run, status, ruling, reason } = judged;
         let passed = run.outcome == Outcome::Pass;
-        let (what, log) = match &run.outcome {
-            Outcome::Crash { what, log } | Outcome::Timeout { what, log } | Outcome::Protocol { what, log } => {
-                (Some(what.clone()), (!log.is_empty()).then(|| log.clone()))
-            }
-            Outcome::NotRun { why } => (Some(why.clone()), None),
-            Outcome::Pass | Outcome::Fail(_) | Outcome::Unsupported { .. } => (None, None),
-        };
-        let differences = match &run.outcome {
-            Outcome::Fail(differences) => differences.clone(),
-            _ => Differences::default(),
-        };
+        let StoredRun { outcome, place, manner, differences, more_differences, what, answer, log, note } =
+            StoredRun::from(run);
         Self {
             id: case.id.clone(),
             title: case.title.clone(),
@@ -707,31 +859,178 @@ impl CaseReport {
             level: case.level,
             binding: case.binding,
             call: case.call,
-            outcome: run.outcome.kind(),
+            outcome,
             status: *status,
-            ruling: ruling.as_str(),
+            ruling: Cow::Borrowed(ruling.as_str()),
             charged: ruling.decided_by().map(|rule| rule.id.clone()),
             expected: (!passed).then(|| in_words(&case.expect)),
-            more_differences: differences.more,
-            differences: differences
-                .first
-                .into_iter()
-                .map(|difference| DifferenceReport {
-                    text: difference.to_string(),
-                    at: difference.at,
-                    expected: difference.expected,
-                    got: difference.got,
-                    hint: difference.hint,
-                })
-                .collect(),
+            differences,
+            more_differences,
+            place,
+            manner,
             what,
             request: (!passed).then(|| excerpt(format!("{{{}", case.body()).as_bytes(), KEPT_BYTES)),
-            answer: run.answer.clone(),
+            answer,
             log,
-            note: run.note.clone(),
+            note,
             reason: reason.clone(),
         }
     }
+
+    /// What became of it, as it was before it was judged.
+    #[must_use]
+    pub fn run(&self) -> CaseRun {
+        let stored = StoredRun {
+            outcome: self.outcome,
+            place: self.place.clone(),
+            manner: self.manner,
+            differences: self.differences.clone(),
+            more_differences: self.more_differences,
+            what: self.what.clone(),
+            answer: self.answer.clone(),
+            log: self.log.clone(),
+            note: self.note.clone(),
+        };
+        stored.into()
+    }
+}
+
+/// What became of a case, as it is written down.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StoredRun {
+    #[serde(with = "by_name")]
+    pub(crate) outcome: OutcomeKind,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    place: Option<String>,
+    #[serde(default, skip_serializing_if = "is_value", with = "by_name")]
+    manner: Manner,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    differences: Vec<DifferenceReport>,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    more_differences: usize,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    what: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    answer: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    log: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+}
+
+impl From<&CaseRun> for StoredRun {
+    fn from(run: &CaseRun) -> Self {
+        let mut stored = Self {
+            outcome: run.outcome.kind(),
+            place: None,
+            manner: Manner::Value,
+            differences: Vec::new(),
+            more_differences: 0,
+            what: None,
+            answer: run.answer.as_deref().map(without_id),
+            log: None,
+            note: run.note.clone(),
+        };
+        match &run.outcome {
+            Outcome::Pass => {}
+            Outcome::NotRun { why } => stored.what = Some(why.clone()),
+            Outcome::Unsupported { step } => stored.place.clone_from(step),
+            Outcome::Crash { what, log } | Outcome::Timeout { what, log } | Outcome::Protocol { what, log } => {
+                stored.what = Some(what.clone());
+                stored.log = (!log.is_empty()).then(|| log.clone());
+            }
+            Outcome::Fail(Differences { first, more, place, manner }) => {
+                stored.differences = first.iter().map(DifferenceReport::from).collect();
+                stored.more_differences = *more;
+                stored.place = Some(place.clone());
+                stored.manner = *manner;
+            }
+        }
+        stored
+    }
+}
+
+impl From<StoredRun> for CaseRun {
+    fn from(stored: StoredRun) -> Self {
+        let StoredRun { outcome, place, manner, differences, more_differences, what, answer, log, note } = stored;
+        let (what, log) = (what.unwrap_or_default(), log.unwrap_or_default());
+        let outcome = match outcome {
+            OutcomeKind::Pass => Outcome::Pass,
+            OutcomeKind::NotRun => Outcome::NotRun { why: what },
+            OutcomeKind::Unsupported => Outcome::Unsupported { step: place },
+            OutcomeKind::Crash => Outcome::Crash { what, log },
+            OutcomeKind::Timeout => Outcome::Timeout { what, log },
+            OutcomeKind::Protocol => Outcome::Protocol { what, log },
+            OutcomeKind::Fail => {
+                let first = differences.into_iter().map(Difference::from).collect();
+                Outcome::Fail(Differences { first, more: more_differences, place: place.unwrap_or_default(), manner })
+            }
+        };
+        Self { outcome, answer, note }
+    }
+}
+
+impl From<&Difference> for DifferenceReport {
+    fn from(difference: &Difference) -> Self {
+        let text = difference.to_string();
+        let Difference { at, expected, got, hint } = difference.clone();
+        Self { at, expected, got, hint, text }
+    }
+}
+
+impl From<DifferenceReport> for Difference {
+    fn from(DifferenceReport { at, expected, got, hint, .. }: DifferenceReport) -> Self {
+        Self { at, expected, got, hint }
+    }
+}
+
+/// An answer without the id of its request, which says only how many were sent to the process before.
+fn without_id(answer: &str) -> String {
+    let mut kept = answer.to_owned();
+    // None but a faulty answer has two.
+    while let Some(id) = id_member(&kept) {
+        kept.replace_range(id, "");
+    }
+    kept
+}
+
+/// Where the member `id` of an object stands, with one comma beside it.
+fn id_member(text: &str) -> Option<std::ops::Range<usize>> {
+    let bytes = text.as_bytes();
+    let skip = |from: usize, of: fn(u8) -> bool| {
+        bytes.iter().skip(from).position(|byte| !of(*byte)).map_or(bytes.len(), |length| from + length)
+    };
+    let white = |byte: u8| byte.is_ascii_whitespace();
+    let (mut depth, mut at, mut comma) = (0_usize, 0, None);
+    while let Some(byte) = bytes.get(at) {
+        match byte {
+            b'{' | b'[' => depth += 1,
+            b'}' | b']' => depth = depth.saturating_sub(1),
+            b',' if depth == 1 => comma = Some(at),
+            b'"' => {
+                let start = at;
+                at += 1;
+                while bytes.get(at).is_some_and(|byte| *byte != b'"') {
+                    at += if bytes.get(at) == Some(&b'\\') { 2 } else { 1 };
+                }
+                let colon = skip(at + 1, white);
+                if depth == 1 && text.get(start..=at) == Some("\"id\"") && bytes.get(colon) == Some(&b':') {
+                    let value = skip(colon + 1, white);
+                    let end = skip(skip(value, |byte| byte.is_ascii_digit()), white);
+                    return match (bytes.get(end), comma) {
+                        _ if end == value => None,
+                        (Some(b','), _) => Some(start..skip(end + 1, white)),
+                        (_, Some(comma)) => Some(comma..end),
+                        (_, None) => Some(start..end),
+                    };
+                }
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    None
 }
 
 fn rules(suite: &Suite) -> Vec<Rule> {
@@ -759,10 +1058,10 @@ fn rules(suite: &Suite) -> Vec<Rule> {
         .collect()
 }
 
-/// The day on which it is now in UTC, such as `2026-12-31`.
+/// The day of a time in UTC, such as `2026-12-31`.
 #[must_use]
-pub fn today() -> String {
-    rfc3339(SystemTime::now()).chars().take(10).collect()
+pub fn day_of(time: SystemTime) -> String {
+    rfc3339(time).chars().take(10).collect()
 }
 
 /// A time as RFC 3339 writes it, in UTC, to the second.
@@ -781,44 +1080,43 @@ fn rfc3339(time: SystemTime) -> String {
     format!("{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z", second / 3600, second / 60 % 60, second % 60)
 }
 
-/// What is written by its name.
-trait Named {
-    fn name(&self) -> &'static str;
-}
-
-macro_rules! named {
-    ($($type:ty),+) => {$(
-        impl Named for $type {
-            fn name(&self) -> &'static str {
-                self.as_str()
-            }
-        }
-    )+};
-}
-
-named!(Call, Conclusion, Keyword, Level, OutcomeKind, Role, Status);
-
-fn by_name<S: Serializer>(value: &impl Named, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(value.name())
-}
-
-fn by_names<S: Serializer>(values: &[impl Named], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(values.iter().map(Named::name))
-}
-
-#[expect(clippy::ref_option, reason = "serde passes a reference")]
-fn by_name_or_null<S: Serializer>(value: &Option<impl Named>, serializer: S) -> Result<S::Ok, S::Error> {
-    value.as_ref().map(Named::name).serialize(serializer)
-}
-
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_value(manner: &Manner) -> bool {
+    *manner == Manner::Value
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_answer_is_shown_without_the_id_of_its_request() {
+        for (answer, shown) in [
+            (r#"{"id":4,"result":{"id":5}}"#, r#"{"result":{"id":5}}"#),
+            (r#"{ "result": [{"id": 1}], "id" : 4 }"#, r#"{ "result": [{"id": 1}]}"#),
+            (r#"{"id":1,"id":2,"x":"\"id\":3"}"#, r#"{"x":"\"id\":3"}"#),
+            (r#"{"id":4}"#, "{}"),
+            (r#"{"id":"four"}"#, r#"{"id":"four"}"#),
+            (r#"{"id":"#, r#"{"id":"#),
+            (r#"{"x":"\"#, r#"{"x":"\"#),
+            ("", ""),
+        ] {
+            assert_eq!(without_id(answer), shown);
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn an_answer_without_an_id_stays_as_it_is(text in "[{}\\[\\]\":,\\\\id0-9 ä]{0,40}") {
+            let once = without_id(&text);
+            proptest::prop_assert_eq!(without_id(&once), once);
+        }
+    }
 
     #[test]
     fn a_time_is_written_by_rfc_3339() {

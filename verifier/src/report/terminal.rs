@@ -753,11 +753,11 @@ mod tests {
         ];
         Report {
             format: 1,
-            tool: Tool { name: "ncp-verify", version: "0" },
+            tool: Tool { name: "ncp-verify".into(), version: "0".into() },
             started: String::new(),
             elapsed_s: 1.0,
-            wire_version: "7.1",
-            contract_hash: "",
+            wire_version: "7.1".into(),
+            contract_hash: String::new(),
             corpus: Corpus { files: 90, cases: 7000, sha256: String::new() },
             asked: Asked {
                 level: Level::Strict,
@@ -767,6 +767,8 @@ mod tests {
                 cases: 6100,
                 repeat: 1,
                 partial: false,
+                shard: None,
+                rerun: false,
             },
             interrupted: false,
             rules: Vec::new(),

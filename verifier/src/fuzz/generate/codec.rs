@@ -1,0 +1,97 @@
+//! Codecs, and what is put through them.
+
+use super::{Draw, Tree};
+use crate::fuzz::tree::{int, list, map, num, nums, object, or_null, set, text};
+
+fn range(draw: &mut Draw<'_>) -> [f64; 2] {
+    let end = |draw: &mut Draw<'_>| if draw.chance(75) { draw.plain() } else { draw.double() };
+    let low = end(draw);
+    draw.note(low);
+    match draw.below(12) {
+        0 => [low, low],
+        1 => [low, low.next_up()],
+        2 => [low, end(draw)],
+        _ => {
+            let high = end(draw);
+            draw.note(high);
+            if low <= high { [low, high] } else { [high, low] }
+        }
+    }
+}
+
+/// The mappings of one side: no population and no component twice.
+fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
+    let count = match draw.below(30) {
+        0 => draw.size(16, 300),
+        _ => draw.size(0, 6),
+    };
+    let channels = ["x", "pose_error", "velocity_setpoint", "y"];
+    let far = draw.one(&[4, 4, 64, 4095]);
+    let mut next = [0_i64; 4];
+    (0..count)
+        .map(|nth| {
+            let channel = draw.below(channels.len());
+            let component = if draw.chance(70) { next[channel] } else { next[channel] + draw.range(1, far) };
+            let component = if !decoders && draw.chance(3) { draw.one(&[4095, 4096, 4097, 65_536]) } else { component };
+            next[channel] = next[channel].max(component + 1);
+            let component = if decoders { component.min(4095) } else { component };
+            let mut mapping = object([
+                ("channel", text(channels[channel])),
+                ("component", int(component)),
+                ("population", text(format!("p{nth}"))),
+            ]);
+            for name in ["value_range", "rate_range"] {
+                if draw.chance(70) {
+                    set(&mut mapping, name, nums(&range(draw)));
+                }
+            }
+            if decoders && draw.chance(40) {
+                set(&mut mapping, "unit", text(draw.pick(&["m/s", "rad", "", "N"])));
+            }
+            mapping
+        })
+        .collect()
+}
+
+fn codec(draw: &mut Draw<'_>) -> Tree {
+    if draw.chance(25) {
+        return text("uav");
+    }
+    object([("encoders", list(mappings(false, draw))), ("decoders", list(mappings(true, draw)))])
+}
+
+/// The arguments of `codec.encode`.
+pub(super) fn encode(draw: &mut Draw<'_>) -> Tree {
+    let codec = codec(draw);
+    let sensor = (!draw.chance(5)).then(|| {
+        let channels = ["x", "pose_error", "velocity_setpoint", "y"].map(|name| {
+            let width = if draw.chance(5) { draw.one(&[64, 65, 4095, 4096]) } else { draw.below(6) };
+            let data: Vec<f64> =
+                (0..width).map(|_| if draw.chance(40) { draw.plain() } else { draw.double() }).collect();
+            (name.to_owned(), object([("data", nums(&data))]))
+        });
+        let channels = channels.into_iter().filter(|_| draw.chance(80)).collect();
+        object([("seq", int(3)), ("t", num(1.0)), ("channels", map(channels))])
+    });
+    object([("codec", codec), ("sensor", or_null(sensor))])
+}
+
+/// The arguments of `codec.decode`.
+pub(super) fn decode(draw: &mut Draw<'_>) -> Tree {
+    let codec = codec(draw);
+    let mut names: Vec<String> = ["vel_x", "vel_y", "vel_z", "other"].map(str::to_owned).into();
+    names.extend((0..crate::fuzz::tree::items(codec.get("decoders")).len()).map(|nth| format!("p{nth}")));
+    let rates = names.into_iter().filter_map(|name| {
+        let rate = if draw.chance(40) { draw.range(-10, 220) as f64 } else { draw.double() };
+        draw.chance(85).then(|| (name, num(rate)))
+    });
+    let rates = map(rates.collect());
+    object([
+        ("codec", codec),
+        ("rates", rates),
+        ("t", num(draw.finite())),
+        ("seq", int(draw.integer())),
+        ("frame_id", text(draw.string())),
+        ("mode", text(draw.pick(&["init", "active", "hold", "estop"]))),
+    ])
+}

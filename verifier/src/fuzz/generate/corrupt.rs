@@ -1,0 +1,343 @@
+//! Frames as they may be spelled, and valid text made invalid with its grammar in mind.
+
+use super::{Draw, Tree};
+use crate::fuzz::tree::{Step, at, at_mut, int, list, literal, map, name_at, object, places, set, text};
+use crate::json::{Json, write_string};
+
+/// Writes a frame as strangely as the grammar allows: white space, escapes, and unknown members.
+pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
+    let mut frame = frame.clone();
+    if draw.chance(20) {
+        let unknown = unknown(draw);
+        let name = draw.pick(&["future", "x", "Kind", "kind ", "ncp_versio", "s\u{e9}q", ""]).to_owned();
+        let sites: Vec<_> =
+            places(&frame).into_iter().filter(|place| matches!(at(&frame, place), Some(Json::Object(_)))).collect();
+        // A member of a map is an entry, so only the top is sure to ignore it.
+        if let Some(top) = sites.first().and_then(|place| at_mut(&mut frame, place)) {
+            set(top, &name, unknown);
+        }
+    }
+    let spaces = draw.one(&[0, 0, 20]);
+    let escapes = draw.one(&[0, 0, 15]);
+    let mut out = String::new();
+    write(&frame, spaces, escapes, draw, &mut out);
+    out
+}
+
+/// A value for a member that nobody knows.
+fn unknown(draw: &mut Draw<'_>) -> Tree {
+    match draw.below(6) {
+        0 => deep(&[2, 31, 32, 61, 62, 63], draw),
+        1 => text(draw.string()),
+        2 => literal(draw.pick(&["1.0", "-0", "1e308", "0.1e-400", "123456789012345678901234567890"])),
+        3 => object([("kind", text("estop")), ("mode", text("estop")), ("seq", literal("1.5"))]),
+        4 => Json::Null,
+        _ => list(vec![Json::Bool(true), text("]"), text("\\\"["), object([])]),
+    }
+}
+
+/// Arrays and objects within each other, of so many levels.
+fn deep(levels: &[usize], draw: &mut Draw<'_>) -> Tree {
+    let levels = draw.one(levels);
+    let objects = draw.chance(30);
+    (0..levels).fold(int(1), |inner, _| if objects { object([("a", inner)]) } else { list(vec![inner]) })
+}
+
+fn space(percent: u64, draw: &mut Draw<'_>, out: &mut String) {
+    while percent > 0 && draw.chance(percent) {
+        out.push(draw.one(&[' ', '\t', '\n', '\r']));
+    }
+}
+
+fn write(tree: &Tree, spaces: u64, escapes: u64, draw: &mut Draw<'_>, out: &mut String) {
+    space(spaces, draw, out);
+    match tree {
+        Json::String(value) => spell(value, escapes, draw, out),
+        Json::Array(items) => {
+            out.push('[');
+            for (nth, item) in items.iter().enumerate() {
+                if nth > 0 {
+                    out.push(',');
+                }
+                write(item, spaces, escapes, draw, out);
+            }
+            space(spaces, draw, out);
+            out.push(']');
+        }
+        Json::Object(members) => {
+            out.push('{');
+            for (nth, (name, value)) in members.iter().enumerate() {
+                if nth > 0 {
+                    out.push(',');
+                }
+                space(spaces, draw, out);
+                spell(name, escapes, draw, out);
+                space(spaces, draw, out);
+                out.push(':');
+                write(value, spaces, escapes, draw, out);
+            }
+            space(spaces, draw, out);
+            out.push('}');
+        }
+        plain => out.push_str(&plain.to_string()),
+    }
+    space(spaces, draw, out);
+}
+
+/// A string, some of its characters as escapes.
+fn spell(value: &str, escapes: u64, draw: &mut Draw<'_>, out: &mut String) {
+    if escapes == 0 {
+        return write_string(value, out);
+    }
+    out.push('"');
+    for c in value.chars() {
+        let mut units = [0; 2];
+        if draw.chance(escapes) {
+            for unit in c.encode_utf16(&mut units) {
+                let upper = draw.chance(50);
+                out.push_str(&if upper { format!("\\u{unit:04X}") } else { format!("\\u{unit:04x}") });
+            }
+        } else if c == '/' && draw.chance(50) {
+            out.push_str("\\/");
+        } else {
+            let mut one = String::new();
+            write_string(c.encode_utf8(&mut [0; 4]), &mut one);
+            out.push_str(&one[1..one.len() - 1]);
+        }
+    }
+    out.push('"');
+}
+
+/// A frame that is wrong in one way, most likely.
+pub(super) fn corrupted(frame: &Tree, draw: &mut Draw<'_>) -> Vec<u8> {
+    if draw.chance(60) {
+        let mut frame = frame.clone();
+        wrong_value(&mut frame, draw);
+        return wild(&frame, draw).into_bytes();
+    }
+    wrong_text(wild(frame, draw).into_bytes(), draw)
+}
+
+/// Changes one value or member, so that the grammar stays.
+fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
+    let all = places(frame);
+    let place = all[draw.below(all.len())].clone();
+    let name = name_at(frame, &place).to_owned();
+    match draw.below(14) {
+        // Another type.
+        0..=2 => replace(frame, &place, draw, |draw| match draw.below(8) {
+            0 => Json::Null,
+            1 => Json::Bool(draw.chance(50)),
+            2 => int(0),
+            3 => text("1"),
+            4 => list(Vec::new()),
+            5 => object([]),
+            6 => literal("1.5"),
+            _ => text(""),
+        }),
+        3 => replace(frame, &place, draw, |_| Json::Null),
+        // An integer in another spelling, or beyond the wire's.
+        4 | 5 => {
+            let spelling = [
+                "1.0",
+                "1e0",
+                "-0",
+                "0.0",
+                "1E1",
+                "9007199254740991",
+                "9007199254740992",
+                "-9007199254740992",
+                "10e-1",
+                "9007199254740993",
+                "18446744073709551617",
+                "9007199254740991.0",
+                "1e15",
+                "-0.0",
+                "2147483648",
+            ];
+            let spelling = draw.pick(&spelling).to_owned();
+            let numbers: Vec<_> =
+                all.iter().filter(|place| matches!(at(frame, place), Some(Json::Number(_)))).cloned().collect();
+            let place = if numbers.is_empty() { place } else { numbers[draw.below(numbers.len())].clone() };
+            replace(frame, &place, draw, |_| literal(spelling));
+        }
+        // A number beyond a double, or at its end.
+        6 => {
+            let spelling = draw
+                .pick(&["1e400", "-1E400", "1.7976931348623159e308", "1.7976931348623158e308", "1e309", "2e-324"])
+                .to_owned();
+            let numbers: Vec<_> =
+                all.iter().filter(|place| matches!(at(frame, place), Some(Json::Number(_)))).cloned().collect();
+            if !numbers.is_empty() {
+                let place = numbers[draw.below(numbers.len())].clone();
+                replace(frame, &place, draw, |_| literal(spelling));
+            }
+        }
+        // A member less.
+        7 => {
+            let sites: Vec<_> =
+                all.iter().filter(|place| matches!(at(frame, place), Some(Json::Object(_)))).cloned().collect();
+            if let Some(Json::Object(members)) = at_mut(frame, &sites[draw.below(sites.len())])
+                && !members.is_empty()
+            {
+                let gone = draw.below(members.len());
+                members.remove(gone);
+            }
+        }
+        8 => {
+            let kinds = ["sensor_frame", "command_frame", "error", "Command_frame", "", "observation_frame", "novel"];
+            set(frame, "kind", text(draw.pick(&kinds)));
+        }
+        9 => {
+            let versions = [
+                "0.4", "0.6", "1.0", "1", "0", "0.5.0", "v0.5", "", "0.", ".5", " 0.5", "0.5 ", "00.5", "0.05", "0.５",
+            ];
+            set(frame, "ncp_version", text(draw.pick(&versions)));
+        }
+        10 => {
+            let ids = ["", "a/b", "a*", "$a", "a#", "?", "a b", "@a", ".", "..", "\u{7f}", "a\n", "\u{1}"];
+            let long = draw.letters(257);
+            let id = if draw.chance(20) { long } else { draw.pick(&ids).to_owned() };
+            set(frame, "session_id", text(id));
+        }
+        11 => {
+            let pin = draw.one(&["calibrated_posterior", "is_simulation_output"]);
+            let value = match draw.below(5) {
+                0 => Json::Bool(true),
+                1 => Json::Bool(false),
+                2 => Json::Null,
+                3 => int(0),
+                _ => text("false"),
+            };
+            let mut within = frame.get("provenance").cloned().unwrap_or(Json::Null);
+            if frame.get("kind").and_then(Json::as_str) == Some("session_opened") {
+                if !matches!(within, Json::Object(_)) {
+                    within = object([]);
+                }
+                set(&mut within, pin, value);
+                set(frame, "provenance", within);
+            } else {
+                set(frame, pin, value);
+            }
+        }
+        // At the limit of levels, or beyond.
+        12 => {
+            let levels = deep(&[63, 64, 65, 100], draw);
+            set(frame, "future", levels);
+        }
+        // An array or a map at its limit.
+        _ => {
+            let sites: Vec<_> = all
+                .iter()
+                .filter(|place| !place.is_empty() && matches!(at(frame, place), Some(Json::Array(_) | Json::Object(_))))
+                .cloned()
+                .collect();
+            if sites.is_empty() {
+                return set(frame, &name, Json::Null);
+            }
+            let place = sites[draw.below(sites.len())].clone();
+            let count = draw.one(&[64, 65, 256, 1000, 4095, 4096, 4097]);
+            if let Some(target) = at_mut(frame, &place) {
+                grow(target, count);
+            }
+        }
+    }
+}
+
+fn replace(frame: &mut Tree, place: &[Step], draw: &mut Draw<'_>, by: impl FnOnce(&mut Draw<'_>) -> Tree) {
+    if place.is_empty() {
+        return;
+    }
+    let value = by(draw);
+    if let Some(target) = at_mut(frame, place) {
+        *target = value;
+    }
+}
+
+/// Repeats what is there until there is so much of it.
+fn grow(target: &mut Tree, count: usize) {
+    match target {
+        Json::Array(items) if !items.is_empty() => {
+            let have = items.len();
+            for nth in have..count {
+                items.push(items[nth % have].clone());
+            }
+        }
+        Json::Object(members) if !members.is_empty() => {
+            let value = members[0].1.clone();
+            let entries: Vec<_> = (members.len()..count).map(|nth| (format!("k{nth}"), value.clone())).collect();
+            if let Json::Object(more) = map(entries) {
+                members.extend(more);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Breaks the grammar, most likely.
+fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
+    let tokens: Vec<usize> = bytes
+        .iter()
+        .enumerate()
+        .filter(|(_, byte)| matches!(byte, b'{' | b'}' | b'[' | b']' | b',' | b':' | b'"' | b'0'..=b'9'))
+        .map(|(place, _)| place)
+        .collect();
+    let place = if tokens.is_empty() { 0 } else { tokens[draw.below(tokens.len())] };
+    let insert = |bytes: &mut Vec<u8>, place: usize, what: &[u8]| {
+        bytes.splice(place.min(bytes.len())..place.min(bytes.len()), what.iter().copied());
+    };
+    match draw.below(12) {
+        0 => {
+            bytes.remove(place.min(bytes.len().saturating_sub(1)));
+        }
+        1 => bytes.truncate(place),
+        2 => {
+            let what =
+                draw.pick(&[",", ":", "}", "]", "{", "[", "\"", "0", "-", "+", ".", "\\", "/**/", "\u{0}", "\u{b}"]);
+            insert(&mut bytes, place, what.as_bytes());
+        }
+        3 => {
+            let what = draw.pick(&["x", "{}", ",", "\u{0}", "\u{feff}", "\u{a0}", "null", "]", " {}"]);
+            bytes.extend_from_slice(what.as_bytes());
+        }
+        4 => insert(&mut bytes, 0, draw.pick(&["x", "[", "\u{a0}", "\u{c}", ",", "//\n"]).as_bytes()),
+        5 => {
+            insert(&mut bytes, place, draw.pick(&["\u{a0}", "\u{c}", "\u{2028}", "\u{1680}", "NaN", "nul"]).as_bytes());
+        }
+        // A byte that no UTF-8 has there.
+        6 | 7 => {
+            let what: &[u8] = [
+                &b"\xff"[..],
+                b"\xc0\x80",
+                b"\xed\xa0\x80",
+                b"\xf4\x90\x80\x80",
+                b"\x80",
+                b"\xe2\x82",
+                b"\xf8\x88\x80\x80\x80",
+            ][draw.below(7)];
+            insert(&mut bytes, place, what);
+        }
+        // A member twice, its name as it is or escaped.
+        8..=10 => {
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            if let Some(name) = text
+                .find('"')
+                .and_then(|from| text[from + 1..].find('"').map(|length| text[from + 1..from + 1 + length].to_owned()))
+            {
+                let again = match name.chars().next().filter(|c| draw.chance(50) && c.is_ascii_alphabetic()) {
+                    Some(first) => format!("\\u{:04x}{}", first as u32, &name[1..]),
+                    None => name,
+                };
+                let value = draw.pick(&["null", "1", "\"estop\"", "{}"]);
+                let end = text.rfind('}').unwrap_or(text.len());
+                insert(&mut bytes, end, format!(",\"{again}\":{value}").as_bytes());
+            }
+        }
+        _ => {
+            if let Some(byte) = bytes.get_mut(place) {
+                *byte = byte.wrapping_add(u8::try_from(draw.below(255)).unwrap_or(1).max(1));
+            }
+        }
+    }
+    bytes
+}

@@ -1,0 +1,345 @@
+//! Messages from the tables of the text: as frames, as fields, and as replies.
+
+use ncp_text::tables::{Default, Field, Message, Shape, Unknown, tables};
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
+
+use super::corrupt::{corrupted, wild};
+use super::{Draw, Menu, Tree};
+use crate::fuzz::tree::{int, list, literal, map, num, object, set, text};
+use crate::json::Json;
+
+/// Which features the messages of one input have, and how often, of a hundred.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Swarm {
+    /// A field that may be left out is there.
+    present: u64,
+    /// An optional field is null.
+    null: u64,
+    /// A number is of any class, not a plain one.
+    odd_numbers: u64,
+    /// A string is of any kind, not a name.
+    odd_strings: u64,
+    /// A descriptive enum has a string that is not known.
+    novel: u64,
+    /// The most entries of a map or an array.
+    most: usize,
+    /// Whether numbers are those of a frame, not of the protocol.
+    frame: bool,
+}
+
+impl Swarm {
+    pub(super) fn draw(draw: &mut Draw<'_>, frame: bool) -> Self {
+        let most = if draw.chance(4) { draw.size(8, 4096) } else { draw.size(0, 8) };
+        Self {
+            present: draw.one(&[0, 30, 70, 100]),
+            null: draw.one(&[0, 0, 30]),
+            odd_numbers: draw.one(&[0, 30, 100]),
+            odd_strings: draw.one(&[0, 20, 100]),
+            novel: draw.one(&[0, 0, 25]),
+            most,
+            frame,
+        }
+    }
+}
+
+/// The arguments of `decode`.
+pub(super) fn decode(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
+    let kind = draw.one(menu.reads.get(..).filter(|kinds| !kinds.is_empty())?);
+    let frame = frame(kind, None, draw);
+    let strict = menu.strict && draw.chance(20);
+    let bytes = if draw.chance(45) { wild(&frame, draw).into_bytes() } else { corrupted(&frame, draw) };
+    let mut args = match String::from_utf8(bytes) {
+        Ok(frame) => object([("kind", text(kind)), ("text", text(frame))]),
+        Err(error) => object([("kind", text(kind)), ("base64", base64(error.as_bytes()))]),
+    };
+    if strict {
+        set(&mut args, "strict", Json::Bool(true));
+    }
+    Some(args)
+}
+
+/// Bytes as the protocol writes them.
+pub(super) fn base64(bytes: &[u8]) -> Tree {
+    use base64::Engine as _;
+    text(base64::engine::general_purpose::STANDARD.encode(bytes))
+}
+
+/// A valid frame of a kind, of this session if it has one.
+pub(super) fn frame(kind: &str, session: Option<&str>, draw: &mut Draw<'_>) -> Tree {
+    let swarm = Swarm::draw(draw, true);
+    let mut frame = object([]);
+    let Some(message) = tables().kind(kind) else {
+        return frame;
+    };
+    for field in &message.fields {
+        let required = field.is_required() || field.name == "session_id" && kind != "error";
+        if !required && !draw.chance(swarm.present) && field.name != "ncp_version" {
+            continue;
+        }
+        match field.name.as_str() {
+            "kind" => set(&mut frame, "kind", text(kind)),
+            "ncp_version" => {
+                if let Some(version) = version(draw) {
+                    set(&mut frame, "ncp_version", text(version));
+                }
+            }
+            "session_id" if kind != "link_status" => {
+                let id = session.map_or_else(|| segment(draw), str::to_owned);
+                set(&mut frame, "session_id", text(id));
+            }
+            "stimulus" if kind != "open_session" => {
+                let value = stimulus_within(&frame, draw);
+                set(&mut frame, "stimulus", value);
+            }
+            name => {
+                let value = field_value(message, field, &swarm, draw);
+                set(&mut frame, name, value);
+            }
+        }
+    }
+    frame
+}
+
+/// A version that passes, or none.
+fn version(draw: &mut Draw<'_>) -> Option<String> {
+    if draw.chance(85) { Some(WIRE_VERSION.to_owned()) } else { None }
+}
+
+/// A stimulus frame within a request.
+fn stimulus_within(request: &Tree, draw: &mut Draw<'_>) -> Tree {
+    let swarm = Swarm::draw(draw, true);
+    let mut stimulus = object([]);
+    if draw.chance(50) {
+        set(&mut stimulus, "kind", text("stimulus_frame"));
+    }
+    for name in ["ncp_version", "session_id"] {
+        if let Some(value) = request.get(name).filter(|_| draw.chance(50)) {
+            set(&mut stimulus, name, value.clone());
+        }
+    }
+    if draw.chance(80) {
+        set(
+            &mut stimulus,
+            "values",
+            value_of(&Shape::Map(Box::new(Shape::Message("ChannelValue".to_owned()))), &swarm, draw),
+        );
+    }
+    if draw.chance(50) {
+        set(&mut stimulus, "t", number(&swarm, draw));
+    }
+    stimulus
+}
+
+/// A valid id of a session.
+pub(super) fn segment(draw: &mut Draw<'_>) -> String {
+    match draw.below(8) {
+        0 => {
+            let length = draw.size(1, 256);
+            draw.letters(length)
+        }
+        1 => ["é", "e\u{301}", "A", "a", "ﬁ", "0", "uav-3_b.c", "中", "\u{1f681}", "İ", "~"][draw.below(11)].to_owned(),
+        2 => {
+            let word = draw.string();
+            let fits = !word.is_empty()
+                && word.len() <= 256
+                && word.chars().all(|c| !c.is_control() && !c.is_ascii_whitespace() && !"/*$#?@".contains(c))
+                && !matches!(word.as_str(), "." | "..");
+            if fits { word } else { "s1".to_owned() }
+        }
+        _ => draw.pick(&["a", "b", "s1", "uav3", "session-7"]).to_owned(),
+    }
+}
+
+fn field_value(message: &Message, field: &Field, swarm: &Swarm, draw: &mut Draw<'_>) -> Tree {
+    if field.optional && draw.chance(swarm.null) {
+        return Json::Null;
+    }
+    match (message.name.as_str(), field.name.as_str()) {
+        // A pin has one value.
+        (_, "calibrated_posterior") => Json::Bool(false),
+        (_, "is_simulation_output") => Json::Bool(true),
+        (_, "contract_hash") if draw.chance(60) => text(CONTRACT_HASH),
+        ("SimConfig", "mode") => text(draw.pick(&["stream", "batch"])),
+        _ => value_of(&field.shape, swarm, draw),
+    }
+}
+
+/// A value of a type of the tables.
+pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tree {
+    match shape {
+        Shape::String => text(string(swarm, draw)),
+        Shape::Boolean => Json::Bool(draw.chance(50)),
+        Shape::Integer => int(if draw.chance(swarm.odd_numbers) { draw.integer() } else { draw.range(0, 9) }),
+        Shape::Number => number(swarm, draw),
+        Shape::Enum(name) => {
+            let Some(known) = tables().enumeration(name) else { return text("") };
+            let novel = known.unknown == Unknown::Kept && draw.chance(swarm.novel);
+            if novel { text(draw.string()) } else { text(known.strings[draw.below(known.strings.len())].clone()) }
+        }
+        Shape::Message(name) => {
+            let mut value = object([]);
+            for field in tables().message(name).map_or(&[][..], |message| &message.fields) {
+                if draw.chance(swarm.present) {
+                    let inner = Swarm { most: swarm.most.min(4), ..*swarm };
+                    let of = tables().message(name).map(|message| field_value(message, field, &inner, draw));
+                    set(&mut value, &field.name, of.unwrap_or(Json::Null));
+                }
+            }
+            value
+        }
+        Shape::List(item) => {
+            let numeric = matches!(**item, Shape::Number | Shape::Integer);
+            let most = if numeric && draw.chance(2) { 4 * swarm.most } else { swarm.most.min(4096) };
+            let count = draw.size(0, most);
+            let count = draw.afford(count);
+            let inner = Swarm { most: if numeric { swarm.most } else { swarm.most.min(3) }, ..*swarm };
+            list((0..count).map(|_| value_of(item, &inner, draw)).collect())
+        }
+        Shape::Map(value) => {
+            let count = draw.size(0, swarm.most.min(4096));
+            let count = draw.afford(count);
+            let inner = Swarm { most: swarm.most.min(4), ..*swarm };
+            let entry = |nth: usize, draw: &mut Draw<'_>| {
+                let name = if count > 8 && !draw.chance(5) { format!("k{nth}") } else { string(swarm, draw) };
+                (name, value_of(value, &inner, draw))
+            };
+            map((0..count).map(|nth| entry(nth, draw)).collect())
+        }
+    }
+}
+
+fn string(swarm: &Swarm, draw: &mut Draw<'_>) -> String {
+    let drawn = if draw.chance(swarm.odd_strings) { draw.string() } else { draw.name() };
+    // A member of this form would be a template of the vector files.
+    drawn.replace('$', "S")
+}
+
+/// A number in the spelling of the frame or of the protocol.
+fn number(swarm: &Swarm, draw: &mut Draw<'_>) -> Tree {
+    let value = if draw.chance(swarm.odd_numbers) { draw.finite() } else { draw.plain() };
+    if !swarm.frame {
+        // An encoder is given what JSON lacks, too.
+        return num(if draw.chance(swarm.odd_numbers / 30) { draw.strange() } else { value });
+    }
+    literal(match draw.below(8) {
+        0 => format!("{value:e}"),
+        1 => format!("{value:E}"),
+        2 if value.abs() < 1e15 && value.abs() > 1e-6 => format!("{value}"),
+        // More digits than a double has: half-way between two, or just beside.
+        3 => {
+            let digits = format!("{:.*e}", draw.size(17, 60), value);
+            let at = digits.find('e').unwrap_or(digits.len());
+            let more = draw.one(&["", "0", "1", "5", "49", "50000000000000000000001"]);
+            format!("{}{more}{}", &digits[..at], &digits[at..])
+        }
+        _ => format!("{value:?}"),
+    })
+}
+
+/// The arguments of `encode`.
+pub(super) fn encode(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
+    let kind = draw.one(menu.writes.get(..).filter(|kinds| !kinds.is_empty())?);
+    let swarm = Swarm::draw(draw, false);
+    let message = tables().kind(kind)?;
+    let mut fields = object([]);
+    for field in &message.fields {
+        let name = field.name.as_str();
+        let required = matches!(field.default, Default::Required);
+        if name == "kind" || name == "ncp_version" || !required && !draw.chance(swarm.present) {
+            continue;
+        }
+        let value = match name {
+            "session_id" if kind != "link_status" => text(segment(draw)),
+            "stimulus" if kind != "open_session" => {
+                let values = Shape::Map(Box::new(Shape::Message("ChannelValue".to_owned())));
+                let mut stimulus = object([("values", value_of(&values, &swarm, draw))]);
+                if let Some(id) = fields.get("session_id").cloned() {
+                    set(&mut stimulus, "session_id", id);
+                }
+                stimulus
+            }
+            _ => field_value(message, field, &swarm, draw),
+        };
+        set(&mut fields, name, value);
+    }
+    if draw.chance(30)
+        && let Json::Object(members) = &mut fields
+    {
+        members.reverse();
+    }
+    Some(object([("kind", text(kind)), ("fields", fields)]))
+}
+
+/// The requests, and the replies that answer them.
+pub(super) const PAIRS: [(&str, &str); 4] = [
+    ("open_session", "session_opened"),
+    ("step_request", "observation_frame"),
+    ("run_request", "observation_frame"),
+    ("close_session", "session_closed"),
+];
+
+/// The arguments of `reply.check`.
+pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
+    let (request, reply) = draw.one(&PAIRS);
+    let id = segment(draw);
+    let mut asked = frame(request, Some(&id), draw);
+    set(&mut asked, "ncp_version", text(WIRE_VERSION));
+    let other = match draw.below(12) {
+        0 => segment(draw),
+        // Equal for long, or after normalisation.
+        1 => format!("{id}x"),
+        2 => id.to_uppercase(),
+        3 => id.replace('é', "e\u{301}"),
+        _ => id,
+    };
+    let kind = match draw.below(12) {
+        0 => "error",
+        1 => draw.one(&PAIRS).1,
+        2 => draw.one(&PAIRS).0,
+        _ => reply,
+    };
+    let mut answer = frame(kind, Some(&other), draw);
+    match draw.below(10) {
+        0 => set(&mut answer, "ncp_version", text(draw.pick(&["0.4", "0.6", "1.0", "0", "0.5.0", "", " 0.5"]))),
+        1 | 2 if answer.get("ok").is_some() || draw.chance(30) => set(&mut answer, "ok", Json::Bool(draw.chance(50))),
+        _ => set(&mut answer, "ok", Json::Bool(true)),
+    }
+    if !matches!(kind, "session_opened" | "session_closed")
+        && let Json::Object(members) = &mut answer
+    {
+        members.retain(|(name, _)| name != "ok");
+    }
+    let bytes = if draw.chance(75) { wild(&answer, draw).into_bytes() } else { corrupted(&answer, draw) };
+    let reply = String::from_utf8_lossy(&bytes).into_owned();
+    let mut args = object([("request", text(asked.to_string())), ("reply", text(reply))]);
+    if menu.strict && draw.chance(20) {
+        set(&mut args, "strict", Json::Bool(true));
+    }
+    args
+}
+
+/// Whether a frame is one that a governor or a plant could follow.
+#[cfg(test)]
+fn is_frame_of(kind: &str, frame: &str) -> bool {
+    ncp_spec::wire::Kind::parse(kind).is_some_and(|kind| ncp_spec::wire::decode(kind, frame.as_bytes()).is_ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+
+    #[test]
+    fn a_frame_that_is_drawn_as_valid_is_read() {
+        let harvest = Harvest::default();
+        for kind in tables().messages.iter().filter_map(|message| message.kind.as_deref()) {
+            for number in 0..100 {
+                let mut draw = Draw::new(11, number, &harvest);
+                let drawn = frame(kind, None, &mut draw);
+                for spelled in [drawn.to_string(), wild(&drawn, &mut draw)] {
+                    assert!(spelled.len() > 1 << 20 || is_frame_of(kind, &spelled), "{kind} {number}: {spelled}");
+                }
+            }
+        }
+    }
+}

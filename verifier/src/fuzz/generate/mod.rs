@@ -1,0 +1,174 @@
+//! What is asked: inputs drawn from the text's own tables and models.
+//!
+//! Every trace has a *swarm* of its own: which features it has at all, and how often. So features that are rare
+//! together when each is drawn by itself are common together in some traces.
+//!
+//! - `frames`: `decode`, `encode` and `reply.check`, from the tables of messages.
+//! - `corrupt`: valid text made invalid, with its grammar in mind.
+//! - `plain`: versions, hashes, keys, planes, the longest horizon.
+//! - `bulk`: blocks and observations.
+//! - `plant`: the watchdog, the buffer, the link monitor.
+//! - `safety`: the governor, the reflex controller, the loop.
+//! - `codec`: the rate codec.
+//! - `session`: the requests to a server.
+//! - `mutate`: an input that was kept, changed.
+
+mod bulk;
+mod codec;
+mod corrupt;
+mod frames;
+mod mutate;
+mod plain;
+mod plant;
+mod safety;
+mod session;
+
+use super::draw::Draw;
+use super::tree::Tree;
+use crate::peer::Call;
+
+pub(crate) use mutate::mutate;
+
+/// One question to a peer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// The call.
+    pub call: Call,
+    /// Its arguments.
+    pub args: Tree,
+}
+
+impl Input {
+    /// The request after its id: `"call":…,"args":…}`.
+    #[must_use]
+    pub fn body(&self) -> String {
+        body(self.call, &self.args.to_string())
+    }
+}
+
+/// The request after its id, of arguments that are written already.
+pub(crate) fn body(call: Call, args: &str) -> String {
+    format!("\"call\":\"{}\",\"args\":{args}}}", call.as_str())
+}
+
+/// What a peer may be asked.
+#[derive(Debug, Clone)]
+pub(crate) struct Menu {
+    /// Calls, each as often as it is to be drawn.
+    pub(crate) calls: Vec<(Call, usize)>,
+    /// Whether the strict profile may be asked for.
+    pub(crate) strict: bool,
+    /// The kinds that the peer's roles read, and those that they write.
+    pub(crate) reads: Vec<&'static str>,
+    pub(crate) writes: Vec<&'static str>,
+    /// The keys that its roles build, and the planes on which they publish.
+    pub(crate) keys: Vec<&'static str>,
+    pub(crate) planes: Vec<&'static str>,
+}
+
+/// How often a call is drawn, of the sum of all.
+pub(crate) const fn weight(call: Call) -> usize {
+    match call {
+        Call::Describe => 0,
+        Call::PlaneQos | Call::ContractStatus | Call::ContractVerify | Call::Negotiate => 1,
+        Call::VersionCheck | Call::HorizonMaxLen | Call::ObservationPack | Call::ObservationUnpack => 3,
+        Call::KeyBuild | Call::BulkEncode | Call::ReflexStep => 5,
+        Call::KeyMatch | Call::BulkDecode | Call::CodecEncode | Call::CodecDecode | Call::ReplyCheck => 6,
+        Call::LinkRun | Call::LoopRun | Call::WatchdogRun => 8,
+        Call::Encode => 10,
+        Call::SessionRun => 10,
+        Call::BufferRun => 14,
+        Call::Decode => 18,
+        Call::GovernorRun => 20,
+    }
+}
+
+/// One of the calls of the menu, by their weights; none if it has none.
+pub(crate) fn call(menu: &Menu, draw: &mut Draw<'_>) -> Option<Call> {
+    let total: usize = menu.calls.iter().map(|(_, weight)| weight).sum();
+    let mut left = draw.below(total);
+    menu.calls.iter().find_map(|(call, weight)| {
+        if left < *weight {
+            return Some(*call);
+        }
+        left -= weight;
+        None
+    })
+}
+
+/// Arguments for a call.
+pub(crate) fn args(call: Call, menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
+    Some(match call {
+        Call::Describe => return None,
+        Call::Decode => frames::decode(menu, draw)?,
+        Call::Encode => frames::encode(menu, draw)?,
+        Call::ReplyCheck => frames::reply(menu, draw),
+        Call::VersionCheck => plain::version(draw),
+        Call::ContractStatus | Call::ContractVerify => plain::contract(draw),
+        Call::Negotiate => plain::negotiate(draw),
+        Call::KeyBuild => plain::key_build(menu, draw)?,
+        Call::KeyMatch => plain::key_match(draw),
+        Call::PlaneQos => plain::plane(menu, draw)?,
+        Call::HorizonMaxLen => plain::horizon(draw),
+        Call::BulkDecode => bulk::decode(draw),
+        Call::BulkEncode => bulk::encode(draw),
+        Call::ObservationPack => bulk::pack(draw),
+        Call::ObservationUnpack => bulk::unpack(draw),
+        Call::WatchdogRun => plant::watchdog(draw),
+        Call::BufferRun => plant::buffer(menu, draw),
+        Call::LinkRun => plant::link(draw),
+        Call::GovernorRun => safety::governor(draw),
+        Call::ReflexStep => safety::reflex(draw),
+        Call::LoopRun => safety::control_loop(draw),
+        Call::CodecEncode => codec::encode(draw),
+        Call::CodecDecode => codec::decode(draw),
+        Call::SessionRun => session::run(menu, draw),
+    })
+}
+
+/// How many steps a trace has: mostly a few dozen, often hundreds, rarely up to `most`.
+fn steps(draw: &mut Draw<'_>, most: usize) -> usize {
+    if let Some(length) = draw.length() {
+        return length;
+    }
+    match draw.below(1000) {
+        0 => draw.size(300, most),
+        1..=40 => draw.size(40, 400.min(most)),
+        _ => draw.size(2, 40),
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::menu;
+    use ncp_peer_rust::Answer;
+    use ncp_text::catalogue::{Level, Role};
+
+    pub(crate) fn whole_menu() -> Menu {
+        menu(&Role::ALL, Level::Strict, true, &[])
+    }
+
+    #[test]
+    fn every_generator_draws_what_the_protocol_allows_and_the_same_for_a_seed() {
+        let (menu, harvest) = (whole_menu(), Harvest::default());
+        for call in Call::ALL.iter().filter(|call| **call != Call::Describe) {
+            let mut results = 0;
+            for number in 0..150 {
+                let one = args(*call, &menu, &mut Draw::new(5, number, &harvest)).unwrap();
+                let same = args(*call, &menu, &mut Draw::new(5, number, &harvest)).unwrap();
+                assert_eq!(one, same, "{call:?} {number}");
+                match ncp_peer_rust::ask(call.as_str(), &one.to_string()) {
+                    Answer::Result(_) => results += 1,
+                    Answer::Error { code, message } => {
+                        assert_ne!(code, "internal", "{call:?} {number}: {message}\n{one}");
+                    }
+                    Answer::Unsupported => panic!("{call:?}"),
+                }
+            }
+            // Most of what is drawn is to get beyond the first check.
+            assert!(results >= 15, "{call:?}: {results} of 150 have a result");
+        }
+    }
+}

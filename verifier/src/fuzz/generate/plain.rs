@@ -1,0 +1,190 @@
+//! Versions, contract hashes, keys, planes and the longest horizon.
+
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
+
+use super::frames::segment;
+use super::{Draw, Menu, Tree};
+use crate::fuzz::tree::{num, object, or_null, set, text};
+use crate::json::Json;
+
+fn version_string(draw: &mut Draw<'_>) -> String {
+    match draw.below(6) {
+        0 => WIRE_VERSION.to_owned(),
+        1 => format!("{}.{}", draw.below(3), draw.below(8)),
+        2 => {
+            let digits = draw.size(1, 30);
+            format!("{}.{}", "1".repeat(digits), draw.below(9))
+        }
+        3 => draw.below(4).to_string(),
+        4 => {
+            // One character more, less or other.
+            let mut version: Vec<char> = WIRE_VERSION.chars().collect();
+            let place = draw.below(version.len() + 1);
+            let odd = draw.one(&['.', '0', '5', ' ', '-', '+', 'v', '_', '\n', '٥', '５', 'e', ',', '\u{0}', 'x']);
+            if draw.chance(60) || place >= version.len() {
+                version.insert(place, odd);
+            } else {
+                version[place] = odd;
+            }
+            version.into_iter().collect()
+        }
+        _ => draw.string(),
+    }
+}
+
+/// The arguments of `version.check`.
+pub(super) fn version(draw: &mut Draw<'_>) -> Tree {
+    let version = if draw.chance(2) { format!("{}.5", "0".repeat(draw.size(1, 5000))) } else { version_string(draw) };
+    object([("version", text(version)), ("strict", Json::Bool(draw.chance(50)))])
+}
+
+fn hash(draw: &mut Draw<'_>) -> Option<String> {
+    match draw.below(6) {
+        0 => None,
+        1 | 2 => Some(CONTRACT_HASH.to_owned()),
+        3 => Some(CONTRACT_HASH.to_uppercase()),
+        4 => {
+            let mut hash = CONTRACT_HASH.to_owned();
+            match draw.below(4) {
+                0 => hash.push('0'),
+                1 => drop(hash.pop()),
+                2 => hash.insert(0, ' '),
+                _ => hash.replace_range(15.., "0"),
+            }
+            Some(hash)
+        }
+        _ => Some(draw.string()),
+    }
+}
+
+/// The arguments of `contract.status` and `contract.verify`.
+pub(super) fn contract(draw: &mut Draw<'_>) -> Tree {
+    object([("peer_hash", or_null(hash(draw).map(text)))])
+}
+
+/// The arguments of `negotiate`.
+pub(super) fn negotiate(draw: &mut Draw<'_>) -> Tree {
+    object([("version", text(version_string(draw))), ("contract_hash", or_null(hash(draw).map(text)))])
+}
+
+/// A segment, valid or not.
+fn any_segment(draw: &mut Draw<'_>) -> String {
+    if draw.chance(70) {
+        return segment(draw);
+    }
+    match draw.below(4) {
+        0 => draw.string(),
+        1 => {
+            let length = draw.one(&[255, 256, 257, 1000]);
+            draw.letters(length)
+        }
+        2 => {
+            let mut segment: Vec<char> = segment(draw).chars().collect();
+            let place = draw.below(segment.len() + 1);
+            let odd = ['/', '*', '$', '#', '?', ' ', '\t', '\n', '\u{b}', '\u{c}', '\r', '@', '.', '\u{0}', '\u{7f}'];
+            segment.insert(place, draw.one(&odd));
+            segment.into_iter().collect()
+        }
+        _ => draw.pick(&[".", "..", "...", "@", "@a", "a@", "", "/", "**", "$*", "~", "%2F", "a.", "É"]).to_owned(),
+    }
+}
+
+/// The arguments of `key.build`.
+pub(super) fn key_build(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
+    let key = draw.one(menu.keys.get(..).filter(|keys| !keys.is_empty())?);
+    let realm = draw.chance(60).then(|| {
+        let parts = if draw.chance(10) { draw.size(1, 40) } else { draw.size(1, 3) };
+        (0..parts).map(|_| any_segment(draw)).collect::<Vec<_>>().join("/")
+    });
+    let mut args = object([("key", text(key)), ("realm", or_null(realm.map(text)))]);
+    if !matches!(key, "rpc" | "fleet_glob") {
+        set(&mut args, "session", text(any_segment(draw)));
+    }
+    if matches!(key, "sensor" | "command") && draw.chance(60) {
+        set(&mut args, "name", text(any_segment(draw)));
+    }
+    if key == "rpc" && menu.strict && draw.chance(50) {
+        let verbs =
+            ["open_session", "step_request", "run_request", "close_session", "sensor_frame", "", "Step_request"];
+        set(&mut args, "verb", text(draw.pick(&verbs)));
+    }
+    Some(args)
+}
+
+/// The arguments of `key.match`.
+pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
+    let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "sensor", "aaaa", "é"];
+    let count = if draw.chance(10) { draw.size(1, 40) } else { draw.size(1, 6) };
+    let key: Vec<String> = (0..count).map(|_| draw.pick(&alphabet).to_owned()).collect();
+    // The pattern is the key with some of it made wild, so that both answers are common.
+    let mut pattern = Vec::new();
+    let mut chunks = key.clone().into_iter();
+    while let Some(chunk) = chunks.next() {
+        match draw.below(12) {
+            0 | 1 => pattern.push("*".to_owned()),
+            2 => pattern.push("**".to_owned()),
+            3 => {
+                pattern.push("**".to_owned());
+                pattern.push(chunk);
+            }
+            4 | 5 if !chunk.starts_with('@') => pattern.push(dollars(&chunk, draw)),
+            6 => {
+                pattern.push(chunk);
+                if draw.chance(50) {
+                    chunks.next();
+                }
+            }
+            7 if draw.chance(30) => pattern.push(draw.pick(&alphabet).to_owned()),
+            _ => pattern.push(chunk),
+        }
+    }
+    if draw.chance(15) {
+        pattern.push(draw.pick(&["**", "*", "a", "$*"]).to_owned());
+    }
+    let mut pattern = pattern.join("/");
+    if draw.chance(5) {
+        pattern.push_str(draw.pick(&["/", "#", "?", "*a", "$", "//a"]));
+    }
+    object([("pattern", text(pattern)), ("key", text(key.join("/")))])
+}
+
+/// A chunk with some runs of it wild.
+fn dollars(chunk: &str, draw: &mut Draw<'_>) -> String {
+    let mut pattern = String::new();
+    for c in chunk.chars() {
+        match draw.below(4) {
+            0 => pattern.push_str("$*"),
+            1 => {
+                pattern.push(c);
+                pattern.push_str("$*");
+            }
+            _ => pattern.push(c),
+        }
+    }
+    while pattern.contains("$*$*") {
+        pattern = pattern.replace("$*$*", "$*");
+    }
+    if pattern == "$*" { "a$*".to_owned() } else { pattern }
+}
+
+/// The arguments of `plane.qos`.
+pub(super) fn plane(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
+    let plane = draw.one(menu.planes.get(..).filter(|planes| !planes.is_empty())?);
+    Some(object([("plane", text(plane))]))
+}
+
+/// The arguments of `horizon.max_len`.
+pub(super) fn horizon(draw: &mut Draw<'_>) -> Tree {
+    let dt = if draw.chance(80) { draw.positive() } else { draw.double() };
+    draw.note(dt);
+    let ttl = match draw.below(4) {
+        0 => dt * draw.range(0, 5000) as f64,
+        1 => {
+            let count = draw.range(1, 4097) as f64;
+            draw.neighbour(dt * count)
+        }
+        2 => draw.double(),
+        _ => draw.positive(),
+    };
+    object([("ttl_ms", num(ttl)), ("dt_ms", num(dt))])
+}

@@ -1,0 +1,273 @@
+//! Traces of a plant: its watchdog, its buffer, its link monitor.
+
+use ncp_text::WIRE_VERSION;
+
+use super::frames::base64;
+use super::safety::{Shapes, command};
+use super::{Draw, Menu, Tree, steps};
+use crate::fuzz::tree::{int, list, literal, num, object, set, spelled, text};
+use crate::json::{Json, write_string};
+
+/// The clock of a trace: mostly forward, in steps that meet deadlines.
+pub(super) struct Clock {
+    pub(super) now: f64,
+    /// How often it steps back or is no number, of a hundred.
+    odd: u64,
+    /// Whether it ticks in fractions that doubles hold exactly.
+    exact: bool,
+}
+
+impl Clock {
+    pub(super) fn draw(draw: &mut Draw<'_>) -> Self {
+        let now = draw.one(&[0.0, 1.0, 10.0, 1000.0, -5.0, 1e6, 1.7e9, 4_503_599_627_370_496.0]);
+        Self { now, odd: draw.one(&[0, 0, 5]), exact: draw.chance(80) }
+    }
+
+    /// A later time: `span` after a moment that counts, or just before or behind that.
+    pub(super) fn tick(&mut self, from: f64, span_ms: f64, draw: &mut Draw<'_>) -> f64 {
+        if draw.chance(self.odd) {
+            return match draw.below(4) {
+                0 => draw.strange(),
+                1 => {
+                    self.now = from - 1.0;
+                    self.now
+                }
+                _ => from.next_down(),
+            };
+        }
+        let span = if span_ms.is_finite() { (span_ms / 1000.0).clamp(0.0, 1e5) } else { 1.0 };
+        let next = match draw.below(8) {
+            0 => from + span,
+            1 => (from + span).next_up(),
+            2 => (from + span).next_down(),
+            3 => from + span * 2.0,
+            4 => self.now,
+            5 => self.now + span / 2.0,
+            _ => self.now + if self.exact { 0.0625 } else { draw.share() },
+        };
+        if next.is_finite() && next >= self.now {
+            self.now = next;
+        }
+        self.now
+    }
+}
+
+/// The next seq of a stream.
+pub(super) fn next_seq(last: i64, draw: &mut Draw<'_>) -> i64 {
+    match draw.below(16) {
+        0 => last,
+        1 => last - 1,
+        2 => 0,
+        3 => draw.integer(),
+        4 => last + draw.range(2, 300),
+        5 => -last,
+        _ => last + 1,
+    }
+    .clamp(-crate::fuzz::draw::LARGEST, crate::fuzz::draw::LARGEST)
+}
+
+fn ttl(draw: &mut Draw<'_>) -> f64 {
+    match draw.below(8) {
+        0 => draw.finite(),
+        1 => draw.one(&[0.0, -1.0, 5e-324, 60_000.0, 60_001.0, 59_999.0, 1e9]),
+        2 => draw.positive(),
+        _ => draw.one(&[50.0, 62.5, 125.0, 200.0, 250.0, 500.0]),
+    }
+}
+
+/// The arguments of `watchdog.run`.
+pub(super) fn watchdog(draw: &mut Draw<'_>) -> Tree {
+    let count = steps(draw, 10_000);
+    let (commands, resets) = (draw.one(&[10, 30, 60]), draw.one(&[0, 0, 3]));
+    let mut clock = Clock::draw(draw);
+    let (mut last, mut received, mut span) = (draw.range(0, 9), clock.now, 200.0);
+    let steps = (0..count).map(|nth| {
+        if draw.chance(resets) {
+            return object([("op", text("reset"))]);
+        }
+        if nth > 0 && !draw.chance(commands) {
+            let now = clock.tick(received, span, draw);
+            return object([("op", text("should_hold")), ("now_s", num(now))]);
+        }
+        let now = clock.tick(received, span, draw);
+        last = next_seq(last, draw);
+        (received, span) = (now, ttl(draw));
+        object([("op", text("command")), ("now_s", num(now)), ("ttl_ms", num(span)), ("seq", int(last))])
+    });
+    object([("steps", list(steps.collect()))])
+}
+
+/// The arguments of `buffer.run`.
+pub(super) fn buffer(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
+    let count = steps(draw, 4000);
+    let shapes = Shapes::draw(draw);
+    let (commands, resets, odd) = (draw.one(&[15, 40, 60]), draw.one(&[0, 0, 4]), draw.one(&[0, 0, 10, 40]));
+    let estops = draw.one(&[0, 0, 2, 10]);
+    let mut clock = Clock::draw(draw);
+    let (mut last, mut received, mut span, mut tick) = (draw.range(0, 3), clock.now, 200.0, 0.0);
+    let strict = menu.strict && draw.chance(25);
+    let steps = (0..count).map(|nth| {
+        if draw.chance(resets) {
+            return object([("op", text("reset"))]);
+        }
+        if nth > 0 && !draw.chance(commands) {
+            let span = if tick > 0.0 && draw.chance(60) { tick * draw.range(0, 6) as f64 } else { span };
+            let now = clock.tick(received, span, draw);
+            return object([("op", text("active")), ("now_s", num(now))]);
+        }
+        let now = clock.tick(received, span, draw);
+        last = next_seq(last, draw);
+        let mut frame = command(&shapes, last, draw);
+        set(&mut frame, "kind", text("command_frame"));
+        set(&mut frame, "ncp_version", text(WIRE_VERSION));
+        if draw.chance(estops) {
+            set(&mut frame, "mode", text("estop"));
+        }
+        in_wire_form(&mut frame);
+        received = now;
+        span = crate::fuzz::tree::double(frame.get("ttl_ms")).unwrap_or(200.0);
+        tick = crate::fuzz::tree::double(frame.get("horizon_dt_ms")).unwrap_or(0.0);
+        let frame = if draw.chance(odd) { odd_frame(&frame, draw) } else { text(frame.to_string()) };
+        let name = if matches!(&frame, Json::Object(_)) { "base64" } else { "text" };
+        let frame = frame.get("base64").cloned().unwrap_or(frame);
+        object([("op", text("command")), (name, frame), ("now_s", num(now))])
+    });
+    let mut args = object([("steps", list(steps.collect()))]);
+    if strict {
+        set(&mut args, "strict", Json::Bool(true));
+    }
+    args
+}
+
+/// A frame has no words for numbers that JSON lacks, and spells the negative zero as one.
+fn in_wire_form(frame: &mut Tree) {
+    match frame {
+        Json::Array(items) => items.iter_mut().for_each(in_wire_form),
+        Json::Object(members) => members.iter_mut().for_each(|(_, value)| in_wire_form(value)),
+        Json::String(word) => match word.as_ref() {
+            "NaN" | "Infinity" | "-Infinity" => *frame = spelled(1.0),
+            "-0" => *frame = spelled(-0.0),
+            _ => {}
+        },
+        _ => {}
+    }
+}
+
+/// A command frame that is malformed, strange, or an ESTOP in hiding.
+fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
+    let mut frame = frame.clone();
+    let written = match draw.below(12) {
+        0 => {
+            set(&mut frame, "seq", literal(draw.pick(&["1.0", "-0", "1e0", "9007199254740992"])));
+            frame.to_string()
+        }
+        1 => {
+            set(&mut frame, "kind", text(draw.pick(&["sensor_frame", "Command_frame", "command_frame ", "estop"])));
+            set(&mut frame, "mode", text("estop"));
+            frame.to_string()
+        }
+        2 => {
+            // An ESTOP in a frame that no receiver reads.
+            set(&mut frame, "mode", text("estop"));
+            let (name, value) = draw.one(&[
+                ("seq", "\"7\""),
+                ("ttl_ms", "null"),
+                ("channels", "[]"),
+                ("horizon", "7"),
+                ("t", "\"x\""),
+                ("ncp_version", "\"0.4\""),
+                ("frame_id", "1e400"),
+            ]);
+            set(&mut frame, name, Json::parse(value).map_or(Json::Null, |value| crate::fuzz::tree::own(&value)));
+            frame.to_string()
+        }
+        3 => {
+            // Twice, of which one stops.
+            let modes = draw.one(&[("active", "estop"), ("estop", "active"), ("hold", "estop")]);
+            set(&mut frame, "mode", text(modes.0));
+            let written = frame.to_string();
+            let key = draw.pick(&["mode", "m\\u006fde", "\\u006Dode"]);
+            format!("{},\"{key}\":\"{}\"}}", &written[..written.len() - 1], modes.1)
+        }
+        4 => {
+            // Not at the top, or not a mode.
+            set(&mut frame, "x", object([("mode", text("estop"))]));
+            set(&mut frame, "frame_id", text("estop"));
+            frame.to_string()
+        }
+        5 => {
+            set(
+                &mut frame,
+                "mode",
+                text(draw.pick(&["Estop", "ESTOP", "estop ", " estop", "stop", "e\u{301}stop", ""])),
+            );
+            frame.to_string()
+        }
+        6 => {
+            // Between much that nobody reads.
+            let filler = draw.one(&[1_000, 16_000, 65_536, 200_000]);
+            set(&mut frame, "mode", text("estop"));
+            let mut padding = String::new();
+            write_string(&"[".repeat(filler), &mut padding);
+            let written = frame.to_string();
+            let bad = draw.pick(&["", ",\"seq\":1.5"]);
+            format!("{{\"x\":{padding},{}{bad}}}", &written[1..written.len() - 1])
+        }
+        7 => {
+            let depth = draw.one(&[10, 63, 64, 100]);
+            set(&mut frame, "mode", text("estop"));
+            let written = frame.to_string();
+            let before = draw.pick(&["\\\"", "]", "\\\\", "}"]);
+            format!("{{\"y\":\"{before}[\",\"x\":{}{},{}", "[".repeat(depth), "]".repeat(depth), &written[1..])
+        }
+        8 => {
+            set(&mut frame, "mode", Json::Null);
+            frame.to_string()
+        }
+        9 => {
+            if let Json::Object(members) = &mut frame {
+                members.retain(|(name, _)| name != "mode");
+            }
+            frame.to_string()
+        }
+        10 => {
+            set(&mut frame, "ncp_version", text(draw.pick(&["0.4", "1.0", "x", ""])));
+            frame.to_string()
+        }
+        _ => {
+            let bytes = frame.to_string().into_bytes();
+            let bytes = [&b"{\"z\":\"\xff\","[..], &bytes[1..]].concat();
+            return object([("base64", base64(&bytes))]);
+        }
+    };
+    text(written)
+}
+
+/// The arguments of `link.run`.
+pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
+    let count = steps(draw, 10_000);
+    let ref_loss =
+        if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.share() } else { draw.double() }) };
+    let threshold =
+        if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.positive() } else { draw.double() }) };
+    let (gaps, late, wide) = (draw.one(&[0, 5, 40]), draw.one(&[0, 5, 40]), draw.one(&[0, 0, 10]));
+    let mut next = if draw.chance(80) { draw.range(0, 3) } else { draw.integer() };
+    let largest = crate::fuzz::draw::LARGEST;
+    let steps = (0..count).map(|_| {
+        let seq = if draw.chance(late) {
+            next - draw.range(1, 12)
+        } else if draw.chance(wide) {
+            draw.integer()
+        } else {
+            if draw.chance(gaps) {
+                next = next.saturating_add(i64::try_from(draw.size(1, 5000)).unwrap_or(1));
+            }
+            next
+        };
+        let seq = seq.clamp(-largest, largest);
+        next = next.max(seq.saturating_add(1));
+        object([("op", text("frame")), ("seq", int(seq))])
+    });
+    let steps = list(steps.collect());
+    object([("ref_loss", ref_loss), ("threshold", threshold), ("steps", steps)])
+}

@@ -1,0 +1,387 @@
+//! Traces of the governor and of the loop, and the reflex controller.
+
+use super::plant::{Clock, next_seq};
+use super::{Draw, Tree, steps};
+use crate::fuzz::tree::{int, list, map, num, nums, object, or_null, set, text};
+use crate::json::Json;
+
+/// Which features the commands of a trace have, and how often.
+#[derive(Debug, Clone)]
+pub(super) struct Shapes {
+    /// The modes that occur.
+    modes: Vec<&'static str>,
+    /// How often there is a horizon, of a hundred, and how long it is at most.
+    horizons: u64,
+    longest: usize,
+    /// How often the length of a tick is none.
+    bad_dt: u64,
+    /// How often there are other channels than the velocity, and how many.
+    more: u64,
+    channels: usize,
+    /// How often the velocity is absent, of another width or unit.
+    odd: u64,
+    /// How often a number is not finite.
+    strange: u64,
+    /// How often the unit is left out.
+    unitless: u64,
+    /// How fast it goes, m/s, if that is not any number.
+    speed: Option<f64>,
+    frame_id: String,
+    ttl: Vec<f64>,
+}
+
+impl Shapes {
+    pub(super) fn draw(draw: &mut Draw<'_>) -> Self {
+        let modes: &[&'static str] = match draw.below(4) {
+            0 => &["active"],
+            1 => &["active", "active", "active", "hold", "init"],
+            2 => &["active", "active", "hold", "init", "active", "active", "active", "estop"],
+            _ => &["active", "active", "active", "hold"],
+        };
+        let longest = if draw.chance(3) { draw.size(16, 4096) } else { draw.size(1, 12) };
+        Self {
+            modes: modes.to_vec(),
+            horizons: draw.one(&[0, 30, 100]),
+            longest,
+            bad_dt: draw.one(&[0, 0, 10]),
+            more: draw.one(&[0, 0, 30]),
+            channels: if longest < 16 && draw.chance(5) { draw.size(1, 80) } else { 2 },
+            odd: draw.one(&[0, 0, 10]),
+            strange: draw.one(&[0, 0, 0, 5]),
+            unitless: draw.one(&[0, 0, 50]),
+            speed: if draw.chance(75) { Some(draw.one(&[0.5, 1.0, 2.0, 5.0, 10.0])) } else { None },
+            frame_id: if draw.chance(30) { draw.string() } else { "world".to_owned() },
+            ttl: (0..3).map(|_| ttl(draw)).collect(),
+        }
+    }
+
+    /// The same where JSON frames are given, which have no word for a number that is not finite.
+    fn velocity(&self, draw: &mut Draw<'_>) -> Vec<f64> {
+        let axis = draw.below(5);
+        let mut data: Vec<f64> = (0..3)
+            .map(|at| {
+                if axis < 3 && axis != at {
+                    return 0.0;
+                }
+                match self.speed {
+                    Some(speed) => speed * draw.range(-16, 16) as f64 / 16.0,
+                    None => draw.finite(),
+                }
+            })
+            .collect();
+        if draw.chance(self.strange) {
+            let at = draw.below(3);
+            data[at] = draw.strange();
+        }
+        if draw.chance(self.odd) {
+            data.truncate(draw.below(3));
+        }
+        data
+    }
+
+    fn tick(&self, draw: &mut Draw<'_>) -> Tree {
+        let mut channels = Vec::new();
+        if !draw.chance(self.odd / 2) {
+            let unit = if draw.chance(self.unitless) {
+                Json::Null
+            } else if draw.chance(self.odd) {
+                text(draw.pick(&["m", "km/h", "M/S", "", "m/s "]))
+            } else {
+                text("m/s")
+            };
+            channels.push(("velocity_setpoint".to_owned(), sample(&self.velocity(draw), unit)));
+        }
+        if draw.chance(self.more) {
+            let count = draw.size(1, self.channels);
+            for nth in 0..draw.afford(count) {
+                let name = match draw.below(6) {
+                    0 => "Velocity_setpoint".to_owned(),
+                    1 => "velocity_setpoint2".to_owned(),
+                    2 => "tow".to_owned(),
+                    3 => draw.name().replace('$', "S"),
+                    _ => format!("c{nth}"),
+                };
+                let unit = draw.one(&[Some("m/s"), Some("m/s"), Some("rad"), None]);
+                let width = draw.one(&[0, 1, 2, 3, 4, 3, 3, 17]);
+                let data: Vec<f64> =
+                    (0..width).map(|_| if draw.chance(60) { draw.plain() } else { draw.finite() }).collect();
+                channels.push((name, sample(&data, or_null(unit.map(text)))));
+            }
+        }
+        map(channels)
+    }
+}
+
+fn sample(data: &[f64], unit: Tree) -> Tree {
+    object([("data", nums(data)), ("unit", unit)])
+}
+
+fn ttl(draw: &mut Draw<'_>) -> f64 {
+    match draw.below(8) {
+        0 => draw.positive(),
+        1 => draw.one(&[0.0, -1.0, 60_000.0, 60_001.0, 120_000.0, 5e-324]),
+        _ => draw.one(&[50.0, 100.0, 125.0, 200.0, 250.0, 500.0, 1000.0, 2000.0]),
+    }
+}
+
+/// The fields of a command.
+pub(super) fn command(shapes: &Shapes, seq: i64, draw: &mut Draw<'_>) -> Tree {
+    let ttl = draw.one(&shapes.ttl);
+    let t = if draw.chance(10) { draw.finite() } else { seq as f64 / 8.0 };
+    let mut command = object([
+        ("seq", int(seq)),
+        ("t", num(t)),
+        ("frame_id", text(shapes.frame_id.clone())),
+        ("mode", text(draw.pick(&shapes.modes))),
+        ("ttl_ms", num(ttl)),
+        ("channels", shapes.tick(draw)),
+    ]);
+    if draw.chance(shapes.horizons) {
+        let count = draw.size(1, shapes.longest);
+        let count = draw.afford(count).max(1);
+        // Long horizons of few different steps are quick to draw.
+        let kinds: Vec<Tree> = (0..count.min(6)).map(|_| shapes.tick(draw)).collect();
+        let horizon = (0..count).map(|_| kinds[draw.below(kinds.len())].clone()).collect();
+        set(&mut command, "horizon", list(horizon));
+        let dt = if draw.chance(shapes.bad_dt) {
+            draw.one(&[0.0, -1.0, -0.0, f64::NAN, f64::INFINITY])
+        } else {
+            draw.one(&[10.0, 12.5, 25.0, 50.0, 62.5, 100.0, ttl.abs().clamp(1e-3, 1e6) / count as f64, 1000.0])
+        };
+        if !draw.chance(shapes.bad_dt) {
+            set(&mut command, "horizon_dt_ms", num(dt));
+        }
+    }
+    command
+}
+
+/// The limits of a governor.
+struct Limits {
+    speed: Option<f64>,
+    fence: Option<f64>,
+    timeout: f64,
+    tilt: Option<f64>,
+}
+
+impl Limits {
+    fn draw(draw: &mut Draw<'_>) -> Self {
+        let limit = |draw: &mut Draw<'_>| match draw.below(8) {
+            0 | 1 => None,
+            2 => Some(draw.one(&[0.0, -0.0])),
+            3 => Some(draw.positive()),
+            4 if draw.chance(20) => Some(draw.one(&[-1.0, -5e-324, f64::NAN, f64::INFINITY, f64::NEG_INFINITY])),
+            _ => Some(draw.one(&[0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 100.0])),
+        };
+        let (speed, fence) = (limit(draw), limit(draw));
+        speed.map(|speed| draw.note(speed));
+        fence.map(|fence| draw.note(fence));
+        let timeout = match draw.below(10) {
+            0 => draw.finite(),
+            1 => draw.one(&[0.0, -1.0, 5e-324, 1e9]),
+            _ => draw.one(&[250.0, 500.0, 1000.0, 62.5]),
+        };
+        let tilt = draw.one(&[None, None, Some(0.5), Some(0.0)]);
+        Self { speed, fence, timeout, tilt }
+    }
+
+    fn tree(&self) -> Tree {
+        object([
+            ("max_speed_mps", or_null(self.speed.map(num))),
+            ("max_tilt_rad", or_null(self.tilt.map(num))),
+            ("geofence_radius_m", or_null(self.fence.map(num))),
+            ("command_timeout_ms", num(self.timeout)),
+        ])
+    }
+}
+
+/// What was negotiated, or nothing.
+fn capabilities(draw: &mut Draw<'_>) -> Tree {
+    if draw.chance(60) {
+        return Json::Null;
+    }
+    let spec = |name: &str, kind: &str, unit: Option<&str>, size: Option<i64>| {
+        let mut spec = object([("name", text(name)), ("kind", text(kind)), ("unit", or_null(unit.map(text)))]);
+        if let Some(size) = size {
+            set(&mut spec, "size", int(size));
+        }
+        spec
+    };
+    let canonical = |name: &str, unit: &str, draw: &mut Draw<'_>| match draw.below(12) {
+        0 => Vec::new(),
+        1 => vec![spec(name, "vec3", None, None)],
+        2 => vec![spec(name, "vec3", Some(draw.pick(&["km/h", "cm", "", "M"])), None)],
+        3 => vec![spec(name, "array", Some(unit), Some(3))],
+        // Twice: each declaration counts.
+        4 => vec![spec(name, "vec3", Some(unit), None), spec(name, "vec3", None, None)],
+        5 => vec![spec(name, "vec3", Some(unit), None), spec(name, "vec3", Some(unit), None)],
+        _ => vec![spec(name, "vec3", Some(unit), None)],
+    };
+    let mut sensors = canonical("pose_position", "m", draw);
+    let mut commands = canonical("velocity_setpoint", "m/s", draw);
+    for nth in 0..if draw.chance(10) { draw.size(1, 40) } else { draw.below(4) } {
+        let (kind, unit) = draw.one(&[("scalar", Some("N")), ("vec3", Some("m/s")), ("scalar", None), ("quat", None)]);
+        let name = draw.one(&["tow", "grip", "c0", "c1", "velocity"]);
+        let name = if nth > 3 { format!("c{nth}") } else { name.to_owned() };
+        let other = spec(&name, kind, unit, None);
+        if draw.chance(30) { commands.insert(0, other) } else { commands.push(other) }
+    }
+    if draw.chance(30) {
+        sensors.insert(0, spec("imu", "vec3", Some("m"), None));
+    }
+    object([("sensor_channels", list(sensors)), ("command_channels", list(commands))])
+}
+
+/// What a body senses: a position of some kind.
+fn sensor(fence: Option<f64>, seq: i64, odd: u64, strange: u64, draw: &mut Draw<'_>) -> Tree {
+    let radius = fence.filter(|fence| fence.is_finite() && *fence > 0.0).unwrap_or(5.0);
+    let mut position = match draw.below(12) {
+        0 => vec![radius, 0.0, 0.0],
+        1 => vec![0.0, -radius, 0.0],
+        2 => vec![0.0, 0.0, radius.next_up()],
+        3 => vec![radius.next_down(), 0.0, 0.0],
+        4 => vec![radius * 0.6, radius * 0.8, 0.0],
+        5 if draw.chance(30) => vec![radius, radius, 0.0],
+        6 => vec![radius / 2.0, radius / 4.0, -radius / 8.0],
+        7 if draw.chance(30) => vec![draw.finite(), draw.finite(), draw.finite()],
+        _ => (0..3).map(|_| radius * draw.range(-8, 8) as f64 / 16.0).collect(),
+    };
+    if draw.chance(strange) {
+        let at = draw.below(3);
+        position[at] = draw.strange();
+    }
+    let unit = if draw.chance(odd) { draw.one(&[None, Some("m"), Some("cm"), Some("")]) } else { Some("m") };
+    if draw.chance(odd) {
+        position.truncate(draw.below(3));
+    }
+    let mut channels = Vec::new();
+    if !draw.chance(odd / 2) {
+        channels.push(("pose_position".to_owned(), sample(&position, or_null(unit.map(text)))));
+    }
+    if draw.chance(70) {
+        let velocity: Vec<f64> = (0..3).map(|_| draw.range(-16, 16) as f64 / 8.0).collect();
+        channels.push(("pose_velocity".to_owned(), sample(&velocity, text("m/s"))));
+    }
+    if draw.chance(20) {
+        channels.push(("imu".to_owned(), sample(&[draw.finite()], Json::Null)));
+    }
+    object([
+        ("seq", int(seq)),
+        ("t", num(if draw.chance(90) { seq as f64 / 8.0 } else { draw.finite() })),
+        ("channels", map(channels)),
+    ])
+}
+
+/// The arguments of `governor.run`.
+pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
+    let limits = Limits::draw(draw);
+    let capabilities = capabilities(draw);
+    let shapes = Shapes::draw(draw);
+    let count = steps(draw, 2000);
+    let count = if shapes.longest > 64 { count.min(12) } else { count };
+    let (odd, strange) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 0, 4]));
+    let (links, bursts, resets) = (draw.one(&[0, 10, 30]), draw.one(&[0, 0, 20]), draw.one(&[0, 2, 10]));
+    let (no_sensor, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 30]));
+    let timeout = limits.timeout;
+    let mut clock = Clock::draw(draw);
+    let (mut last, mut sensed) = (draw.range(0, 9), clock.now);
+    let mut before: Option<Tree> = None;
+    let steps = (0..count).map(|_| {
+        if draw.chance(links) {
+            return object([("op", text("note_link")), ("burst", Json::Bool(draw.chance(bursts)))]);
+        }
+        if draw.chance(resets) {
+            return object([("op", text("reset"))]);
+        }
+        last = next_seq(last, draw);
+        if draw.chance(75) {
+            sensed = clock.now;
+        }
+        // Silences of more than two time-outs may stop a governor, so they are few.
+        let span = if draw.chance(90) { timeout.min(timeout * 0.5) } else { timeout };
+        let now = clock.tick(sensed, span, draw);
+        let sensor = (!draw.chance(no_sensor)).then(|| sensor(limits.fence, last, odd, strange, draw));
+        let told = if draw.chance(no_sensor) { Json::Null } else { num(sensed) };
+        // The same question again has the same answer.
+        if let Some(before) = before.clone().filter(|_| draw.chance(same)) {
+            return before;
+        }
+        let step = object([
+            ("op", text("govern")),
+            ("command", command(&shapes, last, draw)),
+            ("now_s", num(now)),
+            ("sensor", or_null(sensor)),
+            ("last_sensor_s", told),
+        ]);
+        before = Some(step.clone());
+        step
+    });
+    let steps = list(steps.collect());
+    object([("limits", limits.tree()), ("capabilities", capabilities), ("steps", steps)])
+}
+
+fn gain(draw: &mut Draw<'_>) -> f64 {
+    match draw.below(10) {
+        0 => draw.double(),
+        1 => draw.positive(),
+        2 => draw.one(&[0.0, -0.0, 5e-324]),
+        _ => draw.range(1, 64) as f64 / 16.0,
+    }
+}
+
+fn config(draw: &mut Draw<'_>) -> Tree {
+    let mut config = object([]);
+    if draw.chance(40) {
+        let target: Vec<f64> = (0..3).map(|_| if draw.chance(90) { draw.plain() } else { draw.double() }).collect();
+        set(&mut config, "target", nums(&target));
+    }
+    for name in ["kp", "kd", "max_speed"] {
+        if draw.chance(40) {
+            set(&mut config, name, num(gain(draw)));
+        }
+    }
+    config
+}
+
+/// The arguments of `reflex.step`.
+pub(super) fn reflex(draw: &mut Draw<'_>) -> Tree {
+    let config = config(draw);
+    let seq = draw.integer();
+    let (odd, strange) = (draw.one(&[0, 0, 30]), draw.one(&[0, 0, 10]));
+    let sensor = (!draw.chance(5)).then(|| sensor(Some(draw.positive()), seq, odd, strange, draw));
+    object([("config", config), ("sensor", or_null(sensor))])
+}
+
+/// The arguments of `loop.run`.
+pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
+    let limits = Limits::draw(draw);
+    let config = if draw.chance(60) { object([]) } else { config(draw) };
+    let period = match draw.below(10) {
+        0 => draw.double(),
+        _ => draw.one(&[20.0, 50.0, 100.0, 125.0, 500.0, 1000.0]),
+    };
+    let count = steps(draw, 3000);
+    let (ticks, resets) = (draw.one(&[30, 50, 70]), draw.one(&[0, 0, 3]));
+    let stamped = draw.chance(80);
+    let mut clock = Clock::draw(draw);
+    let (mut seq, mut sensed) = (1, clock.now);
+    let gaps = draw.one(&[0, 0, 5, 30]);
+    let odd = draw.one(&[0, 0, 10]);
+    let steps = (0..count).map(|_| {
+        if draw.chance(resets) {
+            return object([("op", text("reset"))]);
+        }
+        let now = clock.tick(sensed, limits.timeout * 0.5, draw);
+        if draw.chance(ticks) {
+            return object([("op", text("tick")), ("now_s", num(now))]);
+        }
+        sensed = now;
+        seq = if draw.chance(gaps) { (seq + draw.range(-3, 40)).max(1) } else { seq + 1 };
+        let mut sensor = sensor(limits.fence, seq, odd, 0, draw);
+        if !stamped {
+            set(&mut sensor, "seq", int(0));
+        }
+        object([("op", text("sensor")), ("sensor", sensor), ("now_s", num(now))])
+    });
+    let steps = list(steps.collect());
+    object([("period_ms", num(period)), ("limits", limits.tree()), ("config", config), ("steps", steps)])
+}

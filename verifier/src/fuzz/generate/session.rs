@@ -1,0 +1,193 @@
+//! Requests to a server: sessions of the reference networks, side by side, and what is no request.
+
+use ncp_text::WIRE_VERSION;
+
+use super::corrupt::corrupted;
+use super::frames::segment;
+use super::{Draw, Menu, Tree, steps};
+use crate::fuzz::tree::{int, list, literal, map, object, set, spelled, text};
+
+/// What a trace has of sessions.
+struct Script {
+    ids: Vec<String>,
+    /// Grids on which every time of the trace lies, ms.
+    dt: f64,
+    cadences: Vec<f64>,
+}
+
+fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
+    let rate = draw.chance(30);
+    let neurons = if draw.chance(5) { draw.size(5, 300) } else { draw.size(1, 4) };
+    let mut params = Vec::new();
+    let known: &[(&str, [f64; 4])] = if rate {
+        &[("tau", [10.0, 20.0, 5.0, 100.0]), ("mu", [0.0, 25.0, -10.0, 0.5])]
+    } else {
+        &[
+            ("C_m", [250.0, 100.0, 500.0, 1.0]),
+            ("tau_m", [10.0, 20.0, 5.0, 50.0]),
+            ("E_L", [-70.0, -65.0, 0.0, -60.0]),
+            ("V_th", [-55.0, -50.0, 20.0, -45.0]),
+            ("V_reset", [-70.0, -75.0, -80.0, -72.0]),
+            ("t_ref", [2.0, 0.0, 5.0, 10.0]),
+            ("I_e", [0.0, 400.0, 500.0, 1000.0]),
+        ]
+    };
+    for (name, values) in known {
+        if draw.chance(30) {
+            params.push(((*name).to_owned(), spelled(draw.one(values))));
+        }
+    }
+    let sizes = if draw.chance(30) { vec![("pop", neurons), ("other", 2)] } else { vec![("pop", neurons)] };
+    let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
+    let ids = |neurons: usize, draw: &mut Draw<'_>| {
+        let count = if draw.chance(60) { 0 } else { draw.size(1, neurons.min(8)) };
+        // In order and once: in what order others come back, nobody says.
+        let mut ids: Vec<usize> = (0..count).map(|_| 1 + draw.below(neurons)).collect();
+        ids.sort_unstable();
+        ids.dedup();
+        list(ids.into_iter().map(|id| int(i64::try_from(id).unwrap_or(1))).collect())
+    };
+    let ports = draw.size(0, 3);
+    let records = (0..ports).map(|nth| {
+        let target = draw.one(&targets);
+        let of = if target == "other" { 2 } else { neurons };
+        let observable = if rate { "rate" } else { draw.one(&["V_m", "V_m", "spikes"]) };
+        object([
+            ("port", text(format!("r{nth}"))),
+            ("target", text(target)),
+            ("observable", text(observable)),
+            ("ids", ids(of, draw)),
+            ("cadence_ms", spelled(draw.one(&script.cadences))),
+        ])
+    });
+    let records: Vec<Tree> = records.collect();
+    let kind = if rate { "rate_inject" } else { "current_pA" };
+    let stimuli = ["in", "in2"].into_iter().map(|port| {
+        let target = draw.one(&targets);
+        let of = if target == "other" { 2 } else { neurons };
+        object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, draw))])
+    });
+    let stimuli: Vec<Tree> = stimuli.collect();
+    let chunk = script.dt * draw.range(1, 40) as f64;
+    let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), int(i64::try_from(size).unwrap_or(1))));
+    object([
+        ("ncp_version", text(WIRE_VERSION)),
+        ("kind", text("open_session")),
+        ("session_id", text(id)),
+        (
+            "network",
+            object([
+                ("kind", text("builtin")),
+                ("ref", text(if rate { "ncp.reference.rate" } else { "ncp.reference.lif" })),
+                ("population_sizes", map(sizes.collect())),
+                ("params", map(params)),
+            ]),
+        ),
+        ("record", object([("targets", list(records))])),
+        ("stimulus", object([("targets", list(stimuli))])),
+        ("sim", object([("dt_ms", spelled(script.dt)), ("chunk_ms", spelled(chunk))])),
+    ])
+}
+
+fn request(kind: &str, id: &str) -> Tree {
+    object([("ncp_version", text(WIRE_VERSION)), ("kind", text(kind)), ("session_id", text(id))])
+}
+
+/// A value for a port, if any.
+fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
+    if draw.chance(40) {
+        let port = draw.pick(&["in", "in", "in2"]);
+        let value = spelled(draw.range(-8, 40) as f64 * 50.0);
+        let values = object([(port, object([("data", list(vec![value]))]))]);
+        set(request, "stimulus", object([("values", values)]));
+    }
+}
+
+/// The arguments of `session.run`.
+pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
+    let mut ids: Vec<String> = (0..draw.size(1, 4)).map(|_| segment(draw)).collect();
+    if draw.chance(30) {
+        // Equal but for the end, the case, or how they are composed.
+        let id = ids[0].clone();
+        let long = format!("{}{}", "x".repeat(draw.one(&[64, 128, 255])), draw.below(2));
+        ids.extend([id.to_uppercase(), format!("{id}0"), long, "é".to_owned(), "e\u{301}".to_owned()]);
+        ids.retain(|id| id.len() <= 256);
+    }
+    let dt = draw.one(&[1.0, 0.5, 0.25, 0.125, 2.0]);
+    let cadences = (0..3).map(|_| dt * draw.one(&[1.0, 1.0, 2.0, 5.0, 10.0, 7.0])).collect();
+    let script = Script { ids, dt, cadences };
+    let most = if draw.chance(2) { 600 } else { 40 };
+    let count = steps(draw, most).min(most);
+    let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
+    let mut requests = Vec::new();
+    let mut kinds = Vec::new();
+    let mut open_now = std::collections::HashSet::new();
+    for nth in 0..count {
+        let id = script.ids[draw.below(script.ids.len())].clone();
+        let kind = match draw.below(100) {
+            // What a second opening of a session does is advice, so it is rare.
+            0..=9 if !open_now.contains(&id) || draw.chance(3) => "open_session",
+            _ if nth < script.ids.len() => "open_session",
+            roll if roll < 10 + usize::try_from(closes).unwrap_or(0) => "close_session",
+            roll if roll < 75 => "step_request",
+            _ => "run_request",
+        };
+        let id = if kind == "open_session" && nth < script.ids.len() { script.ids[nth].clone() } else { id };
+        match kind {
+            "open_session" => drop(open_now.insert(id.clone())),
+            "close_session" => drop(open_now.remove(&id)),
+            _ => {}
+        }
+        let time = match draw.below(20) {
+            0 => -script.dt,
+            1 => script.dt * draw.range(50, 2000) as f64,
+            _ => script.dt * draw.range(1, 30) as f64,
+        };
+        let frame = match kind {
+            "open_session" => open(&script, &id, draw),
+            "step_request" => {
+                let mut step = request(kind, &id);
+                if draw.chance(60) {
+                    set(&mut step, "advance_ms", spelled(time));
+                }
+                stimulus(&mut step, draw);
+                step
+            }
+            "run_request" => {
+                let mut run = request(kind, &id);
+                set(&mut run, "duration_ms", spelled(time));
+                stimulus(&mut run, draw);
+                run
+            }
+            _ => request(kind, &id),
+        };
+        let written = if draw.chance(odd) {
+            match draw.below(4) {
+                0 => draw.pick(&["", "{}", "[]", "null", "\u{feff}", "{\"kind\":\"sensor_frame\"}", "x"]).to_owned(),
+                1 => {
+                    let mut frame = frame;
+                    set(&mut frame, "seq", literal("1"));
+                    set(&mut frame, "kind", text(draw.pick(&["session_opened", "sensor_frame", "error", "novel"])));
+                    frame.to_string()
+                }
+                _ => String::from_utf8_lossy(&corrupted(&frame, draw)).into_owned(),
+            }
+        } else {
+            frame.to_string()
+        };
+        requests.push(text(written));
+        kinds.push(kind);
+    }
+    let mut args = object([("requests", list(requests))]);
+    if menu.strict && draw.chance(20) {
+        set(&mut args, "strict", crate::json::Json::Bool(true));
+        if draw.chance(50) {
+            let verbs = kinds.iter().map(|kind| {
+                let other = draw.one(&["open_session", "step_request", "run_request", "close_session"]);
+                text(if draw.chance(85) { kind } else { other })
+            });
+            set(&mut args, "verbs", list(verbs.collect()));
+        }
+    }
+    args
+}

@@ -1,0 +1,131 @@
+//! What a peer's own sources or binary hold: the strings and numbers that it may treat specially.
+//!
+//! No black box finds a frame id that switches the checks off, unless it is tried. It stands in the program, though.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// How many strings and how many numbers are kept.
+const MOST: usize = 4096;
+/// How long a string may be.
+const LONGEST: usize = 300;
+/// Runs of letters in a binary that are shorter than this mean nothing.
+const SHORTEST_RUN: usize = 4;
+
+/// The strings and numbers that were found.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Harvest {
+    /// Strings, sorted.
+    pub words: Vec<String>,
+    /// Numbers, ascending.
+    pub numbers: Vec<f64>,
+}
+
+/// A file of `--dictionary` that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("--dictionary {}: {source}", path.display())]
+pub struct HarvestError {
+    /// The file.
+    path: PathBuf,
+    /// What the operating system said.
+    source: std::io::Error,
+}
+
+impl Harvest {
+    /// What these files hold, sources or binaries; of a folder, every file in it.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn of_files(paths: &[PathBuf]) -> Result<Self, HarvestError> {
+        let mut words = BTreeSet::new();
+        let mut numbers = BTreeSet::new();
+        for path in paths {
+            for entry in walkdir::WalkDir::new(path).sort_by_file_name() {
+                let entry = entry.map_err(|error| unreadable(path, error.into()))?;
+                if entry.file_type().is_file() {
+                    let bytes = std::fs::read(entry.path()).map_err(|source| unreadable(entry.path(), source))?;
+                    collect(&bytes, &mut words, &mut numbers);
+                }
+            }
+        }
+        let mut numbers: Vec<f64> = numbers.into_iter().map(f64::from_bits).collect();
+        numbers.sort_by(f64::total_cmp);
+        // Of more than can be tried, the short ones say more.
+        let mut words: Vec<String> = words.into_iter().collect();
+        words.sort_by_key(String::len);
+        words.truncate(MOST);
+        numbers.truncate(MOST);
+        words.sort();
+        Ok(Self { words, numbers })
+    }
+
+    /// Whether nothing was found.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty() && self.numbers.is_empty()
+    }
+}
+
+fn unreadable(path: &Path, source: std::io::Error) -> HarvestError {
+    HarvestError { path: path.to_owned(), source }
+}
+
+/// Takes strings in quotes, runs of printable characters, and numbers out of a file.
+fn collect(bytes: &[u8], words: &mut BTreeSet<String>, numbers: &mut BTreeSet<u64>) {
+    let is_source = std::str::from_utf8(bytes).is_ok();
+    let text = String::from_utf8_lossy(bytes);
+    for quote in ['"', '\'', '`'] {
+        let mut parts = text.split(quote);
+        parts.next();
+        for part in parts.step_by(if is_source { 1 } else { 2 }) {
+            keep(part, words);
+        }
+    }
+    if !is_source {
+        for run in bytes.split(|byte| !(0x20..0x7f).contains(byte)).filter(|run| run.len() >= SHORTEST_RUN) {
+            keep(&String::from_utf8_lossy(run), words);
+        }
+    }
+    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-' | '+');
+    for token in text.split(|c| !is_part(c)).filter(|token| token.len() <= 40) {
+        let plain = token.replace('_', "");
+        let plain = plain.trim_matches(['.', '-', '+']);
+        let hex = plain.strip_prefix("0x").and_then(|digits| u64::from_str_radix(digits, 16).ok());
+        let number = hex.map(|number| number as f64).or_else(|| {
+            let first = plain.starts_with(|c: char| c.is_ascii_digit());
+            plain.parse::<f64>().ok().filter(|number| first && number.is_finite())
+        });
+        if let Some(number) = number.filter(|_| numbers.len() < MOST * 4) {
+            numbers.insert(number.to_bits());
+        }
+    }
+}
+
+/// Keeps a string that a request can hold.
+fn keep(word: &str, words: &mut BTreeSet<String>) {
+    let usable = !word.is_empty() && word.len() <= LONGEST && !word.contains(['\n', '\u{fffd}', '$']);
+    if usable && words.len() < MOST * 8 {
+        words.insert(word.to_owned());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strings_and_numbers_of_a_source_and_of_a_binary_are_found() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.py"), "if frame_id == 'open sesame' and x == 1_234.5 or y > 0x2A:\n")
+            .unwrap();
+        std::fs::write(folder.path().join("b.bin"), b"\x00\x01\xffbackdoor42\x00\x02ab\x00").unwrap();
+        let found = Harvest::of_files(&[folder.path().to_owned()]).unwrap();
+        for word in ["open sesame", "backdoor42"] {
+            assert!(found.words.iter().any(|known| known == word), "{word}: {found:?}");
+        }
+        for number in [1234.5, 42.0] {
+            assert!(found.numbers.contains(&number), "{number}: {found:?}");
+        }
+        assert!(Harvest::of_files(&[folder.path().join("nothing")]).is_err());
+    }
+}

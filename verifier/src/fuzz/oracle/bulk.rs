@@ -1,0 +1,95 @@
+//! The freedoms of blocks.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use ncp_peer_rust::Answer;
+
+use super::{Outcome, Verdict, by_result, equal, reject, specification};
+use crate::fuzz::tree::{Tree, items, object, own, string, text};
+use crate::json::Json;
+use crate::peer::Call;
+
+/// What the text only advises of a block.
+fn advice(call: Call, block: &[u8]) -> Option<&'static str> {
+    let u16_at = |at: usize| Some(usize::from(u16::from_le_bytes(block.get(at..at + 2)?.try_into().ok()?)));
+    let u32_at = |at: usize| usize::try_from(u32::from_le_bytes(block.get(at..at + 4)?.try_into().ok()?)).ok();
+    let count = u16_at(6)?;
+    let mut names: Vec<&[u8]> = Vec::new();
+    let mut earliest = usize::MAX;
+    let mut last_name = 0;
+    for nth in 0..count {
+        let at = 12 + 16 * nth;
+        let (name, length, dtype) = (u32_at(at)?, u16_at(at + 4)?, *block.get(at + 6)?);
+        let (pad, rows, data) = (*block.get(at + 7)?, u32_at(at + 8)?, u32_at(at + 12)?);
+        if pad != 0 {
+            return Some("a pad that is not 0, BULK-008");
+        }
+        if length == 0 {
+            return Some("an empty name, BULK-027");
+        }
+        if rows == 0 && (data > block.len() || data < 12 + 16 * count) {
+            return Some("where an empty region begins, BULK-014 and 028");
+        }
+        if rows == 0 && data < last_name {
+            return Some("an empty column before a name, BULK-026");
+        }
+        let written = block.get(name..name.checked_add(length)?).unwrap_or_default();
+        if !written.is_empty() && names.contains(&written) {
+            return Some("two columns of one name, BULK-013");
+        }
+        let wanted = match written {
+            b"times" | b"values" => 2,
+            b"senders" => 4,
+            _ => dtype,
+        };
+        if call == Call::ObservationUnpack && wanted != dtype {
+            return Some("a column of another dtype, OBS-006");
+        }
+        if call == Call::ObservationUnpack && !matches!(written, b"times" | b"values" | b"senders") {
+            return Some("a column of another name, OBS-007");
+        }
+        names.push(written);
+        earliest = earliest.min(data);
+        last_name = last_name.max(name + length);
+    }
+    (last_name > earliest).then_some("a name behind the beginning of the data, BULK-026")
+}
+
+pub(super) fn decode(call: Call, args: &Tree, result: Outcome<'_>) -> Verdict {
+    let block = string(args, "block").and_then(|block| STANDARD.decode(block).ok()).unwrap_or_default();
+    match advice(call, &block) {
+        Some(why) => Verdict::Open(why),
+        None => by_result(result),
+    }
+}
+
+pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
+    let mut names = std::collections::HashSet::new();
+    if !items(args.get("columns")).iter().all(|column| names.insert(string(column, "name"))) {
+        return Verdict::Open("two columns of one name, BULK-034");
+    }
+    match (result, args.get("columns")) {
+        (Err(code), _) => reject(code),
+        (Ok(_), Some(columns)) => holds(columns.clone()),
+        (Ok(_), None) => holds(Json::Array(Vec::new())),
+    }
+}
+
+pub(super) fn pack(result: Outcome<'_>) -> Verdict {
+    let result = match result {
+        Ok(result) => result,
+        Err(code) => return reject(code),
+    };
+    match specification(Call::BulkDecode, &result.to_string()) {
+        Answer::Result(read) => match Json::parse(&read).ok().and_then(|read| read.get("columns").map(own)) {
+            Some(columns) => holds(columns),
+            None => equal(result.clone()),
+        },
+        _ => Verdict::Open("the specification does not read its own block"),
+    }
+}
+
+/// Any valid block of these columns.
+fn holds(columns: Tree) -> Verdict {
+    Verdict::Expect(object([("relation", text("columns")), ("columns", columns)]))
+}

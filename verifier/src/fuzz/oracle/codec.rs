@@ -1,0 +1,191 @@
+//! The freedoms of the rate codec.
+
+use std::collections::{BTreeMap, HashSet};
+
+use super::{Outcome, TOLERANCE, Verdict, any, exactly, fits, fits_or_refused, num, range, reject};
+use crate::fuzz::tree::{Tree, double, doubles, integer, items, list, map, members, object, set, string, text};
+use crate::json::Json;
+
+/// Beyond this, the plain formula leaves the doubles on the way.
+const HUGE: f64 = 1e300;
+/// Below this, it loses digits on the way.
+const TINY: f64 = 1e-290;
+
+struct Mapping {
+    channel: String,
+    component: i64,
+    population: String,
+    value: [f64; 2],
+    rate: [f64; 2],
+}
+
+/// The mappings of one side, and whether each can be told from the others.
+fn mappings(args: &Tree, side: &str) -> Option<Vec<Mapping>> {
+    let codec = args.get("codec")?;
+    if codec.as_str() == Some("uav") {
+        let uav = |channel: &str, names: [&str; 3], end: f64| {
+            (0..3)
+                .zip(names)
+                .map(|(component, population)| Mapping {
+                    channel: channel.to_owned(),
+                    component,
+                    population: population.to_owned(),
+                    value: [-end, end],
+                    rate: [0.0, 200.0],
+                })
+                .collect()
+        };
+        return Some(if side == "encoders" {
+            uav("pose_error", ["err_x", "err_y", "err_z"], 2.0)
+        } else {
+            uav("velocity_setpoint", ["vel_x", "vel_y", "vel_z"], 1.5)
+        });
+    }
+    let read = |mapping: &Tree| {
+        let ends = |name: &str, default: [f64; 2]| match doubles(mapping.get(name)).as_slice() {
+            [from, to] => [*from, *to],
+            _ => default,
+        };
+        Some(Mapping {
+            channel: string(mapping, "channel")?.to_owned(),
+            component: integer(mapping.get("component"))?,
+            population: string(mapping, "population")?.to_owned(),
+            value: ends("value_range", [-1.0, 1.0]),
+            rate: ends("rate_range", [0.0, 200.0]),
+        })
+    };
+    items(codec.get(side)).iter().map(read).collect()
+}
+
+/// What may come of the map of a number, which is `mapped` by the specification.
+fn mapped(x: Option<f64>, from: [f64; 2], to: [f64; 2], mapped: f64) -> Option<Tree> {
+    let middle = f64::midpoint(to[0], to[1]);
+    if !to.iter().all(|end| end.is_finite()) {
+        return None;
+    }
+    let slack = TOLERANCE * (to[0].abs() + to[1].abs()) + TINY;
+    let about = |value: f64| range(value - slack, value + slack);
+    let usable = x.is_some_and(f64::is_finite) && from.iter().all(|end| end.is_finite()) && from[0] != from[1];
+    if !usable {
+        return Some(about(middle));
+    }
+    let all = [x.unwrap_or(0.0), from[0], from[1], to[0], to[1]];
+    let span = (from[1] - from[0]).abs();
+    if all.iter().any(|value| value.abs() > HUGE) || span < TINY {
+        return None;
+    }
+    let mut choices = vec![about(mapped)];
+    if from[0] > from[1] {
+        choices.push(about(middle));
+    }
+    Some(any(choices))
+}
+
+/// Whether JSON can hold every number of the arguments.
+fn is_writable(tree: &Tree) -> bool {
+    match tree {
+        Json::String(word) => !matches!(word.as_ref(), "NaN" | "Infinity" | "-Infinity"),
+        Json::Array(items) => items.iter().all(is_writable),
+        Json::Object(members) => members.iter().all(|(_, value)| is_writable(value)),
+        _ => true,
+    }
+}
+
+fn judged(args: &Tree, pattern: Tree) -> Verdict {
+    if is_writable(args) { fits(pattern) } else { fits_or_refused(pattern) }
+}
+
+/// Whether every mapping can be told from the others.
+fn are_apart(encoders: &[Mapping], decoders: &[Mapping]) -> bool {
+    let (mut populations, mut places) = (HashSet::new(), HashSet::new());
+    encoders.iter().all(|mapping| populations.insert(&mapping.population))
+        && decoders.iter().all(|mapping| places.insert((&mapping.channel, mapping.component)))
+        && decoders.iter().all(|mapping| mapping.component < 4096)
+}
+
+/// Ranges that a program best refuses when the codec is built.
+fn has_strange_target(mappings: &[Mapping], encoders: bool) -> bool {
+    mappings.iter().any(|mapping| {
+        let target = if encoders { mapping.rate } else { mapping.value };
+        !target.iter().all(|end| end.is_finite())
+    })
+}
+
+pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
+    let (Some(encoders), Some(decoders)) = (mappings(args, "encoders"), mappings(args, "decoders")) else {
+        return Verdict::Open("the codec is none");
+    };
+    if !are_apart(&encoders, &decoders) {
+        return Verdict::Open("two mappings for one place");
+    }
+    if has_strange_target(&encoders, true) || has_strange_target(&decoders, false) {
+        return Verdict::Open("a target range that is not finite");
+    }
+    let result = match result {
+        Ok(result) => result,
+        Err(code) => return reject(code),
+    };
+    let channels = args.get("sensor").and_then(|sensor| sensor.get("channels"));
+    let mut rates = Vec::new();
+    let mut has_ignored = false;
+    for mapping in &encoders {
+        if mapping.component >= 4096 {
+            has_ignored = true;
+            continue;
+        }
+        let data = doubles(channels.and_then(|channels| channels.get(&mapping.channel)).and_then(|c| c.get("data")));
+        let x = usize::try_from(mapping.component).ok().and_then(|component| data.get(component)).copied();
+        let by_spec = double(result.get("rates").and_then(|rates| rates.get(&mapping.population))).unwrap_or(f64::NAN);
+        let Some(rate) = mapped(x, mapping.value, mapping.rate, by_spec) else {
+            return Verdict::Open("a map whose steps leave the doubles");
+        };
+        rates.push((mapping.population.clone(), rate));
+    }
+    // A population of a mapping that is ignored may be absent, or rest at the middle.
+    let rates = map(rates);
+    judged(args, object([("rates", if has_ignored { rates } else { exactly(rates) })]))
+}
+
+pub(super) fn decode(args: &Tree, result: Outcome<'_>) -> Verdict {
+    let (Some(encoders), Some(decoders)) = (mappings(args, "encoders"), mappings(args, "decoders")) else {
+        return Verdict::Open("the codec is none");
+    };
+    if !are_apart(&encoders, &decoders) {
+        return Verdict::Open("two mappings for one place");
+    }
+    if has_strange_target(&encoders, true) || has_strange_target(&decoders, false) {
+        return Verdict::Open("a target range that is not finite");
+    }
+    let result = match result {
+        Ok(result) => result,
+        Err(code) => return reject(code),
+    };
+    let answered = result.get("command").and_then(|command| command.get("channels"));
+    let mut channels: BTreeMap<&str, BTreeMap<usize, Tree>> = BTreeMap::new();
+    for mapping in &decoders {
+        let component = usize::try_from(mapping.component).unwrap_or_default();
+        let of = answered.and_then(|channels| channels.get(&mapping.channel)).and_then(|channel| channel.get("data"));
+        let by_spec = doubles(of).get(component).copied().unwrap_or(f64::NAN);
+        let rate = double(args.get("rates").and_then(|rates| rates.get(&mapping.population)));
+        let Some(value) = mapped(rate, mapping.rate, mapping.value, by_spec) else {
+            return Verdict::Open("a map whose steps leave the doubles");
+        };
+        channels.entry(&mapping.channel).or_default().insert(component, value);
+    }
+    let channel = |(name, data): (&str, BTreeMap<usize, Tree>)| {
+        let width = data.keys().last().map_or(0, |last| last + 1);
+        let data = (0..width).map(|at| data.get(&at).cloned().unwrap_or_else(|| num(0.0))).collect();
+        (name.to_owned(), object([("data", list(data))]))
+    };
+    let channels = map(channels.into_iter().map(channel).collect());
+    let mut command = object([("channels", exactly(channels))]);
+    for (name, value) in members(Some(args)) {
+        if matches!(name.as_ref(), "t" | "seq" | "frame_id" | "mode") {
+            set(&mut command, name, crate::fuzz::tree::own(value));
+        }
+    }
+    if string(args, "frame_id").is_none() {
+        set(&mut command, "frame_id", text("world"));
+    }
+    judged(args, object([("command", command)]))
+}

@@ -1,0 +1,245 @@
+//! The freedoms of the reflex controller and of the loop.
+
+use ncp_peer_rust::Answer;
+
+use super::exact::norm;
+use super::{Outcome, TOLERANCE, Verdict, any, fits, fits_or_refused, free, num, range, reject, specification, steps};
+use crate::fuzz::tree::{Tree, double, doubles, integer, items, list, members, nums, object, set, string, text};
+use crate::json::Json;
+use crate::peer::Call;
+
+/// Beyond this, a sum of products may leave the doubles on the way.
+const HUGE: f64 = 1e150;
+
+/// A channel of a sensor.
+fn data(sensor: Option<&Tree>, name: &str) -> (Option<Vec<f64>>, Option<String>) {
+    let channel = sensor.and_then(|sensor| sensor.get("channels")).and_then(|channels| channels.get(name));
+    let data = channel.map(|channel| doubles(channel.get("data")));
+    (data, channel.and_then(|channel| string(channel, "unit")).map(str::to_owned))
+}
+
+fn is_usable(data: Option<&Vec<f64>>) -> bool {
+    data.is_some_and(|data| data.len() == 3 && data.iter().all(|x| x.is_finite()))
+}
+
+/// What a controller is built from: the doubles of its configuration, and whether one is 0 that may be refused.
+struct Gains {
+    target: Vec<f64>,
+    kp: f64,
+    kd: f64,
+    max_speed: f64,
+}
+
+/// Whether a configuration has the members of the protocol and no others.
+fn is_config(config: Option<&Tree>) -> bool {
+    let known = |(name, value): &(std::borrow::Cow<'_, str>, Tree)| match name.as_ref() {
+        "target" => items(Some(value)).len() == 3,
+        "kp" | "kd" | "max_speed" => double(Some(value)).is_some(),
+        _ => false,
+    };
+    config.is_some_and(|config| matches!(config, Json::Object(_)) && members(Some(config)).iter().all(known))
+}
+
+impl Gains {
+    fn read(config: Option<&Tree>) -> Self {
+        let gain = |name: &str, default: f64| {
+            config.and_then(|config| double(config.get(name).filter(|gain| !gain.is_null()))).unwrap_or(default)
+        };
+        let target = config.map(|config| doubles(config.get("target"))).filter(|target| target.len() == 3);
+        Self {
+            target: target.unwrap_or_else(|| vec![0.0; 3]),
+            kp: gain("kp", 1.0),
+            kd: gain("kd", 0.3),
+            max_speed: gain("max_speed", 1.5),
+        }
+    }
+
+    fn may_be_refused(&self) -> bool {
+        [self.kp, self.kd, self.max_speed].contains(&0.0)
+    }
+
+    /// The velocity that the law gives, as the specification says it, with the roundings of its terms.
+    fn about(&self, given: &[f64], position: &[f64], velocity: &[f64]) -> Option<Tree> {
+        let mut axes = Vec::new();
+        for axis in 0..3 {
+            let (p, t, v) = (*position.get(axis)?, *self.target.get(axis)?, *velocity.get(axis)?);
+            let scale = self.kp * (p.abs() + t.abs()) + self.kd * v.abs();
+            if scale > HUGE || [p, t, v, self.kp, self.kd].iter().any(|x| x.abs() > HUGE) {
+                return None;
+            }
+            let given = *given.get(axis)?;
+            let off = TOLERANCE * scale.min(self.max_speed.abs().max(1e-300) + scale * 1e-3) + f64::MIN_POSITIVE;
+            axes.push(range(given - off, given + off));
+        }
+        Some(list(axes))
+    }
+}
+
+fn hold() -> Tree {
+    let zeros = object([("data", nums(&[0.0; 3])), ("unit", text("m/s"))]);
+    let channels = object([("velocity_setpoint", zeros)]);
+    object([("mode", text("hold")), ("channels", channels), ("horizon", list(Vec::new()))])
+}
+
+pub(super) fn reflex(args: &Tree, result: Outcome<'_>) -> Verdict {
+    if !is_config(args.get("config")) {
+        return Verdict::Open("the configuration has other members than the protocol says");
+    }
+    let gains = Gains::read(args.get("config"));
+    let result = match result {
+        Ok(result) => result,
+        Err(code) => return reject(code),
+    };
+    let sensor = args.get("sensor").filter(|sensor| !sensor.is_null());
+    let (position, unit) = data(sensor, "pose_position");
+    let (velocity, speed_unit) = data(sensor, "pose_velocity");
+    let is_written = [&position, &velocity].into_iter().flatten().flatten().all(|x| x.is_finite());
+    let pattern = if is_usable(position.as_ref()) {
+        if velocity.as_ref().is_some_and(|v| is_usable(Some(v))) && speed_unit.as_deref().is_some_and(|u| u != "m/s") {
+            return Verdict::Open("a velocity in another unit may be taken for none");
+        }
+        let (usable, zeros) = (is_usable(velocity.as_ref()), vec![0.0; 3]);
+        let moving = velocity.filter(|_| usable).unwrap_or(zeros);
+        let given = result.get("command").and_then(|command| command.get("channels"));
+        let given = doubles(given.and_then(|channels| channels.get("velocity_setpoint")).and_then(|c| c.get("data")));
+        let Some(about) = gains.about(&given, &position.unwrap_or_default(), &moving) else {
+            return Verdict::Open("a law whose terms leave the doubles");
+        };
+        let channels = object([("velocity_setpoint", object([("data", about), ("unit", text("m/s"))]))]);
+        let mut choices = vec![object([("mode", text("active")), ("channels", channels)])];
+        if !usable || unit.is_some_and(|unit| unit != "m") {
+            choices.push(hold());
+        }
+        any(choices)
+    } else {
+        hold()
+    };
+    let pattern = object([("command", pattern)]);
+    if gains.may_be_refused() || !is_written { fits_or_refused(pattern) } else { fits(pattern) }
+}
+
+pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
+    if !is_config(args.get("config")) {
+        return Verdict::Open("the configuration has other members than the protocol says");
+    }
+    let result = match result {
+        Ok(result) => result,
+        Err(code) => return reject(code),
+    };
+    let gains = Gains::read(args.get("config"));
+    let limits = args.get("limits");
+    let limit = |name: &str| double(limits.and_then(|limits| limits.get(name)).filter(|limit| !limit.is_null()));
+    let timeout = limit("command_timeout_ms").unwrap_or(500.0);
+    let period = double(args.get("period_ms")).unwrap_or(f64::NAN);
+    let fence = limit("geofence_radius_m").filter(|fence| fence.is_finite() && *fence > 0.0);
+    let other_roundings: Vec<Tree> = match fence {
+        Some(fence) => {
+            [1.0 - TOLERANCE, 1.0 + TOLERANCE].into_iter().filter_map(|by| widened(args, fence * by)).collect()
+        }
+        None => Vec::new(),
+    };
+    let (mut newest, mut seen): (Option<Tree>, Option<f64>) = (None, None);
+    let mut is_known = true;
+    let mut stamped = None;
+    let mut entries = Vec::new();
+    for (place, (step, answer)) in items(args.get("steps")).iter().zip(items(result.get("steps"))).enumerate() {
+        let now = double(step.get("now_s")).unwrap_or(f64::NAN);
+        match string(step, "op") {
+            Some("sensor") => {
+                if answer.get("error").is_some() {
+                    return Verdict::Open("the trace holds what is no sensor frame");
+                }
+                let sensor = step.get("sensor").cloned().unwrap_or_else(|| object([]));
+                let stamp = |sensor: &Tree| integer(sensor.get("seq")).unwrap_or(0);
+                let t = |sensor: &Tree| double(sensor.get("t")).unwrap_or(0.0);
+                let is_stamped = stamp(&sensor) != 0;
+                // Streams in which stamped frames and others alternate are open.
+                is_known &= *stamped.get_or_insert(is_stamped) == is_stamped && t(&sensor).is_finite();
+                let newer = newest
+                    .as_ref()
+                    .is_none_or(|kept| if is_stamped { stamp(&sensor) > stamp(kept) } else { t(&sensor) > t(kept) });
+                if newer {
+                    (newest, seen) = (Some(sensor), Some(now));
+                }
+                entries.push(free());
+            }
+            Some("tick") => {
+                let age = seen.map(|seen| now - seen);
+                is_known &= !age.is_some_and(|age| age * 1000.0 > 2.0 * timeout && timeout > 0.0);
+                is_known &= seen.is_none_or(|seen| {
+                    !now.is_finite() || !timeout.is_finite() || super::exact::age(now, seen, timeout).is_some()
+                });
+                let mode = |answer: &Tree| answer.get("command").and_then(|c| string(c, "mode")).map(str::to_owned);
+                let rounds =
+                    |other: &Tree| items(other.get("steps")).get(place).is_some_and(|o| mode(o) != mode(answer));
+                is_known &= !other_roundings.iter().any(rounds);
+                entries.push(match tick(answer, newest.as_ref(), &gains, period, limits).filter(|_| is_known) {
+                    Some(pattern) => pattern,
+                    None => {
+                        is_known = false;
+                        free()
+                    }
+                });
+            }
+            // What else a reset touches is open.
+            _ => {
+                is_known = false;
+                entries.push(free());
+            }
+        }
+    }
+    let written =
+        limits.is_none_or(|limits| !limits.to_string().contains("\"NaN\"") && !limits.to_string().contains("Inf"));
+    let pattern = steps(entries);
+    if gains.may_be_refused() || !written { fits_or_refused(pattern) } else { fits(pattern) }
+}
+
+/// What a loop of another fence does.
+fn widened(args: &Tree, fence: f64) -> Option<Tree> {
+    let mut other = args.clone();
+    let mut limits = args.get("limits")?.clone();
+    set(&mut limits, "geofence_radius_m", num(fence));
+    set(&mut other, "limits", limits);
+    match specification(Call::LoopRun, &other.to_string()) {
+        Answer::Result(result) => Json::parse(&result).ok().map(|result| crate::fuzz::tree::own(&result)),
+        _ => None,
+    }
+}
+
+/// What a tick may send; none where it is open.
+fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits: Option<&Tree>) -> Option<Tree> {
+    let command = answer.get("command")?;
+    let mode = string(command, "mode")?;
+    let (position, unit) = data(newest, "pose_position");
+    let (velocity, speed_unit) = data(newest, "pose_velocity");
+    let has_place = is_usable(position.as_ref());
+    let others = |unit: &Option<String>, own: &str| unit.as_deref().is_some_and(|unit| unit != own);
+    if has_place && (!is_usable(velocity.as_ref()) || others(&unit, "m") || others(&speed_unit, "m/s")) {
+        return None;
+    }
+    let mut pattern = object([("mode", text(mode))]);
+    if let Some(seq) = newest.and_then(|newest| newest.get("seq")) {
+        set(&mut pattern, "seq", seq.clone());
+    }
+    let mut status = object([("mode", text(mode))]);
+    let most = double(limits.and_then(|limits| limits.get("max_speed_mps")).filter(|limit| !limit.is_null()));
+    if mode == "active" {
+        let given = command.get("channels").and_then(|channels| channels.get("velocity_setpoint"));
+        let given = doubles(given.and_then(|channel| channel.get("data")));
+        let about = gains.about(&given, &position?, &velocity?)?;
+        let limited = most.is_some_and(|most| most > 0.0 && norm(&given) > most * (1.0 - 1e-6));
+        let about = if limited { list(given.iter().map(|x| super::near(*x, 1e-12)).collect()) } else { about };
+        set(
+            &mut pattern,
+            "channels",
+            object([("velocity_setpoint", object([("data", about), ("unit", text("m/s"))]))]),
+        );
+        set(&mut pattern, "ttl_ms", range(2.0 * period * (1.0 - 1e-12), f64::MAX));
+        if !limited {
+            set(&mut status, "safety_ok", Json::Bool(true));
+        }
+    } else if mode == "estop" && has_place {
+        set(&mut status, "safety_ok", Json::Bool(false));
+    }
+    Some(object([("command", pattern), ("status", status)]))
+}

@@ -1,0 +1,92 @@
+//! The freedoms of `decode`, `encode` and `reply.check`.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use ncp_text::WIRE_VERSION;
+
+use super::open::{Freedom, freedom, is_advice};
+use super::{Outcome, Verdict, accept, reject};
+use crate::fuzz::tree::{Tree, object, set, string, text};
+use crate::json::Json;
+
+/// The bytes of a frame that is given as text or in base64.
+pub(super) fn bytes(holder: &Json<'_>) -> Vec<u8> {
+    match (string(holder, "text"), string(holder, "base64")) {
+        (Some(text), _) => text.as_bytes().to_vec(),
+        (_, Some(encoded)) => STANDARD.decode(encoded).unwrap_or_default(),
+        _ => Vec::new(),
+    }
+}
+
+pub(super) fn is_strict(args: &Json<'_>) -> bool {
+    args.get("strict") == Some(&Json::Bool(true))
+}
+
+pub(super) fn decode(args: &Tree, result: Outcome<'_>) -> Verdict {
+    let frame = bytes(args);
+    let may_reject = match freedom(string(args, "kind").unwrap_or_default(), &frame, is_strict(args)) {
+        Freedom::Open(why) => return Verdict::Open(why),
+        freedom => freedom == Freedom::MayReject,
+    };
+    match result {
+        Err(_) if may_reject => Verdict::Open("a version that may be rejected, WIRE-039"),
+        Err(code) => reject(code),
+        Ok(result) => match string(result, "text") {
+            None => accept(),
+            Some(frame) => {
+                let mut expect = object([("relation", text("message")), ("text", text(frame))]);
+                if may_reject {
+                    set(&mut expect, "or_reject", Json::Bool(true));
+                }
+                Verdict::Expect(expect)
+            }
+        },
+    }
+}
+
+pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
+    let fields = args.get("fields");
+    let member = |name: &str| fields.and_then(|fields| fields.get(name));
+    if let Some(stimulus) = member("stimulus").filter(|_| member("network").is_none())
+        && (stimulus.get("session_id") != member("session_id") || stimulus.get("ncp_version") != member("ncp_version"))
+        && !stimulus.is_null()
+    {
+        return Verdict::Open("a stimulus whose defaults may be the request's");
+    }
+    let known = |name: &str, wanted: &[&str]| {
+        member(name).is_none_or(|mode| mode.as_str().is_some_and(|mode| wanted.contains(&mode)))
+    };
+    if !known("mode", &["init", "active", "hold", "estop"]) {
+        return Verdict::Open("a mode that is none may be refused, or written as hold");
+    }
+    match result {
+        Err("non_finite") => reject("non_finite"),
+        Err(_) => Verdict::Open("a message that every receiver rejects, WIRE-091"),
+        Ok(result) => match string(result, "text") {
+            Some(frame) => Verdict::Expect(object([("relation", text("encoding")), ("text", text(frame))])),
+            None => Verdict::Open("the specification writes no frame"),
+        },
+    }
+}
+
+pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
+    let request = string(args, "request").and_then(|text| Json::parse(text).ok());
+    if request.as_ref().and_then(|request| request.get("ncp_version")).and_then(Json::as_str) != Some(WIRE_VERSION) {
+        return Verdict::Open("the request is none of this version");
+    }
+    let reply = string(args, "reply").unwrap_or_default();
+    let parsed = Json::parse(reply).ok();
+    let kind = parsed.as_ref().and_then(|reply| reply.get("kind")).and_then(Json::as_str).unwrap_or_default();
+    if kind == "error" {
+        // It is an error whether it can be read or not.
+        return result.map_or_else(reject, |_| Verdict::Open("the specification takes an error frame for none"));
+    }
+    if let Freedom::Open(why) = freedom(kind, reply.as_bytes(), is_strict(args)) {
+        return Verdict::Open(why);
+    }
+    let version = parsed.as_ref().and_then(|reply| reply.get("ncp_version")).and_then(Json::as_str);
+    if version.is_some_and(is_advice) {
+        return Verdict::Open("a version with leading zeros or many digits, VER-009");
+    }
+    result.map_or_else(reject, |_| accept())
+}

@@ -1,0 +1,326 @@
+//! The freedoms of a server.
+
+use std::collections::HashMap;
+
+use ncp_peer_rust::Answer;
+use ncp_text::WIRE_VERSION;
+
+use super::frames::is_strict;
+use super::open::{Freedom, freedom};
+use super::{Outcome, TOLERANCE, Verdict, any, exactly, fits, reject, specification};
+use crate::fuzz::tree::{
+    Tree, double, integer, items, list, map, members, near_list, object, own, set, spelled, string, text,
+};
+use crate::json::Json;
+use crate::peer::{self, Call};
+
+/// The params of the two networks.
+const LIF: [&str; 7] = ["C_m", "tau_m", "E_L", "V_th", "V_reset", "t_ref", "I_e"];
+const RATE: [&str; 2] = ["tau", "mu"];
+
+pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>) -> Verdict {
+    let result = match result {
+        Ok(result) => result,
+        Err(code) => return reject(code),
+    };
+    let strict = is_strict(args);
+    if args.get("verbs").is_some() && items(args.get("verbs")).len() != items(args.get("requests")).len() {
+        return Verdict::Open("there are not as many verbs as requests");
+    }
+    let replies = items(result.get("replies"));
+    let theirs = match said {
+        Some(peer::Answer::Result(result)) => items(result.get("replies")),
+        _ => &[],
+    };
+    let mut open: HashMap<String, Session> = HashMap::new();
+    let mut patterns = Vec::new();
+    for (nth, (request, reply)) in items(args.get("requests")).iter().zip(replies).enumerate() {
+        let text_of = |tree: &Tree| tree.as_str().and_then(|text| Json::parse(text).ok().map(|json| own(&json)));
+        let Some(reply) = text_of(reply) else { return Verdict::Open("the specification replies no JSON") };
+        let kind = string(&reply, "kind").unwrap_or_default().to_owned();
+        let written = request.as_str().unwrap_or_default();
+        let asked = text_of(request);
+        if let Some(why) = asked.as_ref().and_then(|asked| openness(written, asked, strict)) {
+            return Verdict::Open(why);
+        }
+        let id = asked.as_ref().and_then(|asked| string(asked, "session_id")).unwrap_or_default().to_owned();
+        let of = asked.as_ref().and_then(|asked| string(asked, "kind")).unwrap_or_default().to_owned();
+        let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
+        match kind.as_str() {
+            "session_opened" if reply.get("ok") != Some(&Json::Bool(false)) => {
+                let Some(session) = asked.as_ref().and_then(Session::read) else {
+                    return Verdict::Open("which networks a server has is its own affair");
+                };
+                if refused && !open.is_empty() {
+                    return Verdict::Open("a server may refuse a session while it holds another, SESS-041");
+                }
+                open.insert(id.clone(), session);
+            }
+            "session_opened" if open.contains_key(&id) => {
+                return Verdict::Open("a session that is open already, SESS-030");
+            }
+            "error" | "session_opened" if of == "open_session" && Session::is_network(asked.as_ref()) => {
+                let version = asked.as_ref().and_then(|asked| string(asked, "ncp_version")).unwrap_or(WIRE_VERSION);
+                if version == WIRE_VERSION {
+                    return Verdict::Open("whether a server opens such a network is its own affair");
+                }
+            }
+            _ => {}
+        }
+        if let Some(session) = open.get(&id).filter(|_| matches!(of.as_str(), "step_request" | "run_request"))
+            && let Some(why) = asked.as_ref().and_then(|asked| session.openness(asked))
+        {
+            return Verdict::Open(why);
+        }
+        if of == "close_session" && kind == "session_closed" {
+            open.remove(&id);
+        }
+        patterns.push(pattern(&reply, &kind, &of));
+    }
+    if differs_by_rounding(args, result) {
+        return Verdict::Open("a potential so near its threshold that a rounding decides");
+    }
+    fits(object([("replies", list(patterns))]))
+}
+
+fn refuses(reply: &str) -> bool {
+    Json::parse(reply).is_ok_and(|reply| {
+        reply.get("kind").and_then(Json::as_str) == Some("error") || reply.get("ok") == Some(&Json::Bool(false))
+    })
+}
+
+/// What the text leaves open of a request by itself.
+fn openness(written: &str, asked: &Tree, strict: bool) -> Option<&'static str> {
+    let kind = string(asked, "kind").unwrap_or_default();
+    match freedom(kind, written.as_bytes(), strict) {
+        Freedom::Open(why) => Some(why),
+        Freedom::MayReject if kind != "open_session" => Some("a version that may be rejected, WIRE-039"),
+        _ => None,
+    }
+}
+
+/// What a reply has to be.
+fn pattern(reply: &Tree, kind: &str, of: &str) -> Tree {
+    let written = |pattern: Tree| object([("$json", pattern)]);
+    let error = || written(object([("kind", text("error")), ("error", object([("$anything", Json::Bool(true))]))]));
+    let id = reply.get("session_id").cloned().unwrap_or(Json::Null);
+    let ok = reply.get("ok").cloned().unwrap_or(Json::Bool(true));
+    match kind {
+        "session_opened" | "session_closed" => {
+            let own = written(object([("kind", text(kind)), ("session_id", id), ("ok", ok.clone())]));
+            if ok == Json::Bool(false) { any(vec![own, error()]) } else { own }
+        }
+        "observation_frame" => {
+            let records =
+                members(reply.get("records")).iter().map(|(port, record)| (port.to_string(), record_of(record)));
+            written(object([
+                ("kind", text(kind)),
+                ("session_id", id),
+                ("sim_time_ms", super::near(double(reply.get("sim_time_ms")).unwrap_or(0.0), 0.0)),
+                ("calibrated_posterior", Json::Bool(false)),
+                ("is_simulation_output", Json::Bool(true)),
+                ("records", exactly(map(records.collect()))),
+            ]))
+        }
+        // A session that is not open is closed with either.
+        _ if of == "close_session" => {
+            any(vec![error(), written(object([("kind", text("session_closed")), ("ok", Json::Bool(false))]))])
+        }
+        _ => error(),
+    }
+}
+
+/// An observation, its numbers within the tolerance of the text.
+fn record_of(record: &Tree) -> Tree {
+    let mut pattern = object([]);
+    for (name, value) in members(Some(record)) {
+        match name.as_ref() {
+            "times" | "values" => set(&mut pattern, name, near_list(value, TOLERANCE)),
+            "senders" | "port" | "target" | "observable" => set(&mut pattern, name, value.clone()),
+            "unit" if matches!(value.as_str(), Some("mV" | "Hz")) => set(&mut pattern, name, value.clone()),
+            _ => {}
+        }
+    }
+    pattern
+}
+
+/// A session of a reference network, as far as the text says what it does.
+struct Session {
+    dt: f64,
+    chunk: f64,
+    ports: Vec<String>,
+}
+
+impl Session {
+    /// Whether a request asks for one of the networks.
+    fn is_network(asked: Option<&Tree>) -> bool {
+        let network = asked.and_then(|asked| asked.get("network"));
+        network.and_then(|network| string(network, "ref")).is_some_and(|name| name.starts_with("ncp.reference."))
+    }
+
+    fn read(asked: &Tree) -> Option<Self> {
+        let network = asked.get("network")?;
+        let known: &[&str] = match string(network, "ref")? {
+            "ncp.reference.lif" => &LIF,
+            "ncp.reference.rate" => &RATE,
+            _ => return None,
+        };
+        let is_lif = known.len() == LIF.len();
+        let params = members(network.get("params"));
+        let param = |name: &str, default: f64| {
+            params.iter().find(|(known, _)| known == name).and_then(|(_, value)| double(Some(value))).unwrap_or(default)
+        };
+        let sim = asked.get("sim");
+        let time = |name: &str, default: f64| sim.and_then(|sim| double(sim.get(name))).unwrap_or(default);
+        let (dt, chunk) = (time("dt_ms", 0.1), time("chunk_ms", 10.0));
+        let sizes = members(network.get("population_sizes"));
+        let size = |name: &str| sizes.iter().find(|(known, _)| known == name).and_then(|(_, size)| integer(Some(size)));
+        let targets = |spec: &str| items(asked.get(spec).and_then(|spec| spec.get("targets")));
+        let fits = |target: &&Tree, kinds: &[&str], name: &str, default: &str| {
+            let of = string(target, "target").and_then(size).unwrap_or(0);
+            let ids = items(target.get("ids"));
+            let ids: Option<Vec<i64>> = ids.iter().map(|id| integer(Some(id))).collect();
+            kinds.contains(&string(target, name).unwrap_or(default))
+                && ids.is_some_and(|ids| ids.iter().all(|id| (1..=of).contains(id)) && ids.is_sorted_by(|a, b| a < b))
+                && of > 0
+        };
+        let observables: &[&str] = if is_lif { &["V_m", "spikes"] } else { &["rate"] };
+        let stimuli: &[&str] = if is_lif { &["current_pA"] } else { &["rate_inject"] };
+        let mut ports: Vec<&str> = targets("record").iter().map(|t| string(t, "port").unwrap_or_default()).collect();
+        let count = ports.len();
+        ports.sort_unstable();
+        ports.dedup();
+        // What two targets of one port are, the text does not say.
+        let mut driven: Vec<&str> = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default()).collect();
+        driven.sort_unstable();
+        driven.dedup();
+        let is_grid = |ms: f64| ms > 0.0 && is_whole(ms / dt) && ms < 1e7;
+        let plain = is_dyadic(dt)
+            && (0.01..=100.0).contains(&dt)
+            && is_grid(chunk)
+            && params.iter().all(|(name, _)| known.contains(&name.as_ref()))
+            && ports.len() == count
+            && driven.len() == targets("stimulus").len()
+            && targets("record").iter().all(|target| {
+                fits(&target, observables, "observable", "V_m")
+                    && is_grid(double(target.get("cadence_ms")).unwrap_or(1.0))
+                    && items(target.get("recordables")).is_empty()
+            })
+            && targets("stimulus")
+                .iter()
+                .all(|target| fits(&target, stimuli, "kind", "current_pA") && members(target.get("params")).is_empty())
+            && sizes.iter().all(|(_, size)| integer(Some(size)).is_some_and(|size| (1..=4096).contains(&size)))
+            && string(network, "kind").unwrap_or("builtin") == "builtin"
+            && items(asked.get("bindings")).is_empty()
+            && sim.is_none_or(|sim| string(sim, "mode").unwrap_or("stream") == "stream");
+        let refractory = param("t_ref", 2.0) / dt;
+        let sane = if is_lif {
+            (1e-3..1e6).contains(&param("tau_m", 10.0))
+                && (1e-3..1e6).contains(&param("C_m", 250.0))
+                && param("V_reset", -70.0) < param("V_th", -55.0)
+                && (0.0..1e6).contains(&refractory)
+                && (refractory.fract() - 0.5).abs() > 1e-9
+                && ["E_L", "V_th", "V_reset", "I_e"].iter().all(|name| param(name, 0.0).abs() < 1e6)
+        } else {
+            (1e-3..1e6).contains(&param("tau", 10.0)) && param("mu", 0.0).abs() < 1e6
+        };
+        let ports = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default().to_owned());
+        (plain && sane).then(|| Self { dt, chunk, ports: ports.collect() })
+    }
+
+    /// What the text leaves open of a step or a run of this session.
+    fn openness(&self, asked: &Tree) -> Option<&'static str> {
+        let time =
+            ["advance_ms", "duration_ms"].into_iter().find_map(|name| double(asked.get(name).filter(|t| !t.is_null())));
+        let time = time.unwrap_or(self.chunk);
+        if time == 0.0 || time > 0.0 && !is_whole(time / self.dt) {
+            return Some("a time that is no whole number of steps");
+        }
+        let values = asked.get("stimulus").and_then(|stimulus| stimulus.get("values"));
+        members(values).iter().find_map(|(port, value)| {
+            let data = items(value.get("data"));
+            let fits = data.len() == 1 && double(data.first()).is_some_and(|value| value.abs() < 1e9);
+            let is_plain = fits && value.get("unit").is_none_or(Json::is_null);
+            let is_port = self.ports.iter().filter(|known| *known == port).count() == 1;
+            (!is_plain || !is_port).then_some("a stimulus that does not fit its port")
+        })
+    }
+}
+
+fn is_whole(value: f64) -> bool {
+    value.fract() == 0.0
+}
+
+fn is_dyadic(value: f64) -> bool {
+    (value * 1024.0).fract() == 0.0
+}
+
+/// Whether other thresholds, by less than the tolerance, give other replies.
+fn differs_by_rounding(args: &Tree, result: &Tree) -> bool {
+    [1.0 - 1e-12, 1.0 + 1e-12].into_iter().any(|by| {
+        let mut other = args.clone();
+        let requests = items(args.get("requests")).iter().map(|request| moved(request, by)).collect();
+        set(&mut other, "requests", list(requests));
+        match specification(Call::SessionRun, &other.to_string()) {
+            Answer::Result(moved) => Json::parse(&moved).is_ok_and(|moved| shape(&moved) != shape(result)),
+            _ => true,
+        }
+    })
+}
+
+/// A request whose network has another threshold.
+fn moved(request: &Tree, by: f64) -> Tree {
+    let parsed = request.as_str().and_then(|text| Json::parse(text).ok());
+    let Some(asked) = parsed.filter(|asked| asked.get("kind").and_then(Json::as_str) == Some("open_session")) else {
+        return request.clone();
+    };
+    let mut asked = own(&asked);
+    let Some(mut network) = asked.get("network").filter(|n| string(n, "ref") == Some("ncp.reference.lif")).cloned()
+    else {
+        return request.clone();
+    };
+    let mut params = network.get("params").cloned().unwrap_or_else(|| object([]));
+    let threshold = double(params.get("V_th")).unwrap_or(-55.0);
+    set(&mut params, "V_th", spelled(threshold * by));
+    set(&mut network, "params", params);
+    set(&mut asked, "network", network);
+    text(asked.to_string())
+}
+
+/// Of replies, what roundings of numbers do not touch: how long each is in lines of its JSON.
+fn shape(result: &Json<'_>) -> Vec<(String, usize)> {
+    items(result.get("replies"))
+        .iter()
+        .map(|reply| {
+            let parsed = reply.as_str().and_then(|text| Json::parse(text).ok());
+            let count = parsed.as_ref().map_or(0, |reply| reply.to_string().matches(',').count());
+            let times = parsed.as_ref().and_then(|reply| reply.get("records")).map(|records| {
+                let spikes =
+                    members(Some(records)).iter().map(|(_, record)| record.get("times").map(ToString::to_string));
+                spikes.flatten().collect::<Vec<_>>().join(";")
+            });
+            (times.unwrap_or_default(), count)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_that_the_text_describes_is_told_from_others() {
+        let open = |params: &str, dt: &str| {
+            let asked = format!(
+                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
+                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"pop":1}},"params":{params}}},"sim":{{"dt_ms":{dt}}}}}"#
+            );
+            Session::read(&own(&Json::parse(&asked).unwrap())).is_some()
+        };
+        assert!(open("{}", "1.0"));
+        assert!(!open(r#"{"tau":1.0}"#, "1.0"));
+        assert!(!open(r#"{"t_ref":1.5}"#, "1.0"));
+        assert!(!open(r#"{"V_reset":-50.0}"#, "1.0"));
+        assert!(!open("{}", "0.3"));
+    }
+}

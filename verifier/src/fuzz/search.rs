@@ -1,0 +1,800 @@
+//! The search itself: rounds of inputs, those that reach something new kept, disagreements judged, shrunk, grouped.
+//!
+//! A round is drawn from what was kept before it, and its results are taken in the order of its inputs. So what is found
+//! depends on the seed alone, and not on how many threads work or how fast.
+
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use ncp_peer_rust::Answer;
+use ncp_text::catalogue::{Level, Role};
+
+use super::asker::{Asker, Fault, Patience, Said};
+use super::court::{self, Court, CourtError, Question};
+use super::coverage::{Coverage, Reached, reached};
+use super::draw::Draw;
+use super::generate::{self, Input, Menu, body, mutate};
+use super::harvest::Harvest;
+use super::known;
+use super::oracle::{self, Verdict, agree};
+use super::rules::{Decided, Rules};
+use super::shrink::shrink;
+use super::tree::{Tree, text};
+use crate::check::{Differences, Judgement, Manner};
+use crate::peer::{Call, Connection, Description, Launch, Reply, StartError, excerpt};
+use crate::stop::Stop;
+use crate::suite::{Pattern, Suite};
+
+/// How many inputs a round has.
+const ROUND: usize = 1024;
+/// How many of them a worker takes at a time.
+const CHUNK: usize = 32;
+/// How many inputs of a call are kept.
+const KEPT: usize = 400;
+/// How many disagreements that look alike are shrunk; of more, each that doubles their number.
+const SHRUNK_ALIKE: u64 = 4;
+/// How many disagreements of a call are judged in one round.
+const JUDGED: usize = 256;
+/// After so many faults a peer is given up.
+const MOST_FAULTS: usize = 60;
+/// How much of an answer is shown.
+const SHOWN: usize = 4000;
+
+/// How long to go on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// So long.
+    Time(Duration),
+    /// So many inputs.
+    Cases(u64),
+}
+
+/// By what a peer is searched.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    /// How long.
+    pub extent: Extent,
+    /// What everything that is drawn begins with.
+    pub seed: u64,
+    /// How many processes of the peer work side by side.
+    pub jobs: usize,
+    /// Only these calls, unless there is none.
+    pub patterns: Vec<Pattern>,
+    /// Up to which level.
+    pub level: Level,
+    /// As these roles.
+    pub roles: Vec<Role>,
+    /// How long the peer may be silent while a request is in flight.
+    pub timeout: Duration,
+    /// How long until the first answer of a process.
+    pub start_timeout: Duration,
+    /// How many bytes of memory a process of it may hold.
+    pub memory: u64,
+    /// How often an input is tried on the way to the smallest.
+    pub tries: usize,
+    /// What the peer's own sources hold.
+    pub harvest: Harvest,
+    /// How many steps every trace has; none: drawn for each.
+    pub length: Option<usize>,
+}
+
+/// A disagreement, shrunk.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// The smallest input that shows it.
+    pub input: Input,
+    /// What had to come, in the form of the vector files.
+    pub expect: Tree,
+    /// What the specification says.
+    pub specification: String,
+    /// What the peer says.
+    pub answer: String,
+    /// Where and how they differ.
+    pub differences: Differences,
+}
+
+/// What was found, once for all inputs that show the same.
+#[derive(Debug, Clone)]
+pub struct Finding {
+    /// In a word: `value`, `refusal`, `order`, `crash`, `hang`, `memory` or `protocol`.
+    pub kind: &'static str,
+    /// Where the answers differ, with a star for each number.
+    pub place: String,
+    /// The rule that decides it, if one is known.
+    pub decided: Option<Decided>,
+    /// The role as which it is asked.
+    pub role: Role,
+    /// The smallest input.
+    pub found: Found,
+    /// What was seen of a process that broke off.
+    pub fault: Option<Fault>,
+    /// How many inputs showed the like.
+    pub times: u64,
+    /// The number of the first of them.
+    pub first: u64,
+    /// How many steps that one had, and how many are left.
+    pub steps: (usize, usize),
+}
+
+/// What a search leaves.
+#[derive(Debug)]
+pub struct Tested {
+    /// What the peer says about itself.
+    pub description: Description,
+    /// How many inputs were asked.
+    pub inputs: u64,
+    /// How many steps they had.
+    pub steps: u64,
+    /// How long it took.
+    pub elapsed: Duration,
+    /// How many disagreements the text lets be, by why it does.
+    pub open: BTreeMap<&'static str, u64>,
+    /// How many are by a known defect of the specification, by what is known.
+    pub known: BTreeMap<&'static str, u64>,
+    /// How many the judge lets be, since the answer is one of several.
+    pub allowed: u64,
+    /// How often a call was answered `unsupported`.
+    pub unsupported: BTreeMap<&'static str, u64>,
+    /// How many processes ended in a fault.
+    pub faults: usize,
+    /// Why the peer was given up, if it was.
+    pub given_up: Option<String>,
+    /// What was found, in the order of the first inputs.
+    pub findings: Vec<Finding>,
+    /// What was reached.
+    pub coverage: Coverage,
+    /// Whether there was no call to ask.
+    pub nothing_asked: bool,
+}
+
+/// What ends a search.
+#[derive(Debug, thiserror::Error)]
+pub enum FuzzError {
+    /// The peer does not start.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// A disagreement cannot be judged.
+    #[error(transparent)]
+    Court(#[from] CourtError),
+}
+
+/// Listens to a search.
+pub trait Listener: Sync {
+    /// So many inputs more were asked.
+    fn asked(&self, inputs: u64);
+    /// Something was found: the call, and the rule or the fault.
+    fn found(&self, call: &str, what: &str);
+}
+
+/// An input that is to be asked.
+#[derive(Debug)]
+struct Task {
+    number: u64,
+    input: Input,
+}
+
+/// What became of it.
+struct Done {
+    number: u64,
+    input: Option<Input>,
+    call: Call,
+    reached: Reached,
+    parted: Option<Parted>,
+}
+
+/// An answer that is not the specification's.
+struct Parted {
+    spec: Answer,
+    said: Said,
+}
+
+/// What a disagreement looks like before it is shrunk: the call and its kind, how and where the answers differ.
+type Look = (Call, String, &'static str, String);
+
+/// Searches a peer whose first process has described itself.
+///
+/// # Errors
+/// The peer can no longer be started, or what was found cannot be judged.
+pub fn fuzz(
+    launch: &Launch,
+    first: Connection,
+    description: Description,
+    suite: &Suite,
+    settings: &Settings,
+    listener: &dyn Listener,
+    stop: &Stop,
+) -> Result<Tested, FuzzError> {
+    let claimed = Role::ALL.into_iter().filter(|role| description.roles.iter().any(|name| name == role.as_str()));
+    let roles: Vec<Role> = if settings.roles.is_empty() { claimed.collect() } else { settings.roles.clone() };
+    let menu = super::menu(&roles, settings.level, description.reference_networks, &settings.patterns);
+    let patience = Patience { silence: settings.timeout, start: settings.start_timeout, memory: settings.memory };
+    let mut first = Some(first);
+    let askers = (0..settings.jobs.max(1)).map(|_| Asker::new(launch, patience.clone(), stop, first.take())).collect();
+    let mut search = Search {
+        settings,
+        menu,
+        roles,
+        stop,
+        listener,
+        rules: Rules::new(suite),
+        court: Court::open()?,
+        kept: BTreeMap::new(),
+        looks: BTreeMap::new(),
+        askers,
+        tested: Tested {
+            description,
+            inputs: 0,
+            steps: 0,
+            elapsed: Duration::ZERO,
+            open: BTreeMap::new(),
+            known: BTreeMap::new(),
+            allowed: 0,
+            unsupported: BTreeMap::new(),
+            faults: 0,
+            given_up: None,
+            findings: Vec::new(),
+            coverage: Coverage::default(),
+            nothing_asked: false,
+        },
+    };
+    search.run()?;
+    Ok(search.tested)
+}
+
+struct Search<'s> {
+    settings: &'s Settings,
+    menu: Menu,
+    roles: Vec<Role>,
+    stop: &'s Stop,
+    listener: &'s dyn Listener,
+    rules: Rules<'s>,
+    court: Court,
+    /// Inputs whose answers reached something new, by call.
+    kept: BTreeMap<Call, Vec<Input>>,
+    /// For each look of a disagreement, how many had it, and which finding it is.
+    looks: BTreeMap<Look, (u64, Option<usize>)>,
+    askers: Vec<Asker<'s>>,
+    tested: Tested,
+}
+
+impl Search<'_> {
+    fn run(&mut self) -> Result<(), FuzzError> {
+        let started = Instant::now();
+        if self.menu.calls.is_empty() {
+            self.tested.nothing_asked = true;
+            return Ok(());
+        }
+        while !self.stop.is_set() && self.tested.given_up.is_none() {
+            let left = match self.settings.extent {
+                Extent::Time(time) if started.elapsed() >= time => break,
+                Extent::Time(_) => ROUND,
+                Extent::Cases(cases) => {
+                    usize::try_from(cases - self.tested.inputs.min(cases)).unwrap_or(ROUND).min(ROUND)
+                }
+            };
+            if left == 0 {
+                break;
+            }
+            let until = match self.settings.extent {
+                Extent::Time(time) => Some(started + time),
+                Extent::Cases(_) => None,
+            };
+            let done = self.round(left, until)?;
+            self.take(done)?;
+            self.tested.elapsed = started.elapsed();
+        }
+        self.tested.elapsed = started.elapsed();
+        self.tested.faults = self.askers.iter().map(|asker| asker.faults).sum();
+        self.askers.iter_mut().for_each(Asker::end_in_peace);
+        Ok(())
+    }
+
+    /// Asks one round of inputs.
+    fn round(&mut self, count: usize, until: Option<Instant>) -> Result<Vec<Done>, FuzzError> {
+        let first = self.tested.inputs;
+        let (menu, kept, settings) = (&self.menu, &self.kept, self.settings);
+        let known = &self.tested.coverage.keys;
+        let next = AtomicUsize::new(0);
+        let (stop, listener) = (self.stop, self.listener);
+        let results: Mutex<Vec<Done>> = Mutex::new(Vec::new());
+        let failed: Mutex<Option<StartError>> = Mutex::new(None);
+        let work = |asker: &mut Asker<'_>| {
+            loop {
+                let from = next.fetch_add(CHUNK, Ordering::Relaxed);
+                let is_late = until.is_some_and(|until| Instant::now() >= until);
+                if from >= count || is_late || stop.is_set() || asker.faults >= MOST_FAULTS {
+                    return;
+                }
+                let numbers = (from..(from + CHUNK).min(count)).map(|nth| first + nth as u64);
+                let tasks: Vec<Task> = numbers
+                    .filter_map(|number| Some(Task { number, input: draw_input(menu, kept, settings, number)? }))
+                    .collect();
+                match ask(asker, tasks, known) {
+                    Ok(mut done) => {
+                        listener.asked(done.len() as u64);
+                        results.lock().unwrap_or_else(PoisonError::into_inner).append(&mut done);
+                    }
+                    Err(error) => {
+                        failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                        return;
+                    }
+                }
+            }
+        };
+        if let [asker] = self.askers.as_mut_slice() {
+            work(asker);
+        } else {
+            thread::scope(|scope| {
+                for asker in &mut self.askers {
+                    scope.spawn(|| work(asker));
+                }
+            });
+        }
+        match failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            None | Some(StartError::Interrupted) => {}
+            Some(error) if self.tested.inputs == 0 => return Err(error.into()),
+            Some(error) => self.tested.given_up = Some(error.to_string()),
+        }
+        if self.askers.iter().any(|asker| asker.faults >= MOST_FAULTS) {
+            self.tested.given_up = Some(format!("{MOST_FAULTS} of its processes ended in a fault"));
+        }
+        let mut done = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+        done.sort_by_key(|done| done.number);
+        Ok(done)
+    }
+
+    /// Takes the results of a round, in the order of its inputs.
+    fn take(&mut self, done: Vec<Done>) -> Result<(), FuzzError> {
+        let mut parted = Vec::new();
+        for done in done {
+            self.tested.inputs += 1;
+            self.tested.steps += done.reached.length as u64;
+            let is_new = self.tested.coverage.count(done.call, &done.reached);
+            let Some(input) = done.input else { continue };
+            if is_new && done.reached.length <= 400 {
+                let kept = self.kept.entry(done.call).or_default();
+                if kept.len() < KEPT {
+                    kept.push(input.clone());
+                } else {
+                    // The oldest make room, by a rule that no clock disturbs.
+                    let place = usize::try_from(done.number).unwrap_or(0) % KEPT;
+                    kept[place] = input.clone();
+                }
+            }
+            if let Some(what) = done.parted {
+                parted.push((done.number, input, what));
+            }
+        }
+        self.judge(parted)
+    }
+
+    /// Judges what parted, all of a round at once.
+    fn judge(&mut self, parted: Vec<(u64, Input, Parted)>) -> Result<(), FuzzError> {
+        let mut asked = Vec::new();
+        let mut judged: BTreeMap<Call, usize> = BTreeMap::new();
+        for (number, input, what) in parted {
+            if let Said::Fault(fault) = &what.said {
+                if code_of(&what.spec) != Some("internal") {
+                    self.broke_off(number, &input, fault)?;
+                }
+                continue;
+            }
+            let Said::Line(line) = what.said else { continue };
+            let reply = Reply::parse(&line);
+            let said = reply.as_ref().ok().map(|reply| &reply.answer);
+            if matches!(said, Some(crate::peer::Answer::Unsupported)) {
+                *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1;
+                continue;
+            }
+            if let Some(known) = known::of(&input) {
+                *self.tested.known.entry(known).or_default() += 1;
+                continue;
+            }
+            // A peer that is always wrong is not judged for ever.
+            let count = judged.entry(input.call).or_default();
+            *count += 1;
+            if *count > JUDGED {
+                continue;
+            }
+            match oracle::expectation(&input, &what.spec, said) {
+                Verdict::Open(why) => *self.tested.open.entry(why).or_default() += 1,
+                Verdict::Expect(expect) => asked.push((number, input, expect, line, what.spec)),
+            }
+        }
+        let mut questions = Vec::new();
+        for (_, input, expect, line, _) in &asked {
+            if let Some((rule, role)) = self.rules.any(input.call, &self.roles, self.settings.level) {
+                let question = Question { call: input.call, args: &input.args, expect, rules: vec![rule], role };
+                questions.push((question, line.as_slice()));
+            }
+        }
+        if questions.len() != asked.len() {
+            return Ok(());
+        }
+        let judgements = self.court.judge(&questions)?;
+        for ((number, input, _, line, spec), judgement) in asked.into_iter().zip(judgements) {
+            match judgement {
+                Judgement::Pass { .. } => self.tested.allowed += 1,
+                Judgement::Unsupported { .. } => {
+                    *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1;
+                }
+                Judgement::Fail(differences) => self.differs(number, &input, &spec, &line, &differences)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a disagreement of this look is still to be shrunk; it counts for its finding otherwise.
+    fn is_fresh(&mut self, look: &Look) -> bool {
+        let (seen, finding) = self.looks.entry(look.clone()).or_default();
+        *seen += 1;
+        // Another defect may look the same.
+        if *seen <= SHRUNK_ALIKE || seen.is_power_of_two() {
+            return true;
+        }
+        if let Some(known) = finding.and_then(|place| self.tested.findings.get_mut(place)) {
+            known.times += 1;
+        }
+        false
+    }
+
+    fn differs(
+        &mut self,
+        number: u64,
+        input: &Input,
+        spec: &Answer,
+        line: &[u8],
+        differences: &Differences,
+    ) -> Result<(), FuzzError> {
+        let look = (input.call, hint_of(&input.args), kind_of(differences), in_short(differences));
+        if !self.is_fresh(&look) {
+            return Ok(());
+        }
+        let Some((rule, role)) = self.rules.any(input.call, &self.roles, self.settings.level) else { return Ok(()) };
+        let mut best = Found {
+            input: input.clone(),
+            expect: Tree::Null,
+            specification: shown(spec),
+            answer: excerpt(line, SHOWN),
+            differences: differences.clone(),
+        };
+        let (wanted, call) = (kind_of(differences), input.call);
+        let [asker, ..] = self.askers.as_mut_slice() else { return Ok(()) };
+        let (court, stop) = (&self.court, self.stop);
+        let mut trouble = None;
+        let mut look_at = |args: &Tree, best: &mut Found| -> Result<bool, FuzzError> {
+            let Some((candidate, found)) = disagreement(asker, court, call, args, &rule, role)? else {
+                return Ok(false);
+            };
+            let same = kind_of(&found) == wanted;
+            if same {
+                *best = candidate;
+            }
+            Ok(same)
+        };
+        // What does not show again was of the process and not of the input.
+        let repeats = look_at(&input.args, &mut best)?;
+        let mut args = input.args.clone();
+        if repeats {
+            shrink(&mut args, self.settings.tries, |args| {
+                if stop.is_set() || trouble.is_some() {
+                    return false;
+                }
+                look_at(args, &mut best).unwrap_or_else(|error| {
+                    trouble = Some(error);
+                    false
+                })
+            });
+        }
+        if let Some(error) = trouble {
+            return Err(error);
+        }
+        if best.expect == Tree::Null
+            && let Verdict::Expect(expect) = oracle::expectation(input, spec, None)
+        {
+            best.expect = expect;
+        }
+        let steps = (length(&input.args), length(&best.input.args));
+        self.report(number, best, None, steps, &look);
+        Ok(())
+    }
+
+    fn broke_off(&mut self, number: u64, input: &Input, fault: &Fault) -> Result<(), FuzzError> {
+        let look = (input.call, hint_of(&input.args), fault.kind, fault.what.clone());
+        if !self.is_fresh(&look) {
+            return Ok(());
+        }
+        let call = input.call;
+        let mut args = input.args.clone();
+        let mut last = fault.clone();
+        // Each try of a hang costs all of the patience.
+        let tries = match fault.kind {
+            "hang" => 12,
+            "memory" => 30,
+            _ => self.settings.tries.min(150),
+        };
+        let [asker, ..] = self.askers.as_mut_slice() else { return Ok(()) };
+        let (before, stop) = (asker.faults, self.stop);
+        let mut trouble = None;
+        shrink(&mut args, tries, |args| {
+            if stop.is_set() || trouble.is_some() {
+                return false;
+            }
+            let written = args.to_string();
+            if code_of(&oracle::specification(call, &written)) == Some("internal") {
+                return false;
+            }
+            match asker.ask(&body(call, &written)) {
+                Ok(Said::Fault(found)) if found.kind == fault.kind => {
+                    last = found;
+                    true
+                }
+                Ok(_) => false,
+                Err(error) => {
+                    trouble = Some(error);
+                    false
+                }
+            }
+        });
+        // Those of shrinking are our doing.
+        asker.faults = before;
+        let smallest = Input { call, args };
+        let answer = oracle::specification(call, &smallest.args.to_string());
+        let expect = match oracle::expectation(&smallest, &answer, None) {
+            Verdict::Expect(expect) => expect,
+            Verdict::Open(_) => super::tree::object([("accept", crate::json::Json::Bool(true))]),
+        };
+        let steps = (length(&input.args), length(&smallest.args));
+        let found = Found {
+            input: smallest,
+            expect,
+            specification: shown(&answer),
+            answer: format!("it {}", last.what),
+            differences: Differences::default(),
+        };
+        self.report(number, found, Some(last), steps, &look);
+        trouble.map_or(Ok(()), |error| Err(error.into()))
+    }
+
+    /// Adds a finding, unless it is one that is known.
+    fn report(&mut self, number: u64, found: Found, fault: Option<Fault>, steps: (usize, usize), look: &Look) {
+        let kind = fault.as_ref().map_or_else(|| kind_of(&found.differences), |fault| fault.kind);
+        let place = starred(&found.differences.place);
+        let rejects = found.expect.get("reject").is_some();
+        let (call, level) = (found.input.call, self.settings.level);
+        let decided = self.rules.decide(call, &found.input.args, rejects, &found.differences.place, &self.roles, level);
+        let (decided, role) = match decided {
+            Some((decided, role)) => (Some(decided), role),
+            None => (None, self.roles.first().copied().unwrap_or(Role::Commander)),
+        };
+        let same = |known: &Finding| {
+            known.found.input.call == call
+                && known.kind == kind
+                && known.place == place
+                && known.decided.as_ref().map(|d| &d.rule) == decided.as_ref().map(|d| &d.rule)
+        };
+        let at = self.tested.findings.iter().position(same);
+        let at = match at {
+            Some(at) => {
+                let known = &mut self.tested.findings[at];
+                known.times += 1;
+                // The smaller one says more.
+                if found.input.args.to_string().len() < known.found.input.args.to_string().len() {
+                    (known.found, known.fault, known.steps, known.first) = (found, fault, steps, number);
+                }
+                at
+            }
+            None => {
+                let rule = decided.as_ref().map_or("no rule that is known", |decided| decided.rule.as_str());
+                self.listener.found(call.as_str(), &format!("{kind}, {rule}"));
+                let finding = Finding { kind, place, decided, role, found, fault, times: 1, first: number, steps };
+                self.tested.findings.push(finding);
+                self.tested.findings.len() - 1
+            }
+        };
+        if let Some((_, finding)) = self.looks.get_mut(look) {
+            *finding = Some(at);
+        }
+    }
+}
+
+/// The input of this number: drawn anew, or one that was kept, changed.
+fn draw_input(menu: &Menu, kept: &BTreeMap<Call, Vec<Input>>, settings: &Settings, number: u64) -> Option<Input> {
+    let mut draw = Draw::new(settings.seed, number, &settings.harvest).with_length(settings.length);
+    let call = generate::call(menu, &mut draw)?;
+    let others = kept.get(&call).map_or(&[][..], Vec::as_slice);
+    // A trace that was changed may have another length.
+    if others.len() < 4 || settings.length.is_some() || !draw.chance(30) {
+        return Some(Input { call, args: generate::args(call, menu, &mut draw)? });
+    }
+    let (one, other) = (draw.below(others.len()), draw.below(others.len()));
+    Some(mutate(&others[one], others.get(other), &mut draw))
+}
+
+/// Asks inputs of the peer, and meanwhile of the specification.
+fn ask(asker: &mut Asker<'_>, tasks: Vec<Task>, known: &HashSet<u64>) -> Result<Vec<Done>, StartError> {
+    let written: Vec<String> = tasks.iter().map(|task| task.input.args.to_string()).collect();
+    let bodies: Vec<String> = tasks.iter().zip(&written).map(|(task, args)| body(task.input.call, args)).collect();
+    let flight = asker.begin(&bodies)?;
+    let answers: Vec<Answer> =
+        tasks.iter().zip(&written).map(|(task, args)| oracle::specification(task.input.call, args)).collect();
+    let said = flight.finish(asker, &bodies)?;
+    let done = tasks.into_iter().zip(answers).zip(said).zip(&bodies).map(|(((task, spec), said), body)| {
+        let Task { number, input } = task;
+        let call = input.call;
+        let reached = reached(&input, body.len(), &spec);
+        let parts = !matches!(said, Said::Nothing) && code_of(&spec) != Some("internal") && parts(call, &spec, &said);
+        let is_new = reached.keys.iter().any(|key| !known.contains(key));
+        let parted = parts.then_some(Parted { spec, said });
+        let input = (is_new || parted.is_some()).then_some(input);
+        Done { number, input, call, reached, parted }
+    });
+    Ok(done.collect())
+}
+
+/// Whether an answer is not surely the specification's.
+fn parts(call: Call, spec: &Answer, said: &Said) -> bool {
+    let Said::Line(line) = said else { return true };
+    if let (Answer::Result(result), Some(at)) = (spec, line.iter().position(|byte| *byte == b',')) {
+        let rest = &line[at + 1..];
+        let same = rest.strip_prefix(b"\"result\":").and_then(|rest| rest.strip_suffix(b"}"));
+        if same == Some(result.as_bytes()) {
+            return false;
+        }
+    }
+    match Reply::parse(line) {
+        Ok(reply) => !agree(call, spec, &reply.answer),
+        Err(_) => true,
+    }
+}
+
+/// The disagreement that these arguments show, if they show one.
+fn disagreement(
+    asker: &mut Asker<'_>,
+    court: &Court,
+    call: Call,
+    args: &Tree,
+    rule: &str,
+    role: Role,
+) -> Result<Option<(Found, Differences)>, FuzzError> {
+    let written = args.to_string();
+    let spec = oracle::specification(call, &written);
+    let Said::Line(line) = asker.ask(&body(call, &written))? else { return Ok(None) };
+    let input = Input { call, args: args.clone() };
+    let is_question = code_of(&spec) != Some("internal") && known::of(&input).is_none();
+    if !is_question || !parts(call, &spec, &Said::Line(line.clone())) {
+        return Ok(None);
+    }
+    let reply = Reply::parse(&line);
+    let Verdict::Expect(expect) = oracle::expectation(&input, &spec, reply.as_ref().ok().map(|reply| &reply.answer))
+    else {
+        return Ok(None);
+    };
+    let question = Question { call, args, expect: &expect, rules: vec![rule.to_owned()], role };
+    let judged = court.judge(&[(question, line.as_slice())]);
+    // On the way to the smallest, an input may be none that a file can hold.
+    let judgement = judged.ok().and_then(|judgements| judgements.into_iter().next());
+    let Some(Judgement::Fail(differences)) = judgement else { return Ok(None) };
+    let (specification, answer) = (shown(&spec), excerpt(&line, SHOWN));
+    let found = Found { input, expect, specification, answer, differences: differences.clone() };
+    Ok(Some((found, differences)))
+}
+
+fn code_of(answer: &Answer) -> Option<&str> {
+    match answer {
+        Answer::Error { code, .. } => Some(code),
+        _ => None,
+    }
+}
+
+fn shown(answer: &Answer) -> String {
+    match answer {
+        Answer::Result(result) => excerpt(result.as_bytes(), SHOWN),
+        Answer::Error { code, message } => format!("the error `{code}`, {}", excerpt(message.as_bytes(), 400)),
+        Answer::Unsupported => "unsupported".to_owned(),
+    }
+}
+
+fn kind_of(differences: &Differences) -> &'static str {
+    match differences.manner {
+        Manner::Value => "value",
+        Manner::Refusal => "refusal",
+        Manner::Order => "order",
+        Manner::Crash => "crash",
+    }
+}
+
+/// A place with a star for each number.
+fn starred(place: &str) -> String {
+    let token = |token: &str| {
+        if token.bytes().all(|b| b.is_ascii_digit()) && !token.is_empty() { "*".to_owned() } else { token.to_owned() }
+    };
+    place.split('/').map(token).collect::<Vec<_>>().join("/")
+}
+
+/// Where answers differ first, and words that are there in place of each other, such as modes.
+fn in_short(differences: &Differences) -> String {
+    let word = |value: &Option<String>| match value.as_deref() {
+        Some(word) if word.len() <= 12 && !word.bytes().any(|b| b.is_ascii_digit()) => word.to_owned(),
+        Some(_) => "…".to_owned(),
+        None => "nothing".to_owned(),
+    };
+    let first = differences.first.first();
+    let words = first.map(|first| format!(" {} {}", word(&first.expected), word(&first.got))).unwrap_or_default();
+    format!("{}{words}", starred(&differences.place))
+}
+
+/// What tells inputs of a call apart that are about different things.
+fn hint_of(args: &Tree) -> String {
+    let hint = ["kind", "key", "plane"].into_iter().find_map(|name| super::tree::string(args, name));
+    hint.unwrap_or_default().to_owned()
+}
+
+fn length(args: &Tree) -> usize {
+    let steps = super::tree::items(args.get("steps")).len();
+    steps + super::tree::items(args.get("requests")).len()
+}
+
+/// Writes the findings as a vector file that `run --vectors` reads. The file.
+///
+/// # Errors
+/// It cannot be written.
+pub fn save(folder: &Path, peer: &str, seed: u64, findings: &[Finding]) -> Result<PathBuf, CourtError> {
+    let plain = |c: char| if c.is_ascii_lowercase() || c.is_ascii_digit() { c } else { '-' };
+    let name: String = peer.to_ascii_lowercase().chars().map(plain).take(40).collect();
+    let cases = findings.iter().enumerate().map(|(nth, finding)| {
+        let decided = finding.decided.as_ref();
+        let rules = decided.map(|decided| decided.rule.clone()).into_iter().collect();
+        let found = &finding.found;
+        let question = Question {
+            call: found.input.call,
+            args: &found.input.args,
+            expect: &found.expect,
+            rules,
+            role: finding.role,
+        };
+        let title = format!(
+            "A disagreement of {}, found as input {} of the seed {seed}.",
+            found.input.call.as_str(),
+            finding.first
+        );
+        let why = decided.map_or_else(|| "By the specification.".to_owned(), |decided| decided.sentence.clone());
+        let mut case = court::case(&question, "", &title, &why);
+        let id = format!("{}/{name}/{}-{nth}", court::AREA, found.input.call.as_str().replace('.', "-"));
+        super::tree::set(&mut case, "id", text(id));
+        case
+    });
+    let about = format!("What a search found of {peer}, by the seed {seed}.");
+    court::save(folder, &name, &about, cases.collect())
+}
+
+/// Asks so many inputs of the specification alone, twice, and says how many agree with themselves: for benchmarks.
+#[must_use]
+pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern], length: Option<usize>) -> u64 {
+    let menu = super::menu(&Role::ALL, Level::Strict, true, filter);
+    let settings = Settings {
+        extent: Extent::Cases(count),
+        seed,
+        jobs: 1,
+        patterns: Vec::new(),
+        level: Level::Strict,
+        roles: Vec::new(),
+        timeout: Duration::ZERO,
+        start_timeout: Duration::ZERO,
+        memory: 0,
+        tries: 0,
+        harvest: Harvest::default(),
+        length,
+    };
+    let kept = BTreeMap::new();
+    let agrees = |number: u64| {
+        let Some(input) = draw_input(&menu, &kept, &settings, number) else { return false };
+        let args = input.args.to_string();
+        oracle::specification(input.call, &args) == oracle::specification(input.call, &args)
+    };
+    (from..from + count).filter(|number| agrees(*number)).count() as u64
+}
