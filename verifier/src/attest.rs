@@ -7,7 +7,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use ed25519_compact::{KeyPair, Noise, PublicKey, SecretKey, Signature};
+use ed25519_compact::{KeyPair, PublicKey, SecretKey, Seed, Signature};
 use ncp_text::chapters::CHAPTERS;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -205,10 +205,15 @@ impl Artefact {
 }
 
 impl Key {
-    /// A new one.
-    #[must_use]
-    pub fn generate() -> Self {
-        Self(KeyPair::generate().sk)
+    /// A new one, from the randomness of the machine.
+    ///
+    /// # Errors
+    /// [`AttestError::Key`] if it has none.
+    pub fn generate() -> Result<Self, AttestError> {
+        let mut seed = [0; Seed::BYTES];
+        getrandom::fill(&mut seed).map_err(|error| AttestError::Key(error.to_string()))?;
+        let pair = KeyPair::try_from_seed(Seed::new(seed)).map_err(|error| AttestError::Key(error.to_string()))?;
+        Ok(Self(pair.sk))
     }
 
     /// Reads a private key in PEM (PKCS #8), as `openssl genpkey -algorithm ed25519` writes it.
@@ -285,7 +290,7 @@ pub fn seal(statement: &Statement, key: &Key) -> Result<String, AttestError> {
 /// # Errors
 /// If the envelope cannot be written as JSON, which does not occur.
 pub fn seal_bytes(payload: &[u8], key: &Key) -> Result<String, AttestError> {
-    let signature = key.0.sign(authenticated(PAYLOAD, payload), Some(Noise::generate()));
+    let signature = key.0.sign(authenticated(PAYLOAD, payload), None);
     let envelope = Envelope {
         payload_type: PAYLOAD.to_owned(),
         payload: STANDARD.encode(payload),

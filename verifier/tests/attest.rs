@@ -85,7 +85,7 @@ fn tampered(value: &Value) -> Vec<(String, Value)> {
 #[test]
 fn an_envelope_or_a_statement_that_was_changed_anywhere_is_refused() {
     let suite = Suite::load(Path::new(VECTORS)).unwrap();
-    let key = Key::generate();
+    let key = Key::generate().unwrap();
     for mode in ["wrong-answer", "die-on-target"] {
         let sealed = seal(&statement(mode, &suite), &key).unwrap();
         open(&sealed, &key.public(), &suite).unwrap();
@@ -160,7 +160,7 @@ fn is_observed(place: &str) -> bool {
 #[test]
 fn a_result_whose_verdict_does_not_follow_is_refused_whoever_signs_it() {
     let suite = Suite::load(Path::new(VECTORS)).unwrap();
-    let key = Key::generate();
+    let key = Key::generate().unwrap();
     for mode in ["wrong-answer", "die-on-target"] {
         let stated = serde_json::to_value(statement(mode, &suite)).unwrap();
         let (mut refused, mut believed) = (0, Vec::new());
@@ -191,7 +191,7 @@ fn a_result_whose_verdict_does_not_follow_is_refused_whoever_signs_it() {
 #[test]
 fn only_the_key_that_signed_opens_and_only_for_these_vectors() {
     let suite = Suite::load(Path::new(VECTORS)).unwrap();
-    let (key, other) = (Key::generate(), Key::generate());
+    let (key, other) = (Key::generate().unwrap(), Key::generate().unwrap());
     let sealed = seal(&statement("honest", &suite), &key).unwrap();
     assert!(matches!(open(&sealed, &other.public(), &suite), Err(AttestError::OtherKey(_))));
     let renamed = sealed.replace(&key.public().id(), &other.public().id());

@@ -113,7 +113,7 @@ fn new_key(file: &Path) -> Result<Exit, CliError> {
     if file.exists() {
         return Err(CliError::Usage(format!("{} is there already", file.display())));
     }
-    let key = Key::generate();
+    let key = Key::generate()?;
     private(file, &key.to_pem())
         .map_err(|error| CliError::Harness(format!("{} cannot be written: {error}", file.display())))?;
     let mut public = file.as_os_str().to_owned();
