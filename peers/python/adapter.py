@@ -512,7 +512,7 @@ def codec_in(codec):
             filled[name] = [double_in(end) for end in filled[name]]
         return filled
 
-    return {side: [mapping(given) for given in codec[side]] for side in ("encoders", "decoders")}
+    return {side: [mapping(given) for given in codec.get(side) or []] for side in ("encoders", "decoders")}
 
 
 def published(codec):
@@ -528,8 +528,8 @@ def published(codec):
 
     return {
         "codec_id": "ncp.codec.rate.v0",
-        "encoder": [mapping(given, "channel") for given in codec["encoders"]],
-        "decoder": [mapping(given, "command_channel") for given in codec["decoders"]],
+        "encoder": [mapping(given, "channel") for given in codec.get("encoders") or []],
+        "decoder": [mapping(given, "command_channel") for given in codec.get("decoders") or []],
     }
 
 

@@ -76,9 +76,9 @@ pub(crate) fn expressible(object: Raw<'_>) -> Result<BTreeMap<String, Raw<'_>>, 
 pub(crate) fn codec(codec: Raw<'_>) -> Result<String, CallError> {
     #[derive(serde::Deserialize)]
     struct Codec<'a> {
-        #[serde(borrow)]
+        #[serde(borrow, default)]
         encoders: Vec<Mapping<'a>>,
-        #[serde(borrow)]
+        #[serde(borrow, default)]
         decoders: Vec<Mapping<'a>>,
     }
 
