@@ -1,8 +1,8 @@
 //! A run as it goes on, on disk, so that one that was killed is taken up where it ended.
 //!
 //! The [`Journal`] is a file beside the result, of one JSON object a line: first what the run is, then for each peer
-//! how it described itself and what became of its cases. What was judged is in the file before more is read from the peer,
-//! so that a `kill -9` loses at most the cases in flight. A journal of another run is never taken up.
+//! how it described itself and what became of its cases. What was judged is in the file before more is read from the
+//! peer, so that a `kill -9` loses at most the cases in flight. A journal of another run is never taken up.
 
 use std::collections::{BTreeSet, HashMap};
 use std::fs::{self, File, OpenOptions};

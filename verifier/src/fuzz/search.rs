@@ -1,7 +1,7 @@
 //! The search itself: rounds of inputs, those that reach something new kept, disagreements judged, shrunk, grouped.
 //!
-//! A round is drawn from what was kept before it, and its results are taken in the order of its inputs. So what is found
-//! depends on the seed alone, and not on how many threads work or how fast.
+//! A round is drawn from what was kept before it, and its results are taken in the order of its inputs. So what is
+//! found depends on the seed alone, and not on how many threads work or how fast.
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};

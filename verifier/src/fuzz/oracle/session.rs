@@ -313,7 +313,8 @@ mod tests {
         let open = |params: &str, dt: &str| {
             let asked = format!(
                 r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
-                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"pop":1}},"params":{params}}},"sim":{{"dt_ms":{dt}}}}}"#
+                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"pop":1}},"params":{params}}},
+                "sim":{{"dt_ms":{dt}}}}}"#
             );
             Session::read(&own(&Json::parse(&asked).unwrap())).is_some()
         };
