@@ -251,7 +251,9 @@ enum Preset {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Own {
+    #[serde(default)]
     encoders: Vec<MappingText>,
+    #[serde(default)]
     decoders: Vec<MappingText>,
 }
 

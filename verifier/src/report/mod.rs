@@ -3,8 +3,8 @@
 //! [`Report`] is the one model of a result; it holds verdicts that were reached elsewhere. The renderers put it on a
 //! terminal ([`terminal`]) and into files of any [`Format`], first of all JSON by `schemas/result.schema.json`
 //! ([`Report::to_json`]), from which it is read again ([`Report::read`]); [`comparison`] shows what differs between two
-//! results, [`expected_list`] writes the list of known failures. [`Progress`] shows a run while it goes on. None of them
-//! computes a verdict.
+//! results, [`expected_list`] writes the list of known failures. [`Progress`] shows a run while it goes on. None of
+//! them computes a verdict.
 
 mod badge;
 mod comparison;
