@@ -64,6 +64,9 @@ fn every_property_names_rules_of_the_text() {
     }
 }
 
+/// Properties about many gates or ends at once, of which one defect breaks some.
+const IN_PARTS: [&str; 2] = ["latch/closed", "latch/replay"];
+
 #[test]
 fn every_family_has_five_broken_kernels_and_each_defect_a_property_and_its_rules() {
     let defects = defects().unwrap();
@@ -77,10 +80,13 @@ fn every_family_has_five_broken_kernels_and_each_defect_a_property_and_its_rules
         assert!(!defect.properties.is_empty(), "{}", defect.name);
         for id in &defect.properties {
             assert!(is_machine(id) || own(id).is_some(), "{}: {id}", defect.name);
-            // A defect need not break all that its property is about.
-            let is_shared = |rule: &&str| defect.rules.iter().any(|broken| broken == rule);
-            let shares = own(id).is_none_or(|property| property.rules.iter().any(is_shared));
-            assert!(shares, "{}: no rule of {id}", defect.name);
+            let Some(property) = own(id) else { continue };
+            let mut unbroken = property.rules.iter().filter(|rule| !defect.rules.iter().any(|broken| broken == *rule));
+            if IN_PARTS.contains(&property.id) {
+                assert!(unbroken.count() < property.rules.len(), "{}: no rule of {id}", defect.name);
+            } else {
+                assert_eq!(unbroken.next(), None, "{}: a rule of {id}", defect.name);
+            }
         }
     }
 }
