@@ -106,7 +106,14 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
     Artefact {
         name: "corpus",
         makes: &["vectors/corpus", CORPUS],
-        sources: &["vectors/src", "vectors/scenarios", "vectors/flags.toml", "vectors/findings.toml", "spec/text"],
+        sources: &[
+            "vectors/src",
+            "vectors/scenarios",
+            "vectors/findings.toml",
+            "vectors/flags.toml",
+            "vectors/foundations.toml",
+            "spec/text",
+        ],
         freshness: Freshness::Generated,
         command: GENERATE,
     },

@@ -13,6 +13,9 @@
 //! engines = ["symbolic"]                       # the engines that have to, if not all that know the property
 //! targets = ["governor_trace"]                 # the fuzz targets that have to find it
 //!
+//! [defect.also]                                # what else it breaks on the way, and how
+//! NCP-SAFE-005 = "The latch is not set."
+//!
 //! [[defect.edit]]
 //! file = "spec/kernel/src/decisions/gates.rs"  # from the root of the repository
 //! after = "let mode = plan.mode();"            # where the code stands twice: a text that stands once before it

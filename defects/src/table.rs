@@ -1,6 +1,6 @@
 //! The tables of defects: `<folder>/*.toml`.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -21,6 +21,9 @@ pub struct Defect {
     /// The rules that it breaks; whoever notices it has to name the first.
     #[serde(default)]
     pub rules: Vec<String>,
+    /// Further rules whose sentence it breaks on the way, and how: whoever names them blames it rightly.
+    #[serde(default)]
+    pub also: BTreeMap<String, String>,
     /// The properties that have to refute it.
     #[serde(default)]
     pub properties: Vec<String>,

@@ -198,6 +198,14 @@ impl Case {
         self
     }
 
+    /// What of the answer the first rule decides all the same, within what another decides.
+    pub(crate) fn by_own(mut self, place: impl Into<String>) -> Self {
+        if let Some(own) = self.requirements.first() {
+            self.by.insert(place.into(), own);
+        }
+        self
+    }
+
     /// The rules that decide the steps of a trace. Where none of them is the rule that the case is about, the model
     /// cannot tell what shows it: then it is the last step, and every other at which something simply moves.
     pub(crate) fn decided_by(self, steps: &[Option<&'static str>]) -> Self {

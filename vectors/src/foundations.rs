@@ -4,9 +4,73 @@
 //! nothing of its fence. So the plainest cases come first, and what is built on them rests on them.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use regex::Regex;
+use serde::Deserialize;
 
 use crate::case::{Case, File};
 use crate::json::Json;
+
+/// What else cases rest on, group by group: `foundations.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Foundations {
+    foundation: Vec<Foundation>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Foundation {
+    /// For those who read the file.
+    #[serde(rename = "why")]
+    _why: String,
+    lines: Vec<Line>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Line {
+    /// How the ids begin of the cases that it fits.
+    #[serde(deserialize_with = "beginning")]
+    ids: Regex,
+    /// How the ids begin of those that it fits not.
+    #[serde(default, deserialize_with = "some_beginning")]
+    but: Option<Regex>,
+    /// The ids of the cases beneath, with `${1}` for the first group of `ids`.
+    on: Vec<String>,
+}
+
+impl Line {
+    fn beneath(&self, id: &str) -> Vec<String> {
+        let expand = |groups: &regex::Captures<'_>| {
+            let ids = self.on.iter().map(|on| {
+                let mut id = String::new();
+                groups.expand(on, &mut id);
+                id
+            });
+            ids.collect()
+        };
+        let is_left_out = self.but.as_ref().is_some_and(|but| but.is_match(id));
+        self.ids.captures(id).filter(|_| !is_left_out).as_ref().map(expand).unwrap_or_default()
+    }
+}
+
+static FURTHER: LazyLock<Vec<Line>> = LazyLock::new(|| further().unwrap_or_default());
+
+fn further() -> Result<Vec<Line>, toml::de::Error> {
+    let file: Foundations = toml::from_str(include_str!("../foundations.toml"))?;
+    Ok(file.foundation.into_iter().flat_map(|group| group.lines).collect())
+}
+
+fn beginning<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Regex, D::Error> {
+    let pattern = String::deserialize(deserializer)?;
+    Regex::new(&format!("^(?:{pattern})")).map_err(serde::de::Error::custom)
+}
+
+fn some_beginning<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Regex>, D::Error> {
+    beginning(deserializer).map(Some)
+}
 
 /// What the cases rest on whose id begins so: the first line that fits. `{kind}` is the kind of the frame.
 const BENEATH: &[(&str, &[&str])] = &[
@@ -14,6 +78,10 @@ const BENEATH: &[(&str, &[&str])] = &[
     ("wire/encode_{kind}/plain", &[]),
     ("wire/encode_{kind}/string", &["wire/encode_{kind}/plain"]),
     ("wire/encode_{kind}/seq/zero", &["wire/encode_{kind}/plain"]),
+    ("wire/encode_link_status/last_seq/zero", &["wire/encode_{kind}/plain"]),
+    ("wire/encode_session_opened/resolved/zero", &["wire/encode_{kind}/plain"]),
+    ("wire/encode_open_session/sim/seed/zero", &["wire/encode_{kind}/plain"]),
+    ("wire/encode_capabilities/sensor_channels/size/zero", &["wire/encode_{kind}/plain"]),
     ("wire/encode_{kind}/explicit", &["wire/encode_{kind}/plain", "wire/encode_{kind}/seq/zero"]),
     ("wire/encode_{kind}/horizon/plain-maps", &["wire/encode_{kind}/plain"]),
     ("wire/encode_{kind}/horizon/", &["wire/encode_{kind}/explicit", "wire/encode_{kind}/horizon/plain-maps"]),
@@ -193,8 +261,11 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
     if id == named(OWN) {
         case = case.by("within", "NCP-WIRE-034");
     }
-    for on in beneath.into_iter().filter(|on| *on != id && ids.contains(on)) {
-        case = case.rests_on(on);
+    beneath.extend(FURTHER.iter().flat_map(|line| line.beneath(&id)));
+    for on in beneath {
+        if on != id && ids.contains(&on) && !case.rests_on.contains(&on) {
+            case = case.rests_on(on);
+        }
     }
     case
 }
@@ -203,15 +274,33 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
 mod tests {
     use serde_json::Value;
 
-    use super::BENEATH;
+    use super::{BENEATH, further};
+
+    fn ids() -> Vec<String> {
+        let files = crate::generate().unwrap().into_iter();
+        let cases = files.flat_map(|(_, text)| match serde_json::from_str::<Value>(&text).unwrap()["cases"].take() {
+            Value::Array(cases) => cases,
+            other => panic!("{other} is no list of cases"),
+        });
+        cases.map(|case| case["id"].as_str().unwrap().to_owned()).collect()
+    }
+
+    #[test]
+    fn each_line_of_the_file_fits_a_case_and_each_of_its_foundations_is_laid_beneath_one() {
+        let ids = ids();
+        let wrong = further().unwrap().into_iter().flat_map(|line| {
+            let laid: Vec<Vec<String>> = ids.iter().map(|id| line.beneath(id)).filter(|on| !on.is_empty()).collect();
+            let is_laid = |place: usize| laid.iter().any(|laid| ids.contains(&laid[place]));
+            let absent = line.on.iter().enumerate().filter(|(place, _)| !is_laid(*place));
+            absent.map(|(_, on)| format!("{}: {on}", line.ids)).collect::<Vec<_>>()
+        });
+        let wrong: Vec<String> = wrong.collect();
+        assert!(wrong.is_empty(), "no case, or none beneath:\n{}", wrong.join("\n"));
+    }
 
     #[test]
     fn each_line_fits_a_case_and_rests_on_cases_that_there_are() {
-        let mut ids = Vec::new();
-        for (_, text) in crate::generate().unwrap() {
-            let file: Value = serde_json::from_str(&text).unwrap();
-            ids.extend(file["cases"].as_array().unwrap().iter().map(|case| case["id"].as_str().unwrap().to_owned()));
-        }
+        let ids = ids();
         // What stands in braces is the kind or the key of the case.
         let plain = |id: &&str| !id.contains('{');
         for (begins, on) in BENEATH {

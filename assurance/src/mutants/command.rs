@@ -140,11 +140,12 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
     let remarks = report.remarks().into_iter().map(|remark| format!("{}\n", styles.out.red(&remark)));
     let line = format!(
         "{}: {} killed, of which {} by the rule that the verdict names first and {} by one of its first three; \
-         {} misnamed, {} survived, {} not finished",
+         {} with a rule blamed falsely, {} misnamed, {} survived, {} not finished",
         counted(report.mutants.len(), "mutant"),
         totals.killed,
         totals.named_first,
         totals.named_early,
+        totals.blamed,
         totals.misnamed,
         totals.survived,
         totals.unfinished

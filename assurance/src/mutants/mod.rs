@@ -20,6 +20,7 @@ pub(crate) mod trial;
 pub(crate) use report::MutantsReport;
 pub(crate) use trial::{Fate, Trial};
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -47,6 +48,9 @@ pub(crate) struct Mutant {
     pub(crate) finding: String,
     /// The rules that it breaks.
     pub(crate) rules: Vec<String>,
+    /// Further rules whose sentence it breaks, and how.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) also: BTreeMap<String, String>,
     /// How many of the rules, from the first, the suite must name: one for each defect.
     #[serde(skip)]
     owed: usize,
@@ -58,8 +62,8 @@ pub(crate) struct Mutant {
 impl Mutant {
     /// The peer with one defect.
     fn of(defect: &Defect) -> Self {
-        let Defect { name, about, finding, rules, .. } = defect.clone();
-        Self { defects: vec![name.clone()], name, about, finding, rules, owed: 1 }
+        let Defect { name, about, finding, rules, also, .. } = defect.clone();
+        Self { defects: vec![name.clone()], name, about, finding, rules, also, owed: 1 }
     }
 
     /// The peer with all defects of several.
@@ -76,9 +80,21 @@ impl Mutant {
             about: all(|one| &one.about, " "),
             finding: all(|one| &one.finding, " + "),
             owed: rules.len(),
+            also: mutants.iter().flat_map(Self::broken).map(|(rule, how)| (rule.to_owned(), how.to_owned())).collect(),
             rules,
             defects: mutants.iter().flat_map(|one| one.defects.clone()).collect(),
         }
+    }
+
+    /// The rules whose sentence it breaks, and how.
+    fn broken(&self) -> impl Iterator<Item = (&str, &str)> {
+        let listed = self.rules.iter().map(|rule| (rule.as_str(), self.about.as_str()));
+        listed.chain(self.also.iter().map(|(rule, how)| (rule.as_str(), how.as_str())))
+    }
+
+    /// Whether it breaks the sentence of this rule.
+    pub(crate) fn breaks(&self, rule: &str) -> bool {
+        self.broken().any(|(broken, _)| broken == rule)
     }
 
     /// The rules that the suite must name.
@@ -125,8 +141,8 @@ pub(crate) enum MutantsError {
 
 /// The mutants of the defects in a folder.
 fn list(defects: &[Defect], suite: &Suite) -> Result<Vec<Mutant>, MutantsError> {
-    for Defect { name, rules, .. } in defects {
-        let unknown = rules.iter().find(|rule| suite.requirement(rule).is_none());
+    for Defect { name, rules, also, .. } in defects {
+        let unknown = rules.iter().chain(also.keys()).find(|rule| suite.requirement(rule).is_none());
         if rules.is_empty() || unknown.is_some() {
             return Err(MutantsError::Rule { mutant: name.clone(), rule: unknown.cloned().unwrap_or_default() });
         }

@@ -34,10 +34,12 @@ pub(crate) struct MutantsReport {
 pub(crate) struct Totals {
     /// The suite fails them and names their rule.
     pub(crate) killed: usize,
-    /// Of those: the rule is the first that the verdict names.
+    /// Of those: the first rule that the verdict names is one that the defect is planted to break.
     pub(crate) named_first: usize,
     /// Of those: the rule is among the first three that the verdict names.
     pub(crate) named_early: usize,
+    /// The verdict names a rule or more whose sentence they keep.
+    pub(crate) blamed: usize,
     /// The suite fails them for other rules.
     pub(crate) misnamed: usize,
     /// The suite does not notice them.
@@ -65,7 +67,10 @@ impl MutantsReport {
                 Fate::Unfinished => &mut totals.unfinished,
             } += 1;
             let is_within = |places| trial.fate == Fate::Killed && trial.place.is_some_and(|at| at <= places);
-            totals.named_first += usize::from(is_within(1));
+            let first = trial.named.first();
+            let is_first = first.is_some_and(|named| trial.mutant.rules.contains(&named.rule));
+            totals.named_first += usize::from(trial.fate == Fate::Killed && is_first);
+            totals.blamed += usize::from(!trial.blamed().is_empty());
             totals.named_early += usize::from(is_within(EARLY));
         }
         Self { format: FORMAT, cases: suite.cases().len(), corpus_sha256: suite.digest().to_owned(), totals, mutants }
@@ -91,8 +96,9 @@ impl MutantsReport {
 
     /// What git keeps of it, with the digests of the sources.
     pub(crate) fn lock(&self, sources: BTreeMap<String, String>) -> Lock {
-        let Totals { killed, named_first, named_early, misnamed, survived, unfinished } = self.totals;
+        let Totals { killed, named_first, named_early, blamed, misnamed, survived, unfinished } = self.totals;
         let counts = [
+            ("blamed", blamed),
             ("cases", self.cases),
             ("killed", killed),
             ("misnamed", misnamed),
@@ -103,7 +109,11 @@ impl MutantsReport {
         ];
         let fate = |trial: &Trial| {
             let place = trial.place.map(|place| format!(", its rule named as number {place}"));
-            format!("{}, {} failing{}", trial.fate, trial.failing_cases, place.unwrap_or_default())
+            let blamed = match &trial.blamed()[..] {
+                [] => String::new(),
+                blamed => format!(", {} blamed falsely", blamed.join(", ")),
+            };
+            format!("{}, {} failing{}{blamed}", trial.fate, trial.failing_cases, place.unwrap_or_default())
         };
         Lock {
             sources,
@@ -116,8 +126,8 @@ impl MutantsReport {
 
     /// The short page. It holds no times, so that it changes only when the findings do.
     pub(crate) fn page(&self) -> Vec<Block> {
-        let Totals { killed, named_first, named_early, misnamed, survived, unfinished } = self.totals;
-        let counts = [self.mutants.len(), killed, named_first, named_early, misnamed, survived, unfinished];
+        let Totals { killed, named_first, named_early, blamed, misnamed, survived, unfinished } = self.totals;
+        let counts = [self.mutants.len(), killed, named_first, named_early, blamed, misnamed, survived, unfinished];
         let mut page = vec![
             heading(1, "Mutants"),
             text(format!(
@@ -133,6 +143,7 @@ impl MutantsReport {
                     "killed",
                     "rule named first",
                     "among the first 3",
+                    "another blamed",
                     "rule not named",
                     "survived",
                     "not finished",
@@ -143,7 +154,9 @@ impl MutantsReport {
                 "A mutant is killed when a case fails that cites the broken rule and is charged to it. Cases with \
                  requests above 64 KiB were run only where no other case did. The verdict names the likeliest rule \
                  first: that of the lowest level, and within a level by how many of a rule's cases fail and what \
-                 share of all they are. *Named first* means that the verdict on this mutant begins with that rule.",
+                 share of all they are. *Named first* means that the verdict on this mutant begins with a rule that the \
+                 defect is planted to break, *another blamed* that it names a rule whose sentence the mutant keeps: \
+                 the table of defects lists neither among those that it breaks.",
             ),
         ];
         let remarks = self.remarks();
@@ -157,6 +170,11 @@ impl MutantsReport {
         page.push(heading(2, "Audited findings"));
         let rows = findings.into_iter().map(|(finding, names)| vec![finding.to_owned(), names.join(", ")]);
         page.push(table(&["finding", "mutants"], rows));
+        page.push(heading(2, "Blamed falsely"));
+        page.push(text("The rules that a verdict names although the mutant keeps their sentences."));
+        let blamed = self.mutants.iter().filter(|trial| !trial.blamed().is_empty());
+        let rows = blamed.map(|trial| vec![trial.mutant.name.clone(), trial.blamed().join(", ")]);
+        page.push(table(&["mutant", "rules"], rows));
         page.push(heading(2, "Named late"));
         page.push(text("Killed, but the verdict names three rules or more before the one that is broken."));
         let late = self.mutants.iter().filter(|trial| trial.place.is_some_and(|place| place > EARLY));

@@ -65,6 +65,14 @@ pub(crate) struct Trial {
     pub(crate) elapsed_s: f64,
 }
 
+impl Trial {
+    /// The rules that the verdict names although the defect keeps their sentences.
+    pub(crate) fn blamed(&self) -> Vec<&str> {
+        let named = self.named.iter().map(|named| named.rule.as_str());
+        named.filter(|rule| !self.mutant.breaks(rule)).collect()
+    }
+}
+
 /// A rule that the verdict names.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Named {

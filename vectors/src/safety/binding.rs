@@ -94,6 +94,7 @@ fn values() -> Vec<Case> {
             let flag = if value.is_finite() { "L15" } else { "L13" };
             cases.push(
                 case(format!("value/{which}/{name}"), &["NCP-SAFE-013", "NCP-SAFE-018"], &Trace::new(limits, twice()))
+                    .by("/steps/1", "NCP-SAFE-018")
                     .title(format!("A limit of {name} ({}) holds every command.", which.replace('-', " ")))
                     .flags(&[flag])
                     .because("A limit that is negative or not finite puts the governor into config fail-closed."),

@@ -234,7 +234,15 @@ fn channels(way: &Way, rows: &[Row]) -> Result<Vec<Case>, ScenarioError> {
         let channels = command::channels(row.place, row.cell("v")?, velocity)?;
         let pattern = part.pattern(&channels);
         let path = format!("channels/{}/{}", row.name, way.name);
-        Ok(case(path, part.rule(), way, Some(negotiated()), Command::of(channels), pattern)
+        let case = case(path, part.rule(), way, Some(negotiated()), Command::of(channels), pattern);
+        // A channel of another width is not zeroed wrongly.
+        let case = match part {
+            Part::Zeros => {
+                case.by("/steps/*/frame/channels/*/data", "NCP-SAFE-072").by_own("/steps/*/frame/channels/*/data/*")
+            }
+            _ => case,
+        };
+        Ok(case
             .title(format!("The {} frame ({}) of a command with {}.", way.frame, way.name, row.cell("words")?))
             .flags(&["moving-hold"])
             .because(part.why()))

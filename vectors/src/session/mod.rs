@@ -165,6 +165,14 @@ fn of_members(case: Case) -> Case {
         Some(&"NCP-SESS-053") => ("/replies/*/records/*/values", "NCP-SESS-050"),
         _ => ("/replies/*/records/*/unit", "NCP-SESS-056"),
     };
+    let case = match case.requirements.first() {
+        // A port that is left out says nothing of the numbers of its samples.
+        Some(&("NCP-SESS-050" | "NCP-SESS-053")) => {
+            let case = case.by("/replies/*/records/*", "NCP-SESS-038");
+            case.by_own("/replies/*/records/*/times").by_own("/replies/*/records/*/values")
+        }
+        _ => case,
+    };
     case.by("/replies/*/sim_time_ms", "NCP-SESS-033").by(place, rule).by("/replies/*/records/*/senders", "NCP-SESS-052")
 }
 

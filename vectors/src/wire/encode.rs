@@ -218,9 +218,13 @@ impl Encoder {
                 for (what, literal) in
                     [("largest", "9007199254740991"), ("smallest", "-9007199254740991"), ("zero", "0")]
                 {
+                    let case = self.at(&name, what, &["NCP-WIRE-085"], &in_full(Json::literal(literal)));
+                    let case = match what {
+                        "zero" if !name.contains('/') => case.by("within", "NCP-WIRE-081").by_own(format!("/{name}")),
+                        _ => case,
+                    };
                     cases.push(
-                        self.at(&name, what, &["NCP-WIRE-085"], &in_full(Json::literal(literal)))
-                            .title(format!("{} whose `{shown}` is {literal} has it as a plain integer.", a(self.kind)))
+                        case.title(format!("{} whose `{shown}` is {literal} has it as a plain integer.", a(self.kind)))
                             .flags(&["integer-spelling"])
                             .because("No string, no fraction, no exponent, and no digit lost."),
                     );

@@ -223,27 +223,29 @@ impl Suite {
 /// Sees to it that a case rests on cases of the suite, and in the end on those that rest on none.
 fn foundations(cases: &[Case]) -> Result<(), SuiteError> {
     let known: HashMap<&str, &Case> = cases.iter().map(|case| (case.id.as_str(), case)).collect();
-    for case in cases {
-        let fault = |message: String| SuiteError::Case { file: case.file.to_string(), id: case.id.clone(), message };
-        let mut floor: Vec<&str> = case.rests_on.iter().map(String::as_str).collect();
-        for _ in 0..DEEPEST {
-            let mut below = Vec::new();
-            for id in floor {
-                let found = known.get(id);
-                let found = found.ok_or_else(|| fault(format!("it rests on {id}, which the suite does not have")))?;
-                below.extend(found.rests_on.iter().map(String::as_str));
-            }
-            floor = below;
+    let fault =
+        |case: &Case, message: String| SuiteError::Case { file: case.file.to_string(), id: case.id.clone(), message };
+    if let Some((case, id)) =
+        cases.iter().find_map(|case| Some((case, case.rests_on.iter().find(|id| !known.contains_key(id.as_str()))?)))
+    {
+        return Err(fault(case, format!("it rests on {id}, which the suite does not have")));
+    }
+    let mut laid: HashSet<&str> = HashSet::new();
+    let mut waiting: Vec<&Case> = cases.iter().collect();
+    while !waiting.is_empty() {
+        let count = waiting.len();
+        let is_laid = |case: &Case| case.rests_on.iter().all(|id| laid.contains(id.as_str()));
+        let (ready, rest): (Vec<&Case>, Vec<&Case>) = waiting.into_iter().partition(|case| is_laid(case));
+        laid.extend(ready.iter().map(|case| case.id.as_str()));
+        if let Some(case) = rest.first()
+            && rest.len() == count
+        {
+            return Err(fault(case, "it rests on itself, by way of the cases on which it rests".to_owned()));
         }
-        if !floor.is_empty() {
-            return Err(fault("it rests on more cases, one on the other, than any case does".to_owned()));
-        }
+        waiting = rest;
     }
     Ok(())
 }
-
-/// On how many cases, one on the other, a case may rest.
-const DEEPEST: usize = 8;
 
 /// The case of `describe`.
 fn describe(rules: &HashMap<&str, &Arc<Requirement>>, cited: [&str; 2]) -> Result<Case, SuiteError> {
@@ -384,7 +386,7 @@ mod tests {
             |on: &str| file("a", &["wire/a/x"]).replace(r#""why":"#, &format!(r#""rests_on":["{on}"],"why":"#));
         for (on, message) in [
             ("wire/a/y", "it rests on wire/a/y, which the suite does not have"),
-            ("wire/a/x", "it rests on more cases, one on the other, than any case does"),
+            ("wire/a/x", "it rests on itself, by way of the cases on which it rests"),
         ] {
             let error = suite(&[("wire/a.json", &resting(on))]).unwrap_err().to_string();
             assert_eq!(error, format!("wire/a.json: the case wire/a/x: {message}"));
