@@ -190,7 +190,7 @@ impl Case {
         self.expect(object! { "relation" => "columns", "columns" => columns })
     }
 
-    /// What of the answer another rule decides than the first: at a JSON pointer and below, a `crash` or a `refusal`.
+    /// What of the answer another rule decides than the first: at a JSON pointer and below, a `crash`, a `refusal`, …
     pub(crate) fn by(mut self, place: impl Into<String>, rule: &'static str) -> Self {
         if self.requirements.first() != Some(&rule) {
             self.by.insert(place.into(), rule);

@@ -168,10 +168,13 @@ impl Encoder {
     fn leaves(&self) -> Vec<Case> {
         let mut leaves = Vec::new();
         collect(self.message, &mut Vec::new(), &mut leaves);
-        leaves.iter().flat_map(|leaf| self.leaf(leaf)).collect()
+        let integers: Vec<String> =
+            leaves.iter().filter(|leaf| leaf.shape == Shape::Integer).map(Leaf::place).collect();
+        leaves.iter().flat_map(|leaf| self.leaf(leaf, &integers)).collect()
     }
 
-    fn leaf(&self, leaf: &Leaf) -> Vec<Case> {
+    /// The cases of a leaf; the integers of the kind are at these places.
+    fn leaf(&self, leaf: &Leaf, integers: &[String]) -> Vec<Case> {
         // What is judged by its value stands among written-out defaults, so that the case does not
         // depend on what a peer fills in. What is judged by its spelling stands in a full message,
         // so that it does not depend on how a peer writes what is unset.
@@ -220,7 +223,7 @@ impl Encoder {
                 {
                     let case = self.at(&name, what, &["NCP-WIRE-085"], &in_full(Json::literal(literal)));
                     let case = match what {
-                        "zero" if !name.contains('/') => case.by("within", "NCP-WIRE-081").by_own(format!("/{name}")),
+                        "zero" => integers.iter().fold(case.by("within", "NCP-WIRE-081"), Case::by_own),
                         _ => case,
                     };
                     cases.push(
@@ -431,6 +434,7 @@ impl Encoder {
 
     fn writes(&self, what: &str, rules: &[&'static str], fields: &Json) -> Case {
         let case = self.case(what, rules).encode(self.kind, fields.clone()).writes(meaning(self.kind, fields).text());
+        let case = case.by("extra", "NCP-WIRE-081");
         if rules.contains(&"NCP-WIRE-083") {
             return case;
         }
@@ -494,8 +498,9 @@ fn error_frames() -> Vec<Case> {
             .flags(&["field-order"])
             .encode("error", object! { "error" => "no such model", "session_id" => "s1" })
             .writes(object! { "kind" => "error", "error" => "no such model", "session_id" => "s1" }.text())
+            .by("order", "NCP-WIRE-080")
             .because("The members of the table, and no others."),
-        Case::new("string", &["NCP-WIRE-102", WRITE], roles)
+        Case::new("string", &[WRITE, "NCP-WIRE-102"], roles)
             .title("An error frame whose text holds quotes and control characters is JSON that says the same.")
             .flags(&["string-escapes"])
             .encode("error", object! { "error" => "\"\\\n\0\u{1f}\u{e9}\u{1f681}" })
@@ -514,6 +519,11 @@ struct Leaf {
 }
 
 impl Leaf {
+    /// Where it stands in a full frame, as a JSON pointer.
+    fn place(&self) -> String {
+        format!("/{}", self.path.join("/"))
+    }
+
     /// The part of a case's id.
     fn name(&self) -> String {
         let parts = self.path.iter().map(String::as_str).filter(|part| !matches!(*part, "0" | "a"));

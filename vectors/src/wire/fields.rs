@@ -360,18 +360,26 @@ impl Probe<'_> {
                 let value = within(&self.field.shape, Json::literal(&double.literal));
                 let frame = self.frame(Ground::Explicit, Some(value));
                 let is = self.frame(Ground::Explicit, Some(within(&self.field.shape, Json::literal(double.is))));
-                self.case(&format!("double-{}", double.name), &[double.rule])
-                    .title(format!(
-                        "{} whose `{}` is spelled {} is read as {}.",
-                        a(self.place.kind),
-                        self.member(),
-                        shorten(&double.literal),
-                        double.is
-                    ))
-                    .flags(&[double.flag])
-                    .decode(self.place.kind, frame.text())
-                    .means(self.place.meaning(&is))
-                    .because("A number is the nearest double, ties to even, whatever its spelling.")
+                let case = self.case(&format!("double-{}", double.name), &[double.rule]);
+                let path = case.path.strip_suffix(&format!("/double-{}", double.name)).unwrap_or_default();
+                let (kind, path) = (self.place.kind, path.rsplit_once(self.place.kind).map_or(path, |(_, path)| path));
+                let written = format!("wire/encode_{kind}/{}/seventeen-digits", path.trim_start_matches('/'));
+                // The answer is a frame that the peer writes: it shows what was read if all digits are written.
+                let case = match double.is_long() {
+                    true => case.rests_on(written),
+                    false => case,
+                };
+                case.title(format!(
+                    "{} whose `{}` is spelled {} is read as {}.",
+                    a(self.place.kind),
+                    self.member(),
+                    shorten(&double.literal),
+                    double.is
+                ))
+                .flags(&[double.flag])
+                .decode(self.place.kind, frame.text())
+                .means(self.place.meaning(&is))
+                .because("A number is the nearest double, ties to even, whatever its spelling.")
             })
             .collect();
         cases.extend(infinite.into_iter().map(|(name, digits)| {

@@ -14,6 +14,15 @@ pub(super) struct Double {
     pub(super) flag: &'static str,
 }
 
+impl Double {
+    /// Whether no fewer than sixteen digits name it.
+    pub(super) fn is_long(&self) -> bool {
+        let mantissa = self.is.split(['e', 'E']).next().unwrap_or_default();
+        let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        digits.trim_matches('0').len() > 15
+    }
+}
+
 /// Spellings for every field of type number.
 pub(super) fn few_doubles() -> Vec<Double> {
     vec![

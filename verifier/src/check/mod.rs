@@ -53,6 +53,15 @@ pub struct Differences {
     pub manner: Manner,
 }
 
+impl Differences {
+    /// Whether the answer first differs by a member that it has and should not have.
+    #[must_use]
+    pub fn is_of_an_extra_member(&self) -> bool {
+        let is_extra = |first: &&Difference| first.at == self.place && first.expected.is_none() && first.got.is_some();
+        self.manner == Manner::Value && !self.place.is_empty() && self.first.first().filter(is_extra).is_some()
+    }
+}
+
 /// What an answer is where it first differs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Manner {

@@ -90,6 +90,8 @@ pub struct By {
     pub refusal: Option<Arc<Requirement>>,
     /// The rule of the order of members.
     pub order: Option<Arc<Requirement>>,
+    /// The rule against a member that is there and was not asked for.
+    pub extra: Option<Arc<Requirement>>,
     /// The rule of every other place within the answer, which is not wrong as a whole.
     pub within: Option<Arc<Requirement>>,
 }

@@ -168,11 +168,12 @@ impl Context<'_> {
                 "crash" => by.crash = Some(rule),
                 "refusal" => by.refusal = Some(rule),
                 "order" => by.order = Some(rule),
+                "extra" => by.extra = Some(rule),
                 "within" => by.within = Some(rule),
                 place if place.starts_with('/') => by.places.push((place.to_owned(), rule)),
                 place => {
                     return Err(format!(
-                        "its `by` names {place}: not a JSON pointer, nor one of crash, refusal, order, within"
+                        "its `by` names {place}: not a JSON pointer, nor one of crash, refusal, order, extra, within"
                     ));
                 }
             }

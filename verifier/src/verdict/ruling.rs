@@ -81,6 +81,7 @@ impl Ruling {
                 Manner::Crash => case.by.crash.as_ref(),
                 Manner::Refusal => case.by.refusal.as_ref(),
                 Manner::Order => case.by.order.as_ref(),
+                Manner::Value if differences.is_of_an_extra_member() => case.by.extra.as_ref(),
                 Manner::Value => None,
             }
             .or_else(|| case.by.at(&differences.place)),
@@ -202,6 +203,21 @@ mod tests {
         case.by.order = Some(rule(OTHER));
         assert_eq!(Ruling::of(&case, &fail("", Manner::Order)), waits_for(OTHER));
         assert_eq!(Ruling::of(&case, &fail("", Manner::Value)), Ruling::Failed { rule: rule(OWN) });
+    }
+
+    #[test]
+    fn a_member_that_was_not_asked_for_is_charged_to_the_rule_against_it() {
+        let mut case = case("a", OWN);
+        case.by.extra = Some(rule(OTHER));
+        let differing = |expected: Option<&str>, got: Option<&str>| {
+            let [expected, got] = [expected, got].map(|text| text.map(str::to_owned));
+            let first = vec![Difference { at: "/x".to_owned(), expected, got, hint: None }];
+            Outcome::Fail(Differences { first, place: "/x".to_owned(), ..Differences::default() })
+        };
+        assert_eq!(Ruling::of(&case, &differing(None, Some("1"))), waits_for(OTHER));
+        let own = Ruling::Failed { rule: rule(OWN) };
+        assert_eq!(Ruling::of(&case, &differing(Some("1"), None)), own);
+        assert_eq!(Ruling::of(&case, &differing(Some("1"), Some("2"))), own);
     }
 
     #[test]
