@@ -2,6 +2,7 @@
 //! what falls with what is trusted.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::slice;
 
 use ncp_text::catalogue::Catalogue;
 
@@ -341,7 +342,7 @@ fn theorem(all: &Claims<'_>) -> Vec<Block> {
 fn engines(locks: &Locks) -> Block {
     let rows = locks.values().flat_map(|lock| {
         lock.engines.iter().map(move |(name, prover)| {
-            let mine = |is_defect: bool, end: &'static [&'static str]| {
+            let mine = |is_defect: bool, end: &[&str]| {
                 let of = |id: &String| {
                     let rest = id.strip_prefix(name.as_str()).and_then(|rest| rest.strip_prefix(' '));
                     rest.is_some_and(|rest| rest.starts_with("defect ") == is_defect)
@@ -349,15 +350,15 @@ fn engines(locks: &Locks) -> Block {
                 let ends = lock
                     .fates
                     .iter()
-                    .filter(move |(id, fate)| of(id) && (end.is_empty() || end.contains(&fate.as_str())));
+                    .filter(|(id, fate)| of(id) && (end.is_empty() || end.contains(&fate.as_str())));
                 ends.count()
             };
             let claims = mine(false, &[]);
-            let shown = match (mine(false, &["proved"]), mine(false, &[LISTED]), mine(false, &["tried"])) {
-                (_, _, tried) if tried > 0 => format!("tried on samples: {tried} of {claims}"),
-                (_, listed, _) if listed > 0 => format!("{LISTED}: {listed} of {claims}"),
-                (proved, ..) => format!("proved {proved} of {claims}"),
-            };
+            let of_kinds = [("proved", "proved"), (LISTED, LISTED), ("tried", "tried on samples")];
+            let of_kinds = of_kinds.map(|(end, words)| (mine(false, slice::from_ref(&end)), words));
+            let shown = of_kinds.iter().filter(|(count, _)| *count > 0);
+            let shown: Vec<String> = shown.map(|(count, words)| format!("{words}: {count} of {claims}")).collect();
+            let shown = shown.join("; ");
             let (refuted, missed) = (mine(true, &["refuted"]), mine(true, &[MISSED]));
             let defects = if refuted + missed == 0 {
                 "–".to_owned()
