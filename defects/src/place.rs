@@ -130,22 +130,8 @@ mod tests {
     }
 
     fn planted(source: &str, edits: Vec<Edit>) -> Result<String, PlaceError> {
-        let defect = Defect {
-            name: "it".to_owned(),
-            about: String::new(),
-            finding: classic(),
-            rules: Vec::new(),
-            properties: Vec::new(),
-            engines: Vec::new(),
-            targets: Vec::new(),
-            of: Vec::new(),
-            edit: edits,
-        };
+        let defect = Defect { name: "it".to_owned(), edit: edits, ..Defect::default() };
         plant(source, "a.rs", &defect)
-    }
-
-    fn classic() -> String {
-        "classic".to_owned()
     }
 
     #[test]

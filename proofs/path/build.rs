@@ -29,17 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", root.join(source(module, name)).display());
     }
 
-    let sound = Defect {
-        name: "production".to_owned(),
-        about: String::new(),
-        finding: String::new(),
-        rules: Vec::new(),
-        properties: Vec::new(),
-        engines: Vec::new(),
-        targets: Vec::new(),
-        of: Vec::new(),
-        edit: Vec::new(),
-    };
+    let sound = Defect { name: "production".to_owned(), ..Defect::default() };
     let (mut modules, mut arms) = (String::new(), String::new());
     for defect in [sound].into_iter().chain(read(&root.join(TABLE))?) {
         let mut families: Vec<&str> = if defect.properties.is_empty() {
