@@ -154,9 +154,9 @@ impl MutantsReport {
                 "A mutant is killed when a case fails that cites the broken rule and is charged to it. Cases with \
                  requests above 64 KiB were run only where no other case did. The verdict names the likeliest rule \
                  first: that of the lowest level, and within a level by how many of a rule's cases fail and what \
-                 share of all they are. *Named first* means that the verdict on this mutant begins with a rule that the \
-                 defect is planted to break, *another blamed* that it names a rule whose sentence the mutant keeps: \
-                 the table of defects lists neither among those that it breaks.",
+                 share of all they are. *Named first* means that the verdict on this mutant begins with a rule that \
+                 the defect is planted to break, *another blamed* that it names a rule whose sentence the mutant \
+                 keeps: the table of defects does not list it among those that are broken.",
             ),
         ];
         let remarks = self.remarks();

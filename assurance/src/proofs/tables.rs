@@ -347,10 +347,8 @@ fn engines(locks: &Locks) -> Block {
                     let rest = id.strip_prefix(name.as_str()).and_then(|rest| rest.strip_prefix(' '));
                     rest.is_some_and(|rest| rest.starts_with("defect ") == is_defect)
                 };
-                let ends = lock
-                    .fates
-                    .iter()
-                    .filter(|(id, fate)| of(id) && (end.is_empty() || end.contains(&fate.as_str())));
+                let ends =
+                    lock.fates.iter().filter(|(id, fate)| of(id) && (end.is_empty() || end.contains(&fate.as_str())));
                 ends.count()
             };
             let claims = mine(false, &[]);
