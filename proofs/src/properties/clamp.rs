@@ -3,7 +3,7 @@
 use ncp_kernel::{Channel, Limit, Reason, Scalar};
 
 pub use super::loops::{channel, channels};
-use super::words::{all_finite, norm, positive};
+use super::words::{all_finite, is_within, norm, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
 
@@ -44,8 +44,7 @@ pub fn bound<K: Kernel, P: Prover>(p: &mut P) {
     let alike = p.and(same, alike);
     p.check("clamp says and does the same", alike);
     if c.answer.is_some() {
-        let after = norm(p, c.after.get(..c.width).unwrap_or_default());
-        let within = p.le(after, c.max);
+        let within = is_within(p, c.after.get(..c.width).unwrap_or_default(), c.max);
         p.check("the norm is not above the bound", within);
     }
 }
@@ -54,8 +53,7 @@ pub fn bound<K: Kernel, P: Prover>(p: &mut P) {
 pub fn unchanged<K: Kernel, P: Prover>(p: &mut P) {
     let c = clamped::<K, P>(p);
     let Some(changed) = c.answer else { return };
-    let before = norm(p, c.before.get(..c.width).unwrap_or_default());
-    let within = p.le(before, c.max);
+    let within = is_within(p, c.before.get(..c.width).unwrap_or_default(), c.max);
     p.exactly("left alone exactly within the bound", !changed, within);
     if !changed {
         let same: Vec<_> = (0..3).map(|axis| same_at(p, &c, axis)).collect();
@@ -71,9 +69,9 @@ fn same_at<P: Prover>(p: &mut P, c: &Clamped<P>, axis: usize) -> P::B {
     }
 }
 
-/// Every component is the old one times one factor, common to all, each product rounded once; where the
-/// norm overflows, first divided by the largest, each quotient rounded once. The zero vector stands only
-/// where that rounds above the bound.
+/// Every component is the old one times one factor, common to all, each product rounded once; where the factor is
+/// below 2⁻⁹⁰⁰, first divided by the norm and then times the bound. The zero vector stands only where that rounds above
+/// the bound.
 pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
     let c = clamped::<K, P>(p);
     if c.answer != Some(true) {
@@ -86,21 +84,13 @@ pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
     let margin = p.number(1.0 - (c.width as f64 + 8.0) * 2.0_f64.powi(-53));
     let aim = c.max.mul(margin);
 
-    let length = norm(p, before);
-    let overflows = {
-        let finite = p.finite(length);
-        p.not(finite)
-    };
-    let mut largest = p.number(0.0);
-    for x in before {
-        let larger = p.lt(largest, x.abs());
-        largest = p.select(larger, x.abs(), largest);
-    }
-    let base: Vec<P::S> = before.iter().map(|x| p.select(overflows, x.div(largest), *x)).collect();
-    let factor = aim.div(norm(p, &base));
-    let scaled: Vec<P::S> = base.iter().map(|x| x.mul(factor)).collect();
-    let length = norm(p, &scaled);
-    let fits = p.le(length, c.max);
+    let (length, scale) = norm(p, before);
+    let factor = aim.mul(scale).div(length);
+    let least = p.number(2.0_f64.powi(-900));
+    let is_harmless = p.le(least, factor);
+    let by_norm = |x: P::S| x.mul(scale).div(length).mul(aim);
+    let scaled: Vec<P::S> = before.iter().map(|x| p.select(is_harmless, x.mul(factor), by_norm(*x))).collect();
+    let fits = is_within(p, &scaled, c.max);
     let zero = p.number(0.0);
     for (scaled, after) in scaled.iter().zip(after) {
         let says = p.select(fits, *scaled, zero);
@@ -151,11 +141,9 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
             [(before, velocity.get(..width).unwrap_or_default(), flags[1]), (&other_before, &other, other_in_mps)]
         {
             if is_enabled && in_mps {
-                let length = norm(p, after);
-                let within = p.le(length, max);
+                let within = is_within(p, after, max);
                 p.check("every channel in m/s is within the limit", within);
-                let length = norm(p, before);
-                let was_within = p.le(length, max);
+                let was_within = is_within(p, before, max);
                 let was_above = p.not(was_within);
                 above = p.or(above, was_above);
                 let same: Vec<_> = before.iter().zip(after).map(|(before, after)| p.same(*before, *after)).collect();

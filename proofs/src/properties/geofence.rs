@@ -5,7 +5,7 @@ use std::cell::Cell;
 use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 
 pub use super::loops::{follow, long, step};
-use super::words::{enforced, norm, positive};
+use super::words::{enforced, is_within, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
 
@@ -147,8 +147,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
                 let finite = super::words::all_finite(p, velocity);
                 p.check("every kept velocity is finite", finite);
                 if let Some(max) = max {
-                    let (speed, (enabled, _)) = (norm(p, velocity), limit_says(p, Some(max)));
-                    let within = p.le(speed, max);
+                    let (within, (enabled, _)) = (is_within(p, velocity, max), limit_says(p, Some(max)));
                     let good = p.implies(enabled, within);
                     p.check("every kept velocity is within the limit", good);
                 }

@@ -277,6 +277,9 @@ impl Scalar for Term {
     fn abs(self) -> Self {
         operation("abs", &[self])
     }
+    fn select_lt(self, other: Self, then: Self, otherwise: Self) -> Self {
+        operation("select_lt", &[self, other, then, otherwise])
+    }
     fn lt(self, other: Self) -> bool {
         ask("lt".to_owned(), vec![self, other])
     }
