@@ -99,6 +99,57 @@ pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
     }
 }
 
+/// Vectors whose norm is exact.
+const EXACT: [([f64; 3], f64); 4] =
+    [([3.0, -4.0, 0.0], 5.0), ([-2.0, 3.0, 6.0], 7.0), ([1.0, -4.0, 8.0], 9.0), ([0.0, 0.0, -1.0], 1.0)];
+/// Powers of two over the whole range of doubles: squares vanish below −537 and overflow above 512.
+const SIZES: [i32; 14] = [-1074, -1022, -600, -538, -452, -449, -300, 0, 300, 498, 501, 513, 600, 1020];
+
+/// A vector of any size and a bound, with what exact numbers say of them: the norm of the vector is a power of two
+/// times that of its direction, and the bound another, or the next double below.
+pub(super) struct Sized {
+    /// The vector, in units of its norm's direction.
+    pub direction: [f64; 3],
+    pub vector: [f64; 3],
+    pub bound: f64,
+    pub is_within: bool,
+}
+
+pub(super) fn sized<P: Prover>(p: &mut P) -> Sized {
+    let (direction, norm) = EXACT.get(p.choice("direction", EXACT.len())).copied().unwrap_or(([1.0, 0.0, 0.0], 1.0));
+    let [size, at] = ["size", "bound"].map(|name| SIZES.get(p.choice(name, SIZES.len())).copied().unwrap_or_default());
+    let is_next = p.boolean("is_next_below");
+    // In two steps, since not every power is a double.
+    let power = |x: f64, exponent: i32| x * 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
+    let bound = power(norm, at);
+    Sized {
+        direction: direction.map(|x| x / norm),
+        vector: direction.map(|x| power(x, size)),
+        bound: if is_next { bound.next_down() } else { bound },
+        is_within: size < at || (size == at && !is_next),
+    }
+}
+
+/// Of every size: left alone exactly within the bound, and else scaled to it, in the same direction.
+pub fn range<K: Kernel, P: Prover>(p: &mut P) {
+    let Sized { direction, vector, bound, is_within } = sized(p);
+    let (mut after, max) = (vector.map(|x| p.number(x)), p.number(bound));
+    let answer = K::bring_within(&mut after, max);
+    let right = p.truth(answer == Some(!is_within));
+    p.check("left alone exactly within the bound", right);
+    // Below the normal range, a component has too few digits for a direction.
+    if is_within || bound < 2.0_f64.powi(-1000) {
+        return;
+    }
+    for (after, part) in after.iter().zip(direction) {
+        let [one, other] = [-1.0, 1.0].map(|sign| part * bound * (1.0 + sign * 2.0_f64.powi(-40)));
+        let (least, most) = (p.number(one.min(other)), p.number(one.max(other)));
+        let (above, below) = (p.le(least, *after), p.le(*after, most));
+        let right = p.and(above, below);
+        p.check("scaled to the bound, in the same direction", right);
+    }
+}
+
 /// A tick: it passes exactly when all its channels are finite and, with the limit enabled, its velocity is
 /// 3 wide and in m/s; then every channel in m/s is within the limit, and every other one as it was.
 pub fn tick<K: Kernel, P: Prover>(p: &mut P) {

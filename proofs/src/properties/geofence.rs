@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 
+use super::clamp::{Sized, sized};
 pub use super::loops::{follow, long, step};
 use super::words::{enforced, is_within, positive};
 use crate::kernel::Kernel;
@@ -16,6 +17,14 @@ pub fn inside<K: Kernel, P: Prover>(p: &mut P) {
     let answer = K::inside(&position, radius);
     let says = super::words::inside(p, &position, radius);
     p.exactly("inside", answer, says);
+}
+
+/// Of every size: inside exactly where the exact norm is not above the radius.
+pub fn range<K: Kernel, P: Prover>(p: &mut P) {
+    let Sized { vector, bound, is_within, .. } = sized(p);
+    let (position, radius) = (vector.map(|x| p.number(x)), p.number(bound));
+    let right = p.truth(K::inside(&position, radius) == is_within);
+    p.check("inside exactly within the radius", right);
 }
 
 /// A limit is enabled exactly when finite and above 0, disabled when absent or 0, and else faulty.
