@@ -104,32 +104,44 @@ Qed.
 
 (** ** The speed limit, in exact arithmetic *)
 
-Lemma zeros_within : forall max : num doubles, lt zero max = true -> le (norm (zero, zero, zero)) max = true.
+Lemma zeros_within : forall max : num doubles, finite max = true -> lt zero max = true ->
+  norm_le (zero, zero, zero) max = true.
 Proof.
-  intros max H. replace (norm (zero, zero, zero)) with (zero : num doubles) by reflexivity.
-  destruct max as [|[]| |[]]; try discriminate; reflexivity.
+  intros max F P. unfold norm_le. replace (scale (zero, zero, zero)) with (up : num doubles) by (vm_compute; reflexivity).
+  replace (norm (zero, zero, zero)) with (zero : num doubles) by (vm_compute; reflexivity).
+  destruct zero_val as (Fz & Z). pose proof (lt_val zero max Fz F P) as V. rewrite Z in V.
+  destruct (power_exact 600 ltac:(lia)) as (Fu & Vu). fold (up : num doubles) in Fu, Vu.
+  destruct (finite (mul max up)) eqn:Fm.
+  - apply val_le; try assumption. apply mul_finite in Fm as (_ & _ & ->). rewrite Z, Vu.
+    apply rnd_nonneg. apply Rmult_le_pos; [lra|apply bpow_ge_0].
+  - (* What overflows is above everything. *)
+    pose proof (Bmult_correct 53 1024 precise bounded mode_NE max (up : num doubles)) as C. destruct Rlt_bool.
+    + exfalso. destruct C as (_ & D & _). simpl in *. unfold double in *. rewrite D, F in Fm. now rewrite Fu in Fm.
+    + assert (S : Bsign (max : double) = false).
+      { destruct max as [|[]| |[]]; try discriminate; reflexivity. }
+      rewrite S in C. simpl. destruct (Bmult mode_NE (max : double) (up : num doubles)) as [|[]| |]; try discriminate. reflexivity.
 Qed.
 
 (** What the clamp lets be used is not above the bound by the norm that is computed. *)
 Theorem bring_within_norm : forall (v w : vec doubles) (max : num doubles) changed,
-  bring_within v max = Some (w, changed) -> finite max = true /\ le (norm w) max = true.
+  bring_within v max = Some (w, changed) -> finite max = true /\ lt zero max = true /\ norm_le w max = true.
 Proof.
   intros v w max changed H. unfold bring_within in H.
   destruct (all_finite v); [|discriminate]. destruct (finite max) eqn:F; [|discriminate].
-  destruct (lt zero max) eqn:P; [|discriminate]. cbn [negb orb] in H. split; [reflexivity|].
-  destruct (le (norm v) max) eqn:L; [injection H as <- _; exact L|]. cbv zeta in H.
-  match type of H with Some (if negb (le (norm ?x) max) then _ else _, _) = _ => set (scaled_ := x) in * end.
-  destruct (le (norm scaled_) max) eqn:N; cbn [negb] in H; injection H as <- _; [exact N|].
+  destruct (lt zero max) eqn:P; [|discriminate]. cbn [negb orb] in H. split; [reflexivity|]. split; [reflexivity|].
+  destruct (norm_le v max) eqn:L; [injection H as <- _; exact L|]. cbv zeta in H.
+  match type of H with Some (if negb (norm_le ?x max) then _ else _, _) = _ => set (scaled_ := x) in * end.
+  destruct (norm_le scaled_ max) eqn:N; cbn [negb] in H; injection H as <- _; [exact N|].
   now apply zeros_within.
 Qed.
 
 (** The greatest component of a velocity that the limit lets pass. *)
 Definition limited_speed (max : R) : R := max * (1 + 3 * u) + delta.
 
-Lemma limited_slow : forall (v : vec doubles) (max : num doubles), finite max = true -> le (norm v) max = true ->
-  slow (place v) (limited_speed (val max)).
+Lemma limited_slow : forall (v : vec doubles) (max : num doubles), finite max = true -> lt zero max = true ->
+  norm_le v max = true -> slow (place v) (limited_speed (val max)).
 Proof.
-  intros v max F L. pose proof (norm_below_exact v max F L) as N. destruct v as ((x, y), z).
+  intros v max F P L. pose proof (norm_le_exact v max F P L) as N. destruct v as ((x, y), z).
   apply component_le_far in N. unfold slow, place, near. rewrite !Rminus_0_r. exact N.
 Qed.
 
@@ -184,7 +196,7 @@ Proof.
   intros k K. destruct (passed g g' p now last (Some measured) radius d n Hf Hg Hd)
     as (m & _ & _ & _ & _ & _ & _ & _ & _ & L).
   destruct (L k K) as (c & C). destruct (Hl k c C) as (v & w & b & B & V).
-  destruct (bring_within_norm v w max b B) as (Fm & N).
+  destruct (bring_within_norm v w max b B) as (Fm & Pm & N).
   unfold velocity_of. rewrite V. now apply limited_slow.
 Qed.
 
