@@ -108,7 +108,7 @@ const SIZES: [i32; 14] = [-1074, -1022, -600, -538, -452, -449, -300, 0, 300, 49
 /// A vector of any size and a bound, with what exact numbers say of them: the norm of the vector is a power of two
 /// times that of its direction, and the bound another, or the next double below.
 pub(super) struct Sized {
-    /// The vector, in units of its norm's direction.
+    /// The vector's direction, of norm 1.
     pub direction: [f64; 3],
     pub vector: [f64; 3],
     pub bound: f64,
@@ -135,7 +135,8 @@ pub fn range<K: Kernel, P: Prover>(p: &mut P) {
     let Sized { direction, vector, bound, is_within } = sized(p);
     let (mut after, max) = (vector.map(|x| p.number(x)), p.number(bound));
     let answer = K::bring_within(&mut after, max);
-    let right = p.truth(answer == Some(!is_within));
+    // Below the least double there is no bound.
+    let right = p.truth(answer == (bound > 0.0).then_some(!is_within));
     p.check("left alone exactly within the bound", right);
     // Below the normal range, a component has too few digits for a direction.
     if is_within || bound < 2.0_f64.powi(-1000) {

@@ -173,8 +173,7 @@ pub fn channels<K: Kernel, P: Prover>(p: &mut P) {
     let right = p.truth(answer == says);
     p.check("each of many channels and components counts", right);
     if answer.is_ok() && is_enabled {
-        let odd = data.get(odd_at).map_or(&[fast][..], Vec::as_slice);
-        let within = is_within(p, odd, max);
+        let within = is_within(p, data.get(odd_at).map_or(&odd[..], Vec::as_slice), max);
         p.check("and is limited", within);
     }
 }
