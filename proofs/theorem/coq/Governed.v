@@ -104,22 +104,56 @@ Qed.
 
 (** ** The speed limit, in exact arithmetic *)
 
+Lemma positive_sign : forall x : double, 0 < B2R x -> Bsign x = false.
+Proof.
+  intros x H. destruct x as [| | |[] m e b]; try (exfalso; simpl in H; lra); [|reflexivity].
+  exfalso. assert (N : F2R (Float radix2 (Z.neg m) e) < 0) by (apply F2R_lt_0; reflexivity).
+  simpl in H, N. lra.
+Qed.
+
+(** A product of what is above 0 is not below it, and infinite where it overflows. *)
+Lemma mul_positive : forall x y : num doubles, finite x = true -> finite y = true -> 0 < val x -> 0 < val y ->
+  le zero (mul x y) = true.
+Proof.
+  intros x y Fx Fy Px Py. destruct zero_val as (Fz & Z).
+  destruct (finite (mul x y)) eqn:Fm.
+  - apply val_le; try assumption. apply mul_finite in Fm as (_ & _ & ->). rewrite Z.
+    apply rnd_nonneg. apply Rlt_le. now apply Rmult_lt_0_compat.
+  - pose proof (Bmult_correct 53 1024 precise bounded mode_NE x y) as C.
+    change (is_finite (Bmult mode_NE (x : double) (y : double)) = false) in Fm.
+    change (Bleb (zero : num doubles) (Bmult mode_NE (x : double) (y : double)) = true).
+    destruct Rlt_bool.
+    + exfalso. destruct C as (_ & D & _). unfold double in *. rewrite D in Fm.
+      change (is_finite (x : double) = true) in Fx. change (is_finite (y : double) = true) in Fy.
+      unfold double in *. rewrite Fx, Fy in Fm. discriminate.
+    + rewrite (positive_sign x Px), (positive_sign y Py) in C.
+      destruct (Bmult mode_NE (x : double) (y : double)) as [|[]| |]; try discriminate. reflexivity.
+Qed.
+
+Lemma zeros_scale : scale (zero, zero, zero) = (up : num doubles).
+Proof.
+  assert (L : lt (squares (zero, zero, zero)) (small : num doubles) = true) by (vm_compute; reflexivity).
+  unfold scale, select_lt. now rewrite L.
+Qed.
+
+Lemma zeros_norm : norm (zero, zero, zero) = (zero : num doubles).
+Proof.
+  unfold norm. rewrite zeros_scale. destruct (power_exact 600 ltac:(lia)) as (Fu & Vu).
+  fold (up : num doubles) in Fu, Vu.
+  assert (M : mul zero up = (zero : num doubles)).
+  { assert (P : 0 < val up) by (rewrite Vu; apply bpow_gt_0). apply positive_sign in P.
+    clear Vu. revert Fu P. generalize (up : num doubles). intros x F P.
+    destruct x as [[]| | |[]]; try discriminate; reflexivity. }
+  unfold scaled. rewrite !M. vm_compute. reflexivity.
+Qed.
+
 Lemma zeros_within : forall max : num doubles, finite max = true -> lt zero max = true ->
   norm_le (zero, zero, zero) max = true.
 Proof.
-  intros max F P. unfold norm_le. replace (scale (zero, zero, zero)) with (up : num doubles) by (vm_compute; reflexivity).
-  replace (norm (zero, zero, zero)) with (zero : num doubles) by (vm_compute; reflexivity).
+  intros max F P. unfold norm_le. rewrite zeros_scale, zeros_norm.
   destruct zero_val as (Fz & Z). pose proof (lt_val zero max Fz F P) as V. rewrite Z in V.
-  destruct (power_exact 600 ltac:(lia)) as (Fu & Vu). fold (up : num doubles) in Fu, Vu.
-  destruct (finite (mul max up)) eqn:Fm.
-  - apply val_le; try assumption. apply mul_finite in Fm as (_ & _ & ->). rewrite Z, Vu.
-    apply rnd_nonneg. apply Rmult_le_pos; [lra|apply bpow_ge_0].
-  - (* What overflows is above everything. *)
-    pose proof (Bmult_correct 53 1024 precise bounded mode_NE max (up : num doubles)) as C. destruct Rlt_bool.
-    + exfalso. destruct C as (_ & D & _). simpl in *. unfold double in *. rewrite D, F in Fm. now rewrite Fu in Fm.
-    + assert (S : Bsign (max : double) = false).
-      { destruct max as [|[]| |[]]; try discriminate; reflexivity. }
-      rewrite S in C. simpl. destruct (Bmult mode_NE (max : double) (up : num doubles)) as [|[]| |]; try discriminate. reflexivity.
+  destruct (power_exact 600 ltac:(lia)) as (Fu & Vu). apply mul_positive; try assumption.
+  unfold up. rewrite Vu. apply bpow_gt_0.
 Qed.
 
 (** What the clamp lets be used is not above the bound by the norm that is computed. *)
