@@ -14,7 +14,7 @@ fn all() -> Vec<Defect> {
         path.file_name().is_some_and(|name| name != "Cargo.toml") && path.extension().is_some_and(|e| e == "toml")
     };
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let tables = entries.filter(|path| path.ends_with("peer") || is_table(path));
+    let tables = entries.filter(|path| path.ends_with("peer") || path.ends_with("deep") || is_table(path));
     tables.flat_map(|table| read(&table).unwrap()).collect()
 }
 
