@@ -106,14 +106,14 @@ struct Shown {
 
 impl Listener for Shown {
     fn begins(&mut self, row: &Row) {
-        self.row = Some(Progress::spinner(format!("{}: {}", row.name, row.about), self.visible));
+        self.row = Some(Progress::spinner(format!("{}: {}", row.name, row.command), self.visible));
     }
 
     fn ends(&mut self, row: &RowReport) {
         if let Some(progress) = self.row.take() {
             progress.done();
             if self.visible {
-                progress.say(&format!("{}: {} after {:.0} s", row.name, row.state.as_str(), row.elapsed_s));
+                eprintln!("{}: {} after {:.0} s", row.name, row.state.as_str(), row.elapsed_s);
             }
         }
     }

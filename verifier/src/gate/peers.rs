@@ -23,9 +23,8 @@ pub(super) fn check(gate: &Gate<'_>) -> Result<Found, Unrun> {
         return Err(Unrun::Missing(format!("this program was built of another {TEXT}/{file}: cargo verify gate")));
     }
     let result = gate.tools.scratch().path("peers.json");
-    let program = std::env::current_exe().map_err(|error| Unrun::Missing(format!("this program: {error}")))?;
     let (vectors, json) = (gate.path(CORPUS).display().to_string(), result.display().to_string());
-    let command = gate.tools.program(&program, &["--vectors", &vectors, "--json", &json], "");
+    let command = gate.tools.itself(&["--vectors", &vectors, "--json", &json])?;
     let ended = gate.tools.run(command, "peers")?;
     match Report::read(&result) {
         Ok(report) => judge(&report),

@@ -98,7 +98,7 @@ pub const ROWS: &[Row] = &[
         about: "proto and projection break nothing that went out: strings, defaults, keys, names (our own check)",
         command: "cargo xtask contract",
         remedy: "keep what peers in the field speak, and add beside it: proto/README.md, \"What buf does not see\"",
-        to_run: NEEDS_CARGO,
+        to_run: "have buf and cargo, and beside an image its projection, as in proto/baseline",
         place: PROTO,
         needs: &["xtask/Cargo.toml", "proto/Cargo.toml"],
         run: contract,
@@ -160,7 +160,7 @@ pub const PROOFS: [&str; 7] = [
 
 const HELD: &str = "hold the tree against what has a contract (--against)";
 const INSTALL_BUF: &str = "cargo xtask test --only buf-lint installs buf into .tools, and NCP_BUF names another one";
-const NEEDS_CARGO: &str = "run the gate with cargo on PATH, in a tree that has the crates of the project";
+const NEEDS_CARGO: &str = "put cargo on PATH";
 
 impl Found {
     /// Says what is wrong instead, if anything is.

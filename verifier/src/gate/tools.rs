@@ -50,6 +50,8 @@ pub(super) struct Tools<'t> {
     root: &'t Path,
     scratch: &'t Scratch,
     stop: &'t Stop,
+    /// This very program, where it was when the gate was asked.
+    own: io::Result<PathBuf>,
 }
 
 /// How a program ended.
@@ -81,12 +83,18 @@ pub(super) enum ToolError {
 
 impl<'t> Tools<'t> {
     pub(super) fn new(root: &'t Path, scratch: &'t Scratch, stop: &'t Stop) -> Self {
-        Self { root, scratch, stop }
+        Self { root, scratch, stop, own: std::env::current_exe() }
     }
 
     /// The folder for what is needed meanwhile.
     pub(super) fn scratch(&self) -> &Scratch {
         self.scratch
+    }
+
+    /// This program, in the root of the tree.
+    pub(super) fn itself(&self, args: &[&str]) -> Result<Command, ToolError> {
+        let failed = |error: &io::Error| ToolError::Missing(format!("this program, by its path ({error}),"));
+        self.own.as_ref().map(|own| self.program(own, args, "")).map_err(failed)
     }
 
     /// cargo, in the root of the tree.
@@ -204,7 +212,8 @@ fn shown(command: &Command) -> String {
     words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use super::*;
 
