@@ -117,6 +117,8 @@ fn faults(breakage: &Breakage, report: &GateReport) -> Vec<String> {
 struct Copy {
     root: PathBuf,
     target: PathBuf,
+    /// The program, apart from the one that somebody may build meanwhile.
+    program: PathBuf,
 }
 
 impl Copy {
@@ -124,8 +126,9 @@ impl Copy {
     fn of_the_tree() -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("gate");
         let target = std::env::var_os("NCP_GATE_TARGET").map_or_else(|| folder.join("target"), PathBuf::from);
-        let copy = Self { root: folder.join("tree"), target };
+        let copy = Self { root: folder.join("tree"), target, program: folder.join("ncp-verify") };
         fs::create_dir_all(&copy.root).unwrap();
+        fs::copy(env!("CARGO_BIN_EXE_ncp-verify"), &copy.program).unwrap();
         if copy.root.join(".git").exists() {
             copy.restore();
         } else {
@@ -174,7 +177,7 @@ impl Copy {
         let result = self.target.join("gate.json");
         fs::create_dir_all(&self.target).unwrap();
         fs::remove_file(&result).ok();
-        let mut gate = self.cargo_env(Command::new(env!("CARGO_BIN_EXE_ncp-verify")));
+        let mut gate = self.cargo_env(Command::new(&self.program));
         gate.args(["gate", "--against", "v0", "--json"]).arg(&result);
         gate.args(rows.iter().flat_map(|row| ["--only", row]));
         let output = gate.output().unwrap();
