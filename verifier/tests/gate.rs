@@ -415,7 +415,7 @@ mod in_a_small_tree {
         use std::os::unix::fs::PermissionsExt as _;
         let folder = tree();
         write(folder.path(), "proto/buf.yaml", "");
-        write(folder.path(), "buf", "#!/bin/sh\nsleep 60\n");
+        write(folder.path(), "buf", "#!/bin/sh\ntouch started\nsleep 60\n");
         let buf = folder.path().join("buf");
         fs::set_permissions(&buf, fs::Permissions::from_mode(0o755)).unwrap();
         let clock = std::time::Instant::now();
@@ -423,7 +423,11 @@ mod in_a_small_tree {
         gate.current_dir(folder.path()).env("NCP_BUF", buf).stdin(Stdio::null());
         let gate = gate.args(["gate", "--against", "before"]).stdout(Stdio::piped()).stderr(Stdio::null());
         let child = gate.spawn().unwrap();
-        std::thread::sleep(std::time::Duration::from_secs(2));
+        while !folder.path().join("proto/started").exists() {
+            assert!(clock.elapsed().as_secs() < 60);
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
+        let clock = std::time::Instant::now();
         success(Command::new("kill").args(["-INT", &child.id().to_string()]));
         let output = child.wait_with_output().unwrap();
         assert_eq!(output.status.code(), Some(130));
