@@ -338,6 +338,13 @@ mod tests {
     }
 
     #[test]
+    fn the_gate_of_a_release_asks_for_every_artefact_of_proofs() {
+        let names = ARTEFACTS.iter().map(|artefact| artefact.name);
+        let of_proofs: Vec<&str> = names.filter(|name| name.starts_with(OF_PROOFS)).collect();
+        assert_eq!(of_proofs, ncp_verifier::gate::PROOFS);
+    }
+
+    #[test]
     fn a_change_of_a_wire_message_leaves_the_proofs_of_the_kernel_alone() {
         let kernel = Artefact::named("proofs-kernel").unwrap();
         assert!(kernel.sources.iter().all(|source| !"spec/src/wire/messages.rs".starts_with(source)));

@@ -47,7 +47,14 @@ impl fmt::Display for Violation {
 /// Empty when nothing breaks. A contract that cannot be read is a violation of
 /// [`Rule::Unreadable`].
 pub fn check_current() -> Vec<Violation> {
-    match (Contract::baseline(), Contract::current()) {
+    check_against(crate::BASELINE_IMAGE, crate::BASELINE_PROJECTION)
+}
+
+/// Holds the contract of this build against another: an image (or descriptor set) and the text of its projection.
+///
+/// As [`check_current`], which holds it against the frozen one.
+pub fn check_against(image: &[u8], projection: &str) -> Vec<Violation> {
+    match (Contract::new(image, projection), Contract::current()) {
         (Ok(baseline), Ok(current)) => check(&baseline, &current),
         (baseline, current) => [("frozen contract", baseline.err()), ("contract", current.err())]
             .into_iter()

@@ -20,6 +20,7 @@
 //! | [`merge`] | one result from those of shards |
 //! | [`attest`] | a result that somebody answers for: a signed statement |
 //! | [`diff`] | compares two results of one peer, case by case |
+//! | [`gate`] | what has to hold of a tree before it is released |
 //! | [`report`] | one model of a result, rendered for terminals, and in the formats of files |
 //! | [`json`] | JSON as it is spelled: order, repeated members, `5` and `5.0` apart |
 //! | [`stop`] | the wish that everything that runs comes to an end |
@@ -36,6 +37,7 @@ pub mod diagnosis;
 pub mod dictionary;
 pub mod diff;
 pub mod fuzz;
+pub mod gate;
 pub mod journal;
 pub mod json;
 pub mod merge;

@@ -224,6 +224,16 @@ pub(crate) const CHECKS: &[Check] = &[
             rust_tests(work, &["--run-ignored", "only"])
         },
     },
+    Check {
+        name: "gate",
+        about: "the gate of a release fails by the right row for each prepared breakage (only when asked for; nightly)",
+        lane: Lane::Peers,
+        runs: |_| false,
+        run: |work| {
+            work.set_up(setup::buf)?;
+            rust_tests(work, &["--run-ignored", "only"])
+        },
+    },
 ];
 
 /// The names of all checks.

@@ -1,6 +1,7 @@
 //! The project's own commands: `cargo xtask <command>`.
 //!
 //! - `generate`: the files that are made from others, and whether they are fresh.
+//! - `contract`: what of a contract that went out this one breaks.
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `work`: what a check works with.
@@ -10,6 +11,7 @@
 #![forbid(unsafe_code)]
 
 mod checks;
+mod contract;
 mod generate;
 mod process;
 mod tally;
@@ -52,6 +54,18 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Say what of a contract that went out this one breaks, as buf does not see it
+    Contract {
+        /// The image of its proto, as buf builds it [default: the frozen one]
+        #[arg(long, value_name = "IMAGE", requires = "projection")]
+        against: Option<PathBuf>,
+        /// Its projection
+        #[arg(long, value_name = "FILE", requires = "against")]
+        projection: Option<PathBuf>,
+        /// Print JSON: rule, place, was, is and why of each
+        #[arg(long)]
+        json: bool,
+    },
     /// Only set up what the checks need: into ignored folders, and valgrind and Chromium by apt-get
     Setup,
 }
@@ -78,6 +92,9 @@ fn run(command: Command) -> Result<bool, Error> {
         Command::Test { only, .. } => test::run(&project, &test::select(&project, &only)),
         Command::Generate { check: true } => generate::report_stale(&project),
         Command::Generate { check: false } => generate::write(&project),
+        Command::Contract { against, projection, json } => {
+            contract::report(against.as_deref().zip(projection.as_deref()), json)
+        }
         Command::Setup => {
             setup::all(&project)?;
             Ok(true)

@@ -8,6 +8,7 @@ mod check;
 mod convert;
 mod explain;
 mod fuzz;
+mod gate;
 mod list;
 mod merge;
 mod output;
@@ -24,6 +25,7 @@ use ncp_text::catalogue::{Level, Role};
 
 use crate::attest::AttestError;
 use crate::diff::{self, DiffError};
+use crate::gate::GateError;
 use crate::journal::JournalError;
 use crate::merge::MergeError;
 use crate::peer::{ManifestError, StartError};
@@ -35,6 +37,7 @@ use crate::verdict::BaselineError;
 
 use attest::{AttestArgs, CheckReportArgs};
 use convert::ConvertArgs;
+use gate::GateArgs;
 use merge::MergeArgs;
 use output::OutputArgs;
 
@@ -78,6 +81,7 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
         Some(Command::Run(run)) => check::named(&suite()?, run, styles, &stop),
         Some(Command::Fuzz(args)) => fuzz::fuzz(&suite()?, args, styles, &stop),
         Some(Command::Diff(diff)) => compare(diff, style),
+        Some(Command::Gate(args)) => gate::gate(args, styles, &stop),
         Some(Command::Attest(args)) => attest::attest(&suite()?, args),
         Some(Command::CheckReport(args)) => attest::check_report(&suite()?, args),
         Some(Command::Convert(args)) => convert::convert(&suite()?, args),
@@ -134,6 +138,7 @@ Examples:
   ncp-verify merge one.json two.json                    one result from the shards of a run
   ncp-verify convert result.json --to md                a stored result in another format
   ncp-verify attest result.json --key KEY -o FILE       a signed result
+  ncp-verify gate --against v0.1.0                      whether this tree can be released
 
 Exit codes:
     0  conformant, or as expected: nothing fails but the peer's expected failures
@@ -162,6 +167,8 @@ enum Command {
     Attest(AttestArgs),
     /// Check a signed result: its signature, its digests, and that its verdict follows from its cases
     CheckReport(CheckReportArgs),
+    /// Hold a tree against what went out before: whether it can be released
+    Gate(GateArgs),
     /// List the cases, or the rules that they test
     List(ListArgs),
     /// Explain a case, a rule or a flag
@@ -417,6 +424,8 @@ enum CliError {
     Render(#[from] RenderError),
     #[error(transparent)]
     Attest(#[from] AttestError),
+    #[error(transparent)]
+    Gate(#[from] GateError),
     #[error("the suite: {0}")]
     Suite(#[from] SuiteError),
     #[error("{0}")]
@@ -430,6 +439,8 @@ impl CliError {
             Self::Read(_) | Self::Merge(_) | Self::Attest(_) => Exit::Usage,
             Self::Journal(JournalError::File { .. }) => Exit::Harness,
             Self::Journal(_) => Exit::Usage,
+            Self::Gate(GateError::Interrupted) => Exit::Interrupted,
+            Self::Gate(_) => Exit::Usage,
             Self::Start(_) => Exit::NotStarted,
             Self::Suite(_) | Self::Render(_) | Self::Harness(_) => Exit::Harness,
         }

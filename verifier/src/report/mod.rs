@@ -11,6 +11,7 @@ mod comparison;
 mod exchange;
 mod expected;
 mod format;
+mod gate;
 mod html;
 mod junit;
 mod layout;
@@ -25,12 +26,13 @@ mod tsv;
 pub use comparison::{Form, comparison};
 pub use expected::expected_list;
 pub use format::{Format, RenderError, render};
+pub use gate::{GATE_FORMATS, GateForm, gate, gate_in};
 pub use junit::junit;
 pub use layout::{Style, wrap};
 pub use model::{
     Asked, CaseReport, Corpus, CrashLogReport, DefectReport, DescriptionReport, DiagnosisReport, DifferenceReport,
     ExcuseReport, Exit, FormError, LevelReport, NotAsked, PeerReport, RateReport, ReadError, Report, RoleReport, Rule,
-    RunReport, State, StoredRun, TallyReport, Tool, day_of,
+    RunReport, State, StoredRun, TallyReport, Tool, day_of, time_of,
 };
 pub use progress::Progress;
 pub use terminal::{Detail, terminal};

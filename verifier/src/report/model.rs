@@ -88,13 +88,21 @@ pub struct Report {
 }
 
 /// What made a report.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tool {
     /// The program.
     pub name: String,
     /// Its version.
     pub version: String,
+}
+
+impl Tool {
+    /// This program.
+    #[must_use]
+    pub fn this() -> Self {
+        Self { name: "ncp-verify".to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() }
+    }
 }
 
 /// The cases that a run could draw on.
@@ -513,8 +521,8 @@ impl Report {
         let corpus = Corpus { files: suite.files(), cases: suite.cases().len(), sha256: suite.digest().to_owned() };
         Self {
             format: FORMAT,
-            tool: Tool { name: "ncp-verify".to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() },
-            started: rfc3339(started),
+            tool: Tool::this(),
+            started: time_of(started),
             elapsed_s: 0.0,
             wire_version: WIRE_VERSION.to_owned(),
             contract_hash: CONTRACT_HASH.to_owned(),
@@ -1061,11 +1069,12 @@ fn rules(suite: &Suite) -> Vec<Rule> {
 /// The day of a time in UTC, such as `2026-12-31`.
 #[must_use]
 pub fn day_of(time: SystemTime) -> String {
-    rfc3339(time).chars().take(10).collect()
+    time_of(time).chars().take(10).collect()
 }
 
 /// A time as RFC 3339 writes it, in UTC, to the second.
-fn rfc3339(time: SystemTime) -> String {
+#[must_use]
+pub fn time_of(time: SystemTime) -> String {
     let seconds = time.duration_since(UNIX_EPOCH).unwrap_or_default().as_secs();
     let (days, second) = (seconds / 86_400, seconds % 86_400);
     // Days to a civil date, counting years from March, so that the leap day is the last of its year.
@@ -1127,7 +1136,7 @@ mod tests {
             (1_709_251_199, "2024-02-29T23:59:59Z"),
             (4_107_542_400, "2100-03-01T00:00:00Z"),
         ] {
-            assert_eq!(rfc3339(UNIX_EPOCH + Duration::from_secs(seconds)), text);
+            assert_eq!(time_of(UNIX_EPOCH + Duration::from_secs(seconds)), text);
         }
     }
 }

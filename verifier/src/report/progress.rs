@@ -36,6 +36,9 @@ impl Progress {
     pub fn spinner(text: String, visible: bool) -> Self {
         let bar = if visible { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
         if visible {
+            if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+                bar.set_style(style);
+            }
             bar.set_message(text);
             bar.enable_steady_tick(Duration::from_millis(100));
         } else {

@@ -7,7 +7,7 @@ use crate::severity::Severity;
 use crate::verdict::Status;
 
 /// Where its schema is found.
-const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
+pub(super) const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 /// The rule of the results that are about the list of expected failures.
 const LIST: &str = "expected-failures";
 
