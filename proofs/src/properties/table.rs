@@ -103,8 +103,10 @@ pub const PROPERTIES: &[Property] = &[
             exactly when its exact norm is not above the radius.",
         statement: "∀ d ∈ D, s, t ∈ E, r ∈ {|d|·2ᵗ, the double before}: inside(d·2ˢ, r) ⇔ |d|·2ˢ ≤ r",
         bounds: "D: (3, −4, 0), (−2, 3, 6), (1, −4, 8), (0, 0, −1); E: 14 powers from −1074 to 1020",
-        assumptions: &["Other positions: by geofence/inside, whose formula is at the same scale; how far that is from \
-            exact norms is theorem/governed-plant-stays-within."],
+        assumptions: &[
+            "Other positions: by geofence/inside, whose formula is at the same scale; how far that is from \
+            exact norms is theorem/governed-plant-stays-within.",
+        ],
     },
     Property {
         id: "geofence/limit",
