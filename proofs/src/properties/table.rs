@@ -209,10 +209,10 @@ pub const PROPERTIES: &[Property] = &[
         family: Family::Clamp,
         rules: &["NCP-SAFE-061"],
         sentence: "Every component is multiplied by one factor common to all; so the direction is kept but for one \
-            rounding of each product, at most 2⁻⁵³ of it (three roundings where the factor is below 2⁻⁹⁰⁰), and at most \
-            2⁻¹⁰⁷⁵ below the normal range.",
-        statement: "clamp(v, max) = w ≠ v ⇒ w = u, or w = 0 where ‖u‖ > max; uᵢ = vᵢ ⊗ f where f = aim ⊗ c ⊘ ‖v‖ ≥ 2⁻⁹⁰⁰, \
-            else vᵢ ⊗ c ⊘ ‖v‖ ⊗ aim; aim = max ⊗ (1 − (n + 8)·2⁻⁵³), ‖v‖ at the scale c of geofence/inside",
+            rounding of each product, at most 2⁻⁵³ of it (three roundings where the factor is below 2⁻⁹⁰⁰), \
+            and at most 2⁻¹⁰⁷⁵ below the normal range.",
+        statement: "clamp(v, max) = w ≠ v ⇒ w = u, or w = 0 where ‖u‖ > max; uᵢ = vᵢ ⊗ f where f = aim ⊗ c ⊘ ‖v‖ ≥ \
+            2⁻⁹⁰⁰, else vᵢ ⊗ c ⊘ ‖v‖ ⊗ aim; aim = max ⊗ (1 − (n + 8)·2⁻⁵³), ‖v‖ at the scale c of geofence/inside",
         bounds: "1 to 3 components",
         assumptions: &["IEEE 754: a product or quotient is the exact one rounded to nearest; that gives the bound in \
             the sentence."],
@@ -481,11 +481,11 @@ pub const PROPERTIES: &[Property] = &[
             "NCP-SAFE-060",
         ],
         sentence: "The numbers on which production runs the kernel compute what their names say: sums, differences, \
-            products, quotients, roots, comparisons and choices of doubles as IEEE 754 has them, the order of seqs, and whole \
-            numbers as indices.",
-        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, select_lt(a, b, 1, 2) = 1 ⇔ a < b, lt ⇔ a < b, le ⇔ \
-            a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = \
-            0",
+            products, quotients, roots, comparisons and choices of doubles as IEEE 754 has them, the order of seqs, \
+            and whole numbers as indices.",
+        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, select_lt(a, \
+            b, 1, 2) = 1 ⇔ a < b, lt ⇔ a < b, le ⇔ a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ \
+            a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = 0",
         bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges",
         assumptions: &["What Rust's own operators do is what IEEE 754 says."],
     },

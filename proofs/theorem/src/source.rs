@@ -580,6 +580,6 @@ mod tests {
         assert_eq!(paths("iteration"), Some(16));
         assert_eq!(paths("steps_inside_1"), Some(785));
         assert_eq!(exports.len(), 119);
-        assert_eq!(exports.iter().map(|export| export.tree.paths()).sum::<usize>(), 2067);
+        assert_eq!(exports.iter().map(|export| export.tree.paths()).sum::<usize>(), 2025);
     }
 }
