@@ -143,21 +143,15 @@ def fresh(now_s, last_s, timeout_ms):
     )
 
 
-def squares(vector):
-    """Σ xᵢ² of doubles."""
-    parts = [claripy.fpMul(RNE, x, x) for x in vector]
-    return claripy.fpAdd(RNE, claripy.fpAdd(RNE, parts[0], parts[1]), parts[2])
+def norm(x, y, z):
+    return length([fp(x), fp(y), fp(z)])
 
 
-def within(vector, bound):
-    """√(Σ xᵢ²) of doubles is not above a bound, both at a scale at which no square leaves the doubles."""
-    total = squares(vector)
-    is_small = claripy.fpLT(total, number(2.0**-900))
-    is_usual = claripy.fpLT(total, number(2.0**1000))
-    usual = claripy.If(is_usual, number(1.0), number(2.0**-600))
-    scale = claripy.If(is_small, number(2.0**600), usual)
-    root = claripy.fpSqrt(RNE, squares([claripy.fpMul(RNE, x, scale) for x in vector]))
-    return claripy.fpLEQ(root, claripy.fpMul(RNE, bound, scale))
+def length(vector):
+    """√(Σ xᵢ²) of doubles."""
+    squares = [claripy.fpMul(RNE, x, x) for x in vector]
+    total = claripy.fpAdd(RNE, claripy.fpAdd(RNE, squares[0], squares[1]), squares[2])
+    return claripy.fpSqrt(RNE, total)
 
 
 def in_ball(x, y, z, radius):
@@ -167,7 +161,7 @@ def in_ball(x, y, z, radius):
         finite(y),
         finite(z),
         positive(radius),
-        within([fp(x), fp(y), fp(z)], fp(radius)),
+        claripy.fpLEQ(norm(x, y, z), fp(radius)),
     )
 
 
@@ -194,7 +188,7 @@ def ends_in_ball(place, radius):
     """Section 7.5, of a place that was computed."""
     is_number = [claripy.Not(claripy.Or(claripy.fpIsNaN(x), claripy.fpIsInf(x))) for x in place]
     return claripy.And(
-        *is_number, positive(radius), within(place, fp(radius))
+        *is_number, positive(radius), claripy.fpLEQ(length(place), fp(radius))
     )
 
 
@@ -761,7 +755,7 @@ def _(i, o):
     return (
         o["answer"] == 1,
         claripy.And(*[finite(c) for c in out]),
-        within([fp(x) for x in out], fp(i["max"])),
+        claripy.fpLEQ(norm(*out), fp(i["max"])),
     )
 
 
@@ -775,7 +769,7 @@ def _(i, o):
     bounds="vectors of three components; else none",
     assume=lambda i: [
         *_can_be_clamped(i),
-        within([fp(i[axis]) for axis in "xyz"], fp(i["max"])),
+        claripy.fpLEQ(norm(i["x"], i["y"], i["z"]), fp(i["max"])),
     ],
 )
 def _(i, o):

@@ -673,9 +673,9 @@ impl<'a> Governor<'a> {
         self.velocity(channels)?;
         let clamp = |channel: &Channel| {
             let mut channel = channel.clone();
-            if self.unit(&channel) == Some(MPS) && !is_within(&channel.data, most) {
-                let (length, scale) = scaled_norm(&channel.data);
-                channel.data = channel.data.iter().map(|x| x * scale / length * most).collect();
+            let norm = norm(&channel.data);
+            if self.unit(&channel) == Some(MPS) && norm > most {
+                channel.data = channel.data.iter().map(|x| x / norm * most).collect();
             }
             channel
         };
@@ -763,24 +763,8 @@ fn finite(data: &[f64]) -> bool {
     data.iter().all(|x| x.is_finite())
 }
 
-/// The norm times a power of two, and that: the squares of the largest and the smallest doubles are none.
-fn scaled_norm(data: &[f64]) -> (f64, f64) {
-    let scale = match data.iter().fold(0.0_f64, |largest, x| largest.max(x.abs())) {
-        ..1e-120 => 2.0_f64.powi(600),
-        1e120.. => 2.0_f64.powi(-600),
-        _ => 1.0,
-    };
-    (data.iter().map(|x| (x * scale) * (x * scale)).sum::<f64>().sqrt(), scale)
-}
-
 fn norm(data: &[f64]) -> f64 {
-    let (length, scale) = scaled_norm(data);
-    length / scale
-}
-
-fn is_within(data: &[f64], bound: f64) -> bool {
-    let (length, scale) = scaled_norm(data);
-    length <= bound * scale
+    data.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 fn moved(from: &[f64], velocity: &[f64], ms: f64) -> Vec<f64> {
@@ -788,5 +772,5 @@ fn moved(from: &[f64], velocity: &[f64], ms: f64) -> Vec<f64> {
 }
 
 fn inside(data: &[f64], radius: f64) -> bool {
-    finite(data) && is_within(data, radius)
+    finite(data) && norm(data) <= radius
 }

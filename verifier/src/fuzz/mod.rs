@@ -8,6 +8,7 @@
 //! - `tree`: JSON that is built and changed.
 //! - [`harvest`]: strings and numbers from a peer's own sources.
 //! - `generate`: inputs for every call.
+//! - `known`: known defects of the specification, which no peer is charged with.
 //! - `oracle`: what the text asks of an answer, with every freedom that it leaves.
 //! - `asker`: one peer with requests in flight, and what becomes of each.
 //! - `court`: judges a disagreement by the reader and the judge of the suite.
@@ -23,6 +24,7 @@ pub mod coverage;
 mod draw;
 mod generate;
 pub mod harvest;
+mod known;
 mod oracle;
 pub mod report;
 mod rules;
