@@ -71,7 +71,7 @@ fn what_another_rule_decides_is_decided_by_a_rule_of_the_text_and_no_rule_from_a
         let own = rules(&case, &catalogue);
         let level = own.iter().map(|rule| rule.level).max();
         let others: Vec<(&String, &Value)> = case["by"].as_object().into_iter().flatten().collect();
-        for (place, id) in others.iter().copied() {
+        for &(place, id) in &others {
             let id = id.as_str().unwrap();
             let rule = catalogue.get(id);
             let rule = rule.unwrap_or_else(|| panic_with(&format!("{} names {id}, which is no rule", case["id"])));
