@@ -8,6 +8,7 @@ use std::fs;
 use std::io;
 use std::path::PathBuf;
 
+use clap::Args;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -25,12 +26,22 @@ pub(crate) const PASSED: &str = "passed";
 /// Where the program leaves what it found, from the root of the project.
 const RULINGS: &str = "reports/full/live-rulings.json";
 const DEFECTS: &str = "reports/full/live-defects.json";
+const AGAIN: &str = "reports/full/live-again.json";
+
+#[derive(Debug, Args)]
+pub(crate) struct LiveArgs {
+    /// Only the defects that the last run missed, and nothing else of it; it has to be of the same sources
+    #[arg(long)]
+    missed: bool,
+}
 
 /// Why the live scenarios say nothing.
 #[derive(Debug, Error)]
 pub(crate) enum LiveError {
     #[error("cannot start cargo: {0}")]
     Start(io::Error),
+    #[error("the sources have changed since the last run: run `cargo assure live` without --missed")]
+    Changed,
     #[error("`cargo live {command}` left no result: it could not judge")]
     NoResult { command: &'static str },
     #[error("{}: {source}", path.display())]
@@ -70,16 +81,32 @@ struct Report {
 }
 
 /// Runs every scenario on our own system, and with each planted defect; `false` if a rule is not shown, or a defect not
-/// noticed by its rule.
+/// noticed by its rule. A busy machine leaves a scenario without a verdict, so a defect that is missed is tried once more.
 ///
 /// # Errors
 /// A program that cannot be started, or a file.
-pub(crate) fn run(project: &Project) -> Result<bool, LiveError> {
+pub(crate) fn run(project: &Project, args: &LiveArgs) -> Result<bool, LiveError> {
     let root = project.path("");
     // What changes while it runs was not judged.
     let sources = Artefact::named(NAME).map(|own| own.digests(&root)).transpose();
     let sources = sources.map_err(|source| LiveError::File { path: root.clone(), source })?.unwrap_or_default();
-    let report = Report { rulings: judged(project, "all", RULINGS)?, defects: judged(project, "mutants", DEFECTS)? };
+    let mut report = if args.missed {
+        if Lock::read(&root, NAME)?.is_none_or(|lock| lock.sources != sources) {
+            return Err(LiveError::Changed);
+        }
+        Report { rulings: left(project, "all", RULINGS)?, defects: left(project, "mutants", DEFECTS)? }
+    } else {
+        Report { rulings: judged(project, "all", RULINGS, &[])?, defects: judged(project, "mutants", DEFECTS, &[])? }
+    };
+    let missed = report.defects.iter().filter(|found| !found.is_caught());
+    let missed: Vec<String> = missed.flat_map(|found| ["--only".to_owned(), found.defect.clone()]).collect();
+    if !missed.is_empty() {
+        let again: Vec<Found> = judged(project, "mutants", AGAIN, &missed)?;
+        for found in &mut report.defects {
+            let other = again.iter().find(|other| (&other.defect, &other.scenario) == (&found.defect, &found.scenario));
+            *found = other.unwrap_or(found).clone();
+        }
+    }
     report.lock(sources).write(&root, NAME)?;
     let (folder, page) = (project.path(reports::PAGES), report.page());
     reports::page(&folder, NAME, &page)?;
@@ -95,7 +122,12 @@ pub(crate) fn fate_of(scenario: &str, rule: &str) -> String {
 }
 
 /// What `cargo live` finds with a command.
-fn judged<T: DeserializeOwned>(project: &Project, command: &'static str, file: &str) -> Result<Vec<T>, LiveError> {
+fn judged<T: DeserializeOwned>(
+    project: &Project,
+    command: &'static str,
+    file: &str,
+    more: &[String],
+) -> Result<Vec<T>, LiveError> {
     let path = project.path(file);
     let failed = |source| LiveError::File { path: path.clone(), source };
     path.parent().map_or(Ok(()), fs::create_dir_all).map_err(failed)?;
@@ -103,11 +135,17 @@ fn judged<T: DeserializeOwned>(project: &Project, command: &'static str, file: &
         fs::remove_file(&path).map_err(failed)?;
     }
     let words = ["run", "--quiet", "--manifest-path", "live/Cargo.toml", "-p", "ncp-live", "--", command, "--json"];
-    project.cargo(&words).arg(&path).status().map_err(LiveError::Start)?;
+    project.cargo(&words).arg(&path).args(more).status().map_err(LiveError::Start)?;
+    left(project, command, file)
+}
+
+/// What a command left.
+fn left<T: DeserializeOwned>(project: &Project, command: &'static str, file: &str) -> Result<Vec<T>, LiveError> {
+    let path = project.path(file);
     if !path.exists() {
         return Err(LiveError::NoResult { command });
     }
-    let text = fs::read_to_string(&path).map_err(failed)?;
+    let text = fs::read_to_string(&path).map_err(|source| LiveError::File { path: path.clone(), source })?;
     serde_json::from_str(&text).map_err(|source| LiveError::Form { path, source })
 }
 

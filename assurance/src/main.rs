@@ -75,7 +75,7 @@ enum Command {
     #[command(after_help = prove::EXAMPLES)]
     Prove(prove::ProveArgs),
     /// Run the live scenarios on our own system, and with each planted defect; Zenoh takes minutes to compile
-    Live,
+    Live(live::LiveArgs),
     /// Fuzz every target for a while, replay its inputs, or ask what it finds and reaches
     #[command(after_help = fuzz::EXAMPLES)]
     Fuzz(fuzz::FuzzArgs),
@@ -119,7 +119,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
             proofs::keep(&project, args.engines(), &before, args.report)?;
             Ok(good)
         }
-        Command::Live => Ok(live::run(&project)?),
+        Command::Live(args) => Ok(live::run(&project, &args)?),
         Command::Fuzz(args) => Ok(fuzz::run(&project, args)?),
     }
 }

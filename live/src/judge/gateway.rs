@@ -103,13 +103,17 @@ pub(super) fn side_by_side(bus: &Bus, target: &Target, rulings: &mut Rulings) ->
     let slow = session(target, "slow");
     let (of_script, holds) = (slow.clone(), Arc::new(AtomicBool::new(false)));
     let (held, longest) = (Arc::clone(&holds), target.gateway.query * 2 / 5);
+    let is_at_it = Arc::new(AtomicBool::new(false));
+    let at_it = Arc::clone(&is_at_it);
     let service = service(target, rulings, move |line| {
         let id = session_in(line);
         if id == of_script {
+            at_it.store(true, Ordering::SeqCst);
             let began = Instant::now();
             while held.load(Ordering::SeqCst) && began.elapsed() < longest {
                 thread::sleep(Duration::from_millis(1));
             }
+            at_it.store(false, Ordering::SeqCst);
         }
         Does::Reply(observation(&id, 1.0))
     });
@@ -125,7 +129,9 @@ pub(super) fn side_by_side(bus: &Bus, target: &Target, rulings: &mut Rulings) ->
         is_beside |= thread::scope(|scope| -> Result<bool, LiveError> {
             let slow = scope.spawn(|| client.ask(&step(&slow, 1.0)).is_ok());
             let is_asked = until(longest, || Ok(service.lines().len() > before))?;
-            let is_answered = is_asked && client.ask(&step(&session(target, "b"), 1.0)).is_ok() && !slow.is_finished();
+            let is_answered = is_asked && client.ask(&step(&session(target, "b"), 1.0)).is_ok();
+            // The service itself knows whether it is still at the slow one: a busy client may hear late of its answer.
+            let is_answered = is_answered && is_at_it.load(Ordering::SeqCst);
             holds.store(false, Ordering::SeqCst);
             // Whether it was answered in the end, other scenarios say.
             let _ = slow.join();
