@@ -81,7 +81,8 @@ struct Report {
 }
 
 /// Runs every scenario on our own system, and with each planted defect; `false` if a rule is not shown, or a defect not
-/// noticed by its rule. A busy machine leaves a scenario without a verdict, so a defect that is missed is tried once more.
+/// noticed by its rule. A busy machine leaves a scenario without a verdict, so a defect that is missed is tried once
+/// more.
 ///
 /// # Errors
 /// A program that cannot be started, or a file.

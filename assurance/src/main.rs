@@ -119,7 +119,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
             proofs::keep(&project, args.engines(), &before, args.report)?;
             Ok(good)
         }
-        Command::Live(args) => Ok(live::run(&project, &args)?),
+        Command::Live(args) => Ok(live::run(&project, args)?),
         Command::Fuzz(args) => Ok(fuzz::run(&project, args)?),
     }
 }
