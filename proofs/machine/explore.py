@@ -9,11 +9,11 @@ import hashlib
 import importlib.metadata
 import io
 import json
+import multiprocessing
 import os
 import sys
 import time
 import tomllib
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import claripy
@@ -69,15 +69,16 @@ def main():
     files = (arguments.library, arguments.broken if defects else None, evidence)
     # The slow ones first: none of them is left alone at the end.
     queue = sorted(wanted, key=lambda p: p.function not in SLOW)
-    with ProcessPoolExecutor(arguments.jobs, initializer=begin, initargs=files) as pool:
-        proved = {p.id: pool.submit(prove_here, p.id) for p in queue}
-        refuted = [pool.submit(refute_here, *defect) for defect in defects]
-        results = [proved[p.id].result() for p in wanted]
+    begin(*files)
+    # A process for each task, forked off this one: what a solver finds depends on what it was asked before.
+    with multiprocessing.get_context("fork").Pool(arguments.jobs, maxtasksperchild=1) as pool:
+        proved = {p.id: pool.apply_async(prove_here, (p.id,)) for p in queue}
+        refuted = [pool.apply_async(refute_here, defect) for defect in defects]
+        results = [proved[p.id].get() for p in wanted]
         if any(result["verdict"] == "refuted" for result in results):
             print("the kernel is refuted: the broken kernels would mean nothing and are left out")
-            pool.shutdown(cancel_futures=True)
             refuted = []
-        refuted = [future.result() for future in refuted]
+        refuted = [later.get() for later in refuted]
     report = {
         "name": "machine",
         "version": "angr {}, bitwuzla {}, z3 {}".format(
@@ -121,7 +122,7 @@ def prefix(defect):
 
 
 def begin(library, broken, evidence):
-    """Loads the libraries, once a process."""
+    """Loads the libraries, which the processes of all tasks inherit."""
     HELD["library"] = Library(library)
     if broken:
         HELD["broken"] = Library(broken)

@@ -12,6 +12,7 @@ import claripy  # noqa: E402
 from angr import sim_options  # noqa: E402
 from angr.state_plugins.solver import SimSolver  # noqa: E402
 
+import choices  # noqa: E402
 import solver  # noqa: E402
 
 # Where the functions write, and how much.
@@ -120,7 +121,8 @@ class Library:
         self._call(state, signature, inputs)
         for condition in assume(inputs):
             state.add_constraints(condition)
-        state.inspect.b("address_concretization", when=angr.BP_BEFORE, action=_refuse_address)
+        decide = _concretizes(self.code)
+        state.inspect.b("address_concretization", when=angr.BP_BEFORE, action=decide)
 
         exploration = Exploration(inputs, [], start=entry.rebased_addr - self.base)
         manager = self.project.factory.simulation_manager(state, save_unsat=False)
@@ -132,17 +134,12 @@ class Library:
             manager.step()
         self._check_end(manager)
         for ended in manager.deadended:
-            exploration.paths.append(
-                Path(
-                    list(ended.solver.constraints),
-                    ended.regs.rax,
-                    [
-                        ended.memory.load(OUT + 8 * word, 8, endness="Iend_LE")
-                        for word in range(OUT_BYTES // 8)
-                    ],
-                    [address - self.base for address in ended.history.bbl_addrs][:-1],
-                )
-            )
+            words = range(OUT_BYTES // 8)
+            left = [ended.regs.rax, *(ended.memory.load(OUT + 8 * word, 8, endness="Iend_LE") for word in words)]
+            blocks = [address - self.base for address in ended.history.bbl_addrs][:-1]
+            conditions = list(ended.solver.constraints)
+            paths = choices.made(conditions, left) if signature.computes else [(conditions, left)]
+            exploration.paths.extend(Path(taken, answer, memory, blocks) for taken, (answer, *memory) in paths)
         return exploration
 
     def _call(self, state, signature, inputs):
@@ -190,7 +187,41 @@ class Library:
                 raise Incomplete(f"a path ends at {state.addr:#x}")
 
 
-def _refuse_address(state):
-    address = state.inspect.address_concretization_expr
-    if address is not None and state.solver.symbolic(address):
-        raise Incomplete(f"an address depends on an input: {address}")
+def _concretizes(library):
+    """What becomes of an address that depends on an input: it is refused, but for a load from a table of constants."""
+
+    def decide(state):
+        address = state.inspect.address_concretization_expr
+        if address is None or not state.solver.symbolic(address):
+            return
+        places = _leaves(claripy.excavate_ite(address))
+        sections = [library.find_section_containing(place) for place in places or [0]]
+        is_table = all(section is not None and not section.is_writable for section in sections)
+        if state.inspect.address_concretization_action != "load" or not is_table:
+            raise Incomplete(f"an address depends on an input: {address}")
+        state.inspect.address_concretization_strategy = Table(sorted(places))
+
+    return decide
+
+
+class Table(angr.concretization_strategies.SimConcretizationStrategy):
+    """All places of a table of constants, from which a condition chooses: the compiler's way to choose of two doubles.
+
+    The address is a choice of these by its form, so that no solver is asked, and no other can come of it. What is read
+    is a choice, too, of which `choices` makes paths.
+    """
+
+    def __init__(self, places):
+        super().__init__()
+        self.places = places
+
+    def _concretize(self, memory, addr, **kwargs):
+        return self.places
+
+
+def _leaves(address):
+    """The numbers of which an expression is one by its form, whatever its conditions are; none where it may be another."""
+    if address.op == "If":
+        parts = [_leaves(part) for part in address.args[1:]]
+        return None if None in parts else set().union(*parts)
+    return {address.concrete_value} if address.concrete else None

@@ -35,7 +35,7 @@ SIGNATURES = {
     "enforced_ttl": Signature((), ("ttl_ms",), writes=True),
     "advances": Signature(("flags", "last", "seq"), ()),
     "hold_takes_effect": Signature(("flags", "last", "seq"), ()),
-    "inside": Signature((), ("x", "y", "z", "radius")),
+    "inside": Signature((), ("x", "y", "z", "radius"), computes=True),
     "limit": Signature(("flags",), ("value",), writes=True),
     "clamp": Signature((), ("x", "y", "z", "max"), writes=True, computes=True),
     "projection": Signature(
@@ -143,15 +143,27 @@ def fresh(now_s, last_s, timeout_ms):
     )
 
 
-def norm(x, y, z):
-    return length([fp(x), fp(y), fp(z)])
+def squares(vector):
+    """Σ xᵢ² of doubles."""
+    parts = [claripy.fpMul(RNE, x, x) for x in vector]
+    return claripy.fpAdd(RNE, claripy.fpAdd(RNE, parts[0], parts[1]), parts[2])
 
 
-def length(vector):
-    """√(Σ xᵢ²) of doubles."""
-    squares = [claripy.fpMul(RNE, x, x) for x in vector]
-    total = claripy.fpAdd(RNE, claripy.fpAdd(RNE, squares[0], squares[1]), squares[2])
-    return claripy.fpSqrt(RNE, total)
+def within(vector, bound):
+    """√(Σ xᵢ²) of doubles is not above a bound, both at a scale at which no square leaves the doubles."""
+
+    def at(scale):
+        root = claripy.fpSqrt(RNE, squares([claripy.fpMul(RNE, x, number(scale)) for x in vector]))
+        return claripy.fpLEQ(root, claripy.fpMul(RNE, bound, number(scale)))
+
+    total = squares(vector)
+    is_small = claripy.fpLT(total, number(2.0**-900))
+    is_below = claripy.fpLT(total, number(2.0**1000))
+    return claripy.Or(
+        claripy.And(is_small, at(2.0**600)),
+        claripy.And(claripy.Not(is_small), is_below, at(1.0)),
+        claripy.And(claripy.Not(is_small), claripy.Not(is_below), at(2.0**-600)),
+    )
 
 
 def in_ball(x, y, z, radius):
@@ -161,7 +173,7 @@ def in_ball(x, y, z, radius):
         finite(y),
         finite(z),
         positive(radius),
-        claripy.fpLEQ(norm(x, y, z), fp(radius)),
+        within([fp(x), fp(y), fp(z)], fp(radius)),
     )
 
 
@@ -188,7 +200,7 @@ def ends_in_ball(place, radius):
     """Section 7.5, of a place that was computed."""
     is_number = [claripy.Not(claripy.Or(claripy.fpIsNaN(x), claripy.fpIsInf(x))) for x in place]
     return claripy.And(
-        *is_number, positive(radius), claripy.fpLEQ(length(place), fp(radius))
+        *is_number, positive(radius), within(place, fp(radius))
     )
 
 
@@ -755,7 +767,7 @@ def _(i, o):
     return (
         o["answer"] == 1,
         claripy.And(*[finite(c) for c in out]),
-        claripy.fpLEQ(norm(*out), fp(i["max"])),
+        within([fp(x) for x in out], fp(i["max"])),
     )
 
 
@@ -769,7 +781,7 @@ def _(i, o):
     bounds="vectors of three components; else none",
     assume=lambda i: [
         *_can_be_clamped(i),
-        claripy.fpLEQ(norm(i["x"], i["y"], i["z"]), fp(i["max"])),
+        within([fp(i[axis]) for axis in "xyz"], fp(i["max"])),
     ],
 )
 def _(i, o):

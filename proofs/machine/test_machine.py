@@ -1,4 +1,4 @@
-"""Tests of what an answer of a solver counts for, and of what an exploration refuses.
+"""Tests of what an answer of a solver counts for, and of the choices that are made on a path.
 
 python -m unittest discover proofs/machine
 """
@@ -7,7 +7,11 @@ import unittest
 
 import claripy
 
+import choices
 import solver
+from explore import obligations
+from machine import Exploration, Path
+from properties import RNE, Property, fp, number
 from solver import Verdict, read, together
 
 X = claripy.BVS("x", 64)
@@ -51,6 +55,57 @@ class Answers(unittest.TestCase):
         for sign in (0, 1):
             text = solver.smt([is_nan, sum_of.raw_to_bv()[63:63] == sign])
             self.assertIs(solver.decide(text).verdict, Verdict.SAT)
+
+
+class Choices(unittest.TestCase):
+    """Of a word that is loaded from one of two places, 1.0 or 2.0, and by which a double is multiplied."""
+
+    def setUp(self):
+        is_low = claripy.fpLT(claripy.fpMul(RNE, fp(X), fp(X)), number(4.0))
+        self.place = claripy.If(is_low, claripy.BVV(0x10, 64), claripy.BVV(0x18, 64))
+        self.scales = {0x10: 1.0, 0x18: 2.0}
+
+    def path(self, places):
+        """What is left of a load from these places: the product; and that the place is one of them."""
+        word = claripy.BVV(0, 64)
+        for place in places:
+            word = claripy.If(self.place == place, number(self.scales[place]).raw_to_bv(), word)
+        product = claripy.fpMul(RNE, fp(X), fp(word)).raw_to_bv()
+        return [claripy.Or(*[self.place == place for place in places])], [product]
+
+    def verdicts(self, paths, conclusion=lambda i, o: claripy.true()):
+        """What the solvers make of a claim on these paths, by the name of the obligation."""
+        wanted = Property("test", "test", "is_fresh", (), "", "", conclusion)
+        explored = Exploration({"x": X}, [Path(conditions, left[0], left, []) for conditions, left in paths])
+        return {name: solver.decide(text).verdict for name, text in obligations(wanted, explored)}
+
+    def test_each_place_is_a_path_with_a_constant(self):
+        paths = list(choices.made(*self.path([0x10, 0x18])))
+        products = {left[0].hash() for _, left in paths}
+        self.assertEqual(products, {claripy.fpMul(RNE, fp(X), number(s)).raw_to_bv().hash() for s in (1.0, 2.0)})
+        self.assertEqual(self.verdicts(paths)["no-other-path"], Verdict.UNSAT)
+
+    def test_a_lost_place_is_noticed(self):
+        # The other condition is false where the place is lost, and the path is none.
+        paths = list(choices.made(*self.path([0x10])))
+        self.assertEqual(self.verdicts(paths)["no-other-path"], Verdict.SAT)
+
+    def test_a_lost_path_is_noticed(self):
+        for kept in choices.made(*self.path([0x10, 0x18])):
+            self.assertEqual(self.verdicts([kept])["no-other-path"], Verdict.SAT)
+
+    def test_a_choice_within_the_condition_of_another_is_made_first(self):
+        _, [product] = self.path([0x10, 0x18])
+        outer = claripy.If(claripy.fpLT(fp(product), number(1.0)), X, product)
+        paths = list(choices.made([], [claripy.fpAdd(RNE, fp(outer), number(1.0)).raw_to_bv()]))
+        self.assertEqual(len(paths), 4)
+        for conditions, left in paths:
+            self.assertNotIn("If", {part.op for term in [*conditions, *left] for part in term.children_asts()})
+        self.assertEqual(self.verdicts(paths)["no-other-path"], Verdict.UNSAT)
+
+    def test_a_path_without_a_choice_stays_as_it_is(self):
+        path = [X == 7], [claripy.If(X == 7, X, X + 1)]
+        self.assertEqual(list(choices.made(*path)), [path])
 
 
 if __name__ == "__main__":

@@ -65,6 +65,8 @@ pub const ARTEFACTS: [Artefact; 6] = [
             "defects/src",
             "proofs/machine/broken",
             "proofs/machine/build.rs",
+            "proofs/machine/choices.py",
+            "proofs/machine/controls.py",
             "proofs/machine/explore.py",
             "proofs/machine/hints.toml",
             "proofs/machine/machine.py",

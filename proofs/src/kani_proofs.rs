@@ -8,6 +8,7 @@ crate::kani_proofs! {
     watchdog_step = "watchdog/step", 1;
     watchdog_sequence = "watchdog/sequence", 7;
     geofence_inside = "geofence/inside", 4;
+    geofence_range = "geofence/range", 4;
     geofence_limit = "geofence/limit", 1;
     geofence_projection = "geofence/projection", 5;
     geofence_projection_and_clamp = "geofence/projection-and-clamp", 5;
@@ -17,6 +18,7 @@ crate::kani_proofs! {
     clamp_bound = "clamp/bound", 4;
     clamp_unchanged = "clamp/unchanged", 4;
     clamp_direction = "clamp/direction", 4;
+    clamp_range = "clamp/range", 4;
     clamp_tick = "clamp/tick", 4;
     clamp_channel = "clamp/channel", 5;
     clamp_channels = "clamp/channels", 4098;

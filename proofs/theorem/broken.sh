@@ -12,7 +12,7 @@ trap 'rm -rf "$copy"' EXIT
 
 # file @ what stands there @ what takes its place
 changes=(
-    'fence@norm(position).le(radius)@norm(position).lt(radius)'
+    'fence@norm(position).le(radius)@norm(position).length.lt(radius.mul(norm(position).scale))'
     'fence@x.add(u.mul(time_s))@x.sub(u.mul(time_s))'
     'fence@            place = end;@'
     'fence@kept < plan.steps()@kept < plan.steps().min(8)'
@@ -20,6 +20,8 @@ changes=(
     'deadline@60_000.0@600_000.0'
     'deadline@age_ms(now_s, received_s).le(ttl_ms)@age_ms(now_s, received_s).lt(ttl_ms)'
     'speed@vector.len() as f64 + 8.0@vector.len() as f64 + 9.0'
+    'speed@bound.mul(self.scale)@bound'
+    'speed@S::constant(LARGE), S::constant(1.0)@S::constant(LARGE), S::constant(UP)'
     'plant@tick > steps@tick > steps + 1'
     'plant@.should_hold(now_s) || self.estop@.should_hold(now_s)'
     'watchdog@    deadline: Option<(S, S)>,@    deadline: Option<(S, S)>, pub commands: u8,'

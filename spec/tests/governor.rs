@@ -212,7 +212,7 @@ mod limits {
     #[test]
     fn the_least_positive_limit_is_enforced() {
         let (_, sent) = once(&speed(TINY), towards([1.0, 0.0, 0.0]), &at([0.0; 3]));
-        assert!(kernel::norm(setpoint(&sent.channels)) <= TINY);
+        assert!(kernel::norm(setpoint(&sent.channels)).le(TINY));
         let (breach, _) = once(&fence(TINY), towards([0.0; 3]), &at([1.0, 0.0, 0.0]));
         assert_eq!(breach, Decision::Stopped(Reason::OutsideFence));
     }
@@ -499,12 +499,27 @@ mod geofence {
     #[test]
     fn a_position_whose_distance_cannot_be_computed_is_an_estop() {
         for axis in 0..3 {
-            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e155] {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 let mut place = [0.0; 3];
                 place[axis] = bad;
                 let (decision, _) = once(&fence(f64::MAX), towards([0.0; 3]), &at(place));
                 assert_eq!(decision, Decision::Stopped(Reason::OutsideFence), "{place:?}");
             }
+        }
+        let (decision, _) = once(&fence(f64::MAX), towards([0.0; 3]), &at([f64::MAX, f64::MAX, 0.0]));
+        assert_eq!(decision, Decision::Stopped(Reason::OutsideFence));
+    }
+
+    /// [NCP-SAFE-043] [NCP-SAFE-045] Where the squares of the components leave the doubles, too.
+    #[test]
+    fn a_fence_of_any_size_is_where_it_is() {
+        for exponent in [-1074, -1022, -600, -451, -449, 0, 499, 501, 600, 1020] {
+            // In two steps, since not every power is a double.
+            let size = |x: f64| x * 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
+            let place = at([size(2.0), size(-3.0), size(6.0)]);
+            assert_eq!(once(&fence(size(7.0)), towards([0.0; 3]), &place).0, Decision::Passed, "{exponent}");
+            let (decision, _) = once(&fence(size(7.0).next_down()), towards([0.0; 3]), &place);
+            assert_eq!(decision, Decision::Stopped(Reason::OutsideFence), "{exponent}");
         }
     }
 
@@ -556,7 +571,7 @@ mod projection {
     /// [NCP-SAFE-051] The way back of an overflow is no way.
     #[test]
     fn a_projection_that_overflows_leaves_the_fence() {
-        for x in [1e300, f64::MAX, f64::MIN] {
+        for x in [1e307, f64::MAX, f64::MIN] {
             let wild = CommandFrame { ttl_ms: 60_000.0, ..towards([x, 0.0, 0.0]) };
             assert_eq!(once(&fence(f64::MAX), wild, &at(HOME)).0, Decision::Held(Reason::LeavesFence), "{x}");
         }
@@ -692,7 +707,7 @@ mod speed_limit {
         let (decision, sent) = limited(2.5, towards([3.0, -4.0, 0.0]));
         assert_eq!(decision, Decision::Limited);
         let scaled = setpoint(&sent.channels);
-        assert!(kernel::norm(scaled) <= 2.5);
+        assert!(kernel::norm(scaled).le(2.5));
         for (got, want) in scaled.iter().zip([1.5, -2.0, 0.0]) {
             assert!((got - want).abs() <= 1e-12, "{got} is not {want}");
         }
@@ -708,7 +723,7 @@ mod speed_limit {
         }
         let (decision, sent) = limited(5.0_f64.next_down(), towards([3.0, 4.0, 0.0]));
         assert_eq!(decision, Decision::Limited);
-        assert!(kernel::norm(setpoint(&sent.channels)) < 5.0);
+        assert!(kernel::norm(setpoint(&sent.channels)).le(5.0_f64.next_down()));
     }
 
     /// [NCP-SAFE-060] [NCP-SAFE-061] A norm that overflows a double is above every limit.
@@ -718,7 +733,7 @@ mod speed_limit {
             let (decision, sent) = limited(3.0, towards([huge, -huge, huge]));
             assert_eq!(decision, Decision::Limited);
             let scaled = setpoint(&sent.channels);
-            assert!(kernel::norm(scaled) <= 3.0);
+            assert!(kernel::norm(scaled).le(3.0));
             for (got, want) in scaled.iter().zip([1.0, -1.0, 1.0]) {
                 assert!((got - want * 3.0_f64.sqrt()).abs() <= 1e-12, "{huge}: {scaled:?}");
             }
@@ -742,13 +757,30 @@ mod speed_limit {
     /// [NCP-SAFE-060] Whatever the limit, to the least and the largest.
     #[test]
     fn no_limit_is_too_small_or_too_large_to_hold() {
-        for max in [TINY, 1e-300, 1e-160, 1e-3, 1e160, f64::MAX] {
-            for x in [TINY, 1e-160, 1.0, 1e160, f64::MAX] {
+        for max in [TINY, 1e-300, 1e-170, 1e-160, 1e-3, 1e160, 1e170, f64::MAX] {
+            for x in [TINY, 1e-165, 1e-160, 1.0, 1e160, 1e165, f64::MAX] {
                 let (_, sent) = limited(max, towards([x, -x, x]));
-                let norm = kernel::norm(setpoint(&sent.channels));
-                assert!(norm <= max, "{x} at most {max}: {norm}");
+                let sent = setpoint(&sent.channels);
+                assert!(kernel::norm(sent).le(max), "{x} at most {max}: {sent:?}");
+                let is_above = x * 3.0_f64.sqrt() > max;
+                if !is_above {
+                    assert_eq!(sent, [x, -x, x]); // [NCP-SAFE-062]
+                } else if max > f64::MIN_POSITIVE {
+                    // [NCP-SAFE-061] Where squares and quotients leave the doubles, too.
+                    let each = max / 3.0_f64.sqrt();
+                    let is_near = |(got, sign): (&f64, f64)| (got * sign / each - 1.0).abs() <= 1e-12;
+                    assert!(sent.iter().zip([1.0, -1.0, 1.0]).all(is_near), "{x} at most {max}: {sent:?}");
+                }
             }
         }
+    }
+
+    /// [NCP-SAFE-060] [NCP-SAFE-062] Of a subnormal norm, which no double rounds.
+    #[test]
+    fn a_velocity_along_two_axes_is_above_a_limit_that_each_of_them_obeys() {
+        let (decision, sent) = limited(TINY, towards([TINY, TINY, 0.0]));
+        assert_eq!(decision, Decision::Limited);
+        assert!(kernel::norm(setpoint(&sent.channels)).le(TINY));
     }
 
     /// [NCP-SAFE-063] L11
@@ -808,7 +840,7 @@ mod speed_limit {
         assert_eq!(decision, Decision::Limited);
         assert_eq!(setpoint(&command.channels), [0.5, 0.0, 0.0]);
         let wheels = &command.channels["wheels"].data;
-        assert!(kernel::norm(wheels) <= 1.0 && wheels.iter().all(|x| (x - 0.5).abs() < 1e-12));
+        assert!(kernel::norm(wheels).le(1.0) && wheels.iter().all(|x| (x - 0.5).abs() < 1e-12));
         let winch = command.channels["winch"].data[0];
         assert!((-1.0..-1.0 + 1e-12).contains(&winch), "{winch}");
         assert_eq!(command.channels["spin"].data, [50.0; 3]);
@@ -824,8 +856,8 @@ mod speed_limit {
             command.channels.insert("many", ChannelValue::new(many.clone(), METRES_PER_SECOND));
             let (_, sent) = limited(0.7, command);
             let scaled = &sent.channels["many"].data;
-            assert!(kernel::norm(scaled) <= 0.7);
-            assert!(kernel::norm(scaled) >= 0.7 * (1.0 - 1e-11), "width {width}");
+            assert!(kernel::norm(scaled).le(0.7));
+            assert!(!kernel::norm(scaled).le(0.7 * (1.0 - 1e-11)), "width {width}");
             let factor = scaled[0] / many[0];
             let is_kept = |(s, m): (&f64, &f64)| (s / m / factor - 1.0).abs() < 1e-12;
             assert!(scaled.iter().zip(&many).all(is_kept), "width {width}");

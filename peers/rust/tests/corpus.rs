@@ -45,6 +45,16 @@ fn the_executable_specification_agrees_with_every_case() {
 }
 
 #[test]
+fn the_executable_specification_agrees_with_the_deep_set() {
+    let suite = Suite::deep().unwrap();
+    let cases: Vec<&Case> = suite.cases().iter().collect();
+    let lines = answers(&cases);
+    assert_eq!(lines.len(), cases.len());
+    let wrong: Vec<_> = cases.iter().zip(&lines).filter_map(|(case, line)| fault(case, line)).collect();
+    assert!(wrong.is_empty(), "{} cases:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
 fn the_answer_to_another_case_is_noticed() {
     let suite = Suite::embedded().unwrap();
     let case = |id: &str| suite.case(id).unwrap();

@@ -41,9 +41,8 @@ pub fn of(property: &str) -> Bounds {
             values(&[0.0, -0.0, 3.0, -4.0, 5.0, 1e200, f64::MAX, 5e-324, f64::NAN, f64::INFINITY], &[0], 0)
         }
         "geofence/step" => values(&[1.0, 3.0], &[0], 0),
-        "geofence/follow" | "geofence/long" | "clamp/channels" | "latch/closed" | "latch/replay" => {
-            values(&[0.0], &[0], 0)
-        }
+        "geofence/range" | "geofence/follow" | "geofence/long" | "clamp/range" | "clamp/channels" | "latch/closed"
+        | "latch/replay" => values(&[0.0], &[0], 0),
         "clamp/channel" => values(&[0.0, -3.0, 4.0, 5.0, f64::MAX, f64::NAN], &[0], 0),
         "clamp/bound" | "clamp/unchanged" => values(COMPONENTS, &[0], 0),
         "clamp/direction" => values(

@@ -3,7 +3,7 @@
 use ncp_kernel::{Channel, Limit, Reason, Scalar};
 
 pub use super::loops::{channel, channels};
-use super::words::{all_finite, norm, positive};
+use super::words::{all_finite, is_within, norm, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
 
@@ -44,8 +44,7 @@ pub fn bound<K: Kernel, P: Prover>(p: &mut P) {
     let alike = p.and(same, alike);
     p.check("clamp says and does the same", alike);
     if c.answer.is_some() {
-        let after = norm(p, c.after.get(..c.width).unwrap_or_default());
-        let within = p.le(after, c.max);
+        let within = is_within(p, c.after.get(..c.width).unwrap_or_default(), c.max);
         p.check("the norm is not above the bound", within);
     }
 }
@@ -54,8 +53,7 @@ pub fn bound<K: Kernel, P: Prover>(p: &mut P) {
 pub fn unchanged<K: Kernel, P: Prover>(p: &mut P) {
     let c = clamped::<K, P>(p);
     let Some(changed) = c.answer else { return };
-    let before = norm(p, c.before.get(..c.width).unwrap_or_default());
-    let within = p.le(before, c.max);
+    let within = is_within(p, c.before.get(..c.width).unwrap_or_default(), c.max);
     p.exactly("left alone exactly within the bound", !changed, within);
     if !changed {
         let same: Vec<_> = (0..3).map(|axis| same_at(p, &c, axis)).collect();
@@ -71,9 +69,9 @@ fn same_at<P: Prover>(p: &mut P, c: &Clamped<P>, axis: usize) -> P::B {
     }
 }
 
-/// Every component is the old one times one factor, common to all, each product rounded once; where the
-/// norm overflows, first divided by the largest, each quotient rounded once. The zero vector stands only
-/// where that rounds above the bound.
+/// Every component is the old one times one factor, common to all, each product rounded once; where the factor is
+/// below 2⁻⁹⁰⁰, first divided by the norm and then times the bound. The zero vector stands only where that rounds above
+/// the bound.
 pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
     let c = clamped::<K, P>(p);
     if c.answer != Some(true) {
@@ -86,26 +84,70 @@ pub fn direction<K: Kernel, P: Prover>(p: &mut P) {
     let margin = p.number(1.0 - (c.width as f64 + 8.0) * 2.0_f64.powi(-53));
     let aim = c.max.mul(margin);
 
-    let length = norm(p, before);
-    let overflows = {
-        let finite = p.finite(length);
-        p.not(finite)
-    };
-    let mut largest = p.number(0.0);
-    for x in before {
-        let larger = p.lt(largest, x.abs());
-        largest = p.select(larger, x.abs(), largest);
-    }
-    let base: Vec<P::S> = before.iter().map(|x| p.select(overflows, x.div(largest), *x)).collect();
-    let factor = aim.div(norm(p, &base));
-    let scaled: Vec<P::S> = base.iter().map(|x| x.mul(factor)).collect();
-    let length = norm(p, &scaled);
-    let fits = p.le(length, c.max);
+    let (length, scale) = norm(p, before);
+    let factor = aim.mul(scale).div(length);
+    let least = p.number(2.0_f64.powi(-900));
+    let is_harmless = p.le(least, factor);
+    let by_norm = |x: P::S| x.mul(scale).div(length).mul(aim);
+    let scaled: Vec<P::S> = before.iter().map(|x| p.select(is_harmless, x.mul(factor), by_norm(*x))).collect();
+    let fits = is_within(p, &scaled, c.max);
     let zero = p.number(0.0);
     for (scaled, after) in scaled.iter().zip(after) {
         let says = p.select(fits, *scaled, zero);
         let same = p.same(says, *after);
         p.check("every component by one factor", same);
+    }
+}
+
+/// Vectors whose norm is exact.
+const EXACT: [([f64; 3], f64); 4] =
+    [([3.0, -4.0, 0.0], 5.0), ([-2.0, 3.0, 6.0], 7.0), ([1.0, -4.0, 8.0], 9.0), ([0.0, 0.0, -1.0], 1.0)];
+/// Powers of two over the whole range of doubles: squares vanish below −537 and overflow above 512.
+const SIZES: [i32; 14] = [-1074, -1022, -600, -538, -452, -449, -300, 0, 300, 498, 501, 513, 600, 1020];
+
+/// A vector of any size and a bound, with what exact numbers say of them: the norm of the vector is a power of two
+/// times that of its direction, and the bound another, or the next double below.
+pub(super) struct Sized {
+    /// The vector's direction, of norm 1.
+    pub direction: [f64; 3],
+    pub vector: [f64; 3],
+    pub bound: f64,
+    pub is_within: bool,
+}
+
+pub(super) fn sized<P: Prover>(p: &mut P) -> Sized {
+    let (direction, norm) = EXACT.get(p.choice("direction", EXACT.len())).copied().unwrap_or(([1.0, 0.0, 0.0], 1.0));
+    let [size, at] = ["size", "bound"].map(|name| SIZES.get(p.choice(name, SIZES.len())).copied().unwrap_or_default());
+    let is_next = p.boolean("is_next_below");
+    // In two steps, since not every power is a double.
+    let power = |x: f64, exponent: i32| x * 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
+    let bound = power(norm, at);
+    Sized {
+        direction: direction.map(|x| x / norm),
+        vector: direction.map(|x| power(x, size)),
+        bound: if is_next { bound.next_down() } else { bound },
+        is_within: size < at || (size == at && !is_next),
+    }
+}
+
+/// Of every size: left alone exactly within the bound, and else scaled to it, in the same direction.
+pub fn range<K: Kernel, P: Prover>(p: &mut P) {
+    let Sized { direction, vector, bound, is_within } = sized(p);
+    let (mut after, max) = (vector.map(|x| p.number(x)), p.number(bound));
+    let answer = K::bring_within(&mut after, max);
+    // Below the least double there is no bound.
+    let right = p.truth(answer == (bound > 0.0).then_some(!is_within));
+    p.check("left alone exactly within the bound", right);
+    // Below the normal range, a component has too few digits for a direction.
+    if is_within || bound < 2.0_f64.powi(-1000) {
+        return;
+    }
+    for (after, part) in after.iter().zip(direction) {
+        let [one, other] = [-1.0, 1.0].map(|sign| part * bound * (1.0 + sign * 2.0_f64.powi(-40)));
+        let (least, most) = (p.number(one.min(other)), p.number(one.max(other)));
+        let (above, below) = (p.le(least, *after), p.le(*after, most));
+        let right = p.and(above, below);
+        p.check("scaled to the bound, in the same direction", right);
     }
 }
 
@@ -151,11 +193,9 @@ pub fn tick<K: Kernel, P: Prover>(p: &mut P) {
             [(before, velocity.get(..width).unwrap_or_default(), flags[1]), (&other_before, &other, other_in_mps)]
         {
             if is_enabled && in_mps {
-                let length = norm(p, after);
-                let within = p.le(length, max);
+                let within = is_within(p, after, max);
                 p.check("every channel in m/s is within the limit", within);
-                let length = norm(p, before);
-                let was_within = p.le(length, max);
+                let was_within = is_within(p, before, max);
                 let was_above = p.not(was_within);
                 above = p.or(above, was_above);
                 let same: Vec<_> = before.iter().zip(after).map(|(before, after)| p.same(*before, *after)).collect();

@@ -4,8 +4,9 @@ use std::cell::Cell;
 
 use ncp_kernel::{Decision, Limit, Mode, Plan, Reason, Scalar};
 
+use super::clamp::{Sized, sized};
 pub use super::loops::{follow, long, step};
-use super::words::{enforced, norm, positive};
+use super::words::{enforced, is_within, positive};
 use crate::kernel::Kernel;
 use crate::prover::Prover;
 
@@ -16,6 +17,14 @@ pub fn inside<K: Kernel, P: Prover>(p: &mut P) {
     let answer = K::inside(&position, radius);
     let says = super::words::inside(p, &position, radius);
     p.exactly("inside", answer, says);
+}
+
+/// Of every size: inside exactly where the exact norm is not above the radius.
+pub fn range<K: Kernel, P: Prover>(p: &mut P) {
+    let Sized { vector, bound, is_within, .. } = sized(p);
+    let (position, radius) = (vector.map(|x| p.number(x)), p.number(bound));
+    let right = p.truth(K::inside(&position, radius) == is_within);
+    p.check("inside exactly within the radius", right);
 }
 
 /// A limit is enabled exactly when finite and above 0, disabled when absent or 0, and else faulty.
@@ -147,8 +156,7 @@ fn project<K: Kernel, P: Prover>(p: &mut P, has_speed_limit: bool, most_steps: u
                 let finite = super::words::all_finite(p, velocity);
                 p.check("every kept velocity is finite", finite);
                 if let Some(max) = max {
-                    let (speed, (enabled, _)) = (norm(p, velocity), limit_says(p, Some(max)));
-                    let within = p.le(speed, max);
+                    let (within, (enabled, _)) = (is_within(p, velocity, max), limit_says(p, Some(max)));
                     let good = p.implies(enabled, within);
                     p.check("every kept velocity is within the limit", good);
                 }

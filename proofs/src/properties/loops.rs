@@ -9,7 +9,7 @@ use std::marker::PhantomData;
 use ncp_kernel::{Channel, Decision, Limit, Mode, Plan, Reason, Scalar};
 
 use super::command::any_limit;
-use super::words::{all_finite, end, norm, positive, same_gates, share};
+use super::words::{all_finite, end, is_within, positive, same_gates, share};
 use crate::kernel::{GatesState, Kernel, PlantState, WatchdogState};
 use crate::prover::Prover;
 
@@ -124,9 +124,8 @@ pub fn channel<K: Kernel, P: Prover>(p: &mut P) {
     p.check("a velocity is one by name, three wide, in m/s", right);
     let above = match max {
         Some(max) => {
-            let (is, was) = (norm(p, &after), norm(p, &data));
-            let (is_within, was_within) = (p.le(is, max), p.le(was, max));
-            p.check("a channel in m/s is within the limit", is_within);
+            let (is_now, was_within) = (is_within(p, &after, max), is_within(p, &data, max));
+            p.check("a channel in m/s is within the limit", is_now);
             p.not(was_within)
         }
         None => p.truth(false),
@@ -174,8 +173,7 @@ pub fn channels<K: Kernel, P: Prover>(p: &mut P) {
     let right = p.truth(answer == says);
     p.check("each of many channels and components counts", right);
     if answer.is_ok() && is_enabled {
-        let speed = data.get(odd_at).map_or(fast, |data| norm(p, data));
-        let within = p.le(speed, max);
+        let within = is_within(p, data.get(odd_at).map_or(&odd[..], Vec::as_slice), max);
         p.check("and is limited", within);
     }
 }
@@ -220,8 +218,7 @@ pub fn long<K: Kernel, P: Prover>(p: &mut P) {
     let right = p.truth(plan.steps() == kept && decision == says);
     p.check("each step of a long horizon counts", right);
     if let Some(velocity) = plan.velocity(at).filter(|_| is_limited && kept >= at) {
-        let speed = norm(p, &velocity);
-        let within = p.le(speed, max);
+        let within = is_within(p, &velocity, max);
         p.check("and is limited", within);
     }
 }

@@ -65,6 +65,7 @@ pub fn operations<K: Kernel, P: Prover>(p: &mut P) {
         ("a / b", (numbers.div)(a, b), a / b),
         ("√a", (numbers.sqrt)(a), f64::sqrt(a)),
         ("|a|", (numbers.abs)(a), f64::copysign(a, 1.0)),
+        ("1 where a < b, else 2", (numbers.select_lt)(a, b, 1.0, 2.0), if b > a { 1.0 } else { 2.0 }),
         ("the constant a", (numbers.constant)(a), a),
     ] {
         let same = is.to_bits() == says.to_bits() || (is.is_nan() && says.is_nan());

@@ -89,9 +89,24 @@ pub const PROPERTIES: &[Property] = &[
         rules: &["NCP-SAFE-040", "NCP-SAFE-043", "NCP-SAFE-044", "NCP-SAFE-045"],
         sentence: "A position is inside exactly when its three components are finite, the radius is finite and \
             positive, and the norm is not above the radius.",
-        statement: "∀ x, y, z, r ∈ F64: inside ⇔ fin(x) ∧ fin(y) ∧ fin(z) ∧ fin(r) ∧ 0 < r ∧ √(x⊗x ⊕ y⊗y ⊕ z⊗z) ≤ r",
+        statement: "∀ x, y, z, r ∈ F64: inside ⇔ fin(x) ∧ fin(y) ∧ fin(z) ∧ fin(r) ∧ 0 < r ∧ √(x′⊗x′ ⊕ y′⊗y′ \
+            ⊕ z′⊗z′) ≤ r ⊗ c, where x′ = x ⊗ c, and the scale c is 2⁶⁰⁰ where x⊗x ⊕ y⊗y ⊕ z⊗z < 2⁻⁹⁰⁰, 1 where it is \
+            < 2¹⁰⁰⁰, else 2⁻⁶⁰⁰",
         bounds: "none",
         assumptions: NONE,
+    },
+    Property {
+        id: "geofence/range",
+        family: Family::Geofence,
+        rules: &["NCP-SAFE-043", "NCP-SAFE-045"],
+        sentence: "Positions and radii of every size: also where squares vanish or overflow, a position is inside \
+            exactly when its exact norm is not above the radius.",
+        statement: "∀ d ∈ D, s, t ∈ E, r ∈ {|d|·2ᵗ, the double before}: inside(d·2ˢ, r) ⇔ |d|·2ˢ ≤ r",
+        bounds: "D: (3, −4, 0), (−2, 3, 6), (1, −4, 8), (0, 0, −1); E: 14 powers from −1074 to 1020",
+        assumptions: &[
+            "Other positions: by geofence/inside, whose formula is at the same scale; how far that is from \
+            exact norms is theorem/governed-plant-stays-within.",
+        ],
     },
     Property {
         id: "geofence/limit",
@@ -174,8 +189,8 @@ pub const PROPERTIES: &[Property] = &[
         rules: &["NCP-SAFE-060", "NCP-SAFE-064"],
         sentence: "A velocity that the limit has passed is not above it, for every double; what is not finite, and a \
             limit that is none, give no velocity.",
-        statement: "∀ v ∈ F64ⁿ, max ∈ F64: clamp(v, max) is some w ⇔ fin(v) ∧ fin(max) ∧ 0 < max; and then √(w₁⊗w₁ ⊕ \
-            …) ≤ max",
+        statement: "∀ v ∈ F64ⁿ, max ∈ F64: clamp(v, max) is some w ⇔ fin(v) ∧ fin(max) ∧ 0 < max; and then ‖w‖ ≤ max, \
+            both at the scale of geofence/inside",
         bounds: "1 to 3 components",
         assumptions: NONE,
     },
@@ -184,7 +199,8 @@ pub const PROPERTIES: &[Property] = &[
         family: Family::Clamp,
         rules: &["NCP-SAFE-062"],
         sentence: "A velocity is left alone, to the bit, exactly when it is not above the limit.",
-        statement: "clamp(v, max) is some w ⇒ (w is v unchanged ⇔ √(v₁⊗v₁ ⊕ …) ≤ max)",
+        statement: "clamp(v, max) is some w ⇒ (w is v unchanged ⇔ ‖v‖ ≤ max), both at the scale of \
+            geofence/inside",
         bounds: "1 to 3 components",
         assumptions: NONE,
     },
@@ -193,13 +209,26 @@ pub const PROPERTIES: &[Property] = &[
         family: Family::Clamp,
         rules: &["NCP-SAFE-061"],
         sentence: "Every component is multiplied by one factor common to all; so the direction is kept but for one \
-            rounding of each product, at most 2⁻⁵³ of it (two roundings where the norm overflows), and at most \
-            2⁻¹⁰⁷⁵ below the normal range.",
-        statement: "clamp(v, max) = w ≠ v ⇒ ∃ f ∀ i: wᵢ = uᵢ ⊗ f, or w = 0 where √((u₁⊗f)² ⊕ …) > max; u = v, or vᵢ \
-            ⊘ max|v| where the norm overflows; f = max ⊗ (1 − (n + 8)·2⁻⁵³) ⊘ ‖u‖",
+            rounding of each product, at most 2⁻⁵³ of it (three roundings where the factor is below 2⁻⁹⁰⁰), \
+            and at most 2⁻¹⁰⁷⁵ below the normal range.",
+        statement: "clamp(v, max) = w ≠ v ⇒ w = u, or w = 0 where ‖u‖ > max; uᵢ = vᵢ ⊗ f where f = aim ⊗ c ⊘ ‖v‖ ≥ \
+            2⁻⁹⁰⁰, else vᵢ ⊗ c ⊘ ‖v‖ ⊗ aim; aim = max ⊗ (1 − (n + 8)·2⁻⁵³), ‖v‖ at the scale c of geofence/inside",
         bounds: "1 to 3 components",
         assumptions: &["IEEE 754: a product or quotient is the exact one rounded to nearest; that gives the bound in \
             the sentence."],
+    },
+    Property {
+        id: "clamp/range",
+        family: Family::Clamp,
+        rules: &["NCP-SAFE-060", "NCP-SAFE-061", "NCP-SAFE-062"],
+        sentence: "Velocities and limits of every size: also where squares, or the quotient of limit and norm, vanish \
+            or overflow, a velocity is left alone exactly when its exact norm is not above the limit, and else scaled \
+            to the limit in the same direction, but for one part in 10¹².",
+        statement: "∀ d ∈ D, s, t ∈ E, m ∈ {|d|·2ᵗ, the double before}: clamp(d·2ˢ, m) is unchanged ⇔ |d|·2ˢ ≤ m; \
+            else, for m ≥ 2⁻¹⁰⁰⁰, wᵢ = m·dᵢ/|d| but for 2⁻⁴⁰ of it",
+        bounds: "D: (3, −4, 0), (−2, 3, 6), (1, −4, 8), (0, 0, −1); E: 14 powers from −1074 to 1020",
+        assumptions: &["Other velocities: by clamp/bound, clamp/unchanged and clamp/direction, whose formulas are at \
+            the same scale."],
     },
     Property {
         id: "clamp/tick",
@@ -452,11 +481,11 @@ pub const PROPERTIES: &[Property] = &[
             "NCP-SAFE-060",
         ],
         sentence: "The numbers on which production runs the kernel compute what their names say: sums, differences, \
-            products, quotients, roots and comparisons of doubles as IEEE 754 has them, the order of seqs, and whole \
-            numbers as indices.",
-        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, lt ⇔ a < b, le ⇔ \
-            a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = \
-            0",
+            products, quotients, roots, comparisons and choices of doubles as IEEE 754 has them, the order of seqs, \
+            and whole numbers as indices.",
+        statement: "∀ a, b ∈ D: add(a, b) = a ⊕ b, sub = ⊖, mul = ⊗, div = ⊘, sqrt = √, abs = |a|, select_lt(a, \
+            b, 1, 2) = 1 ⇔ a < b, lt ⇔ a < b, le ⇔ a ≤ b, is_finite ⇔ fin(a), floor_index(a, m) = |{k ∈ 1…m: k ≤ \
+            a}|; ∀ s, t ∈ Q: lt ⇔ s < t, is_zero ⇔ s = 0",
         bounds: "all pairs of 24 doubles and of 7 seqs, of every kind and the edges",
         assumptions: &["What Rust's own operators do is what IEEE 754 says."],
     },

@@ -62,19 +62,34 @@ pub(super) fn hold_takes_effect<P: Prover>(p: &mut P, last: Option<P::Q>, seq: P
     }
 }
 
-/// √(x² + y² + …)
-pub(super) fn norm<P: Prover>(p: &mut P, vector: &[P::S]) -> P::S {
-    let mut sum = p.number(0.0);
-    for x in vector {
-        sum = sum.add(x.mul(*x));
-    }
-    sum.sqrt()
+/// √(x² + y² + …), and the power of two by which it, and what it is compared with, are multiplied: where the plain sum
+/// of squares is below 2⁻⁹⁰⁰ it is 2⁶⁰⁰, where it is not below 2¹⁰⁰⁰ it is 2⁻⁶⁰⁰, and else 1.
+pub(super) fn norm<P: Prover>(p: &mut P, vector: &[P::S]) -> (P::S, P::S) {
+    let square_sum = |p: &mut P, scale: Option<P::S>| {
+        let mut sum = p.number(0.0);
+        for x in vector {
+            let x = scale.map_or(*x, |scale| x.mul(scale));
+            sum = sum.add(x.mul(x));
+        }
+        sum
+    };
+    let [small, large, up, down, one] = [-900, 1000, 600, -600, 0].map(|exponent| p.number(2.0_f64.powi(exponent)));
+    let sum = square_sum(p, None);
+    let (is_small, is_usual) = (p.lt(sum, small), p.lt(sum, large));
+    let scale = p.select(is_usual, one, down);
+    let scale = p.select(is_small, up, scale);
+    (square_sum(p, Some(scale)).sqrt(), scale)
+}
+
+/// √(x² + y² + …) is not above a bound.
+pub(super) fn is_within<P: Prover>(p: &mut P, vector: &[P::S], bound: P::S) -> P::B {
+    let (length, scale) = norm(p, vector);
+    p.le(length, bound.mul(scale))
 }
 
 /// Section 7.5: the closed ball.
 pub(super) fn inside<P: Prover>(p: &mut P, position: &[P::S; 3], radius: P::S) -> P::B {
-    let distance = norm(p, position);
-    let near = p.le(distance, radius);
+    let near = is_within(p, position, radius);
     let [x, y, z] = position.map(|x| p.finite(x));
     let good = positive(p, radius);
     p.all(&[x, y, z, good, near])

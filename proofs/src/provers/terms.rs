@@ -291,6 +291,15 @@ impl World {
         }
     }
 
+    fn select(&mut self, condition: u32, a: u32, b: u32) -> u32 {
+        match self.known(condition) {
+            // What the path has decided stands in its condition too.
+            Some(true) => a,
+            Some(false) => b,
+            None => self.term(Node::Select(condition, a, b)),
+        }
+    }
+
     /// What the path has decided of a formula, or what follows from that at once.
     fn known(&self, formula: u32) -> Option<bool> {
         if let Some(known) = self.decided.get(&formula) {
@@ -461,6 +470,12 @@ impl Scalar for SymbolicScalar {
             None => world.term(Node::Abs(self.0)),
         }))
     }
+    fn select_lt(self, other: Self, then: Self, otherwise: Self) -> Self {
+        Self(with(|world| {
+            let formula = world.lt(self.0, other.0);
+            world.select(formula, then.0, otherwise.0)
+        }))
+    }
     fn lt(self, other: Self) -> bool {
         with(|world| {
             let formula = world.lt(self.0, other.0);
@@ -621,12 +636,7 @@ impl Prover for Symbolic {
         with(|world| world.term(Node::SeqZero(a.0)))
     }
     fn select(&mut self, condition: u32, a: SymbolicScalar, b: SymbolicScalar) -> SymbolicScalar {
-        SymbolicScalar(with(|world| match world.known(condition) {
-            // What the path has decided stands in its condition too.
-            Some(true) => a.0,
-            Some(false) => b.0,
-            None => world.term(Node::Select(condition, a.0, b.0)),
-        }))
+        SymbolicScalar(with(|world| world.select(condition, a.0, b.0)))
     }
 }
 

@@ -104,32 +104,78 @@ Qed.
 
 (** ** The speed limit, in exact arithmetic *)
 
-Lemma zeros_within : forall max : num doubles, lt zero max = true -> le (norm (zero, zero, zero)) max = true.
+Lemma positive_sign : forall x : double, 0 < B2R x -> Bsign x = false.
 Proof.
-  intros max H. replace (norm (zero, zero, zero)) with (zero : num doubles) by reflexivity.
-  destruct max as [|[]| |[]]; try discriminate; reflexivity.
+  intros x H. destruct x as [| | |[] m e b]; try (exfalso; simpl in H; lra); [|reflexivity].
+  exfalso. assert (N : F2R (Float radix2 (Z.neg m) e) < 0) by (apply F2R_lt_0; reflexivity).
+  simpl in H, N. lra.
+Qed.
+
+(** A product of what is above 0 is not below it, and infinite where it overflows. *)
+Lemma mul_positive : forall x y : num doubles, finite x = true -> finite y = true -> 0 < val x -> 0 < val y ->
+  le zero (mul x y) = true.
+Proof.
+  intros x y Fx Fy Px Py. destruct zero_val as (Fz & Z).
+  destruct (finite (mul x y)) eqn:Fm.
+  - apply val_le; try assumption. apply mul_finite in Fm as (_ & _ & ->). rewrite Z.
+    apply rnd_nonneg. apply Rlt_le. now apply Rmult_lt_0_compat.
+  - pose proof (Bmult_correct 53 1024 precise bounded mode_NE x y) as C.
+    change (is_finite (Bmult mode_NE (x : double) (y : double)) = false) in Fm.
+    change (Bleb (zero : num doubles) (Bmult mode_NE (x : double) (y : double)) = true).
+    destruct Rlt_bool.
+    + exfalso. destruct C as (_ & D & _). unfold double in *. rewrite D in Fm.
+      change (is_finite (x : double) = true) in Fx. change (is_finite (y : double) = true) in Fy.
+      unfold double in *. rewrite Fx, Fy in Fm. discriminate.
+    + rewrite (positive_sign x Px), (positive_sign y Py) in C.
+      destruct (Bmult mode_NE (x : double) (y : double)) as [|[]| |]; try discriminate. reflexivity.
+Qed.
+
+Lemma zeros_scale : scale (zero, zero, zero) = (up : num doubles).
+Proof.
+  assert (L : lt (squares (zero, zero, zero)) (small : num doubles) = true) by (vm_compute; reflexivity).
+  unfold scale, select_lt. now rewrite L.
+Qed.
+
+Lemma zeros_norm : norm (zero, zero, zero) = (zero : num doubles).
+Proof.
+  unfold norm. rewrite zeros_scale. destruct (power_exact 600 ltac:(lia)) as (Fu & Vu).
+  fold (up : num doubles) in Fu, Vu.
+  assert (M : mul zero up = (zero : num doubles)).
+  { assert (P : 0 < val up) by (rewrite Vu; apply bpow_gt_0). apply positive_sign in P.
+    clear Vu. revert Fu P. generalize (up : num doubles). intros x F P.
+    destruct x as [[]| | |[]]; try discriminate; reflexivity. }
+  unfold scaled. rewrite !M. vm_compute. reflexivity.
+Qed.
+
+Lemma zeros_within : forall max : num doubles, finite max = true -> lt zero max = true ->
+  norm_le (zero, zero, zero) max = true.
+Proof.
+  intros max F P. unfold norm_le. rewrite zeros_scale, zeros_norm.
+  destruct zero_val as (Fz & Z). pose proof (lt_val zero max Fz F P) as V. rewrite Z in V.
+  destruct (power_exact 600 ltac:(lia)) as (Fu & Vu). apply mul_positive; try assumption.
+  unfold up. rewrite Vu. apply bpow_gt_0.
 Qed.
 
 (** What the clamp lets be used is not above the bound by the norm that is computed. *)
 Theorem bring_within_norm : forall (v w : vec doubles) (max : num doubles) changed,
-  bring_within v max = Some (w, changed) -> finite max = true /\ le (norm w) max = true.
+  bring_within v max = Some (w, changed) -> finite max = true /\ lt zero max = true /\ norm_le w max = true.
 Proof.
   intros v w max changed H. unfold bring_within in H.
   destruct (all_finite v); [|discriminate]. destruct (finite max) eqn:F; [|discriminate].
-  destruct (lt zero max) eqn:P; [|discriminate]. cbn [negb orb] in H. split; [reflexivity|].
-  destruct (le (norm v) max) eqn:L; [injection H as <- _; exact L|]. cbv zeta in H.
-  match type of H with Some (if negb (le (norm ?x) max) then _ else _, _) = _ => set (scaled_ := x) in * end.
-  destruct (le (norm scaled_) max) eqn:N; cbn [negb] in H; injection H as <- _; [exact N|].
+  destruct (lt zero max) eqn:P; [|discriminate]. cbn [negb orb] in H. split; [reflexivity|]. split; [reflexivity|].
+  destruct (norm_le v max) eqn:L; [injection H as <- _; exact L|]. cbv zeta in H.
+  match type of H with Some (if negb (norm_le ?x max) then _ else _, _) = _ => set (scaled_ := x) in * end.
+  destruct (norm_le scaled_ max) eqn:N; cbn [negb] in H; injection H as <- _; [exact N|].
   now apply zeros_within.
 Qed.
 
 (** The greatest component of a velocity that the limit lets pass. *)
 Definition limited_speed (max : R) : R := max * (1 + 3 * u) + delta.
 
-Lemma limited_slow : forall (v : vec doubles) (max : num doubles), finite max = true -> le (norm v) max = true ->
-  slow (place v) (limited_speed (val max)).
+Lemma limited_slow : forall (v : vec doubles) (max : num doubles), finite max = true -> lt zero max = true ->
+  norm_le v max = true -> slow (place v) (limited_speed (val max)).
 Proof.
-  intros v max F L. pose proof (norm_below_exact v max F L) as N. destruct v as ((x, y), z).
+  intros v max F P L. pose proof (norm_le_exact v max F P L) as N. destruct v as ((x, y), z).
   apply component_le_far in N. unfold slow, place, near. rewrite !Rminus_0_r. exact N.
 Qed.
 
@@ -184,7 +230,7 @@ Proof.
   intros k K. destruct (passed g g' p now last (Some measured) radius d n Hf Hg Hd)
     as (m & _ & _ & _ & _ & _ & _ & _ & _ & L).
   destruct (L k K) as (c & C). destruct (Hl k c C) as (v & w & b & B & V).
-  destruct (bring_within_norm v w max b B) as (Fm & N).
+  destruct (bring_within_norm v w max b B) as (Fm & Pm & N).
   unfold velocity_of. rewrite V. now apply limited_slow.
 Qed.
 

@@ -90,31 +90,47 @@ Definition limit_of (value : option num) : limit :=
       else if lt zero value then Enabled value else Disabled
   end.
 
-Definition norm (v : vec) : num :=
-  let '(x, y, z) := v in root (add (add (add zero (mul x x)) (mul y y)) (mul z z)).
+(** [ncp_kernel::Scalar::select_lt]. *)
+Definition select_lt (a b than_ otherwise : num) : num := if lt a b then than_ else otherwise.
+
+Definition small : num := dyadic 1 (-900).
+Definition large : num := dyadic 1 1000.
+Definition up : num := dyadic 1 600.
+Definition down : num := dyadic 1 (-600).
+
+Definition scaled (v : vec) (by_ : num) : vec := let '(x, y, z) := v in (mul x by_, mul y by_, mul z by_).
+
+Definition squares (v : vec) : num :=
+  let '(x, y, z) := v in add (add (add zero (mul x x)) (mul y y)) (mul z z).
+
+(** By how much a vector is multiplied before it is squared. *)
+Definition scale (v : vec) : num :=
+  select_lt (squares v) small up (select_lt (squares v) large (whole 1) down).
+
+(** The norm at this scale. *)
+Definition norm (v : vec) : num := root (squares (scaled v (scale v))).
+
+Definition norm_le (v : vec) (bound : num) : bool := le (norm v) (mul bound (scale v)).
 
 Definition all_finite (v : vec) : bool := let '(x, y, z) := v in finite x && finite y && finite z.
 
 (** 1 - (3 + 8) * 2^-53. *)
 Definition margin : num := dyadic 9007199254740981 (-53).
 
-Definition scaled (v : vec) (by_ : num) : vec := let '(x, y, z) := v in (mul x by_, mul y by_, mul z by_).
+(** A vector brought to the norm 1 first, and then to the bound. *)
+Definition rescaled (v : vec) (by_ length aim : num) : vec :=
+  let '(x, y, z) := v in
+  (mul (div (mul x by_) length) aim, mul (div (mul y by_) length) aim, mul (div (mul z by_) length) aim).
 
 (** The vector that is to be used, and whether it was above the bound; none for what is not to be used. *)
 Definition bring_within (v : vec) (max : num) : option (vec * bool) :=
   if negb (all_finite v) || negb (finite max) || negb (lt zero max) then None
-  else if le (norm v) max then Some (v, false)
+  else if norm_le v max then Some (v, false)
   else
-    let v :=
-      if finite (norm v) then v
-      else
-        let '(x, y, z) := v in
-        let largest := if lt zero (abs x) then abs x else zero in
-        let largest := if lt largest (abs y) then abs y else largest in
-        let largest := if lt largest (abs z) then abs z else largest in
-        (div x largest, div y largest, div z largest) in
-    let v := scaled v (div (mul max margin) (norm v)) in
-    Some (if negb (le (norm v) max) then (zero, zero, zero) else v, true).
+    let aim := mul max margin in
+    let factor := div (mul aim (scale v)) (norm v) in
+    let v := if le small factor then scaled v factor else rescaled v (scale v) (norm v) aim in
+    Some (if negb (norm_le v max) then (zero, zero, zero) else v, true).
 
 (** A tick whose one channel is the velocity, in m/s, by [limit_tick]: the velocity to use, and whether it changed. *)
 Definition limit_velocity (v : vec) (max : num) : result (vec * bool) :=
@@ -124,7 +140,7 @@ Definition limit_velocity (v : vec) (max : num) : result (vec * bool) :=
 (** ** fence.rs *)
 
 Definition inside (position : vec) (radius : num) : bool :=
-  all_finite position && finite radius && lt zero radius && le (norm position) radius.
+  all_finite position && finite radius && lt zero radius && norm_le position radius.
 
 Definition travel (position velocity : vec) (time_s : num) : vec :=
   let '(x, y, z) := position in

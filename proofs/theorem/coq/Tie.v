@@ -6,11 +6,12 @@ From NCP Require Import Kernel.
 (** What the export asks of an index. *)
 Definition index_is {S : Scalar} (index most : nat) (x : num S) : bool := Nat.eqb (floor_index x most) index.
 
-(** All of the model's names away: what is left is numbers, their operations and their comparisons. *)
+(** All of the model's names away, but for [squares] and [scale]: what is left is numbers, their operations and their
+    comparisons. *)
 Ltac open_model :=
   cbv beta iota zeta delta [
-    is_duration enforced_ttl_ms age_ms within_deadline is_fresh limit_of norm all_finite scaled margin bring_within
-    limit_velocity inside travel tick_share_ms after keep steps_inside open_gates latch is_faulty is_disabled note_link
+    is_duration enforced_ttl_ms age_ms within_deadline is_fresh limit_of small norm norm_le all_finite
+    scaled rescaled margin bring_within limit_velocity inside travel tick_share_ms after keep steps_inside open_gates latch is_faulty is_disabled note_link
     reset_gates bind limit_steps limit_ticks govern advances hold_takes_effect on_command stop should_hold active
     new_plant truncated whole zero thousand max_ttl_ms
     plan_mode ttl_ms dt_ms steps limited velocity max_speed_mps fence_m timeout_ms config_fault latched

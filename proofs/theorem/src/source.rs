@@ -4,8 +4,8 @@ use ncp_kernel::{Channel, Decision, Gates, Limit, Mode, Plan, Plant, Reason, Rec
 
 use crate::coq::Export;
 use crate::term::{
-    Name, Term, Tree, asked_before, explore, explore_after, last_tested, name_last_tested, presume, quietly, unknown,
-    variable,
+    Name, Term, Tree, asked_before, explore, explore_after, in_full, last_tested, name_last_tested, presume, quietly,
+    unknown, variable,
 };
 
 /// What the export cannot say of the kernel.
@@ -95,7 +95,11 @@ fn functions() -> Vec<Export> {
         }),
         export("limit_of_none", "(a : num S)", "limit_of None", &|| limit_text(kernel::limit::<Term>(None))),
         export("limit_of", "(a : num S)", "limit_of (Some a)", &|| limit_text(kernel::limit(Some(variable("a"))))),
-        export("norm", "(x y z : num S)", "norm (x, y, z)", &|| kernel::norm(&place()).to_string()),
+        export("norm", "(x y z : num S)", "(norm (x, y, z), scale (x, y, z))", &|| {
+            in_full();
+            let kernel::Norm { length, scale } = kernel::norm(&place());
+            format!("({length}, {scale})")
+        }),
         export("all_finite", "(x y z : num S)", "all_finite (x, y, z)", &|| kernel::all_finite(&place()).to_string()),
         export("inside", "(x y z r : num S)", "inside (x, y, z) r", &|| {
             kernel::inside(&place(), variable("r")).to_string()
@@ -576,6 +580,6 @@ mod tests {
         assert_eq!(paths("iteration"), Some(16));
         assert_eq!(paths("steps_inside_1"), Some(785));
         assert_eq!(exports.len(), 119);
-        assert_eq!(exports.iter().map(|export| export.tree.paths()).sum::<usize>(), 2067);
+        assert_eq!(exports.iter().map(|export| export.tree.paths()).sum::<usize>(), 2025);
     }
 }

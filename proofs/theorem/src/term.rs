@@ -89,6 +89,11 @@ pub fn quietly<T>(answer: fn(&str, &[String]) -> bool, setup: impl FnOnce() -> T
     made
 }
 
+/// From here on, each operation is shown, and no word that the model has for several.
+pub fn in_full() {
+    RUN.with_borrow_mut(|run| run.in_full = true);
+}
+
 /// From here on, these conditions hold, and belong to no path.
 pub fn presume(conditions: &[&str]) {
     RUN.with_borrow_mut(|run| run.presumed = conditions.iter().map(|&condition| condition.to_owned()).collect());
@@ -117,6 +122,7 @@ struct Run {
     named: HashMap<Term, String>,
     presumed: Vec<String>,
     quiet: Option<fn(&str, &[String]) -> bool>,
+    in_full: bool,
 }
 
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -192,11 +198,50 @@ impl Run {
         if let Some(name) = self.named.get(&term) {
             return name.clone();
         }
+        if !self.in_full
+            && let Some((word, [x, y, z])) = self.word(term)
+        {
+            return format!("({word} ({}, {}, {}))", self.show(x), self.show(y), self.show(z));
+        }
         match self.nodes.get(term.0) {
             Some(Node::Leaf(name)) => name.clone(),
             Some(Node::Operation(name, terms)) => format!("({name}{})", self.show_all(terms)),
             None => "lost".to_owned(), // A term of another run: no Coq of that name.
         }
+    }
+
+    /// A sum of three squares and the scale of a norm by the model's words for them, so that what is shown of a norm in
+    /// a norm stays short. The export of the norm itself shows them in full: there Coq sees what the words stand for.
+    fn word(&self, term: Term) -> Option<(&'static str, [Term; 3])> {
+        let operands = |term: Term, operation: &str| match self.nodes.get(term.0) {
+            Some(Node::Operation(name, terms)) if *name == operation => Some(terms.as_slice()),
+            _ => None,
+        };
+        let is =
+            |term: Term, value: f64| matches!(self.nodes.get(term.0), Some(Node::Leaf(name)) if *name == dyadic(value));
+        let sum = |term| match operands(term, "add") {
+            Some([a, b]) => Some((*a, *b)),
+            _ => None,
+        };
+        let squared = |term| match operands(term, "mul") {
+            Some([a, b]) if a == b => Some(*a),
+            _ => None,
+        };
+        let squares = |term| {
+            let (rest, z) = sum(term)?;
+            let (rest, y) = sum(rest)?;
+            let (zero, x) = sum(rest)?;
+            Some([squared(x)?, squared(y)?, squared(z)?]).filter(|_| is(zero, 0.0))
+        };
+        if let Some(of) = squares(term) {
+            return Some(("squares", of));
+        }
+        let [of, small, up, rest] = operands(term, "select_lt")? else { return None };
+        let [again, large, one, down] = operands(*rest, "select_lt")? else { return None };
+        let power = |exponent| 2.0_f64.powi(exponent);
+        let bounds = is(*small, power(-900)) && is(*large, power(1000)) && of == again;
+        let scales = is(*up, power(600)) && is(*one, 1.0) && is(*down, power(-600));
+        Some(("scale", squares(*of)?)).filter(|_| bounds && scales)
     }
 
     fn show_all(&self, terms: &[Term]) -> String {
@@ -277,6 +322,9 @@ impl Scalar for Term {
     fn abs(self) -> Self {
         operation("abs", &[self])
     }
+    fn select_lt(self, other: Self, then: Self, otherwise: Self) -> Self {
+        operation("select_lt", &[self, other, then, otherwise])
+    }
     fn lt(self, other: Self) -> bool {
         ask("lt".to_owned(), vec![self, other])
     }
@@ -334,6 +382,21 @@ mod tests {
         let branch = |yes, no| Box::new(Tree::Node("lt b a".to_owned(), leaf(yes), leaf(no)));
         let (yes, no) = (branch("true true true", "true true false"), branch("false false true", "false false false"));
         assert_eq!(tree, Tree::Node("lt a b".to_owned(), yes, no));
+    }
+
+    #[test]
+    fn a_norm_is_shown_by_the_words_of_the_model() {
+        let norm = || ncp_kernel::norm(&["x", "y", "z"].map(variable));
+        let shown = explore(&|| format!("{} {}", norm().length, norm().scale)).to_string();
+        let scaled = ["x", "y", "z"].map(|x| format!("(mul {x} (scale (x, y, z)))")).join(", ");
+        assert_eq!(shown, format!("(root (squares ({scaled}))) (scale (x, y, z))"));
+        let other = || variable("x").mul(variable("x")).add(variable("y").mul(variable("z")));
+        assert_eq!(explore(&|| other().to_string()).to_string(), "(add (mul x x) (mul y z))");
+        let full = explore(&|| {
+            in_full();
+            norm().scale.to_string()
+        });
+        assert!(full.to_string().starts_with("(select_lt (add (add (add (dyadic (0) (0)) (mul x x)) (mul y y))"));
     }
 
     #[test]

@@ -306,7 +306,7 @@ impl Flight {
         self.tell("supervisor", "carries", &format!("by hand, to {} m", place(to)));
         loop {
             let way = [0, 1, 2].map(|axis: usize| to[axis] - self.body.position[axis]);
-            let left = kernel::norm(&way);
+            let left = norm(&way);
             let share = (CARRY_MPS * STEP_S / left).min(1.0);
             self.body.position = kernel::travel(&self.body.position, &way, share);
             self.step()?;
@@ -364,10 +364,10 @@ impl Flight {
         let most = |of: &dyn Fn(&Sample) -> f64| self.samples.iter().map(of).fold(0.0, f64::max);
         let fastest = most(&|s| s.followed_mps);
         let commanded = most(&|s| match s.state {
-            State::Active | State::Limited | State::Replay => kernel::norm(&s.position),
+            State::Active | State::Limited | State::Replay => norm(&s.position),
             State::Hold | State::Estop | State::Carried => 0.0,
         });
-        let farthest = most(&|s| kernel::norm(&s.position));
+        let farthest = most(&|s| norm(&s.position));
         let Station { sensors, commands, statuses, lost, .. } = self.station;
         let _ = writeln!(
             self.log,
@@ -390,7 +390,7 @@ impl Flight {
                 "scene": scene.map(|at| at + 1),
                 "state": sample.state.name(),
                 "position_m": sample.position.map(rounded),
-                "distance_m": rounded(kernel::norm(&sample.position)),
+                "distance_m": rounded(norm(&sample.position)),
                 "followed_mps": rounded(sample.followed_mps),
             });
             format!("{row}\n")
@@ -426,7 +426,7 @@ impl Flight {
             self.samples.push(Sample {
                 t: self.now_s(),
                 position: self.body.position,
-                followed_mps: kernel::norm(&self.body.velocity),
+                followed_mps: norm(&self.body.velocity),
                 state: self.state(),
             });
             if self.is_sensing {
@@ -606,9 +606,14 @@ fn vector(channels: &ChannelMap, name: &str) -> [f64; 3] {
 }
 
 fn speed(channels: &ChannelMap) -> f64 {
-    kernel::norm(&velocity_of(channels))
+    norm(&velocity_of(channels))
+}
+
+/// √(x² + y² + z²).
+fn norm(vector: &[f64; 3]) -> f64 {
+    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    kernel::norm(&[0, 1, 2].map(|axis: usize| a[axis] - b[axis]))
+    norm(&[0, 1, 2].map(|axis: usize| a[axis] - b[axis]))
 }

@@ -16,6 +16,8 @@ pub trait Scalar: Copy {
     fn sqrt(self) -> Self;
     /// |`self`|.
     fn abs(self) -> Self;
+    /// `then` where `self` < `other`, else `otherwise`: a number, and no decision.
+    fn select_lt(self, other: Self, then: Self, otherwise: Self) -> Self;
     /// `self` < `other`.
     fn lt(self, other: Self) -> bool;
     /// `self` ≤ `other`.
@@ -63,6 +65,10 @@ impl Scalar for f64 {
     #[inline]
     fn abs(self) -> Self {
         Self::abs(self)
+    }
+    #[inline]
+    fn select_lt(self, other: Self, then: Self, otherwise: Self) -> Self {
+        if self < other { then } else { otherwise }
     }
     #[inline]
     fn lt(self, other: Self) -> bool {

@@ -11,7 +11,7 @@ mod watchdog;
 use crate::case::{Case, File, Role};
 use crate::command::active;
 use crate::scenario::{Row, ScenarioError};
-pub(crate) use model::{Event, buffer, events};
+pub(crate) use model::{Event, Run, buffer, events, watchdog};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut files =

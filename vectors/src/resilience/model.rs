@@ -314,7 +314,7 @@ pub(crate) fn buffer(events: &[Event], strict: bool) -> Run {
 }
 
 /// The arguments and the pattern of `watchdog.run`, in which a command has neither mode nor channels.
-pub(super) fn watchdog(events: &[Event]) -> Run {
+pub(crate) fn watchdog(events: &[Event]) -> Run {
     let mut plant = Plant::default();
     let (mut args, mut results, mut rules) = (Vec::new(), Vec::new(), Vec::new());
     for event in events {

@@ -15,7 +15,7 @@ mod zeroing;
 use crate::case::{Case, File, Role};
 use crate::command::Command;
 use crate::scenario::{Row, ScenarioError};
-use model::{Sensor, Trace};
+pub(crate) use model::{Capabilities, Limits, Sensor, Spec, Step, Trace};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     Ok(vec![

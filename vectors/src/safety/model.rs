@@ -10,11 +10,11 @@ use crate::trace::{any, beginning, exactly, int, num, nums, refused};
 
 /// The fields of `SafetyLimits`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
-    pub(super) speed: Option<f64>,
-    pub(super) fence: Option<f64>,
-    pub(super) timeout: f64,
-    pub(super) tilt: Option<f64>,
+pub(crate) struct Limits {
+    pub(crate) speed: Option<f64>,
+    pub(crate) fence: Option<f64>,
+    pub(crate) timeout: f64,
+    pub(crate) tilt: Option<f64>,
 }
 
 impl Limits {
@@ -60,9 +60,9 @@ impl Limits {
 
 /// The fields of a sensor frame.
 #[derive(Debug, Clone)]
-pub(super) struct Sensor {
-    pub(super) t: f64,
-    pub(super) channels: Vec<Channel>,
+pub(crate) struct Sensor {
+    pub(crate) t: f64,
+    pub(crate) channels: Vec<Channel>,
 }
 
 impl Sensor {
@@ -86,11 +86,11 @@ impl Sensor {
 
 /// A declared channel.
 #[derive(Debug, Clone)]
-pub(super) struct Spec {
-    pub(super) name: String,
-    pub(super) kind: &'static str,
-    pub(super) unit: Option<String>,
-    pub(super) size: Option<i64>,
+pub(crate) struct Spec {
+    pub(crate) name: String,
+    pub(crate) kind: &'static str,
+    pub(crate) unit: Option<String>,
+    pub(crate) size: Option<i64>,
 }
 
 pub(super) fn vec3(name: &str, unit: Option<&str>) -> Spec {
@@ -110,9 +110,9 @@ impl Spec {
 
 /// What was negotiated.
 #[derive(Debug, Clone)]
-pub(super) struct Capabilities {
-    pub(super) sensors: Vec<Spec>,
-    pub(super) commands: Vec<Spec>,
+pub(crate) struct Capabilities {
+    pub(crate) sensors: Vec<Spec>,
+    pub(crate) commands: Vec<Spec>,
 }
 
 impl Capabilities {
@@ -134,7 +134,7 @@ impl Capabilities {
 /// One step of a trace.
 #[expect(clippy::large_enum_variant, reason = "nearly every step is of the large one")]
 #[derive(Debug, Clone)]
-pub(super) enum Step {
+pub(crate) enum Step {
     Govern { command: Command, now: f64, sensor: Option<Sensor>, last: Option<f64> },
     Link(bool),
     Reset,
@@ -207,10 +207,10 @@ impl Step {
 
 /// A governor and what it is asked.
 #[derive(Debug, Clone)]
-pub(super) struct Trace {
-    pub(super) limits: Limits,
-    pub(super) capabilities: Option<Capabilities>,
-    pub(super) steps: Vec<Step>,
+pub(crate) struct Trace {
+    pub(crate) limits: Limits,
+    pub(crate) capabilities: Option<Capabilities>,
+    pub(crate) steps: Vec<Step>,
 }
 
 impl Trace {
@@ -284,14 +284,14 @@ impl Trace {
     }
 
     /// The rule that decides each answer.
-    pub(super) fn rules(&self) -> Vec<Option<&'static str>> {
+    pub(crate) fn rules(&self) -> Vec<Option<&'static str>> {
         let mut governor = self.governor(Reading::PositionFirst);
         let rule = |step| governor.step(step).map(|_| governor.said);
         self.steps.iter().map(rule).collect()
     }
 
     /// The pattern of the result.
-    pub(super) fn pattern(&self) -> Json {
+    pub(crate) fn pattern(&self) -> Json {
         let mut patterns = Vec::new();
         for silence in self.silences() {
             for reading in Reading::ALL {
@@ -673,9 +673,9 @@ impl<'a> Governor<'a> {
         self.velocity(channels)?;
         let clamp = |channel: &Channel| {
             let mut channel = channel.clone();
-            let norm = norm(&channel.data);
-            if self.unit(&channel) == Some(MPS) && norm > most {
-                channel.data = channel.data.iter().map(|x| x / norm * most).collect();
+            if self.unit(&channel) == Some(MPS) && !is_within(&channel.data, most) {
+                let (length, scale) = scaled_norm(&channel.data);
+                channel.data = channel.data.iter().map(|x| x * scale / length * most).collect();
             }
             channel
         };
@@ -763,8 +763,24 @@ fn finite(data: &[f64]) -> bool {
     data.iter().all(|x| x.is_finite())
 }
 
+/// The norm times a power of two, and that: the squares of the largest and the smallest doubles are none.
+fn scaled_norm(data: &[f64]) -> (f64, f64) {
+    let scale = match data.iter().fold(0.0_f64, |largest, x| largest.max(x.abs())) {
+        ..1e-120 => 2.0_f64.powi(600),
+        1e120.. => 2.0_f64.powi(-600),
+        _ => 1.0,
+    };
+    (data.iter().map(|x| (x * scale) * (x * scale)).sum::<f64>().sqrt(), scale)
+}
+
 fn norm(data: &[f64]) -> f64 {
-    data.iter().map(|x| x * x).sum::<f64>().sqrt()
+    let (length, scale) = scaled_norm(data);
+    length / scale
+}
+
+fn is_within(data: &[f64], bound: f64) -> bool {
+    let (length, scale) = scaled_norm(data);
+    length <= bound * scale
 }
 
 fn moved(from: &[f64], velocity: &[f64], ms: f64) -> Vec<f64> {
@@ -772,5 +788,5 @@ fn moved(from: &[f64], velocity: &[f64], ms: f64) -> Vec<f64> {
 }
 
 fn inside(data: &[f64], radius: f64) -> bool {
-    finite(data) && norm(data) <= radius
+    finite(data) && is_within(data, radius)
 }

@@ -5,12 +5,15 @@ use super::{case, good, near};
 use crate::case::{Case, File};
 use crate::command::{Command, M, MPS, POSITION, VELOCITY, channel, velocity};
 use crate::json::{Json, object};
-use crate::trace::{any, name_of, refused, steps};
+use crate::trace::{any, name_of, num, nums, refused, steps, within};
 
 pub(super) fn file() -> File {
     let mut cases = commands();
     cases.extend(positions());
     cases.extend(beside());
+    cases.extend(speeds());
+    cases.extend(fences());
+    cases.extend(ways());
     let about = "NaN, infinities, negative zero, subnormal and huge numbers in every numeric position of a command \
                  and a sensor frame.";
     File::new("safety", "numbers", about, cases)
@@ -209,7 +212,7 @@ fn beside() -> Vec<Case> {
             let frame = |mode: &str, x: f64| {
                 object! { "frame" => object! { "mode" => mode,
                 "seq" => crate::trace::int(7),
-                    "channels" => object! { VELOCITY => object! { "data" => crate::trace::nums(&[x, 0.0, 0.0]) } } } }
+                    "channels" => object! { VELOCITY => object! { "data" => nums(&[x, 0.0, 0.0]) } } } }
             };
             let allowed: Vec<Json> = vec![frame("active", 0.0625), frame("hold", 0.0), refused()];
             let usable = ttl == 5e-324 || ttl == 1e308;
@@ -259,4 +262,202 @@ fn beside() -> Vec<Case> {
             .because("The age is more than the timeout."),
     );
     cases
+}
+
+/// 2^e times a small number, which is exact: in two steps, since not every power is a double.
+fn size(x: f64, exponent: i32) -> f64 {
+    x * 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2)
+}
+
+/// A frame of that velocity in every tick that is listed.
+fn moving(ticks: &[Json]) -> Json {
+    let channels = |data: &Json| object! { VELOCITY => object! { "data" => data.clone() } };
+    let (first, rest) = ticks.split_first().map_or((&Json::Null, ticks), |(first, rest)| (first, rest));
+    let horizon: Json = rest.iter().map(channels).collect();
+    let frame = object! { "mode" => "active", "channels" => channels(first) };
+    object! { "frame" => if rest.is_empty() { frame } else { frame.and("horizon", horizon) } }
+}
+
+/// Velocities and limits whose squares, products or quotients leave the doubles.
+fn speeds() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let passes: [(&str, f64, [f64; 3]); 14] = [
+        ("huge", 1e170, [1e160, 0.0, 0.0]),
+        ("huge-on-three-axes", 1e170, [1e160, -1e160, 1e160]),
+        ("far-below-a-huge-limit", 1e170, [0.5, 0.25, 0.125]),
+        ("tiny", 1e-165, [0.0, 1e-170, 0.0]),
+        ("tiny-on-three-axes", 1e-165, [1e-170, 1e-170, -1e-170]),
+        ("at-a-huge-limit", size(5.0, 600), [size(3.0, 600), size(-4.0, 600), 0.0]),
+        ("at-a-tiny-limit", size(5.0, -600), [0.0, size(4.0, -600), size(3.0, -600)]),
+        ("at-a-subnormal-limit", size(5.0, -1074), [size(3.0, -1074), 0.0, size(-4.0, -1074)]),
+        ("at-the-largest-limit", f64::MAX, [0.0, f64::MAX, 0.0]),
+        ("below-the-largest-limit", f64::MAX, [1e308, 0.0, -1e308]),
+        ("at-the-least-limit", 5e-324, [0.0, 0.0, -5e-324]),
+        ("subnormal", 1e-160, [5e-324, -5e-324, 5e-324]),
+        ("of-very-different-size", 2e170, [1e170, 1e-170, -1.0]),
+        ("next-to-nothing-beside-the-limit", 1e-150, [9e-151, 1e-170, 5e-324]),
+    ];
+    for (name, limit, velocity) in passes {
+        let trace = Trace::new(Limits::speed(limit), vec![govern(Command::moving(&velocity), near())]);
+        cases.push(
+            case(format!("range/speed/{name}"), &["NCP-SAFE-062"], &trace)
+                .shows_exactly(steps(vec![moving(&[nums(&velocity)])]))
+                .title(format!(
+                    "A velocity of ({:?}, {:?}, {:?}) m/s is not above a limit of {limit:?} m/s.",
+                    velocity[0], velocity[1], velocity[2]
+                ))
+                .flags(&["overflowing-norm"])
+                .because("A velocity whose norm is not above the limit is unchanged, whatever becomes of its squares."),
+        );
+    }
+    let third = (1.0_f64 / 3.0).sqrt();
+    let scaled: [(&str, f64, [f64; 3], [f64; 3]); 16] = [
+        ("tiny", 1e-170, [1e-165, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ("tiny-on-three-axes", 1e-170, [1e-165, 1e-165, 1e-165], [third; 3]),
+        ("tiny-on-two-axes", 1e-165, [0.0, -3e-160, 4e-160], [0.0, -0.6, 0.8]),
+        ("tiny-just-above", size(5.0, -600) * (1.0 - 1e-9), [0.0, size(3.0, -600), size(4.0, -600)], [0.0, 0.6, 0.8]),
+        ("beside-the-subnormal", 1e-300, [3e-299, 0.0, 4e-299], [0.6, 0.0, 0.8]),
+        ("to-a-tiny-limit", 1e-170, [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]),
+        ("quotient-vanishes", 1e-170, [0.0, 0.0, -1e200], [0.0, 0.0, -1.0]),
+        ("quotient-vanishes-on-two-axes", 1e-300, [3e300, -4e300, 0.0], [0.6, -0.8, 0.0]),
+        ("quotient-is-subnormal", 1e-160, [3e149, 4e149, 0.0], [0.6, 0.8, 0.0]),
+        ("huge", 1e170, [1e175, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ("huge-on-three-axes", 1e170, [1e160, 1e175, 1e175], [0.0, 0.5_f64.sqrt(), 0.5_f64.sqrt()]),
+        ("huge-just-above", size(5.0, 600) * (1.0 - 1e-9), [size(3.0, 600), size(4.0, 600), 0.0], [0.6, 0.8, 0.0]),
+        ("to-one", 1.0, [1e200, 1e190, 0.0], [1.0, 1e-10, 0.0]),
+        ("of-very-different-size", 1e-170, [1e160, 1e150, 1.0], [1.0, 1e-10, 0.0]),
+        ("largest", 1e300, [0.0, f64::MAX, 0.0], [0.0, 1.0, 0.0]),
+        ("of-widely-different-size", 1e-3, [1e-200, 1e3, 5e-324], [0.0, 1.0, 0.0]),
+    ];
+    for (name, limit, velocity, direction) in scaled {
+        let trace = Trace::new(Limits::speed(limit), vec![govern(Command::moving(&velocity), near())]);
+        cases.push(
+            case(format!("range/scaled/{name}"), &["NCP-SAFE-060", "NCP-SAFE-061"], &trace)
+                .shows_exactly(steps(vec![moving(&[about(limit, direction)])]))
+                .title(format!(
+                    "A velocity of ({:?}, {:?}, {:?}) m/s is scaled to a limit of {limit:?} m/s.",
+                    velocity[0], velocity[1], velocity[2]
+                ))
+                .flags(&["overflowing-norm"])
+                .because("A velocity whose norm is above the limit is scaled to it, and keeps its direction."),
+        );
+    }
+    // A horizon, each of whose steps is above, below or at the limit.
+    for (name, limit, one, other) in
+        [("tiny", 1e-170, 1e-165, 1e-175), ("huge", 1e170, 1e175, 1e165), ("to-a-tiny-limit", 1e-170, 1e165, 1e-180)]
+    {
+        let command = Command::moving(&[other, 0.0, 0.0]).then(50.0, &[[one, one, one], [0.0, other, 0.0]]);
+        let ticks = [nums(&[other, 0.0, 0.0]), about(limit, [third; 3]), nums(&[0.0, other, 0.0])];
+        let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
+        cases.push(
+            case(format!("range/horizon/{name}"), &["NCP-SAFE-066", "NCP-SAFE-060"], &trace)
+                .shows_exactly(steps(vec![moving(&ticks)]))
+                .title(format!(
+                    "In a horizon, what is above a limit of {limit:?} m/s is scaled to it, and nothing else."
+                ))
+                .flags(&["overflowing-norm", "unclamped-horizon"])
+                .because("The governor applies the speed limit to every step of the horizon."),
+        );
+    }
+    // Between the least double and nothing there is no other.
+    let trace = Trace::new(Limits::speed(5e-324), vec![govern(Command::moving(&[0.0, 1.0, 0.0]), near())]);
+    cases.push(
+        case("range/scaled/to-the-least-limit", &["NCP-SAFE-060"], &trace)
+            .shows_exactly(steps(vec![moving(&[Json::Array(vec![num(0.0), within(0.0, 5e-324), num(0.0)])])]))
+            .title("A velocity of 1 m/s is scaled to a limit of the least double, or to nothing.")
+            .flags(&["overflowing-norm"])
+            .because("Its norm is not above the limit then."),
+    );
+    cases
+}
+
+/// Components of so long a vector in that direction, but for the roundings that the text allows.
+fn about(limit: f64, direction: [f64; 3]) -> Json {
+    let component = |part: f64| {
+        let (least, most) = (limit * part.abs() * (1.0 - 1e-9), limit * part.abs() * (1.0 + 1e-12));
+        match part {
+            // Of what is next to nothing beside the others, doubles may lose all.
+            0.0 => within(-limit * 1e-9, limit * 1e-9),
+            ..0.0 => within(-most, -least),
+            _ => within(least, most),
+        }
+    };
+    Json::Array(direction.into_iter().map(component).collect())
+}
+
+/// Fences and positions whose squares leave the doubles.
+fn fences() -> Vec<Case> {
+    let still = || Command::moving(&[0.0; 3]);
+    let table: [(&str, f64, [f64; 3], bool); 18] = [
+        ("huge", 1e170, [1e160, 0.0, 0.0], true),
+        ("huge-on-three-axes", 1e170, [1e160, -1e160, 1e160], true),
+        ("on-a-huge-fence", size(5.0, 600), [size(3.0, 600), 0.0, size(-4.0, 600)], true),
+        ("on-a-tiny-fence", size(5.0, -600), [0.0, size(3.0, -600), size(4.0, -600)], true),
+        ("on-a-subnormal-fence", size(5.0, -1074), [size(3.0, -1074), size(4.0, -1074), 0.0], true),
+        ("on-the-largest-fence", f64::MAX, [0.0, 0.0, -f64::MAX], true),
+        ("below-the-largest", f64::MAX, [1e308, 1e308, 0.0], true),
+        ("on-the-least-fence", 5e-324, [-5e-324, 0.0, 0.0], true),
+        ("tiny", 1e-165, [1e-170, 1e-170, 1e-170], true),
+        ("of-very-different-size", 2e170, [1e170, 1e-170, 1.0], true),
+        ("above-a-tiny-fence", 1e-170, [1e-165, 0.0, 0.0], false),
+        ("above-a-tiny-fence-on-three-axes", 1e-170, [1e-165, 1e-165, -1e-165], false),
+        ("each-component-within-a-tiny-fence", 1e-170, [7e-171, 7e-171, 7e-171], false),
+        ("above-a-huge-fence", 1e170, [0.0, 2e170, 0.0], false),
+        ("each-component-within-a-huge-fence", 1e170, [7e169, -7e169, 7e169], false),
+        ("above-the-least-fence", 5e-324, [0.0, 0.0, 1e-323], false),
+        ("beyond-the-largest-double", f64::MAX, [1.5e308, 1.5e308, 0.0], false),
+        ("next-above-a-tiny-fence", size(5.0, -600).next_down(), [size(3.0, -600), size(4.0, -600), 0.0], false),
+    ];
+    let mut cases = Vec::new();
+    for (name, radius, place, is_inside) in table {
+        let (rule, which, why) = if is_inside {
+            ("NCP-SAFE-045", "inside", "Its norm is not more than the radius, whatever becomes of its squares.")
+        } else {
+            ("NCP-SAFE-043", "outside", "Its norm is more than the radius, whatever becomes of its squares.")
+        };
+        let steps = vec![govern(still(), Sensor::at(&place)), govern(still().seq(8), Sensor::at(&[0.0; 3]))];
+        cases.push(
+            case(format!("range/fence/{name}"), &[rule], &Trace::new(Limits::fence(radius), steps))
+                .title(format!(
+                    "A position of ({:?}, {:?}, {:?}) is {which} a fence of {radius:?} m.",
+                    place[0], place[1], place[2]
+                ))
+                .flags(&["overflowing-norm"])
+                .because(why),
+        );
+    }
+    cases
+}
+
+/// Ways that end where squares leave the doubles.
+fn ways() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let second = |command: Command| command.ttl(1000.0);
+    let along = |x: f64| [x, 0.0, 0.0];
+    let table: [(&str, f64, Command, &str, &str); 8] = [
+        ("tiny/ends-inside", 1e-170, second(Command::moving(&along(1e-171))), "NCP-SAFE-021", "passes"),
+        ("tiny/ends-outside", 1e-170, second(Command::moving(&along(1e-165))), "NCP-SAFE-051", "is held"),
+        ("huge/ends-inside", 1e170, second(Command::moving(&[1e160, -1e160, 1e160])), "NCP-SAFE-021", "passes"),
+        ("huge/ends-outside", 1e170, second(Command::moving(&along(1e171))), "NCP-SAFE-051", "is held"),
+        ("tiny/step-leaves", 1e-170, tick(1e-171, &[1e-171, 1e-165]), "NCP-SAFE-050", "is truncated"),
+        ("huge/step-leaves", 1e170, tick(1e160, &[1e160, 1e175]), "NCP-SAFE-050", "is truncated"),
+        ("tiny/first-step-leaves", 1e-170, tick(1e-171, &[1e-160]), "NCP-SAFE-053", "is cut to tick 0"),
+        ("huge/returns", 1e170, tick(8e169, &[-8e169, -8e169, 8e169]), "NCP-SAFE-021", "passes"),
+    ];
+    for (name, radius, command, rule, what) in table {
+        let trace = Trace::new(Limits::fence(radius), vec![govern(command, Sensor::at(&[0.0; 3]))]);
+        cases.push(
+            case(format!("range/way/{name}"), &[rule], &trace)
+                .title(format!("In a fence of {radius:?} m, a command {what} ({}).", name.replace(['/', '-'], " ")))
+                .flags(&["overflowing-norm"])
+                .because("The governor projects the commanded velocities, whatever becomes of the squares of an end."),
+        );
+    }
+    cases
+}
+
+/// A command of ticks of 250 ms along x, within a ttl of a second.
+fn tick(first: f64, steps: &[f64]) -> Command {
+    let steps: Vec<[f64; 3]> = steps.iter().map(|x| [*x, 0.0, 0.0]).collect();
+    Command::moving(&[first, 0.0, 0.0]).then(250.0, &steps).ttl(1000.0)
 }

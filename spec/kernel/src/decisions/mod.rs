@@ -20,5 +20,5 @@ pub use fence::{end_inside, follow, inside, step_end, steps_inside, tick_share_m
 pub use gates::Gates;
 pub use order::{advances, hold_takes_effect};
 pub use plant::Plant;
-pub use speed::{Limited, all_finite, bring_within, clamp, limit, limit_channel, limit_tick, norm};
+pub use speed::{Limited, Norm, all_finite, bring_within, clamp, limit, limit_channel, limit_tick, norm};
 pub use watchdog::Watchdog;

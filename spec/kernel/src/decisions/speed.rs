@@ -18,14 +18,47 @@ pub fn limit<S: Scalar>(value: Option<S>) -> Limit<S> {
     }
 }
 
+/// 2⁻⁹⁰⁰: a sum of squares below it may have lost some to an underflow, and a quotient below it some of its digits.
+const SMALL: f64 = f64::from_bits((1023 - 900) << 52);
+/// 2¹⁰⁰⁰: a sum of squares that is not below it may overflow.
+const LARGE: f64 = f64::from_bits((1023 + 1000) << 52);
+/// 2⁶⁰⁰, by which the smallest components are multiplied before they are squared.
+const UP: f64 = f64::from_bits((1023 + 600) << 52);
+/// 2⁻⁶⁰⁰, by which the largest are.
+const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
+
+/// Σ xᵢ².
+#[inline]
+fn squares<S: Scalar>(components: impl Iterator<Item = S>) -> S {
+    components.fold(S::constant(0.0), |sum, x| sum.add(x.mul(x)))
+}
+
+/// A norm, times a power of two with which no square that counts leaves the doubles.
+#[derive(Debug, Clone, Copy)]
+pub struct Norm<S> {
+    /// The norm at this scale.
+    pub length: S,
+    /// The scale: 1 wherever the plain squares are harmless.
+    pub scale: S,
+}
+
+impl<S: Scalar> Norm<S> {
+    /// Whether it is not above a finite bound. The bound is brought to the scale, where it loses digits only far below
+    /// the norm, and overflows only far above it.
+    #[inline]
+    pub fn le(self, bound: S) -> bool {
+        self.length.le(bound.mul(self.scale))
+    }
+}
+
 /// √(Σ xᵢ²). `[NCP-SAFE-043] [NCP-SAFE-060]`
 #[inline]
-pub fn norm<S: Scalar>(vector: &[S]) -> S {
-    let mut sum = S::constant(0.0);
-    for x in vector {
-        sum = sum.add(x.mul(*x));
-    }
-    sum.sqrt()
+pub fn norm<S: Scalar>(vector: &[S]) -> Norm<S> {
+    let sum = squares(vector.iter().copied());
+    // Down also for a sum that is no number.
+    let large = sum.select_lt(S::constant(LARGE), S::constant(1.0), S::constant(DOWN));
+    let scale = sum.select_lt(S::constant(SMALL), S::constant(UP), large);
+    Norm { length: squares(vector.iter().map(|x| x.mul(scale))).sqrt(), scale }
 }
 
 /// Whether all components are finite. `[NCP-SAFE-044] [NCP-SAFE-064]`
@@ -44,7 +77,7 @@ pub fn all_finite<S: Scalar>(vector: &[S]) -> bool {
 /// finite or `max` is not a finite bound above 0.
 ///
 /// The bound is on [`norm`] as it is computed, and holds for every double: where scaling rounds
-/// above it, the vector becomes zero.
+/// above it, as it may for a subnormal bound, the vector becomes zero.
 /// `[NCP-SAFE-060] [NCP-SAFE-061] [NCP-SAFE-062] [NCP-SAFE-069]`
 #[inline]
 pub fn clamp<S: Scalar>(vector: &mut [S], max: S) -> bool {
@@ -58,30 +91,20 @@ pub fn bring_within<S: Scalar>(vector: &mut [S], max: S) -> Option<bool> {
     if !all_finite(vector) || !max.is_finite() || !zero.lt(max) {
         return None;
     }
-    let mut length = norm(vector);
+    let length = norm(vector);
     if length.le(max) {
         return Some(false); // [NCP-SAFE-062]
-    }
-    // [NCP-SAFE-060] [NCP-SAFE-061] Where a square overflows, by the largest component first.
-    if !length.is_finite() {
-        let mut largest = zero;
-        for x in vector.iter() {
-            if largest.lt(x.abs()) {
-                largest = x.abs();
-            }
-        }
-        for x in vector.iter_mut() {
-            *x = x.div(largest);
-        }
-        length = norm(vector);
     }
     // A little below `max`, by more than the roundings can add: half an ulp for each component and a
     // few for the rest.
     #[expect(clippy::cast_precision_loss)]
     let margin = 1.0 - (vector.len() as f64 + 8.0) * (f64::EPSILON / 2.0);
-    let scale = max.mul(S::constant(margin)).div(length);
+    let aim = max.mul(S::constant(margin));
+    let scale = aim.mul(length.scale).div(length.length);
+    // [NCP-SAFE-060] [NCP-SAFE-061] Where the quotient vanishes or loses digits, by the norm first.
+    let is_harmless = S::constant(SMALL).le(scale);
     for x in vector.iter_mut() {
-        *x = x.mul(scale);
+        *x = if is_harmless { x.mul(scale) } else { x.mul(length.scale).div(length.length).mul(aim) };
     }
     if !norm(vector).le(max) {
         for x in vector.iter_mut() {
