@@ -4,7 +4,6 @@
 //! nothing of its fence. So the plainest cases come first, and what is built on them rests on them.
 
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
 
 use regex::Regex;
 use serde::Deserialize;
@@ -55,8 +54,6 @@ impl Line {
         self.ids.captures(id).filter(|_| !is_left_out).as_ref().map(expand).unwrap_or_default()
     }
 }
-
-static FURTHER: LazyLock<Vec<Line>> = LazyLock::new(|| further().unwrap_or_default());
 
 fn further() -> Result<Vec<Line>, toml::de::Error> {
     let file: Foundations = toml::from_str(include_str!("../foundations.toml"))?;
@@ -205,17 +202,21 @@ const ABSENT: &str = "wire/{kind}/ncp_version/absent";
 const PLAIN: &str = "wire/encode_{kind}/plain";
 
 /// Lets every case rest on what lies beneath it.
-pub(crate) fn lay(files: Vec<File>) -> Vec<File> {
+///
+/// # Errors
+/// `foundations.toml` is not in order.
+pub(crate) fn lay(files: Vec<File>) -> Result<Vec<File>, toml::de::Error> {
+    let further = further()?;
     let ids: BTreeSet<String> = files.iter().flat_map(File::ids).collect();
     let found = |mut file: File| {
         let prefix = file.prefix();
-        file.cases = file.cases.into_iter().map(|case| founded(case, &prefix, &ids)).collect();
+        file.cases = file.cases.into_iter().map(|case| founded(case, &prefix, &ids, &further)).collect();
         file
     };
-    files.into_iter().map(found).collect()
+    Ok(files.into_iter().map(found).collect())
 }
 
-fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
+fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>, further: &[Line]) -> Case {
     let id = format!("{prefix}/{}", case.path);
     let args = case.args.clone();
     let word = |name: &str| args.get(name).and_then(Json::as_str).unwrap_or_default().to_owned();
@@ -246,6 +247,14 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
     if case.requirements.first() == Some(&"NCP-WIRE-043") {
         case = case.by("refusal", "NCP-WIRE-042");
     }
+    // Refused for its version, which is not there: that it is not read as the default is no matter then.
+    if case.requirements.first() == Some(&"NCP-WIRE-032") && case.call == "decode" {
+        case = case.by("refusal", "NCP-WIRE-033");
+    }
+    // A segment that is refused is not changed.
+    if case.requirements.first() == Some(&"NCP-KEY-007") {
+        case = case.by("refusal", "NCP-KEY-020");
+    }
     // A block that is refused is refused for how it lies: nothing else is wrong with it.
     if matches!(case.call, "bulk.decode" | "observation.unpack")
         && id.starts_with("bulk/values/")
@@ -261,7 +270,7 @@ fn founded(mut case: Case, prefix: &str, ids: &BTreeSet<String>) -> Case {
     if id == named(OWN) {
         case = case.by("within", "NCP-WIRE-034");
     }
-    beneath.extend(FURTHER.iter().flat_map(|line| line.beneath(&id)));
+    beneath.extend(further.iter().flat_map(|line| line.beneath(&id)));
     for on in beneath {
         if on != id && ids.contains(&on) && !case.rests_on.contains(&on) {
             case = case.rests_on(on);

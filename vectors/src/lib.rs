@@ -13,6 +13,7 @@
 //! | `safety`, `resilience`, `codec`, `control`, `session`, `strict` | likewise: what moves a plant, and sessions |
 //! | `scenario`, `patch` | scenario text: the tables of cases in `scenarios/`, and changes of frames in them |
 //! | `case`, `template`, `json`, `trace`, `flags`, `roles` | what a case consists of, and how it is written |
+//! | `second` | the models as a second source of traces that were drawn at random |
 //! | `foundations` | on which cases a case rests |
 //! | `model`, `command` | what a frame means by the tables of the text, and the command frame |
 //!
@@ -41,6 +42,7 @@ mod resilience;
 mod roles;
 mod safety;
 mod scenario;
+mod second;
 mod session;
 mod strict;
 mod template;
@@ -51,14 +53,16 @@ mod wire;
 use std::fmt::Write as _;
 
 pub use scenario::{Fault, ScenarioError, formatted};
+pub use second::{Second, second};
 use sha2::{Digest as _, Sha256};
+use thiserror::Error;
 
 /// Every file of the corpus: its path below `vectors/corpus/`, such as `wire/command_frame.json`, and its
 /// text. Sorted by path; the same in every run.
 ///
 /// # Errors
-/// [`ScenarioError`] if a line of the scenario text is wrong.
-pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
+/// A line of the scenario text, or of `foundations.toml`, is wrong.
+pub fn generate() -> Result<Vec<(String, String)>, GenerateError> {
     let areas = [
         wire::files()?,
         version::files()?,
@@ -72,10 +76,21 @@ pub fn generate() -> Result<Vec<(String, String)>, ScenarioError> {
         session::files()?,
         strict::files()?,
     ];
-    let files = foundations::lay(areas.into_iter().flatten().collect());
+    let files = foundations::lay(areas.into_iter().flatten().collect())?;
     let mut files: Vec<_> = files.into_iter().map(case::File::render).collect();
     files.sort();
     Ok(files)
+}
+
+/// Why the corpus cannot be made.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum GenerateError {
+    /// A line of the scenario text.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// What cases rest on.
+    #[error("foundations.toml: {0}")]
+    Foundations(#[from] toml::de::Error),
 }
 
 /// The manifest of those files, `vectors/MANIFEST.sha256`: a line `<sha256>  corpus/<path>` for each, sorted by path.

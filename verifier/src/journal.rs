@@ -264,6 +264,7 @@ mod tests {
 
     fn asked() -> Asked {
         Asked {
+            deep: 0,
             level: Level::Wire,
             roles: Vec::new(),
             filters: Vec::new(),

@@ -227,6 +227,7 @@ fn check(
         partial,
         shard: args.shard,
         rerun: rerun.is_some(),
+        deep: selected().filter(|case| case.is_deep()).count(),
     };
     let result = args.output.result(root);
     let (journal, kept) = journal(suite, &sources, &asked, rerun.as_ref(), args, &result)?;

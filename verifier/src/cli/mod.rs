@@ -32,7 +32,7 @@ use crate::peer::{ManifestError, StartError};
 use crate::report::{Exit, Form, ReadError, RenderError, Style, comparison};
 use crate::shard::Shard;
 use crate::stop::Stop;
-use crate::suite::{Pattern, Selection, Suite, SuiteError};
+use crate::suite::{DEEP, Pattern, Selection, Suite, SuiteError};
 use crate::verdict::BaselineError;
 
 use attest::{AttestArgs, CheckReportArgs};
@@ -69,10 +69,14 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
     listen(&stop)?;
     let style = cli.style(std::io::stdout().is_terminal());
     let suite = || match &cli.vectors {
+        Some(_) if cli.is_deep() => {
+            Err(CliError::Usage("--deep is of the vectors that are built in, and not of those of a folder".to_owned()))
+        }
         Some(folder) if !folder.is_dir() => {
             Err(CliError::Usage(format!("--vectors {}: there is no such folder", folder.display())))
         }
         Some(folder) => Ok(Suite::load(folder)?),
+        None if cli.is_deep() => Ok(Suite::with_deep()?),
         None => Ok(Suite::embedded()?),
     };
     let styles = check::Styles { out: style, error: cli.style(std::io::stderr().is_terminal()) };
@@ -263,6 +267,7 @@ Examples:
   ncp-verify run --peer-cmd 'python3 peers/PROTOCOL-starter.py'
   ncp-verify run --peer peers/rust --peer peers/typescript --level wire
   ncp-verify run --peer my/peer --filter NCP-WIRE-01? --verbose
+  ncp-verify run --peer my/peer --deep
   ncp-verify run --peer my/peer --write-expected known.toml
   ncp-verify run --peer my/peer --expected known.toml
   ncp-verify run --peer peers/rust --repeat 50 --jobs 2
@@ -281,6 +286,9 @@ struct RunArgs {
     /// A file of failures that are expected of the peer, beside those of its peer.toml
     #[arg(long, value_name = "FILE")]
     expected: Option<PathBuf>,
+    /// Run the deep set besides the corpus: long traces, large sizes and rare combinations that a search chose
+    #[arg(long)]
+    deep: bool,
     /// Write every failure of the peer to a file that --expected takes
     #[arg(long, value_name = "FILE")]
     write_expected: Option<PathBuf>,
@@ -377,6 +385,15 @@ enum Colour {
 }
 
 impl Cli {
+    /// Whether the deep set is to be used besides the corpus: it is run, or explained.
+    fn is_deep(&self) -> bool {
+        match &self.command {
+            Some(Command::Run(run)) => run.deep,
+            Some(Command::Explain(explain)) => explain.id.starts_with(DEEP),
+            _ => false,
+        }
+    }
+
     /// How to write to a stream, which is a terminal or not.
     fn style(&self, terminal: bool) -> Style {
         let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());

@@ -120,9 +120,14 @@ pub(crate) fn case(question: &Question<'_>, path: &str, title: &str, why: &str) 
 
 /// A vector file of these cases.
 pub(crate) fn file(name: &str, about: &str, cases: Vec<Tree>) -> String {
+    file_of(AREA, name, about, cases)
+}
+
+/// A vector file of these cases, of an area.
+pub(crate) fn file_of(area: &str, name: &str, about: &str, cases: Vec<Tree>) -> String {
     let file = object([
         ("format", super::tree::int(1)),
-        ("area", text(AREA)),
+        ("area", text(area)),
         ("name", text(name)),
         ("about", text(about)),
         ("notes", object([])),

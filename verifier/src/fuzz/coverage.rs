@@ -141,6 +141,23 @@ pub(crate) struct Reached {
     numbers: [u32; NUMBERS.len()],
 }
 
+impl Reached {
+    /// The pairs of features of its steps, and the combinations of one step and the one before, as keys.
+    pub(crate) fn pairs(&self, call: Call) -> Vec<u64> {
+        let call = fnv(2, call.as_str());
+        let mut keys: HashSet<u64> = self.keys.iter().copied().collect();
+        for step in &self.steps {
+            for (axis, value) in step.iter().enumerate() {
+                for (other, second) in step.iter().enumerate().skip(axis + 1) {
+                    let pair = (axis << 24) + (usize::from(*value) << 16) + (other << 8) + usize::from(*second);
+                    keys.insert((call ^ pair as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+                }
+            }
+        }
+        keys.into_iter().collect()
+    }
+}
+
 /// Classes of numbers.
 const NUMBERS: [&str; 9] = [
     "zero",

@@ -191,7 +191,10 @@ impl<'h> Draw<'h> {
             Some("plain") => self.plain(),
             Some("constant") => self.signed(),
             Some("neighbour") => {
-                let near = if self.seen.is_empty() || self.chance(30) {
+                let near = if self.chance(15) {
+                    // A short decimal, or just beside.
+                    self.range(-9_999_999, 9_999_999) as f64 / 1000.0
+                } else if self.seen.is_empty() || self.chance(30) {
                     self.one(&CONSTANTS)
                 } else {
                     let place = self.below(self.seen.len());
@@ -255,7 +258,10 @@ impl<'h> Draw<'h> {
 
     /// A double that is a few ulps from another, or half or twice of it.
     pub(crate) fn neighbour(&mut self, of: f64) -> f64 {
-        match self.below(8) {
+        match self.below(10) {
+            // Near misses at every scale, which tolerances pass.
+            8 => of * (1.0 + self.little()),
+            9 => of + self.little(),
             0 => of,
             1 => of.next_up(),
             2 => of.next_down(),
@@ -265,6 +271,12 @@ impl<'h> Draw<'h> {
             6 => of * 2.0,
             _ => of + 1.0,
         }
+    }
+
+    /// A power of ten from 0.1 down to 10^-16, of either sign.
+    pub(crate) fn little(&mut self) -> f64 {
+        let value = 10_f64.powi(-i32::try_from(self.below(16)).unwrap_or(0) - 1);
+        if self.chance(50) { -value } else { value }
     }
 
     /// An integer of the wire.
@@ -292,8 +304,14 @@ impl<'h> Draw<'h> {
 
     /// A string: of the dictionary, of one script or another, of special characters, or long.
     pub(crate) fn string(&mut self) -> String {
-        match self.below(12) {
+        match self.below(14) {
             0 => String::new(),
+            12 => self.nearly_known(),
+            13 if self.chance(4) => {
+                let length = self.size(300, 70_000);
+                let tail = self.spiced();
+                self.letters(length) + &tail
+            }
             1 | 2 if !self.harvest.words.is_empty() => {
                 let word = self.below(self.harvest.words.len());
                 self.harvest.words[word].clone()
@@ -307,6 +325,50 @@ impl<'h> Draw<'h> {
             6 => ["é", "e\u{301}", "ﬁ", "ǆ", "İ", "ß", "\u{1f681}", "\u{ff5e}", "\u{feff}", "中", "ا"][self.below(11)]
                 .to_owned(),
             _ => self.name(),
+        }
+    }
+
+    /// A word that the text knows, but for its case, for what stands about it, or for its end.
+    pub(crate) fn nearly_known(&mut self) -> String {
+        const KNOWN: [&str; 20] = [
+            "world",
+            "m/s",
+            "m",
+            "mV",
+            "Hz",
+            "rad",
+            "V_m",
+            "spikes",
+            "rate",
+            "active",
+            "hold",
+            "estop",
+            "init",
+            "stream",
+            "batch",
+            "builtin",
+            "velocity_setpoint",
+            "pose_position",
+            "vec3",
+            "scalar",
+        ];
+        let word = self.pick(&KNOWN).to_owned();
+        self.nearly(&word)
+    }
+
+    /// A word, but for its case, for what stands about it, for its end, or for how its letters are written.
+    pub(crate) fn nearly(&mut self, word: &str) -> String {
+        match self.below(10) {
+            0 => word.to_uppercase(),
+            1 => format!("{word} "),
+            2 => format!(" {word}"),
+            3 => format!("{word}\u{0}"),
+            4 => word.chars().map(|c| if c.is_ascii_lowercase() { wide(c) } else { c }).collect(),
+            5 => word.chars().rev().skip(1).collect::<Vec<_>>().into_iter().rev().collect(),
+            6 => format!("{word}2"),
+            7 => format!("{word}\t"),
+            8 => word.chars().enumerate().map(|(at, c)| if at == 0 { c.to_ascii_uppercase() } else { c }).collect(),
+            _ => word.to_owned(),
         }
     }
 
@@ -354,8 +416,18 @@ impl<'h> Draw<'h> {
             "]",
             "}",
         ];
+        if self.chance(15) {
+            // Any control character, and any plane.
+            let code = if self.chance(60) { self.below(0x21) } else { self.below(17) * 0x1_0000 + self.below(0xd7ff) };
+            return u32::try_from(code).ok().and_then(char::from_u32).map_or_else(String::new, String::from);
+        }
         (0..=self.below(5)).map(|_| self.pick(&SPICE).to_owned() + if self.chance(50) { "a" } else { "" }).collect()
     }
+}
+
+/// A letter as wide as an ideograph, which compatible normalisation makes the plain one.
+fn wide(c: char) -> char {
+    char::from_u32(u32::from(c) - u32::from('a') + 0xff41).unwrap_or(c)
 }
 
 #[cfg(test)]

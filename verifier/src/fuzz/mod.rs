@@ -8,8 +8,8 @@
 //! - `tree`: JSON that is built and changed.
 //! - [`harvest`]: strings and numbers from a peer's own sources.
 //! - `generate`: inputs for every call.
-//! - `known`: known defects of the specification, which no peer is charged with.
 //! - `oracle`: what the text asks of an answer, with every freedom that it leaves.
+//! - [`deep`]: candidates for the deep set, and `about`: the rules of each.
 //! - `asker`: one peer with requests in flight, and what becomes of each.
 //! - `court`: judges a disagreement by the reader and the judge of the suite.
 //! - `rules`: the rule that decides it.
@@ -18,13 +18,14 @@
 //! - `search`: all of it together.
 //! - [`report`]: what was found, for people and programs.
 
+mod about;
 mod asker;
 mod court;
 pub mod coverage;
+pub mod deep;
 mod draw;
 mod generate;
 pub mod harvest;
-mod known;
 mod oracle;
 pub mod report;
 mod rules;
@@ -129,6 +130,18 @@ fn planes(role: Role) -> &'static [&'static str] {
         Role::Body => &["perception", "action"],
         Role::Server => &["control", "observation"],
         Role::Observer => &[],
+    }
+}
+
+/// Whether a role is asked this of a call: it reads, writes or builds such a thing.
+fn has(role: Role, call: Call, args: &tree::Tree) -> bool {
+    let of = |name: &str| tree::string(args, name).unwrap_or_default();
+    match call {
+        Call::Decode => reads(role).contains(&of("kind")),
+        Call::Encode => writes(role).contains(&of("kind")),
+        Call::KeyBuild => keys(role).contains(&of("key")),
+        Call::PlaneQos => planes(role).contains(&of("plane")),
+        _ => true,
     }
 }
 

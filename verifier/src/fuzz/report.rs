@@ -31,7 +31,6 @@ struct OfPeer<'t> {
     seconds: f64,
     allowed: u64,
     open: Vec<(&'t str, u64)>,
-    known: Vec<(&'t str, u64)>,
     unsupported: Vec<(&'t str, u64)>,
     faults: usize,
     given_up: Option<&'t str>,
@@ -73,7 +72,6 @@ pub fn json(seed: u64, tested: &[(String, Tested)]) -> Result<String, serde_json
             seconds: tested.elapsed.as_secs_f64(),
             allowed: tested.allowed,
             open: tested.open.iter().map(|(why, count)| (*why, *count)).collect(),
-            known: tested.known.iter().map(|(what, count)| (*what, *count)).collect(),
             unsupported: tested.unsupported.iter().map(|(call, count)| (*call, *count)).collect(),
             faults: tested.faults,
             given_up: tested.given_up.as_deref(),
@@ -145,12 +143,6 @@ pub fn terminal(name: &str, seed: u64, tested: &Tested, style: Style, whole_cove
             _ => style.red(&format!("  {found} disagreements")),
         },
     );
-    for (what, count) in &tested.known {
-        line(
-            &mut out,
-            &style.yellow(&format!("  {count} answers differ by a known defect that is not the peer's: {what}")),
-        );
-    }
     let open: u64 = tested.open.values().sum();
     if open + tested.allowed > 0 {
         let text =

@@ -14,7 +14,7 @@ const LOOKED_AT: usize = 64 << 10;
 
 /// The cases of the corpus, and what they are made of.
 #[derive(Debug)]
-pub(crate) struct Rules<'s> {
+pub struct Rules<'s> {
     suite: &'s Suite,
     looks: BTreeMap<Call, Vec<(&'s Case, HashSet<u64>)>>,
 }
@@ -33,7 +33,9 @@ pub struct Decided {
 }
 
 impl<'s> Rules<'s> {
-    pub(crate) fn new(suite: &'s Suite) -> Self {
+    /// Those of a suite.
+    #[must_use]
+    pub fn new(suite: &'s Suite) -> Self {
         Self { suite, looks: BTreeMap::new() }
     }
 

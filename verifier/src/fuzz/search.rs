@@ -19,7 +19,6 @@ use super::coverage::{Coverage, Reached, reached};
 use super::draw::Draw;
 use super::generate::{self, Input, Menu, body, mutate};
 use super::harvest::Harvest;
-use super::known;
 use super::oracle::{self, Verdict, agree};
 use super::rules::{Decided, Rules};
 use super::shrink::shrink;
@@ -133,8 +132,6 @@ pub struct Tested {
     pub elapsed: Duration,
     /// How many disagreements the text lets be, by why it does.
     pub open: BTreeMap<&'static str, u64>,
-    /// How many are by a known defect of the specification, by what is known.
-    pub known: BTreeMap<&'static str, u64>,
     /// How many the judge lets be, since the answer is one of several.
     pub allowed: u64,
     /// How often a call was answered `unsupported`.
@@ -231,7 +228,6 @@ pub fn fuzz(
             steps: 0,
             elapsed: Duration::ZERO,
             open: BTreeMap::new(),
-            known: BTreeMap::new(),
             allowed: 0,
             unsupported: BTreeMap::new(),
             faults: 0,
@@ -388,10 +384,6 @@ impl Search<'_> {
             let said = reply.as_ref().ok().map(|reply| &reply.answer);
             if matches!(said, Some(crate::peer::Answer::Unsupported)) {
                 *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1;
-                continue;
-            }
-            if let Some(known) = known::of(&input) {
-                *self.tested.known.entry(known).or_default() += 1;
                 continue;
             }
             // A peer that is always wrong is not judged for ever.
@@ -637,7 +629,7 @@ fn ask(asker: &mut Asker<'_>, tasks: Vec<Task>, known: &HashSet<u64>) -> Result<
 }
 
 /// Whether an answer is not surely the specification's.
-fn parts(call: Call, spec: &Answer, said: &Said) -> bool {
+pub(super) fn parts(call: Call, spec: &Answer, said: &Said) -> bool {
     let Said::Line(line) = said else { return true };
     if let (Answer::Result(result), Some(at)) = (spec, line.iter().position(|byte| *byte == b',')) {
         let rest = &line[at + 1..];
@@ -665,7 +657,7 @@ fn disagreement(
     let spec = oracle::specification(call, &written);
     let Said::Line(line) = asker.ask(&body(call, &written))? else { return Ok(None) };
     let input = Input { call, args: args.clone() };
-    let is_question = code_of(&spec) != Some("internal") && known::of(&input).is_none();
+    let is_question = code_of(&spec) != Some("internal");
     if !is_question || !parts(call, &spec, &Said::Line(line.clone())) {
         return Ok(None);
     }

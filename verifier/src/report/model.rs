@@ -141,6 +141,9 @@ pub struct Asked {
     pub shard: Option<Shard>,
     /// Whether only those cases are meant that failed in an earlier result.
     pub rerun: bool,
+    /// How many of the cases are of the deep set; left out where it is not run.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub deep: usize,
 }
 
 /// A rule that a case cites.

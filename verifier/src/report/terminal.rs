@@ -87,7 +87,8 @@ impl Page<'_> {
         let Report { asked, wire_version, .. } = self.report;
         let cases = plural(asked.cases, "case");
         let files = plural(asked.files, "file");
-        self.paragraph(0, &format!("NCP {wire_version}, level {}: {cases} in {files}", asked.level));
+        let deep = if asked.deep > 0 { format!(", {} of the deep set", asked.deep) } else { String::new() };
+        self.paragraph(0, &format!("NCP {wire_version}, level {}: {cases} in {files}{deep}", asked.level));
         if asked.partial {
             let filters = asked.filters.join(", ");
             self.paragraph(0, &format!("only those that fit {filters}: a part of the cases shows no conformance"));
@@ -760,6 +761,7 @@ mod tests {
             contract_hash: String::new(),
             corpus: Corpus { files: 90, cases: 7000, sha256: String::new() },
             asked: Asked {
+                deep: 0,
                 level: Level::Strict,
                 roles: Vec::new(),
                 filters: Vec::new(),

@@ -153,6 +153,12 @@ pub struct Text {
 }
 
 impl Case {
+    /// Whether it is one of the deep set, and not of the corpus.
+    #[must_use]
+    pub fn is_deep(&self) -> bool {
+        self.id.starts_with(super::DEEP)
+    }
+
     /// Puts a case together.
     pub(super) fn new(parts: Parts) -> Self {
         let Parts { id, title, requirements, flags, roles, needs, call, args, expect, by, rests_on, why, file } = parts;

@@ -32,6 +32,8 @@ use case::Parts;
 
 /// The id of the case of `describe`.
 pub(crate) const DESCRIBE: &str = "describe";
+/// What the ids of the cases of the deep set begin with.
+pub const DEEP: &str = "deep/";
 /// Stands for the file of a case that no file holds.
 const BUILT_IN: &str = "built in";
 
@@ -93,6 +95,23 @@ impl Suite {
     /// [`SuiteError`] if one of its files is faulty.
     pub fn embedded() -> Result<Self, SuiteError> {
         Self::read(EMBEDDED.iter().copied(), "the program")
+    }
+
+    /// The suite that is built into the program, and besides it the deep set: cases that a search chose, whose ids
+    /// begin with `deep/`.
+    ///
+    /// # Errors
+    /// [`SuiteError`] if one of its files is faulty.
+    pub fn with_deep() -> Result<Self, SuiteError> {
+        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).copied(), "the program")
+    }
+
+    /// The deep set alone, that is built into the program.
+    ///
+    /// # Errors
+    /// [`SuiteError`] if one of its files is faulty, or there is none.
+    pub fn deep() -> Result<Self, SuiteError> {
+        Self::read(EMBEDDED_DEEP.iter().copied(), "the program")
     }
 
     /// The suite of a folder: every `<folder>/<area>/<name>.json`.

@@ -27,11 +27,23 @@ fn columns(draw: &mut Draw<'_>) -> Vec<(String, usize, usize)> {
         .collect()
 }
 
+/// Small singles: subnormal ones.
+fn subnormal(draw: &mut Draw<'_>) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "any bits will do")]
+    f32::from_bits(draw.next() as u32 & 0x807f_ffff)
+}
+
 fn value(dtype: usize, draw: &mut Draw<'_>) -> Vec<u8> {
     match dtype {
         1 => {
             #[expect(clippy::cast_possible_truncation, reason = "any single will do")]
-            let single = if draw.chance(50) { draw.plain() as f32 } else { f32::from_bits(draw.next() as u32) };
+            let single = if draw.chance(10) {
+                subnormal(draw)
+            } else if draw.chance(50) {
+                draw.plain() as f32
+            } else {
+                f32::from_bits(draw.next() as u32)
+            };
             single.to_le_bytes().to_vec()
         }
         2 => draw.double().to_le_bytes().to_vec(),
@@ -103,7 +115,12 @@ fn broken(bytes: &mut Vec<u8>, columns: usize, draw: &mut Draw<'_>) {
         }
     };
     let odd = draw.one(&[0, 1, 11, 12, 27, 28, length - 1, length, length + 1, length / 2, u32::MAX as usize]);
-    match draw.below(12) {
+    match draw.below(15) {
+        // A bit of the header or the directory: a count or an offset off by a power of two.
+        12..=14 => {
+            let place = draw.below((12 + 16 * columns).min(length));
+            bytes[place] ^= 1 << draw.below(8);
+        }
         0 => bytes.truncate(draw.below(length)),
         1 => bytes.push(0),
         2 => {

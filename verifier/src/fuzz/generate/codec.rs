@@ -25,7 +25,8 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
         0 => draw.size(16, 300),
         _ => draw.size(0, 6),
     };
-    let channels = ["x", "pose_error", "velocity_setpoint", "y"];
+    let channels = names(draw);
+    let marked = draw.chance(10);
     let far = draw.one(&[4, 4, 64, 4095]);
     let mut next = [0_i64; 4];
     (0..count)
@@ -36,9 +37,9 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
             next[channel] = next[channel].max(component + 1);
             let component = if decoders { component.min(4095) } else { component };
             let mut mapping = object([
-                ("channel", text(channels[channel])),
+                ("channel", text(channels[channel].clone())),
                 ("component", int(component)),
-                ("population", text(format!("p{nth}"))),
+                ("population", text(if marked && nth % 3 == 1 { format!(" p{nth} ") } else { format!("p{nth}") })),
             ]);
             for name in ["value_range", "rate_range"] {
                 if draw.chance(70) {
@@ -53,6 +54,15 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
         .collect()
 }
 
+/// The channels of a codec: short ones, or such that are equal for long.
+fn names(draw: &mut Draw<'_>) -> [String; 4] {
+    if draw.chance(85) {
+        return ["x", "pose_error", "velocity_setpoint", "y"].map(str::to_owned);
+    }
+    let length = draw.size(4, 128);
+    ["a", "b", "", "aa"].map(|end| "n".repeat(length) + end)
+}
+
 fn codec(draw: &mut Draw<'_>) -> Tree {
     if draw.chance(25) {
         return text("uav");
@@ -64,12 +74,18 @@ fn codec(draw: &mut Draw<'_>) -> Tree {
 pub(super) fn encode(draw: &mut Draw<'_>) -> Tree {
     let codec = codec(draw);
     let sensor = (!draw.chance(5)).then(|| {
-        let channels = ["x", "pose_error", "velocity_setpoint", "y"].map(|name| {
+        let mut own: Vec<String> = crate::fuzz::tree::items(codec.get("encoders"))
+            .iter()
+            .filter_map(|mapping| crate::fuzz::tree::string(mapping, "channel").map(str::to_owned))
+            .collect();
+        own.extend(["x", "pose_error", "velocity_setpoint", "y"].map(str::to_owned));
+        let channels = own.into_iter().map(|name| {
             let width = if draw.chance(5) { draw.one(&[64, 65, 4095, 4096]) } else { draw.below(6) };
             let data: Vec<f64> =
                 (0..width).map(|_| if draw.chance(40) { draw.plain() } else { draw.double() }).collect();
-            (name.to_owned(), object([("data", nums(&data))]))
+            (name, object([("data", nums(&data))]))
         });
+        let channels: Vec<_> = channels.collect();
         let channels = channels.into_iter().filter(|_| draw.chance(80)).collect();
         object([("seq", int(3)), ("t", num(1.0)), ("channels", map(channels))])
     });
@@ -81,6 +97,7 @@ pub(super) fn decode(draw: &mut Draw<'_>) -> Tree {
     let codec = codec(draw);
     let mut names: Vec<String> = ["vel_x", "vel_y", "vel_z", "other"].map(str::to_owned).into();
     names.extend((0..crate::fuzz::tree::items(codec.get("decoders")).len()).map(|nth| format!("p{nth}")));
+    names.extend(names.clone().into_iter().filter(|_| draw.chance(5)).map(|name| format!("{name} ")));
     let rates = names.into_iter().filter_map(|name| {
         let rate = if draw.chance(40) { draw.range(-10, 220) as f64 } else { draw.double() };
         draw.chance(85).then(|| (name, num(rate)))

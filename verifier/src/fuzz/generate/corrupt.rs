@@ -26,7 +26,22 @@ pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
 
 /// A value for a member that nobody knows.
 fn unknown(draw: &mut Draw<'_>) -> Tree {
-    match draw.below(6) {
+    match draw.below(9) {
+        // Large, and perhaps with a name twice.
+        6 => {
+            let count = if draw.chance(20) { draw.size(1, 3000) } else { draw.size(1, 40) };
+            let mut members: Vec<_> = (0..count).map(|nth| (format!("m{nth}").into(), int(1))).collect();
+            if draw.chance(30) {
+                let again = members[draw.below(members.len())].clone();
+                members.push(again);
+            }
+            let levels = draw.below(8);
+            (0..levels).fold(Json::Object(members), |inner, _| object([("a", inner)]))
+        }
+        7 if draw.chance(20) => {
+            let length = if draw.chance(10) { draw.size(70_000, 1_200_000) } else { draw.size(300, 140_000) };
+            text(draw.letters(length))
+        }
         0 => deep(&[2, 31, 32, 61, 62, 63], draw),
         1 => text(draw.string()),
         2 => literal(draw.pick(&["1.0", "-0", "1e308", "0.1e-400", "123456789012345678901234567890"])),
@@ -123,7 +138,40 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
     let all = places(frame);
     let place = all[draw.below(all.len())].clone();
     let name = name_at(frame, &place).to_owned();
-    match draw.below(14) {
+    match draw.below(17) {
+        // A name twice, anywhere.
+        14 | 15 => {
+            let sites: Vec<_> = all
+                .iter()
+                .filter(|place| matches!(at(frame, place), Some(Json::Object(members)) if !members.is_empty()))
+                .cloned()
+                .collect();
+            let Some(place) = sites.get(draw.below(sites.len())) else { return };
+            if let Some(Json::Object(members)) = at_mut(frame, place) {
+                let again = members[draw.below(members.len())].clone();
+                let at = draw.below(members.len() + 1);
+                members.insert(at, again);
+            }
+        }
+        // Of another session, version or depth, within.
+        16 => {
+            let sites: Vec<_> = all
+                .iter()
+                .filter(|place| !place.is_empty() && matches!(at(frame, place), Some(Json::Object(_))))
+                .cloned()
+                .collect();
+            let levels = deep(&[58, 59, 60, 61, 62, 63, 64], draw);
+            let id = frame.get("session_id").and_then(Json::as_str).unwrap_or("s1").to_owned();
+            let id = draw.nearly(&id);
+            let Some(place) = sites.get(draw.below(sites.len())) else { return };
+            if let Some(inner) = at_mut(frame, place) {
+                match draw.below(3) {
+                    0 => set(inner, "session_id", text(id)),
+                    1 => set(inner, "ncp_version", text(draw.pick(&["0.4", "0.6", "1.0", "0.5"]))),
+                    _ => set(inner, "future", levels),
+                }
+            }
+        }
         // Another type.
         0..=2 => replace(frame, &place, draw, |draw| match draw.below(8) {
             0 => Json::Null,
@@ -286,7 +334,23 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
     let insert = |bytes: &mut Vec<u8>, place: usize, what: &[u8]| {
         bytes.splice(place.min(bytes.len())..place.min(bytes.len()), what.iter().copied());
     };
-    match draw.below(12) {
+    match draw.below(14) {
+        // Within an escape, or a number.
+        12 | 13 => {
+            let sites: Vec<usize> = bytes
+                .iter()
+                .enumerate()
+                .filter(|(_, byte)| matches!(byte, b'\\' | b'.' | b'e' | b'E' | b'-'))
+                .map(|(place, _)| place)
+                .collect();
+            let Some(place) = sites.get(draw.below(sites.len())).copied() else { return bytes };
+            let place = (place + draw.below(7)).min(bytes.len() - 1);
+            match draw.below(3) {
+                0 => drop(bytes.remove(place)),
+                1 => bytes[place] = draw.one(b"+-0.eEuxg \t\"\\"),
+                _ => bytes.insert(place, draw.one(b"+-0.eE \r")),
+            }
+        }
         0 => {
             bytes.remove(place.min(bytes.len().saturating_sub(1)));
         }

@@ -29,7 +29,7 @@ pub(super) struct Swarm {
 
 impl Swarm {
     pub(super) fn draw(draw: &mut Draw<'_>, frame: bool) -> Self {
-        let most = if draw.chance(4) { draw.size(8, 4096) } else { draw.size(0, 8) };
+        let most = if draw.chance(6) { draw.size(8, 4096) } else { draw.size(0, 8) };
         Self {
             present: draw.one(&[0, 30, 70, 100]),
             null: draw.one(&[0, 0, 30]),
@@ -132,10 +132,15 @@ fn stimulus_within(request: &Tree, draw: &mut Draw<'_>) -> Tree {
 
 /// A valid id of a session.
 pub(super) fn segment(draw: &mut Draw<'_>) -> String {
-    match draw.below(8) {
+    match draw.below(9) {
         0 => {
             let length = draw.size(1, 256);
             draw.letters(length)
+        }
+        // Beyond ASCII, of any length.
+        8 => {
+            let c = draw.pick(&["é", "中", "\u{3000}", "\u{a0}", "\u{1f681}", "ß"]);
+            c.repeat((draw.size(1, 256) / c.len()).max(1))
         }
         1 => ["é", "e\u{301}", "A", "a", "ﬁ", "0", "uav-3_b.c", "中", "\u{1f681}", "İ", "~"][draw.below(11)].to_owned(),
         2 => {
@@ -199,8 +204,14 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
             let count = draw.size(0, swarm.most.min(4096));
             let count = draw.afford(count);
             let inner = Swarm { most: swarm.most.min(4), ..*swarm };
+            // Names that are equal for long, now and then.
+            let prefix = if draw.chance(8) { draw.size(8, 300) } else { 0 };
+            let prefix = "k".repeat(prefix.max(1));
+            let backwards = draw.chance(30);
             let entry = |nth: usize, draw: &mut Draw<'_>| {
-                let name = if count > 8 && !draw.chance(5) { format!("k{nth}") } else { string(swarm, draw) };
+                let nth = if backwards { count - nth } else { nth };
+                let named = count > 8 && !draw.chance(5) || prefix.len() > 1;
+                let name = if named { format!("{prefix}{nth}") } else { string(swarm, draw) };
                 (name, value_of(value, &inner, draw))
             };
             map((0..count).map(|nth| entry(nth, draw)).collect())
@@ -221,7 +232,20 @@ fn number(swarm: &Swarm, draw: &mut Draw<'_>) -> Tree {
         // An encoder is given what JSON lacks, too.
         return num(if draw.chance(swarm.odd_numbers / 30) { draw.strange() } else { value });
     }
-    literal(match draw.below(8) {
+    literal(match draw.below(10) {
+        // As many digits as one likes, of any size.
+        8 => {
+            let count = draw.size(1, 45);
+            let digits: String = (0..count).map(|_| char::from(draw.one(b"0123456789"))).collect();
+            let exponent = draw.range(-340, 300);
+            let sign = if draw.chance(30) { "-" } else { "" };
+            let lead = draw.below(10);
+            let written = format!("{sign}{lead}.{digits}e{}", exponent.min(307));
+            if draw.chance(50) { written } else { format!("{sign}{}{digits}", lead.max(1)) }
+        }
+        9 if draw.chance(40) => {
+            draw.pick(&["0e999", "-0e999", "0.0E-999", "-1e-400", "1e-400", "-4e-324", "2e-324", "0E+400"]).to_owned()
+        }
         0 => format!("{value:e}"),
         1 => format!("{value:E}"),
         2 if value.abs() < 1e15 && value.abs() > 1e-6 => format!("{value}"),

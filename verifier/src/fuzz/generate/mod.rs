@@ -126,6 +126,11 @@ pub(crate) fn args(call: Call, menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree>
     })
 }
 
+/// The kind of the reply that answers a request of a kind.
+pub(crate) fn answer_to(request: &str) -> Option<&'static str> {
+    frames::PAIRS.iter().find(|(known, _)| *known == request).map(|(_, reply)| *reply)
+}
+
 /// How many steps a trace has: mostly a few dozen, often hundreds, rarely up to `most`.
 fn steps(draw: &mut Draw<'_>, most: usize) -> usize {
     if let Some(length) = draw.length() {

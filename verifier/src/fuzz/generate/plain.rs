@@ -16,6 +16,12 @@ fn version_string(draw: &mut Draw<'_>) -> String {
             format!("{}.{}", "1".repeat(digits), draw.below(9))
         }
         3 => draw.below(4).to_string(),
+        5 if draw.chance(30) => {
+            // Long, with one character that is none of it.
+            let mut digits = "0".repeat(draw.size(1, 300));
+            digits.push(draw.one(&['5', 'x', ' ', '.', '-']));
+            if draw.chance(50) { format!("0.{digits}") } else { format!("{digits}.5") }
+        }
         4 => {
             // One character more, less or other.
             let mut version: Vec<char> = WIRE_VERSION.chars().collect();
@@ -45,7 +51,9 @@ fn hash(draw: &mut Draw<'_>) -> Option<String> {
         3 => Some(CONTRACT_HASH.to_uppercase()),
         4 => {
             let mut hash = CONTRACT_HASH.to_owned();
-            match draw.below(4) {
+            match draw.below(6) {
+                4 => hash.insert(0, '0'),
+                5 => hash.insert_str(0, "0x"),
                 0 => hash.push('0'),
                 1 => drop(hash.pop()),
                 2 => hash.insert(0, ' '),
@@ -93,8 +101,13 @@ fn any_segment(draw: &mut Draw<'_>) -> String {
 pub(super) fn key_build(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
     let key = draw.one(menu.keys.get(..).filter(|keys| !keys.is_empty())?);
     let realm = draw.chance(60).then(|| {
-        let parts = if draw.chance(10) { draw.size(1, 40) } else { draw.size(1, 3) };
-        (0..parts).map(|_| any_segment(draw)).collect::<Vec<_>>().join("/")
+        let parts = if draw.chance(15) { draw.size(1, 40) } else { draw.size(1, 3) };
+        let mut parts: Vec<String> = (0..parts).map(|_| segment(draw)).collect();
+        if draw.chance(50) {
+            let place = draw.below(parts.len());
+            parts[place] = any_segment(draw);
+        }
+        parts.join("/")
     });
     let mut args = object([("key", text(key)), ("realm", or_null(realm.map(text)))]);
     if !matches!(key, "rpc" | "fleet_glob") {
@@ -113,16 +126,32 @@ pub(super) fn key_build(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
 
 /// The arguments of `key.match`.
 pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
-    let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "sensor", "aaaa", "é"];
+    let long = draw.size(8, 200);
+    let long = draw.letters(long);
+    let longer = format!("{long}1");
+    let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "aaaa", "é", "abab", "@ab", long.as_str(), &longer];
+    let alphabet = if draw.chance(20) { &alphabet[..] } else { &alphabet[..11] };
     let count = if draw.chance(10) { draw.size(1, 40) } else { draw.size(1, 6) };
-    let key: Vec<String> = (0..count).map(|_| draw.pick(&alphabet).to_owned()).collect();
+    let key: Vec<String> = (0..count).map(|_| draw.pick(alphabet).to_owned()).collect();
     // The pattern is the key with some of it made wild, so that both answers are common.
     let mut pattern = Vec::new();
     let mut chunks = key.clone().into_iter();
     while let Some(chunk) = chunks.next() {
         match draw.below(12) {
             0 | 1 => pattern.push("*".to_owned()),
-            2 => pattern.push("**".to_owned()),
+            2 => {
+                // It covers any number of them.
+                pattern.push("**".to_owned());
+                for _ in 0..draw.size(0, count) {
+                    chunks.next();
+                }
+            }
+            8 if chunk.starts_with('@') && draw.chance(40) => pattern.push(format!("$*{}", &chunk[1..])),
+            8 if chunk.len() > 1 && draw.chance(50) => {
+                // Cut, or with more behind it.
+                let cut = chunk.char_indices().last().map_or(0, |(at, _)| at);
+                pattern.push(if draw.chance(50) { chunk[..cut].to_owned() } else { format!("{chunk}b") });
+            }
             3 => {
                 pattern.push("**".to_owned());
                 pattern.push(chunk);
@@ -134,7 +163,7 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
                     chunks.next();
                 }
             }
-            7 if draw.chance(30) => pattern.push(draw.pick(&alphabet).to_owned()),
+            7 if draw.chance(30) => pattern.push(draw.pick(alphabet).to_owned()),
             _ => pattern.push(chunk),
         }
     }
@@ -160,6 +189,12 @@ fn dollars(chunk: &str, draw: &mut Draw<'_>) -> String {
             }
             _ => pattern.push(c),
         }
+    }
+    if draw.chance(20) {
+        // More than there is: what stands before and behind may not cover the same.
+        let again = chunk.chars().last().map_or_else(String::new, String::from);
+        pattern.push_str("$*");
+        pattern.push_str(&again);
     }
     while pattern.contains("$*$*") {
         pattern = pattern.replace("$*$*", "$*");

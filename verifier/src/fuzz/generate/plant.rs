@@ -2,6 +2,7 @@
 
 use ncp_text::WIRE_VERSION;
 
+use super::corrupt::wild;
 use super::frames::base64;
 use super::safety::{Shapes, command};
 use super::{Draw, Menu, Tree, steps};
@@ -36,7 +37,9 @@ impl Clock {
             };
         }
         let span = if span_ms.is_finite() { (span_ms / 1000.0).clamp(0.0, 1e5) } else { 1.0 };
-        let next = match draw.below(8) {
+        let next = match draw.below(10) {
+            8 => from + span + draw.little().abs() / 10.0,
+            9 => from + span - draw.little().abs() / 10.0,
             0 => from + span,
             1 => (from + span).next_up(),
             2 => (from + span).next_down(),
@@ -78,7 +81,7 @@ fn ttl(draw: &mut Draw<'_>) -> f64 {
 /// The arguments of `watchdog.run`.
 pub(super) fn watchdog(draw: &mut Draw<'_>) -> Tree {
     let count = steps(draw, 10_000);
-    let (commands, resets) = (draw.one(&[10, 30, 60]), draw.one(&[0, 0, 3]));
+    let (commands, resets) = (draw.one(&[1, 10, 30, 60]), draw.one(&[0, 0, 3, 30]));
     let mut clock = Clock::draw(draw);
     let (mut last, mut received, mut span) = (draw.range(0, 9), clock.now, 200.0);
     let steps = (0..count).map(|nth| {
@@ -100,9 +103,10 @@ pub(super) fn watchdog(draw: &mut Draw<'_>) -> Tree {
 /// The arguments of `buffer.run`.
 pub(super) fn buffer(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let count = steps(draw, 4000);
-    let shapes = Shapes::draw(draw);
-    let (commands, resets, odd) = (draw.one(&[15, 40, 60]), draw.one(&[0, 0, 4]), draw.one(&[0, 0, 10, 40]));
+    let mut shapes = Shapes::draw(draw);
+    let (commands, resets, odd) = (draw.one(&[2, 15, 40, 60]), draw.one(&[0, 0, 4]), draw.one(&[0, 0, 10, 40]));
     let estops = draw.one(&[0, 0, 2, 10]);
+    let mut steps_of = 0;
     let mut clock = Clock::draw(draw);
     let (mut last, mut received, mut span, mut tick) = (draw.range(0, 3), clock.now, 200.0, 0.0);
     let strict = menu.strict && draw.chance(25);
@@ -111,13 +115,17 @@ pub(super) fn buffer(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
             return object([("op", text("reset"))]);
         }
         if nth > 0 && !draw.chance(commands) {
-            let span = if tick > 0.0 && draw.chance(60) { tick * draw.range(0, 6) as f64 } else { span };
+            let span = match draw.below(10) {
+                0..=3 if tick > 0.0 => tick * draw.range(0, 6) as f64,
+                4 | 5 if tick > 0.0 => tick * draw.size(0, steps_of + 1) as f64,
+                _ => span,
+            };
             let now = clock.tick(received, span, draw);
             return object([("op", text("active")), ("now_s", num(now))]);
         }
         let now = clock.tick(received, span, draw);
         last = next_seq(last, draw);
-        let mut frame = command(&shapes, last, draw);
+        let mut frame = command(&mut shapes, last, draw);
         set(&mut frame, "kind", text("command_frame"));
         set(&mut frame, "ncp_version", text(WIRE_VERSION));
         if draw.chance(estops) {
@@ -127,6 +135,7 @@ pub(super) fn buffer(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         received = now;
         span = crate::fuzz::tree::double(frame.get("ttl_ms")).unwrap_or(200.0);
         tick = crate::fuzz::tree::double(frame.get("horizon_dt_ms")).unwrap_or(0.0);
+        steps_of = crate::fuzz::tree::items(frame.get("horizon")).len();
         let frame = if draw.chance(odd) { odd_frame(&frame, draw) } else { text(frame.to_string()) };
         let name = if matches!(&frame, Json::Object(_)) { "base64" } else { "text" };
         let frame = frame.get("base64").cloned().unwrap_or(frame);
@@ -185,9 +194,12 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
             // Twice, of which one stops.
             let modes = draw.one(&[("active", "estop"), ("estop", "active"), ("hold", "estop")]);
             set(&mut frame, "mode", text(modes.0));
-            let written = frame.to_string();
-            let key = draw.pick(&["mode", "m\\u006fde", "\\u006Dode"]);
-            format!("{},\"{key}\":\"{}\"}}", &written[..written.len() - 1], modes.1)
+            let mut written = frame.to_string();
+            for mode in [modes.1, "hold", "active"].into_iter().take(1 + draw.below(3)) {
+                let key = draw.pick(&["mode", "m\\u006fde", "\\u006Dode"]);
+                written = format!("{},\"{key}\":\"{mode}\"}}", &written[..written.len() - 1]);
+            }
+            written
         }
         4 => {
             // Not at the top, or not a mode.
@@ -205,7 +217,7 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
         }
         6 => {
             // Between much that nobody reads.
-            let filler = draw.one(&[1_000, 16_000, 65_536, 200_000]);
+            let filler = if draw.chance(70) { draw.size(1_000, 70_000) } else { 200_000 };
             set(&mut frame, "mode", text("estop"));
             let mut padding = String::new();
             write_string(&"[".repeat(filler), &mut padding);
@@ -214,11 +226,17 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
             format!("{{\"x\":{padding},{}{bad}}}", &written[1..written.len() - 1])
         }
         7 => {
-            let depth = draw.one(&[10, 63, 64, 100]);
+            let depth = if draw.chance(50) { draw.one(&[10, 63, 64, 100]) } else { draw.size(1, 600) };
             set(&mut frame, "mode", text("estop"));
             let written = frame.to_string();
             let before = draw.pick(&["\\\"", "]", "\\\\", "}"]);
             format!("{{\"y\":\"{before}[\",\"x\":{}{},{}", "[".repeat(depth), "]".repeat(depth), &written[1..])
+        }
+        8 if draw.chance(60) => {
+            // As strangely as the grammar allows, and wrong in one member.
+            set(&mut frame, "mode", text("estop"));
+            set(&mut frame, "seq", text("7"));
+            wild(&frame, draw)
         }
         8 => {
             set(&mut frame, "mode", Json::Null);
@@ -252,15 +270,18 @@ pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
         if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.positive() } else { draw.double() }) };
     let (gaps, late, wide) = (draw.one(&[0, 5, 40]), draw.one(&[0, 5, 40]), draw.one(&[0, 0, 10]));
     let mut next = if draw.chance(80) { draw.range(0, 3) } else { draw.integer() };
+    let most = draw.one(&[16, 5000, 5000, 1 << 20]);
     let largest = crate::fuzz::draw::LARGEST;
     let steps = (0..count).map(|_| {
         let seq = if draw.chance(late) {
-            next - draw.range(1, 12)
+            // Late, or what a narrow count takes for late.
+            let power = if draw.chance(8) { 1_i64 << draw.one(&[8, 12, 15, 16, 24, 31, 32]) } else { 0 };
+            next - draw.range(1, 12) + if draw.chance(50) { power } else { -power }
         } else if draw.chance(wide) {
             draw.integer()
         } else {
             if draw.chance(gaps) {
-                next = next.saturating_add(i64::try_from(draw.size(1, 5000)).unwrap_or(1));
+                next = next.saturating_add(i64::try_from(draw.size(1, most)).unwrap_or(1));
             }
             next
         };

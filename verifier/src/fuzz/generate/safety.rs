@@ -28,6 +28,8 @@ pub(super) struct Shapes {
     speed: Option<f64>,
     frame_id: String,
     ttl: Vec<f64>,
+    /// How often a mode goes on, of a hundred: long runs of one kind.
+    runs: u64,
 }
 
 impl Shapes {
@@ -38,7 +40,7 @@ impl Shapes {
             2 => &["active", "active", "hold", "init", "active", "active", "active", "estop"],
             _ => &["active", "active", "active", "hold"],
         };
-        let longest = if draw.chance(3) { draw.size(16, 4096) } else { draw.size(1, 12) };
+        let longest = if draw.chance(5) { draw.size(16, 4096) } else { draw.size(1, 12) };
         Self {
             modes: modes.to_vec(),
             horizons: draw.one(&[0, 30, 100]),
@@ -52,6 +54,7 @@ impl Shapes {
             speed: if draw.chance(75) { Some(draw.one(&[0.5, 1.0, 2.0, 5.0, 10.0])) } else { None },
             frame_id: if draw.chance(30) { draw.string() } else { "world".to_owned() },
             ttl: (0..3).map(|_| ttl(draw)).collect(),
+            runs: draw.one(&[0, 0, 80, 97]),
         }
     }
 
@@ -94,7 +97,9 @@ impl Shapes {
         if draw.chance(self.more) {
             let count = draw.size(1, self.channels);
             for nth in 0..draw.afford(count) {
-                let name = match draw.below(6) {
+                let name = match draw.below(8) {
+                    6 => draw.one(&["tow2", "grip_max", "velocity_setpoint_max", "vel", "velocity"]).to_owned(),
+                    7 => draw.nearly("velocity_setpoint").replace('$', "S"),
                     0 => "Velocity_setpoint".to_owned(),
                     1 => "velocity_setpoint2".to_owned(),
                     2 => "tow".to_owned(),
@@ -102,9 +107,13 @@ impl Shapes {
                     _ => format!("c{nth}"),
                 };
                 let unit = draw.one(&[Some("m/s"), Some("m/s"), Some("rad"), None]);
-                let width = draw.one(&[0, 1, 2, 3, 4, 3, 3, 17]);
-                let data: Vec<f64> =
+                let width = if draw.chance(6) { draw.size(1, 300) } else { draw.one(&[0, 1, 2, 3, 4, 3, 3, 17]) };
+                let mut data: Vec<f64> =
                     (0..width).map(|_| if draw.chance(60) { draw.plain() } else { draw.finite() }).collect();
+                if width > 0 && draw.chance(2 * self.strange) {
+                    let at = draw.below(width);
+                    data[at] = draw.strange();
+                }
                 channels.push((name, sample(&data, or_null(unit.map(text)))));
             }
         }
@@ -125,14 +134,22 @@ fn ttl(draw: &mut Draw<'_>) -> f64 {
 }
 
 /// The fields of a command.
-pub(super) fn command(shapes: &Shapes, seq: i64, draw: &mut Draw<'_>) -> Tree {
+pub(super) fn command(shapes: &mut Shapes, seq: i64, draw: &mut Draw<'_>) -> Tree {
+    let mode = draw.one(&shapes.modes);
+    if let Some(at) = shapes.modes.iter().position(|known| *known == mode) {
+        // The one that goes on stands first.
+        if !draw.chance(shapes.runs) {
+            shapes.modes.swap(0, at);
+        }
+    }
+    let mode = if shapes.runs > 0 { shapes.modes[0] } else { mode };
     let ttl = draw.one(&shapes.ttl);
     let t = if draw.chance(10) { draw.finite() } else { seq as f64 / 8.0 };
     let mut command = object([
         ("seq", int(seq)),
         ("t", num(t)),
         ("frame_id", text(shapes.frame_id.clone())),
-        ("mode", text(draw.pick(&shapes.modes))),
+        ("mode", text(mode)),
         ("ttl_ms", num(ttl)),
         ("channels", shapes.tick(draw)),
     ]);
@@ -151,6 +168,9 @@ pub(super) fn command(shapes: &Shapes, seq: i64, draw: &mut Draw<'_>) -> Tree {
         if !draw.chance(shapes.bad_dt) {
             set(&mut command, "horizon_dt_ms", num(dt));
         }
+    } else if draw.chance(shapes.bad_dt) {
+        // A length of ticks without ticks.
+        set(&mut command, "horizon_dt_ms", num(draw.one(&[10.0, 50.0, 100.0])));
     }
     command
 }
@@ -206,7 +226,21 @@ fn capabilities(draw: &mut Draw<'_>) -> Tree {
         }
         spec
     };
-    let canonical = |name: &str, unit: &str, draw: &mut Draw<'_>| match draw.below(12) {
+    if draw.chance(5) {
+        return object([("sensor_channels", list(Vec::new())), ("command_channels", list(Vec::new()))]);
+    }
+    let canonical = |name: &str, unit: &str, draw: &mut Draw<'_>| match draw.below(14) {
+        12 => {
+            let name = draw.nearly(name);
+            vec![spec(&name, "vec3", Some(unit), None)]
+        }
+        // Several times, of several units and sizes.
+        13 => (0..1 + draw.below(4))
+            .map(|_| {
+                let size = draw.one(&[None, None, Some(3), Some(4)]);
+                spec(name, "vec3", draw.one(&[Some(unit), Some(unit), None, Some("cm")]), size)
+            })
+            .collect(),
         0 => Vec::new(),
         1 => vec![spec(name, "vec3", None, None)],
         2 => vec![spec(name, "vec3", Some(draw.pick(&["km/h", "cm", "", "M"])), None)],
@@ -220,7 +254,7 @@ fn capabilities(draw: &mut Draw<'_>) -> Tree {
     let mut commands = canonical("velocity_setpoint", "m/s", draw);
     for nth in 0..if draw.chance(10) { draw.size(1, 40) } else { draw.below(4) } {
         let (kind, unit) = draw.one(&[("scalar", Some("N")), ("vec3", Some("m/s")), ("scalar", None), ("quat", None)]);
-        let name = draw.one(&["tow", "grip", "c0", "c1", "velocity"]);
+        let name = draw.one(&["tow", "grip", "c0", "c1", "velocity", "velocity_setpoint_max"]);
         let name = if nth > 3 { format!("c{nth}") } else { name.to_owned() };
         let other = spec(&name, kind, unit, None);
         if draw.chance(30) { commands.insert(0, other) } else { commands.push(other) }
@@ -242,6 +276,7 @@ fn sensor(fence: Option<f64>, seq: i64, odd: u64, strange: u64, draw: &mut Draw<
         4 => vec![radius * 0.6, radius * 0.8, 0.0],
         5 if draw.chance(30) => vec![radius, radius, 0.0],
         6 => vec![radius / 2.0, radius / 4.0, -radius / 8.0],
+        8 if draw.chance(50) => vec![0.0, radius * (1.0 + draw.little()), 0.0],
         7 if draw.chance(30) => vec![draw.finite(), draw.finite(), draw.finite()],
         _ => (0..3).map(|_| radius * draw.range(-8, 8) as f64 / 16.0).collect(),
     };
@@ -256,6 +291,8 @@ fn sensor(fence: Option<f64>, seq: i64, odd: u64, strange: u64, draw: &mut Draw<
     let mut channels = Vec::new();
     if !draw.chance(odd / 2) {
         channels.push(("pose_position".to_owned(), sample(&position, or_null(unit.map(text)))));
+    } else if draw.chance(40) {
+        channels.push((draw.nearly("pose_position"), sample(&position, or_null(unit.map(text)))));
     }
     if draw.chance(70) {
         let velocity: Vec<f64> = (0..3).map(|_| draw.range(-16, 16) as f64 / 8.0).collect();
@@ -275,11 +312,11 @@ fn sensor(fence: Option<f64>, seq: i64, odd: u64, strange: u64, draw: &mut Draw<
 pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
     let limits = Limits::draw(draw);
     let capabilities = capabilities(draw);
-    let shapes = Shapes::draw(draw);
+    let mut shapes = Shapes::draw(draw);
     let count = steps(draw, 2000);
     let count = if shapes.longest > 64 { count.min(12) } else { count };
     let (odd, strange) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 0, 4]));
-    let (links, bursts, resets) = (draw.one(&[0, 10, 30]), draw.one(&[0, 0, 20]), draw.one(&[0, 2, 10]));
+    let (links, bursts, resets) = (draw.one(&[0, 10, 30]), draw.one(&[0, 0, 20]), draw.one(&[0, 0, 2, 10]));
     let (no_sensor, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 30]));
     let timeout = limits.timeout;
     let mut clock = Clock::draw(draw);
@@ -307,7 +344,7 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
         }
         let step = object([
             ("op", text("govern")),
-            ("command", command(&shapes, last, draw)),
+            ("command", command(&mut shapes, last, draw)),
             ("now_s", num(now)),
             ("sensor", or_null(sensor)),
             ("last_sensor_s", told),

@@ -17,19 +17,23 @@ struct Script {
 
 fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let rate = draw.chance(30);
-    let neurons = if draw.chance(5) { draw.size(5, 300) } else { draw.size(1, 4) };
+    let neurons = match draw.below(200) {
+        0..=9 => draw.size(5, 300),
+        10 | 11 => draw.size(300, 70_000),
+        _ => draw.size(1, 4),
+    };
     let mut params = Vec::new();
     let known: &[(&str, [f64; 4])] = if rate {
         &[("tau", [10.0, 20.0, 5.0, 100.0]), ("mu", [0.0, 25.0, -10.0, 0.5])]
     } else {
         &[
             ("C_m", [250.0, 100.0, 500.0, 1.0]),
-            ("tau_m", [10.0, 20.0, 5.0, 50.0]),
-            ("E_L", [-70.0, -65.0, 0.0, -60.0]),
+            ("tau_m", [10.0, 20.0, 5.0, draw.one(&[50.0, 1000.0, 20_000.0])]),
+            ("E_L", [-70.0, -65.0, 0.0, draw.one(&[-60.0, -55.0, -50.0])]),
             ("V_th", [-55.0, -50.0, 20.0, -45.0]),
             ("V_reset", [-70.0, -75.0, -80.0, -72.0]),
-            ("t_ref", [2.0, 0.0, 5.0, 10.0]),
-            ("I_e", [0.0, 400.0, 500.0, 1000.0]),
+            ("t_ref", [2.0, 0.0, draw.one(&[5.0, 0.7, 2.3, 2.55, 1.6]), draw.one(&[10.0, 40.0, 300.0])]),
+            ("I_e", [0.0, 400.0, 500.0, draw.one(&[1000.0, 1000.0, 1e300, 1e308])]),
         ]
     };
     for (name, values) in known {
@@ -37,12 +41,19 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
             params.push(((*name).to_owned(), spelled(draw.one(values))));
         }
     }
-    let sizes = if draw.chance(30) { vec![("pop", neurons), ("other", 2)] } else { vec![("pop", neurons)] };
+    let sizes = match draw.below(10) {
+        0..=1 => vec![("pop", neurons), ("other", 2)],
+        2 => vec![("other", 2), ("pop", neurons)],
+        3 => vec![("po", 2), ("pop", neurons), ("other", 2)],
+        _ => vec![("pop", neurons)],
+    };
+    let size_of: Vec<(&str, usize)> = sizes.clone();
     let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
     let ids = |neurons: usize, draw: &mut Draw<'_>| {
         let count = if draw.chance(60) { 0 } else { draw.size(1, neurons.min(8)) };
         // In order and once: in what order others come back, nobody says.
-        let mut ids: Vec<usize> = (0..count).map(|_| 1 + draw.below(neurons)).collect();
+        let mut ids: Vec<usize> =
+            (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
         ids.sort_unstable();
         ids.dedup();
         list(ids.into_iter().map(|id| int(i64::try_from(id).unwrap_or(1))).collect())
@@ -50,7 +61,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let ports = draw.size(0, 3);
     let records = (0..ports).map(|nth| {
         let target = draw.one(&targets);
-        let of = if target == "other" { 2 } else { neurons };
+        let of = size_of.iter().find(|(name, _)| *name == target).map_or(1, |(_, size)| *size);
         let observable = if rate { "rate" } else { draw.one(&["V_m", "V_m", "spikes"]) };
         object([
             ("port", text(format!("r{nth}"))),
@@ -64,7 +75,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let kind = if rate { "rate_inject" } else { "current_pA" };
     let stimuli = ["in", "in2"].into_iter().map(|port| {
         let target = draw.one(&targets);
-        let of = if target == "other" { 2 } else { neurons };
+        let of = size_of.iter().find(|(name, _)| *name == target).map_or(1, |(_, size)| *size);
         object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, draw))])
     });
     let stimuli: Vec<Tree> = stimuli.collect();
@@ -97,7 +108,8 @@ fn request(kind: &str, id: &str) -> Tree {
 fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
     if draw.chance(40) {
         let port = draw.pick(&["in", "in", "in2"]);
-        let value = spelled(draw.range(-8, 40) as f64 * 50.0);
+        let value = if draw.chance(3) { draw.one(&[1e300, 1e308, -1e308]) } else { draw.range(-8, 40) as f64 * 50.0 };
+        let value = spelled(value);
         let values = object([(port, object([("data", list(vec![value]))]))]);
         set(request, "stimulus", object([("values", values)]));
     }
@@ -105,18 +117,24 @@ fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
 
 /// The arguments of `session.run`.
 pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
-    let mut ids: Vec<String> = (0..draw.size(1, 4)).map(|_| segment(draw)).collect();
+    let most = if draw.chance(6) { draw.size(4, 40) } else { 4 };
+    let mut ids: Vec<String> = (0..draw.size(1, most)).map(|_| segment(draw)).collect();
+    if most > 4 {
+        ids = (0..ids.len()).map(|nth| format!("{}{nth}", draw.one(&['a', 'b', 'z']))).collect();
+    }
     if draw.chance(30) {
         // Equal but for the end, the case, or how they are composed.
         let id = ids[0].clone();
-        let long = format!("{}{}", "x".repeat(draw.one(&[64, 128, 255])), draw.below(2));
-        ids.extend([id.to_uppercase(), format!("{id}0"), long, "é".to_owned(), "e\u{301}".to_owned()]);
+        let long = "x".repeat(draw.size(8, 255));
+        let both = [format!("{long}0"), format!("{long}1")];
+        ids.extend([id.to_uppercase(), format!("{id}0"), "é".to_owned(), "e\u{301}".to_owned()]);
+        ids.extend(both);
         ids.retain(|id| id.len() <= 256);
     }
     let dt = draw.one(&[1.0, 0.5, 0.25, 0.125, 2.0]);
     let cadences = (0..3).map(|_| dt * draw.one(&[1.0, 1.0, 2.0, 5.0, 10.0, 7.0])).collect();
     let script = Script { ids, dt, cadences };
-    let most = if draw.chance(2) { 600 } else { 40 };
+    let most = if draw.chance(8) { 600 } else { 40 };
     let count = steps(draw, most).min(most);
     let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
     let mut requests = Vec::new();
@@ -140,6 +158,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         }
         let time = match draw.below(20) {
             0 => -script.dt,
+            1 if draw.chance(15) => script.dt * draw.size(2000, 80_000) as f64,
             1 => script.dt * draw.range(50, 2000) as f64,
             _ => script.dt * draw.range(1, 30) as f64,
         };

@@ -10,7 +10,7 @@ use crate::fuzz::tree::{Tree, object, set, string, text};
 use crate::json::Json;
 
 /// The bytes of a frame that is given as text or in base64.
-pub(super) fn bytes(holder: &Json<'_>) -> Vec<u8> {
+pub(crate) fn bytes(holder: &Json<'_>) -> Vec<u8> {
     match (string(holder, "text"), string(holder, "base64")) {
         (Some(text), _) => text.as_bytes().to_vec(),
         (_, Some(encoded)) => STANDARD.decode(encoded).unwrap_or_default(),

@@ -21,6 +21,8 @@ mod session;
 
 use ncp_peer_rust::Answer;
 
+pub(crate) use frames::bytes as frame_bytes;
+
 use super::generate::Input;
 use super::tree::{Tree, list, num, object, own, text};
 use crate::json::{Json, Number};
