@@ -9,6 +9,7 @@
 //! | `status` | says what is stale, and makes just that anew |
 //! | `trace` | leads from every rule to what shows it, and back |
 //! | `mutants` | holds the suite against peers with planted defects |
+//! | `deep` | chooses the deep set from what the search draws |
 //! | `dictionary` | makes the fault dictionary, and measures what a diagnosis by it is worth |
 //! | `mutate` | changes the kernel token by token, and the specification by cargo-mutants, and asks who notices |
 //! | `proofs` | what git keeps of what the engines found |
@@ -25,6 +26,7 @@
 
 mod artefact;
 mod console;
+mod deep;
 mod dictionary;
 mod document;
 mod fuzz;
@@ -66,6 +68,8 @@ enum Command {
     Trace(trace::command::TraceArgs),
     /// Measure what the suite detects: run it against the Rust peer with one planted defect after the other
     Mutants(mutants::command::MutantsArgs),
+    /// Choose the deep set anew, from what the generators of the search draw
+    Deep(deep::DeepArgs),
     /// Make the fault dictionary of the verifier, and measure what a diagnosis by it is worth
     Dictionary(dictionary::DictionaryArgs),
     /// Change the kernel or the specification, and ask who notices
@@ -101,6 +105,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Refresh(args) => Ok(status::refresh(&project, args)?),
         Command::Trace(args) => trace::command::trace(&project, args),
         Command::Mutants(args) => mutants::command::mutants(&project, args),
+        Command::Deep(args) => deep::deep(&project, args),
         Command::Dictionary(args) => dictionary::dictionary(&project, args),
         Command::Mutate(command) => Ok(mutate::run(&project, command)?),
         Command::Prove(args) if args.page => Ok(proofs::render(&project).map(|()| true)?),
@@ -116,6 +121,7 @@ fn run(cli: &Cli) -> Result<bool, Error> {
         Command::Prove(args) => {
             let before = proofs::Before::of(&project)?;
             let good = prove::run(&project, args)?;
+            let before = if args.pin { before.pinned(&project)? } else { before };
             proofs::keep(&project, args.engines(), &before, args.report)?;
             Ok(good)
         }
@@ -137,6 +143,12 @@ enum Error {
     Trace(#[from] trace::TraceError),
     #[error(transparent)]
     Hunt(#[from] mutants::MutantsError),
+    #[error(transparent)]
+    Deep(#[from] ncp_verifier::fuzz::FuzzError),
+    #[error(transparent)]
+    Court(#[from] ncp_verifier::fuzz::CourtError),
+    #[error(transparent)]
+    Manifest(#[from] ncp_verifier::peer::ManifestError),
     #[error("the suite: {0}")]
     Suite(#[from] ncp_verifier::suite::SuiteError),
     #[error(transparent)]

@@ -60,7 +60,7 @@ pub(crate) struct ProveArgs {
     sabotage: Option<String>,
     /// Pin how much the symbolic engine explores, after a look at what has changed: proofs/explored.json
     #[arg(long)]
-    pin: bool,
+    pub(crate) pin: bool,
     /// Also write the long report, with every claim in words and symbols: reports/full/proofs.md and .html
     #[arg(long)]
     pub(crate) report: bool,

@@ -21,6 +21,9 @@ pub struct Defect {
     /// The rules that it breaks; whoever notices it has to name the first.
     #[serde(default)]
     pub rules: Vec<String>,
+    /// Those of the rules that it breaks as directly as the first: whoever names one of them first is right, too.
+    #[serde(default)]
+    pub equal: Vec<String>,
     /// Further rules whose sentence it breaks on the way, and how: whoever names them blames it rightly.
     #[serde(default)]
     pub also: BTreeMap<String, String>,

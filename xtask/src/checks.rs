@@ -177,6 +177,13 @@ pub(crate) const CHECKS: &[Check] = &[
         run: conformance,
     },
     Check {
+        name: "deep",
+        about: "the specification and both implementations from the text keep the deep set (ncp-verify run --deep)",
+        lane: Lane::Peers,
+        runs: always,
+        run: deep,
+    },
+    Check {
         name: "status",
         about: "what is made in minutes is about the sources as they are (cargo assure status; nightly: all)",
         lane: Lane::Peers,
@@ -334,14 +341,25 @@ fn node_tests(work: &mut Work<'_>, npm: &[&str]) -> Result<Tally, Failure> {
 }
 
 fn conformance(work: &mut Work<'_>) -> Result<Tally, Failure> {
-    const RESULT: &str = ".tools/logs/conformance.json";
-    let cargo = work.project.cargo(&[VERIFY, &["--json", RESULT]].concat());
+    judged(work, &[], ".tools/logs/conformance.json")
+}
+
+/// The sources of the deep set's expectations, and those that had to agree with them.
+fn deep(work: &mut Work<'_>) -> Result<Tally, Failure> {
+    let peers = ["--peer", "peers/rust", "--peer", "peers/typescript", "--peer", "peers/python-pure"];
+    let run = [&["run", "--deep", "--filter", "deep/*"][..], &peers].concat();
+    judged(work, &run, ".tools/logs/deep.json")
+}
+
+/// Has the verifier check peers, and leave its result in this file.
+fn judged(work: &mut Work<'_>, args: &[&str], result_file: &str) -> Result<Tally, Failure> {
+    let cargo = work.project.cargo(&[VERIFY, args, &["--json", result_file]].concat());
     let tally = work.program(cargo)?;
 
     // For the verifier a peer without its toolchain is skipped, which is no failure. Here it
     // is one: every bundled peer has to be shown to conform.
-    let unreadable = |error: &dyn Display| Failure::of_one(format!("{RESULT}: {error}"));
-    let text = fs::read(work.project.path(RESULT)).map_err(|error| unreadable(&error))?;
+    let unreadable = |error: &dyn Display| Failure::of_one(format!("{result_file}: {error}"));
+    let text = fs::read(work.project.path(result_file)).map_err(|error| unreadable(&error))?;
     let result: Value = serde_json::from_slice(&text).map_err(|error| unreadable(&error))?;
     let unchecked = unchecked_peers(&result).ok_or_else(|| unreadable(&"no list of peers"))?;
     nothing_wrong(&unchecked, "").map(|_| tally)

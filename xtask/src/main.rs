@@ -112,7 +112,7 @@ enum Error {
     #[error("cannot generate: {0}")]
     Generate(&'static str),
     #[error(transparent)]
-    Scenario(#[from] ncp_vectors::ScenarioError),
+    Scenario(#[from] ncp_vectors::GenerateError),
     #[error("cannot generate the C header: {0}")]
     Header(String),
     #[error("{}: {source}", path.display())]

@@ -43,6 +43,9 @@ pub(crate) struct MutantsArgs {
     /// The vectors of this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     vectors: Option<PathBuf>,
+    /// The deep set besides the corpus
+    #[arg(long, conflicts_with = "vectors")]
+    deep: bool,
     /// Where to write the reports; the lock is written only with those of the project
     #[arg(long, value_name = "DIR", default_value = reports::PAGES)]
     reports: PathBuf,
@@ -56,6 +59,7 @@ Ends with 1 if the suite does not notice a mutant, or does not name the rule tha
 Examples:
   cargo assure mutants --list
   cargo assure mutants --only lenient-integer-fraction
+  cargo assure mutants --defects defects/deep --deep --reports target/deep
   cargo assure mutants --only fence-open-ball --only speed-per-axis --together";
 
 /// Where the tables of defects are, from the root of the project.
@@ -66,7 +70,8 @@ const ARTEFACT: &str = "mutants";
 /// Holds the suite against every mutant; `false` if one is not killed.
 pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Error> {
     let (styles, stop) = (Styles::detect(), console::stop().map_err(Error::Signals)?);
-    let suite = args.vectors.as_deref().map_or_else(Suite::embedded, Suite::load)?;
+    let built_in = if args.deep { Suite::with_deep } else { Suite::embedded };
+    let suite = args.vectors.as_deref().map_or_else(built_in, Suite::load)?;
     let root = project.path("");
     // What changes while the mutants are on trial was not tried.
     let sources = Artefact::named(ARTEFACT).map(|own| own.digests(&root)).transpose();
@@ -97,7 +102,8 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
         let folder = root.join(&args.reports);
         reports::page(&folder, ARTEFACT, &report.page())?;
         reports::full(&folder, ARTEFACT, &report, &report.full_page())?;
-        if args.program.is_none() && args.reports == Path::new(reports::PAGES) {
+        let is_usual = !args.deep && args.vectors.is_none() && args.defects == Path::new(TABLES);
+        if is_usual && args.program.is_none() && args.reports == Path::new(reports::PAGES) {
             report.lock(sources).write(&root, ARTEFACT)?;
         }
     }
@@ -139,17 +145,25 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
     let totals = report.totals;
     let remarks = report.remarks().into_iter().map(|remark| format!("{}\n", styles.out.red(&remark)));
     let line = format!(
-        "{}: {} killed, of which {} by the rule that the verdict names first and {} by one of its first three; \
-         {} with a rule blamed falsely, {} misnamed, {} survived, {} not finished",
+        "{}: {} killed, of which {} by the rule that the verdict names first, {} by that or one as \
+         directly broken, and {} by one of its first three; {} with a rule blamed falsely, {} misnamed, {} survived, \
+         {} not finished",
         counted(report.mutants.len(), "mutant"),
         totals.killed,
         totals.named_first,
+        totals.led_rightly,
         totals.named_early,
         totals.blamed,
         totals.misnamed,
         totals.survived,
         totals.unfinished
     );
+    let by_corpus = report.mutants.iter().filter(|trial| trial.by_corpus == Some(Fate::Killed)).count();
+    let line = if report.mutants.iter().any(|trial| trial.by_corpus.is_some()) {
+        format!("{line}; by the corpus alone, {by_corpus} are killed")
+    } else {
+        line
+    };
     let line = if totals.all_killed() { styles.out.green(&line) } else { styles.out.red(&line) };
     format!("{}{line}\n", remarks.collect::<String>())
 }

@@ -48,6 +48,9 @@ pub(crate) struct Mutant {
     pub(crate) finding: String,
     /// The rules that it breaks.
     pub(crate) rules: Vec<String>,
+    /// Those of them that it breaks as directly as the first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) equal: Vec<String>,
     /// Further rules whose sentence it breaks, and how.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) also: BTreeMap<String, String>,
@@ -62,8 +65,8 @@ pub(crate) struct Mutant {
 impl Mutant {
     /// The peer with one defect.
     fn of(defect: &Defect) -> Self {
-        let Defect { name, about, finding, rules, also, .. } = defect.clone();
-        Self { defects: vec![name.clone()], name, about, finding, rules, also, owed: 1 }
+        let Defect { name, about, finding, rules, equal, also, .. } = defect.clone();
+        Self { defects: vec![name.clone()], name, about, finding, rules, equal, also, owed: 1 }
     }
 
     /// The peer with all defects of several.
@@ -80,6 +83,7 @@ impl Mutant {
             about: all(|one| &one.about, " "),
             finding: all(|one| &one.finding, " + "),
             owed: rules.len(),
+            equal: Vec::new(),
             also: mutants.iter().flat_map(Self::broken).map(|(rule, how)| (rule.to_owned(), how.to_owned())).collect(),
             rules,
             defects: mutants.iter().flat_map(|one| one.defects.clone()).collect(),
@@ -95,6 +99,11 @@ impl Mutant {
     /// Whether it breaks the sentence of this rule.
     pub(crate) fn breaks(&self, rule: &str) -> bool {
         self.broken().any(|(broken, _)| broken == rule)
+    }
+
+    /// Whether a verdict that begins with this rule begins rightly.
+    pub(crate) fn is_led_by(&self, rule: &str) -> bool {
+        self.rules.first().into_iter().chain(&self.equal).any(|own| own == rule)
     }
 
     /// The rules that the suite must name.
@@ -141,8 +150,9 @@ pub(crate) enum MutantsError {
 
 /// The mutants of the defects in a folder.
 fn list(defects: &[Defect], suite: &Suite) -> Result<Vec<Mutant>, MutantsError> {
-    for Defect { name, rules, also, .. } in defects {
-        let unknown = rules.iter().chain(also.keys()).find(|rule| suite.requirement(rule).is_none());
+    for Defect { name, rules, equal, also, .. } in defects {
+        let unlisted = equal.iter().find(|rule| !rules.contains(rule));
+        let unknown = rules.iter().chain(also.keys()).find(|rule| suite.requirement(rule).is_none()).or(unlisted);
         if rules.is_empty() || unknown.is_some() {
             return Err(MutantsError::Rule { mutant: name.clone(), rule: unknown.cloned().unwrap_or_default() });
         }
@@ -205,4 +215,17 @@ fn side_by_side<T: Sync, D: Send>(
     let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     done.sort_by_key(|(number, _)| *number);
     Ok(done.into_iter().map(|(_, came)| came).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_verdict_begins_rightly_with_the_first_rule_of_a_defect_and_with_those_that_it_breaks_as_directly() {
+        let rules = ["NCP-CODEC-005", "NCP-CODEC-006", "NCP-CODEC-001"].map(str::to_owned).to_vec();
+        let mutant = Mutant::of(&Defect { rules, equal: vec!["NCP-CODEC-006".to_owned()], ..Defect::default() });
+        assert!(mutant.is_led_by("NCP-CODEC-005") && mutant.is_led_by("NCP-CODEC-006"));
+        assert!(!mutant.is_led_by("NCP-CODEC-001") && !mutant.is_led_by("NCP-CODEC-002"));
+    }
 }

@@ -34,8 +34,10 @@ pub(crate) struct MutantsReport {
 pub(crate) struct Totals {
     /// The suite fails them and names their rule.
     pub(crate) killed: usize,
-    /// Of those: the first rule that the verdict names is one that the defect is planted to break.
+    /// Of those: the rule, the first of the defect's list, is the first that the verdict names.
     pub(crate) named_first: usize,
+    /// Of those: the first rule that the verdict names is that rule, or one that the defect breaks as directly.
+    pub(crate) led_rightly: usize,
     /// Of those: the rule is among the first three that the verdict names.
     pub(crate) named_early: usize,
     /// The verdict names a rule or more whose sentence they keep.
@@ -68,8 +70,9 @@ impl MutantsReport {
             } += 1;
             let is_within = |places| trial.fate == Fate::Killed && trial.place.is_some_and(|at| at <= places);
             let first = trial.named.first();
-            let is_first = first.is_some_and(|named| trial.mutant.rules.contains(&named.rule));
-            totals.named_first += usize::from(trial.fate == Fate::Killed && is_first);
+            let is_led = first.is_some_and(|named| trial.mutant.is_led_by(&named.rule));
+            totals.named_first += usize::from(is_within(1));
+            totals.led_rightly += usize::from(trial.fate == Fate::Killed && is_led);
             totals.blamed += usize::from(!trial.blamed().is_empty());
             totals.named_early += usize::from(is_within(EARLY));
         }
@@ -96,11 +99,13 @@ impl MutantsReport {
 
     /// What git keeps of it, with the digests of the sources.
     pub(crate) fn lock(&self, sources: BTreeMap<String, String>) -> Lock {
-        let Totals { killed, named_first, named_early, blamed, misnamed, survived, unfinished } = self.totals;
+        let Totals { killed, named_first, led_rightly, named_early, blamed, misnamed, survived, unfinished } =
+            self.totals;
         let counts = [
             ("blamed", blamed),
             ("cases", self.cases),
             ("killed", killed),
+            ("led_rightly", led_rightly),
             ("misnamed", misnamed),
             ("named_early", named_early),
             ("named_first", named_first),
@@ -126,8 +131,10 @@ impl MutantsReport {
 
     /// The short page. It holds no times, so that it changes only when the findings do.
     pub(crate) fn page(&self) -> Vec<Block> {
-        let Totals { killed, named_first, named_early, blamed, misnamed, survived, unfinished } = self.totals;
-        let counts = [self.mutants.len(), killed, named_first, named_early, blamed, misnamed, survived, unfinished];
+        let Totals { killed, named_first, led_rightly, named_early, blamed, misnamed, survived, unfinished } =
+            self.totals;
+        let counts =
+            [self.mutants.len(), killed, named_first, led_rightly, named_early, blamed, misnamed, survived, unfinished];
         let mut page = vec![
             heading(1, "Mutants"),
             text(format!(
@@ -142,7 +149,8 @@ impl MutantsReport {
                     "mutants",
                     "killed",
                     "rule named first",
-                    "among the first 3",
+                    "or one as direct",
+                    "rule among the first 3",
                     "another blamed",
                     "rule not named",
                     "survived",
@@ -154,9 +162,11 @@ impl MutantsReport {
                 "A mutant is killed when a case fails that cites the broken rule and is charged to it. Cases with \
                  requests above 64 KiB were run only where no other case did. The verdict names the likeliest rule \
                  first: that of the lowest level, and within a level by how many of a rule's cases fail and what \
-                 share of all they are. *Named first* means that the verdict on this mutant begins with a rule that \
-                 the defect is planted to break, *another blamed* that it names a rule whose sentence the mutant \
-                 keeps: the table of defects does not list it among those that are broken.",
+                 share of all they are. The *rule* of a mutant is the first that its defect lists. *Or one as direct* \
+                 adds those whose verdict begins with another that the defect breaks as directly, such as that of the \
+                 decoder where one function serves encoder and decoder: a reader who had not seen the verdicts named \
+                 these. *Another blamed* means that the verdict names a rule whose sentence the mutant keeps: the \
+                 table of defects does not list it among those that are broken.",
             ),
         ];
         let remarks = self.remarks();

@@ -15,7 +15,7 @@ use ncp_verifier::peer::{Connection, Description, Launch, handshake};
 use ncp_verifier::report::{CaseReport, PeerReport};
 use ncp_verifier::run::{self, CaseRun, Deaf, Settings};
 use ncp_verifier::stop::Stop;
-use ncp_verifier::suite::Case;
+use ncp_verifier::suite::{Case, DEEP};
 use ncp_verifier::verdict::{Baseline, Status, judge, judge_description};
 
 /// What became of a mutant.
@@ -53,6 +53,9 @@ pub(crate) struct Trial {
     pub(crate) fate: Fate,
     /// The place of its rule among those that the verdict names, from 1; of several rules, the last one's.
     pub(crate) place: Option<usize>,
+    /// What became of it by the corpus alone, where the deep set was asked, too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) by_corpus: Option<Fate>,
     /// How many cases fail.
     pub(crate) failing_cases: usize,
     /// How many of them end the process, or make it hang.
@@ -97,16 +100,25 @@ pub(super) fn healthy(hunt: &Hunt<'_>) -> Result<(), MutantsError> {
 pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, MutantsError> {
     let start = Instant::now();
     let (large, small): (Vec<&Case>, Vec<&Case>) = hunt.suite.cases().iter().partition(|case| case.is_large());
-    let names = |cases: &[CaseReport]| mutant.owed().iter().all(|rule| cases.iter().any(|case| is_about(case, rule)));
-    let (failing, in_time) =
-        limited(hunt, |stop| failing(hunt, Some(mutant), &[&small, &large], |cases| !names(cases), stop));
+    let of_corpus = |case: &&&CaseReport| !case.id.starts_with(DEEP);
+    let names = |cases: &[&CaseReport]| mutant.owed().iter().all(|rule| cases.iter().any(|case| is_about(case, rule)));
+    // What the corpus alone names is to be known, whatever the deep set names.
+    let more = |cases: &[CaseReport]| {
+        let all: Vec<&CaseReport> = cases.iter().collect();
+        !names(&all.iter().filter(of_corpus).copied().collect::<Vec<_>>())
+    };
+    let (failing, in_time) = limited(hunt, |stop| failing(hunt, Some(mutant), &[&small, &large], more, stop));
     let Findings { failing, named } = failing?;
-    let fate = match (in_time, failing.is_empty(), names(&failing)) {
+    let fate_by = |failing: &[&CaseReport]| match (in_time, failing.is_empty(), names(failing)) {
         (_, false, true) => Fate::Killed,
         (false, ..) => Fate::Unfinished,
         (true, false, false) => Fate::Misnamed,
         (true, true, _) => Fate::Survived,
     };
+    let all: Vec<&CaseReport> = failing.iter().collect();
+    let fate = fate_by(&all);
+    let has_deep = hunt.suite.cases().iter().any(Case::is_deep);
+    let by_corpus = has_deep.then(|| fate_by(&all.iter().filter(of_corpus).copied().collect::<Vec<_>>()));
     let shortest =
         failing.iter().min_by_key(|case| (!mutant.owed().iter().any(|rule| is_about(case, rule)), request_len(case)));
     let place = |rule: &String| named.iter().position(|named| named.rule == *rule).map(|before| before + 1);
@@ -114,6 +126,7 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
     Ok(Trial {
         mutant: mutant.clone(),
         fate,
+        by_corpus,
         place: places.and_then(|places| places.into_iter().max()),
         failing_cases: failing.len(),
         crashes: failing.iter().filter(|case| case.outcome.is_fault()).count(),

@@ -19,6 +19,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use ncp_proofs::digest::ARTEFACTS;
+use ncp_proofs::pins;
 use ncp_proofs::report::{self, Answer, Broken, Engine, FILE, Report, Verdict};
 use ncp_text::catalogue::{Catalogue, CatalogueError};
 use thiserror::Error;
@@ -81,6 +82,19 @@ impl Before {
         let digests = artefacts.map(|artefact| Ok((artefact.name, artefact.digests(&root)?)));
         let digests: io::Result<_> = digests.collect();
         Ok(Self(digests.map_err(|source| ProofsError::File { path: root, source })?))
+    }
+
+    /// The same, with what the run itself has pinned as it is now.
+    ///
+    /// # Errors
+    /// A source cannot be read.
+    pub(crate) fn pinned(mut self, project: &Project) -> Result<Self, ProofsError> {
+        let mut now = Self::of(project)?;
+        for (name, digests) in &mut self.0 {
+            let pins = now.0.get_mut(name).and_then(|digests| digests.remove_entry(pins::FILE));
+            digests.extend(pins);
+        }
+        Ok(self)
     }
 }
 
