@@ -42,7 +42,7 @@ impl Json {
 
     /// A JSON text by its spelling; what is no JSON, as it is.
     pub(crate) fn read(text: &str) -> Self {
-        let mut reader = Reader { rest: text.trim() };
+        let mut reader = Reader { rest: text.trim(), depth: 0 };
         reader.value().filter(|_| reader.rest.is_empty()).unwrap_or_else(|| Self::literal(text))
     }
 
@@ -211,6 +211,7 @@ impl Json {
 /// Reads JSON without white space between tokens but for single spaces.
 struct Reader<'a> {
     rest: &'a str,
+    depth: usize,
 }
 
 impl Reader<'_> {
@@ -220,7 +221,15 @@ impl Reader<'_> {
         rest.is_some()
     }
 
+    /// Reads a value; none if it is no JSON, or too deep for the stack.
     fn value(&mut self) -> Option<Json> {
+        self.depth += 1;
+        let value = (self.depth <= DEEPEST).then(|| self.value_here()).flatten();
+        self.depth -= 1;
+        value
+    }
+
+    fn value_here(&mut self) -> Option<Json> {
         if self.eat("{") {
             let mut members = Vec::new();
             while !self.eat("}") {
@@ -249,7 +258,7 @@ impl Reader<'_> {
             return self.string().map(Json::String);
         }
         let rest = self.rest.trim_start();
-        let (word, rest) = rest.split_at(rest.find([',', ']', '}', ' ']).unwrap_or(rest.len()));
+        let (word, rest) = rest.split_at(rest.find(ends_number).unwrap_or(rest.len()));
         self.rest = rest;
         match word {
             "null" => Some(Json::Null),
@@ -284,6 +293,13 @@ impl Reader<'_> {
         self.rest = chars.as_str();
         String::from_utf16(&units).ok()
     }
+}
+
+/// Twice what a frame may be.
+const DEEPEST: usize = 256;
+
+fn ends_number(c: char) -> bool {
+    [',', ']', '}'].contains(&c) || c.is_ascii_whitespace()
 }
 
 fn is_of_number(c: char) -> bool {

@@ -21,7 +21,7 @@
 //! let files = ncp_vectors::generate()?;
 //! let (path, text) = &files[0];
 //! assert!(path.ends_with(".json") && text.starts_with('{'));
-//! # Ok::<(), ncp_vectors::ScenarioError>(())
+//! # Ok::<(), ncp_vectors::GenerateError>(())
 //! ```
 
 #![forbid(unsafe_code)]

@@ -453,14 +453,16 @@ struct Governor<'a> {
 impl<'a> Governor<'a> {
     fn new(limits: Limits, capabilities: Option<&'a Capabilities>, reading: Reading) -> Self {
         let broken = |limit: Option<f64>| limit.is_some_and(|limit| !limit.is_finite() || limit < 0.0);
+        let named = |specs: &[Spec], name: &str| specs.iter().any(|spec| spec.name == name);
+        // Each declaration of a channel counts.
         let declared = |specs: &[Spec], name: &str, unit: &str| {
-            specs.iter().any(|spec| spec.name == name && spec.unit.as_deref() == Some(unit))
+            let mut of_it = specs.iter().filter(|spec| spec.name == name);
+            named(specs, name) && of_it.all(|spec| spec.unit.as_deref() == Some(unit))
         };
         let unbound = capabilities.is_some_and(|capabilities| {
             enabled(limits.fence).is_some() && !declared(&capabilities.sensors, POSITION, M)
                 || enabled(limits.speed).is_some() && !declared(&capabilities.commands, VELOCITY, MPS)
         });
-        let named = |specs: &[Spec], name: &str| specs.iter().any(|spec| spec.name == name);
         let unnamed = capabilities.is_some_and(|capabilities| {
             enabled(limits.fence).is_some() && !named(&capabilities.sensors, POSITION)
                 || enabled(limits.speed).is_some() && !named(&capabilities.commands, VELOCITY)

@@ -9,7 +9,8 @@
 //! - [`harvest`]: strings and numbers from a peer's own sources.
 //! - `generate`: inputs for every call.
 //! - `oracle`: what the text asks of an answer, with every freedom that it leaves.
-//! - [`deep`]: candidates for the deep set, and `about`: the rules of each.
+//! - [`deep`]: candidates for the deep set.
+//! - `about`: the rules of a candidate.
 //! - `asker`: one peer with requests in flight, and what becomes of each.
 //! - `court`: judges a disagreement by the reader and the judge of the suite.
 //! - `rules`: the rule that decides it.

@@ -44,7 +44,7 @@ pub struct Norm<S> {
 
 impl<S: Scalar> Norm<S> {
     /// Whether it is not above a finite bound. The bound is brought to the scale, where it loses digits only far below
-    /// the norm, and overflows only far above it.
+    /// the norm, and overflows only far above it. `[NCP-SAFE-043] [NCP-SAFE-060]`
     #[inline]
     pub fn le(self, bound: S) -> bool {
         self.length.le(bound.mul(self.scale))
