@@ -26,6 +26,8 @@ const ENGINES: [&str; 9] =
 pub(crate) const QUICK: [&str; 4] = ["enumeration", "kani-stand-in", "model", "readers"];
 /// What the first stage finds out about the kernel, for the second.
 const KERNEL: &str = ".tools/proofs-kernel.json";
+/// With the broken kernels.
+const BROKEN: &[&str] = &["--features", "broken"];
 /// Where the engines that are programs of their own leave their results.
 const MACHINE: &str = ".tools/machine.json";
 const MODEL: &str = ".tools/model.json";
@@ -123,28 +125,32 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
         }
     }
     let chosen: Vec<&str> = args.chosen().into_iter().flat_map(|engine| ["--engine", engine]).collect();
+    // What the quick engines build takes longer than what they run: in the check, all of it is built once, by the
+    // profile of the other checks.
+    let profile = if args.fast { "--profile=verify" } else { "--profile=release" };
+    let first: &[&str] = if args.fast { BROKEN } else { &[] };
     let program = |options: &[&str], stage: &str| {
-        let start = ["run", "--quiet", "--release", "-p", "ncp-proofs"];
+        let start = ["run", "--quiet", profile, "-p", "ncp-proofs"];
         project.cargo(&[&start[..], options, &["--", "--stage", stage], &chosen].concat())
     };
     part("the kernel: on values, on samples, and for all doubles by the solvers");
-    if !start(program(&[], "kernel"))? {
+    if !start(program(first, "kernel"))? {
         return Ok(false);
     }
     let mut good = true;
     if args.wants("model") {
         part("the protocol over a bad network, by model checking");
-        let words = ["run", "--quiet", "--release", "-p", "ncp-model", "--", "--json", MODEL];
+        let words = ["run", "--quiet", profile, "-p", "ncp-model", "--", "--json", MODEL];
         good &= start(project.cargo(&words))?;
     }
     if args.wants("readers") {
         part("what reads blocks, versions and keys, on every input within the bounds");
         let program = ["-p", "ncp-readers", "--features", "broken", "--", "--json", READERS];
-        good &= start(project.cargo(&[&["run", "--quiet", "--release"], &program[..]].concat()))?;
+        good &= start(project.cargo(&[&["run", "--quiet", profile], &program[..]].concat()))?;
     }
     if args.wants("path") {
         part("the safety path around the kernel: the scanner for ESTOPs, the governor, the link monitor, the loop");
-        let words = ["run", "--quiet", "--release", "-p", "ncp-path", "--", "--json", PATH];
+        let words = ["run", "--quiet", profile, "-p", "ncp-path", "--", "--json", PATH];
         good &= start(project.cargo(&words))?;
     }
     if args.wants("machine") {
@@ -160,7 +166,7 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
         good &= sabotage(project, "all")?;
     }
     part("broken kernels, which each engine has to refute, and the report");
-    let mut rest = program(&["--features", "broken"], "rest");
+    let mut rest = program(BROKEN, "rest");
     if args.pin {
         rest.arg("--pin");
     }

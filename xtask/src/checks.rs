@@ -268,7 +268,7 @@ const MADE_IN_MINUTES: &[&str] = &[
     "trace",
 ];
 
-/// How cargo runs the maintainers' command: built as `cargo verify` builds, which takes half the time.
+/// How cargo runs the maintainers' command, built as `cargo verify` is.
 const ASSURE: &[&str] = &["run", "--quiet", "--profile", "verify", "-p", "ncp-assurance", "--"];
 
 /// How cargo runs the verifier.
