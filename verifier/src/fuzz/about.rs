@@ -525,7 +525,7 @@ fn version(call: Call, args: &Tree, expect: &Tree, rejects: bool) -> String {
             _ if !is_version => "NCP-VER-001",
             _ if parts.iter().any(|part| part.len() > 1 && part.starts_with('0') || part.len() > 9) => "NCP-VER-009",
             _ if rejects => "NCP-VER-006",
-            value if value == Some(&Json::Bool(true)) => "NCP-VER-008",
+            Some(&Json::Bool(true)) => "NCP-VER-008",
             _ => "NCP-VER-007",
         },
         Call::Negotiate if rejects => "NCP-VER-030",

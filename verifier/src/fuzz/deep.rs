@@ -108,7 +108,7 @@ impl<'s> Deep<'s> {
         let mut draw = Draw::new(self.seed ^ fnv(0, call.as_str()), number, &self.harvest);
         // A third of the traces is long.
         let length = (number % 3 == 2).then(|| draw.size(40, 400));
-        draw = draw.with_length(length.filter(|_| call != Call::SessionRun || number % 2 == 0));
+        draw = draw.with_length(length.filter(|_| call != Call::SessionRun || number.is_multiple_of(2)));
         let input = Input { call, args: generate::args(call, &self.menu, &mut draw)? };
         let args = input.args.to_string();
         let spec = oracle::specification(call, &args);
