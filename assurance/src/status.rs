@@ -18,9 +18,8 @@ use crate::trace::{self, TraceError};
 
 #[derive(Debug, Args)]
 pub(crate) struct StatusArgs {
-    /// Only these artefacts [default: all]
-    #[arg(value_name = "NAME", value_parser = artefact)]
-    names: Vec<&'static Artefact>,
+    #[command(flatten)]
+    which: Which,
     /// Print JSON: every artefact with its sources, its command and why it is stale
     #[arg(long)]
     json: bool,
@@ -28,12 +27,30 @@ pub(crate) struct StatusArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct RefreshArgs {
-    /// Only these artefacts [default: all]
-    #[arg(value_name = "NAME", value_parser = artefact)]
-    names: Vec<&'static Artefact>,
+    #[command(flatten)]
+    which: Which,
     /// Only say what would be run
     #[arg(long)]
     dry_run: bool,
+}
+
+/// The artefacts that are meant.
+#[derive(Debug, Args)]
+struct Which {
+    /// Only these artefacts, or groups of them, such as `proofs` [default: all]
+    #[arg(value_name = "NAME", value_parser = name)]
+    names: Vec<String>,
+    /// Only what is made in minutes, and neither changed kernels, changed specifications nor fuzzing
+    #[arg(long)]
+    quick: bool,
+}
+
+impl Which {
+    fn artefacts(&self) -> impl Iterator<Item = &'static Artefact> {
+        let is_named = |artefact: &Artefact| self.names.iter().any(|name| artefact.is_meant(name));
+        let is_meant = move |artefact: &&Artefact| self.names.is_empty() || is_named(artefact);
+        ARTEFACTS.iter().filter(is_meant).filter(|artefact| !(self.quick && artefact.nightly))
+    }
 }
 
 /// Why the state cannot be told.
@@ -69,7 +86,7 @@ struct State {
 /// The state of one cannot be told.
 pub(crate) fn status(project: &Project, args: &StatusArgs) -> Result<bool, StatusError> {
     let mut eyes = Eyes::of(project);
-    let states: Vec<State> = chosen(&args.names).map(|artefact| eyes.state(artefact)).collect::<Result<_, _>>()?;
+    let states: Vec<State> = args.which.artefacts().map(|artefact| eyes.state(artefact)).collect::<Result<_, _>>()?;
     if args.json {
         println!("{:#}", serde_json::json!(states));
     } else {
@@ -85,7 +102,7 @@ pub(crate) fn status(project: &Project, args: &StatusArgs) -> Result<bool, Statu
 pub(crate) fn refresh(project: &Project, args: &RefreshArgs) -> Result<bool, StatusError> {
     let mut eyes = Eyes::of(project);
     let mut ran: Vec<&[&str]> = Vec::new();
-    for artefact in chosen(&args.names) {
+    for artefact in args.which.artefacts() {
         // What stands before it may have changed its sources.
         let state = eyes.state(artefact)?;
         if state.fresh || ran.contains(&artefact.command) {
@@ -124,7 +141,7 @@ impl<'p> Eyes<'p> {
     }
 
     fn state(&mut self, artefact: &'static Artefact) -> Result<State, StatusError> {
-        let Artefact { name, makes, sources, freshness, command } = artefact;
+        let Artefact { name, makes, sources, freshness, command, .. } = artefact;
         let why = match freshness {
             Freshness::Generated => {
                 let is_own = |line: &&String| makes.iter().any(|made| line.starts_with(made));
@@ -194,14 +211,10 @@ fn program(project: &Project, command: &[&str]) -> io::Result<Command> {
     }
 }
 
-fn chosen(names: &[&'static Artefact]) -> impl Iterator<Item = &'static Artefact> {
-    let is_chosen = |artefact: &&Artefact| names.is_empty() || names.iter().any(|named| named.name == artefact.name);
-    ARTEFACTS.iter().filter(is_chosen)
-}
-
-fn artefact(name: &str) -> Result<&'static Artefact, String> {
+fn name(name: &str) -> Result<String, String> {
     let known = || ARTEFACTS.iter().map(|artefact| artefact.name).collect::<Vec<_>>().join(", ");
-    Artefact::named(name).ok_or_else(|| format!("one of {}", known()))
+    let is_known = ARTEFACTS.iter().any(|artefact| artefact.is_meant(name));
+    if is_known { Ok(name.to_owned()) } else { Err(format!("one of {}", known())) }
 }
 
 fn print(state: &State, styles: Styles) {

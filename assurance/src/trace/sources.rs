@@ -4,13 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use ncp_defects::Defect;
+use ncp_proofs::digest::ARTEFACTS as PROOFS;
+use ncp_text::citations::{Citation, FunctionRole, RustFile, cited};
 use serde::Deserialize;
 use walkdir::WalkDir;
 
+use crate::artefact::OF_PROOFS;
 use crate::live;
 use crate::lock::Lock;
-
-use ncp_text::citations::{Citation, FunctionRole, RustFile, cited};
 
 use super::{Evidence, EvidenceKind, Fault, TraceError};
 
@@ -27,9 +28,7 @@ const FUZZ: [&str; 2] = ["fuzz/fuzz_targets", "fuzz/bodies/src"];
 const INDEPENDENT: [(&str, &str); 2] = [("peers/typescript/src", "ts"), ("peers/python-pure/ncp_pure", "py")];
 /// The tables of the defects that are planted in the Rust peer.
 const DEFECTS: &str = "defects/peer";
-/// The locks of the proofs, and the page that they are shown on.
-const PROOFS: [&str; 6] =
-    ["proofs-kernel", "proofs-machine", "proofs-model", "proofs-readers", "proofs-path", "proofs-theorem"];
+/// The page that shows the locks of the proofs.
 const PROOFS_PAGE: &str = "reports/proofs.md";
 /// The live scenarios, each with the rules that it judges.
 const LIVE: &str = "live/scenarios.toml";
@@ -223,8 +222,9 @@ impl Sources {
     /// What an engine has proved, as the locks of the proofs say: a fate is that of an engine and a claim.
     fn proofs(&mut self, root: &Path) -> Result<(), TraceError> {
         let mut proved: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        for name in PROOFS {
-            let Lock { fates, rules, .. } = Lock::read(root, name)?.unwrap_or_default();
+        for proofs in PROOFS {
+            let Lock { fates, rules, .. } =
+                Lock::read(root, &format!("{OF_PROOFS}{}", proofs.name))?.unwrap_or_default();
             let claims = fates.iter().filter(|(_, fate)| fate.starts_with("proved"));
             for claim in claims.filter_map(|(id, _)| id.split_once(' ')).map(|(_, claim)| claim) {
                 proved.entry(claim.to_owned()).or_default().extend(rules.get(claim).into_iter().flatten().cloned());

@@ -27,7 +27,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 pub use against::Kind;
 pub use model::{Against, Finding, GateReport, RowReport, RowState, Verdict};
-pub use rows::{PROOFS, ROWS, Row};
+pub use rows::{ROWS, Row};
 
 use crate::stop::Stop;
 use against::Base;
