@@ -8,6 +8,7 @@
 //! | [`actors`] | a reference system, and the defects that can be planted in it |
 //! | [`relay`] | a hostile link |
 //! | [`soak`] | the reference system over it, judged all the time |
+//! | [`demo`] | the whole system on one machine, with a network on NEST as the brain |
 //! | [`bench`] | what judging costs |
 //! | [`mutants`] | asks whether each planted defect fails its scenario, by its rule |
 //! | [`verdict`] | passed, failed or inconclusive |
@@ -15,6 +16,7 @@
 
 mod actors;
 mod bench;
+mod demo;
 mod judge;
 mod mutants;
 mod relay;
@@ -75,6 +77,8 @@ enum Command {
     Acl(judge::Acl),
     /// Run the reference system over a hostile link, for long, and judge it all the time
     Soak(soak::Soak),
+    /// Fly a quad by a network on NEST through hold, ESTOP, dropouts and a jam, and judge both its ends
+    Demo(demo::Demo),
     /// Measure what judging costs, and how fast commands are obeyed
     Bench(bench::Bench),
     /// List the scenarios
@@ -212,6 +216,12 @@ pub(crate) enum LiveError {
     /// A plot.
     #[error("the plot: {0}")]
     Plot(String),
+    /// The story of a flight.
+    #[error("the flight: {0}")]
+    Story(toml::de::Error),
+    /// The simulator.
+    #[error("NEST: {0}")]
+    Nest(String),
     /// The table of defects.
     #[error("defects.toml: {0}")]
     Defects(toml::de::Error),
@@ -297,6 +307,7 @@ fn run(command: Command) -> Result<bool, LiveError> {
         }
         Command::Acl(acl) => judge::acl(&acl),
         Command::Soak(soak) => soak::run(&soak),
+        Command::Demo(demo) => demo::run(&demo),
         Command::Bench(bench) => bench::run(&bench),
         Command::List => {
             for Scenario { name, about, rules, .. } in scenarios()? {

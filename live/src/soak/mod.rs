@@ -13,7 +13,7 @@
 
 mod body;
 mod commander;
-mod plot;
+pub(crate) mod plot;
 mod replies;
 mod report;
 mod resources;

@@ -10,7 +10,7 @@ use crate::LiveError;
 use crate::relay::schedule::{PlaneName, Schedule};
 
 /// A line of a panel: its name, and its points.
-type Line = (String, Vec<(f64, f64)>);
+pub(crate) type Line = (String, Vec<(f64, f64)>);
 
 /// Draws faults, motion, memory and handles.
 ///
@@ -38,7 +38,7 @@ pub(super) fn draw(path: &Path, report: &Report, schedule: &Schedule) -> Result<
     drawn.map_err(LiveError::Plot)
 }
 
-fn failed(error: impl std::error::Error) -> String {
+pub(crate) fn failed(error: impl std::error::Error) -> String {
     error.to_string()
 }
 
@@ -54,14 +54,24 @@ fn faults_a_second(report: &Report) -> Vec<Line> {
     PlaneName::ALL.map(line).to_vec()
 }
 
-fn lines(area: &DrawingArea<SVGBackend<'_>, Shift>, title: &str, time_s: f64, lines: &[Line]) -> Result<(), String> {
+/// Draws lines over time.
+///
+/// # Errors
+/// They cannot be drawn.
+pub(crate) fn lines(
+    area: &DrawingArea<SVGBackend<'_>, Shift>,
+    title: &str,
+    time_s: f64,
+    lines: &[Line],
+) -> Result<(), String> {
+    let lowest = lines.iter().flat_map(|(_, points)| points).map(|(_, y)| *y).fold(0.0, f64::min);
     let highest = lines.iter().flat_map(|(_, points)| points).map(|(_, y)| *y).fold(1.0, f64::max);
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 15))
         .margin(8)
         .x_label_area_size(22)
         .y_label_area_size(50)
-        .build_cartesian_2d(0.0..time_s, 0.0..highest * 1.1)
+        .build_cartesian_2d(0.0..time_s, lowest * 1.1..highest * 1.1)
         .map_err(failed)?;
     chart.configure_mesh().light_line_style(WHITE).draw().map_err(failed)?;
     for (number, (name, points)) in lines.iter().enumerate() {
