@@ -407,7 +407,14 @@ fn made_with(locks: &Locks) -> Block {
         let cells = [of("rustc"), of("pins"), of("Cargo.toml [profile.release]"), packages.to_owned(), library];
         [vec![name.clone()], cells.iter().map(|cell| dash(cell)).collect()].concat()
     });
-    let head = ["artefact", "rustc and target", "pinned tools", "profiles", "packages", "what is loaded of the explored library (SHA-256)"];
+    let head = [
+        "artefact",
+        "rustc and target",
+        "pinned tools",
+        "profiles",
+        "packages",
+        "what is loaded of the explored library (SHA-256)",
+    ];
     table(&head, rows)
 }
 

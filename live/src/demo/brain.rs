@@ -46,7 +46,8 @@ pub(super) struct Ticked {
     pub(super) thought_ms: f64,
 }
 
-/// Starts the commander, whose clock begins at `began`: opens the session, and closes it in the end.
+/// Starts the commander, which stops at a burst of `link`, and whose clock begins at `began`: opens the session, and
+/// closes it in the end.
 ///
 /// # Errors
 /// No session is opened, or Zenoh refuses.
@@ -54,6 +55,7 @@ pub(super) fn brain(
     target: &Target,
     story: &Story,
     wishes: &Arc<Wishes>,
+    link: LinkMonitor,
     began: Instant,
 ) -> Result<(Running, Log<Ticked>), LiveError> {
     let bus = target.bus()?;
@@ -81,8 +83,6 @@ pub(super) fn brain(
         ..SafetyLimits::default()
     };
     let period_ms = PERIOD.as_secs_f64() * 1e3;
-    // A short dropout is no burst; a jam is.
-    let link = LinkMonitor::new(0.2, 36.0);
     let mut control = ControlLoop::new(LoopConfig { period_ms }, network, SafetyGovernor::new(&limits), link)?;
     let status = StreamPublisher::declare(
         &bus,
