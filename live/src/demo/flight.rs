@@ -90,8 +90,8 @@ impl Flight {
     fn draw(&self, path: &Path, story: &Story) -> Result<(), String> {
         let area = SVGBackend::new(path, (1_000, 1_100)).into_drawing_area();
         area.fill(&WHITE).map_err(failed)?;
-        let (from_above, over_time) = area.split_vertically(420);
-        self.from_above(&from_above, story)?;
+        let (seen_from_above, over_time) = area.split_vertically(420);
+        self.seen_from_above(&seen_from_above, story)?;
         let panels = over_time.split_evenly((3, 1));
         let [places, speeds, modes] = &*panels else { return Ok(()) };
         let axis = |name: &str, axis: usize| {
@@ -107,7 +107,7 @@ impl Flight {
         area.present().map_err(failed)
     }
 
-    fn from_above(&self, area: &DrawingArea<SVGBackend<'_>, Shift>, story: &Story) -> Result<(), String> {
+    fn seen_from_above(&self, area: &DrawingArea<SVGBackend<'_>, Shift>, story: &Story) -> Result<(), String> {
         let mut chart = ChartBuilder::on(area)
             .caption("from above, in m; green: obeys, grey: holds, red: stopped; rings: waypoints", ("sans-serif", 15))
             .margin(8)
