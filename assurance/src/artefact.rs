@@ -297,6 +297,8 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
             "live/scenarios.toml",
             "live/src",
             "peers/gateway/src",
+            "peers/nest/ncp_nest",
+            "peers/python-pure/ncp_pure",
             "peers/zenoh/deploy",
             "peers/zenoh/src",
             "spec/kernel/src",

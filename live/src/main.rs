@@ -7,6 +7,7 @@
 //! | [`judge`] | sets scenarios up, looks, and rules |
 //! | [`actors`] | a reference system, and the defects that can be planted in it |
 //! | [`relay`] | a hostile link |
+//! | [`simulator`] | the NEST service, as a process of its own |
 //! | [`soak`] | the reference system over it, judged all the time |
 //! | [`demo`] | the whole system on one machine, with a network on NEST as the brain |
 //! | [`bench`] | what judging costs |
@@ -22,6 +23,7 @@ mod mutants;
 mod relay;
 mod report;
 mod scenario;
+mod simulator;
 mod soak;
 mod target;
 mod verdict;
@@ -38,9 +40,10 @@ use ncp_text::Catalogue;
 use ncp_zenoh::{Bus, BusError, Link};
 use thiserror::Error;
 
-use actors::Planted;
+use actors::{Care, Planted};
 use judge::{Parts, traffic};
-use scenario::{Scenario, scenarios};
+use scenario::{Role, Scenario, scenarios};
+use simulator::Simulator;
 use target::{GatewayPlace, Mapping, Target};
 use verdict::{Ruling, Rulings, Verdict};
 
@@ -53,7 +56,8 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Start a router and the reference actors on loopback, run every scenario, and end what was started
+    /// Start a router, the reference actors and a NEST service behind a gateway on loopback, run every scenario, and
+    /// end what was started
     All(All),
     /// Judge what the samples of each plane really carry
     Qos(Deployed),
@@ -93,6 +97,12 @@ struct All {
     /// Only scenarios whose name contains this
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
+    /// Without a NEST service, which a first run installs
+    #[arg(long)]
+    without_nest: bool,
+    /// The Python that has NEST [default: the repository's own, made by peers/nest/build.py]
+    #[arg(long, value_name = "FILE")]
+    python: Option<PathBuf>,
     /// Plant a defect in the actors
     #[arg(long, value_name = "NAME")]
     defect: Option<String>,
@@ -358,9 +368,40 @@ impl OwnNet {
         let target = Target { realm, gateway: GatewayPlace::free()?, ..self.target.clone() };
         judge::judge(scenario, &target, &Parts::Actors(planted.clone()), catalogue)
     }
+
+    /// Runs scenarios of a server against the NEST service behind a gateway.
+    fn judge_nest(
+        &self,
+        scenarios: Vec<Scenario>,
+        python: Option<&Path>,
+        catalogue: &Catalogue,
+    ) -> Result<Vec<Ruling>, LiveError> {
+        if scenarios.is_empty() {
+            return Ok(Vec::new());
+        }
+        let simulator = Simulator::start(python)?;
+        let gateway = GatewayPlace { bridge: simulator.address, query: simulator::PATIENCE, ..GatewayPlace::free()? };
+        let target = Target { realm: "nest".to_owned(), gateway, ..self.target.clone() };
+        let _gateway = actors::start(Role::Gateway, &target, &Planted::default(), &Care::default())?;
+        let mut rulings = Vec::new();
+        for scenario in scenarios {
+            let found = judge::judge(&scenario, &target, &Parts::Deployed, catalogue)?;
+            let name = on_nest(&scenario.name);
+            let found: Vec<Ruling> =
+                found.into_iter().map(|ruling| Ruling { scenario: name.clone(), ..ruling }).collect();
+            report::progress(&Scenario { name, ..scenario }, &found);
+            rulings.extend(found);
+        }
+        Ok(rulings)
+    }
 }
 
-fn own(All { only, defect, json }: &All) -> Result<bool, LiveError> {
+/// The name of a scenario in the report when the server is a NEST service.
+fn on_nest(scenario: &str) -> String {
+    format!("nest/{scenario}")
+}
+
+fn own(All { only, without_nest, python, defect, json }: &All) -> Result<bool, LiveError> {
     let planted = Planted(defect.clone());
     if let Some(name) = defect {
         mutants::defects()?.iter().find(|known| known.name == *name).ok_or_else(|| LiveError::Unknown(name.clone()))?;
@@ -368,12 +409,16 @@ fn own(All { only, defect, json }: &All) -> Result<bool, LiveError> {
     let catalogue = Catalogue::load()?;
     let mut net = OwnNet::start()?;
     let mut rulings = Vec::new();
-    for scenario in scenarios()? {
-        if only.as_ref().is_none_or(|text| scenario.name.contains(text.as_str())) {
-            let found = net.judge(&scenario, &planted, &catalogue)?;
-            report::progress(&scenario, &found);
-            rulings.extend(found);
-        }
+    let is_asked = |name: &str| only.as_ref().is_none_or(|text| name.contains(text.as_str()));
+    for scenario in scenarios()?.into_iter().filter(|scenario| is_asked(&scenario.name)) {
+        let found = net.judge(&scenario, &planted, &catalogue)?;
+        report::progress(&scenario, &found);
+        rulings.extend(found);
+    }
+    if !without_nest && defect.is_none() {
+        let is_asked = |name: &str| name.starts_with("server/") && is_asked(&on_nest(name));
+        let scenarios = scenarios()?.into_iter().filter(|scenario| is_asked(&scenario.name));
+        rulings.extend(net.judge_nest(scenarios.collect(), python.as_deref(), &catalogue)?);
     }
     finish(&rulings, json.as_deref())
 }

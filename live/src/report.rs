@@ -6,15 +6,15 @@ use crate::verdict::{Ruling, Verdict};
 /// A line for a scenario that has been run.
 pub(crate) fn progress(scenario: &Scenario, rulings: &[Ruling]) {
     let worst = rulings.iter().map(|ruling| ruling.verdict).max().unwrap_or(Verdict::Inconclusive);
-    eprintln!("{:22} {worst}", scenario.name);
+    eprintln!("{:24} {worst}", scenario.name);
 }
 
 /// The matrix: scenario, rule, verdict, how much was observed; then what did not pass, with the sentence of its rule.
 pub(crate) fn matrix(rulings: &[Ruling]) {
-    println!("{:22} {:15} {:13} observed", "scenario", "rule", "verdict");
+    println!("{:24} {:15} {:13} observed", "scenario", "rule", "verdict");
     for Ruling { scenario, rule, verdict, observed, measured, .. } in rulings {
         let measured = measured.map(|measured| format!("  {measured}")).unwrap_or_default();
-        println!("{scenario:22} {rule:15} {verdict:13} {observed:8}{measured}");
+        println!("{scenario:24} {rule:15} {verdict:13} {observed:8}{measured}");
     }
     for Ruling { scenario, rule, verdict, why, sentence, .. } in rulings {
         if let Some(why) = why {

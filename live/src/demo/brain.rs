@@ -16,9 +16,10 @@ use ncp_spec::wire::{
 };
 use ncp_zenoh::{Bus, BusError, ControlClient, Perception, StreamPublisher};
 
+use super::Wishes;
 use super::story::{Asked, Story};
-use super::{PATIENCE, Wishes};
 use crate::LiveError;
+use crate::simulator::PATIENCE;
 use crate::target::{Running, Target};
 
 /// From one tick to the next, and how much the network runs in it.

@@ -4,7 +4,6 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`story`] | what happens when, as `demo.toml` has it |
-//! | [`simulator`] | the NEST service behind the gateway |
 //! | [`brain`] | a control loop whose commands are decoded from spikes |
 //! | [`quad`] | the plant |
 //! | [`flight`] | what was flown: a log, a trajectory and a plot |
@@ -12,7 +11,6 @@
 mod brain;
 mod flight;
 mod quad;
-mod simulator;
 mod story;
 
 use std::path::PathBuf;
@@ -33,12 +31,12 @@ use crate::actors::{self, Care, Planted};
 use crate::judge::{self, Parts, traffic};
 use crate::relay::Relay;
 use crate::scenario::{Role, scenarios};
+use crate::simulator::{PATIENCE, Simulator};
 use crate::target::{GatewayPlace, Running, Target, free_endpoint};
 use crate::verdict::{Ruling, Verdict};
 use crate::{LiveError, of_traffic, report, write_json};
 use brain::lock;
 use flight::Flight;
-use simulator::Simulator;
 use story::Story;
 
 /// How the demonstration is run.
@@ -61,9 +59,6 @@ pub(crate) struct Demo {
 /// The realm and the session of the flight.
 const REALM: &str = "demo";
 const SESSION: &str = "quad";
-
-/// How long NEST may take to open a session, and then a client of the gateway waits for a reply.
-const PATIENCE: Duration = Duration::from_secs(60);
 
 /// How long commander and plant are left to themselves around a reset.
 const SETTLES: Duration = Duration::from_millis(300);

@@ -10,11 +10,14 @@ use std::time::{Duration, Instant};
 use crate::LiveError;
 
 /// A running service; it ends when it is dropped.
-pub(super) struct Simulator {
+pub(crate) struct Simulator {
     /// Where it answers lines.
-    pub(super) address: SocketAddr,
+    pub(crate) address: SocketAddr,
     process: Child,
 }
+
+/// How long it may take to open a session, and then a client of the gateway waits for a reply.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// How long it may take to end its sessions.
 const ENDS: Duration = Duration::from_secs(10);
@@ -24,7 +27,7 @@ impl Simulator {
     ///
     /// # Errors
     /// NEST cannot be installed, or the service does not say where it listens.
-    pub(super) fn start(python: Option<&Path>) -> Result<Self, LiveError> {
+    pub(crate) fn start(python: Option<&Path>) -> Result<Self, LiveError> {
         let python = match python {
             Some(python) => python.to_owned(),
             None => installed()?,
