@@ -20,7 +20,7 @@ PYTHON = VENV / "bin" / "python"
 #: What the service needs.
 PACKAGES = ["nest-simulator==3.10.0"]
 #: What its tests and its sweep need besides.
-TEST_PACKAGES = ["pytest>=8,<10", "matplotlib>=3.9,<4"]
+TEST_PACKAGES = ["pytest>=8,<10", "matplotlib>=3.9,<4", "eclipse-zenoh==1.10.2", "websockets>=15,<17"]
 
 
 def main(args: list[str]) -> None:

@@ -7,30 +7,36 @@ of at most 1,000 neurons. Building is not timed, one run warms up, and the faste
 The real-time factor is biological time over wall time of `nest.Run`; beside it stands the processor time of all
 threads, which tells more when the machine is not idle. Then, for the smallest network and several chunks, what the
 fastest chunk costs: `run` (`nest.Run`), `read` (what is new of the recorders, as messages), and `lines` (frames,
-processes and TCP).
+processes and TCP) and, with `--gateway`, `zenoh` (what the gateway and a Zenoh client add to that).
 
 It writes sweep.csv, cost.csv and sweep.svg into .tools/nest-sweep, and prints both tables.
 """
 
 import argparse
 import csv
+import itertools
 import multiprocessing
 import os
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import BinaryIO, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import ncp_pure as ncp
+import through
+from through import Ask
 
 OUT = Path(__file__).resolve().parents[2] / ".tools" / "nest-sweep"
 RECORDED = 1000
 REPEATS = 3
 CHUNKS = 200
 PORT = "spk"
+PATIENCE_S = 60.0
+SESSIONS = (f"sweep{number}" for number in itertools.count())
 
 Result = TypeVar("Result")
 Row = TypeVar("Row", bound=NamedTuple)
@@ -56,6 +62,7 @@ class Cost(NamedTuple):
     run_ms: float
     read_ms: float
     lines_ms: float
+    zenoh_ms: float = 0.0
 
 
 def main() -> None:
@@ -67,7 +74,7 @@ def main() -> None:
     sizes = [(neurons, threads) for threads in options.threads for neurons in options.neurons]
     speeds = _table(OUT / "sweep.csv", Speed, (_apart(measure_speed, *size, options.duration) for size in sizes))
     smallest = min(options.neurons)
-    costs = _table(OUT / "cost.csv", Cost, (measure_cost(smallest, chunk) for chunk in options.chunks))
+    costs = _table(OUT / "cost.csv", Cost, (measure_cost(smallest, chunk, options.gateway) for chunk in options.chunks))
     plot(speeds, costs, load)
     print(f"written to {OUT}")
 
@@ -112,10 +119,16 @@ def measure_speed(neurons: int, threads: int, duration_ms: float) -> Speed:
     )
 
 
-def measure_cost(neurons: int, chunk_ms: float) -> Cost:
-    """What a chunk costs within the process, and what the way through the service adds."""
+def measure_cost(neurons: int, chunk_ms: float, gateway: str | None) -> Cost:
+    """What a chunk costs within the process, and what the ways through the service and the gateway add."""
     run_ms, advance_ms = _apart(measure_advance, neurons, chunk_ms)
-    parts = (run_ms, advance_ms - run_ms, measure_round_trip(neurons, chunk_ms) - advance_ms)
+    with service() as address:
+        with over_lines(address) as ask:
+            lines_ms = measure_steps(ask, neurons, chunk_ms)
+        parts = [run_ms, advance_ms - run_ms, lines_ms - advance_ms]
+        if gateway:
+            with through.gateway(gateway, address, PATIENCE_S) as (bus, _), through.over_zenoh(bus, PATIENCE_S) as ask:
+                parts.append(measure_steps(ask, neurons, chunk_ms) - lines_ms)
     return Cost(neurons, chunk_ms, *(round(part, 3) for part in parts))
 
 
@@ -134,28 +147,46 @@ def measure_advance(neurons: int, chunk_ms: float) -> tuple[float, float]:
     return min(runs), min(chunks)
 
 
-def measure_round_trip(neurons: int, chunk_ms: float) -> float:
-    """The wall time of the fastest step over the line protocol, ms."""
+def measure_steps(ask: Ask, neurons: int, chunk_ms: float) -> float:
+    """The wall time of the fastest step of a client that asks so, ms."""
+    client = ncp.Client(ask, next(SESSIONS))
+    request = opening(neurons, chunk_ms)
+    client.open(request.network, record=request.record, sim=request.sim)
+    trips = []
+    for _ in range(CHUNKS):
+        begin = time.perf_counter()
+        client.step()
+        trips.append((time.perf_counter() - begin) * 1000.0)
+    client.close()
+    return min(trips)
+
+
+@contextmanager
+def service() -> Iterator[tuple[str, int]]:
+    """The service, and where it listens."""
     command = [sys.executable, "-m", "ncp_nest", "--listen", "127.0.0.1:0"]
-    service = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     try:
-        host, port = service.stdout.readline().removeprefix("listening on ").rsplit(":", 1)
-        with socket.create_connection((host, int(port))) as connection:
-            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            lines = connection.makefile("rwb")
-            opened = opening(neurons, chunk_ms)
-            ncp.check_reply(opened, _ask(lines, opened))
-            step = ncp.StepRequest(session_id=opened.session_id)
-            trips = []
-            for _ in range(CHUNKS):
-                begin = time.perf_counter()
-                reply = _ask(lines, step)
-                trips.append((time.perf_counter() - begin) * 1000.0)
-                ncp.check_reply(step, reply)
-            return min(trips)
+        host, port = process.stdout.readline().removeprefix("listening on ").rsplit(":", 1)
+        yield host, int(port)
     finally:
-        service.terminate()
-        service.wait()
+        process.terminate()
+        process.wait()
+
+
+@contextmanager
+def over_lines(address: tuple[str, int]) -> Iterator[Ask]:
+    """Asks over the line protocol."""
+    with socket.create_connection(address) as connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        lines = connection.makefile("rwb")
+
+        def ask(_: str, frame: bytes) -> bytes:
+            lines.write(frame + b"\n")
+            lines.flush()
+            return lines.readline()
+
+        yield ask
 
 
 def plot(speeds: list[Speed], costs: list[Cost], load: float) -> None:
@@ -175,7 +206,7 @@ def plot(speeds: list[Speed], costs: list[Cost], load: float) -> None:
     left.set_title(f"nest.Run, {os.cpu_count()} cores, load {load:.1f}")
     left.legend()
     names, bottom = [f"{cost.chunk_ms:g} ms" for cost in costs], [0.0] * len(costs)
-    for part in ("run_ms", "read_ms", "lines_ms"):
+    for part in ("run_ms", "read_ms", "lines_ms", "zenoh_ms"):
         heights = [max(0.0, getattr(cost, part)) for cost in costs]
         right.bar(names, heights, bottom=bottom, label=part.removesuffix("_ms"))
         bottom = [below + height for below, height in zip(bottom, heights, strict=True)]
@@ -211,12 +242,6 @@ def _apart(function: Callable[..., Result], *args: float) -> Result:
         return pool.apply(function, args)
 
 
-def _ask(lines: BinaryIO, request: ncp.messages.Frame) -> bytes:
-    lines.write(ncp.encode(request) + b"\n")
-    lines.flush()
-    return lines.readline()
-
-
 def _table(path: Path, kind: type[Row], rows: Iterable[Row]) -> list[Row]:
     """Writes a table, and prints each row when it is there."""
     told = []
@@ -238,6 +263,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2], help="threads of NEST")
     parser.add_argument("--chunks", type=float, nargs="+", default=[1.0, 10.0, 100.0], help="chunks, ms")
     parser.add_argument("--duration", type=float, default=1000.0, help="biological time of a run, ms")
+    parser.add_argument("--gateway", metavar="PROGRAM", help="the program ncp-gateway, to go through it too")
     return parser.parse_args()
 
 

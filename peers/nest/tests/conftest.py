@@ -15,6 +15,10 @@ ANSWER_S = 600.0
 """How long a test waits for an answer: a deadline for a loaded machine, not an expectation."""
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--gateway", metavar="PROGRAM", help="the program ncp-gateway, to go through it too")
+
+
 class Connection:
     """A connection to a service."""
 
@@ -88,10 +92,17 @@ NAMES = (f"s{number}" for number in itertools.count())
 @pytest.fixture
 def client(connection: Connection) -> Iterator[Callable[[], ncp.Client]]:
     """Makes clients, each of a session of its own, which are closed at the end."""
+    with clients(lambda _, frame: connection.ask(frame)) as make:
+        yield make
+
+
+@contextmanager
+def clients(ask: Callable[[str, bytes], bytes]) -> Iterator[Callable[[], ncp.Client]]:
+    """Makes clients that ask in this way, which are closed at the end."""
     made = []
 
     def make() -> ncp.Client:
-        made.append(ncp.Client(lambda _, frame: connection.ask(frame), next(NAMES)))
+        made.append(ncp.Client(ask, next(NAMES)))
         return made[-1]
 
     yield make

@@ -26,17 +26,9 @@ STIMULUS = ncp.StimulusSpec(targets=[ncp.StimulusTarget(port="drive", target="po
 families = pytest.mark.parametrize("model", FAMILIES)
 
 
-def opened(client, model, **sim):
-    session = client()
-    network = ncp.NetworkRef(ref=model, population_sizes={"pop": FAMILIES[model][0]})
-    session.open(network, record=RECORD, stimulus=STIMULUS, sim=ncp.SimConfig(seed=1, **sim))
-    return session
-
-
-@families
-def test_spikes_and_potentials_are_those_of_nest_driven_directly(client, model):
+def assert_is_nest_driven_directly(session, model):
+    """Drives a session in ten chunks: its samples are those of one run, bit for bit, and not few."""
     size, (low, _, high) = FAMILIES[model]
-    session = opened(client, model)
     frames = [session.step(stimulus=drive(session, drive=[high]))]
     frames += [session.step() for _ in range(4)]
     frames += [session.step(stimulus=drive(session, drive=[low]))]
@@ -47,6 +39,18 @@ def test_spikes_and_potentials_are_those_of_nest_driven_directly(client, model):
         assert vars(Samples(frames, port)) == wanted[port]
     assert len(wanted["spk"]["times"]) >= size
     assert len(wanted["v"]["times"]) == size * 999
+
+
+def opened(client, model, **sim):
+    session = client()
+    network = ncp.NetworkRef(ref=model, population_sizes={"pop": FAMILIES[model][0]})
+    session.open(network, record=RECORD, stimulus=STIMULUS, sim=ncp.SimConfig(seed=1, **sim))
+    return session
+
+
+@families
+def test_spikes_and_potentials_are_those_of_nest_driven_directly(client, model):
+    assert_is_nest_driven_directly(opened(client, model), model)
 
 
 @families
