@@ -41,6 +41,7 @@ use ncp_zenoh::{Bus, BusError, Link};
 use thiserror::Error;
 
 use actors::{Care, Planted};
+use judge::road::{AskError, Road};
 use judge::{Parts, traffic};
 use scenario::{Role, Scenario, scenarios};
 use simulator::Simulator;
@@ -61,8 +62,8 @@ enum Command {
     All(All),
     /// Judge what the samples of each plane really carry
     Qos(Deployed),
-    /// Drive the session service of a deployment
-    Server(Deployed),
+    /// Drive the session service of a deployment, over Zenoh or on another road
+    Server(OfServer),
     /// Act as commander against a plant; the scenarios at the end latch its ESTOP
     Body(Deployed),
     /// Act as plant against a commander; the last scenario latches its ESTOP
@@ -127,6 +128,36 @@ struct Deployed {
     /// Where the observer writes its pairs: `[command seq, sensor seq]`, one a line
     #[arg(long, value_name = "FILE", default_value = "joined.jsonl")]
     joined: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct OfServer {
+    #[command(flatten)]
+    deployed: Deployed,
+    #[command(flatten)]
+    road: OtherRoad,
+}
+
+/// The road to a session service that is not asked over Zenoh.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+struct OtherRoad {
+    /// Ask over a WebSocket
+    #[arg(long, value_name = "ADDRESS")]
+    websocket: Option<SocketAddr>,
+    /// Ask by gRPC, the service NeuroSim
+    #[arg(long, value_name = "ADDRESS")]
+    grpc: Option<SocketAddr>,
+    /// Ask on the line of a bridge: a JSON document a line, over TCP
+    #[arg(long, value_name = "ADDRESS")]
+    lines: Option<SocketAddr>,
+}
+
+impl From<OtherRoad> for Road {
+    fn from(OtherRoad { websocket, grpc, lines }: OtherRoad) -> Self {
+        let websocket = websocket.map(Self::WebSocket);
+        websocket.or_else(|| grpc.map(Self::Grpc)).or_else(|| lines.map(Self::Lines)).unwrap_or_default()
+    }
 }
 
 #[derive(Debug, Args)]
@@ -208,6 +239,9 @@ pub(crate) enum LiveError {
     /// The bus, or somebody on it.
     #[error(transparent)]
     Bus(#[from] BusError),
+    /// A session service.
+    #[error(transparent)]
+    Ask(#[from] AskError),
     /// A file, or the operating system.
     #[error(transparent)]
     Io(#[from] std::io::Error),
@@ -300,11 +334,11 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<bool, LiveError> {
     match command {
         Command::All(all) => own(&all),
-        Command::Qos(deployed) => deployment(&deployed, "qos/"),
-        Command::Server(deployed) => deployment(&deployed, "server/"),
-        Command::Body(deployed) => deployment(&deployed, "body/"),
-        Command::Commander(deployed) => deployment(&deployed, "commander/"),
-        Command::Observer(deployed) => deployment(&deployed, "observer/"),
+        Command::Qos(deployed) => deployment(&deployed, Road::Zenoh, "qos/"),
+        Command::Server(OfServer { deployed, road }) => deployment(&deployed, road.into(), "server/"),
+        Command::Body(deployed) => deployment(&deployed, Road::Zenoh, "body/"),
+        Command::Commander(deployed) => deployment(&deployed, Road::Zenoh, "commander/"),
+        Command::Observer(deployed) => deployment(&deployed, Road::Zenoh, "observer/"),
         Command::Gateway(before) => gateway(&before),
         Command::Watch(watch) => look(&watch),
         Command::Replay(Replay { file, realm, json }) => {
@@ -348,6 +382,7 @@ impl OwnNet {
             endpoint,
             realm: "ncp".to_owned(),
             session: "live".to_owned(),
+            road: Road::Zenoh,
             network: "ncp.reference.lif".to_owned(),
             joined: _folder.path().join("joined.jsonl"),
             mapping: Mapping::default(),
@@ -369,14 +404,20 @@ impl OwnNet {
         judge::judge(scenario, &target, &Parts::Actors(planted.clone()), catalogue)
     }
 
-    /// Runs scenarios of a server against the NEST service behind a gateway.
+    /// Runs the scenarios of a server against the NEST service, through a gateway and on its own line.
     fn judge_nest(
         &self,
-        scenarios: Vec<Scenario>,
+        is_asked: impl Fn(&str) -> bool,
         python: Option<&Path>,
         catalogue: &Catalogue,
     ) -> Result<Vec<Ruling>, LiveError> {
-        if scenarios.is_empty() {
+        let scenarios = scenarios()?;
+        let of_server = || scenarios.iter().filter(|scenario| scenario.name.starts_with("server/"));
+        let named = ON_NEST
+            .iter()
+            .flat_map(|on| of_server().map(move |scenario| (on, scenario, format!("{on}/{}", scenario.name))));
+        let asked: Vec<_> = named.filter(|(.., name)| is_asked(name)).collect();
+        if asked.is_empty() {
             return Ok(Vec::new());
         }
         let simulator = Simulator::start(python)?;
@@ -384,22 +425,29 @@ impl OwnNet {
         let target = Target { realm: "nest".to_owned(), gateway, ..self.target.clone() };
         let _gateway = actors::start(Role::Gateway, &target, &Planted::default(), &Care::default())?;
         let mut rulings = Vec::new();
-        for scenario in scenarios {
-            let found = judge::judge(&scenario, &target, &Parts::Deployed, catalogue)?;
-            let name = on_nest(&scenario.name);
-            let found: Vec<Ruling> =
-                found.into_iter().map(|ruling| Ruling { scenario: name.clone(), ..ruling }).collect();
-            report::progress(&Scenario { name, ..scenario }, &found);
-            rulings.extend(found);
+        for (on, scenario, name) in asked {
+            let road = match (*on, target.gateway.websocket, target.gateway.grpc) {
+                ("nest-websocket", Some(address), _) => Road::WebSocket(address),
+                ("nest-grpc", _, Some(address)) => Road::Grpc(address),
+                ("nest-lines", ..) => Road::Lines(simulator.address),
+                _ => Road::Zenoh,
+            };
+            let target = Target { road, session: on.to_string(), ..target.clone() };
+            let found = judge::judge(scenario, &target, &Parts::Deployed, catalogue)?;
+            // What a road has no form for is not asked on it.
+            if !found.is_empty() {
+                let named = found.into_iter().map(|ruling| Ruling { scenario: name.clone(), ..ruling });
+                let found: Vec<Ruling> = named.collect();
+                report::progress(&name, &found);
+                rulings.extend(found);
+            }
         }
         Ok(rulings)
     }
 }
 
-/// The name of a scenario in the report when the server is a NEST service.
-fn on_nest(scenario: &str) -> String {
-    format!("nest/{scenario}")
-}
+/// How the scenarios of a server are named when it is a NEST service, by the road to it.
+const ON_NEST: [&str; 4] = ["nest", "nest-websocket", "nest-grpc", "nest-lines"];
 
 fn own(All { only, without_nest, python, defect, json }: &All) -> Result<bool, LiveError> {
     let planted = Planted(defect.clone());
@@ -412,18 +460,16 @@ fn own(All { only, without_nest, python, defect, json }: &All) -> Result<bool, L
     let is_asked = |name: &str| only.as_ref().is_none_or(|text| name.contains(text.as_str()));
     for scenario in scenarios()?.into_iter().filter(|scenario| is_asked(&scenario.name)) {
         let found = net.judge(&scenario, &planted, &catalogue)?;
-        report::progress(&scenario, &found);
+        report::progress(&scenario.name, &found);
         rulings.extend(found);
     }
     if !without_nest && defect.is_none() {
-        let is_asked = |name: &str| name.starts_with("server/") && is_asked(&on_nest(name));
-        let scenarios = scenarios()?.into_iter().filter(|scenario| is_asked(&scenario.name));
-        rulings.extend(net.judge_nest(scenarios.collect(), python.as_deref(), &catalogue)?);
+        rulings.extend(net.judge_nest(is_asked, python.as_deref(), &catalogue)?);
     }
     finish(&rulings, json.as_deref())
 }
 
-fn deployment(deployed: &Deployed, group: &str) -> Result<bool, LiveError> {
+fn deployment(deployed: &Deployed, road: Road, group: &str) -> Result<bool, LiveError> {
     let Deployed { place, session, network, mapping, joined } = deployed;
     let mapping = match mapping {
         None => Mapping::default(),
@@ -434,6 +480,7 @@ fn deployment(deployed: &Deployed, group: &str) -> Result<bool, LiveError> {
         endpoint: place.connect.clone(),
         realm: place.realm.clone(),
         session: session.clone(),
+        road,
         network: network.clone(),
         joined: joined.clone(),
         mapping,
@@ -447,12 +494,14 @@ fn gateway(BeforeService { place, bridge, websocket, program, query_ms }: &Befor
         endpoint: place.connect.clone(),
         realm: place.realm.clone(),
         session: "live".to_owned(),
+        road: Road::Zenoh,
         network: "ncp.reference.lif".to_owned(),
         joined: PathBuf::new(),
         mapping: Mapping::default(),
         gateway: GatewayPlace {
             bridge: *bridge,
             websocket: *websocket,
+            grpc: None,
             program: program.clone(),
             query: Duration::from_millis(*query_ms),
         },
@@ -466,7 +515,7 @@ fn of_group(target: &Target, group: &str, json: Option<&Path>) -> Result<bool, L
     let mut rulings = Vec::new();
     for scenario in scenarios()?.into_iter().filter(|scenario| scenario.name.starts_with(group)) {
         let found = judge::judge(&scenario, target, &Parts::Deployed, &catalogue)?;
-        report::progress(&scenario, &found);
+        report::progress(&scenario.name, &found);
         rulings.extend(found);
     }
     finish(&rulings, json)

@@ -12,6 +12,7 @@ use ncp_zenoh::{Bus, BusError, Link};
 use serde::Deserialize;
 
 use crate::LiveError;
+use crate::judge::road::Road;
 
 /// A running system.
 #[derive(Debug, Clone)]
@@ -29,6 +30,8 @@ pub(crate) struct Target {
     pub(crate) joined: PathBuf,
     /// How its motion is read from its sensor stream.
     pub(crate) mapping: Mapping,
+    /// The road to its session service.
+    pub(crate) road: Road,
     /// Where its gateway is, if that is looked at.
     pub(crate) gateway: GatewayPlace,
 }
@@ -40,6 +43,8 @@ pub(crate) struct GatewayPlace {
     pub(crate) bridge: SocketAddr,
     /// Where it serves WebSockets, if it does.
     pub(crate) websocket: Option<SocketAddr>,
+    /// Where it serves gRPC, if it does.
+    pub(crate) grpc: Option<SocketAddr>,
     /// The program, if it can be started.
     pub(crate) program: Option<PathBuf>,
     /// How long a client waits for a reply.
@@ -52,10 +57,10 @@ impl GatewayPlace {
     /// # Errors
     /// The operating system has none.
     pub(crate) fn free() -> Result<Self, LiveError> {
-        let listeners = [(); 2].map(|()| TcpListener::bind("127.0.0.1:0"));
-        let [bridge, websocket] = listeners.map(|listener| listener.and_then(|listener| listener.local_addr()));
+        let listeners = [(); 3].map(|()| TcpListener::bind("127.0.0.1:0"));
+        let [bridge, websocket, grpc] = listeners.map(|listener| listener.and_then(|listener| listener.local_addr()));
         let query = Duration::from_millis(2_500);
-        Ok(Self { bridge: bridge?, websocket: Some(websocket?), program: None, query })
+        Ok(Self { bridge: bridge?, websocket: Some(websocket?), grpc: Some(grpc?), program: None, query })
     }
 }
 

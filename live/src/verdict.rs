@@ -130,6 +130,11 @@ impl Rulings {
         }
     }
 
+    /// What of these rules was not observed gets no verdict, since it could not be asked.
+    pub(crate) fn leave_out_unseen(&mut self, rules: &[&str]) {
+        self.of.retain(|rule, found| !rules.contains(&rule.as_str()) || found.passed + found.violations > 0);
+    }
+
     /// Something kept every observation from being made that was not made yet.
     pub(crate) fn all_unclear(&mut self, why: &str) {
         for found in self.of.values_mut() {

@@ -56,7 +56,7 @@ impl Drop for OwnGateway {
 }
 
 fn sound(target: &Target) -> Result<Running, LiveError> {
-    let GatewayPlace { bridge, websocket, query, .. } = &target.gateway;
+    let GatewayPlace { bridge, websocket, grpc, query, .. } = &target.gateway;
     let _folder = tempfile::tempdir()?;
     let config = _folder.path().join("zenoh.json5");
     fs::write(&config, config_of(&target.endpoint))?;
@@ -65,6 +65,7 @@ fn sound(target: &Target) -> Result<Running, LiveError> {
         bridge_addr: bridge.to_string(),
         zenoh_config: Some(config),
         ws_addr: *websocket,
+        grpc_addr: *grpc,
         bridge_timeout_ms: u64::try_from(query.as_millis() / 2).unwrap_or(u64::MAX),
         query_timeout_ms: u64::try_from(query.as_millis()).unwrap_or(u64::MAX),
         ..Settings::default()

@@ -28,6 +28,7 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use crate::actors::{self, Care, Planted};
+use crate::judge::road::Road;
 use crate::judge::{self, Parts, traffic};
 use crate::relay::Relay;
 use crate::scenario::{Role, scenarios};
@@ -196,7 +197,7 @@ fn both_ends(story: &Story, simulator: &Simulator, demo: &Demo) -> Result<Vec<Ru
             wishes.reset();
             thread::sleep(SETTLES);
             let found = judge::judge(&scenario, &at, &Parts::Deployed, &catalogue)?;
-            report::progress(&scenario, &found);
+            report::progress(&scenario.name, &found);
             rulings.extend(found);
         }
         while let Some(part) = running.pop() {
@@ -216,6 +217,7 @@ fn target(endpoint: String, story: &Story, simulator: &Simulator, demo: &Demo) -
         endpoint,
         realm: REALM.to_owned(),
         session: SESSION.to_owned(),
+        road: Road::Zenoh,
         network: String::new(),
         joined: demo.out.join("joined.jsonl"),
         mapping: story.mapping.clone(),

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`traffic`] | samples that a tap sees, now or from a capture |
 //! | [`server`] | who answers control RPC |
+//! | [`road`] | over which network it is asked |
 //! | [`body`] | who obeys commands |
 //! | [`commander`] | who sends them |
 //! | [`observer`] | who reads |
@@ -16,6 +17,7 @@ mod body;
 mod commander;
 mod gateway;
 mod observer;
+pub(crate) mod road;
 mod server;
 pub(crate) mod traffic;
 mod websocket;
@@ -26,6 +28,8 @@ use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use ncp_text::Catalogue;
+
+use road::Road;
 
 use crate::LiveError;
 use crate::actors::{self, Care, Planted};
@@ -68,6 +72,11 @@ pub(crate) fn judge(
         }
         return Ok(rulings.verdicts(&scenario.name, sentence));
     }
+    if target.road != Road::Zenoh {
+        // There may be no Zenoh at all.
+        server::judge(scenario, target, &mut rulings)?;
+        return Ok(rulings.verdicts(&scenario.name, sentence));
+    }
     let mut running = Vec::new();
     let planted = match parts {
         Parts::Actors(planted) => planted,
@@ -88,9 +97,6 @@ pub(crate) fn judge(
         }
         "watch/server" => server::watch(&bus, target, &mut rulings)?,
         "qos/request" => server::request_qos(&bus, &mut rulings)?,
-        "server/order" => server::order(&bus, target, &mut rulings)?,
-        "server/side-by-side" => server::side_by_side(&bus, target, &mut rulings)?,
-        "server/alone" => server::alone(&bus, &mut rulings)?,
         "acl/matrix" => match parts {
             Parts::Actors(planted) => acl::matrix(planted, &mut rulings)?,
             Parts::Deployed => rulings.all_unclear("the certificates of a deployment are its own"),
@@ -117,7 +123,7 @@ pub(crate) fn judge(
         "gateway/ws-refusals" => websocket::refusals(&bus, target, &mut rulings)?,
         "gateway/config" => gateway::config(target, parts, &mut rulings)?,
         name if name.starts_with("server/") || name == "gateway/session" => {
-            server::steps(&bus, target, &scenario.steps, &mut rulings)?;
+            server::judge(scenario, target, &mut rulings)?;
         }
         _ => body::steps(&bus, target, &scenario.steps, &noise, &mut rulings)?,
     }

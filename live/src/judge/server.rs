@@ -15,27 +15,36 @@ use serde_json::{Map, Value};
 use zenoh::Wait;
 use zenoh::query::{ConsolidationMode, QueryTarget, Reply};
 
+use super::road::{AskError, Asker};
 use super::{PATIENCE, shown, traffic, until};
 use crate::LiveError;
-use crate::scenario::Step;
+use crate::scenario::{Scenario, Step};
 use crate::target::Target;
 use crate::verdict::{Measured, Rulings};
 
-/// Carries out the steps of a scenario, in their order.
-pub(super) fn steps(bus: &Bus, target: &Target, steps: &[Step], rulings: &mut Rulings) -> Result<(), LiveError> {
-    let client = ControlClient::new(bus, PATIENCE)?;
-    if !has_server(bus, rulings)? {
-        return Ok(());
+/// Judges a server on the road that leads to it.
+pub(super) fn judge(scenario: &Scenario, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
+    let Some(asker) = asker(target, PATIENCE, rulings)? else { return Ok(()) };
+    match scenario.name.as_str() {
+        "server/order" => order(&asker, target, rulings),
+        "server/side-by-side" => side_by_side(target, rulings),
+        "server/alone" => alone(&asker, rulings),
+        _ => steps(&asker, target, &scenario.steps, rulings),
     }
+}
+
+/// Carries out the steps of a scenario, in their order. What a road has no form for is not asked on it.
+fn steps(asker: &Asker, target: &Target, steps: &[Step], rulings: &mut Rulings) -> Result<(), LiveError> {
     let ids = |text: &str| {
         let (a, b) = (session(target, "a"), session(target, "b"));
         let text = text.replace("{a}", &a).replace("{b}", &b);
         text.replace("{network}", &target.network).replace("{wire}", WIRE_VERSION)
     };
+    let mut unsayable = Vec::new();
     for step in steps {
         let Step::Ask { ask, reply, rule } = step else { continue };
         let ask = ids(ask);
-        match client.ask_bytes(ask.as_bytes()) {
+        match asker.ask_bytes(ask.as_bytes()) {
             Ok(found) => {
                 let members: Value = serde_json::from_slice(&found).unwrap_or_default();
                 let fits = |expected: &Map<String, Value>| {
@@ -53,15 +62,17 @@ pub(super) fn steps(bus: &Bus, target: &Target, steps: &[Step], rulings: &mut Ru
                     )
                 });
             }
-            Err(BusError::NoReply(longest)) => {
+            Err(AskError::NoReply(longest)) => {
                 rulings.fail(rule, format!("{} was not answered within {longest:?}", shown(ask.as_bytes())));
             }
-            Err(BusError::Failed(why)) => {
+            Err(AskError::Failed(why)) => {
                 rulings.fail(rule, format!("{} was answered with no frame: {why}", shown(ask.as_bytes())));
             }
+            Err(AskError::Unsayable) => unsayable.push(rule.as_str()),
             Err(error) => return Err(error.into()),
         }
     }
+    rulings.leave_out_unseen(&unsayable);
     Ok(())
 }
 
@@ -114,28 +125,22 @@ pub(super) fn request_qos(bus: &Bus, rulings: &mut Rulings) -> Result<(), LiveEr
 
 /// Requests of one session, sent without waiting, are handled in their order: the time of each reply is what all before
 /// have run.
-pub(super) fn order(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
+fn order(asker: &Asker, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
     const REQUESTS: u32 = 12;
-    if !has_server(bus, rulings)? {
-        return Ok(());
-    }
-    let client = ControlClient::new(bus, PATIENCE)?;
     let id = session(target, "a");
-    client.ask(&open(target, &id, None))?;
-    let key = bus.keys().rpc().map_err(BusError::from)?;
-    let qos = SeenQos::from(Plane::Control.qos());
-    let mut replies = Vec::new();
-    for number in 1..=REQUESTS {
-        let request = step(&id, f64::from(number)).encode().map_err(BusError::from)?;
-        let query = bus.session().get(&key).payload(request).timeout(PATIENCE);
-        let query = query.congestion_control(qos.congestion).priority(qos.priority).express(qos.express);
-        replies.push(query.wait().map_err(BusError::from)?);
-    }
+    asker.ask(&open(target, &id, None))?;
+    let requests = (1..=REQUESTS).map(|number| step(&id, f64::from(number)).encode());
+    let requests: Vec<String> = requests.collect::<Result<_, _>>().map_err(BusError::from)?;
+    let replies = match asker.ask_in_a_row(&requests) {
+        Err(AskError::Unsayable) => {
+            rulings.leave_out_unseen(&["NCP-SESS-027", "NCP-SESS-036"]);
+            Vec::new()
+        }
+        replies => replies?,
+    };
     let mut run_ms = 0.0;
-    for (number, replies) in (1..=REQUESTS).zip(replies) {
+    for (number, bytes) in (1..=REQUESTS).zip(replies) {
         run_ms += f64::from(number);
-        let reply = replies.recv().ok().and_then(|reply| reply.into_result().ok());
-        let bytes = reply.map(|sample| sample.payload().to_bytes().into_owned()).unwrap_or_default();
         match decode_any(&bytes) {
             Ok(Message::ObservationFrame(ObservationFrame { session_id, sim_time_ms, .. })) if session_id == id => {
                 let is_so = (sim_time_ms - run_ms).abs() < 1e-6 * run_ms;
@@ -149,44 +154,32 @@ pub(super) fn order(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result
             _ => rulings.fail("NCP-SESS-027", format!("request {number} of {REQUESTS} got {}", shown(&bytes))),
         }
     }
-    let _ = client.ask(&close(&id));
+    let _ = asker.ask(&close(&id));
     Ok(())
 }
 
 /// While a session runs for long, the step of another is answered. The run is made long enough to tell first.
-pub(super) fn side_by_side(bus: &Bus, target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
+fn side_by_side(target: &Target, rulings: &mut Rulings) -> Result<(), LiveError> {
     const RULE: &str = "NCP-TRANS-007";
-    const LONG_MS: f64 = 400.0;
-    if !has_server(bus, rulings)? {
-        return Ok(());
-    }
-    let client = ControlClient::new(bus, Duration::from_secs(30))?;
+    const LONG_MS: f64 = 250.0;
+    // A connection each, since one may answer in the order of its requests.
+    let [long, short] = [(); 2].map(|()| Asker::connect(target, Duration::from_secs(30)));
+    let (long, short) = (long?, short?);
     let (a, b) = (session(target, "a"), session(target, "b"));
-    client.ask(&open(target, &a, Some(5_000)))?;
-    if client.ask(&open(target, &b, None)).is_err() {
+    long.ask(&open(target, &a, Some(5_000)))?;
+    if short.ask(&open(target, &b, None)).is_err() {
         rulings.unclear(RULE, "the server has room for one session [NCP-SESS-041]");
-        let _ = client.ask(&close(&a));
+        let _ = long.ask(&close(&a));
         return Ok(());
     }
-    let mut duration_ms = 10.0;
-    let mut took_ms = 0.0;
-    while took_ms < LONG_MS && duration_ms < 20_000.0 {
-        let began = Instant::now();
-        if client.ask(&run(&a, duration_ms)).is_err() {
-            break;
-        }
-        took_ms = began.elapsed().as_secs_f64() * 1e3;
-        if took_ms < LONG_MS {
-            duration_ms *= (1.5 * LONG_MS / took_ms.max(1.0)).clamp(1.5, 8.0);
-        }
-    }
+    let (duration_ms, took_ms) = long_run(|duration_ms| long.ask(&run(&a, duration_ms)).is_ok(), LONG_MS);
     let mut waited_ms = Vec::new();
     for _ in 0..3 {
         thread::scope(|scope| {
-            let running = scope.spawn(|| client.ask(&run(&a, duration_ms)).is_ok());
+            let running = scope.spawn(|| long.ask(&run(&a, duration_ms)).is_ok());
             thread::sleep(Duration::from_millis(40));
             let began = Instant::now();
-            let is_answered = client.ask(&step(&b, 1.0)).is_ok();
+            let is_answered = short.ask(&step(&b, 1.0)).is_ok();
             let waited = began.elapsed().as_secs_f64() * 1e3;
             if running.join().unwrap_or_default() && is_answered {
                 waited_ms.push(waited);
@@ -205,15 +198,39 @@ pub(super) fn side_by_side(bus: &Bus, target: &Target, rulings: &mut Rulings) ->
             format!("beside a run of {took_ms:.0} ms, the step of another session waited each time: {waited}")
         }),
     }
-    let _ = (client.ask(&close(&a)), client.ask(&close(&b)));
+    let _ = (long.ask(&close(&a)), short.ask(&close(&b)));
     Ok(())
 }
 
-/// Everybody on the key is asked; one answers.
-pub(super) fn alone(bus: &Bus, rulings: &mut Rulings) -> Result<(), LiveError> {
-    if !has_server(bus, rulings)? {
-        return Ok(());
+/// A run that takes so long, or the longest that is carried out: its time in the simulation, and on the clock, in ms.
+fn long_run(mut carries_out: impl FnMut(f64) -> bool, long_ms: f64) -> (f64, f64) {
+    let (mut duration_ms, mut took_ms) = (0.0, 0.0);
+    let (mut next_ms, mut refused_ms) = (10.0_f64, 20_000.0_f64);
+    for _ in 0..16 {
+        let began = Instant::now();
+        if carries_out(next_ms) {
+            (duration_ms, took_ms) = (next_ms, began.elapsed().as_secs_f64() * 1e3);
+        } else {
+            refused_ms = next_ms;
+        }
+        if took_ms >= long_ms {
+            break;
+        }
+        let factor = (1.5 * long_ms / took_ms.max(1.0)).clamp(1.5, 8.0);
+        let wanted_ms = duration_ms.max(1.0) * factor;
+        // A server may carry out no run that is longer than it likes: it is sought what it does.
+        next_ms = if wanted_ms < refused_ms { wanted_ms } else { 0.5 * (duration_ms + refused_ms) }.round();
     }
+    (duration_ms, took_ms)
+}
+
+/// Everybody on the key is asked; one answers.
+fn alone(asker: &Asker, rulings: &mut Rulings) -> Result<(), LiveError> {
+    let Some(bus) = asker.bus() else {
+        // An address is that of one server.
+        rulings.leave_out_unseen(&["NCP-SESS-020"]);
+        return Ok(());
+    };
     // A second server may be slower to be known than the first.
     thread::sleep(Duration::from_millis(200));
     let replies = ask_all(bus, br#"{"kind":"step_request","session_id":"nobody"}"#, Duration::from_secs(1))?;
@@ -221,6 +238,21 @@ pub(super) fn alone(bus: &Bus, rulings: &mut Rulings) -> Result<(), LiveError> {
     rulings
         .observe("NCP-SESS-020", count == 1, || format!("one request had {count} replies: {count} servers on the key"));
     Ok(())
+}
+
+/// Who asks the target, if somebody answers there.
+fn asker(target: &Target, longest: Duration, rulings: &mut Rulings) -> Result<Option<Asker>, LiveError> {
+    match Asker::connect(target, longest) {
+        Err(AskError::Failed(why)) => {
+            rulings.all_unclear(&why);
+            Ok(None)
+        }
+        asker => {
+            let asker = asker?;
+            let is_there = asker.bus().map_or(Ok(true), |bus| has_server(bus, rulings))?;
+            Ok(is_there.then_some(asker))
+        }
+    }
 }
 
 /// Waits for somebody to answer; whether anybody does.
@@ -277,4 +309,27 @@ fn run(id: &str, duration_ms: f64) -> Message {
 
 fn close(id: &str) -> Message {
     CloseSession { session_id: id.to_owned().into(), ..CloseSession::default() }.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_is_about_as_long_as_a_server_that_limits_it_carries_out() {
+        let mut asked = Vec::new();
+        let (duration_ms, _) = long_run(
+            |duration_ms| {
+                asked.push(duration_ms);
+                duration_ms <= 4_000.0
+            },
+            1e9,
+        );
+        assert!((3_900.0..=4_000.0).contains(&duration_ms), "{duration_ms} of {asked:?}");
+    }
+
+    #[test]
+    fn a_server_that_carries_out_no_run_has_none_that_is_long() {
+        assert_eq!(long_run(|_| false, 1e9), (0.0, 0.0));
+    }
 }

@@ -14,6 +14,7 @@ use super::replies;
 use super::supervisor::{Supervisor, Tended};
 use crate::LiveError;
 use crate::actors::{self, Care, Planted};
+use crate::judge::road::Road;
 use crate::relay::schedule::{PlaneName, Schedule};
 use crate::relay::{Fate, FaultCounts, Passed, Relay};
 use crate::scenario::Role;
@@ -102,6 +103,7 @@ impl System {
         // No gateway stands in the loop.
         let nobody = GatewayPlace::free()?;
         let target = |endpoint: String| Target {
+            road: Road::Zenoh,
             endpoint,
             realm: "soak".to_owned(),
             session: "live".to_owned(),
