@@ -19,6 +19,10 @@ pub(crate) struct Scenario {
     pub(crate) needs: Vec<Role>,
     /// The rules that it judges, and no other.
     pub(crate) rules: Vec<String>,
+    /// The audited findings, such as `L16`, that it fails a system for; the trace reads them.
+    #[serde(default)]
+    #[expect(dead_code, reason = "it is read of the table alone")]
+    findings: Vec<String>,
     /// What is done, one after the other; empty where the code of the judge says it.
     #[serde(default, rename = "step")]
     pub(crate) steps: Vec<Step>,

@@ -120,11 +120,11 @@ pub(crate) struct Rule {
 pub(crate) struct Finding {
     /// Its id.
     pub(crate) id: String,
-    /// The cases that are flagged with it.
+    /// The cases and live scenarios that are flagged with it.
     pub(crate) cases: usize,
-    /// The rules that those cases cite; of one without cases, the rules that answer it.
+    /// The rules that those cases cite; of one without any, the rules that answer it.
     pub(crate) rules: BTreeSet<String>,
-    /// Why no case can show it, if that is so.
+    /// Why nothing can show it, if that is so.
     pub(crate) exclusion: Option<String>,
 }
 
@@ -166,8 +166,8 @@ pub(crate) enum Fault {
         /// Why it is of no use.
         why: &'static str,
     },
-    /// A finding that no case is flagged with.
-    #[error("no case is flagged with the finding {0}")]
+    /// A finding that no case and no live scenario is flagged with.
+    #[error("no case and no live scenario is flagged with the finding {0}")]
     FindingWithoutCase(String),
     /// A vector file of the manifest is not there.
     #[error("vectors/{file} is in the manifest and is gone; orphaned is its evidence for {}", list(rules))]
@@ -331,7 +331,9 @@ impl Trace {
             let id = finding.id.clone();
             match (&finding.exclusion, finding.cases) {
                 (None, 0) => self.faults.push(Fault::FindingWithoutCase(id)),
-                (Some(_), 1..) => self.faults.push(Fault::UselessExclusion { id, why: "which has cases" }),
+                (Some(_), 1..) => self
+                    .faults
+                    .push(Fault::UselessExclusion { id, why: "which cases or live scenarios are flagged with" }),
                 _ => {}
             }
         }

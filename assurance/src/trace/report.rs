@@ -177,8 +177,8 @@ fn findings(trace: &Trace) -> [Block; 3] {
     });
     [
         heading(2, "Audited findings"),
-        text("The cases that are flagged with a finding fail a peer that has it."),
-        table(&["finding", "cases", "rules"], rows),
+        text("The cases and live scenarios that are flagged with a finding fail a peer that has it."),
+        table(&["finding", "cases and scenarios", "rules"], rows),
     ]
 }
 

@@ -40,7 +40,7 @@ const PROSE: [&str; 3] = ["README.md", "peers/PROTOCOL.md", "schemas/README.md"]
 pub(super) struct Sources {
     /// By rule; each list is sorted.
     evidence: BTreeMap<String, Vec<Evidence>>,
-    /// By flag: the cases, and the rules that they cite.
+    /// By flag: the cases and live scenarios, and the rules that they cite.
     flags: BTreeMap<String, (usize, BTreeSet<String>)>,
     /// Every citation that is no evidence: the rule, and where it is named.
     mentions: Vec<(String, String)>,
@@ -245,6 +245,13 @@ impl Sources {
             let defects = ncp_defects::read(&root.join(&file))
                 .map_err(|error| TraceError::Content { path: file.clone(), message: error.to_string() })?;
             for Defect { name, rules, .. } in defects {
+                if rules.iter().all(|rule| is_kept(&name, rule)) {
+                    for finding in findings {
+                        let (count, cited) = self.flags.entry(finding).or_default();
+                        *count += 1;
+                        cited.extend(rules.iter().cloned());
+                    }
+                }
                 let entry = format!("name = \"{name}\"");
                 let line = content.lines().position(|line| line == entry);
                 let evidence = Evidence {
@@ -272,7 +279,7 @@ impl Sources {
         let fates = Lock::read(root, live::NAME)?.map_or_else(BTreeMap::new, |lock| lock.fates);
         let is_kept =
             |name: &str, rule: &str| fates.get(&live::fate_of(name, rule)).is_some_and(|fate| fate == live::PASSED);
-        for LiveScenario { name, rules } in table.scenario {
+        for LiveScenario { name, rules, findings } in table.scenario {
             if rules.is_empty() {
                 self.orphans.push(Fault::Orphan { what: "the live scenario", place: name.clone() });
             }
@@ -343,6 +350,8 @@ struct LiveScenario {
     name: String,
     #[serde(default)]
     rules: Vec<String>,
+    #[serde(default)]
+    findings: Vec<String>,
 }
 
 /// Every `vectors/corpus/<area>/<name>.json`, sorted.

@@ -38,6 +38,8 @@ const CITING: [(&str, &str, &str); 11] = [
     ("Proofs", "proofs/machine", "py"),
     ("Planted defects", "defects", "toml"),
 ];
+/// The live scenarios.
+const LIVE: &str = "live/scenarios.toml";
 /// What is said where an expectation leaves a refusal open.
 const OR_REJECT: &str = "an error will do as well, unless its code is `internal`";
 
@@ -73,10 +75,14 @@ pub(super) fn explain(suite: &Suite, id: &str, style: Style) -> Result<Exit, Cli
     Ok(Exit::Conformant)
 }
 
-/// Why no case can show a finding, as the source tree says.
+/// Why no case shows a finding, as the source tree says: nothing can, or a live scenario does.
 fn unseen(id: &str) -> Option<String> {
-    let text = fs::read_to_string(Workspace::here()?.root.join(Exclusions::FILE)).ok()?;
-    Some(Exclusions::parse(&text).ok()?.findings.remove(id)?.why)
+    let root = Workspace::here()?.root;
+    let text = fs::read_to_string(root.join(Exclusions::FILE)).ok()?;
+    match Exclusions::parse(&text).ok()?.findings.remove(id) {
+        Some(excluded) => Some(excluded.why),
+        None => Some(format!("Live scenarios are: see {LIVE}.")),
+    }
 }
 
 /// Where the source tree cites one of these rules: by what stands there, each place once.
