@@ -245,13 +245,6 @@ impl Sources {
             let defects = ncp_defects::read(&root.join(&file))
                 .map_err(|error| TraceError::Content { path: file.clone(), message: error.to_string() })?;
             for Defect { name, rules, .. } in defects {
-                if rules.iter().all(|rule| is_kept(&name, rule)) {
-                    for finding in findings {
-                        let (count, cited) = self.flags.entry(finding).or_default();
-                        *count += 1;
-                        cited.extend(rules.iter().cloned());
-                    }
-                }
                 let entry = format!("name = \"{name}\"");
                 let line = content.lines().position(|line| line == entry);
                 let evidence = Evidence {
@@ -282,6 +275,13 @@ impl Sources {
         for LiveScenario { name, rules, findings } in table.scenario {
             if rules.is_empty() {
                 self.orphans.push(Fault::Orphan { what: "the live scenario", place: name.clone() });
+            }
+            if rules.iter().all(|rule| is_kept(&name, rule)) {
+                for finding in findings {
+                    let (count, cited) = self.flags.entry(finding).or_default();
+                    *count += 1;
+                    cited.extend(rules.iter().cloned());
+                }
             }
             let entry = format!("name = \"{name}\"");
             let line = content.lines().position(|line| line == entry).map(|before| before + 1);
