@@ -53,8 +53,8 @@ impl Flight {
         let arrived = if self.arrived() { "arrived" } else { "did not arrive" };
         format!(
             "{} commands: {} active, {} hold, {} estop; {spikes} spikes; \
-             a step of the network and the way \
-             there and back: {:.1} ms (median), {:.1} ms (99 %)\n{} faults of the link; the quad {arrived}: {:.2} m from its goal",
+             a step of the network and the way there and back: {:.1} ms (median), {:.1} ms (99 %)\n\
+             {} faults of the link; the quad {arrived}: {:.2} m from its goal",
             self.ticks.len(),
             of(Mode::Active),
             of(Mode::Hold),

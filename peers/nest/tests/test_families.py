@@ -91,7 +91,7 @@ def test_a_session_is_the_same_again_with_its_seed(client):
     assert spikes(seed, [100.0]) == (seed, first)
     assert spikes(seed, [10.0] * 10) == (seed, first)
     assert spikes(seed % 1000 + 1, [100.0])[1] != first
-    assert len(first["times"]) > 100
+    assert len(first["times"]) > 10, "too few to tell two seeds apart"
 
 
 @pytest.mark.parametrize("model", [m for m in nest.node_models if nest.GetDefaults(m)["element_type"] == "neuron"])
