@@ -293,13 +293,12 @@ impl<'v, 'a> Members<'v, 'a> {
 pub fn write_string(text: &str, out: &mut String) {
     out.reserve(text.len() + 2);
     out.push('"');
-    let mut plain = 0;
-    for (at, byte) in text.bytes().enumerate() {
-        if byte >= 0x20 && byte != b'"' && byte != b'\\' {
-            continue;
-        }
-        out.push_str(&text[plain..at]);
-        plain = at + 1;
+    let mut start = 0;
+    loop {
+        let at = start + plain(&text.as_bytes()[start..]);
+        out.push_str(&text[start..at]);
+        let Some(byte) = text.as_bytes().get(at) else { break };
+        start = at + 1;
         match byte {
             b'"' => out.push_str("\\\""),
             b'\\' => out.push_str("\\\\"),
@@ -310,8 +309,28 @@ pub fn write_string(text: &str, out: &mut String) {
             _ => drop(write!(out, "\\u{byte:04x}")),
         }
     }
-    out.push_str(&text[plain..]);
     out.push('"');
+}
+
+/// How many bytes from the start stand for themselves within a string: no quote, no backslash, no control character.
+fn plain(bytes: &[u8]) -> usize {
+    const ONES: u64 = u64::MAX / 0xff;
+    // The lowest bit that is set in `marked` belongs to the first byte that is below `limit`, which is at most 0x80;
+    // the bits above it may be wrong.
+    let marked = |word: u64, limit: u64| word.wrapping_sub(ONES * limit) & !word & (ONES << 7);
+    let mut at = 0;
+    while let Some(word) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
+        let word = u64::from_le_bytes(*word);
+        let quote = marked(word ^ (ONES * u64::from(b'"')), 1);
+        let backslash = marked(word ^ (ONES * u64::from(b'\\')), 1);
+        let found = quote | backslash | marked(word, u64::from(b' '));
+        if found != 0 {
+            return at + (found.trailing_zeros() / 8) as usize;
+        }
+        at += 8;
+    }
+    let rest = bytes.get(at..).unwrap_or_default();
+    at + rest.iter().position(|byte| matches!(byte, b'"' | b'\\') || *byte < b' ').unwrap_or(rest.len())
 }
 
 /// A member name as one token of a JSON pointer.
@@ -476,11 +495,11 @@ impl<'a> Reader<'a> {
         self.expect(b'"', "a string")?;
         let start = self.at;
         let mut owned: Option<String> = None;
-        let mut plain = start;
+        let mut seen = start;
         loop {
             let rest = &self.text.as_bytes()[self.at..];
-            self.at += rest.iter().position(|b| matches!(b, b'"' | b'\\' | 0..=0x1f)).unwrap_or(rest.len());
-            let run = &self.text[plain..self.at];
+            self.at += plain(rest);
+            let run = &self.text[seen..self.at];
             match self.peek() {
                 None => return self.fail(JsonFault::End),
                 Some(b'"') => {
@@ -495,7 +514,7 @@ impl<'a> Reader<'a> {
                     let text = owned.get_or_insert_default();
                     text.push_str(run);
                     text.push(self.escape()?);
-                    plain = self.at;
+                    seen = self.at;
                 }
                 Some(_) => {
                     return self.fail(JsonFault::Expected("an escape instead of a control character"));
@@ -683,6 +702,12 @@ mod tests {
             write_string(&text, &mut written);
             let read = Json::parse(&written).unwrap();
             prop_assert_eq!(read.as_str(), Some(text.as_str()));
+        }
+
+        #[test]
+        fn the_plain_bytes_of_a_string_end_where_the_first_other_one_is(bytes in prop::collection::vec(any::<u8>(), 0..40)) {
+            let first = bytes.iter().position(|byte| *byte < b' ' || *byte == b'"' || *byte == b'\\');
+            prop_assert_eq!(plain(&bytes), first.unwrap_or(bytes.len()));
         }
 
         #[test]

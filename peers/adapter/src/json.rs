@@ -127,6 +127,27 @@ pub(crate) fn double_of_name(name: &str) -> Option<f64> {
     }
 }
 
+/// How many bytes from the start stand for themselves within a string: no quote, no backslash, no control character.
+fn plain(bytes: &[u8]) -> usize {
+    const ONES: u64 = u64::MAX / 0xff;
+    // The lowest bit that is set in `marked` belongs to the first byte that is below `limit`, which is at most 0x80;
+    // the bits above it may be wrong.
+    let marked = |word: u64, limit: u64| word.wrapping_sub(ONES * limit) & !word & (ONES << 7);
+    let mut at = 0;
+    while let Some(word) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
+        let word = u64::from_le_bytes(*word);
+        let quote = marked(word ^ (ONES * u64::from(b'"')), 1);
+        let backslash = marked(word ^ (ONES * u64::from(b'\\')), 1);
+        let found = quote | backslash | marked(word, u64::from(b' '));
+        if found != 0 {
+            return at + (found.trailing_zeros() / 8) as usize;
+        }
+        at += 8;
+    }
+    let rest = bytes.get(at..).unwrap_or_default();
+    at + rest.iter().position(|byte| matches!(byte, b'"' | b'\\') || *byte < b' ').unwrap_or(rest.len())
+}
+
 struct Reader<'de> {
     text: &'de str,
     at: usize,
@@ -204,8 +225,7 @@ impl<'de> Reader<'de> {
         }
         let (start, mut escapes) = (self.at, false);
         loop {
-            let plain = self.rest().iter().position(|byte| matches!(byte, b'"' | b'\\') || *byte < b' ');
-            self.at = plain.map_or(self.text.len(), |plain| self.at + plain);
+            self.at += plain(self.rest());
             match self.rest() {
                 [b'"', ..] => {
                     self.at += 1;
@@ -533,15 +553,19 @@ impl<'w> Serializer for &'w mut Writer {
         }
         self.out.push('"');
         let mut rest = text;
-        while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b'\\') || byte < b' ') {
+        loop {
+            let at = plain(rest.as_bytes());
             self.out.push_str(&rest[..at]);
-            match rest.as_bytes()[at] {
-                byte @ (b'"' | b'\\') => self.out.extend(['\\', char::from(byte)]),
-                byte => self.shown(format_args!("\\u{byte:04x}"))?,
+            match rest.as_bytes().get(at) {
+                None => break,
+                Some(byte @ (b'"' | b'\\')) => {
+                    self.out.push('\\');
+                    self.out.push(char::from(*byte));
+                }
+                Some(byte) => self.shown(format_args!("\\u{byte:04x}"))?,
             }
             rest = &rest[at + 1..];
         }
-        self.out.push_str(rest);
         self.out.push('"');
         Ok(())
     }
@@ -768,6 +792,12 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_plain_bytes_of_a_string_end_where_the_first_other_one_is(bytes in prop::collection::vec(any::<u8>(), 0..40)) {
+            let first = bytes.iter().position(|byte| *byte < b' ' || *byte == b'"' || *byte == b'\\');
+            prop_assert_eq!(plain(&bytes), first.unwrap_or(bytes.len()));
+        }
+
         #[test]
         fn a_message_comes_back_bit_for_bit(message in message()) {
             let text = write(&message).unwrap();
