@@ -110,7 +110,7 @@ const query = get("query");
 const found = get("found");
 const status = get("search-status");
 const MOST = 40;
-const WEIGHTS = { rule: 3, finding: 2.5, text: 1.6, page: 1.1, "bug class": 1.2, case: 1, defect: 0.8, "live scenario": 1 };
+const WEIGHTS = { rule: 4, finding: 3, text: 2.5, page: 1.2, "bug class": 1, "live scenario": 0.8, defect: 0.5, case: 0.4 };
 let index;
 
 function script(name) {
@@ -131,7 +131,7 @@ function load() {
       searchOptions: {
         combineWith: "AND",
         prefix: true,
-        boost: { title: 3 },
+        boost: { title: 2 },
         boostDocument: (id) => WEIGHTS[window.ncpSearch[id][0]] ?? 1,
       },
     });
@@ -224,7 +224,11 @@ query.addEventListener("input", () => {
 });
 query.addEventListener("keydown", (event) => {
   const count = found.children.length;
-  if (event.key === "Enter") {
+  if (event.key === "Escape") {
+    // A field for a search would only be emptied.
+    event.preventDefault();
+    dialog.close();
+  } else if (event.key === "Enter") {
     event.preventDefault();
     found.children[picked()]?.querySelector("a").click();
   } else if (count > 0 && (event.key === "ArrowDown" || event.key === "ArrowUp")) {

@@ -9,8 +9,6 @@ import anchor from "markdown-it-anchor";
 import { pageOf, relative, ruleOf } from "./addresses.js";
 import { linked } from "./tree.js";
 
-const RULE = /NCP-[A-Z]+-\d{3}/;
-
 /**
  * A renderer of the files of the tree.
  *
@@ -179,6 +177,6 @@ function bare(inline) {
   inline.children = children.slice(begin, end);
   const [first] = inline.children;
   if (first !== undefined) first.content = first.content.trimStart();
+  const last = inline.children.at(-1);
+  if (last !== undefined) last.content = last.content.trimEnd();
 }
-
-export { RULE };

@@ -199,8 +199,9 @@ function chapter(path, { rules }) {
     const number = /^(\d+\.\d+) /.exec(title)?.[1];
     return number === undefined ? [] : [[number, `${page}#${slug}`]];
   });
-  const first = /^# (?:\d+\. )?(.*)$/m.exec(text)?.[1];
-  return { path, page, number: Number(basename(path).slice(0, 2)), name: first, rules: own, numbered, sections };
+  const number = Number(basename(path).slice(0, 2));
+  const name = number === 0 ? "Introduction" : /^# (?:\d+\. )?(.*)$/m.exec(text)?.[1];
+  return { path, page, number, name, rules: own, numbered, sections };
 }
 
 /** What stands above and below the sentence of a rule in its chapter. */
@@ -211,7 +212,7 @@ function block(rule, page) {
   const head =
     `<header><a class="id" href="#${id}">${id}</a><span class="badge level ${level}">${level}</span>` +
     `<span class="badge keyword">${keyword}</span><span class="badge role">${who}</span></header>\n`;
-  const foot = `<p class="evidence"><a href="${relative(page, rule.page)}">Evidence for ${id}</a> ${shown}</p>\n`;
+  const foot = `<p class="evidence"><a href="${relative(page, rule.page)}" aria-label="Evidence for ${id}">Evidence</a> ${shown}</p>\n`;
   return { head, foot };
 }
 
