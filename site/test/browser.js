@@ -44,7 +44,8 @@ export function inBrowser(site) {
     const wrong = [];
     page.on("pageerror", (error) => wrong.push(String(error)));
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && wrong.push(message.text()));
-    page.on("requestfailed", (request) => wrong.push(`${request.url()} failed`));
+    // What a way to the next page cuts off has not failed.
+    page.on("requestfailed", (request) => /ABORTED/.test(request.failure().errorText) || wrong.push(`${request.url()} failed`));
     page.on("response", (response) => response.status() >= 400 && wrong.push(`${response.url()}: ${response.status()}`));
     page.on("request", (request) => request.url().startsWith(roots[at]) || wrong.push(`${request.url()} is asked for`));
     try {
