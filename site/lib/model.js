@@ -166,7 +166,8 @@ function pages(model) {
   const documents = FILES.filter((file) => file.endsWith(".md") && !chapterFiles.includes(file)).map((path) => {
     const page = pageOf(path);
     const claims = path === "reports/proofs.md" ? new Set(model.proofs.keys()) : undefined;
-    return { path, page, ...render(read(path), { path, page, claims }) };
+    const made = render(read(path), { path, page, claims });
+    return { path, page, ...made, about: firstSentence(made.html) };
   });
   for (const rule of model.rules.values()) {
     want(`spec/text/${rule.chapter}`);
@@ -202,6 +203,12 @@ function chapter(path, { rules }) {
   const number = Number(basename(path).slice(0, 2));
   const name = number === 0 ? "Introduction" : /^# (?:\d+\. )?(.*)$/m.exec(text)?.[1];
   return { path, page, number, name, rules: own, numbered, sections };
+}
+
+/** The first sentence of the first paragraph of a page. */
+function firstSentence(html) {
+  const words = /<p>(.*?)<\/p>/s.exec(html)?.[1].replace(/<[^>]*>/g, "") ?? "";
+  return /^.*?[.:](?=\s|$)/s.exec(words)?.[0].replace(/:$/, ".") ?? words;
 }
 
 /** What stands above and below the sentence of a rule in its chapter. */

@@ -142,6 +142,18 @@ export function inBrowser(site) {
     });
   });
 
+  test("what an address names stands free of the bars above it", async () => {
+    for (const [path, id] of [["findings.html", "L04"], ["corpus/index.html", "safety"], ["text/07-safety.html", "NCP-SAFE-045"]]) {
+      await visit(`${path}#${id}`, async (page) => {
+        const seen = await page.evaluate((id) => {
+          const { left, top } = document.getElementById(id).getBoundingClientRect();
+          return document.getElementById(id).contains(document.elementFromPoint(left + 8, top + 8));
+        }, id);
+        assert.ok(seen, `${path}#${id}`);
+      });
+    }
+  });
+
   test("all of it can be reached by the keyboard, and focus is seen", async () => {
     await visit("rules/index.html", async (page) => {
       const focused = () => page.evaluate(() => document.activeElement.textContent.trim());
