@@ -2,6 +2,7 @@
 //!
 //! - `generate`: the files that are made from others, and whether they are fresh.
 //! - `contract`: what of a contract that went out this one breaks.
+//! - `site`: the project's public site.
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `work`: what a check works with.
@@ -14,6 +15,7 @@ mod checks;
 mod contract;
 mod generate;
 mod process;
+mod site;
 mod tally;
 mod test;
 mod work;
@@ -66,6 +68,12 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Make the project's public site: the text with its evidence, the cases, the findings, the reports
+    Site {
+        /// The folder to make it in [default: reports/site]
+        #[arg(long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
     /// Only set up what the checks need: into ignored folders, and valgrind and Chromium by apt-get
     Setup,
 }
@@ -94,6 +102,10 @@ fn run(command: Command) -> Result<bool, Error> {
         Command::Generate { check: false } => generate::write(&project),
         Command::Contract { against, projection, json } => {
             contract::report(against.as_deref().zip(projection.as_deref()), json)
+        }
+        Command::Site { output } => {
+            site::make(&project, output.as_deref())?;
+            Ok(true)
         }
         Command::Setup => {
             setup::all(&project)?;

@@ -20,8 +20,10 @@ pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
 
 use ncp_text::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
@@ -199,7 +201,7 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    fn read<'f>(files: impl Iterator<Item = (&'f str, &'f str)>, place: &str) -> Result<Self, SuiteError> {
+    fn read<'f>(files: impl Iterator<Item = (&'f str, &'f str)> + Send, place: &str) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
         let requirements: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
         let rules: HashMap<&str, &Arc<Requirement>> =
@@ -208,8 +210,14 @@ impl Suite {
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
         let mut count = 0;
-        for (name, text) in files {
-            let file = file::read(name, text, &rules)?;
+        let read = |(name, text): (&'f str, &'f str)| {
+            Ok::<_, SuiteError>((
+                file::read(name, text, &rules)?,
+                format!("{}  corpus/{name}\n", hex(&Sha256::digest(text))),
+            ))
+        };
+        for read in side_by_side(files, read) {
+            let (file, line) = read?;
             for (flag, note) in file.notes {
                 let known = notes.entry(flag).or_default();
                 if !known.contains(&note) {
@@ -217,7 +225,7 @@ impl Suite {
                 }
             }
             cases.extend(file.cases);
-            manifest.push_str(&format!("{}  corpus/{name}\n", hex(&Sha256::digest(text))));
+            manifest.push_str(&line);
             count += 1;
         }
         if cases.is_empty() {
@@ -237,6 +245,21 @@ impl Suite {
             [describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?, describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?];
         Ok(Self { cases, describe, requirements, notes, digest, files: count })
     }
+}
+
+/// What `work` makes of each item, in their order; as many items at a time as there are cores.
+fn side_by_side<T, R: Send>(items: impl Iterator<Item = T> + Send, work: impl Fn(T) -> R + Sync) -> Vec<R> {
+    let items = Mutex::new(items.enumerate());
+    let take = || items.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let worker = || std::iter::from_fn(take).map(|(place, item)| (place, work(item))).collect::<Vec<_>>();
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let mut done: Vec<(usize, R)> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(worker)).collect();
+        let done = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        done.flatten().collect()
+    });
+    done.sort_by_key(|(place, _)| *place);
+    done.into_iter().map(|(_, made)| made).collect()
 }
 
 /// Sees to it that a case rests on cases of the suite, and in the end on those that rest on none.
