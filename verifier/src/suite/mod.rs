@@ -8,6 +8,7 @@ mod case;
 mod file;
 mod filter;
 mod flags;
+mod packed;
 mod pattern;
 mod template;
 
@@ -19,6 +20,7 @@ pub use flags::{Finding, Flag};
 pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -29,6 +31,7 @@ use sha2::{Digest as _, Sha256};
 
 use crate::peer::{Call, Description};
 use case::Parts;
+use packed::Packed;
 
 /// The id of the case of `describe`.
 pub(crate) const DESCRIBE: &str = "describe";
@@ -94,7 +97,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn embedded() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().copied(), "the program")
+        Self::read(EMBEDDED.iter().map(Packed::unpack), "the program")
     }
 
     /// The suite that is built into the program, and besides it the deep set: cases that a search chose, whose ids
@@ -103,7 +106,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn with_deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).copied(), "the program")
+        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).map(Packed::unpack), "the program")
     }
 
     /// The deep set alone, that is built into the program.
@@ -111,7 +114,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty, or there is none.
     pub fn deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED_DEEP.iter().copied(), "the program")
+        Self::read(EMBEDDED_DEEP.iter().map(Packed::unpack), "the program")
     }
 
     /// The suite of a folder: every `<folder>/<area>/<name>.json`.
@@ -128,7 +131,8 @@ impl Suite {
                 files.push((name, text));
             }
         }
-        Self::read(files.iter().map(|(name, text)| (name.as_str(), text.as_str())), &folder.to_string_lossy())
+        let files = files.iter().map(|(name, text)| Ok((name.as_str(), text.into())));
+        Self::read(files, &folder.to_string_lossy())
     }
 
     /// Every case, in the order of the files.
@@ -175,6 +179,12 @@ impl Suite {
         self.files
     }
 
+    /// The [`digest`](Self::digest) of the suite that is built into the program, without unpacking it.
+    #[must_use]
+    pub fn embedded_digest() -> String {
+        hex(&Sha256::digest(include_str!("../../../vectors/MANIFEST.sha256")))
+    }
+
     /// The SHA-256 of the list of the files' SHA-256: that of `vectors/MANIFEST.sha256`.
     #[must_use]
     pub fn digest(&self) -> &str {
@@ -199,7 +209,11 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    fn read<'f>(files: impl Iterator<Item = (&'f str, &'f str)>, place: &str) -> Result<Self, SuiteError> {
+    /// Reads files by their names and texts, one after the other, so that only one unpacked text is held.
+    fn read<'f>(
+        files: impl Iterator<Item = Result<(&'f str, Cow<'f, str>), SuiteError>>,
+        place: &str,
+    ) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
         let requirements: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
         let rules: HashMap<&str, &Arc<Requirement>> =
@@ -208,8 +222,9 @@ impl Suite {
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
         let mut count = 0;
-        for (name, text) in files {
-            let file = file::read(name, text, &rules)?;
+        for file in files {
+            let (name, text) = file?;
+            let file = file::read(name, &text, &rules)?;
             for (flag, note) in file.notes {
                 let known = notes.entry(flag).or_default();
                 if !known.contains(&note) {
@@ -217,7 +232,7 @@ impl Suite {
                 }
             }
             cases.extend(file.cases);
-            manifest.push_str(&format!("{}  corpus/{name}\n", hex(&Sha256::digest(text))));
+            manifest.push_str(&format!("{}  corpus/{name}\n", hex(&Sha256::digest(text.as_bytes()))));
             count += 1;
         }
         if cases.is_empty() {
@@ -355,7 +370,7 @@ mod tests {
     use super::*;
 
     fn suite(files: &[(&str, &str)]) -> Result<Suite, SuiteError> {
-        Suite::read(files.iter().copied(), "the test")
+        Suite::read(files.iter().map(|(name, text)| Ok((*name, (*text).into()))), "the test")
     }
 
     fn file(name: &str, ids: &[&str]) -> String {
@@ -378,6 +393,7 @@ mod tests {
     fn the_embedded_suite_is_without_fault() {
         let suite = Suite::embedded().unwrap_or_else(|fault| panic!("{fault}"));
         assert!(suite.cases().len() >= 1200, "{}", suite.cases().len());
+        assert_eq!(suite.digest(), Suite::embedded_digest());
     }
 
     #[test]
