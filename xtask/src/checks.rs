@@ -7,6 +7,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::generate;
+use crate::package;
 use crate::project::Project;
 use crate::setup;
 use crate::tally::Tally;
@@ -238,6 +239,16 @@ pub(crate) const CHECKS: &[Check] = &[
         runs: |_| false,
         run: |work| {
             work.set_up(setup::buf)?;
+            rust_tests(work, &["--run-ignored", "only"])
+        },
+    },
+    Check {
+        name: "packages",
+        about: "wheel, npm and archive work where there is no project and no Rust (only when asked for; nightly)",
+        lane: Lane::Peers,
+        runs: |_| false,
+        run: |work| {
+            package::make(work.project, &[], work.say).map_err(|error| Failure::of_one(error.to_string()))?;
             rust_tests(work, &["--run-ignored", "only"])
         },
     },

@@ -48,6 +48,8 @@ fn a_command_or_an_option_that_no_program_has_is_refused() {
         ("cargo verify tset", false),
         ("cargo xtask test --onyl format", false),
         ("cargo xtask test --only no-such-check", false),
+        ("cargo xtask package --only wheel", true),
+        ("cargo xtask package --only no-such-package", false),
         ("ncp-verify list --no-such-option", false),
         ("cargo test -p ncp-spec", true),
         ("cargo test -p no-such-package", false),
@@ -229,7 +231,9 @@ impl Programs {
             }
             // The value of an option, or of the command.
             if number > 0 && rest[number - 1].starts_with("--") {
-                self.accept_value(rest[number - 1], word)?;
+                if !help.contains("[possible values: ") || !mentions(&help, word) {
+                    self.accept_value(rest[number - 1], word)?;
+                }
             } else if mentions_command(&own, word) {
                 path.push((*word).to_owned());
                 self.help(&path)?.clone_into(&mut own);
