@@ -24,6 +24,10 @@ fn the_wheel_installs_a_program_that_needs_nothing_else() {
     assert_eq!(found.trim(), place.folder().join("venv/bin/ncp-verify").to_str().unwrap());
     let version = place.succeed(&python, &["-m", "ncp_verify", "--version"]);
     assert_eq!(version, place.succeed(found.trim(), &["--version"]));
+    let named = "import sys, zipfile; wheel = zipfile.ZipFile(sys.argv[1]); \
+                 print(*[name for name in wheel.namelist() if sys.argv[2].encode() in wheel.read(name)])";
+    let files = place.succeed(&python, &["-c", named, wheel.to_str().unwrap(), root().to_str().unwrap()]);
+    assert_eq!(files, "\n", "these files hold the path of the project");
     place.has_shared(&place.folder().join("venv/share"));
     place.is_small_and_anonymous(Path::new(found.trim()));
 }
@@ -177,7 +181,7 @@ impl Place {
         ends(&["man", "pages"], 0);
         assert!(self.folder().join("pages/ncp-verify-run.1").is_file());
         for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-            assert!(ends(&["completions", shell], 0).contains("--peer-cmd"), "{shell}");
+            assert!(ends(&["completions", shell], 0).contains("peer-cmd"), "{shell}");
         }
 
         // Without the project there are no bundled peers, and it says what to do.
