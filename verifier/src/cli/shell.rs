@@ -42,7 +42,8 @@ pub(super) struct ManArgs {
 pub(super) fn completions(args: &CompletionsArgs) -> Result<Exit, CliError> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), NAME, &mut script);
-    print(&String::from_utf8_lossy(&script))?;
+    // For bash, clap_complete 4.6.11 spells a program with a hyphen in two ways, and then completes nothing.
+    print(&String::from_utf8_lossy(&script).replace("ncp__subcmd__verify", "ncp__verify"))?;
     Ok(Exit::Conformant)
 }
 
