@@ -231,7 +231,7 @@ impl Programs {
             }
             // The value of an option, or of the command.
             if number > 0 && rest[number - 1].starts_with("--") {
-                if !help.contains("[possible values: ") || !mentions(&help, word) {
+                if !lists_value(&own, word) {
                     self.accept_value(rest[number - 1], word)?;
                 }
             } else if mentions_command(&own, word) {
@@ -311,6 +311,11 @@ fn mentions(help: &str, option: &str) -> bool {
     let is_part = |character: char| character.is_ascii_alphanumeric() || character == '-';
     help.match_indices(option)
         .any(|(at, found)| !help[at + found.len()..].starts_with(is_part) && !help[..at].ends_with(is_part))
+}
+
+/// Whether a help lists a value of an option, with what it means.
+fn lists_value(help: &str, word: &str) -> bool {
+    help.lines().any(|line| line.trim_start().starts_with(&format!("- {word}:")))
 }
 
 /// Whether a help lists a command, which stands first in a line.
