@@ -7,6 +7,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::generate;
+use crate::package;
 use crate::project::Project;
 use crate::setup;
 use crate::site;
@@ -253,6 +254,17 @@ pub(crate) const CHECKS: &[Check] = &[
             rust_tests(work, &["--run-ignored", "only"])
         },
     },
+    Check {
+        name: "packages",
+        about: "wheel, npm and archive work where there is no project and no Rust (only when asked for; nightly)",
+        lane: Lane::Peers,
+        runs: |_| false,
+        run: |work| {
+            package::make(work.project, &[], work.say).map_err(|error| Failure::of_one(error.to_string()))?;
+            // A machine that makes packages need not build the other crates.
+            rust_tests_of(work, &["-p", "xtask"], &["--run-ignored", "only"])
+        },
+    },
 ];
 
 /// The names of all checks.
@@ -305,10 +317,14 @@ fn lines_over(columns: usize, text: &str) -> impl Iterator<Item = (usize, usize)
 
 /// Runs the tests that `.config/nextest.toml` names by the profile of the check's name. All profiles share one build.
 fn rust_tests(work: &mut Work<'_>, options: &[&str]) -> Result<Tally, Failure> {
+    rust_tests_of(work, &["--workspace"], options)
+}
+
+fn rust_tests_of(work: &mut Work<'_>, crates: &[&str], options: &[&str]) -> Result<Tally, Failure> {
     let nextest = work.set_up(setup::nextest)?;
     let profile = work.name;
-    let args = ["nextest", "run", "--workspace", "--cargo-quiet", "--profile", profile];
-    let mut program = work.project.program(nextest, &[&args[..], options].concat(), "");
+    let args = ["nextest", "run", "--cargo-quiet", "--profile", profile];
+    let mut program = work.project.program(nextest, &[&args[..], crates, options].concat(), "");
     program.env("NCP_BUF", setup::buf_path(work.project));
     let report = work.project.path(&format!(".tools/nextest/{profile}/junit.xml"));
     work.tests(program, &report)

@@ -1,6 +1,7 @@
 //! The project's own commands: `cargo xtask <command>`.
 //!
 //! - `generate`: the files that are made from others, and whether they are fresh.
+//! - `package`: the packages by which others get `ncp-verify`.
 //! - `contract`: what of a contract that went out this one breaks.
 //! - `site`: the project's public site.
 //! - `checks`: what `cargo xtask test` checks, in order.
@@ -14,6 +15,7 @@
 mod checks;
 mod contract;
 mod generate;
+mod package;
 mod process;
 mod site;
 mod tally;
@@ -74,6 +76,12 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         output: Option<PathBuf>,
     },
+    /// Make the packages of ncp-verify for this machine, into target/packages
+    Package {
+        /// Only this kind; may be given several times
+        #[arg(long, value_name = "KIND")]
+        only: Vec<package::Kind>,
+    },
     /// Only set up what the checks need: into ignored folders, and valgrind and Chromium by apt-get
     Setup,
 }
@@ -107,6 +115,11 @@ fn run(command: Command) -> Result<bool, Error> {
             site::make(&project, output.as_deref())?;
             Ok(true)
         }
+        Command::Package { only } => {
+            process::end_on_signal().map_err(Error::Signals)?;
+            package::report(&project, &only)?;
+            Ok(true)
+        }
         Command::Setup => {
             setup::all(&project)?;
             Ok(true)
@@ -129,6 +142,10 @@ enum Error {
     Header(String),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
+    #[error(transparent)]
+    Package(#[from] package::PackageError),
+    #[error("signals cannot be handled: {0}")]
+    Signals(io::Error),
     #[error("interrupted")]
     Interrupted,
 }

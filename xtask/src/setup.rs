@@ -26,6 +26,9 @@ pub const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
 const ANGR_VENV: &str = ".tools/machine-venv";
 /// What explores the machine code of the kernel, as PyPI has it.
 pub const ANGR: [&str; 4] = ["angr==9.2.213", "bitstring==4.4.0", "pycparser==3.0", "bitwuzla==0.9.1"];
+const MATURIN_VENV: &str = ".tools/maturin-venv";
+/// What makes the wheel, as PyPI has it; `packages/pypi/pyproject.toml` names the same.
+const MATURIN: [&str; 1] = ["maturin==1.16.0"];
 const TYPESCRIPT: &str = "peers/typescript";
 const SITE: &str = "site";
 const PYTHON: &str = "peers/python";
@@ -127,6 +130,15 @@ pub fn solvers(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
 /// As [`solvers`].
 pub fn angr(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     python_packages(project, ANGR_VENV, "angr, bitwuzla", &ANGR, say)
+}
+
+/// Installs maturin, and returns its path.
+///
+/// # Errors
+/// As [`solvers`].
+pub fn maturin(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    python_packages(project, MATURIN_VENV, "maturin", &MATURIN, say)?;
+    Ok(project.path(MATURIN_VENV).join(if cfg!(windows) { "Scripts" } else { "bin" }).join("maturin"))
 }
 
 /// Installs pinned packages of PyPI into a virtual environment, unless it has their modules.

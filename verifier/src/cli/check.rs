@@ -27,12 +27,7 @@ use crate::verdict::{Baseline, Status};
 /// Checks every bundled peer.
 pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     let here = current_dir()?;
-    let Some(workspace) = Workspace::find(&here) else {
-        return Err(CliError::Usage(
-            "there is no folder with peers/*/peer.toml at or above this one; name a peer: ncp-verify run --peer-cmd '…'"
-                .to_owned(),
-        ));
-    };
+    let workspace = Workspace::of_bundled_peers(&here, "run")?;
     let (target, started) = (workspace.target(), SystemTime::now());
     let sources = workspace
         .peers

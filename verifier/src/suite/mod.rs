@@ -8,6 +8,7 @@ mod case;
 mod file;
 mod filter;
 mod flags;
+mod packed;
 mod pattern;
 mod template;
 
@@ -19,6 +20,7 @@ pub use flags::{Finding, Flag};
 pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
@@ -31,6 +33,7 @@ use sha2::{Digest as _, Sha256};
 
 use crate::peer::{Call, Description};
 use case::Parts;
+use packed::Packed;
 
 /// The id of the case of `describe`.
 pub(crate) const DESCRIBE: &str = "describe";
@@ -96,7 +99,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn embedded() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().copied(), "the program")
+        Self::read(EMBEDDED.iter().map(Packed::unpack), "the program")
     }
 
     /// The suite that is built into the program, and besides it the deep set: cases that a search chose, whose ids
@@ -105,7 +108,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn with_deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).copied(), "the program")
+        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).map(Packed::unpack), "the program")
     }
 
     /// The deep set alone, that is built into the program.
@@ -113,7 +116,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty, or there is none.
     pub fn deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED_DEEP.iter().copied(), "the program")
+        Self::read(EMBEDDED_DEEP.iter().map(Packed::unpack), "the program")
     }
 
     /// The suite of a folder: every `<folder>/<area>/<name>.json`.
@@ -130,7 +133,8 @@ impl Suite {
                 files.push((name, text));
             }
         }
-        Self::read(files.iter().map(|(name, text)| (name.as_str(), text.as_str())), &folder.to_string_lossy())
+        let files = files.iter().map(|(name, text)| Ok((name.as_str(), text.into())));
+        Self::read(files, &folder.to_string_lossy())
     }
 
     /// Every case, in the order of the files.
@@ -177,6 +181,12 @@ impl Suite {
         self.files
     }
 
+    /// The [`digest`](Self::digest) of the suite that is built into the program, without unpacking it.
+    #[must_use]
+    pub fn embedded_digest() -> String {
+        hex(&Sha256::digest(include_str!("../../../vectors/MANIFEST.sha256")))
+    }
+
     /// The SHA-256 of the list of the files' SHA-256: that of `vectors/MANIFEST.sha256`.
     #[must_use]
     pub fn digest(&self) -> &str {
@@ -201,7 +211,11 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    fn read<'f>(files: impl Iterator<Item = (&'f str, &'f str)> + Send, place: &str) -> Result<Self, SuiteError> {
+    /// Reads files by their names and texts, as many side by side as there are cores, so that few unpacked texts are held.
+    fn read<'f>(
+        files: impl Iterator<Item = Result<(&'f str, Cow<'f, str>), SuiteError>> + Send,
+        place: &str,
+    ) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
         let requirements: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
         let rules: HashMap<&str, &Arc<Requirement>> =
@@ -210,11 +224,10 @@ impl Suite {
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
         let mut count = 0;
-        let read = |(name, text): (&'f str, &'f str)| {
-            Ok::<_, SuiteError>((
-                file::read(name, text, &rules)?,
-                format!("{}  corpus/{name}\n", hex(&Sha256::digest(text))),
-            ))
+        let read = |file: Result<(&'f str, Cow<'f, str>), SuiteError>| {
+            let (name, text) = file?;
+            let line = format!("{}  corpus/{name}\n", hex(&Sha256::digest(text.as_bytes())));
+            Ok::<_, SuiteError>((file::read(name, &text, &rules)?, line))
         };
         for read in side_by_side(files, read) {
             let (file, line) = read?;
@@ -378,7 +391,7 @@ mod tests {
     use super::*;
 
     fn suite(files: &[(&str, &str)]) -> Result<Suite, SuiteError> {
-        Suite::read(files.iter().copied(), "the test")
+        Suite::read(files.iter().map(|(name, text)| Ok((*name, (*text).into()))), "the test")
     }
 
     fn file(name: &str, ids: &[&str]) -> String {
@@ -401,6 +414,7 @@ mod tests {
     fn the_embedded_suite_is_without_fault() {
         let suite = Suite::embedded().unwrap_or_else(|fault| panic!("{fault}"));
         assert!(suite.cases().len() >= 1200, "{}", suite.cases().len());
+        assert_eq!(suite.digest(), Suite::embedded_digest());
     }
 
     #[test]

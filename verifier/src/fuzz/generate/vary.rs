@@ -1,8 +1,8 @@
 //! A case of the corpus, varied.
 //!
-//! A case shows a rule in the smallest frame, by the fewest steps, at once. A defect hides where the same is asked after
-//! a hundred steps, within a large frame, beside a name that is nearly equal, at another scale, or together with what
-//! another case has. So a case is taken, by its rule, and changed by one or more ways:
+//! A case shows a rule in the smallest frame, by the fewest steps, at once. A defect hides where the same is asked
+//! after a hundred steps, within a large frame, beside a name that is nearly equal, at another scale, or together with
+//! what another case has. So a case is taken, by its rule, and changed by one or more ways:
 //!
 //! - *pump*: a step, or some, again and again; the clock and the seqs go on.
 //! - *rounds*: the whole trace several times, a reset between.
