@@ -151,7 +151,8 @@ export function renderer({ known, want, block }) {
 const NAMES = /(?<rule>NCP-[A-Z]+-\d{3})|\b(?<finding>L(?:0[1-9]|[12]\d|3[0-5]))\b/g;
 const LIST = "(?:, | and | to | or |, and )";
 const NAMES_IN_TEXT = new RegExp(
-  `${NAMES.source}|\\bchapters? (?<chapter>\\d+(?:${LIST}\\d+)*)|\\bsections? (?<section>\\d+\\.\\d+(?:${LIST}\\d+\\.\\d+)*)` +
+  `${NAMES.source}|\\bchapters? (?<chapter>\\d+(?:${LIST}\\d+)*)` +
+    `|\\bsections? (?<section>\\d+\\.\\d+(?:${LIST}\\d+\\.\\d+)*)` +
     `|\\brules? (?<number>\\d+(?:${LIST}\\d+)*)`,
   "gi",
 );

@@ -227,11 +227,13 @@ function firstSentence(html) {
 function block(rule, page) {
   const { id, level, keyword, who, counts } = rule;
   const evidence = counts.filter(([kind]) => kind !== "code").map(([kind, count]) => counted(count, KINDS[kind]));
-  const shown = evidence.length > 0 ? evidence.join(" · ") : rule.exclusion ? "no evidence is possible" : "no evidence";
+  const none = rule.exclusion ? "no evidence is possible" : "no evidence";
+  const shown = evidence.length > 0 ? evidence.join(" · ") : none;
   const head =
     `<header><a class="id" href="#${id}">${id}</a><span class="badge level ${level}">${level}</span>` +
     `<span class="badge keyword">${keyword}</span><span class="badge role">${who}</span></header>\n`;
-  const foot = `<p class="evidence"><a href="${relative(page, rule.page)}" aria-label="Evidence for ${id}">Evidence</a> ${shown}</p>\n`;
+  const link = `<a href="${relative(page, rule.page)}" aria-label="Evidence for ${id}">Evidence</a>`;
+  const foot = `<p class="evidence">${link} ${shown}</p>\n`;
   return { head, foot };
 }
 

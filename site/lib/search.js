@@ -2,10 +2,7 @@
 
 import { pageOfCase } from "./addresses.js";
 
-/**
- * The entries: a kind, a title, a page, and words. Pages are named once, and cases by their title and place alone, since
- * there are thousands of them.
- */
+/** The entries: a kind, a title, a page, and words. */
 export function entries({ rules, chapters, documents, findings, flags, defects, live, cases }) {
   const found = [];
   const add = (kind, title, page, text) => found.push([kind, title, page, text]);
