@@ -49,7 +49,10 @@ export default function (eleventy) {
   eleventy.addFilter("json", (value) => JSON.stringify(value));
   eleventy.addNunjucksGlobal("searchEntries", entries(model));
 
-  eleventy.addPassthroughCopy({ assets: "assets", "node_modules/minisearch/dist/umd/index.js": "assets/minisearch.js" });
+  eleventy.addPassthroughCopy({
+    assets: "assets",
+    "node_modules/minisearch/dist/umd/index.js": "assets/minisearch.js",
+  });
   eleventy.addPassthroughCopy({ "node_modules/minisearch/LICENSE.txt": "assets/minisearch-LICENSE.txt" });
   eleventy.setUseGitIgnore(false);
   return {

@@ -56,7 +56,10 @@ if (filter) {
   const output = filter.parentElement.querySelector("output");
   filter.parentElement.hidden = false;
   const apply = () => {
-    const words = filter.value.toLowerCase().split(/\s+/).filter((word) => word !== "");
+    const words = filter.value
+      .toLowerCase()
+      .split(/\s+/)
+      .filter((word) => word !== "");
     let shown = 0;
     for (const entry of rows) {
       entry.text ??= entry.row.textContent.toLowerCase();
@@ -110,7 +113,16 @@ const query = get("query");
 const found = get("found");
 const status = get("search-status");
 const MOST = 40;
-const WEIGHTS = { rule: 4, finding: 3, text: 2.5, page: 1.2, "bug class": 1, "live scenario": 0.8, defect: 0.5, case: 0.4 };
+const WEIGHTS = {
+  rule: 4,
+  finding: 3,
+  text: 2.5,
+  page: 1.2,
+  "bug class": 1,
+  "live scenario": 0.8,
+  defect: 0.5,
+  case: 0.4,
+};
 let index;
 
 function script(name) {
@@ -171,7 +183,11 @@ function show(results, words) {
       const link = document.createElement("a");
       link.href = root.dataset.root + page;
       link.tabIndex = -1;
-      for (const [name, content] of [["kind", kind], ["title", title], ["text", excerpt(text)]]) {
+      for (const [name, content] of [
+        ["kind", kind],
+        ["title", title],
+        ["text", excerpt(text)],
+      ]) {
         const part = document.createElement("span");
         part.className = name;
         part.textContent = content;

@@ -19,7 +19,8 @@ export const sourceOf = (path, line) => `source/${path}.html${line ? `#L${line}`
 export const ruleOf = (id) => `rules/${id}.html`;
 
 /** Whether a file of defects is a table of its own in the site. */
-export const isDefects = (path) => /^defects\/(peer\/|deep\/)?[\w-]+\.toml$/.test(path) && path !== "defects/Cargo.toml";
+export const isDefects = (path) =>
+  /^defects\/(peer\/|deep\/)?[\w-]+\.toml$/.test(path) && path !== "defects/Cargo.toml";
 
 function pageOfFile(path) {
   const within = /^(.*)\.[^./]+$/.exec(path)?.[1] ?? path;
@@ -27,7 +28,11 @@ function pageOfFile(path) {
   if (path.endsWith(".md")) return `docs/${within}.html`;
   if (/^vectors\/(corpus|deep)\/.*\.json$/.test(path)) return `${within.slice("vectors/".length)}.html`;
   if (isDefects(path)) return `${within}.html`;
-  const own = { "vectors/findings.toml": "findings.html", "vectors/flags.toml": "flags.html", "live/scenarios.toml": "live.html" };
+  const own = {
+    "vectors/findings.toml": "findings.html",
+    "vectors/flags.toml": "flags.html",
+    "live/scenarios.toml": "live.html",
+  };
   return own[path] ?? sourceOf(path);
 }
 

@@ -25,14 +25,30 @@ function vectorFile(path) {
     throw new Error(`${path} is not laid out as the generator does: ${written.length} of ${cases.length} cases found`);
   }
   return {
-    path, area, name, about,
+    path,
+    area,
+    name,
+    about,
     id: `${area}/${name}`,
     cases: cases.map((one, index) => shownCase(one, written[index], path)),
   };
 }
 
 function shownCase(one, written, path) {
-  const { id, title, requirements, flags, roles, needs = [], call, args, expect, by, rests_on: restsOn = [], why } = one;
+  const {
+    id,
+    title,
+    requirements,
+    flags,
+    roles,
+    needs = [],
+    call,
+    args,
+    expect,
+    by,
+    rests_on: restsOn = [],
+    why,
+  } = one;
   // What is shown is what the file says, to the spelling of each number.
   for (const [member, value] of Object.entries({ args, expect })) {
     if (JSON.stringify(JSON.parse(written[member])) !== JSON.stringify(value)) {
@@ -40,7 +56,15 @@ function shownCase(one, written, path) {
     }
   }
   return {
-    id, title, requirements, flags, roles, needs, call, restsOn, why,
+    id,
+    title,
+    requirements,
+    flags,
+    roles,
+    needs,
+    call,
+    restsOn,
+    why,
     by: Object.entries(by ?? {}),
     args: shortened(written.args),
     expect: shortened(written.expect),

@@ -35,7 +35,8 @@ export function wrongLinks(folder) {
 }
 
 function wrongLink(url, fetched, file, ids, pages, folder) {
-  if (/^[a-z][a-z0-9+.-]*:/i.test(url) || url.startsWith("//")) return fetched ? "is fetched from elsewhere" : undefined;
+  if (/^[a-z][a-z0-9+.-]*:/i.test(url) || url.startsWith("//"))
+    return fetched ? "is fetched from elsewhere" : undefined;
   if (url.startsWith("/")) return "is no relative link";
   const [path, fragment] = url.split("#", 2).map(decodeURIComponent);
   const target = path === "" ? file : posix.join(posix.dirname(file), path);

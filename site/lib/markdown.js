@@ -21,7 +21,12 @@ export function renderer({ known, want, block }) {
   md.use(anchor, {
     slugify: (title, env) => env.slugger.slug(title),
     slugifyWithState: (title, { env }) => env.slugger.slug(title),
-    permalink: anchor.permalink.linkInsideHeader({ symbol: "#", placement: "after", ariaHidden: true, class: "anchor" }),
+    permalink: anchor.permalink.linkInsideHeader({
+      symbol: "#",
+      placement: "after",
+      ariaHidden: true,
+      class: "anchor",
+    }),
     callback: (token, { title, slug }) => headings.push({ level: Number(token.tag.slice(1)), title, slug }),
   });
   let headings = [];
@@ -99,12 +104,19 @@ export function renderer({ known, want, block }) {
       const id = tokens[at].type === "list_item_open" ? idOf(tokens[at + 2]) : undefined;
       if (id === undefined || !known.rules.has(id)) continue;
       tokens[at].tag = "section";
-      tokens[at].attrs = [["class", `rule ${known.rules.get(id).level}`], ["id", id]];
+      tokens[at].attrs = [
+        ["class", `rule ${known.rules.get(id).level}`],
+        ["id", id],
+      ];
       const level = tokens[at].level;
-      const close = tokens.findIndex((token, index) => index > at && token.type === "list_item_close" && token.level === level);
+      const close = tokens.findIndex(
+        (token, index) => index > at && token.type === "list_item_close" && token.level === level,
+      );
       tokens[close].tag = "section";
       const open = tokens.findLastIndex((token, index) => index < at && token.type === "bullet_list_open");
-      const end = tokens.findIndex((token, index) => index > close && token.type === "bullet_list_close" && token.level === tokens[open].level);
+      const end = tokens.findIndex(
+        (token, index) => index > close && token.type === "bullet_list_close" && token.level === tokens[open].level,
+      );
       tokens[open].tag = tokens[end].tag = "div";
       tokens[open].attrSet("class", "rules");
       tokens[at + 1].hidden = tokens[at + 3].hidden = false;
@@ -139,14 +151,18 @@ export function renderer({ known, want, block }) {
 const NAMES = /(?<rule>NCP-[A-Z]+-\d{3})|\b(?<finding>L(?:0[1-9]|[12]\d|3[0-5]))\b/g;
 const LIST = "(?:, | and | to | or |, and )";
 const NAMES_IN_TEXT = new RegExp(
-  `${NAMES.source}|\\bchapters? (?<chapter>\\d+(?:${LIST}\\d+)*)|\\bsections? (?<section>\\d+\\.\\d+(?:${LIST}\\d+\\.\\d+)*)` +
+  `${NAMES.source}|\\bchapters? (?<chapter>\\d+(?:${LIST}\\d+)*)` +
+    `|\\bsections? (?<section>\\d+\\.\\d+(?:${LIST}\\d+\\.\\d+)*)` +
     `|\\brules? (?<number>\\d+(?:${LIST}\\d+)*)`,
   "gi",
 );
 
 /** Each number of a list, with its page. The first keeps the word before it. */
 function numbers(list, page) {
-  return [...list.matchAll(/(?:[a-z]+ )?(\d+(?:\.\d+)?)/gi)].map(([words, number], nth) => [nth === 0 ? words : number, page(number)]);
+  return [...list.matchAll(/(?:[a-z]+ )?(\d+(?:\.\d+)?)/gi)].map(([words, number], nth) => [
+    nth === 0 ? words : number,
+    page(number),
+  ]);
 }
 
 function text(token, content) {

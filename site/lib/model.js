@@ -108,12 +108,15 @@ function complete(rule, { corpus, deep, proofs, defects }) {
     const [file, ...rest] = evidence.place.split(" ");
     const item = rest.join(" ");
     const one = { ...evidence, file, item, page: sourceOf(file, evidence.line) };
-    if (evidence.kind === "proofs") Object.assign(one, { page: `${pageOf(file)}#${item}`, engines: proofs.get(item)?.engines ?? [] });
+    if (evidence.kind === "proofs")
+      Object.assign(one, { page: `${pageOf(file)}#${item}`, engines: proofs.get(item)?.engines ?? [] });
     if (evidence.kind === "live" || evidence.kind === "mutants") one.page = `${pageOf(file)}#${item}`;
     (rule.kinds[evidence.kind] ??= []).push(one);
   }
   const count = (kind) => (rule.kinds[kind] ?? []).reduce((sum, { count }) => sum + count, 0);
-  rule.counts = Object.keys(KINDS).map((kind) => [kind, count(kind)]).filter(([, count]) => count > 0);
+  rule.counts = Object.keys(KINDS)
+    .map((kind) => [kind, count(kind)])
+    .filter(([, count]) => count > 0);
 }
 
 /** The audited findings, each with its cases, its planted defects, and the code that answers it. */
@@ -127,11 +130,16 @@ function audited(matrix, { corpus, defects, live, rules }) {
     const named = finding.rules.map((rule) => rules.get(rule));
     const code = named.flatMap((rule) => rule.kinds.code ?? []).filter(({ file }) => file.startsWith("spec/"));
     return {
-      id, ...finding, named, files,
+      id,
+      ...finding,
+      named,
+      files,
       cases: files.reduce((sum, { cases }) => sum + cases.length, 0),
       exclusion: traced.get(id)?.exclusion,
       scenarios: live.filter((one) => one.findings?.includes(id)),
-      defects: defects.flatMap((table) => table.defects.filter((one) => one.finding === id).map((one) => ({ ...one, table }))),
+      defects: defects.flatMap((table) =>
+        table.defects.filter((one) => one.finding === id).map((one) => ({ ...one, table })),
+      ),
       code: [...new Map(code.map((one) => [one.page, one])).values()],
     };
   });
@@ -180,7 +188,8 @@ function pages(model) {
   const own = (path, of) => of(path) && pageOf(path)?.startsWith("source/");
   const folders = [...wanted].filter((path) => own(path, isFolder)).sort();
   folders.flatMap(listed).forEach(want);
-  const isShown = (path) => own(path, isFile) || path === "live/scenarios.toml" || isDefects(path) || /^spec\/text\/\d/.test(path);
+  const isShown = (path) =>
+    own(path, isFile) || path === "live/scenarios.toml" || isDefects(path) || /^spec\/text\/\d/.test(path);
   const sources = [...wanted].filter(isShown).sort();
   return { chapters, documents, sources, folders };
 }
@@ -195,7 +204,10 @@ function chapter(path, { rules }) {
     numbered.set(number, numbered.has(number) ? undefined : page);
   }
   const slugger = new GithubSlugger();
-  const headings = [...text.matchAll(/^#+ (.*)$/gm)].map(([, title]) => [title, slugger.slug(title.replaceAll("`", ""))]);
+  const headings = [...text.matchAll(/^#+ (.*)$/gm)].map(([, title]) => [
+    title,
+    slugger.slug(title.replaceAll("`", "")),
+  ]);
   const sections = headings.flatMap(([title, slug]) => {
     const number = /^(\d+\.\d+) /.exec(title)?.[1];
     return number === undefined ? [] : [[number, `${page}#${slug}`]];
@@ -215,11 +227,13 @@ function firstSentence(html) {
 function block(rule, page) {
   const { id, level, keyword, who, counts } = rule;
   const evidence = counts.filter(([kind]) => kind !== "code").map(([kind, count]) => counted(count, KINDS[kind]));
-  const shown = evidence.length > 0 ? evidence.join(" · ") : (rule.exclusion ? "no evidence is possible" : "no evidence");
+  const none = rule.exclusion ? "no evidence is possible" : "no evidence";
+  const shown = evidence.length > 0 ? evidence.join(" · ") : none;
   const head =
     `<header><a class="id" href="#${id}">${id}</a><span class="badge level ${level}">${level}</span>` +
     `<span class="badge keyword">${keyword}</span><span class="badge role">${who}</span></header>\n`;
-  const foot = `<p class="evidence"><a href="${relative(page, rule.page)}" aria-label="Evidence for ${id}">Evidence</a> ${shown}</p>\n`;
+  const link = `<a href="${relative(page, rule.page)}" aria-label="Evidence for ${id}">Evidence</a>`;
+  const foot = `<p class="evidence">${link} ${shown}</p>\n`;
   return { head, foot };
 }
 

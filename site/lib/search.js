@@ -2,16 +2,14 @@
 
 import { pageOfCase } from "./addresses.js";
 
-/**
- * The entries: a kind, a title, a page, and words. Pages are named once, and cases by their title and place alone, since
- * there are thousands of them.
- */
+/** The entries: a kind, a title, a page, and words. */
 export function entries({ rules, chapters, documents, findings, flags, defects, live, cases }) {
   const found = [];
   const add = (kind, title, page, text) => found.push([kind, title, page, text]);
   for (const rule of rules.values()) add("rule", rule.id, rule.page, plain(rule.sentence));
   for (const one of chapters) addSections("text", one, add);
-  for (const { id, title, required, severity } of findings) add("finding", id, `findings.html#${id}`, `${title} ${required} ${severity}`);
+  for (const { id, title, required, severity } of findings)
+    add("finding", id, `findings.html#${id}`, `${title} ${required} ${severity}`);
   for (const { name, description } of flags) add("bug class", name, `flags.html#${name}`, description);
   for (const one of documents) addSections("page", one, add);
   for (const { name, about } of live) add("live scenario", name, `live.html#${name}`, about);
@@ -37,6 +35,10 @@ function addSections(kind, { page, title, html }, add) {
 const plain = (markdown) => markdown.replaceAll("`", "");
 
 function words(html) {
-  const text = html.replace(/<[^>]*>/g, " ").replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&quot;", '"');
+  const text = html
+    .replace(/<[^>]*>/g, " ")
+    .replaceAll("&lt;", "<")
+    .replaceAll("&gt;", ">")
+    .replaceAll("&quot;", '"');
   return text.replaceAll("&amp;", "&").replace(/\s+/g, " ").trim();
 }

@@ -5,7 +5,9 @@ import { relative, ruleOf } from "./addresses.js";
 /** The lines of a text as HTML. */
 export function sourceLines(text, rules, page) {
   const lines = text.replace(/\n$/, "").split("\n");
-  return lines.map((line, index) => `<span class="l" id="L${index + 1}">${withRules(line, rules, page)}\n</span>`).join("");
+  return lines
+    .map((line, index) => `<span class="l" id="L${index + 1}">${withRules(line, rules, page)}\n</span>`)
+    .join("");
 }
 
 function withRules(line, rules, page) {

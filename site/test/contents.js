@@ -16,7 +16,9 @@ export function ofContents(site) {
   test("the same sources make the same bytes", () => {
     const other = make();
     assert.deepEqual(filesOf(other), filesOf(site));
-    const differing = filesOf(site).filter((file) => !readFileSync(join(site, file)).equals(readFileSync(join(other, file))));
+    const differing = filesOf(site).filter(
+      (file) => !readFileSync(join(site, file)).equals(readFileSync(join(other, file))),
+    );
     assert.deepEqual(differing, []);
   });
 
@@ -63,7 +65,9 @@ export function ofContents(site) {
   });
 
   test("all evidence of the matrix stands on the page of its rule", () => {
-    const matrix = JSON.parse(readFileSync(process.env.NCP_SITE_MATRIX ?? join(ROOT, ".tools/site/matrix.json"), "utf8"));
+    const matrix = JSON.parse(
+      readFileSync(process.env.NCP_SITE_MATRIX ?? join(ROOT, ".tools/site/matrix.json"), "utf8"),
+    );
     for (const { id, sentence, evidence } of matrix.rules) {
       const made = page(`rules/${id}.html`);
       const shown = text(parseDocument(made));
@@ -80,17 +84,30 @@ export function ofContents(site) {
 
   test("every audited finding stands with its severity, its rules and its cases", () => {
     const made = page("findings.html");
-    for (const [, id, severity, rules] of read("vectors/findings.toml").matchAll(/^(L\d\d) = \{ severity = "(\w+)".*? rules = \[(.*?)\]/gm)) {
+    for (const [, id, severity, rules] of read("vectors/findings.toml").matchAll(
+      /^(L\d\d) = \{ severity = "(\w+)".*? rules = \[(.*?)\]/gm,
+    )) {
       const section = new RegExp(`<section class="finding ${severity}" id="${id}".*?</section>`, "s").exec(made)?.[0];
       assert.ok(section !== undefined, id);
-      for (const [rule] of rules.matchAll(/NCP-[A-Z]+-\d{3}/g)) assert.ok(section.includes(`rules/${rule}.html`), `${id}: ${rule}`);
+      for (const [rule] of rules.matchAll(/NCP-[A-Z]+-\d{3}/g))
+        assert.ok(section.includes(`rules/${rule}.html`), `${id}: ${rule}`);
     }
-    const flagged = filesOf(join(ROOT, "vectors/corpus")).flatMap((file) => JSON.parse(read(`vectors/corpus/${file}`)).cases);
+    const flagged = filesOf(join(ROOT, "vectors/corpus")).flatMap(
+      (file) => JSON.parse(read(`vectors/corpus/${file}`)).cases,
+    );
     for (const { id } of flagged.filter(({ flags }) => flags.includes("L03"))) assert.ok(made.includes(`#${id}"`), id);
   });
 
   test("every page of the project is a page of the site", () => {
-    for (const path of ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "peers/PROTOCOL.md", "reports/proofs.md"]) {
+    for (const path of [
+      "README.md",
+      "ARCHITECTURE.md",
+      "CONTRIBUTING.md",
+      "SECURITY.md",
+      "CHANGELOG.md",
+      "peers/PROTOCOL.md",
+      "reports/proofs.md",
+    ]) {
       const title = /^# (.*)$/m.exec(read(path))[1];
       assert.ok(page(`docs/${path.replace(/md$/, "html")}`).includes(title), path);
       assert.ok(page("docs/index.html").includes(`>${title}</a>`), path);

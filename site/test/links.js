@@ -21,7 +21,10 @@ test("a link that leads nowhere is named, and so is what comes from elsewhere", 
     ['<a href="#bottom">x</a>', "page.html: #bottom leads to no element"],
     ['<a href="/other.html">x</a>', "page.html: /other.html is no relative link"],
     ['<a href="../page.html">x</a>', "page.html: ../page.html leads out of the site"],
-    ['<script src="https://example.org/x.js"></script>', "page.html: https://example.org/x.js is fetched from elsewhere"],
+    [
+      '<script src="https://example.org/x.js"></script>',
+      "page.html: https://example.org/x.js is fetched from elsewhere",
+    ],
     ['<link rel="stylesheet" href="//example.org/x.css">', "page.html: //example.org/x.css is fetched from elsewhere"],
     ['<p id="top"></p>', "page.html: two elements have the id top"],
   ]) {
