@@ -126,6 +126,25 @@ fn mutant(rule: &str) -> String {
 }
 
 #[test]
+fn the_matrix_alone_is_written_with_the_line_of_each_place_whatever_is_wrong() {
+    let tree = Tree::new();
+    tree.write("spec/src/wire/one.rs", "/// [NCP-TEST-009]\npub fn does_one() {}\n");
+    let file = tree.root().join("site/matrix.json");
+    let (exit, out) = tree.trace(&["--matrix", file.to_str().unwrap()]);
+    assert_eq!((exit, out.as_str()), (0, ""));
+    let matrix: Value = serde_json::from_str(&tree.read("site/matrix.json")).unwrap();
+    assert_eq!(matrix["faults"].as_array().unwrap().len(), 1, "{}", matrix["faults"]);
+    assert_eq!(matrix["wire_version"], ncp_text::WIRE_VERSION);
+    let rule = &matrix["rules"][1];
+    assert_eq!((&rule["id"], &rule["line"]), (&json!("NCP-TEST-002"), &json!(4)));
+    let property = json!(
+        {"kind": "properties", "place": "spec/tests/other.rs it_does_another", "line": 4, "count": 1}
+    );
+    assert_eq!(rule["evidence"], json!([property]));
+    assert!(!tree.root().join("reports").exists());
+}
+
+#[test]
 fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
     let tree = Tree::new();
     let (exit, out) = tree.trace(&[]);

@@ -10,6 +10,7 @@ use crate::generate;
 use crate::package;
 use crate::project::Project;
 use crate::setup;
+use crate::site;
 use crate::tally::Tally;
 use crate::work::{Failure, Work};
 
@@ -147,7 +148,7 @@ pub(crate) const CHECKS: &[Check] = &[
         runs: always,
         run: |work| {
             work.set_up(setup::typescript)?;
-            node_tests(work, &["test", "--silent"])
+            node_tests(work, "peers/typescript", &["test", "--silent"])
         },
     },
     Check {
@@ -157,7 +158,7 @@ pub(crate) const CHECKS: &[Check] = &[
         runs: always,
         run: |work| {
             work.set_up(setup::browser)?;
-            node_tests(work, &["run", "test:browser", "--silent"])
+            node_tests(work, "peers/typescript", &["run", "test:browser", "--silent"])
         },
     },
     Check {
@@ -204,6 +205,17 @@ pub(crate) const CHECKS: &[Check] = &[
         lane: Lane::Peers,
         runs: always,
         run: |work| work.program(work.project.cargo(&[ASSURE, &["trace", "--check"]].concat())),
+    },
+    Check {
+        name: "site",
+        about: "the site: its links, its contents against the sources, and its pages in a headless Chromium",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| {
+            work.set_up(setup::site_tests)?;
+            work.program(site::matrix(work.project))?;
+            node_tests(work, "site", &["test", "--silent"])
+        },
     },
     Check {
         name: "mutants",
@@ -326,10 +338,10 @@ fn python_tests(work: &mut Work<'_>, python: &Path, folder: &str, discover: &[&s
     work.tests(program, &report)
 }
 
-/// Has npm run tests of the TypeScript peer.
-fn node_tests(work: &mut Work<'_>, npm: &[&str]) -> Result<Tally, Failure> {
+/// Has npm run the tests of a folder.
+fn node_tests(work: &mut Work<'_>, folder: &str, npm: &[&str]) -> Result<Tally, Failure> {
     let report = work.report();
-    let mut npm = work.project.program(setup::NPM, npm, "peers/typescript");
+    let mut npm = work.project.program(setup::NPM, npm, folder);
     // The reporter `spec` repeats at the end what failed.
     let reporters = format!(
         "--test-reporter=spec --test-reporter-destination=stdout \

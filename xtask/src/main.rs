@@ -3,6 +3,7 @@
 //! - `generate`: the files that are made from others, and whether they are fresh.
 //! - `package`: the packages by which others get `ncp-verify`.
 //! - `contract`: what of a contract that went out this one breaks.
+//! - `site`: the project's public site.
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `work`: what a check works with.
@@ -16,6 +17,7 @@ mod contract;
 mod generate;
 mod package;
 mod process;
+mod site;
 mod tally;
 mod test;
 mod work;
@@ -74,6 +76,12 @@ enum Command {
         #[arg(long, value_name = "KIND")]
         only: Vec<package::Kind>,
     },
+    /// Make the project's public site: the text with its evidence, the cases, the findings, the reports
+    Site {
+        /// The folder to make it in [default: reports/site]
+        #[arg(long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
     /// Only set up what the checks need: into ignored folders, and valgrind and Chromium by apt-get
     Setup,
 }
@@ -106,6 +114,10 @@ fn run(command: Command) -> Result<bool, Error> {
         Command::Package { only } => {
             process::end_on_signal().map_err(Error::Signals)?;
             package::report(&project, &only)?;
+            Ok(true)
+        }
+        Command::Site { output } => {
+            site::make(&project, output.as_deref())?;
             Ok(true)
         }
         Command::Setup => {

@@ -5,7 +5,7 @@
 //! its log costs bounded memory, and [`Connection::kill`] always ends it, its children included.
 
 use std::collections::VecDeque;
-use std::io::{Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
@@ -27,6 +27,17 @@ const WAITING_BATCHES: usize = 16;
 const SETTLE: Duration = Duration::from_millis(300);
 /// How much of an overlong line is kept, to be shown.
 const OVERLONG_SHOWN: usize = 2 << 10;
+
+/// What goes to the peer: whole lines.
+pub(super) enum Outgoing {
+    /// At hand.
+    Lines(Vec<u8>),
+    /// Made while it is sent.
+    Large(Large),
+}
+
+/// Writes whole lines.
+type Large = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + Send>;
 
 /// What came from the peer.
 #[derive(Debug)]
@@ -61,7 +72,7 @@ pub enum Ending {
 pub struct Connection {
     child: Child,
     command: String,
-    requests: Option<Sender<Vec<u8>>>,
+    requests: Option<Sender<Outgoing>>,
     incoming: Receiver<Incoming>,
     unread: VecDeque<Incoming>,
     line_limit: Arc<AtomicUsize>,
@@ -83,7 +94,7 @@ impl Connection {
         let (Some(stdin), Some(stdout), Some(stderr)) = (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
             end_group(&mut child);
-            return Err(launch.refused(std::io::Error::other("its standard streams are not there")));
+            return Err(launch.refused(io::Error::other("its standard streams are not there")));
         };
         let (requests, to_write) = channel();
         let (events, incoming) = sync_channel(WAITING_BATCHES);
@@ -123,7 +134,14 @@ impl Connection {
     pub fn send(&self, lines: Vec<u8>) {
         if let Some(requests) = &self.requests {
             // A writer that is gone has said so: `Incoming::Deaf`.
-            let _ = requests.send(lines);
+            let _ = requests.send(Outgoing::Lines(lines));
+        }
+    }
+
+    /// Hands over a request that is so large that it is made only while it is sent: a line that `write` writes.
+    pub fn send_large(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static) {
+        if let Some(requests) = &self.requests {
+            let _ = requests.send(Outgoing::Large(Box::new(write)));
         }
     }
 
@@ -278,12 +296,25 @@ pub(super) fn end_group(child: &mut Child) {
     let _ = child.wait();
 }
 
-fn write_requests(mut stdin: ChildStdin, requests: &Receiver<Vec<u8>>, events: &SyncSender<Incoming>) {
-    for lines in requests {
-        if stdin.write_all(&lines).is_err() {
+fn write_requests(mut stdin: ChildStdin, requests: &Receiver<Outgoing>, events: &SyncSender<Incoming>) {
+    for outgoing in requests {
+        if outgoing.write_to(&mut stdin).is_err() {
             // The receiver may be gone already; then nobody needs to know.
             let _ = events.send(Incoming::Deaf);
             return;
+        }
+    }
+}
+
+impl Outgoing {
+    fn write_to(self, out: &mut impl Write) -> io::Result<()> {
+        match self {
+            Self::Lines(lines) => out.write_all(&lines),
+            Self::Large(write) => {
+                let mut out = BufWriter::with_capacity(PIECE, out);
+                write(&mut out)?;
+                out.flush()
+            }
         }
     }
 }
@@ -296,7 +327,7 @@ fn read_lines(mut stdout: ChildStdout, limit: &AtomicUsize, events: &SyncSender<
         match stdout.read(&mut piece) {
             Ok(0) => break,
             Ok(count) => buffer.extend_from_slice(&piece[..count]),
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
             Err(_) => break,
         }
         let Some(last) = buffer[start..].iter().rposition(|byte| *byte == b'\n') else {
@@ -324,7 +355,7 @@ fn keep_log(mut stderr: ChildStderr, log: &Mutex<VecDeque<u8>>) {
         let count = match stderr.read(&mut piece) {
             Ok(0) => return,
             Ok(count) => count,
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
             Err(_) => return,
         };
         let mut kept = log.lock().unwrap_or_else(PoisonError::into_inner);

@@ -22,8 +22,10 @@ pub use template::{Template, TemplateError};
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
 
 use ncp_text::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
@@ -97,7 +99,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn embedded() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().map(Packed::unpack), "the program")
+        Self::read(EMBEDDED.iter(), Packed::unpack, "the program")
     }
 
     /// The suite that is built into the program, and besides it the deep set: cases that a search chose, whose ids
@@ -106,7 +108,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn with_deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).map(Packed::unpack), "the program")
+        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP), Packed::unpack, "the program")
     }
 
     /// The deep set alone, that is built into the program.
@@ -114,7 +116,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty, or there is none.
     pub fn deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED_DEEP.iter().map(Packed::unpack), "the program")
+        Self::read(EMBEDDED_DEEP.iter(), Packed::unpack, "the program")
     }
 
     /// The suite of a folder: every `<folder>/<area>/<name>.json`.
@@ -131,8 +133,7 @@ impl Suite {
                 files.push((name, text));
             }
         }
-        let files = files.iter().map(|(name, text)| Ok((name.as_str(), text.into())));
-        Self::read(files, &folder.to_string_lossy())
+        Self::read(files.iter(), |(name, text)| Ok((name.as_str(), text.into())), &folder.to_string_lossy())
     }
 
     /// Every case, in the order of the files.
@@ -209,9 +210,10 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    /// Reads files by their names and texts, one after the other, so that only one unpacked text is held.
-    fn read<'f>(
-        files: impl Iterator<Item = Result<(&'f str, Cow<'f, str>), SuiteError>>,
+    /// Reads files side by side: `text` makes of each its name and its text, so that few unpacked texts are held.
+    fn read<'f, F: Send>(
+        files: impl Iterator<Item = F> + Send,
+        text: impl Fn(F) -> Result<(&'f str, Cow<'f, str>), SuiteError> + Sync,
         place: &str,
     ) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
@@ -222,9 +224,13 @@ impl Suite {
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
         let mut count = 0;
-        for file in files {
-            let (name, text) = file?;
-            let file = file::read(name, &text, &rules)?;
+        let read = |file: F| {
+            let (name, text) = text(file)?;
+            let line = format!("{}  corpus/{name}\n", hex(&Sha256::digest(text.as_bytes())));
+            Ok::<_, SuiteError>((file::read(name, &text, &rules)?, line))
+        };
+        for read in side_by_side(files, read) {
+            let (file, line) = read?;
             for (flag, note) in file.notes {
                 let known = notes.entry(flag).or_default();
                 if !known.contains(&note) {
@@ -232,7 +238,7 @@ impl Suite {
                 }
             }
             cases.extend(file.cases);
-            manifest.push_str(&format!("{}  corpus/{name}\n", hex(&Sha256::digest(text.as_bytes()))));
+            manifest.push_str(&line);
             count += 1;
         }
         if cases.is_empty() {
@@ -252,6 +258,21 @@ impl Suite {
             [describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?, describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?];
         Ok(Self { cases, describe, requirements, notes, digest, files: count })
     }
+}
+
+/// What `work` makes of each item, in their order; as many items at a time as there are cores.
+fn side_by_side<T, R: Send>(items: impl Iterator<Item = T> + Send, work: impl Fn(T) -> R + Sync) -> Vec<R> {
+    let items = Mutex::new(items.enumerate());
+    let take = || items.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let worker = || std::iter::from_fn(take).map(|(place, item)| (place, work(item))).collect::<Vec<_>>();
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let mut done: Vec<(usize, R)> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(worker)).collect();
+        let done = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        done.flatten().collect()
+    });
+    done.sort_by_key(|(place, _)| *place);
+    done.into_iter().map(|(_, made)| made).collect()
 }
 
 /// Sees to it that a case rests on cases of the suite, and in the end on those that rest on none.
@@ -370,7 +391,7 @@ mod tests {
     use super::*;
 
     fn suite(files: &[(&str, &str)]) -> Result<Suite, SuiteError> {
-        Suite::read(files.iter().map(|(name, text)| Ok((*name, (*text).into()))), "the test")
+        Suite::read(files.iter(), |(name, text)| Ok((*name, (*text).into())), "the test")
     }
 
     fn file(name: &str, ids: &[&str]) -> String {
