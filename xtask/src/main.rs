@@ -70,17 +70,17 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Make the project's public site: the text with its evidence, the cases, the findings, the reports
-    Site {
-        /// The folder to make it in [default: reports/site]
-        #[arg(long, value_name = "DIR")]
-        output: Option<PathBuf>,
-    },
     /// Make the packages of ncp-verify for this machine, into target/packages
     Package {
         /// Only this kind; may be given several times
         #[arg(long, value_name = "KIND")]
         only: Vec<package::Kind>,
+    },
+    /// Make the project's public site: the text with its evidence, the cases, the findings, the reports
+    Site {
+        /// The folder to make it in [default: reports/site]
+        #[arg(long, value_name = "DIR")]
+        output: Option<PathBuf>,
     },
     /// Only set up what the checks need: into ignored folders, and valgrind and Chromium by apt-get
     Setup,
@@ -111,13 +111,13 @@ fn run(command: Command) -> Result<bool, Error> {
         Command::Contract { against, projection, json } => {
             contract::report(against.as_deref().zip(projection.as_deref()), json)
         }
-        Command::Site { output } => {
-            site::make(&project, output.as_deref())?;
-            Ok(true)
-        }
         Command::Package { only } => {
             process::end_on_signal().map_err(Error::Signals)?;
             package::report(&project, &only)?;
+            Ok(true)
+        }
+        Command::Site { output } => {
+            site::make(&project, output.as_deref())?;
             Ok(true)
         }
         Command::Setup => {

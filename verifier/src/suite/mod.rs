@@ -99,7 +99,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn embedded() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().map(Packed::unpack), "the program")
+        Self::read(EMBEDDED.iter(), Packed::unpack, "the program")
     }
 
     /// The suite that is built into the program, and besides it the deep set: cases that a search chose, whose ids
@@ -108,7 +108,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn with_deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).map(Packed::unpack), "the program")
+        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP), Packed::unpack, "the program")
     }
 
     /// The deep set alone, that is built into the program.
@@ -116,7 +116,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty, or there is none.
     pub fn deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED_DEEP.iter().map(Packed::unpack), "the program")
+        Self::read(EMBEDDED_DEEP.iter(), Packed::unpack, "the program")
     }
 
     /// The suite of a folder: every `<folder>/<area>/<name>.json`.
@@ -133,8 +133,7 @@ impl Suite {
                 files.push((name, text));
             }
         }
-        let files = files.iter().map(|(name, text)| Ok((name.as_str(), text.into())));
-        Self::read(files, &folder.to_string_lossy())
+        Self::read(files.iter(), |(name, text)| Ok((name.as_str(), text.into())), &folder.to_string_lossy())
     }
 
     /// Every case, in the order of the files.
@@ -211,9 +210,10 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    /// Reads files by their names and texts, as many side by side as there are cores, so that few unpacked texts are held.
-    fn read<'f>(
-        files: impl Iterator<Item = Result<(&'f str, Cow<'f, str>), SuiteError>> + Send,
+    /// Reads files side by side: `text` makes of each its name and its text, so that few unpacked texts are held.
+    fn read<'f, F: Send>(
+        files: impl Iterator<Item = F> + Send,
+        text: impl Fn(F) -> Result<(&'f str, Cow<'f, str>), SuiteError> + Sync,
         place: &str,
     ) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
@@ -224,8 +224,8 @@ impl Suite {
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
         let mut count = 0;
-        let read = |file: Result<(&'f str, Cow<'f, str>), SuiteError>| {
-            let (name, text) = file?;
+        let read = |file: F| {
+            let (name, text) = text(file)?;
             let line = format!("{}  corpus/{name}\n", hex(&Sha256::digest(text.as_bytes())));
             Ok::<_, SuiteError>((file::read(name, &text, &rules)?, line))
         };
@@ -391,7 +391,7 @@ mod tests {
     use super::*;
 
     fn suite(files: &[(&str, &str)]) -> Result<Suite, SuiteError> {
-        Suite::read(files.iter().map(|(name, text)| Ok((*name, (*text).into()))), "the test")
+        Suite::read(files.iter(), |(name, text)| Ok((*name, (*text).into())), "the test")
     }
 
     fn file(name: &str, ids: &[&str]) -> String {

@@ -52,7 +52,11 @@ pub(crate) enum PackageError {
     Nothing(&'static str),
     #[error("{what}: {message}")]
     Json { what: String, message: String },
-    #[error("npm knows no platform {os}-{arch} of ours: add it to PLATFORMS in xtask/src/package/npm.rs", os = env::consts::OS, arch = env::consts::ARCH)]
+    #[error(
+        "npm knows no platform {}-{} of ours: add it to PLATFORMS in xtask/src/package/npm.rs",
+        env::consts::OS,
+        env::consts::ARCH
+    )]
     Platform,
 }
 
