@@ -15,7 +15,7 @@
 //! - *spell*: frames as strangely spelled as the grammar allows, or behind much that nobody reads.
 //! - *value*: a number next to what was there.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use super::corrupt::{unknown, wild};
 use super::mutate::value;
@@ -85,13 +85,26 @@ impl Seeds {
             let way = draw.one(ways);
             let before = varied.args.clone();
             let much = way.take(&mut varied.args, other, draw);
-            if varied.args.to_string().len() > LARGE {
+            // A request that names a member twice is none.
+            if varied.args.to_string().len() > LARGE || repeats(&varied.args) {
                 varied.args = before;
-                break;
+                continue;
             }
             varied.keys.push(fnv(rule, &format!("{way:?} {}", (much + 1).ilog2())));
         }
         Some(varied)
+    }
+}
+
+/// Whether an object has two members of one name; those of written frames may.
+fn repeats(tree: &Tree) -> bool {
+    match tree {
+        Json::Array(items) => items.iter().any(repeats),
+        Json::Object(members) => {
+            let mut names = HashSet::new();
+            members.iter().any(|(name, value)| !names.insert(name.as_ref()) || repeats(value))
+        }
+        _ => false,
     }
 }
 
