@@ -55,9 +55,11 @@ class Plugin(unittest.TestCase):
     def test_a_wrong_peer_fails_with_the_rule_and_what_differs(self):
         session = self.pytest(self.wrong())
         self.assertEqual(session.returncode, 1, session.stdout)
-        self.assertRegex(session.stdout, r"NCP-VER-\d{3}: .*\S")
-        self.assertIn("/compatible: expected false, got true", session.stdout)
-        self.assertIn('"call":"version.check"', session.stdout)
+        self.assertIn("FAILED ncp/version/guard.json::version/guard/lenient/older-minor", session.stdout)
+        told = session.stdout.split(" version/guard/lenient/older-minor __")[1].split("\n____")[0]
+        self.assertRegex(told, r"\nfail: .*\nNCP-VER-\d{3}: .*\S")
+        self.assertIn("/compatible: expected false, got true", told)
+        self.assertIn('"call":"version.check"', told)
         self.assertIn("FAILED ncp/peer::verdict", session.stdout)
 
     def test_an_expected_failure_is_an_xfail_and_an_unexpected_pass_fails(self):
