@@ -179,7 +179,7 @@ fn a_time_is_the_nearest_number_of_steps_and_a_remainder_is_forgotten() {
     let (_bus, _serving, mut client) = bus();
     client.open(lif_session("a")).unwrap();
     client.open(lif_session("b")).unwrap();
-    let mut run = |id: &'static str, duration_ms: f64, pa: Option<f64>| {
+    let run = |id: &'static str, duration_ms: f64, pa: Option<f64>| {
         let stimulus = pa.map(|pa| current(id, pa));
         client.run(RunRequest { session_id: id.into(), duration_ms, stimulus, ..RunRequest::default() }).unwrap()
     };

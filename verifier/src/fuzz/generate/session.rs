@@ -49,8 +49,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     };
     let size_of: Vec<(&str, usize)> = sizes.clone();
     let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
-    let ids = |neurons: usize, draw: &mut Draw<'_>| {
-        let count = if draw.chance(60) { 0 } else { draw.size(1, neurons.min(8)) };
+    let ids = |neurons: usize, may_be_all: bool, draw: &mut Draw<'_>| {
+        let count = if may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(8)) };
         // In order and once: in what order others come back, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
@@ -67,7 +67,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
             ("port", text(format!("r{nth}"))),
             ("target", text(target)),
             ("observable", text(observable)),
-            ("ids", ids(of, draw)),
+            // The samples of many neurons fill more than a line.
+            ("ids", ids(of, of <= 2000, draw)),
             ("cadence_ms", spelled(draw.one(&script.cadences))),
         ])
     });
@@ -76,7 +77,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let stimuli = ["in", "in2"].into_iter().map(|port| {
         let target = draw.one(&targets);
         let of = size_of.iter().find(|(name, _)| *name == target).map_or(1, |(_, size)| *size);
-        object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, draw))])
+        object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, true, draw))])
     });
     let stimuli: Vec<Tree> = stimuli.collect();
     let chunk = time(script.dt, 40, draw);
@@ -100,8 +101,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     ])
 }
 
-/// A time of at most so many steps: as a rule a whole number of them, else one between them, half-way, near half-way, or
-/// of few digits.
+/// A time of at most so many steps: as a rule a whole number of them, else one between them, half-way, near half-way,
+/// or of few digits.
 fn time(dt: f64, most: i64, draw: &mut Draw<'_>) -> f64 {
     let steps = draw.range(1, most) as f64;
     match draw.below(16) {

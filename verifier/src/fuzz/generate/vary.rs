@@ -451,7 +451,11 @@ fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
                 let count = draw.afford(count);
                 let value = if members.is_empty() { int(1) } else { members[draw.below(members.len())].1.clone() };
                 let letter = draw.one(&['a', 'k', 'z', '~']);
-                let more = (0..count).map(|nth| (format!("{letter}{nth}").into(), value.clone()));
+                // The object may have grown so before.
+                let known: std::collections::HashSet<String> =
+                    members.iter().map(|(name, _)| name.to_string()).collect();
+                let more = (0..count).map(|nth| format!("{letter}{nth}")).filter(|name| !known.contains(name));
+                let more = more.map(|name| (name.into(), value.clone()));
                 if draw.chance(50) {
                     members.extend(more);
                 } else {
@@ -570,6 +574,8 @@ fn double_up(tree: &mut Tree, old: &str, one: &str, two: &str, first: bool, unde
             }
             if MAPS.contains(&under)
                 && let Some(place) = members.iter().position(|(name, _)| name == old)
+                && one != two
+                && members.iter().all(|(name, _)| name == old || name != one && name != two)
             {
                 let mut beside = members[place].1.clone();
                 other_numbers(&mut beside);

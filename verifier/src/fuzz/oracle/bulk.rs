@@ -68,12 +68,13 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
     if !items(args.get("columns")).iter().all(|column| names.insert(string(column, "name"))) {
         return Verdict::Open("two columns of one name, BULK-034");
     }
-    #[expect(clippy::cast_possible_truncation, reason = "whether it fits is what is asked")]
-    let leaves_f32 =
-        |value: &Json<'_>| double(Some(value)).is_some_and(|value| value.is_finite() && !(value as f32).is_finite());
-    let of_f32 = items(args.get("columns")).iter().filter(|column| string(column, "dtype") == Some("f32"));
-    if of_f32.flat_map(|column| items(column.get("values"))).any(leaves_f32) {
-        return Verdict::Open("a value of an f32 column beyond its doubles may be refused, or be infinite");
+    #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is what is asked")]
+    let is_single = |value: &Json<'_>| {
+        double(Some(value)).is_none_or(|value| !value.is_finite() || f64::from(value as f32) == value)
+    };
+    let of_singles = items(args.get("columns")).iter().filter(|column| string(column, "dtype") == Some("f32"));
+    if !of_singles.flat_map(|column| items(column.get("data"))).all(is_single) {
+        return Verdict::Open("a value of an f32 column that is no single may be refused, or be rounded");
     }
     match (result, args.get("columns")) {
         (Err(code), _) => reject(code),
