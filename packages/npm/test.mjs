@@ -73,7 +73,7 @@ function told(one, result) {
   const rule = result.rules.find(({ id }) => id === charged);
   const lines = [`${one.status === "failed" ? one.outcome : one.status}: ${one.title}`];
   lines.push(`${charged}: ${rule?.sentence ?? ""}`);
-  if (one.what) lines.push(`it ${one.what}`);
+  if (one.what) lines.push(one.outcome === "not run" ? one.what : `it ${one.what}`);
   for (const difference of one.differences ?? []) lines.push(difference.text);
   for (const member of ["expected", "request", "answer", "log", "note", "reason"]) {
     if (one[member] !== undefined) lines.push(`${member}: ${one[member]}`);

@@ -179,7 +179,7 @@ def describe(case, result):
     lines = [f"{case['outcome'] if case['status'] == 'failed' else case['status']}: {case['title']}"]
     lines.append(f"{rule}: {sentence}")
     if "what" in case:
-        lines.append(f"it {case['what']}")
+        lines.append(case["what"] if case["outcome"] == "not run" else f"it {case['what']}")
     lines += [difference["text"] for difference in case.get("differences", [])]
     for member in ("expected", "request", "answer", "log", "note", "reason"):
         if member in case:
