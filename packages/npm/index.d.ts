@@ -1,2 +1,2 @@
-/** The path of the program ncp-verify; throws where the package of this platform is not installed. */
+/** The path of the program ncp-verify, or what NCP_VERIFY names; throws where the package of this platform is not installed. */
 export function program(): string;

@@ -5,6 +5,8 @@ const require = createRequire(import.meta.url);
 
 /** The path of the program ncp-verify. */
 export function program() {
+  // Another build, such as one of the sources.
+  if (process.env.NCP_VERIFY) return process.env.NCP_VERIFY;
   const platform = `${process.platform}-${process.arch}`;
   const name = `@ncp-verify/${platform}`;
   const file = process.platform === "win32" ? "ncp-verify.exe" : "ncp-verify";

@@ -1,8 +1,10 @@
 //! What `cargo xtask test` checks: in each lane, what fails fastest first.
 
+use std::env;
 use std::fmt::Display;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use serde_json::Value;
 
@@ -179,6 +181,13 @@ pub(crate) const CHECKS: &[Check] = &[
         run: conformance,
     },
     Check {
+        name: "plugins",
+        about: "the plugin of pytest and the tests of node:test say of a peer what ncp-verify says",
+        lane: Lane::Peers,
+        runs: always,
+        run: plugins,
+    },
+    Check {
         name: "deep",
         about: "the specification and both implementations from the text keep the deep set (ncp-verify run --deep)",
         lane: Lane::Peers,
@@ -332,14 +341,25 @@ fn rust_tests_of(work: &mut Work<'_>, crates: &[&str], options: &[&str]) -> Resu
 
 /// Runs the unittests of a folder.
 fn python_tests(work: &mut Work<'_>, python: &Path, folder: &str, discover: &[&str]) -> Result<Tally, Failure> {
-    let (runner, report) = (work.project.path("xtask/unittest_junit.py"), work.report());
+    let program = unittests(work, python, folder, discover);
+    work.tests(program, &work.report())
+}
+
+/// The program that runs the unittests of a folder, and leaves the report.
+fn unittests(work: &Work<'_>, python: &Path, folder: &str, discover: &[&str]) -> Command {
     let mut program = work.project.program(python, &[], folder);
-    program.arg(runner).arg(&report).args(discover);
-    work.tests(program, &report)
+    program.arg(work.project.path("xtask/unittest_junit.py")).arg(work.report()).args(discover);
+    program
 }
 
 /// Has npm run the tests of a folder.
 fn node_tests(work: &mut Work<'_>, folder: &str, npm: &[&str]) -> Result<Tally, Failure> {
+    let program = npm_tests(work, folder, npm);
+    work.tests(program, &work.report())
+}
+
+/// The program that has npm run the tests of a folder, and leaves the report.
+fn npm_tests(work: &Work<'_>, folder: &str, npm: &[&str]) -> Command {
     let report = work.report();
     let mut npm = work.project.program(setup::NPM, npm, folder);
     // The reporter `spec` repeats at the end what failed.
@@ -349,7 +369,24 @@ fn node_tests(work: &mut Work<'_>, folder: &str, npm: &[&str]) -> Result<Tally, 
         report.display()
     );
     npm.env("NODE_OPTIONS", reporters);
-    work.tests(npm, &report)
+    npm
+}
+
+/// The tests of both plugins, with the verifier of these sources.
+fn plugins(work: &mut Work<'_>) -> Result<Tally, Failure> {
+    let python = work.set_up(setup::pytest)?;
+    work.program(work.project.cargo(&["build", "--quiet", "--profile", "verify", "-p", "ncp-verifier"]))?;
+    let program = work.project.path("target/verify/ncp-verify").with_extension(env::consts::EXE_EXTENSION);
+    let mut unittests = unittests(work, &python, "packages/pypi", &["-s", "tests"]);
+    unittests.env("NCP_VERIFY", &program);
+    let mut tally = work.tests(unittests, &work.report())?;
+    let mut npm = npm_tests(work, "packages/npm", &["test", "--silent"]);
+    npm.env("NCP_VERIFY", &program);
+    let node = work.tests(npm, &work.report())?;
+    tally.passed += node.passed;
+    tally.failed += node.failed;
+    tally.times.extend(node.times);
+    Ok(tally)
 }
 
 fn conformance(work: &mut Work<'_>) -> Result<Tally, Failure> {

@@ -29,6 +29,9 @@ pub const ANGR: [&str; 4] = ["angr==9.2.213", "bitstring==4.4.0", "pycparser==3.
 const MATURIN_VENV: &str = ".tools/maturin-venv";
 /// What makes the wheel, as PyPI has it; `packages/pypi/pyproject.toml` names the same.
 const MATURIN: [&str; 1] = ["maturin==1.16.0"];
+const PYTEST_VENV: &str = ".tools/pytest-venv";
+/// What runs the plugin of the wheel, as PyPI has it.
+const PYTEST: [&str; 2] = ["pytest==8.4.2", "pytest-xdist==3.8.0"];
 const TYPESCRIPT: &str = "peers/typescript";
 const SITE: &str = "site";
 const PYTHON: &str = "peers/python";
@@ -139,6 +142,15 @@ pub fn angr(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
 pub fn maturin(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
     python_packages(project, MATURIN_VENV, "maturin", &MATURIN, say)?;
     Ok(project.path(MATURIN_VENV).join(if cfg!(windows) { "Scripts" } else { "bin" }).join("maturin"))
+}
+
+/// Installs pytest, and returns the Python that has it.
+///
+/// # Errors
+/// As [`solvers`].
+pub fn pytest(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    python_packages(project, PYTEST_VENV, "pytest, xdist", &PYTEST, say)?;
+    Ok(project.path(PYTEST_VENV).join(if cfg!(windows) { "Scripts" } else { "bin" }).join("python"))
 }
 
 /// Installs pinned packages of PyPI into a virtual environment, unless it has their modules.

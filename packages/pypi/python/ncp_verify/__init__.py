@@ -1,6 +1,7 @@
 """Finds the program ncp-verify that was installed with this package."""
 
 import os
+import shutil
 import sys
 import sysconfig
 from pathlib import Path
@@ -9,13 +10,24 @@ __all__ = ["program"]
 
 
 def program() -> str:
-    """The path of the program; FileNotFoundError if the installation has lost it."""
+    """The path of the program: what NCP_VERIFY names, else that of this package, else that on the PATH.
+
+    FileNotFoundError if there is none.
+    """
+    named = os.environ.get("NCP_VERIFY")
+    if named:
+        if Path(named).is_file():
+            return named
+        raise FileNotFoundError(f"NCP_VERIFY names no file: {named}")
     name = "ncp-verify.exe" if os.name == "nt" else "ncp-verify"
     places = [folder / name for folder in _folders()]
     for place in places:
         if place.is_file():
             return str(place)
-    raise FileNotFoundError(f"the program ncp-verify is not at {' nor '.join(map(str, places))}")
+    on_path = shutil.which(name)
+    if on_path:
+        return on_path
+    raise FileNotFoundError(f"the program ncp-verify is not at {' nor '.join(map(str, places))}, nor on the PATH")
 
 
 def _folders():
