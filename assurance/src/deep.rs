@@ -114,7 +114,7 @@ pub(crate) fn deep(project: &Project, args: &DeepArgs) -> Result<bool, Error> {
     let deep = Deep::new(&suite, args.seed)?;
     let pool = draw(&deep, &suite, &targets, &program, &wanted, args.draws, &stop)?;
     let (pool, disputes) = agreed(project, &deep, pool, &stop)?;
-    let chosen = choose(&pool, &targets);
+    let chosen = fitting(choose(&pool, &targets), &pool);
     let folder = root.join(&args.out);
     write(&folder, &pool, &chosen, &wanted)?;
 
@@ -412,6 +412,40 @@ fn choose(pool: &Pool, targets: &[Defect]) -> Vec<(Call, u64)> {
         }
     }
     chosen.into_iter().collect()
+}
+
+/// Without the largest cases of a call that has more bytes than it may, so that the set stays below 20 MB.
+fn fitting(mut chosen: Vec<(Call, u64)>, pool: &Pool) -> Vec<(Call, u64)> {
+    let bytes = |key: &(Call, u64)| pool.get(key).map_or(0, |kept| kept.candidate.bytes);
+    for call in Call::ALL.iter().copied() {
+        let mut of: Vec<(Call, u64)> = chosen.iter().copied().filter(|(other, _)| *other == call).collect();
+        of.sort_by_key(|key| std::cmp::Reverse(bytes(key)));
+        let mut total: usize = of.iter().map(bytes).sum();
+        let mut too_large: BTreeSet<(Call, u64)> = BTreeSet::new();
+        for key in of {
+            if total <= most(call) {
+                break;
+            }
+            total -= bytes(&key);
+            too_large.insert(key);
+        }
+        chosen.retain(|key| !too_large.contains(key));
+    }
+    chosen
+}
+
+/// How many bytes the cases of a call have at most.
+fn most(call: Call) -> usize {
+    match call {
+        Call::GovernorRun => 3_300_000,
+        Call::BufferRun => 2_200_000,
+        Call::SessionRun => 1_600_000,
+        Call::LoopRun | Call::Decode => 1_100_000,
+        Call::LinkRun => 900_000,
+        Call::WatchdogRun => 800_000,
+        Call::Encode => 750_000,
+        _ => usize::MAX,
+    }
 }
 
 /// Writes the files of these, and their manifest.
