@@ -307,7 +307,7 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         ],
         freshness: Freshness::Locked,
         command: &["assure", "live"],
-        nightly: false,
+        nightly: true,
     },
     Artefact {
         name: "trace",
