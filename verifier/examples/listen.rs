@@ -41,7 +41,7 @@ fn listen(address: &str, command: &[String]) -> Result<(), Failed> {
         let (stream, command, is_web) = (stream?, command.to_vec(), scheme == "ws");
         thread::spawn(move || {
             // The other side sees that it ended, however it did.
-            let _ = if is_web { frames(stream, &command) } else { lines(stream, &command) };
+            let _ = if is_web { frames(&stream, &command) } else { lines(stream, &command) };
         });
     }
     Ok(())
@@ -65,7 +65,7 @@ fn lines(stream: TcpStream, command: &[String]) -> Result<(), Failed> {
 }
 
 /// Each text frame is a line of its input, each line of its output a text frame.
-fn frames(stream: TcpStream, command: &[String]) -> Result<(), Failed> {
+fn frames(stream: &TcpStream, command: &[String]) -> Result<(), Failed> {
     let mut web = tungstenite::accept(stream.try_clone()?)?;
     web.set_config(|config| (config.max_message_size, config.max_frame_size) = (None, None));
     let mut child = program(command)?.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
