@@ -2,7 +2,7 @@
 //! a connection that is lost costs what a process costs that dies.
 
 #![cfg(unix)]
-#![expect(clippy::unwrap_used, reason = "a test may fail that way")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail that way")]
 
 use std::collections::BTreeMap;
 use std::io::{Read as _, Write as _};
