@@ -35,6 +35,9 @@ pub(crate) struct DeepArgs {
     /// Draw so many hundredths of the usual number of candidates
     #[arg(long, value_name = "N", default_value_t = 100)]
     draws: u64,
+    /// Choose anew for this call only, and leave the files of the others; may be given again
+    #[arg(long = "call", value_name = "CALL", value_parser = call_of)]
+    calls: Vec<Call>,
     /// The program that holds the defects of both tables, started with `--defect NAME`, instead of building it
     #[arg(long, value_name = "FILE")]
     program: Option<PathBuf>,
@@ -50,6 +53,16 @@ Takes about half an hour.
 Examples:
   cargo assure deep
   cargo assure deep --seed 16 --out /tmp/deep";
+
+impl DeepArgs {
+    fn is_meant(&self, call: Call) -> bool {
+        call != Call::Describe && (self.calls.is_empty() || self.calls.contains(&call))
+    }
+}
+
+fn call_of(name: &str) -> Result<Call, String> {
+    Call::ALL.iter().copied().find(|call| call.as_str() == name).ok_or_else(|| "no call of the protocol".to_owned())
+}
 
 /// Where the deep set is, from the root of the project.
 const FOLDER: &str = "vectors/deep";
@@ -68,11 +81,8 @@ const WANTED: usize = 2;
 const ENOUGH: usize = 8;
 /// How often something is to be reached in the base, and how many more are kept to choose from.
 const SPARE: usize = 3;
-/// How many bytes a request may have, and how many all cases of a call in the base.
+/// How many bytes a request may have.
 const LARGE: usize = 400_000;
-const BASE_BYTES: usize = 450_000;
-/// How many cases of a call the base has at most.
-const BASE_CASES: usize = 140;
 
 /// A candidate that may be taken.
 struct Kept {
@@ -99,12 +109,14 @@ pub(crate) fn deep(project: &Project, args: &DeepArgs) -> Result<bool, Error> {
     let mut targets = few(&root, &usual)?;
     targets.extend(hard);
 
+    let wanted: Vec<Call> = Call::ALL.iter().copied().filter(|call| args.is_meant(*call)).collect();
+    targets.retain(|defect| calls(defect).iter().any(|call| wanted.contains(call)));
     let deep = Deep::new(&suite, args.seed)?;
-    let pool = draw(&deep, &suite, &targets, &program, args.draws, &stop)?;
+    let pool = draw(&deep, &suite, &targets, &program, &wanted, args.draws, &stop)?;
     let (pool, disputes) = agreed(project, &deep, pool, &stop)?;
     let chosen = choose(&pool, &targets);
     let folder = root.join(&args.out);
-    write(&folder, &pool, &chosen)?;
+    write(&folder, &pool, &chosen, &wanted)?;
 
     let mut missing = 0;
     for (place, defect) in targets.iter().enumerate() {
@@ -189,12 +201,29 @@ fn numbers(call: Call) -> (u64, u64) {
     }
 }
 
+/// How many bytes and cases of a call the base has at most: what has a state takes the most room.
+fn base(call: Call) -> (usize, usize) {
+    match call {
+        Call::GovernorRun => (2_600_000, 700),
+        Call::BufferRun => (2_200_000, 600),
+        Call::SessionRun => (2_200_000, 500),
+        Call::LoopRun => (1_200_000, 300),
+        Call::WatchdogRun | Call::LinkRun => (900_000, 300),
+        Call::Decode => (1_400_000, 1200),
+        Call::Encode | Call::ReplyCheck => (800_000, 600),
+        Call::CodecEncode | Call::CodecDecode | Call::BulkDecode | Call::BulkEncode => (500_000, 250),
+        Call::KeyBuild | Call::KeyMatch | Call::VersionCheck => (120_000, 300),
+        _ => (200_000, 150),
+    }
+}
+
 /// Draws candidates of every call, asks them of the peers with the defects, and keeps those that show something new.
 fn draw<'s>(
     deep: &Deep<'s>,
     suite: &'s Suite,
     targets: &[Defect],
     program: &Path,
+    wanted: &[Call],
     draws: u64,
     stop: &Stop,
 ) -> Result<Pool, Error> {
@@ -205,7 +234,7 @@ fn draw<'s>(
     let mut rules = Rules::new(suite);
     let mut found: Vec<usize> = vec![0; targets.len()];
     let launches: Vec<Launch> = targets.iter().map(|defect| launch(&defect.name)).collect();
-    for call in Call::ALL.iter().copied().filter(|call| *call != Call::Describe) {
+    for call in wanted.iter().copied() {
         let start = Instant::now();
         let (base, most) = numbers(call);
         let (base, most) = (base * draws / 100, most * draws / 100);
@@ -266,7 +295,7 @@ fn agreed(project: &Project, deep: &Deep<'_>, mut pool: Pool, stop: &Stop) -> Re
     // What may be taken at all is judged, and not what lies about.
     let all: Vec<(Call, u64)> = pool.keys().copied().collect();
     let _ = fs::remove_dir_all(&work);
-    write(&work.join("deep"), &pool, &all)?;
+    write(&work.join("deep"), &pool, &all, Call::ALL)?;
     let candidates = Suite::load(&work)?;
     let mut disputes: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for folder in SOURCES {
@@ -356,7 +385,8 @@ fn choose(pool: &Pool, targets: &[Defect]) -> Vec<(Call, u64)> {
             let new = |key: &&u64| !seen.contains_key(*key);
             kept.candidate.keys.iter().filter(new).count() as f64 / (600.0 + kept.candidate.bytes as f64)
         };
-        while bytes < BASE_BYTES && cases < BASE_CASES && !open.is_empty() {
+        let (most_bytes, most_cases) = base(*call);
+        while bytes < most_bytes && cases < most_cases && !open.is_empty() {
             // What one is worth only falls: so it is reckoned anew only as long as it may be the best.
             open.sort_by(|a, b| b.0.total_cmp(&a.0));
             let mut best: Option<(f64, usize)> = None;
@@ -385,35 +415,34 @@ fn choose(pool: &Pool, targets: &[Defect]) -> Vec<(Call, u64)> {
 }
 
 /// Writes the files of these, and their manifest.
-fn write(folder: &Path, pool: &Pool, chosen: &[(Call, u64)]) -> Result<(), Error> {
+fn write(folder: &Path, pool: &Pool, chosen: &[(Call, u64)], calls: &[Call]) -> Result<(), Error> {
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |source| Error::File { path, source }
     };
-    if folder.is_dir() {
-        for entry in fs::read_dir(folder).map_err(failed(folder))? {
-            let path = entry.map_err(failed(folder))?.path();
-            if path.extension().is_some_and(|e| e == "json") {
-                fs::remove_file(&path).map_err(failed(&path))?;
-            }
-        }
-    }
     fs::create_dir_all(folder).map_err(failed(folder))?;
-    let mut files: BTreeMap<String, String> = BTreeMap::new();
-    for call in Call::ALL.iter() {
-        let of = chosen.iter().filter(|(other, _)| other == call).filter_map(|key| pool.get(key));
-        let cases: Vec<Made> = of.map(|kept| kept.made.clone()).collect();
-        if !cases.is_empty() {
-            files.insert(format!("{}.json", call.as_str().replace('.', "-")), file(*call, &cases));
+    let mut digests: BTreeMap<String, String> = BTreeMap::new();
+    for call in Call::ALL {
+        let name = format!("{}.json", call.as_str().replace('.', "-"));
+        let path = folder.join(&name);
+        let text = if calls.contains(call) {
+            let of = chosen.iter().filter(|(other, _)| other == call).filter_map(|key| pool.get(key));
+            let cases: Vec<Made> = of.map(|kept| kept.made.clone()).collect();
+            (!cases.is_empty()).then(|| file(*call, &cases))
+        } else {
+            path.is_file().then(|| fs::read_to_string(&path)).transpose().map_err(failed(&path))?
+        };
+        match text {
+            Some(text) => {
+                fs::write(&path, &text).map_err(failed(&path))?;
+                let digest: String = Sha256::digest(&text).iter().map(|byte| format!("{byte:02x}")).collect();
+                digests.insert(name, digest);
+            }
+            None if path.is_file() => fs::remove_file(&path).map_err(failed(&path))?,
+            None => {}
         }
     }
-    let mut manifest = String::new();
-    for (name, text) in &files {
-        let path = folder.join(name);
-        fs::write(&path, text).map_err(failed(&path))?;
-        let digest: String = Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect();
-        manifest.push_str(&format!("{digest}  deep/{name}\n"));
-    }
+    let manifest: String = digests.iter().map(|(name, digest)| format!("{digest}  deep/{name}\n")).collect();
     let path = folder.join("MANIFEST.sha256");
     fs::write(&path, manifest).map_err(failed(&path))
 }

@@ -126,6 +126,25 @@ fn mutant(rule: &str) -> String {
 }
 
 #[test]
+fn the_matrix_alone_is_written_with_the_line_of_each_place_whatever_is_wrong() {
+    let tree = Tree::new();
+    tree.write("spec/src/wire/one.rs", "/// [NCP-TEST-009]\npub fn does_one() {}\n");
+    let file = tree.root().join("site/matrix.json");
+    let (exit, out) = tree.trace(&["--matrix", file.to_str().unwrap()]);
+    assert_eq!((exit, out.as_str()), (0, ""));
+    let matrix: Value = serde_json::from_str(&tree.read("site/matrix.json")).unwrap();
+    assert_eq!(matrix["faults"].as_array().unwrap().len(), 1, "{}", matrix["faults"]);
+    assert_eq!(matrix["wire_version"], ncp_text::WIRE_VERSION);
+    let rule = &matrix["rules"][1];
+    assert_eq!((&rule["id"], &rule["line"]), (&json!("NCP-TEST-002"), &json!(4)));
+    let property = json!(
+        {"kind": "properties", "place": "spec/tests/other.rs it_does_another", "line": 4, "count": 1}
+    );
+    assert_eq!(rule["evidence"], json!([property]));
+    assert!(!tree.root().join("reports").exists());
+}
+
+#[test]
 fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
     let tree = Tree::new();
     let (exit, out) = tree.trace(&[]);
@@ -135,7 +154,8 @@ fn a_tree_in_which_everything_is_shown_passes_and_leaves_its_reports() {
     assert!(page.contains("NCP-TEST-001") && page.contains("[one.json](../../vectors/corpus/wire/one.json) 1"));
     let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
     let evidence = &report["rules"][1]["evidence"];
-    assert_eq!(evidence, &json!([{"kind": "properties", "place": "spec/tests/other.rs it_does_another", "count": 1}]));
+    let property = json!({"kind": "properties", "place": "spec/tests/other.rs it_does_another", "line": 4, "count": 1});
+    assert_eq!(evidence, &json!([property]));
     assert!(tree.read("reports/lock/trace.toml").contains("vectors/corpus/wire/one.json"));
     assert_eq!(tree.trace(&["--check"]).0, 0);
 }
@@ -150,7 +170,7 @@ fn a_fuzz_target_shows_what_the_function_of_its_name_cites() {
     let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
     assert_eq!(
         report["rules"][2]["evidence"],
-        json!([{"kind": "fuzz", "place": "fuzz/bodies/src/all.rs things", "count": 1}])
+        json!([{"kind": "fuzz", "place": "fuzz/bodies/src/all.rs things", "line": 2, "count": 1}])
     );
     tree.replace("fuzz/bodies/src/all.rs", "NCP-TEST-003", "NCP-TEST-099");
     tree.fails_with(&["NCP-TEST-099 is not in the text", "all.rs:2 things"]);
@@ -260,7 +280,7 @@ fn a_mutant_is_counted_for_its_rule_and_shows_nothing_by_itself() {
     let report: Value = serde_json::from_str(&tree.read("reports/full/traceability.json")).unwrap();
     let place = "defects/peer/wire.toml one-left-out";
     let evidence = report["rules"][0]["evidence"].as_array().unwrap();
-    assert!(evidence.contains(&json!({"kind": "mutants", "place": place, "count": 1})));
+    assert!(evidence.contains(&json!({"kind": "mutants", "place": place, "line": 4, "count": 1})));
     let page = tree.read("reports/full/traceability.md");
     assert!(page.contains("[one-left-out](../../defects/peer/wire.toml)"), "{page}");
     assert!(!tree.read("reports/lock/trace.toml").contains("defects/peer"));
@@ -317,7 +337,8 @@ fn a_live_scenario_shows_the_rules_that_it_found_kept_and_one_that_judges_none_i
     tree.write("reports/lock/live.toml", &found("inconclusive"));
     assert_eq!(evidence(), json!([]));
     tree.write("reports/lock/live.toml", &found("passed"));
-    assert_eq!(evidence(), json!([{"kind": "live", "place": "live/scenarios.toml qos/planes", "count": 1}]));
+    let live = json!({"kind": "live", "place": "live/scenarios.toml qos/planes", "line": 2, "count": 1});
+    assert_eq!(evidence(), json!([live]));
 
     tree.write("live/scenarios.toml", &scenario.replace("NCP-TEST-003", "NCP-TEST-099"));
     tree.fails_with(&["NCP-TEST-099 is not in the text", "live/scenarios.toml:2 qos/planes"]);

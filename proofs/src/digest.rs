@@ -172,12 +172,13 @@ impl Artefact {
     pub fn circumstances(&self, root: &Path) -> io::Result<BTreeMap<String, String>> {
         let mut all = BTreeMap::new();
         all.extend(compiler(root).map(|compiler| ("rustc".to_owned(), compiler)));
+        let lock = table(&root.join("Cargo.lock"))?;
+        let packages = lock.as_ref().map(|lock| built_in(lock, self.package)).unwrap_or_default();
         let manifest = table(&root.join("Cargo.toml"))?;
         if let Some(profile) = manifest.as_ref().and_then(|manifest| manifest.get("profile")?.get("release")) {
-            all.insert(PROFILE.to_owned(), of_text(&profile.to_string()));
+            all.insert(PROFILE.to_owned(), of_text(&profile_of(profile.clone(), &packages).to_string()));
         }
-        if let Some(lock) = table(&root.join("Cargo.lock"))? {
-            let packages = built_in(&lock, self.package);
+        if lock.is_some() {
             all.insert(format!("Cargo.lock of {}", self.package), of_text(&packages.join("\n")));
         }
         Ok(all)
@@ -190,6 +191,21 @@ fn compiler(root: &Path) -> Option<String> {
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     let of = |kind: &str| said.lines().find_map(|line| line.strip_prefix(kind));
     Some(format!("{} {}", of("rustc ")?, of("host: ")?))
+}
+
+/// A profile without what it says of packages that are not built in.
+fn profile_of(mut profile: Value, packages: &[String]) -> Value {
+    if let Some(table) = profile.as_table_mut() {
+        let is_built_in = |name: &str| packages.iter().any(|package| package.split(' ').next() == Some(name));
+        if let Some(overrides) = table.get_mut("package").and_then(Value::as_table_mut) {
+            overrides.retain(|name, _| is_built_in(name));
+        }
+        let is_empty = |overrides: &Value| overrides.as_table().is_some_and(Table::is_empty);
+        if table.get("package").is_some_and(is_empty) {
+            table.remove("package");
+        }
+    }
+    profile
 }
 
 /// A file of TOML; nothing if there is none.
@@ -297,6 +313,22 @@ mod tests {
     #[test]
     fn only_the_packages_that_are_built_in_count_by_their_versions_and_checksums() {
         assert_eq!(built_in(&LOCK.parse().unwrap(), "a"), ["b 2 ", "c 1 f"]);
+    }
+
+    #[test]
+    fn of_a_profile_only_what_it_says_of_packages_that_are_built_in_counts() {
+        let folder = tempfile::tempdir().unwrap();
+        let artefact = Artefact { name: "a", package: "a", sources: &["Cargo.lock"] };
+        let with = |package: &str| {
+            let of = |package: &str| format!("[profile.release.package]\n{package}.opt-level = 3\n");
+            let overrides = if package.is_empty() { String::new() } else { of(package) };
+            let profiles = format!("[profile.release]\nlto = true\n{overrides}");
+            fs::write(folder.path().join("Cargo.toml"), profiles).unwrap();
+            fs::write(folder.path().join("Cargo.lock"), LOCK).unwrap();
+            artefact.circumstances(folder.path()).unwrap().remove(PROFILE)
+        };
+        assert_eq!(with(""), with("d"));
+        assert_ne!(with(""), with("c"));
     }
 
     #[test]

@@ -193,6 +193,70 @@ fn the_first_mapping_of_a_channel_that_names_a_unit_decides_on_it() {
     assert_eq!(unit([None, None, Some("m")]).as_deref(), Some("m"));
 }
 
+/// [NCP-CODEC-013] Against the formula in numbers of twice the digits: a double and what it misses.
+#[test]
+fn a_result_is_the_formula_to_a_rounding_of_the_greater_end() {
+    let ends = [0.0, 1e-9, 0.1, 0.3, 1.0 / 3.0, 7.7, 200.0, 1e6 + 0.1, 1e12];
+    let signed: Vec<f64> = ends.iter().flat_map(|end| [*end, -end]).collect();
+    let mut checked = 0;
+    for from in signed.iter().flat_map(|a| signed.iter().map(move |b| (*a, *b))).filter(|(a, b)| a < b) {
+        for to in signed.iter().flat_map(|a| signed.iter().map(move |b| (*a, *b))) {
+            for share in [0.1, 0.7, 0.999_999] {
+                let x = from.0 + share * (from.1 - from.0);
+                let parts = Exact::from(x).less(from.0).over(Exact::from(from.1).less(from.0));
+                let exact = parts.times(Exact::from(to.1).less(to.0)).plus(to.0);
+                let off = 1e-12 * to.0.abs().max(to.1.abs());
+                let near = |got: f64| (got - exact.0).abs() <= off;
+                assert!(near(mapping(from, to).encode(Some(x))), "{x} in {from:?} to {to:?}");
+                assert!(near(mapping(to, from).decode(Some(x))), "{x} in {from:?} to {to:?}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 100_000, "{checked}");
+}
+
+/// A number as the sum of two doubles, the first its rounding.
+#[derive(Clone, Copy)]
+struct Exact(f64, f64);
+
+impl From<f64> for Exact {
+    fn from(value: f64) -> Self {
+        Self(value, 0.0)
+    }
+}
+
+impl Exact {
+    fn of(high: f64, low: f64) -> Self {
+        let sum = high + low;
+        Self(sum, low - (sum - high))
+    }
+
+    fn plus(self, other: f64) -> Self {
+        let sum = self.0 + other;
+        let virtual_other = sum - self.0;
+        let lost = (self.0 - (sum - virtual_other)) + (other - virtual_other);
+        Self::of(sum, lost + self.1)
+    }
+
+    fn less(self, other: f64) -> Self {
+        self.plus(-other)
+    }
+
+    fn times(self, other: Self) -> Self {
+        let product = self.0 * other.0;
+        let lost = self.0.mul_add(other.0, -product);
+        Self::of(product, lost + self.0 * other.1 + self.1 * other.0)
+    }
+
+    fn over(self, other: Self) -> Self {
+        let quotient = self.0 / other.0;
+        let rest = other.times(Self::from(quotient));
+        let missing = self.plus(-rest.0).0 - rest.1;
+        Self::of(quotient, missing / other.0)
+    }
+}
+
 /// [NCP-CODEC-020] Every cell of the table.
 #[test]
 fn the_default_uav_codec_is_the_one_of_the_table() {

@@ -740,8 +740,8 @@ mod speed_limit {
         }
     }
 
-    /// [NCP-SAFE-060] Half an ulp for each component and a few for the rest is taken off, and no more: along one
-    /// axis at powers of two no other step rounds.
+    /// [NCP-SAFE-060] [NCP-SAFE-061] Half an ulp for each component and a few for the rest is taken off, and no more:
+    /// along one axis at powers of two no other step rounds.
     #[test]
     fn a_velocity_is_scaled_no_further_below_the_limit_than_roundings_need() {
         let half_ulp = f64::EPSILON / 2.0;

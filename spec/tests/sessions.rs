@@ -157,7 +157,7 @@ fn steps_of_any_size_make_the_same_trace_as_one_run_and_sessions_stay_apart() {
         .unwrap();
     let mut times = Vec::new();
     let mut values = Vec::new();
-    for (step, advance_ms) in [Some(0.1), Some(3.3), None, Some(0.05), Some(0.05), Some(16.5)].into_iter().enumerate() {
+    for (step, advance_ms) in [Some(0.1), Some(3.3), None, Some(0.04), Some(0.1), Some(16.5)].into_iter().enumerate() {
         let stimulus = (step == 0).then(|| current("many", 450.0));
         let request = StepRequest { session_id: "many".into(), advance_ms, stimulus, ..StepRequest::default() };
         let frame = client.step(request).unwrap();
@@ -170,6 +170,74 @@ fn steps_of_any_size_make_the_same_trace_as_one_run_and_sessions_stay_apart() {
     assert_eq!((&v.times, &v.values), (&times, &values));
     let idle = client.step(StepRequest { session_id: "idle".into(), ..StepRequest::default() }).unwrap();
     assert_eq!(idle.sim_time_ms, 10.0);
+}
+
+/// [NCP-SESS-058] A request that comes to no step is answered all the same, and its stimulus acts from the next step.
+/// [NCP-SESS-054]
+#[test]
+fn a_time_is_the_nearest_number_of_steps_and_a_remainder_is_forgotten() {
+    let (_bus, _serving, mut client) = bus();
+    client.open(lif_session("a")).unwrap();
+    client.open(lif_session("b")).unwrap();
+    let mut run = |id: &'static str, duration_ms: f64, pa: Option<f64>| {
+        let stimulus = pa.map(|pa| current(id, pa));
+        client.run(RunRequest { session_id: id.into(), duration_ms, stimulus, ..RunRequest::default() }).unwrap()
+    };
+    let none = run("a", 0.04, Some(450.0));
+    assert_eq!((none.seq, none.sim_time_ms), (1, 0.0));
+    assert!(none.records.iter().all(|(_, record)| record.times.is_empty()));
+    // 0.15 / 0.1 is less than one and a half as a double.
+    for (nth, duration_ms) in [0.14, 0.15, 0.05, 0.1].into_iter().enumerate() {
+        assert_eq!(run("a", duration_ms, None).sim_time_ms, (nth + 1) as f64 * 0.1);
+    }
+    let before = run("b", 0.35, Some(450.0)); // 3.4999999999999996 steps
+    assert_eq!(before.sim_time_ms, 3.0 * 0.1);
+    run("b", 0.1, None);
+    let (a, b) = (run("a", 20.0, None), run("b", 20.0, None));
+    assert_eq!((a.sim_time_ms, b.sim_time_ms), (204.0 * 0.1, 204.0 * 0.1));
+    assert_eq!(a.records, b.records);
+}
+
+/// [NCP-SESS-059]
+#[test]
+fn samples_come_by_time_and_then_as_the_port_names_its_neurons() {
+    let (_bus, _serving, mut client) = bus();
+    let mut request = lif_session("a");
+    request.network.population_sizes.insert("exc", 3);
+    request.network.params.insert("I_e", 900.0);
+    let named = |port, observable| RecordTarget { ids: vec![3, 1], ..record(port, observable) };
+    request.record.targets.extend([named("v31", Observable::Vm), named("s31", Observable::Spikes)]);
+    client.open(request).unwrap();
+    let frame = client.run(RunRequest { session_id: "a".into(), duration_ms: 20.0, ..RunRequest::default() }).unwrap();
+    for (port, order) in [("v", &[1, 2, 3][..]), ("s", &[1, 2, 3]), ("v31", &[3, 1]), ("s31", &[3, 1])] {
+        let record = &frame.records[port];
+        assert!(record.times.is_sorted() && record.times.len() > order.len(), "{port}");
+        for (times, senders) in record.times.chunks(order.len()).zip(record.senders.chunks(order.len())) {
+            assert_eq!(senders, order, "{port}");
+            assert!(times.iter().all(|time| *time == times[0]), "{port}");
+        }
+    }
+}
+
+/// [NCP-SESS-054] [NCP-SESS-055] What several ports give one neuron adds up.
+#[test]
+fn the_currents_of_two_ports_add_up() {
+    let (_bus, _serving, mut client) = bus();
+    let mut request = lif_session("a");
+    let mut more = request.stimulus.targets[0].clone();
+    (more.port, more.ids) = ("j".into(), Vec::new());
+    request.stimulus.targets.push(more);
+    client.open(request).unwrap();
+    let mut stimulus = current("a", 200.0);
+    stimulus.values.insert("j", ChannelValue::new([100.0], "pA"));
+    let run =
+        RunRequest { session_id: "a".into(), duration_ms: 10.0, stimulus: Some(stimulus), ..RunRequest::default() };
+    let v = client.run(run).unwrap().records["v"].clone();
+    for ((t, v), id) in v.times.iter().zip(&v.values).zip(&v.senders) {
+        let pa = if *id == 2 { 300.0 } else { 100.0 };
+        let exact = -70.0 + pa / 25.0 * (1.0 - (-t / 10.0).exp());
+        assert!((v / exact - 1.0).abs() < 1e-9, "neuron {id} at {t} ms: {v} mV");
+    }
 }
 
 /// [NCP-SESS-023] [NCP-SESS-024] [NCP-SESS-025] [NCP-SESS-030] [NCP-SESS-039]

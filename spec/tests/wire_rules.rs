@@ -821,6 +821,16 @@ const fn least(kind: Kind) -> &'static [u8] {
     }
 }
 
+/// [NCP-WIRE-100] [NCP-WIRE-034] It is not required there, so rule 31 says nothing of it.
+#[test]
+fn the_session_of_an_error_frame_may_be_any_string() {
+    for id in ["s", "", "a/b", "**", "@s", "\u{85}"] {
+        let frame = format!(r#"{{"kind":"error","error":"no such session","session_id":"{id}"}}"#);
+        let Message::Error(read) = decode_any(frame.as_bytes()).unwrap() else { panic!("{frame}") };
+        assert_eq!(read.session_id.as_deref(), Some(id));
+    }
+}
+
 /// [NCP-WIRE-101]
 #[test]
 fn an_error_frame_is_not_built_without_saying_what_went_wrong() {

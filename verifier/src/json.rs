@@ -15,6 +15,9 @@ use std::fmt::{self, Write as _};
 /// How deep arrays and objects may nest. Answers are a few levels deep; hostile nesting travels inside strings.
 const MAX_DEPTH: usize = 160;
 
+/// Up to so many bytes of a string are looked at one by one, the rest in blocks of as many.
+const SHORT: usize = 64;
+
 /// Up to how many members of an object are compared one by one.
 const FEW: usize = 12;
 
@@ -293,13 +296,12 @@ impl<'v, 'a> Members<'v, 'a> {
 pub fn write_string(text: &str, out: &mut String) {
     out.reserve(text.len() + 2);
     out.push('"');
-    let mut plain = 0;
-    for (at, byte) in text.bytes().enumerate() {
-        if byte >= 0x20 && byte != b'"' && byte != b'\\' {
-            continue;
-        }
-        out.push_str(&text[plain..at]);
-        plain = at + 1;
+    let mut start = 0;
+    loop {
+        let at = start + plain(&text.as_bytes()[start..]);
+        out.push_str(&text[start..at]);
+        let Some(byte) = text.as_bytes().get(at) else { break };
+        start = at + 1;
         match byte {
             b'"' => out.push_str("\\\""),
             b'\\' => out.push_str("\\\\"),
@@ -310,8 +312,21 @@ pub fn write_string(text: &str, out: &mut String) {
             _ => drop(write!(out, "\\u{byte:04x}")),
         }
     }
-    out.push_str(&text[plain..]);
     out.push('"');
+}
+
+/// How many bytes from the start stand for themselves within a string: no quote, no backslash, no control character.
+fn plain(bytes: &[u8]) -> usize {
+    let end = |bytes: &[u8]| bytes.iter().position(|byte| matches!(byte, b'"' | b'\\') || *byte < b' ');
+    // Most strings are short. Of a long one, many bytes are looked at at once: without a branch, the compiler can.
+    let (start, rest) = bytes.split_at(bytes.len().min(SHORT));
+    let ends = |byte: &u8| u8::from((*byte == b'"') | (*byte == b'\\') | (*byte < b' '));
+    let is_plain = |block: &&[u8]| block.iter().fold(0, |found, byte| found | ends(byte)) == 0;
+    end(start).unwrap_or_else(|| {
+        let blocks = rest.chunks_exact(SHORT).take_while(is_plain).count() * SHORT;
+        let last = rest.get(blocks..).unwrap_or_default();
+        start.len() + blocks + end(last).unwrap_or(last.len())
+    })
 }
 
 /// A member name as one token of a JSON pointer.
@@ -476,11 +491,11 @@ impl<'a> Reader<'a> {
         self.expect(b'"', "a string")?;
         let start = self.at;
         let mut owned: Option<String> = None;
-        let mut plain = start;
+        let mut seen = start;
         loop {
             let rest = &self.text.as_bytes()[self.at..];
-            self.at += rest.iter().position(|b| matches!(b, b'"' | b'\\' | 0..=0x1f)).unwrap_or(rest.len());
-            let run = &self.text[plain..self.at];
+            self.at += plain(rest);
+            let run = &self.text[seen..self.at];
             match self.peek() {
                 None => return self.fail(JsonFault::End),
                 Some(b'"') => {
@@ -495,7 +510,7 @@ impl<'a> Reader<'a> {
                     let text = owned.get_or_insert_default();
                     text.push_str(run);
                     text.push(self.escape()?);
-                    plain = self.at;
+                    seen = self.at;
                 }
                 Some(_) => {
                     return self.fail(JsonFault::Expected("an escape instead of a control character"));
@@ -683,6 +698,13 @@ mod tests {
             write_string(&text, &mut written);
             let read = Json::parse(&written).unwrap();
             prop_assert_eq!(read.as_str(), Some(text.as_str()));
+        }
+
+        #[test]
+        fn the_plain_bytes_of_a_string_end_where_the_first_other_one_is(plain_ones in 0_usize..300, then: Vec<u8>) {
+            let bytes = [vec![b'x'; plain_ones], then].concat();
+            let first = bytes.iter().position(|byte| *byte < b' ' || *byte == b'"' || *byte == b'\\');
+            prop_assert_eq!(plain(&bytes), first.unwrap_or(bytes.len()));
         }
 
         #[test]

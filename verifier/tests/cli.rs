@@ -75,6 +75,62 @@ fn explained(id: &str) -> String {
 }
 
 #[test]
+fn bash_completes_commands_options_and_values() {
+    let script = verify(&["completions", "bash"]).stdout;
+    for (words, completed) in [
+        ("expl", "explain"),
+        ("run --peer-c", "--peer-cmd"),
+        ("check-report --k", "--key"),
+        ("list --color al", "always"),
+    ] {
+        let last = words.split(' ').next_back().unwrap();
+        let before = words.split(' ').rev().nth(1).unwrap_or("ncp-verify");
+        // As bash calls it: the program, the word that is completed, and the word before.
+        let ask = format!(
+            "{script}\nCOMP_WORDS=(ncp-verify {words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n\
+             $(complete -p ncp-verify | sed 's/.*-F \\([^ ]*\\).*/\\1/') ncp-verify '{last}' '{before}'\n\
+             echo \"${{COMPREPLY[@]}}\""
+        );
+        let asked = run(Command::new("bash").arg("-c").arg(ask));
+        assert_eq!(asked.stdout.trim(), completed, "{words}: {}", asked.stderr);
+    }
+}
+
+#[test]
+fn the_version_says_by_what_is_judged() {
+    let version = run(program().arg("--version")).stdout;
+    let lines: Vec<&str> = version.lines().collect();
+    assert_eq!(lines[0], format!("ncp-verify {}", env!("CARGO_PKG_VERSION")));
+    assert_eq!(lines[1], format!("wire version   {WIRE_VERSION}"));
+    assert_eq!(lines[2], format!("contract hash  {}", ncp_text::CONTRACT_HASH));
+    let digest = lines[3].strip_prefix("corpus         sha256:").unwrap();
+    assert!(digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit()), "{version}");
+}
+
+#[test]
+fn outside_of_a_checkout_a_run_without_a_peer_says_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    for (args, command) in [(&[][..], "run"), (&["fuzz"], "fuzz")] {
+        let run = run(program().args(args).current_dir(folder.path()));
+        assert_eq!((run.exit, run.stdout.as_str()), (2, ""));
+        let advice = format!("ncp-verify {command} --peer-cmd 'python3 my_adapter.py'");
+        assert!(run.stderr.contains(&advice) && run.stderr.contains("ncp-verify starter"), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn the_starter_that_is_printed_is_a_peer() {
+    let folder = tempfile::tempdir().unwrap();
+    let starter = run(program().arg("starter")).stdout;
+    std::fs::write(folder.path().join("adapter.py"), starter).unwrap();
+    let vectors = Path::new("tests/data/vectors").canonicalize().unwrap();
+    let args = ["run", "--peer-cmd", "python3 adapter.py", "--vectors", vectors.to_str().unwrap()];
+    let run = run(program().args(args).current_dir(folder.path()));
+    assert_eq!(run.exit, 1, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("starter"), "{}", run.stdout);
+}
+
+#[test]
 fn a_report_on_a_conformant_peer_is_a_table_and_a_verdict() {
     insta::assert_snapshot!(report("honest", "100", &[]));
 }

@@ -7,8 +7,10 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::generate;
+use crate::package;
 use crate::project::Project;
 use crate::setup;
+use crate::site;
 use crate::tally::Tally;
 use crate::work::{Failure, Work};
 
@@ -146,7 +148,7 @@ pub(crate) const CHECKS: &[Check] = &[
         runs: always,
         run: |work| {
             work.set_up(setup::typescript)?;
-            node_tests(work, &["test", "--silent"])
+            node_tests(work, "peers/typescript", &["test", "--silent"])
         },
     },
     Check {
@@ -156,7 +158,7 @@ pub(crate) const CHECKS: &[Check] = &[
         runs: always,
         run: |work| {
             work.set_up(setup::browser)?;
-            node_tests(work, &["run", "test:browser", "--silent"])
+            node_tests(work, "peers/typescript", &["run", "test:browser", "--silent"])
         },
     },
     Check {
@@ -205,6 +207,17 @@ pub(crate) const CHECKS: &[Check] = &[
         run: |work| work.program(work.project.cargo(&[ASSURE, &["trace", "--check"]].concat())),
     },
     Check {
+        name: "site",
+        about: "the site: its links, its contents against the sources, and its pages in a headless Chromium",
+        lane: Lane::Peers,
+        runs: always,
+        run: |work| {
+            work.set_up(setup::site_tests)?;
+            work.program(site::matrix(work.project))?;
+            node_tests(work, "site", &["test", "--silent"])
+        },
+    },
+    Check {
         name: "mutants",
         about: "the suite notices every mutant, and names the rule that it breaks (cargo assure mutants)",
         lane: Lane::Peers,
@@ -239,6 +252,17 @@ pub(crate) const CHECKS: &[Check] = &[
         run: |work| {
             work.set_up(setup::buf)?;
             rust_tests(work, &["--run-ignored", "only"])
+        },
+    },
+    Check {
+        name: "packages",
+        about: "wheel, npm and archive work where there is no project and no Rust (only when asked for; nightly)",
+        lane: Lane::Peers,
+        runs: |_| false,
+        run: |work| {
+            package::make(work.project, &[], work.say).map_err(|error| Failure::of_one(error.to_string()))?;
+            // A machine that makes packages need not build the other crates.
+            rust_tests_of(work, &["-p", "xtask"], &["--run-ignored", "only"])
         },
     },
 ];
@@ -293,10 +317,14 @@ fn lines_over(columns: usize, text: &str) -> impl Iterator<Item = (usize, usize)
 
 /// Runs the tests that `.config/nextest.toml` names by the profile of the check's name. All profiles share one build.
 fn rust_tests(work: &mut Work<'_>, options: &[&str]) -> Result<Tally, Failure> {
+    rust_tests_of(work, &["--workspace"], options)
+}
+
+fn rust_tests_of(work: &mut Work<'_>, crates: &[&str], options: &[&str]) -> Result<Tally, Failure> {
     let nextest = work.set_up(setup::nextest)?;
     let profile = work.name;
-    let args = ["nextest", "run", "--workspace", "--cargo-quiet", "--profile", profile];
-    let mut program = work.project.program(nextest, &[&args[..], options].concat(), "");
+    let args = ["nextest", "run", "--cargo-quiet", "--profile", profile];
+    let mut program = work.project.program(nextest, &[&args[..], crates, options].concat(), "");
     program.env("NCP_BUF", setup::buf_path(work.project));
     let report = work.project.path(&format!(".tools/nextest/{profile}/junit.xml"));
     work.tests(program, &report)
@@ -310,10 +338,10 @@ fn python_tests(work: &mut Work<'_>, python: &Path, folder: &str, discover: &[&s
     work.tests(program, &report)
 }
 
-/// Has npm run tests of the TypeScript peer.
-fn node_tests(work: &mut Work<'_>, npm: &[&str]) -> Result<Tally, Failure> {
+/// Has npm run the tests of a folder.
+fn node_tests(work: &mut Work<'_>, folder: &str, npm: &[&str]) -> Result<Tally, Failure> {
     let report = work.report();
-    let mut npm = work.project.program(setup::NPM, npm, "peers/typescript");
+    let mut npm = work.project.program(setup::NPM, npm, folder);
     // The reporter `spec` repeats at the end what failed.
     let reporters = format!(
         "--test-reporter=spec --test-reporter-destination=stdout \

@@ -1,7 +1,9 @@
 //! The project's own commands: `cargo xtask <command>`.
 //!
 //! - `generate`: the files that are made from others, and whether they are fresh.
+//! - `package`: the packages by which others get `ncp-verify`.
 //! - `contract`: what of a contract that went out this one breaks.
+//! - `site`: the project's public site.
 //! - `checks`: what `cargo xtask test` checks, in order.
 //! - `test`: carries the checks out and shows them.
 //! - `work`: what a check works with.
@@ -13,7 +15,9 @@
 mod checks;
 mod contract;
 mod generate;
+mod package;
 mod process;
+mod site;
 mod tally;
 mod test;
 mod work;
@@ -66,6 +70,18 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Make the packages of ncp-verify for this machine, into target/packages
+    Package {
+        /// Only this kind; may be given several times
+        #[arg(long, value_name = "KIND")]
+        only: Vec<package::Kind>,
+    },
+    /// Make the project's public site: the text with its evidence, the cases, the findings, the reports
+    Site {
+        /// The folder to make it in [default: reports/site]
+        #[arg(long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
     /// Only set up what the checks need: into ignored folders, and valgrind and Chromium by apt-get
     Setup,
 }
@@ -95,6 +111,15 @@ fn run(command: Command) -> Result<bool, Error> {
         Command::Contract { against, projection, json } => {
             contract::report(against.as_deref().zip(projection.as_deref()), json)
         }
+        Command::Package { only } => {
+            process::end_on_signal().map_err(Error::Signals)?;
+            package::report(&project, &only)?;
+            Ok(true)
+        }
+        Command::Site { output } => {
+            site::make(&project, output.as_deref())?;
+            Ok(true)
+        }
         Command::Setup => {
             setup::all(&project)?;
             Ok(true)
@@ -117,6 +142,10 @@ enum Error {
     Header(String),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
+    #[error(transparent)]
+    Package(#[from] package::PackageError),
+    #[error("signals cannot be handled: {0}")]
+    Signals(io::Error),
     #[error("interrupted")]
     Interrupted,
 }

@@ -26,7 +26,11 @@ pub const SOLVERS: [&str; 2] = ["bitwuzla==0.9.1", "z3-solver==5.4.0.0"];
 const ANGR_VENV: &str = ".tools/machine-venv";
 /// What explores the machine code of the kernel, as PyPI has it.
 pub const ANGR: [&str; 4] = ["angr==9.2.213", "bitstring==4.4.0", "pycparser==3.0", "bitwuzla==0.9.1"];
+const MATURIN_VENV: &str = ".tools/maturin-venv";
+/// What makes the wheel, as PyPI has it; `packages/pypi/pyproject.toml` names the same.
+const MATURIN: [&str; 1] = ["maturin==1.16.0"];
 const TYPESCRIPT: &str = "peers/typescript";
+const SITE: &str = "site";
 const PYTHON: &str = "peers/python";
 /// Where its `build.py` installs it.
 const PYTHON_VENV: &str = ".tools/python-venv";
@@ -43,11 +47,12 @@ pub fn all(project: &Project) -> Result<(), SetupError> {
     nextest(project, &mut say)?;
     buf(project, &mut say)?;
     browser(project, &mut say)?;
+    site(project, &mut say)?;
     cpp(project, &mut say)?;
     python(project, &mut say)?;
     println!(
-        "ready: cargo-nextest, buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT}, the module of {PYTHON}, \
-         a C++ compiler, valgrind, Chromium"
+        "ready: cargo-nextest, buf {BUF_VERSION} in {VENV}, the packages of {TYPESCRIPT} and {SITE}, the module of \
+         {PYTHON}, a C++ compiler, valgrind, Chromium"
     );
     Ok(())
 }
@@ -127,6 +132,15 @@ pub fn angr(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     python_packages(project, ANGR_VENV, "angr, bitwuzla", &ANGR, say)
 }
 
+/// Installs maturin, and returns its path.
+///
+/// # Errors
+/// As [`solvers`].
+pub fn maturin(project: &Project, say: Say<'_>) -> Result<PathBuf, SetupError> {
+    python_packages(project, MATURIN_VENV, "maturin", &MATURIN, say)?;
+    Ok(project.path(MATURIN_VENV).join(if cfg!(windows) { "Scripts" } else { "bin" }).join("maturin"))
+}
+
 /// Installs pinned packages of PyPI into a virtual environment, unless it has their modules.
 fn python_packages(
     project: &Project,
@@ -163,19 +177,32 @@ fn python_packages(
 /// # Errors
 /// No npm, or no registry.
 pub fn typescript(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
-    let folder = project.path(TYPESCRIPT);
+    node_packages(project, TYPESCRIPT, say)
+}
+
+/// Installs the generator of the site, as its lock file has it.
+///
+/// # Errors
+/// As [`typescript`].
+pub fn site(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    node_packages(project, SITE, say)
+}
+
+/// Installs the packages of a folder from npm, unless they are there.
+fn node_packages(project: &Project, folder: &str, say: Say<'_>) -> Result<(), SetupError> {
+    let path = project.path(folder);
     // npm leaves a copy of the lock file when it has installed everything.
-    let changed = |file: &str| fs::metadata(folder.join(file)).and_then(|file| file.modified());
+    let changed = |file: &str| fs::metadata(path.join(file)).and_then(|file| file.modified());
     let wanted = changed("package-lock.json")
-        .map_err(|source| SetupError::File { path: folder.join("package-lock.json"), source })?;
+        .map_err(|source| SetupError::File { path: path.join("package-lock.json"), source })?;
     if changed("node_modules/.package-lock.json").is_ok_and(|installed| installed >= wanted) {
         return Ok(());
     }
     if version(&mut Command::new(NPM)).is_none() {
         return Err(SetupError::Missing { tool: "npm", remedy: "install Node.js 20 or later" });
     }
-    say(&format!("installing the packages of {TYPESCRIPT} (npm ci) into its node_modules"));
-    carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], TYPESCRIPT))
+    say(&format!("installing the packages of {folder} (npm ci) into its node_modules"));
+    carry_out(project.program(NPM, &["ci", "--no-audit", "--no-fund"], folder))
 }
 
 /// Installs a C++ compiler and valgrind, where Debian's apt-get can.
@@ -196,6 +223,19 @@ pub fn cpp(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
 /// They are missing, and cannot be installed.
 pub fn browser(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     typescript(project, say)?;
+    chromium(project, say)
+}
+
+/// Installs the generator of the site and, where Debian's apt-get can, Chromium, which its tests drive.
+///
+/// # Errors
+/// They are missing, and cannot be installed.
+pub fn site_tests(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
+    site(project, say)?;
+    chromium(project, say)
+}
+
+fn chromium(project: &Project, say: Say<'_>) -> Result<(), SetupError> {
     if env::var_os("NCP_CHROMIUM").is_some() {
         return Ok(());
     }

@@ -48,6 +48,8 @@ fn a_command_or_an_option_that_no_program_has_is_refused() {
         ("cargo verify tset", false),
         ("cargo xtask test --onyl format", false),
         ("cargo xtask test --only no-such-check", false),
+        ("cargo xtask package --only wheel", true),
+        ("cargo xtask package --only no-such-package", false),
         ("ncp-verify list --no-such-option", false),
         ("cargo test -p ncp-spec", true),
         ("cargo test -p no-such-package", false),
@@ -229,7 +231,9 @@ impl Programs {
             }
             // The value of an option, or of the command.
             if number > 0 && rest[number - 1].starts_with("--") {
-                self.accept_value(rest[number - 1], word)?;
+                if !lists_value(&own, word) {
+                    self.accept_value(rest[number - 1], word)?;
+                }
             } else if mentions_command(&own, word) {
                 path.push((*word).to_owned());
                 self.help(&path)?.clone_into(&mut own);
@@ -307,6 +311,11 @@ fn mentions(help: &str, option: &str) -> bool {
     let is_part = |character: char| character.is_ascii_alphanumeric() || character == '-';
     help.match_indices(option)
         .any(|(at, found)| !help[at + found.len()..].starts_with(is_part) && !help[..at].ends_with(is_part))
+}
+
+/// Whether a help lists a value of an option, with what it means.
+fn lists_value(help: &str, word: &str) -> bool {
+    help.lines().any(|line| line.trim_start().starts_with(&format!("- {word}:")))
 }
 
 /// Whether a help lists a command, which stands first in a line.

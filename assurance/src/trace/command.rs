@@ -23,6 +23,9 @@ pub(crate) struct TraceArgs {
     /// Accept sentences that changed and evidence that is gone, having looked at them
     #[arg(long)]
     accept: bool,
+    /// Only write the matrix to this file, as JSON, whatever is wrong with it
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    matrix: Option<PathBuf>,
 }
 
 const HELP: &str = "\
@@ -38,6 +41,10 @@ pub(crate) fn trace(project: &Project, args: &TraceArgs) -> Result<bool, Error> 
     let style = Styles::detect().out;
     let root = args.root.clone().unwrap_or_else(|| project.path(""));
     let mut trace = Trace::read(&root)?;
+    if let Some(file) = &args.matrix {
+        reports::json(file, &report::matrix(&trace))?;
+        return Ok(true);
+    }
     let acceptable = trace.faults().iter().all(Fault::can_be_accepted);
     if args.accept && acceptable {
         trace.accept()?;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde::Serialize;
 
 use super::{Evidence, EvidenceKind, Rule, Trace};
@@ -11,6 +12,8 @@ use crate::document::{Block, heading, table, text};
 #[derive(Debug, Serialize)]
 pub(crate) struct Matrix<'t> {
     format: u32,
+    wire_version: &'static str,
+    contract_hash: &'static str,
     faults: Vec<String>,
     rules: Vec<MatrixRule<'t>>,
     findings: Vec<MatrixFinding<'t>>,
@@ -24,6 +27,7 @@ struct MatrixRule<'t> {
     roles: Vec<&'t str>,
     chapter: &'t str,
     section: &'t str,
+    line: usize,
     digest: &'t str,
     sentence: &'t str,
     evidence: Vec<MatrixEvidence<'t>>,
@@ -34,6 +38,7 @@ struct MatrixRule<'t> {
 struct MatrixEvidence<'t> {
     kind: &'t str,
     place: &'t str,
+    line: Option<usize>,
     count: usize,
 }
 
@@ -55,6 +60,8 @@ pub(crate) fn matrix(trace: &Trace) -> Matrix<'_> {
     });
     Matrix {
         format: 1,
+        wire_version: WIRE_VERSION,
+        contract_hash: CONTRACT_HASH,
         faults: trace.faults().iter().map(ToString::to_string).collect(),
         rules: trace.rules().iter().map(rule).collect(),
         findings: findings.collect(),
@@ -63,9 +70,10 @@ pub(crate) fn matrix(trace: &Trace) -> Matrix<'_> {
 
 fn rule(rule: &Rule) -> MatrixRule<'_> {
     let Rule { requirement, evidence, exclusion } = rule;
-    let evidence = evidence.iter().map(|Evidence { kind, place, count, .. }| MatrixEvidence {
+    let evidence = evidence.iter().map(|Evidence { kind, place, line, count }| MatrixEvidence {
         kind: kind.as_str(),
         place,
+        line: *line,
         count: *count,
     });
     MatrixRule {
@@ -75,6 +83,7 @@ fn rule(rule: &Rule) -> MatrixRule<'_> {
         roles: requirement.roles.iter().map(|role| role.as_str()).collect(),
         chapter: requirement.file,
         section: &requirement.section,
+        line: requirement.line,
         digest: &requirement.digest,
         sentence: &requirement.sentence,
         evidence: evidence.collect(),

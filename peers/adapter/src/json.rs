@@ -16,6 +16,8 @@ use serde::ser::{self, Serialize, Serializer};
 
 /// How deep arrays and objects may stand within each other.
 const MAX_DEPTH: usize = 200;
+/// Up to so many bytes of a string are looked at one by one, the rest in blocks of as many.
+const SHORT: usize = 64;
 /// The name by which [`Raw`] tells reader and writer that it is one.
 const RAW: &str = "$ncp_adapter::Raw";
 
@@ -127,6 +129,20 @@ pub(crate) fn double_of_name(name: &str) -> Option<f64> {
     }
 }
 
+/// How many bytes from the start stand for themselves within a string: no quote, no backslash, no control character.
+fn plain(bytes: &[u8]) -> usize {
+    let end = |bytes: &[u8]| bytes.iter().position(|byte| matches!(byte, b'"' | b'\\') || *byte < b' ');
+    // Most strings are short. Of a long one, many bytes are looked at at once: without a branch, the compiler can.
+    let (start, rest) = bytes.split_at(bytes.len().min(SHORT));
+    let ends = |byte: &u8| u8::from((*byte == b'"') | (*byte == b'\\') | (*byte < b' '));
+    let is_plain = |block: &&[u8]| block.iter().fold(0, |found, byte| found | ends(byte)) == 0;
+    end(start).unwrap_or_else(|| {
+        let blocks = rest.chunks_exact(SHORT).take_while(is_plain).count() * SHORT;
+        let last = rest.get(blocks..).unwrap_or_default();
+        start.len() + blocks + end(last).unwrap_or(last.len())
+    })
+}
+
 struct Reader<'de> {
     text: &'de str,
     at: usize,
@@ -204,8 +220,7 @@ impl<'de> Reader<'de> {
         }
         let (start, mut escapes) = (self.at, false);
         loop {
-            let plain = self.rest().iter().position(|byte| matches!(byte, b'"' | b'\\') || *byte < b' ');
-            self.at = plain.map_or(self.text.len(), |plain| self.at + plain);
+            self.at += plain(self.rest());
             match self.rest() {
                 [b'"', ..] => {
                     self.at += 1;
@@ -533,15 +548,19 @@ impl<'w> Serializer for &'w mut Writer {
         }
         self.out.push('"');
         let mut rest = text;
-        while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b'\\') || byte < b' ') {
+        loop {
+            let at = plain(rest.as_bytes());
             self.out.push_str(&rest[..at]);
-            match rest.as_bytes()[at] {
-                byte @ (b'"' | b'\\') => self.out.extend(['\\', char::from(byte)]),
-                byte => self.shown(format_args!("\\u{byte:04x}"))?,
+            match rest.as_bytes().get(at) {
+                None => break,
+                Some(byte @ (b'"' | b'\\')) => {
+                    self.out.push('\\');
+                    self.out.push(char::from(*byte));
+                }
+                Some(byte) => self.shown(format_args!("\\u{byte:04x}"))?,
             }
             rest = &rest[at + 1..];
         }
-        self.out.push_str(rest);
         self.out.push('"');
         Ok(())
     }
@@ -768,6 +787,13 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_plain_bytes_of_a_string_end_where_the_first_other_one_is(plain_ones in 0_usize..300, then: Vec<u8>) {
+            let bytes = [vec![b'x'; plain_ones], then].concat();
+            let first = bytes.iter().position(|byte| *byte < b' ' || *byte == b'"' || *byte == b'\\');
+            prop_assert_eq!(plain(&bytes), first.unwrap_or(bytes.len()));
+        }
+
         #[test]
         fn a_message_comes_back_bit_for_bit(message in message()) {
             let text = write(&message).unwrap();

@@ -1,6 +1,6 @@
 """The reference backend: two small networks that are integrated exactly (section 4.4 of the text)."""
 
-from math import exp, floor, isfinite
+from math import exp, floor, inf, isfinite
 
 from .errors import SimulationError
 from .messages import Observation
@@ -13,6 +13,15 @@ MAX_NEURON_STEPS = 20_000_000
 
 MAX_SAMPLES = 2_000_000
 """The most samples that one request may ask for."""
+
+
+def whole_steps(time_ms, dt):
+    """A time as the nearest number of steps, the greater of two that are equally near [NCP-SESS-058]."""
+    steps = time_ms / dt
+    if not isfinite(steps):
+        return inf
+    below = floor(steps)
+    return below + (steps - below >= 0.5)
 
 
 class LifModel:
@@ -39,7 +48,7 @@ class LifModel:
         self._decay = exp(-dt / params["tau_m"])
         self._gain = params["tau_m"] / params["C_m"] * (1.0 - self._decay)
         self._bias = params["I_e"]
-        self._refractory_steps = floor(params["t_ref"] / dt + 0.5)
+        self._refractory_steps = whole_steps(params["t_ref"], dt)
 
     def initial(self):
         """The state of a neuron: its potential, and the steps for which it stays refractory."""
@@ -148,10 +157,9 @@ class Simulation:
 
     def _step_count(self, duration_ms):
         neurons = sum(self.resolved.values())
-        steps = duration_ms / self._dt
-        if not steps * max(1, neurons) <= MAX_NEURON_STEPS:
+        steps = whole_steps(duration_ms, self._dt)
+        if steps * max(1, neurons) > MAX_NEURON_STEPS:
             raise SimulationError("this would take too long in one request")
-        steps = floor(steps + 0.5)
         samples = sum(
             len(recorder.ids) * (1 if recorder.is_spikes else steps // recorder.every)
             for recorder in self._recorders.values()
@@ -205,7 +213,7 @@ class Simulation:
             raise SimulationError(f"this network has no {target.observable[:40]!r}")
         if not target.cadence_ms > 0:
             raise SimulationError("cadence_ms must be positive")
-        every = max(1, floor(min(target.cadence_ms / self._dt, 1e15) + 0.5))
+        every = max(1, whole_steps(target.cadence_ms, self._dt))
         return _Recorder(target, ids, every, self._model)
 
     def _input(self, target, ids):

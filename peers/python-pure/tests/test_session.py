@@ -41,6 +41,46 @@ class Sessions(unittest.TestCase):
         self.assertEqual([round(t, 6) for t in times], wanted)
         self.assertGreater(len(times), 5)
 
+    def test_a_time_is_the_nearest_number_of_steps(self):
+        # [NCP-SESS-053] [NCP-SESS-058] Steps of 0.1 ms; 0.15 / 0.1 is below one and a half as a double.
+        table = {0.04: 0, 0.05: 1, 0.14: 1, 0.15: 1, 0.16: 2, 0.25: 3, 0.3: 3, 0.34: 3, 0.36: 4, 0.45: 5}
+        for time, steps in table.items():
+            record = ncp.RecordSpec(targets=[ncp.RecordTarget(port="v", target="p", ids=[1], cadence_ms=time)])
+            session = client(ncp.SessionService())
+            session.open(NETWORK, record=record)
+            for nth in range(1, 21):
+                self.assertAlmostEqual(session.run(time).sim_time_ms, nth * steps * 0.1)
+            run, every = 20 * steps, max(1, steps)
+            sampled = [round(t * 10) for t in session.run(20.0).records["v"].times]
+            self.assertEqual(sampled, [n for n in range(run + 1, run + 201) if n % every == 0], time)
+        session = client(ncp.SessionService())
+        session.open(NETWORK, sim=ncp.SimConfig(dt_ms=1.0))
+        self.assertEqual(session.run(0.49999999999999994).sim_time_ms, 0.0)
+
+    def test_a_value_of_a_request_without_steps_acts_from_the_next_step(self):
+        # [NCP-SESS-054] [NCP-SESS-058]
+        stimulus = ncp.StimulusSpec(targets=[ncp.StimulusTarget(port="i", target="p")])
+        service = ncp.SessionService()
+        drive = lambda session: ncp.StimulusFrame(session_id=session, values={"i": ncp.ChannelValue(data=[200.0])})
+        values = []
+        for id, first in (("a", 0.01), ("b", None)):
+            session = client(service, id)
+            session.open(NETWORK, record=RECORD, stimulus=stimulus)
+            if first:
+                self.assertEqual(session.run(first, drive(id)).records["v"].times, [])
+            values.append(session.run(5.0, None if first else drive(id)).records["v"].values)
+        self.assertEqual(values[0], values[1])
+
+    def test_samples_come_by_time_and_then_as_the_ids_are_named(self):
+        # [NCP-SESS-059]
+        targets = [ncp.RecordTarget(port=port, target="p", ids=ids) for port, ids in (("all", []), ("named", [2, 1]))]
+        session = client(ncp.SessionService())
+        session.open(NETWORK, record=ncp.RecordSpec(targets=targets))
+        records = session.run(2.0).records
+        self.assertEqual(records["all"].senders, [1, 2, 1, 2])
+        self.assertEqual(records["named"].senders, [2, 1, 2, 1])
+        self.assertEqual(records["named"].times, [1.0, 1.0, 2.0, 2.0])
+
     def test_any_bytes_get_exactly_one_reply(self):
         source = random.Random(1)
         service = ncp.SessionService()

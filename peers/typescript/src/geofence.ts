@@ -4,7 +4,7 @@
  * @module
  */
 
-import { norm } from "./vector.js";
+import { isAtMost } from "./vector.js";
 
 /** What a plant is told to do, as far as it moves. */
 export interface Plan {
@@ -18,7 +18,7 @@ export interface Plan {
 
 /** Whether a position lies within the fence or on it. One that cannot be computed does not. [NCP-SAFE-045] */
 export function isWithin(radius: number, position: ArrayLike<number>): boolean {
-  return norm(position) <= radius;
+  return isAtMost(position, radius);
 }
 
 /**

@@ -44,7 +44,10 @@ export class SafetyGovernor {
     this.#maxSpeed = limitOf(limits.max_speed_mps);
     this.#radius = limitOf(limits.geofence_radius_m);
     this.#timeoutMs = limits.command_timeout_ms ?? 500;
-    this.#units = new Map(commands.map(({ name, unit }) => [name, unit]));
+    // Of a channel that is declared twice each declaration counts: one in m/s makes it a velocity. [NCP-SAFE-065]
+    const units = new Map<string, string | null>();
+    for (const { name, unit } of commands) if (units.get(name) !== METRES_PER_SECOND) units.set(name, unit);
+    this.#units = units;
     this.#configFault =
       faultOf("geofence_radius_m", this.#radius, POSE_POSITION, METRES, sensors) ??
       faultOf("max_speed_mps", this.#maxSpeed, VELOCITY_SETPOINT, METRES_PER_SECOND, commands);

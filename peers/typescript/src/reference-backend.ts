@@ -14,7 +14,7 @@ import type {
   SimProvenance,
   StimulusTarget,
 } from "./messages.js";
-import { LifNeurons, RateNeurons, type Neurons } from "./reference-neurons.js";
+import { LifNeurons, RateNeurons, stepsOf, type Neurons } from "./reference-neurons.js";
 import type { Backend, Simulation } from "./session-service.js";
 
 /** Offers `ncp.reference.lif` and `ncp.reference.rate`. */
@@ -74,9 +74,6 @@ class ReferenceSimulation implements Simulation {
   readonly #size: number;
   /** Steps that were done. */
   #step = 0;
-  #timeMs = 0;
-  /** What rounding has taken off the time so far, so that many short requests lose no step. */
-  #restMs = 0;
 
   constructor({ network, record, stimulus, sim }: OpenSession) {
     const model = network.kind === "builtin" ? MODELS.get(network.ref) : undefined;
@@ -113,15 +110,11 @@ class ReferenceSimulation implements Simulation {
   }
 
   get timeMs(): number {
-    return this.#timeMs; // [NCP-SESS-033]
+    return this.#step * this.#dtMs; // [NCP-SESS-033]
   }
 
   advance(forMs: number, stimulus: ReadonlyMap<string, ChannelValue>): Map<string, Observation> {
-    const restMs = forMs + this.#restMs;
-    const timeMs = this.#timeMs + restMs;
-    // A step is done once the time has reached its end.
-    const lastStep = wholeBelow(timeMs / this.#dtMs);
-    const steps = Math.max(lastStep - this.#step, 0);
+    const steps = stepsOf(forMs, this.#dtMs); // [NCP-SESS-058]
     if (!(steps * Math.max(this.#size, 1) <= WORK)) throw new SessionError(`${forMs} ms is too long for one request`);
     let samples = 0;
     for (const record of this.#records) samples += record.mostSamples(steps);
@@ -132,19 +125,17 @@ class ReferenceSimulation implements Simulation {
     for (const [port, value] of values) port.set(value);
     const stepBefore = this.#step;
     const before = Array.from(this.#populations.values(), (neurons) => neurons.save());
-    const portsBefore = this.#records.map((record) => record.save());
     for (let n = 0; n < steps; n++) {
       this.#step++;
       for (const neurons of this.#populations.values()) neurons.step();
       if (!this.#isWithinDoubles()) {
-        for (const restore of [...before, ...portsBefore]) restore(); // [NCP-SESS-057]
+        for (const restore of before) restore(); // [NCP-SESS-057]
+        for (const record of this.#records) record.take();
         this.#step = stepBefore;
         throw new SessionError("a number of the network leaves the doubles");
       }
       for (const record of this.#records) record.sample(this.#step);
     }
-    this.#restMs = restMs - (timeMs - this.#timeMs);
-    this.#timeMs = timeMs;
     return new Map(this.#records.map((record) => [record.port, record.take()])); // [NCP-SESS-038]
   }
 
@@ -191,9 +182,8 @@ class RecordPort {
   readonly #neurons: Neurons;
   readonly #indices: readonly number[];
   readonly #dtMs: number;
-  /** Which multiple of the cadence is sampled next, and the step that reaches it. */
-  #multiple = 1;
-  #dueStep: number;
+  /** The cadence in steps. */
+  readonly #every: number;
   #times: number[] = [];
   #values: number[] = [];
   #senders: number[] = [];
@@ -211,25 +201,14 @@ class RecordPort {
     this.#neurons = neurons;
     this.#indices = indicesOf(target.ids, neurons);
     this.#dtMs = dtMs;
-    this.#dueStep = this.#stepOf(1);
-  }
-
-  /** What brings the port back to where it is now, with no samples. */
-  save(): () => void {
-    const multiple = this.#multiple;
-    const dueStep = this.#dueStep;
-    return () => {
-      this.#multiple = multiple;
-      this.#dueStep = dueStep;
-      this.take();
-    };
+    this.#every = Math.max(stepsOf(cadence_ms, dtMs), 1);
   }
 
   /** The samples that so many steps give at most. */
   mostSamples(steps: number): number {
     const { recordable } = this.#quantity;
-    const every = recordable === null ? this.#neurons.stepsBetweenSpikes : this.#target.cadence_ms / this.#dtMs;
-    return (1 + Math.floor(steps / Math.max(every, 1))) * this.#indices.length;
+    const every = recordable === null ? this.#neurons.stepsBetweenSpikes : this.#every;
+    return (1 + Math.floor(steps / every)) * this.#indices.length;
   }
 
   /** Samples the end of a step, if it is due. */
@@ -239,13 +218,11 @@ class RecordPort {
       for (const index of this.#indices) if (this.#neurons.spiked[index] === 1) this.#add(timeMs, index);
       return;
     }
-    if (step < this.#dueStep) return;
+    if (step % this.#every !== 0) return; // [NCP-SESS-053]
     for (const index of this.#indices) {
       this.#add(timeMs, index);
       this.#values.push(this.#neurons.state[index]!);
     }
-    // [NCP-SESS-053] A step that reaches several multiples is sampled once.
-    this.#dueStep = this.#stepOf(++this.#multiple);
   }
 
   /** The observation of all samples since the last call, with its unit. [NCP-SESS-056] */
@@ -269,11 +246,6 @@ class RecordPort {
   #add(timeMs: number, index: number): void {
     this.#times.push(timeMs);
     this.#senders.push(index + 1); // [NCP-SESS-052]
-  }
-
-  /** The step whose end reaches a multiple of the cadence. */
-  #stepOf(multiple: number): number {
-    return Math.max(-wholeBelow((-multiple * this.#target.cadence_ms) / this.#dtMs), 1);
   }
 }
 
@@ -300,12 +272,6 @@ function sizeOf(populations: ReadonlyMap<string, number>): number {
   }
   if (size > NEURONS) throw new SessionError(`${size} neurons are too many`);
   return size;
-}
-
-/** The largest whole number that is not above; what misses one by a rounding error counts as that number. */
-function wholeBelow(value: number): number {
-  const nearest = Math.round(value);
-  return Math.abs(value - nearest) < 1e-6 ? nearest : Math.floor(value);
 }
 
 /** Neurons of a session. */

@@ -6,6 +6,11 @@
 
 import { SessionError } from "./errors.js";
 
+/** The number of steps nearest to a time, the greater of two that are equally near. */
+export function stepsOf(timeMs: number, dtMs: number): number {
+  return Math.round(timeMs / dtMs);
+}
+
 /** One population of equal neurons. */
 export abstract class Neurons {
   readonly size: number;
@@ -83,7 +88,7 @@ export class LifNeurons extends Neurons {
     this.#threshold = params.V_th;
     this.#reset = params.V_reset;
     this.#current = params.I_e;
-    this.#refractorySteps = Math.round(params.t_ref / dtMs);
+    this.#refractorySteps = stepsOf(params.t_ref, dtMs);
     this.#refractory = new Float64Array(size);
     this.stepsBetweenSpikes = this.#refractorySteps + 1;
   }

@@ -6,14 +6,26 @@
 
 /** The Euclidean norm, infinite when it is beyond the largest double, NaN when a component is. */
 export function norm(of: ArrayLike<number>): number {
+  const [root, scale] = scaledNorm(of);
+  return root / scale;
+}
+
+/** Whether the norm is not above a limit. Both are compared at one scale, at which the norm has lost no digit. */
+export function isAtMost(of: ArrayLike<number>, limit: number): boolean {
+  const [root, scale] = scaledNorm(of);
+  return root <= limit * scale;
+}
+
+/** The norm times a power of two at which no square that counts leaves the doubles, and that power. */
+function scaledNorm(of: ArrayLike<number>): [number, number] {
   const squares = sumOfSquares(of, 1);
-  if (squares >= SAFE_LEAST && squares <= SAFE_MOST) return Math.sqrt(squares);
+  if (squares >= SAFE_LEAST && squares <= SAFE_MOST) return [Math.sqrt(squares), 1];
   let most = 0;
   for (let n = 0; n < of.length; n++) most = Math.max(most, Math.abs(of[n]!));
-  if (most === 0 || !Number.isFinite(most)) return most;
+  if (most === 0 || !Number.isFinite(most)) return [most, 1];
   // Powers of two change no digit of what they scale.
   const scale = most < 1 ? SCALE : 1 / SCALE;
-  return Math.sqrt(sumOfSquares(of, scale)) / scale;
+  return [Math.sqrt(sumOfSquares(of, scale)), scale];
 }
 
 /** Whether every component is finite. */
@@ -28,7 +40,7 @@ export function allFinite(of: ArrayLike<number>): boolean {
  * @param limit - finite and positive
  */
 export function limited(vector: Float64Array, limit: number): Float64Array {
-  if (norm(vector) <= limit) return vector; // [NCP-SAFE-062]
+  if (isAtMost(vector, limit)) return vector; // [NCP-SAFE-062]
   let most = 0;
   for (const component of vector) most = Math.max(most, Math.abs(component));
   // In two steps, since the norm of a finite vector can be infinite. [NCP-SAFE-061]
@@ -37,7 +49,7 @@ export function limited(vector: Float64Array, limit: number): Float64Array {
   for (let shrink = 0; ; shrink = Math.max(shrink * 2, Number.EPSILON)) {
     const scaled = direction.map((component) => component * (factor * (1 - Math.min(shrink, 1))));
     // Rounding may leave the norm a little above the limit. At the latest, the zero vector is not. [NCP-SAFE-060] [NCP-SAFE-069]
-    if (norm(scaled) <= limit) return scaled;
+    if (isAtMost(scaled, limit)) return scaled;
   }
 }
 

@@ -195,7 +195,7 @@ test("a stimulus acts from the first step of its request, stays, and drives the 
   expectAfter([0, 0, 0], bench.run(1, { one: 0, all: 0 }));
 });
 
-test("a port is sampled at every multiple of its cadence, across requests and off the grid", () => {
+test("a port is sampled at every multiple of its cadence, across requests, and that is a number of steps", () => {
   const timesOf = (cadence_ms: number, dt_ms: number, requests: number[]): number[] => {
     const bench = new Bench();
     bench.open(RATE, { ...recording("rate", { cadence_ms }), sim: { dt_ms } });
@@ -208,8 +208,10 @@ test("a port is sampled at every multiple of its cadence, across requests and of
   close(timesOf(1, 0.1, [3]), [1, 2, 3]);
   close(timesOf(1, 0.1, [0.5, 0.5, 0.9, 0.1, 1]), [1, 2, 3]);
   close(timesOf(0.3, 0.1, [1]), [0.3, 0.6, 0.9]);
-  // A cadence between the steps is reached by the step after it.
-  close(timesOf(0.25, 0.1, [1]), [0.3, 0.5, 0.8, 1]);
+  // [NCP-SESS-053] A cadence between the steps is the nearest of them, the later of two, and one step at least.
+  close(timesOf(0.24, 0.1, [1]), [0.2, 0.4, 0.6, 0.8, 1]);
+  close(timesOf(0.25, 0.1, [1]), [0.3, 0.6, 0.9]);
+  close(timesOf(0.34, 0.1, [0.7, 0.7]), [0.3, 0.6, 0.9, 1.2]);
   close(timesOf(0.1, 0.5, [1]), [0.5, 1]);
   assert.equal(
     timesOf(
@@ -221,19 +223,47 @@ test("a port is sampled at every multiple of its cadence, across requests and of
   );
 });
 
-test("the time of a session is the sum of its requests, also where they are no whole steps", () => {
-  const bench = new Bench();
-  bench.open(RATE, { ...recording("rate", { cadence_ms: 0.1 }), sim: { dt_ms: 0.1, chunk_ms: 0.25 } });
-  let samples = 0;
-  for (let n = 1; n <= 400; n++) {
-    const frame = bench.step();
-    assert.equal(frame.seq, n);
-    assertClose(frame.sim_time_ms, n * 0.25);
-    samples += recorded(frame, "rate").times.length;
-    assert.equal(samples, Math.floor((n * 5) / 2));
+// [NCP-SESS-058]
+test("a request runs the nearest number of steps, and leaves nothing to the next", () => {
+  // 0.15 / 0.1 is below one and a half as a double, 0.25 / 0.1 two and a half.
+  const table: [number, number][] = [
+    [0.04, 0],
+    [0.05, 1],
+    [0.14, 1],
+    [0.15, 1],
+    [0.16, 2],
+    [0.25, 3],
+    [0.3, 3],
+    [0.34, 3],
+    [0.45, 5],
+  ];
+  for (const [chunk_ms, steps] of table) {
+    const bench = new Bench();
+    bench.open(RATE, { ...recording("rate", { cadence_ms: 0.1 }), sim: { dt_ms: 0.1, chunk_ms } });
+    for (let n = 1; n <= 400; n++) {
+      const frame = bench.step(n % 2 === 0 ? {} : { advance_ms: chunk_ms });
+      assert.equal(frame.seq, n);
+      assertClose(frame.sim_time_ms, n * steps * 0.1);
+      assert.equal(recorded(frame, "rate").times.length, steps);
+    }
+    assertClose(bench.step({ advance_ms: 7 }).sim_time_ms, 40 * steps + 7);
+    assertClose(bench.step({ advance_ms: 0 }).sim_time_ms, 40 * steps + 7);
   }
-  assertClose(bench.step({ advance_ms: 7 }).sim_time_ms, 107);
-  assertClose(bench.step({ advance_ms: 0 }).sim_time_ms, 107);
+});
+
+// [NCP-SESS-059]
+test("samples come by time, and those of one time as the ids are named", () => {
+  const bench = new Bench();
+  const target = { target: "pop", observable: "rate", cadence_ms: 1 };
+  const targets = [
+    { ...target, port: "all" },
+    { ...target, port: "named", ids: Float64Array.of(3, 1) },
+  ];
+  bench.open(RATE, { record: { targets } }, {}, 3);
+  const frame = bench.run(2);
+  assert.deepEqual([...recorded(frame, "all").senders], [1, 2, 3, 1, 2, 3]);
+  assert.deepEqual([...recorded(frame, "named").senders], [3, 1, 3, 1]);
+  assert.deepEqual([...recorded(frame, "named").times], [1, 1, 2, 2]);
 });
 
 test("many short requests lose no time to rounding", () => {

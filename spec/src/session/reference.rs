@@ -40,8 +40,6 @@ struct Network {
     model: Model,
     dt_ms: f64,
     steps: u64,
-    /// Simulation time that was asked for but is less than a step.
-    rest_ms: f64,
     populations: Vec<Population>,
     stimuli: Vec<Port>,
     records: Vec<Record>,
@@ -76,27 +74,23 @@ struct Port {
 struct Record {
     port: Port,
     target: RecordTarget,
-    /// Steps between two samples; not a whole number where the cadence is no multiple of dt.
-    every: f64,
+    /// The cadence in steps.
+    every: u64,
 }
 
 impl Record {
-    /// A cadence that is a multiple of dt but for rounding is one.
     fn new(port: Port, target: &RecordTarget, dt_ms: f64) -> Result<Self, BackendError> {
-        let ratio = target.cadence_ms / dt_ms;
-        if !is_duration(target.cadence_ms) || !is_duration(ratio) {
+        let every = (target.cadence_ms / dt_ms).round().max(1.0);
+        if !is_duration(target.cadence_ms) || !every.is_finite() {
             return Err(BackendError::Time { name: "cadence_ms", value_ms: target.cadence_ms });
         }
-        let whole = ratio.round();
-        let is_whole = (ratio - whole).abs() <= 1e-9 * ratio;
-        Ok(Self { port, target: target.clone(), every: if is_whole { whole } else { ratio } })
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 1 at least; so many steps never come
+        Ok(Self { port, target: target.clone(), every: every as u64 })
     }
 
-    /// Whether this step, counted from 1, reaches a multiple of the cadence that the one before did
-    /// not. `[NCP-SESS-053]`
+    /// Whether this step, counted from 1, reaches a multiple of the cadence. `[NCP-SESS-053]`
     fn is_due(&self, step: u64) -> bool {
-        #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
-        let reached = |step: u64| (step as f64 / self.every * (1.0 + 1e-12)).floor();
+        let reached = |step: u64| step / self.every;
         reached(step) > reached(step - 1)
     }
 
@@ -105,8 +99,9 @@ impl Record {
     }
 
     /// The most samples of `steps` steps, of a network whose neurons rest for `rest` steps after a spike.
+    #[expect(clippy::cast_precision_loss)] // it is an estimate
     fn most_samples(&self, steps: f64, rest: f64) -> f64 {
-        let every = if self.is_of_spikes() { 1.0 + rest } else { self.every.max(1.0) };
+        let every = if self.is_of_spikes() { 1.0 + rest } else { self.every as f64 };
         (steps / every + 1.0).min(steps) * count(self.port.neurons.len())
     }
 }
@@ -252,8 +247,7 @@ impl Network {
             room -= size;
             populations.push(Population { name: name.to_owned().into(), neurons: vec![rest; neurons] });
         }
-        let mut network =
-            Self { model, dt_ms, steps: 0, rest_ms: 0.0, populations, stimuli: Vec::new(), records: Vec::new() };
+        let mut network = Self { model, dt_ms, steps: 0, populations, stimuli: Vec::new(), records: Vec::new() };
         for target in &request.stimulus.targets {
             if !network.model.takes(&target.kind) {
                 return Err(unsupported(&target.port, target.kind.as_str()));
@@ -316,10 +310,9 @@ impl Network {
         }
     }
 
-    /// How many steps a request makes, with what the requests before left over.
+    /// How many steps a request makes. `[NCP-SESS-058]`
     fn steps_of(&self, advance_ms: f64) -> f64 {
-        // A whole number of steps must not be lost to the rounding of dt.
-        ((self.rest_ms + advance_ms) / self.dt_ms + 1e-9).floor()
+        (advance_ms / self.dt_ms).round()
     }
 
     fn is_within_doubles(&self) -> bool {
@@ -376,11 +369,9 @@ impl Simulation for Network {
 
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
         self.check_advance(advance_ms)?;
-        let before = (self.populations.clone(), self.steps, self.rest_ms);
-        let steps = self.steps_of(advance_ms);
-        self.rest_ms = (self.rest_ms + advance_ms - steps * self.dt_ms).max(0.0);
+        let before = (self.populations.clone(), self.steps);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
-        let steps_now = steps as u64;
+        let steps_now = self.steps_of(advance_ms) as u64;
         let mut observations: Vec<Observation> =
             self.records.iter().map(|record| empty_observation(&record.target)).collect();
         for _ in 0..steps_now {
@@ -390,7 +381,7 @@ impl Simulation for Network {
                 }
             }
             if !self.is_within_doubles() {
-                (self.populations, self.steps, self.rest_ms) = before; // [NCP-SESS-057]
+                (self.populations, self.steps) = before; // [NCP-SESS-057]
                 return Err(BackendError::Overflow);
             }
             self.steps += 1;
@@ -507,27 +498,49 @@ mod tests {
         observations[port].times.iter().map(in_steps).collect()
     }
 
-    /// [NCP-SESS-053] 0.25 ms is reached within the third step of 0.1 ms, 0.5 by the fifth, …
+    /// [NCP-SESS-053] 0.3 / 0.1 is not 3 in doubles, and 0.25 / 0.1 is 2.5.
     #[test]
-    fn a_cadence_that_is_no_multiple_of_dt_is_sampled_at_the_step_that_reaches_it() {
-        let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.25)]));
-        assert_eq!(times(&network.advance(1.0).unwrap(), "V_m"), [3, 5, 8, 10]);
-        assert_eq!(times(&network.advance(1.0).unwrap(), "V_m"), [13, 15, 18, 20]);
+    fn a_cadence_is_the_nearest_number_of_steps_and_one_at_least() {
+        for (cadence_ms, every) in [
+            (0.1, 1),
+            (5e-324, 1),
+            (0.04, 1),
+            (0.14, 1),
+            (0.16, 2),
+            (0.24, 2),
+            (0.25, 3),
+            (0.3, 3),
+            (0.34, 3),
+            (0.36, 4),
+        ] {
+            let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, cadence_ms)]));
+            let mut sampled = times(&network.advance(1_000.0).unwrap(), "V_m");
+            sampled.extend(times(&network.advance(1.0).unwrap(), "V_m"));
+            assert!(sampled.iter().copied().eq((every..=10_010).step_by(every as usize)), "{cadence_ms}");
+        }
     }
 
-    /// [NCP-SESS-053] Several multiples within one step are one sample.
+    /// [NCP-SESS-058] Nothing is left over for the next request.
     #[test]
-    fn a_cadence_below_dt_samples_every_step() {
-        let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.04)]));
-        assert_eq!(times(&network.advance(0.5).unwrap(), "V_m"), [1, 2, 3, 4, 5]);
-    }
-
-    /// [NCP-SESS-053] 0.3 / 0.1 is not 3 in doubles; it is a multiple for all that.
-    #[test]
-    fn a_cadence_that_is_a_multiple_but_for_rounding_is_one() {
-        let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.3)]));
-        let sampled = times(&network.advance(1_000.0).unwrap(), "V_m");
-        assert!(sampled.iter().copied().eq((3..=10_000).step_by(3)));
+    fn a_duration_is_the_nearest_number_of_steps() {
+        for (duration_ms, steps) in [
+            (0.04, 0),
+            (0.05, 1),
+            (0.1, 1),
+            (0.14, 1),
+            (0.15, 1), // 1.4999999999999998 steps
+            (0.25, 3),
+            (0.3, 3),
+            (0.34, 3),
+            (0.45, 5),
+        ] {
+            let mut network = network(&session("ncp.reference.lif", 1, &[(Observable::Vm, 0.1)]));
+            for nth in 1..=40 {
+                let sampled = times(&network.advance(duration_ms).unwrap(), "V_m");
+                assert!(sampled.iter().copied().eq((nth - 1) * steps + 1..=nth * steps), "{duration_ms}: {sampled:?}");
+                assert_eq!(network.time_ms(), (nth * steps) as f64 * 0.1);
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Checking peers: the bundled ones, or those that were named.
 
 use std::collections::{BTreeSet, HashSet};
-use std::io::IsTerminal as _;
+use std::fs::File;
+use std::io::{self, IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
@@ -26,12 +27,7 @@ use crate::verdict::{Baseline, Status};
 /// Checks every bundled peer.
 pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     let here = current_dir()?;
-    let Some(workspace) = Workspace::find(&here) else {
-        return Err(CliError::Usage(
-            "there is no folder with peers/*/peer.toml at or above this one; name a peer: ncp-verify run --peer-cmd '…'"
-                .to_owned(),
-        ));
-    };
+    let workspace = Workspace::of_bundled_peers(&here, "run")?;
     let (target, started) = (workspace.target(), SystemTime::now());
     let sources = workspace
         .peers
@@ -455,9 +451,14 @@ pub(super) fn current_dir() -> Result<PathBuf, CliError> {
 }
 
 pub(super) fn write(file: &Path, text: &str) -> Result<(), CliError> {
+    write_by(file, |mut file| file.write_all(text.as_bytes()))
+}
+
+/// Writes a file, and the folder that it lies in.
+pub(super) fn write_by(file: &Path, write: impl FnOnce(&File) -> io::Result<()>) -> Result<(), CliError> {
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     folder
         .map_or(Ok(()), std::fs::create_dir_all)
-        .and_then(|()| std::fs::write(file, text))
+        .and_then(|()| write(&File::create(file)?))
         .map_err(|error| CliError::Harness(format!("{} cannot be written: {error}", file.display())))
 }

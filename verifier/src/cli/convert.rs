@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser as _;
 
-use super::check::write;
+use super::check::{write, write_by};
 use super::{CONVERT_HELP, CliError, print};
 use crate::report::{Exit, Format, Report, render};
 use crate::suite::Suite;
@@ -33,10 +33,10 @@ pub(super) struct ConvertArgs {
 pub(super) fn convert(suite: &Suite, args: &ConvertArgs) -> Result<Exit, CliError> {
     let report = Report::read(&args.result)?;
     let of_it = Some(suite).filter(|suite| suite.digest() == report.corpus.sha256);
-    let text = render(&report, args.to, of_it)?;
     match &args.output {
-        Some(file) => write(file, &text)?,
-        None => print(&text)?,
+        Some(file) if args.to == Format::Json => write_by(file, |file| report.write_json(file))?,
+        Some(file) => write(file, &render(&report, args.to, of_it)?)?,
+        None => print(&render(&report, args.to, of_it)?)?,
     }
     Ok(Exit::Conformant)
 }

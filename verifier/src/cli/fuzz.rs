@@ -222,12 +222,7 @@ fn sources(args: &FuzzArgs) -> Result<Vec<Source>, CliError> {
         Ok(())
     };
     if args.peer.is_empty() && args.peer_cmd.is_empty() && args.connect.is_empty() {
-        let Some(workspace) = Workspace::find(&here) else {
-            return Err(CliError::Usage(
-                "there is no folder with peers/*/peer.toml at or above this one; name a peer: --peer, --peer-cmd or --connect"
-                    .to_owned(),
-            ));
-        };
+        let workspace = Workspace::of_bundled_peers(&here, "fuzz")?;
         for peer in workspace.peers {
             let shown = peer.display().to_string();
             folder(peer, shown)?;

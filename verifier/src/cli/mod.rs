@@ -12,16 +12,19 @@ mod gate;
 mod list;
 mod merge;
 mod output;
+mod shell;
 mod workspace;
 
 use std::io::{IsTerminal as _, Write as _};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::LazyLock;
 use std::time::Duration;
 
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use ncp_text::catalogue::{Level, Role};
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 
 use crate::attest::AttestError;
 use crate::diff::{self, DiffError};
@@ -40,6 +43,7 @@ use convert::ConvertArgs;
 use gate::GateArgs;
 use merge::MergeArgs;
 use output::OutputArgs;
+use shell::{CompletionsArgs, ManArgs};
 
 /// How wide a line is where there is no terminal to ask.
 const PIPED_WIDTH: usize = 100;
@@ -92,6 +96,9 @@ fn run(cli: &Cli) -> Result<Exit, CliError> {
         Some(Command::Merge(args)) => merge::merge(&suite()?, args, styles),
         Some(Command::List(list)) => list::list(&suite()?, list, style),
         Some(Command::Explain(explain)) => explain::explain(&suite()?, &explain.id, style),
+        Some(Command::Starter) => print(STARTER).map(|()| Exit::Conformant),
+        Some(Command::Completions(args)) => shell::completions(args),
+        Some(Command::Man(args)) => shell::man(args),
     }
 }
 
@@ -105,13 +112,23 @@ fn listen(stop: &Stop) -> Result<(), CliError> {
     Ok(())
 }
 
+/// What the program is, and what it judges by.
+static LONG_VERSION: LazyLock<String> = LazyLock::new(|| {
+    format!(
+        "{}\nwire version   {WIRE_VERSION}\ncontract hash  {CONTRACT_HASH}\ncorpus         sha256:{}",
+        env!("CARGO_PKG_VERSION"),
+        Suite::embedded_digest()
+    )
+});
+
 /// Checks whether an implementation of NCP conforms.
 ///
-/// Without a command, builds and checks every bundled peer; with `run`, checks yours.
+/// With `run`, checks your peer; without a command, in a checkout of the project, builds and checks every bundled one.
 #[derive(Debug, Parser)]
 #[command(
     name = "ncp-verify",
     version,
+    long_version = LONG_VERSION.as_str(),
     args_conflicts_with_subcommands = true,
     styles = Styles::styled().header(AnsiColor::Green.on_default().bold()).literal(AnsiColor::Cyan.on_default().bold()),
     after_help = AFTER_HELP,
@@ -131,7 +148,7 @@ struct Cli {
 
 const AFTER_HELP: &str = "\
 Examples:
-  ncp-verify                                            every bundled peer
+  ncp-verify                                            every bundled peer, in a checkout of the project
   ncp-verify run --peer-cmd 'python3 my_adapter.py'     your peer, by a command
   ncp-verify run --connect tcp://127.0.0.1:7000         your peer, where it listens
   ncp-verify run --peer my/peer --role body             the peer of a folder with peer.toml, as a body
@@ -144,6 +161,7 @@ Examples:
   ncp-verify convert result.json --to md                a stored result in another format
   ncp-verify attest result.json --key KEY -o FILE       a signed result
   ncp-verify gate --against v0.1.0                      whether this tree can be released
+  ncp-verify starter > my_adapter.py                    an adapter to begin with
 
 Exit codes:
     0  conformant, or as expected: nothing fails but the peer's expected failures
@@ -181,7 +199,23 @@ enum Command {
         after_help = EXPLAIN_HELP
     )]
     Explain(ExplainArgs),
+    /// Print an adapter to begin with, in Python: a peer that answers a few calls, and is to be filled in
+    #[command(after_help = STARTER_HELP)]
+    Starter,
+    /// Print the completions of a shell
+    #[command(after_help = shell::COMPLETIONS_HELP)]
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write the pages of all commands into a folder
+    #[command(after_help = shell::MAN_HELP)]
+    Man(ManArgs),
 }
+
+const STARTER: &str = include_str!("../../../peers/PROTOCOL-starter.py");
+
+const STARTER_HELP: &str = "\
+Examples:
+  ncp-verify starter > my_adapter.py
+  ncp-verify run --peer-cmd 'python3 my_adapter.py'";
 
 const EXPLAIN_HELP: &str = "\
 Examples:
@@ -262,10 +296,10 @@ Exit codes: those of the one run";
 
 const RUN_HELP: &str = "\
 A peer is any program that speaks the protocol of peers/PROTOCOL.md, on its standard streams or as a server over TCP or
-WebSocket. A copy of peers/PROTOCOL-starter.py is an adapter to begin with.
+WebSocket. What `ncp-verify starter` prints is an adapter to begin with.
 
 Examples:
-  ncp-verify run --peer-cmd 'python3 peers/PROTOCOL-starter.py'
+  ncp-verify run --peer-cmd 'python3 my_adapter.py'
   ncp-verify run --connect ws://127.0.0.1:7000/ncp
   ncp-verify run --peer peers/rust --peer peers/typescript --level wire
   ncp-verify run --peer my/peer --filter NCP-WIRE-01? --verbose

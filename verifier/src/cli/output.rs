@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::check::write;
+use super::check::{write, write_by};
 use super::{CliError, print};
 use crate::report::{Detail, Format, Report, Style, render, terminal};
 use crate::suite::Suite;
@@ -52,7 +52,7 @@ impl OutputArgs {
             let detail = if self.verbose { Detail::VERBOSE } else { Detail { examples, ..Detail::NORMAL } };
             print(&terminal(report, style, detail))?;
         }
-        write(result, &render(report, Format::Json, Some(suite))?)?;
+        write_by(result, |file| report.write_json(file))?;
         if !silent {
             let shown = self.json.as_ref().map_or(RESULT.to_owned(), |file| file.display().to_string());
             print(&format!("{}\n", style.dim(&format!("result: {shown}"))))?;

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use super::CliError;
+
 /// A folder that holds `peers/*/peer.toml`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Workspace {
@@ -12,12 +14,6 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// The nearest one at or above `from`; else the one that this program was built in, if it is still there.
-    pub(super) fn find(from: &Path) -> Option<Self> {
-        let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
-        from.ancestors().chain(built_in).find_map(Self::at)
-    }
-
     /// The nearest one at or above the current folder.
     pub(super) fn here() -> Option<Self> {
         Self::above(&std::env::current_dir().ok()?)
@@ -26,6 +22,19 @@ impl Workspace {
     /// The nearest one at or above `from`.
     pub(super) fn above(from: &Path) -> Option<Self> {
         from.ancestors().find_map(Self::at)
+    }
+
+    /// The nearest one at or above `from`, whose bundled peers are meant when none is named.
+    pub(super) fn of_bundled_peers(from: &Path, command: &str) -> Result<Self, CliError> {
+        let none = || {
+            CliError::Usage(format!(
+                "no peer is named, and {} is not in a checkout of the project, whose bundled peers would be meant\n\
+                 name yours:         ncp-verify {command} --peer-cmd 'python3 my_adapter.py'\n\
+                 or begin with one:  ncp-verify starter > my_adapter.py",
+                from.display()
+            ))
+        };
+        Self::above(from).ok_or_else(none)
     }
 
     /// Cargo's target folder.

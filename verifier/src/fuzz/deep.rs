@@ -15,7 +15,7 @@ use super::asker::{Asker, Patience, Said};
 use super::court::{Court, CourtError, Question};
 use super::coverage::reached;
 use super::draw::Draw;
-use super::generate::{self, Input, Menu};
+use super::generate::{self, Input, Menu, Seeds};
 use super::harvest::Harvest;
 use super::oracle::{self, Verdict};
 use super::rules::fnv;
@@ -56,6 +56,7 @@ pub struct Candidate {
 pub struct Deep<'s> {
     seed: u64,
     menu: Menu,
+    seeds: Seeds,
     suite: &'s Suite,
     harvest: Harvest,
     court: Court,
@@ -98,7 +99,8 @@ impl<'s> Deep<'s> {
     /// There is no place for what is to be judged.
     pub fn new(suite: &'s Suite, seed: u64) -> Result<Self, CourtError> {
         let menu = super::menu(&Role::ALL, Level::Strict, true, &[]);
-        Ok(Self { seed, menu, suite, harvest: Harvest::default(), court: Court::open()? })
+        let seeds = Seeds::of(suite, &menu);
+        Ok(Self { seed, menu, seeds, suite, harvest: Harvest::default(), court: Court::open()? })
     }
 
     /// The candidate of this number of a call, whose request has at most so many bytes; none where the text leaves the
@@ -106,10 +108,17 @@ impl<'s> Deep<'s> {
     #[must_use]
     pub fn candidate(&self, call: Call, number: u64, most: usize) -> Option<Candidate> {
         let mut draw = Draw::new(self.seed ^ fnv(0, call.as_str()), number, &self.harvest);
-        // A third of the traces is long.
-        let length = (number % 3 == 2).then(|| draw.size(40, 400));
-        draw = draw.with_length(length.filter(|_| call != Call::SessionRun || number.is_multiple_of(2)));
-        let input = Input { call, args: generate::args(call, &self.menu, &mut draw)? };
+        let (args, varied) = if number % 2 == 1
+            && let Some(varied) = self.seeds.vary(call, &mut draw)
+        {
+            (varied.args, varied.keys)
+        } else {
+            // A third of the traces is long.
+            let length = (number % 6 == 4).then(|| draw.size(40, 400));
+            draw = draw.with_length(length.filter(|_| call != Call::SessionRun || number.is_multiple_of(4)));
+            (generate::args(call, &self.menu, &mut draw)?, Vec::new())
+        };
+        let input = Input { call, args };
         let args = input.args.to_string();
         let spec = oracle::specification(call, &args);
         let Verdict::Expect(expect) = oracle::expectation(&input, &spec, None) else { return None };
@@ -120,6 +129,7 @@ impl<'s> Deep<'s> {
         }
         let mut keys: Vec<u64> = reached(&input, args.len(), &spec).pairs(call);
         structure(&input, &mut keys);
+        keys.extend(varied);
         keys.sort_unstable();
         keys.dedup();
         Some(Candidate { number, input, expect, spec, keys, bytes })

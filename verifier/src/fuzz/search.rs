@@ -17,7 +17,7 @@ use super::asker::{Asker, Fault, Patience, Said};
 use super::court::{self, Court, CourtError, Question};
 use super::coverage::{Coverage, Reached, reached};
 use super::draw::Draw;
-use super::generate::{self, Input, Menu, body, mutate};
+use super::generate::{self, Input, Menu, Seeds, body, mutate};
 use super::harvest::Harvest;
 use super::oracle::{self, Verdict, agree};
 use super::rules::{Decided, Rules};
@@ -209,11 +209,13 @@ pub fn fuzz(
     let roles: Vec<Role> = if settings.roles.is_empty() { claimed.collect() } else { settings.roles.clone() };
     let menu = super::menu(&roles, settings.level, description.reference_networks, &settings.patterns);
     let patience = Patience { silence: settings.timeout, start: settings.start_timeout, memory: settings.memory };
+    let seeds = Seeds::of(suite, &menu);
     let mut first = Some(first);
     let askers = (0..settings.jobs.max(1)).map(|_| Asker::new(launch, patience.clone(), stop, first.take())).collect();
     let mut search = Search {
         settings,
         menu,
+        seeds,
         roles,
         stop,
         listener,
@@ -244,6 +246,8 @@ pub fn fuzz(
 struct Search<'s> {
     settings: &'s Settings,
     menu: Menu,
+    /// The cases of the corpus, to be varied.
+    seeds: Seeds,
     roles: Vec<Role>,
     stop: &'s Stop,
     listener: &'s dyn Listener,
@@ -292,7 +296,7 @@ impl Search<'_> {
     /// Asks one round of inputs.
     fn round(&mut self, count: usize, until: Option<Instant>) -> Result<Vec<Done>, FuzzError> {
         let first = self.tested.inputs;
-        let (menu, kept, settings) = (&self.menu, &self.kept, self.settings);
+        let (menu, seeds, kept, settings) = (&self.menu, &self.seeds, &self.kept, self.settings);
         let known = &self.tested.coverage.keys;
         let next = AtomicUsize::new(0);
         let (stop, listener) = (self.stop, self.listener);
@@ -307,7 +311,7 @@ impl Search<'_> {
                 }
                 let numbers = (from..(from + CHUNK).min(count)).map(|nth| first + nth as u64);
                 let tasks: Vec<Task> = numbers
-                    .filter_map(|number| Some(Task { number, input: draw_input(menu, kept, settings, number)? }))
+                    .filter_map(|number| Some(Task { number, input: draw_input(menu, seeds, kept, settings, number)? }))
                     .collect();
                 match ask(asker, tasks, known) {
                     Ok(mut done) => {
@@ -594,13 +598,26 @@ impl Search<'_> {
     }
 }
 
-/// The input of this number: drawn anew, or one that was kept, changed.
-fn draw_input(menu: &Menu, kept: &BTreeMap<Call, Vec<Input>>, settings: &Settings, number: u64) -> Option<Input> {
+/// The input of this number: drawn anew, a case of the corpus that is varied, or an input that was kept, changed.
+fn draw_input(
+    menu: &Menu,
+    seeds: &Seeds,
+    kept: &BTreeMap<Call, Vec<Input>>,
+    settings: &Settings,
+    number: u64,
+) -> Option<Input> {
     let mut draw = Draw::new(settings.seed, number, &settings.harvest).with_length(settings.length);
     let call = generate::call(menu, &mut draw)?;
     let others = kept.get(&call).map_or(&[][..], Vec::as_slice);
     // A trace that was changed may have another length.
-    if others.len() < 4 || settings.length.is_some() || !draw.chance(30) {
+    let is_changed = settings.length.is_none();
+    if is_changed
+        && draw.chance(50)
+        && let Some(varied) = seeds.vary(call, &mut draw)
+    {
+        return Some(Input { call, args: varied.args });
+    }
+    if others.len() < 4 || !is_changed || !draw.chance(40) {
         return Some(Input { call, args: generate::args(call, menu, &mut draw)? });
     }
     let (one, other) = (draw.below(others.len()), draw.below(others.len()));
@@ -782,9 +799,9 @@ pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern], length: 
         harvest: Harvest::default(),
         length,
     };
-    let kept = BTreeMap::new();
+    let (seeds, kept) = (Seeds::default(), BTreeMap::new());
     let agrees = |number: u64| {
-        let Some(input) = draw_input(&menu, &kept, &settings, number) else { return false };
+        let Some(input) = draw_input(&menu, &seeds, &kept, &settings, number) else { return false };
         let args = input.args.to_string();
         oracle::specification(input.call, &args) == oracle::specification(input.call, &args)
     };

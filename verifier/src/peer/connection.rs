@@ -5,7 +5,7 @@
 //! its log costs bounded memory, and [`Connection::kill`] always ends it, the children of a process included.
 
 use std::collections::VecDeque;
-use std::io::{Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
@@ -29,6 +29,17 @@ const WAITING_BATCHES: usize = 16;
 const SETTLE: Duration = Duration::from_millis(300);
 /// How much of an overlong line is kept, to be shown.
 const OVERLONG_SHOWN: usize = 2 << 10;
+
+/// What goes to the peer: whole lines, or whole frames.
+pub(super) enum Outgoing {
+    /// At hand.
+    Bytes(Vec<u8>),
+    /// Made while it is sent.
+    Large(Large),
+}
+
+/// Writes them.
+type Large = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + Send>;
 
 /// What came from the peer.
 #[derive(Debug)]
@@ -70,7 +81,7 @@ pub struct Connection {
     /// The connection to a server.
     server: Option<(Framing, Arc<Socket>)>,
     command: String,
-    requests: Option<Sender<Vec<u8>>>,
+    requests: Option<Sender<Outgoing>>,
     incoming: Receiver<Incoming>,
     unread: VecDeque<Incoming>,
     line_limit: Arc<AtomicUsize>,
@@ -158,10 +169,26 @@ impl Connection {
         // A writer that is gone has said so: `Incoming::Deaf`, or the end of a connection.
         if self.has_frames() {
             let lines = lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
-            lines.for_each(|line| drop(requests.send(frame(Some(line)))));
+            lines.for_each(|line| drop(requests.send(Outgoing::Bytes(frame(Some(line))))));
         } else {
-            let _ = requests.send(lines);
+            let _ = requests.send(Outgoing::Bytes(lines));
         }
+    }
+
+    /// Hands over a request that is so large that it is made only while it is sent: a line that `write` writes.
+    pub fn send_large(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static) {
+        let Some(requests) = &self.requests else { return };
+        let large: Large = if self.has_frames() {
+            // The length of a frame stands at its start, so that the line must be there first.
+            Box::new(|out| {
+                let mut line = Vec::new();
+                write(&mut line)?;
+                out.write_all(&frame(Some(line.strip_suffix(b"\n").unwrap_or(&line))))
+            })
+        } else {
+            Box::new(write)
+        };
+        let _ = requests.send(Outgoing::Large(large));
     }
 
     /// Allows answers of up to this many bytes. Only ever raised within one process.
@@ -218,7 +245,7 @@ impl Connection {
     pub fn close_requests(&mut self) {
         let requests = self.requests.take();
         if self.has_frames() {
-            requests.map(|requests| requests.send(frame(None)));
+            requests.map(|requests| requests.send(Outgoing::Bytes(frame(None))));
         }
     }
 
@@ -375,12 +402,25 @@ pub(super) fn end_group(child: &mut Child) {
     let _ = child.wait();
 }
 
-fn write_requests(mut stdin: ChildStdin, requests: &Receiver<Vec<u8>>, events: &SyncSender<Incoming>) {
-    for lines in requests {
-        if stdin.write_all(&lines).is_err() {
+fn write_requests(mut stdin: ChildStdin, requests: &Receiver<Outgoing>, events: &SyncSender<Incoming>) {
+    for outgoing in requests {
+        if outgoing.write_to(&mut stdin).is_err() {
             // The receiver may be gone already; then nobody needs to know.
             let _ = events.send(Incoming::Deaf);
             return;
+        }
+    }
+}
+
+impl Outgoing {
+    pub(super) fn write_to(self, out: &mut impl Write) -> io::Result<()> {
+        match self {
+            Self::Bytes(bytes) => out.write_all(&bytes),
+            Self::Large(write) => {
+                let mut out = BufWriter::with_capacity(PIECE, out);
+                write(&mut out)?;
+                out.flush()
+            }
         }
     }
 }
@@ -393,7 +433,7 @@ pub(super) fn read_lines(mut stdout: impl Read, limit: &AtomicUsize, events: &Sy
         match stdout.read(&mut piece) {
             Ok(0) => break,
             Ok(count) => buffer.extend_from_slice(&piece[..count]),
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
             Err(_) => break,
         }
         let Some(last) = buffer[start..].iter().rposition(|byte| *byte == b'\n') else {
@@ -421,7 +461,7 @@ fn keep_log(mut stderr: ChildStderr, log: &Mutex<VecDeque<u8>>) {
         let count = match stderr.read(&mut piece) {
             Ok(0) => return,
             Ok(count) => count,
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
             Err(_) => return,
         };
         let mut kept = log.lock().unwrap_or_else(PoisonError::into_inner);

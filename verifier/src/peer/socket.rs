@@ -16,7 +16,7 @@ use tungstenite::protocol::frame::coding::{Data, OpCode};
 use tungstenite::{Error, Message, WebSocket};
 
 use super::address::{Address, Framing};
-use super::connection::{Incoming, PIECE, read_lines};
+use super::connection::{Incoming, Outgoing, PIECE, read_lines};
 
 /// How long one attempt to connect may take.
 const ATTEMPT: Duration = Duration::from_secs(2);
@@ -43,8 +43,8 @@ pub(super) struct Service {
     pub(super) patience: Duration,
     pub(super) socket: Arc<Socket>,
     /// What is to be written, and by whom it may be extended.
-    pub(super) to_write: Receiver<Vec<u8>>,
-    pub(super) replies: Sender<Vec<u8>>,
+    pub(super) to_write: Receiver<Outgoing>,
+    pub(super) replies: Sender<Outgoing>,
     pub(super) line_limit: Arc<AtomicUsize>,
     pub(super) events: SyncSender<Incoming>,
 }
@@ -160,9 +160,9 @@ fn connect(address: &Address, patience: Duration, socket: &Socket) -> io::Result
 }
 
 /// Writes until nothing more will come, or the connection is gone: then the reader sees it, too.
-fn write(mut stream: TcpStream, to_write: &Receiver<Vec<u8>>) {
-    for bytes in to_write {
-        if stream.write_all(&bytes).is_err() {
+fn write(mut stream: TcpStream, to_write: &Receiver<Outgoing>) {
+    for outgoing in to_write {
+        if outgoing.write_to(&mut stream).is_err() {
             return;
         }
     }
@@ -184,7 +184,7 @@ struct Half {
     read: Vec<u8>,
     taken: usize,
     /// Who writes, and how many bytes more he is given. None during the handshake.
-    replies: Option<(Sender<Vec<u8>>, usize)>,
+    replies: Option<(Sender<Outgoing>, usize)>,
 }
 
 impl Half {
@@ -225,7 +225,7 @@ impl Write for Half {
         if *left >= bytes.len() {
             *left -= bytes.len();
             // Whoever writes may have ended; the reader sees why.
-            let _ = replies.send(bytes.to_vec());
+            let _ = replies.send(Outgoing::Bytes(bytes.to_vec()));
         }
         Ok(bytes.len())
     }
@@ -371,7 +371,9 @@ mod tests {
             half.write_all(&[0; 1024]).unwrap();
         }
         drop(half);
-        assert_eq!(written.iter().map(|bytes: Vec<u8>| bytes.len()).sum::<usize>(), REPLY_BYTES);
+        let mut bytes = Vec::new();
+        written.iter().for_each(|outgoing| outgoing.write_to(&mut bytes).unwrap());
+        assert_eq!(bytes.len(), REPLY_BYTES);
     }
 
     #[test]

@@ -178,7 +178,7 @@ fn index(report: &Report, cases: &Cases<'_>) -> Value {
     let about = |id: &&str| {
         let (_, case) = cases.found(id).first()?;
         Some(json!({
-            "id": id, "title": case.title, "rules": case.rules, "call": case.call.as_str(),
+            "id": id, "title": &*case.title, "rules": &*case.rules, "call": case.call.as_str(),
             "level": Level::ALL.iter().position(|level| *level == case.level), "binding": case.binding,
             "roles": case.roles.iter().copied().map(Role::as_str).collect::<Vec<_>>(),
             "chapter": chapters.iter().position(|chapter| *chapter == cases.chapter(id)),

@@ -66,7 +66,7 @@ fn test(peer: &str, case: &CaseReport) -> TestCase {
     };
     let mut test = TestCase::new(case.id.clone(), status);
     test.set_classname(format!("{peer}.{}", case.rules.join(".")));
-    let mut output = vec![case.title.clone()];
+    let mut output = vec![case.title.to_string()];
     output.extend((case.status == Status::Advice).then(|| format!("advice: {}", differences.join("; "))));
     output.extend(case.request.iter().map(|request| format!("sent: {request}")));
     output.extend(case.answer.iter().map(|answer| format!("got:  {answer}")));

@@ -20,6 +20,7 @@ mod model;
 mod named;
 mod progress;
 mod sarif;
+mod shared;
 mod terminal;
 mod tsv;
 

@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
+use std::fs::File;
+use std::io::{self, BufReader, BufWriter, Read as _, Seek as _, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use ncp_text::catalogue::{Keyword, Level, Role};
@@ -10,6 +13,7 @@ use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde::{Deserialize, Serialize};
 
 use super::named::{by_name, by_name_or_null, by_names};
+use super::shared;
 use crate::check::{Difference, Differences, Manner, in_words};
 use crate::diagnosis::{self, Suspect};
 use crate::dictionary::{CaseKey, Dictionary, Explained, Explanation, Observed};
@@ -22,6 +26,8 @@ use crate::verdict::{Conclusion, Excuse, Judged, LevelVerdict, RoleVerdict, Stat
 
 /// The format of the result file.
 const FORMAT: u32 = 1;
+/// A result file is read and written in pieces of so many bytes.
+const BUFFER: usize = 64 << 10;
 /// How much of a request is kept for a case that did not pass.
 const KEPT_BYTES: usize = 16_000;
 
@@ -408,9 +414,11 @@ pub struct CaseReport {
     /// Its id.
     pub id: String,
     /// What it shows.
-    pub title: String,
+    #[serde(with = "shared")]
+    pub title: Arc<str>,
     /// The rules that it cites.
-    pub rules: Vec<String>,
+    #[serde(with = "shared")]
+    pub rules: Arc<[String]>,
     /// The roles that need it.
     #[serde(with = "by_names")]
     pub roles: Vec<Role>,
@@ -571,7 +579,16 @@ impl Report {
     /// # Errors
     /// [`ReadError`] if it cannot be read or is no result of this format.
     pub fn read(path: &Path) -> Result<Self, ReadError> {
-        let text = std::fs::read_to_string(path).map_err(|source| ReadError::Read { path: path.to_owned(), source })?;
+        let fault = |source| ReadError::Read { path: path.to_owned(), source };
+        // It is large where peers are many: it is read without being held.
+        let mut file = File::open(path).map_err(fault)?;
+        if let Ok(report) = serde_json::from_reader::<_, Self>(BufReader::with_capacity(BUFFER, &file))
+            && report.format == FORMAT
+        {
+            return Ok(report);
+        }
+        let mut text = String::new();
+        file.rewind().and_then(|()| file.read_to_string(&mut text)).map_err(fault)?;
         Self::from_json(&text).map_err(|source| ReadError::Form { path: path.to_owned(), source })
     }
 
@@ -589,6 +606,17 @@ impl Report {
             return Err(FormError::Format(format));
         }
         Ok(serde_json::from_str(text)?)
+    }
+
+    /// Writes the JSON result file.
+    ///
+    /// # Errors
+    /// What `out` says.
+    pub fn write_json(&self, out: impl Write) -> io::Result<()> {
+        let mut out = BufWriter::with_capacity(BUFFER, out);
+        serde_json::to_writer_pretty(&mut out, self)?;
+        out.write_all(b"\n")?;
+        out.flush()
     }
 
     /// The JSON result file.
@@ -864,8 +892,8 @@ impl CaseReport {
             StoredRun::from(run);
         Self {
             id: case.id.clone(),
-            title: case.title.clone(),
-            rules: case.requirements.iter().map(|rule| rule.id.clone()).collect(),
+            title: shared::shared(case.title.as_str()),
+            rules: shared::shared(case.requirements.iter().map(|rule| rule.id.clone()).collect::<Vec<_>>()),
             roles: case.roles.clone(),
             level: case.level,
             binding: case.binding,

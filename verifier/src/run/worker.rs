@@ -55,6 +55,8 @@ pub(super) struct Worker<'r> {
     /// How processes were seen to end, again and again, on cases of a call.
     known: HashSet<(Call, String)>,
     spares: Spares,
+    /// How many bytes the last batch of requests had.
+    batch: usize,
     report: Report,
 }
 
@@ -111,7 +113,7 @@ impl<'r> Worker<'r> {
         let report = Report { cases: vec![None; shared.cases.len()], notes: Vec::new() };
         let process = connection.map(|connection| Process::new(connection, shared.is_crowded()));
         let spares = Spares::new(shared);
-        Self { shared, process, again: VecDeque::new(), known: HashSet::new(), spares, report }
+        Self { shared, process, again: VecDeque::new(), known: HashSet::new(), spares, batch: 0, report }
     }
 
     /// Runs cases until there are no more.
@@ -219,7 +221,7 @@ impl<'r> Worker<'r> {
 
     /// Puts as many requests in flight as the window allows.
     fn fill(&mut self, process: &mut Process) {
-        let mut lines = Vec::new();
+        let mut lines = Vec::with_capacity(self.batch);
         while process.waiting < WINDOW && (process.waiting_bytes < WINDOW_BYTES || process.waiting == 0) {
             let Some(index) = self.again.pop_front().or_else(|| self.shared.take()) else {
                 break;
@@ -231,6 +233,8 @@ impl<'r> Worker<'r> {
             }
             process.put(index, case, &mut lines);
         }
+        // The next batch is about as large: its buffer does not have to grow.
+        self.batch = lines.len();
         process.send(lines);
     }
 
@@ -647,12 +651,23 @@ impl Process {
         }
     }
 
-    /// Appends the request of a case to `lines` and counts it as in flight.
+    /// Appends the request of a case to `lines`, or sends these and then the request if that is large, and counts it as
+    /// in flight.
     fn put(&mut self, index: usize, case: &Case, lines: &mut Vec<u8>) {
-        let start = lines.len();
         self.sent.push((index, false));
-        write_request(lines, self.sent.len() as u64, &case.body());
-        self.connection.allow_line(ANSWER_BYTES + 8 * (lines.len() - start));
+        let id = self.sent.len() as u64;
+        self.connection.allow_line(ANSWER_BYTES + 8 * case.request_bytes());
+        if case.is_large() {
+            self.send(std::mem::take(lines));
+            let write = case.writer();
+            self.connection.send_large(move |out| {
+                write!(out, "{{\"id\":{id},")?;
+                write(out)?;
+                out.write_all(b"\n")
+            });
+        } else {
+            write_request(lines, id, &case.body());
+        }
         if self.waiting == 0 {
             self.progress = Instant::now();
         }

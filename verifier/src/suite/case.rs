@@ -1,6 +1,7 @@
 //! One case.
 
 use std::borrow::Cow;
+use std::io::{self, Write};
 use std::sync::Arc;
 
 use ncp_spec::ErrorCode;
@@ -194,6 +195,16 @@ impl Case {
         match &self.kept {
             Some(body) => Cow::Borrowed(body),
             None => Cow::Owned(self.make_body()),
+        }
+    }
+
+    /// What writes the request after its id, piece by piece: for one that [is large](Self::is_large).
+    pub fn writer(&self) -> impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + use<> {
+        let (call, args) = (self.call, self.args.clone());
+        move |out| {
+            write!(out, "\"call\":\"{}\",\"args\":", call.as_str())?;
+            args.write_to(out)?;
+            out.write_all(b"}")
         }
     }
 

@@ -8,6 +8,7 @@ mod case;
 mod file;
 mod filter;
 mod flags;
+mod packed;
 mod pattern;
 mod template;
 
@@ -19,9 +20,12 @@ pub use flags::{Finding, Flag};
 pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
 
 use ncp_text::catalogue::{Catalogue, CatalogueError, Level, Requirement, Role};
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
@@ -29,6 +33,7 @@ use sha2::{Digest as _, Sha256};
 
 use crate::peer::{Call, Description};
 use case::Parts;
+use packed::Packed;
 
 /// The id of the case of `describe`.
 pub(crate) const DESCRIBE: &str = "describe";
@@ -94,7 +99,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn embedded() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().copied(), "the program")
+        Self::read(EMBEDDED.iter(), Packed::unpack, "the program")
     }
 
     /// The suite that is built into the program, and besides it the deep set: cases that a search chose, whose ids
@@ -103,7 +108,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty.
     pub fn with_deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP).copied(), "the program")
+        Self::read(EMBEDDED.iter().chain(EMBEDDED_DEEP), Packed::unpack, "the program")
     }
 
     /// The deep set alone, that is built into the program.
@@ -111,7 +116,7 @@ impl Suite {
     /// # Errors
     /// [`SuiteError`] if one of its files is faulty, or there is none.
     pub fn deep() -> Result<Self, SuiteError> {
-        Self::read(EMBEDDED_DEEP.iter().copied(), "the program")
+        Self::read(EMBEDDED_DEEP.iter(), Packed::unpack, "the program")
     }
 
     /// The suite of a folder: every `<folder>/<area>/<name>.json`.
@@ -128,7 +133,7 @@ impl Suite {
                 files.push((name, text));
             }
         }
-        Self::read(files.iter().map(|(name, text)| (name.as_str(), text.as_str())), &folder.to_string_lossy())
+        Self::read(files.iter(), |(name, text)| Ok((name.as_str(), text.into())), &folder.to_string_lossy())
     }
 
     /// Every case, in the order of the files.
@@ -175,6 +180,12 @@ impl Suite {
         self.files
     }
 
+    /// The [`digest`](Self::digest) of the suite that is built into the program, without unpacking it.
+    #[must_use]
+    pub fn embedded_digest() -> String {
+        hex(&Sha256::digest(include_str!("../../../vectors/MANIFEST.sha256")))
+    }
+
     /// The SHA-256 of the list of the files' SHA-256: that of `vectors/MANIFEST.sha256`.
     #[must_use]
     pub fn digest(&self) -> &str {
@@ -199,7 +210,12 @@ impl Suite {
         self.requirements.iter().find(|rule| rule.id == id)
     }
 
-    fn read<'f>(files: impl Iterator<Item = (&'f str, &'f str)>, place: &str) -> Result<Self, SuiteError> {
+    /// Reads files side by side: `text` makes of each its name and its text, so that few unpacked texts are held.
+    fn read<'f, F: Send>(
+        files: impl Iterator<Item = F> + Send,
+        text: impl Fn(F) -> Result<(&'f str, Cow<'f, str>), SuiteError> + Sync,
+        place: &str,
+    ) -> Result<Self, SuiteError> {
         let catalogue = Catalogue::load()?;
         let requirements: Vec<_> = catalogue.iter().cloned().map(Arc::new).collect();
         let rules: HashMap<&str, &Arc<Requirement>> =
@@ -208,8 +224,13 @@ impl Suite {
         let mut notes: BTreeMap<String, Vec<String>> = BTreeMap::new();
         let mut manifest = String::new();
         let mut count = 0;
-        for (name, text) in files {
-            let file = file::read(name, text, &rules)?;
+        let read = |file: F| {
+            let (name, text) = text(file)?;
+            let line = format!("{}  corpus/{name}\n", hex(&Sha256::digest(text.as_bytes())));
+            Ok::<_, SuiteError>((file::read(name, &text, &rules)?, line))
+        };
+        for read in side_by_side(files, read) {
+            let (file, line) = read?;
             for (flag, note) in file.notes {
                 let known = notes.entry(flag).or_default();
                 if !known.contains(&note) {
@@ -217,7 +238,7 @@ impl Suite {
                 }
             }
             cases.extend(file.cases);
-            manifest.push_str(&format!("{}  corpus/{name}\n", hex(&Sha256::digest(text))));
+            manifest.push_str(&line);
             count += 1;
         }
         if cases.is_empty() {
@@ -237,6 +258,21 @@ impl Suite {
             [describe(&rules, ["NCP-VER-020", "NCP-VER-021"])?, describe(&rules, ["NCP-VER-021", "NCP-VER-020"])?];
         Ok(Self { cases, describe, requirements, notes, digest, files: count })
     }
+}
+
+/// What `work` makes of each item, in their order; as many items at a time as there are cores.
+fn side_by_side<T, R: Send>(items: impl Iterator<Item = T> + Send, work: impl Fn(T) -> R + Sync) -> Vec<R> {
+    let items = Mutex::new(items.enumerate());
+    let take = || items.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let worker = || std::iter::from_fn(take).map(|(place, item)| (place, work(item))).collect::<Vec<_>>();
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let mut done: Vec<(usize, R)> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(worker)).collect();
+        let done = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        done.flatten().collect()
+    });
+    done.sort_by_key(|(place, _)| *place);
+    done.into_iter().map(|(_, made)| made).collect()
 }
 
 /// Sees to it that a case rests on cases of the suite, and in the end on those that rest on none.
@@ -355,7 +391,7 @@ mod tests {
     use super::*;
 
     fn suite(files: &[(&str, &str)]) -> Result<Suite, SuiteError> {
-        Suite::read(files.iter().copied(), "the test")
+        Suite::read(files.iter(), |(name, text)| Ok((*name, (*text).into())), "the test")
     }
 
     fn file(name: &str, ids: &[&str]) -> String {
@@ -378,6 +414,7 @@ mod tests {
     fn the_embedded_suite_is_without_fault() {
         let suite = Suite::embedded().unwrap_or_else(|fault| panic!("{fault}"));
         assert!(suite.cases().len() >= 1200, "{}", suite.cases().len());
+        assert_eq!(suite.digest(), Suite::embedded_digest());
     }
 
     #[test]

@@ -4,22 +4,26 @@
 //! `{"$repeat": "x", "times": 1000}`, `{"$concat": [part, …]}`, `{"$base64": template}`. Peers never see them.
 
 use std::borrow::Cow;
+use std::io::{self, Write};
+use std::sync::Arc;
 
-use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use base64::write::EncoderWriter;
 
 use crate::json::{Json, JsonError, write_string};
 use crate::peer::MAX_REQUEST_BYTES;
 
 /// Up to this size an expanded text is kept at hand.
 pub(super) const KEPT_BYTES: usize = 64 << 10;
+/// What is repeated is written in pieces of about this size.
+const PIECE: usize = 64 << 10;
 /// How deep templates may stand within each other.
 const MAX_DEPTH: usize = 8;
 
 /// A JSON value of a vector file, its templates not yet expanded.
 #[derive(Debug, Clone)]
 pub struct Template {
-    raw: Box<str>,
+    raw: Arc<str>,
     bytes: usize,
     kept: Option<Box<str>>,
 }
@@ -86,12 +90,21 @@ impl Template {
         if let Some(kept) = &self.kept {
             return Cow::Borrowed(kept);
         }
-        let mut out = String::with_capacity(self.bytes + 64);
-        // It was read when it was made.
-        if let Ok(value) = Json::parse(&self.raw) {
-            write_expanded(&value, &mut out);
+        let mut out = Vec::with_capacity(self.bytes + 64);
+        // It was read when it was made, and a vector takes whatever is written.
+        drop(self.write_to(&mut out));
+        Cow::Owned(String::from_utf8(out).unwrap_or_default())
+    }
+
+    /// Writes what [`expand`](Self::expand) gives, piece by piece, so that its size costs no memory.
+    ///
+    /// # Errors
+    /// What `out` says.
+    pub fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
+        match &self.kept {
+            Some(kept) => out.write_all(kept.as_bytes()),
+            None => Json::parse(&self.raw).map_or(Ok(()), |value| write_expanded(&value, out)),
         }
-        Cow::Owned(out)
     }
 
     /// The value as JSON text without white space, its templates as they are.
@@ -103,11 +116,11 @@ impl Template {
     /// The string that it stands for, if [`is_text`](Self::is_text).
     #[must_use]
     pub fn text(&self) -> String {
-        match Json::parse(&self.raw) {
-            Ok(Json::String(text)) => text.into_owned(),
-            Ok(value) => template_text(&value),
-            Err(_) => String::new(),
+        let mut out = Vec::with_capacity(self.bytes);
+        if let Ok(value) = Json::parse(&self.raw) {
+            drop(write_part(&value, Spelling::Plain, &mut out));
         }
+        String::from_utf8(out).unwrap_or_default()
     }
 }
 
@@ -191,55 +204,75 @@ fn text_size(form: &Form<'_, '_>, spelling: Spelling, depth: usize) -> Result<us
     if total > MAX_REQUEST_BYTES { Err(TemplateError::Size) } else { Ok(total) }
 }
 
-/// How the bytes of a string are counted.
+/// How the bytes of a string are counted and written.
 #[derive(Clone, Copy)]
 enum Spelling {
     Plain,
     Json,
 }
 
-fn write_expanded(value: &Json<'_>, out: &mut String) {
+fn write_expanded(value: &Json<'_>, out: &mut dyn Write) -> io::Result<()> {
     match (form(value), value) {
-        (Ok(Some(Form::Text(text))), _) => write_string(text, out),
-        (Ok(Some(_)), _) => write_string(&template_text(value), out),
+        (Ok(Some(form)), _) => {
+            out.write_all(b"\"")?;
+            write_form(&form, Spelling::Json, out)?;
+            out.write_all(b"\"")
+        }
         (_, Json::Array(items)) => {
-            out.push('[');
             for (i, item) in items.iter().enumerate() {
-                if i > 0 {
-                    out.push(',');
-                }
-                write_expanded(item, out);
+                out.write_all(if i > 0 { b"," } else { b"[" })?;
+                write_expanded(item, out)?;
             }
-            out.push(']');
+            out.write_all(if items.is_empty() { b"[]" } else { b"]" })
         }
         (_, Json::Object(members)) => {
-            out.push('{');
             for (i, (name, member)) in members.iter().enumerate() {
-                if i > 0 {
-                    out.push(',');
-                }
-                write_string(name, out);
-                out.push(':');
-                write_expanded(member, out);
+                let mut spelled = String::from(if i > 0 { "," } else { "{" });
+                write_string(name, &mut spelled);
+                spelled.push(':');
+                out.write_all(spelled.as_bytes())?;
+                write_expanded(member, out)?;
             }
-            out.push('}');
+            out.write_all(if members.is_empty() { b"{}" } else { b"}" })
         }
-        (_, plain) => plain.write_to(out),
+        (_, plain) => out.write_all(plain.to_string().as_bytes()),
     }
 }
 
-/// The string that a value stands for. Its form and size were judged when it was read.
-fn template_text(value: &Json<'_>) -> String {
-    fn build<'v>(value: &'v Json<'_>) -> Cow<'v, str> {
-        match form(value) {
-            Ok(Some(Form::Text(text))) => Cow::Borrowed(text),
-            Ok(Some(Form::Repeat(repeated, times))) => Cow::Owned(build(repeated).repeat(times)),
-            Ok(Some(Form::Concat(parts))) => Cow::Owned(parts.iter().map(build).collect()),
-            Ok(Some(Form::Base64(encoded))) => Cow::Owned(STANDARD.encode(build(encoded).as_bytes())),
-            Ok(None) | Err(_) => Cow::Borrowed(""),
+/// Writes the string that a form stands for, without quotes. Its size was judged when it was read.
+fn write_form(form: &Form<'_, '_>, spelling: Spelling, out: &mut dyn Write) -> io::Result<()> {
+    match form {
+        Form::Text(text) => match spelling {
+            Spelling::Plain => out.write_all(text.as_bytes()),
+            Spelling::Json => {
+                let mut spelled = String::new();
+                write_string(text, &mut spelled);
+                out.write_all(spelled.get(1..spelled.len() - 1).unwrap_or_default().as_bytes())
+            }
+        },
+        Form::Repeat(repeated, times) => {
+            let mut once = Vec::new();
+            write_part(repeated, spelling, &mut once)?;
+            let many = (PIECE / once.len().max(1)).clamp(1, (*times).max(1));
+            let piece = once.repeat(many);
+            for _ in 0..times / many {
+                out.write_all(&piece)?;
+            }
+            out.write_all(&once.repeat(times % many))
+        }
+        Form::Concat(parts) => parts.iter().try_for_each(|each| write_part(each, spelling, out)),
+        // Base64 has nothing to escape.
+        Form::Base64(encoded) => {
+            let mut encoder = EncoderWriter::new(out, &STANDARD);
+            write_part(encoded, Spelling::Plain, &mut encoder)?;
+            encoder.finish().map(drop)
         }
     }
-    build(value).into_owned()
+}
+
+/// As [`write_form`], of a part of a template; what was read is one.
+fn write_part(value: &Json<'_>, spelling: Spelling, out: &mut dyn Write) -> io::Result<()> {
+    part(value).map_or(Ok(()), |form| write_form(&form, spelling, out))
 }
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ fn range(draw: &mut Draw<'_>) -> [f64; 2] {
         0 => [low, low],
         1 => [low, low.next_up()],
         2 => [low, end(draw)],
+        // Their sum, or their difference, leaves the doubles.
+        3 => draw.one(&[[1e308, 1.5e308], [-1.5e308, 1.5e308], [-f64::MAX, -1e308], [f64::MAX / 2.0, f64::MAX]]),
         _ => {
             let high = end(draw);
             draw.note(high);

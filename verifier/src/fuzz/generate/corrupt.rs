@@ -25,7 +25,7 @@ pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
 }
 
 /// A value for a member that nobody knows.
-fn unknown(draw: &mut Draw<'_>) -> Tree {
+pub(super) fn unknown(draw: &mut Draw<'_>) -> Tree {
     match draw.below(9) {
         // Large, and perhaps with a name twice.
         6 => {

@@ -12,6 +12,7 @@
 //! - `codec`: the rate codec.
 //! - `session`: the requests to a server.
 //! - `mutate`: an input that was kept, changed.
+//! - `vary`: a case of the corpus, made longer, larger, nearly ambiguous, or one with another.
 
 mod bulk;
 mod codec;
@@ -22,12 +23,14 @@ mod plain;
 mod plant;
 mod safety;
 mod session;
+mod vary;
 
 use super::draw::Draw;
 use super::tree::Tree;
 use crate::peer::Call;
 
 pub(crate) use mutate::mutate;
+pub(crate) use vary::Seeds;
 
 /// One question to a peer.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,6 +67,21 @@ pub(crate) struct Menu {
     /// The keys that its roles build, and the planes on which they publish.
     pub(crate) keys: Vec<&'static str>,
     pub(crate) planes: Vec<&'static str>,
+}
+
+impl Menu {
+    /// Whether these arguments of a call are what its peer may be asked.
+    pub(crate) fn has(&self, call: Call, args: &Tree) -> bool {
+        let of = |name: &str| crate::fuzz::tree::string(args, name).unwrap_or_default();
+        let fits = match call {
+            Call::Decode => self.reads.contains(&of("kind")),
+            Call::Encode => self.writes.contains(&of("kind")),
+            Call::KeyBuild => self.keys.contains(&of("key")),
+            Call::PlaneQos => self.planes.contains(&of("plane")),
+            _ => true,
+        };
+        fits && (self.strict || args.get("strict").is_none())
+    }
 }
 
 /// How often a call is drawn, of the sum of all.

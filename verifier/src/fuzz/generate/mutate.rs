@@ -49,7 +49,7 @@ fn steps(args: &mut Tree, name: &str, other: Option<&Input>, draw: &mut Draw<'_>
 }
 
 /// Changes a number, a string or a member somewhere.
-fn value(args: &mut Tree, draw: &mut Draw<'_>) {
+pub(super) fn value(args: &mut Tree, draw: &mut Draw<'_>) {
     let all = places(args);
     let place = all[draw.below(all.len())].clone();
     let elsewhere = all[draw.below(all.len())].clone();

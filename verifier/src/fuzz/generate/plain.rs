@@ -131,8 +131,17 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
     let longer = format!("{long}1");
     let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "aaaa", "é", "abab", "@ab", long.as_str(), &longer];
     let alphabet = if draw.chance(20) { &alphabet[..] } else { &alphabet[..11] };
-    let count = if draw.chance(10) { draw.size(1, 40) } else { draw.size(1, 6) };
-    let key: Vec<String> = (0..count).map(|_| draw.pick(alphabet).to_owned()).collect();
+    let count = if draw.chance(20) { draw.size(1, 70) } else { draw.size(1, 6) };
+    let repeats = draw.one(&[0, 0, 50]);
+    let chunk = |draw: &mut Draw<'_>| {
+        if !draw.chance(repeats) {
+            return draw.pick(alphabet).to_owned();
+        }
+        // What a search within it comes back to.
+        let most = if draw.chance(20) { 200 } else { 12 };
+        (0..draw.size(1, most)).map(|_| draw.one(&['a', 'a', 'b'])).collect()
+    };
+    let key: Vec<String> = (0..count).map(|_| chunk(draw)).collect();
     // The pattern is the key with some of it made wild, so that both answers are common.
     let mut pattern = Vec::new();
     let mut chunks = key.clone().into_iter();
@@ -146,7 +155,9 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
                     chunks.next();
                 }
             }
-            8 if chunk.starts_with('@') && draw.chance(40) => pattern.push(format!("$*{}", &chunk[1..])),
+            8 if chunk.starts_with('@') && draw.chance(60) => {
+                pattern.push(if draw.chance(50) { "$*".to_owned() } else { format!("$*{}", &chunk[1..]) });
+            }
             8 if chunk.len() > 1 && draw.chance(50) => {
                 // Cut, or with more behind it.
                 let cut = chunk.char_indices().last().map_or(0, |(at, _)| at);

@@ -10,7 +10,7 @@ use crate::fuzz::tree::{int, list, literal, map, object, set, spelled, text};
 /// What a trace has of sessions.
 struct Script {
     ids: Vec<String>,
-    /// Grids on which every time of the trace lies, ms.
+    /// The step, ms.
     dt: f64,
     cadences: Vec<f64>,
 }
@@ -32,7 +32,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
             ("E_L", [-70.0, -65.0, 0.0, draw.one(&[-60.0, -55.0, -50.0])]),
             ("V_th", [-55.0, -50.0, 20.0, -45.0]),
             ("V_reset", [-70.0, -75.0, -80.0, -72.0]),
-            ("t_ref", [2.0, 0.0, draw.one(&[5.0, 0.7, 2.3, 2.55, 1.6]), draw.one(&[10.0, 40.0, 300.0])]),
+            ("t_ref", [2.0, 0.0, draw.one(&[5.0, 0.7, 2.3, 2.55, 1.6, 1.25]), draw.one(&[10.0, 40.0, 300.0])]),
             ("I_e", [0.0, 400.0, 500.0, draw.one(&[1000.0, 1000.0, 1e300, 1e308])]),
         ]
     };
@@ -79,7 +79,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, draw))])
     });
     let stimuli: Vec<Tree> = stimuli.collect();
-    let chunk = script.dt * draw.range(1, 40) as f64;
+    let chunk = time(script.dt, 40, draw);
     let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), int(i64::try_from(size).unwrap_or(1))));
     object([
         ("ncp_version", text(WIRE_VERSION)),
@@ -98,6 +98,19 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         ("stimulus", object([("targets", list(stimuli))])),
         ("sim", object([("dt_ms", spelled(script.dt)), ("chunk_ms", spelled(chunk))])),
     ])
+}
+
+/// A time of at most so many steps: as a rule a whole number of them, else one between them, half-way, near half-way, or
+/// of few digits.
+fn time(dt: f64, most: i64, draw: &mut Draw<'_>) -> f64 {
+    let steps = draw.range(1, most) as f64;
+    match draw.below(16) {
+        0 => dt * (steps - 0.5),
+        1 => (dt * (steps - 0.5)).next_down(),
+        2 => dt * (steps - draw.one(&[0.25, 0.4, 0.499, 0.501, 0.9])),
+        3 => (dt * steps * 10.0).round().max(1.0) / 10.0 + draw.one(&[0.0, 0.05, 0.25]),
+        _ => dt * steps,
+    }
 }
 
 fn request(kind: &str, id: &str) -> Tree {
@@ -131,8 +144,10 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         ids.extend(both);
         ids.retain(|id| id.len() <= 256);
     }
-    let dt = draw.one(&[1.0, 0.5, 0.25, 0.125, 2.0]);
-    let cadences = (0..3).map(|_| dt * draw.one(&[1.0, 1.0, 2.0, 5.0, 10.0, 7.0])).collect();
+    let dt = draw.one(&[1.0, 0.5, 0.25, 0.125, 2.0, 0.1, 0.3]);
+    let cadences = (0..3)
+        .map(|_| if draw.chance(70) { dt * draw.one(&[1.0, 1.0, 2.0, 5.0, 10.0, 7.0]) } else { time(dt, 8, draw) });
+    let cadences = cadences.collect();
     let script = Script { ids, dt, cadences };
     let most = if draw.chance(8) { 600 } else { 40 };
     let count = steps(draw, most).min(most);
@@ -160,7 +175,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
             0 => -script.dt,
             1 if draw.chance(15) => script.dt * draw.size(2000, 80_000) as f64,
             1 => script.dt * draw.range(50, 2000) as f64,
-            _ => script.dt * draw.range(1, 30) as f64,
+            _ => time(script.dt, 30, draw),
         };
         let frame = match kind {
             "open_session" => open(&script, &id, draw),

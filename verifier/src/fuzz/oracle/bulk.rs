@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use ncp_peer_rust::Answer;
 
 use super::{Outcome, Verdict, by_result, equal, reject, specification};
-use crate::fuzz::tree::{Tree, items, object, own, string, text};
+use crate::fuzz::tree::{Tree, double, items, object, own, string, text};
 use crate::json::Json;
 use crate::peer::Call;
 
@@ -67,6 +67,14 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
     let mut names = std::collections::HashSet::new();
     if !items(args.get("columns")).iter().all(|column| names.insert(string(column, "name"))) {
         return Verdict::Open("two columns of one name, BULK-034");
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "whether it loses anything is what is asked")]
+    let is_single = |value: &Json<'_>| {
+        double(Some(value)).is_none_or(|value| !value.is_finite() || f64::from(value as f32) == value)
+    };
+    let of_singles = items(args.get("columns")).iter().filter(|column| string(column, "dtype") == Some("f32"));
+    if !of_singles.flat_map(|column| items(column.get("data"))).all(is_single) {
+        return Verdict::Open("a value of an f32 column that is no single may be refused, or be rounded");
     }
     match (result, args.get("columns")) {
         (Err(code), _) => reject(code),

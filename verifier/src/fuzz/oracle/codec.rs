@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::{Outcome, TOLERANCE, Verdict, any, exactly, fits, fits_or_refused, num, range, reject};
+use super::{Outcome, Verdict, any, exactly, fits, fits_or_refused, num, range, reject};
 use crate::fuzz::tree::{Tree, double, doubles, integer, items, list, map, members, object, set, string, text};
 use crate::json::Json;
 
+/// How far off a result may be, relatively to the greater end of its range, CODEC-013.
+const ROUNDING: f64 = 1e-12;
 /// Beyond this, the plain formula leaves the doubles on the way.
 const HUGE: f64 = 1e300;
 /// Below this, it loses digits on the way.
@@ -63,7 +65,7 @@ fn mapped(x: Option<f64>, from: [f64; 2], to: [f64; 2], mapped: f64) -> Option<T
     if !to.iter().all(|end| end.is_finite()) {
         return None;
     }
-    let slack = TOLERANCE * (to[0].abs() + to[1].abs()) + TINY;
+    let slack = ROUNDING * to[0].abs().max(to[1].abs()) + TINY;
     let about = |value: f64| range(value - slack, value + slack);
     let usable = x.is_some_and(f64::is_finite) && from.iter().all(|end| end.is_finite()) && from[0] != from[1];
     if !usable {

@@ -3,10 +3,11 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use ncp_text::WIRE_VERSION;
+use ncp_text::tables::{Default, Message, Shape, tables};
 
 use super::open::{Freedom, freedom, is_advice};
 use super::{Outcome, Verdict, accept, reject};
-use crate::fuzz::tree::{Tree, object, set, string, text};
+use crate::fuzz::tree::{Tree, items, members, object, set, string, text};
 use crate::json::Json;
 
 /// The bytes of a frame that is given as text or in base64.
@@ -59,6 +60,10 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
     if !known("mode", &["init", "active", "hold", "estop"]) {
         return Verdict::Open("a mode that is none may be refused, or written as hold");
     }
+    let message = tables().kind(string(args, "kind").unwrap_or_default());
+    if message.is_some_and(|message| lacks_required(message, fields)) {
+        return Verdict::Open("a required field without a value, for which no table has a default");
+    }
     match result {
         Err("non_finite") => reject("non_finite"),
         Err(_) => Verdict::Open("a message that every receiver rejects, WIRE-091"),
@@ -66,6 +71,25 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
             Some(frame) => Verdict::Expect(object([("relation", text("encoding")), ("text", text(frame))])),
             None => Verdict::Open("the specification writes no frame"),
         },
+    }
+}
+
+/// Whether a message to be built, or one within it, names no value for a field that it has to have.
+fn lacks_required(message: &Message, fields: Option<&Tree>) -> bool {
+    message.fields.iter().any(|field| match fields.and_then(|fields| fields.get(&field.name)) {
+        None => field.default == Default::Required,
+        Some(value) => lacks_within(&field.shape, value),
+    })
+}
+
+fn lacks_within(shape: &Shape, value: &Tree) -> bool {
+    match shape {
+        Shape::Message(name) if matches!(value, Json::Object(_)) => {
+            tables().message(name).is_some_and(|message| lacks_required(message, Some(value)))
+        }
+        Shape::List(item) => items(Some(value)).iter().any(|value| lacks_within(item, value)),
+        Shape::Map(of) => members(Some(value)).iter().any(|(_, value)| lacks_within(of, value)),
+        _ => false,
     }
 }
 

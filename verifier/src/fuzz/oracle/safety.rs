@@ -17,8 +17,7 @@ use crate::json::Json;
 const POSITION: &str = "pose_position";
 const VELOCITY: &str = "velocity_setpoint";
 const MPS: &str = "m/s";
-/// How far off, m/s, a velocity may be whose digits are lost among the subnormals: how far below the limit it may be is
-/// nowhere said.
+/// How far off, m/s, a component of a scaled velocity may be whatever its size, SAFE-061.
 const SUBNORMAL: f64 = 1e-300;
 /// How many readings of one trace are listed.
 const MOST_READINGS: usize = 24;

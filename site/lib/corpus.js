@@ -1,0 +1,101 @@
+/** The cases: of the golden corpus, and of the deep set. */
+
+import { filesIn, read, toml } from "./tree.js";
+
+/** More than this of an argument is left to the file. */
+const SHOWN = 12_000;
+
+/** The files of the golden corpus, each with its cases. */
+export const corpus = () => filesIn("vectors/corpus", ".json").map(vectorFile);
+
+/** The files of the deep set. */
+export const deep = () => filesIn("vectors/deep", ".json").map(vectorFile);
+
+/** The bug classes, by name. */
+export const flags = () => toml("vectors/flags.toml");
+
+/** The audited findings, by id. */
+export const findings = () => toml("vectors/findings.toml");
+
+function vectorFile(path) {
+  const text = read(path);
+  const { area, name, about, cases } = JSON.parse(text);
+  const written = writtenMembers(text);
+  if (written.length !== cases.length) {
+    throw new Error(`${path} is not laid out as the generator does: ${written.length} of ${cases.length} cases found`);
+  }
+  return {
+    path,
+    area,
+    name,
+    about,
+    id: `${area}/${name}`,
+    cases: cases.map((one, index) => shownCase(one, written[index], path)),
+  };
+}
+
+function shownCase(one, written, path) {
+  const {
+    id,
+    title,
+    requirements,
+    flags,
+    roles,
+    needs = [],
+    call,
+    args,
+    expect,
+    by,
+    rests_on: restsOn = [],
+    why,
+  } = one;
+  // What is shown is what the file says, to the spelling of each number.
+  for (const [member, value] of Object.entries({ args, expect })) {
+    if (JSON.stringify(JSON.parse(written[member])) !== JSON.stringify(value)) {
+      throw new Error(`${path}: ${id}: ${member} was cut out wrongly`);
+    }
+  }
+  return {
+    id,
+    title,
+    requirements,
+    flags,
+    roles,
+    needs,
+    call,
+    restsOn,
+    why,
+    by: Object.entries(by ?? {}),
+    args: shortened(written.args),
+    expect: shortened(written.expect),
+  };
+}
+
+/** A text with how much of it is left out. */
+function shortened(text) {
+  const shown = text.length <= SHOWN ? text : text.slice(0, SHOWN);
+  return { text: shown, more: text.length - shown.length };
+}
+
+/** The members of each case as they are written: the generator begins each on a line of its own, by six spaces. */
+function writtenMembers(text) {
+  const cases = [];
+  let member;
+  for (const line of text.split("\n")) {
+    if (line === "    {") {
+      cases.push({});
+    } else if (/^ {4}\},?$/.test(line)) {
+      member = undefined;
+    } else if (cases.length > 0) {
+      const begins = /^ {6}"(\w+)": ([^]*)$/.exec(line);
+      if (begins !== null) {
+        member = begins[1];
+        cases.at(-1)[member] = begins[2];
+      } else if (member !== undefined) {
+        cases.at(-1)[member] += `\n${line.slice(6)}`;
+      }
+    }
+  }
+  const closed = (value) => value.replace(/,$/, "");
+  return cases.map((one) => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, closed(value)])));
+}
