@@ -416,22 +416,25 @@ fn choose(pool: &Pool, targets: &[Defect]) -> Vec<(Call, u64)> {
 
 /// Without the largest cases of a call that has more bytes than it may, so that the set stays below 20 MB.
 fn fitting(mut chosen: Vec<(Call, u64)>, pool: &Pool) -> Vec<(Call, u64)> {
-    let bytes = |key: &(Call, u64)| pool.get(key).map_or(0, |kept| kept.candidate.bytes);
-    for call in Call::ALL.iter().copied() {
-        let mut of: Vec<(Call, u64)> = chosen.iter().copied().filter(|(other, _)| *other == call).collect();
-        of.sort_by_key(|key| std::cmp::Reverse(bytes(key)));
-        let mut total: usize = of.iter().map(bytes).sum();
-        let mut too_large: BTreeSet<(Call, u64)> = BTreeSet::new();
-        for key in of {
-            if total <= most(call) {
-                break;
-            }
-            total -= bytes(&key);
-            too_large.insert(key);
-        }
+    for call in Call::ALL {
+        let of = chosen.iter().filter(|(other, _)| other == call);
+        let sizes = of.map(|key| (*key, pool.get(key).map_or(0, |kept| kept.candidate.bytes))).collect();
+        let too_large = largest_beyond(sizes, most(*call));
         chosen.retain(|key| !too_large.contains(key));
     }
     chosen
+}
+
+/// The fewest of the largest without which the others have no more bytes than these.
+fn largest_beyond<K: Ord>(mut sizes: Vec<(K, usize)>, most: usize) -> BTreeSet<K> {
+    sizes.sort_by_key(|(_, bytes)| std::cmp::Reverse(*bytes));
+    let mut total: usize = sizes.iter().map(|(_, bytes)| bytes).sum();
+    let is_beyond = |(_, bytes): &(K, usize)| {
+        let beyond = total > most;
+        total -= bytes;
+        beyond
+    };
+    sizes.into_iter().take_while(is_beyond).map(|(key, _)| key).collect()
 }
 
 /// How many bytes the cases of a call have at most.
@@ -479,4 +482,15 @@ fn write(folder: &Path, pool: &Pool, chosen: &[(Call, u64)], calls: &[Call]) -> 
     let manifest: String = digests.iter().map(|(name, digest)| format!("{digest}  deep/{name}\n")).collect();
     let path = folder.join("MANIFEST.sha256");
     fs::write(&path, manifest).map_err(failed(&path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_leave_and_no_more_of_them_than_it_takes() {
+        let beyond = |most| largest_beyond(vec![('a', 3), ('b', 9), ('c', 5)], most).into_iter().collect::<String>();
+        assert_eq!([17, 16, 8, 7, 3, 2].map(beyond), ["", "b", "b", "bc", "bc", "abc"]);
+    }
 }

@@ -166,6 +166,8 @@ test("a position outside the fence stops, one on it does not, and one that is mi
     assert.equal(modeOf(data, "m", Number.MAX_VALUE), data[0] === 3 ? "active" : "estop");
   }
   assert.equal(modeOf([1e-200, 0, 0], "m", Number.MIN_VALUE), "estop");
+  // A norm that only rounding brings onto the fence.
+  assert.equal(modeOf([Number.MIN_VALUE, Number.MIN_VALUE, 0], "m", Number.MIN_VALUE), "estop");
   for (const data of [null, [], [9], [9, 9], [9, 9, 9, 9]]) assert.equal(modeOf(data), "hold");
   assert.equal(modeOf([9, 9, 9], "km"), "hold");
 });
@@ -239,6 +241,18 @@ test("the speed limit acts on every channel in metres per second, by its own uni
   assert.deepEqual(dataOf("other"), [8]);
   assert.deepEqual(dataOf("turned"), [8]);
   assert.ok(Math.abs(dataOf("velocity_setpoint")[0]! - 0.6) < 1e-12);
+});
+
+test("a channel that is declared twice is a velocity if one of its declarations says so", () => {
+  const arm = { name: "arm", kind: "scalar" };
+  for (const twice of [
+    [{ ...arm, unit: "m/s" }, arm],
+    [arm, { ...arm, unit: "m/s" }],
+  ]) {
+    const command = moving([0, 0, 0], { channels: { arm: { data: [8] }, velocity_setpoint: { data: [0, 0, 0] } } });
+    const out = governed({ max_speed_mps: 1 }, command, channels([], [VELOCITY, ...twice]));
+    assert.deepEqual([...out.channels.get("arm")!.data], [1]);
+  }
 });
 
 test("a command that cannot be clamped is held, and a horizon is cut before a step that cannot", () => {
