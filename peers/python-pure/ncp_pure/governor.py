@@ -1,6 +1,6 @@
 """The safety governor at the end of the commander's control loop (chapter 7 of the text)."""
 
-from math import hypot, isfinite, nextafter
+from math import frexp, hypot, isfinite, ldexp, nextafter
 
 from .messages import ChannelSpec, ChannelValue, CommandFrame
 from .watchdog import enforced_ttl_ms
@@ -232,8 +232,15 @@ def _scaled(velocity, limit):
     direction = [x / largest for x in velocity]  # so that no norm overflows
     length = hypot(*direction)
     scale = limit / length
-    scaled = [x * scale for x in direction]
+    scaled = _times(velocity, scale, largest)
     while hypot(*scaled) > limit:  # by a rounding
         scale = nextafter(scale, 0.0)
-        scaled = [x * scale for x in direction]
+        scaled = _times(velocity, scale, largest)
     return scaled
+
+
+def _times(velocity, scale, largest):
+    """Each component times scale / largest, a quotient that itself may leave the doubles."""
+    (over, up), (under, down) = frexp(scale), frexp(largest)
+    parts = map(frexp, velocity)
+    return [ldexp(digits * over / under, exponent + up - down) for digits, exponent in parts]

@@ -1,5 +1,6 @@
 import random
 import unittest
+from fractions import Fraction
 from math import hypot, inf, nan
 
 import ncp_pure as ncp
@@ -41,6 +42,17 @@ class Governor(unittest.TestCase):
             scale = out[data.index(largest)] / largest
             for before, after in zip(data, out):
                 self.assertAlmostEqual(after, before * scale, delta=1e-12)
+
+    def test_a_small_component_beside_a_huge_one_is_scaled_and_not_lost(self):
+        for huge, small, limit in ((8e138, 3e-284, 7.7e138), (1e170, 1e-120, 1e-10), (1e-150, 1e-200, 5e-151)):
+            governor = ncp.SafetyGovernor(ncp.SafetyLimits(max_speed_mps=limit))
+            velocity = ncp.ChannelValue(data=[huge, small, 0.0], unit="m/s")
+            command = ncp.CommandFrame(channels={"velocity_setpoint": velocity})
+            scaled = governor.govern(command, 1.0, None, 1.0).channels["velocity_setpoint"].data
+            self.assertLessEqual(hypot(*scaled), limit)
+            self.assertAlmostEqual(scaled[0] / limit, 1.0, places=12)
+            exact = Fraction(small) * Fraction(limit) / Fraction(huge)
+            self.assertAlmostEqual(scaled[1], float(exact), delta=max(1e-300, 1e-9 * float(exact)))
 
     def test_an_estop_stays_until_the_reset_and_a_bad_limit_for_ever(self):
         still = ncp.CommandFrame(
