@@ -8,7 +8,7 @@ use super::check::{current_dir, write};
 use super::workspace::{Workspace, target};
 use super::{ATTEST_HELP, CHECK_REPORT_HELP, CliError, print};
 use crate::attest::{Artefact, Believed, Key, Statement, open, seal};
-use crate::peer::{Launch, Manifest};
+use crate::peer::{Address, Launch, Manifest};
 use crate::report::{Exit, PeerReport, Report, State};
 use crate::suite::Suite;
 
@@ -144,6 +144,7 @@ fn files(peer: &PeerReport) -> Result<Vec<PathBuf>, CliError> {
             let launch = Manifest::load(&folder, &root, &target(&root))?.launch;
             Ok(launch.files().into_iter().chain([folder.join("peer.toml")]).collect())
         }
+        None if Address::parse(&peer.source).is_ok() => Ok(Vec::new()),
         None => Ok(Launch::from_command_line(&peer.source, &here)?.files()),
     }
 }

@@ -42,12 +42,15 @@ pub(super) fn bundled(suite: &Suite, args: &CheckArgs, styles: Styles, stop: &St
 
 /// Checks the peers that were named.
 pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
-    if args.peer.is_empty() && args.peer_cmd.is_empty() {
+    let named = args.peer.len() + args.peer_cmd.len() + args.connect.len();
+    if named == 0 {
         return Err(CliError::Usage(
-            "name a peer: --peer with a folder that has a peer.toml, or --peer-cmd with a command".to_owned(),
+            "name a peer: --peer with a folder that has a peer.toml, --peer-cmd with a command, or --connect with an \
+             address"
+                .to_owned(),
         ));
     }
-    if (args.expected.is_some() || args.write_expected.is_some()) && args.peer.len() + args.peer_cmd.len() > 1 {
+    if (args.expected.is_some() || args.write_expected.is_some()) && named > 1 {
         return Err(CliError::Usage("a list of expected failures is that of one peer: name only one".to_owned()));
     }
     let listed = match &args.expected {
@@ -68,15 +71,12 @@ pub(super) fn named(suite: &Suite, args: &RunArgs, styles: Styles, stop: &Stop) 
             (suite, started),
         )?);
     }
-    for command in &args.peer_cmd {
-        sources.push(Source {
-            name: None,
-            shown: command.clone(),
-            launch: Launch::from_command_line(command, &here)?,
-            manifest: None,
-            baseline: baseline(command, listed.clone(), (suite, started))?,
-            entries: listed.clone(),
-        });
+    let commands = args.peer_cmd.iter().map(|line| Ok((line.clone(), Launch::from_command_line(line, &here)?)));
+    let addresses = args.connect.iter().map(|address| Ok((address.to_string(), Launch::connect(address.clone()))));
+    for named in commands.chain(addresses) {
+        let (shown, launch) = named.map_err(CliError::Start)?;
+        let baseline = baseline(&shown, listed.clone(), (suite, started))?;
+        sources.push(Source { name: None, shown, launch, manifest: None, baseline, entries: listed.clone() });
     }
     let root = Workspace::above(&here).map_or(here, |workspace| workspace.root);
     check(suite, sources, &args.check, args.write_expected.as_deref(), styles, &root, (started, stop))
@@ -202,6 +202,9 @@ fn check(
         let highest = suite.highest_level();
         return Err(CliError::Usage(format!("there is no case of level {level} yet; the highest is {highest}")));
     }
+    if let Some(single) = sources.iter().find(|source| args.jobs > 1 && source.launch.is_single()) {
+        return Err(CliError::Usage(one_at_a_time(single.name())));
+    }
     if args.resume && args.repeat > 1 {
         return Err(CliError::Usage("--resume goes on with a run that asks every case once, not --repeat".to_owned()));
     }
@@ -247,7 +250,8 @@ fn check(
         stop,
     };
     let mut report = Report::new(suite, asked, started);
-    for ((place, source), kept) in sources.into_iter().enumerate().zip(kept) {
+    for ((place, mut source), kept) in sources.into_iter().enumerate().zip(kept) {
+        source.launch = source.launch.with_patience(args.start_timeout);
         report.peers.extend(check.peer(place, source, &kept)?);
     }
     let exit = report.close(clock.elapsed(), stop.is_set());
@@ -428,6 +432,11 @@ impl Check<'_> {
         let description = handshake(&mut connection, self.settings.start_timeout, self.stop)?;
         Ok((connection, description))
     }
+}
+
+/// Why a peer has no use for several jobs.
+pub(super) fn one_at_a_time(peer: &str) -> String {
+    format!("{peer} has a fixed port, so that there can be one of it: --jobs 1, or {{port}} in its peer.toml")
 }
 
 fn nothing_selected(args: &CheckArgs) -> String {

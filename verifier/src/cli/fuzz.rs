@@ -9,11 +9,11 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use ncp_text::catalogue::{Level, Role};
 
-use super::check::{Styles, current_dir, write};
+use super::check::{Styles, current_dir, one_at_a_time, write};
 use super::workspace::{Workspace, target};
 use super::{CliError, level, print, role, seconds};
 use crate::fuzz::{self, Extent, FuzzError, Harvest, Listener, Settings, Tested, report};
-use crate::peer::{Connection, Launch, Manifest, StartError, handshake};
+use crate::peer::{Address, Connection, Launch, Manifest, StartError, handshake};
 use crate::report::{Exit, Progress};
 use crate::stop::Stop;
 use crate::suite::{Pattern, Suite};
@@ -50,6 +50,9 @@ pub(super) struct FuzzArgs {
     /// A command that starts a peer; quotes work as in a shell (may be repeated)
     #[arg(long, value_name = "CMD")]
     peer_cmd: Vec<String>,
+    /// The address of a peer that listens: tcp://HOST:PORT or ws://HOST:PORT/PATH (may be repeated)
+    #[arg(long, value_name = "URL", value_parser = Address::parse)]
+    connect: Vec<Address>,
     /// How long to search each peer, such as 90s, 10m or 1h [default: 60s]
     #[arg(long, value_name = "TIME", value_parser = duration, conflicts_with = "cases")]
     time: Option<Duration>,
@@ -68,7 +71,7 @@ pub(super) struct FuzzArgs {
     /// Ask up to this level: wire, safety or strict [default: what the peer's peer.toml claims, else wire]
     #[arg(long, value_name = "LEVEL", value_parser = level)]
     level: Option<Level>,
-    /// How many processes of each peer work side by side
+    /// How many processes of each peer, or connections to it, work side by side
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: u16,
     /// Write what is found as vector files into this folder, for run --vectors
@@ -218,7 +221,7 @@ fn sources(args: &FuzzArgs) -> Result<Vec<Source>, CliError> {
         sources.push(Source { name, shown, launch, manifest: Some(manifest) });
         Ok(())
     };
-    if args.peer.is_empty() && args.peer_cmd.is_empty() {
+    if args.peer.is_empty() && args.peer_cmd.is_empty() && args.connect.is_empty() {
         let workspace = Workspace::of_bundled_peers(&here, "fuzz")?;
         for peer in workspace.peers {
             let shown = peer.display().to_string();
@@ -231,6 +234,16 @@ fn sources(args: &FuzzArgs) -> Result<Vec<Source>, CliError> {
     for command in &args.peer_cmd {
         let launch = Launch::from_command_line(command, &here)?;
         sources.push(Source { name: None, shown: command.clone(), launch, manifest: None });
+    }
+    for address in &args.connect {
+        let launch = Launch::connect(address.clone());
+        sources.push(Source { name: None, shown: address.to_string(), launch, manifest: None });
+    }
+    for source in &mut sources {
+        if args.jobs > 1 && source.launch.is_single() {
+            return Err(CliError::Usage(one_at_a_time(source.name.as_ref().unwrap_or(&source.shown))));
+        }
+        source.launch = source.launch.clone().with_patience(args.start_timeout);
     }
     Ok(sources)
 }

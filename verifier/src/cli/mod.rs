@@ -31,7 +31,7 @@ use crate::diff::{self, DiffError};
 use crate::gate::GateError;
 use crate::journal::JournalError;
 use crate::merge::MergeError;
-use crate::peer::{ManifestError, StartError};
+use crate::peer::{Address, ManifestError, StartError};
 use crate::report::{Exit, Form, ReadError, RenderError, Style, comparison};
 use crate::shard::Shard;
 use crate::stop::Stop;
@@ -150,6 +150,7 @@ const AFTER_HELP: &str = "\
 Examples:
   ncp-verify                                            every bundled peer, in a checkout of the project
   ncp-verify run --peer-cmd 'python3 my_adapter.py'     your peer, by a command
+  ncp-verify run --connect tcp://127.0.0.1:7000         your peer, where it listens
   ncp-verify run --peer my/peer --role body             the peer of a folder with peer.toml, as a body
   ncp-verify run --peer my/peer --filter 'wire/*/seq/*' some cases only
   ncp-verify fuzz --peer my/peer --time 10m             random traces, held against the specification
@@ -294,11 +295,12 @@ Examples:
 Exit codes: those of the one run";
 
 const RUN_HELP: &str = "\
-A peer is any program that speaks the protocol of peers/PROTOCOL.md on its standard streams.
-What `ncp-verify starter` prints is an adapter to begin with.
+A peer is any program that speaks the protocol of peers/PROTOCOL.md, on its standard streams or as a server over TCP or
+WebSocket. What `ncp-verify starter` prints is an adapter to begin with.
 
 Examples:
   ncp-verify run --peer-cmd 'python3 my_adapter.py'
+  ncp-verify run --connect ws://127.0.0.1:7000/ncp
   ncp-verify run --peer peers/rust --peer peers/typescript --level wire
   ncp-verify run --peer my/peer --filter NCP-WIRE-01? --verbose
   ncp-verify run --peer my/peer --deep
@@ -317,6 +319,9 @@ struct RunArgs {
     /// A command that starts a peer; quotes work as in a shell (may be repeated)
     #[arg(long, value_name = "CMD")]
     peer_cmd: Vec<String>,
+    /// The address of a peer that listens: tcp://HOST:PORT or ws://HOST:PORT/PATH (may be repeated)
+    #[arg(long, value_name = "URL", value_parser = Address::parse)]
+    connect: Vec<Address>,
     /// A file of failures that are expected of the peer, beside those of its peer.toml
     #[arg(long, value_name = "FILE")]
     expected: Option<PathBuf>,
@@ -334,7 +339,7 @@ struct RunArgs {
 struct CheckArgs {
     #[command(flatten)]
     select: SelectArgs,
-    /// How many processes of each peer work side by side
+    /// How many processes of each peer, or connections to it, work side by side
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: u16,
     /// Seconds that a peer may be silent while a request is in flight

@@ -1,18 +1,20 @@
-//! One running process of a peer.
+//! One conversation with a peer: with a process that was started for it, with a server, or with both.
 //!
 //! Three threads serve a connection, so that nothing a peer does can block the run: one writes requests, one
 //! cuts answers into lines, one drains the log. A peer that does not read, prints without end or floods
-//! its log costs bounded memory, and [`Connection::kill`] always ends it, its children included.
+//! its log costs bounded memory, and [`Connection::kill`] always ends it, the children of a process included.
 
 use std::collections::VecDeque;
 use std::io::{self, BufWriter, Read, Write};
-use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, ExitStatus, Stdio};
+use std::process::{Child, ChildStderr, ChildStdin, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::address::Framing;
+use super::socket::{Service, Socket, frame, is_taken};
 use super::{Launch, StartError, excerpt};
 
 /// How much of the log is kept.
@@ -20,7 +22,7 @@ const LOG_BYTES: usize = 64 << 10;
 /// How many lines of the log are shown.
 const LOG_LINES: usize = 20;
 /// Reads and writes go in pieces of this size: what a pipe holds on Linux.
-const PIECE: usize = 64 << 10;
+pub(super) const PIECE: usize = 64 << 10;
 /// How many batches of lines may wait for us before the peer has to wait.
 const WAITING_BATCHES: usize = 16;
 /// How long the exit status and the end of the log may take to arrive after the end of the answers.
@@ -28,15 +30,15 @@ const SETTLE: Duration = Duration::from_millis(300);
 /// How much of an overlong line is kept, to be shown.
 const OVERLONG_SHOWN: usize = 2 << 10;
 
-/// What goes to the peer: whole lines.
+/// What goes to the peer: whole lines, or whole frames.
 pub(super) enum Outgoing {
     /// At hand.
-    Lines(Vec<u8>),
+    Bytes(Vec<u8>),
     /// Made while it is sent.
     Large(Large),
 }
 
-/// Writes whole lines.
+/// Writes them.
 type Large = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + Send>;
 
 /// What came from the peer.
@@ -56,21 +58,28 @@ pub enum Incoming {
     Nothing,
 }
 
-/// How a process ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// How a peer ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Ending {
-    /// By itself.
+    /// Its process, by itself.
     Exited(ExitStatus),
-    /// It closed its standard output but kept running, until it was killed.
+    /// Its process closed its standard output but kept running, until it was killed.
     ClosedOutput,
-    /// It was still running and answering, until it was killed.
+    /// The server closed the connection, or lost it.
+    Disconnected,
+    /// There never was a connection to the server, and why.
+    Unreachable(String),
+    /// It was still there, until its process was killed, or the connection to it dropped.
     Killed,
 }
 
-/// A running process of a peer. Dropping it ends the process and all its children.
+/// A peer that is spoken to. Dropping it ends its process with all its children, and the connection to a server.
 #[derive(Debug)]
 pub struct Connection {
-    child: Child,
+    /// The process that was started for it.
+    child: Option<Child>,
+    /// The connection to a server.
+    server: Option<(Framing, Arc<Socket>)>,
     command: String,
     requests: Option<Sender<Outgoing>>,
     incoming: Receiver<Incoming>,
@@ -83,48 +92,72 @@ pub struct Connection {
 }
 
 impl Connection {
-    /// Starts the process.
+    /// Starts the process, or begins to connect to the server, or both.
     ///
     /// # Errors
-    /// [`StartError`] if the operating system refuses.
+    /// [`StartError`] if the operating system refuses. That a server is not there shows in the first answer.
     pub fn open(launch: &Launch) -> Result<Self, StartError> {
-        let mut command = launch.peer_command();
-        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut child = command.spawn().map_err(|source| launch.refused(source))?;
-        let (Some(stdin), Some(stdout), Some(stderr)) = (child.stdin.take(), child.stdout.take(), child.stderr.take())
-        else {
-            end_group(&mut child);
-            return Err(launch.refused(io::Error::other("its standard streams are not there")));
-        };
+        let launch = launch.placed()?;
         let (requests, to_write) = channel();
         let (events, incoming) = sync_channel(WAITING_BATCHES);
         let (log_end, log_done) = channel();
-        let line_limit = Arc::new(AtomicUsize::new(1 << 20));
-        let log = Arc::new(Mutex::new(VecDeque::new()));
-        let deaf = events.clone();
-        thread::spawn(move || write_requests(stdin, &to_write, &deaf));
-        let limit = Arc::clone(&line_limit);
-        thread::spawn(move || read_lines(stdout, &limit, &events));
-        let kept = Arc::clone(&log);
-        thread::spawn(move || {
-            keep_log(stderr, &kept);
-            drop(log_end);
-        });
-        Ok(Self {
-            child,
+        let mut connection = Self {
+            child: None,
+            server: None,
             command: launch.display(),
-            requests: Some(requests),
+            requests: Some(requests.clone()),
             incoming,
             unread: VecDeque::new(),
-            line_limit,
-            log,
+            line_limit: Arc::new(AtomicUsize::new(1 << 20)),
+            log: Arc::new(Mutex::new(VecDeque::new())),
             log_done,
             ended: false,
             ending: None,
-        })
+        };
+        if let Some(address) = launch.address().filter(|address| launch.has_command() && is_taken(address)) {
+            return Err(StartError::Taken { address: address.to_string() });
+        }
+        let limit = Arc::clone(&connection.line_limit);
+        if launch.has_command() {
+            let mut command = launch.peer_command();
+            let stream = || if launch.address().is_some() { Stdio::null() } else { Stdio::piped() };
+            command.stdin(stream()).stdout(stream()).stderr(Stdio::piped());
+            let child = command.spawn().map_err(|source| launch.refused(source))?;
+            let child = connection.child.insert(child);
+            let kept = Arc::clone(&connection.log);
+            if let Some(stderr) = child.stderr.take() {
+                thread::spawn(move || {
+                    keep_log(stderr, &kept);
+                    drop(log_end);
+                });
+            }
+            if let (Some(stdin), Some(stdout)) = (child.stdin.take(), child.stdout.take()) {
+                let deaf = events.clone();
+                thread::spawn(move || write_requests(stdin, &to_write, &deaf));
+                thread::spawn(move || read_lines(stdout, &limit, &events));
+                return Ok(connection);
+            }
+        }
+        if let Some(address) = launch.address().cloned() {
+            connection.serve(Service {
+                patience: launch.until_it_listens(),
+                socket: Arc::new(Socket::default()),
+                to_write,
+                replies: requests,
+                line_limit: limit,
+                events,
+                address,
+            });
+        }
+        Ok(connection)
     }
 
-    /// The command that was started.
+    fn serve(&mut self, service: Service) {
+        self.server = Some((service.address.framing, Arc::clone(&service.socket)));
+        thread::spawn(move || service.serve());
+    }
+
+    /// The command that was started, or the address of the server.
     #[must_use]
     pub fn command(&self) -> &str {
         &self.command
@@ -132,17 +165,30 @@ impl Connection {
 
     /// Hands over whole request lines. Never blocks; the caller bounds what is in flight.
     pub fn send(&self, lines: Vec<u8>) {
-        if let Some(requests) = &self.requests {
-            // A writer that is gone has said so: `Incoming::Deaf`.
-            let _ = requests.send(Outgoing::Lines(lines));
+        let Some(requests) = &self.requests else { return };
+        // A writer that is gone has said so: `Incoming::Deaf`, or the end of a connection.
+        if self.has_frames() {
+            let lines = lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
+            lines.for_each(|line| drop(requests.send(Outgoing::Bytes(frame(Some(line))))));
+        } else {
+            let _ = requests.send(Outgoing::Bytes(lines));
         }
     }
 
     /// Hands over a request that is so large that it is made only while it is sent: a line that `write` writes.
     pub fn send_large(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static) {
-        if let Some(requests) = &self.requests {
-            let _ = requests.send(Outgoing::Large(Box::new(write)));
-        }
+        let Some(requests) = &self.requests else { return };
+        let large: Large = if self.has_frames() {
+            // The length of a frame stands at its start, so that the line must be there first.
+            Box::new(|out| {
+                let mut line = Vec::new();
+                write(&mut line)?;
+                out.write_all(&frame(Some(line.strip_suffix(b"\n").unwrap_or(&line))))
+            })
+        } else {
+            Box::new(write)
+        };
+        let _ = requests.send(Outgoing::Large(large));
     }
 
     /// Allows answers of up to this many bytes. Only ever raised within one process.
@@ -161,9 +207,9 @@ impl Connection {
         let event = match self.incoming.recv_timeout(patience) {
             Ok(event) => event,
             Err(RecvTimeoutError::Disconnected) => Incoming::End,
-            Err(RecvTimeoutError::Timeout) => match self.child.try_wait() {
+            Err(RecvTimeoutError::Timeout) => match self.exited() {
                 // It is gone, yet a child of its own may hold the pipe open: what has arrived by now is all.
-                Ok(Some(status)) => {
+                Some(status) => {
                     self.ending = Some(Ending::Exited(status));
                     self.incoming.recv_timeout(SETTLE).unwrap_or(Incoming::End)
                 }
@@ -181,15 +227,15 @@ impl Connection {
         }
     }
 
-    /// Whether the process is still running.
+    /// Whether its process, if it has one, is still running.
     pub fn is_alive(&mut self) -> bool {
-        matches!(self.child.try_wait(), Ok(None))
+        self.exited().is_none()
     }
 
     /// The most bytes of memory that the process has held, where the operating system tells.
     #[must_use]
     pub fn memory(&self) -> Option<u64> {
-        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).ok()?;
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.as_ref()?.id())).ok()?;
         let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
         let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
         Some(kilobytes << 10)
@@ -197,25 +243,46 @@ impl Connection {
 
     /// Tells the peer that no more requests will come.
     pub fn close_requests(&mut self) {
-        self.requests = None;
+        let requests = self.requests.take();
+        if self.has_frames() {
+            requests.map(|requests| requests.send(Outgoing::Bytes(frame(None))));
+        }
     }
 
-    /// Waits for the process to end by itself, then ends whatever is left of it.
+    /// Waits for the process to end by itself, or for the server to close the connection, then ends whatever is left.
     pub fn wait(&mut self, patience: Duration) -> Ending {
-        self.wait_for_exit(patience);
-        self.kill()
+        if self.server.is_some() {
+            let deadline = Instant::now() + patience;
+            while !self.ended && Instant::now() < deadline {
+                self.receive(deadline.saturating_duration_since(Instant::now()));
+            }
+        } else {
+            self.wait_for_exit(patience);
+        }
+        self.end(false)
     }
 
-    /// Ends the process and its children at once, if it has not ended by itself.
+    /// Ends the process and its children, and the connection to a server, at once, if they have not ended by themselves.
     pub fn kill(&mut self) -> Ending {
-        if self.ended {
-            // Its answers have ended, so most likely it is ending too: its own status says more than our signal.
+        // Its answers have ended, so most likely it is ending too: its own status says more than our signal.
+        let is_ending = self.ended;
+        self.end(is_ending)
+    }
+
+    fn end(&mut self, is_ending: bool) -> Ending {
+        let unreachable = self.server.as_ref().and_then(|(_, socket)| socket.unreachable());
+        if is_ending && unreachable.is_none() {
             self.wait_for_exit(SETTLE);
         }
-        end_group(&mut self.child);
+        self.finish();
         self.requests = None;
-        let closed = if self.ended { Ending::ClosedOutput } else { Ending::Killed };
-        *self.ending.get_or_insert(closed)
+        let closed = match (unreachable, self.ended, &self.server) {
+            (Some(why), ..) => Ending::Unreachable(why),
+            (_, true, None) => Ending::ClosedOutput,
+            (_, true, Some(_)) => Ending::Disconnected,
+            (_, false, _) => Ending::Killed,
+        };
+        self.ending.get_or_insert(closed).clone()
     }
 
     /// The end of the process's log.
@@ -230,7 +297,9 @@ impl Connection {
     #[must_use]
     pub fn whole_log(&self) -> String {
         // After a kill the log ends at once, unless a process that escaped still holds it.
-        let _ = self.log_done.recv_timeout(SETTLE);
+        if self.child.is_some() {
+            let _ = self.log_done.recv_timeout(SETTLE);
+        }
         let bytes: Vec<u8> = self.log.lock().unwrap_or_else(PoisonError::into_inner).iter().copied().collect();
         let text = String::from_utf8_lossy(&bytes);
         text.lines().map(|line| excerpt(line.as_bytes(), 500)).collect::<Vec<_>>().join("\n")
@@ -249,30 +318,67 @@ impl Connection {
 
     fn wait_for_exit(&mut self, patience: Duration) {
         let deadline = Instant::now() + patience;
-        while self.ending.is_none() {
-            match self.child.try_wait() {
-                Ok(Some(status)) => self.ending = Some(Ending::Exited(status)),
-                Ok(None) if Instant::now() < deadline => thread::sleep(Duration::from_millis(2)),
-                _ => return,
+        while self.ending.is_none() && self.child.is_some() {
+            match self.exited() {
+                Some(status) => self.ending = Some(Ending::Exited(status)),
+                None if Instant::now() < deadline => thread::sleep(Duration::from_millis(2)),
+                None => return,
             }
+        }
+    }
+
+    /// How its process has ended, if it has.
+    fn exited(&mut self) -> Option<ExitStatus> {
+        self.child.as_mut().and_then(|child| child.try_wait().ok().flatten())
+    }
+
+    fn has_frames(&self) -> bool {
+        matches!(self.server, Some((Framing::WebSocket, _)))
+    }
+
+    /// Ends what has not ended by itself.
+    fn finish(&mut self) {
+        if let Some((_, socket)) = &self.server {
+            socket.close();
+        }
+        if let Some(child) = &mut self.child {
+            end_group(child);
         }
     }
 }
 
 impl Drop for Connection {
     fn drop(&mut self) {
-        end_group(&mut self.child);
+        self.finish();
     }
 }
 
 impl Ending {
     /// How it ended, in words that follow a name.
     #[must_use]
-    pub fn describe(self) -> String {
+    pub fn describe(&self) -> String {
         match self {
-            Self::Exited(status) => describe_status(status),
+            Self::Exited(status) => describe_status(*status),
             Self::ClosedOutput => "closed its standard output but kept running".to_owned(),
+            Self::Disconnected => "closed the connection".to_owned(),
+            Self::Unreachable(why) => format!("cannot be reached ({why})"),
             Self::Killed => "had to be killed".to_owned(),
+        }
+    }
+
+    /// What is wrong with it as an end in peace, `waited` after the end of the requests, in words that follow "it".
+    #[must_use]
+    pub fn fault_in_peace(&self, waited: Duration) -> Option<String> {
+        let seconds = waited.as_secs();
+        match self {
+            Self::Exited(status) if status.success() => None,
+            Self::Disconnected => None,
+            Self::Exited(_) | Self::Unreachable(_) => {
+                Some(format!("at the end of its input it {} instead of 0", self.describe()))
+            }
+            Self::ClosedOutput | Self::Killed => {
+                Some(format!("{seconds} s after the end of its input it was still running, and was killed"))
+            }
         }
     }
 }
@@ -307,9 +413,9 @@ fn write_requests(mut stdin: ChildStdin, requests: &Receiver<Outgoing>, events: 
 }
 
 impl Outgoing {
-    fn write_to(self, out: &mut impl Write) -> io::Result<()> {
+    pub(super) fn write_to(self, out: &mut impl Write) -> io::Result<()> {
         match self {
-            Self::Lines(lines) => out.write_all(&lines),
+            Self::Bytes(bytes) => out.write_all(&bytes),
             Self::Large(write) => {
                 let mut out = BufWriter::with_capacity(PIECE, out);
                 write(&mut out)?;
@@ -319,7 +425,7 @@ impl Outgoing {
     }
 }
 
-fn read_lines(mut stdout: ChildStdout, limit: &AtomicUsize, events: &SyncSender<Incoming>) {
+pub(super) fn read_lines(mut stdout: impl Read, limit: &AtomicUsize, events: &SyncSender<Incoming>) {
     let mut piece = vec![0; PIECE];
     let mut buffer: Vec<u8> = Vec::new();
     loop {

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::connection::{Connection, Incoming};
+use super::connection::{Connection, Ending, Incoming};
 use super::protocol::{Answer, Reply, write_request};
 use super::{StartError, excerpt};
 use crate::json::Json;
@@ -85,10 +85,10 @@ fn first_line(connection: &mut Connection, patience: Duration, stop: &Stop) -> R
             }
             Incoming::End => {
                 let ending = connection.kill();
-                return Err(StartError::Ended {
-                    command: connection.command().to_owned(),
-                    ending: ending.describe(),
-                    stderr: connection.log(),
+                let (command, stderr) = (connection.command().to_owned(), connection.log());
+                return Err(match ending {
+                    Ending::Unreachable(why) => StartError::Unreachable { command, why, stderr },
+                    ending => StartError::Ended { command, ending: ending.describe(), stderr },
                 });
             }
             // Whoever does not read may still answer, or ends; the next event tells.

@@ -10,7 +10,7 @@ use ncp_text::catalogue::Level;
 use serde::Deserialize;
 
 use super::connection::{describe_status, end_group};
-use super::{ExpectedFailure, Launch, StartError, is_on_path};
+use super::{Address, ExpectedFailure, Launch, StartError, is_on_path};
 use crate::stop::Stop;
 
 /// The file's name within a peer's folder.
@@ -106,9 +106,20 @@ impl Manifest {
                 Level::parse(name).ok_or_else(|| form(format!("`{name}` is not a level: wire, safety, strict")))?
             }
         };
+        let address = file.connect.as_deref().map(Address::parse).transpose();
+        let address = address.map_err(|error| form(error.to_string()))?;
+        let peer = match (file.command, address) {
+            (Some(command), None) => launch(command, "the peer")?,
+            (Some(command), Some(address)) => launch(command, "the peer")?.listening_at(address),
+            (None, Some(address)) if address.is_open() => {
+                return Err(form("a `{port}` in `connect` is for a `command` that starts the server".to_owned()));
+            }
+            (None, Some(address)) => Launch::connect(address),
+            (None, None) => return Err(form("missing field `command`, or `connect` with an address".to_owned())),
+        };
         Ok(Self {
             level,
-            launch: launch(file.command, "the peer")?,
+            launch: peer,
             folder,
             name: file.name,
             language: file.language,
@@ -178,7 +189,8 @@ struct File {
     language: String,
     about: Option<String>,
     level: Option<String>,
-    command: Vec<String>,
+    command: Option<Vec<String>>,
+    connect: Option<String>,
     #[serde(default)]
     requires: Vec<String>,
     #[serde(default)]

@@ -1,19 +1,23 @@
 //! A peer under test: how it is found, started, spoken to and stopped.
 //!
-//! A peer is any program that speaks the protocol of `peers/PROTOCOL.md` on its standard streams. This room
-//! knows processes and lines; it knows nothing of cases and verdicts.
+//! A peer is any program that speaks the protocol of `peers/PROTOCOL.md`, on its standard streams or as a server over
+//! TCP or WebSocket. This room knows processes, connections and lines; it knows nothing of cases and verdicts.
 //!
-//! - [`Manifest`] reads a `peer.toml`; [`Launch`] is what it, or a bare command, comes down to.
-//! - [`Connection`] is one running process: bounded lines in, batched requests out, nothing that it does can block us.
+//! - [`Manifest`] reads a `peer.toml`; [`Launch`] is what it, a bare command or an [`Address`] comes down to.
+//! - [`Connection`] is one conversation, whatever the road: bounded lines in, batched requests out, nothing that the
+//!   peer does can block us.
 //! - [`describe`](handshake) is the first exchange with every process.
 //! - [`Reply`] is one line of its answers, taken apart.
 
+mod address;
 mod connection;
 mod expected;
 mod handshake;
 mod manifest;
 mod protocol;
+mod socket;
 
+pub use address::{Address, AddressError};
 pub use connection::{Connection, Ending, Incoming};
 pub use expected::{ExpectedFailure, ExpectedFailures};
 pub use handshake::{Description, handshake};
@@ -25,13 +29,23 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-/// How to start a peer: a program, its arguments, and the folder to start it in.
+/// How to come by a peer: a program to start, with its arguments and the folder to start it in; the address of a server
+/// to connect to; or a program that is such a server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Launch {
+    /// Empty: nothing is started.
     argv: Vec<String>,
+    /// None: the program is spoken to on its standard streams.
+    address: Option<Address>,
     folder: PathBuf,
     backtraces: bool,
+    patience: Duration,
 }
+
+/// How long a server that we start may take until it listens, unless it is told otherwise.
+const PATIENCE: Duration = Duration::from_secs(30);
+/// How long one that we do not start may take at most: it is there, or somebody starts it anew.
+const RETURN: Duration = Duration::from_secs(5);
 
 /// What makes runtimes write long logs when they crash, each with its values for a short one and for a whole one.
 const BACKTRACES: [(&str, &str, &str); 5] = [
@@ -65,6 +79,30 @@ pub enum StartError {
     Spawn {
         /// The program as it was named.
         program: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// There is no server where it should be.
+    #[error("`{command}` cannot be reached: {why}{}", last_words(stderr))]
+    Unreachable {
+        /// The address, or the command that starts the server.
+        command: String,
+        /// Why.
+        why: String,
+        /// The end of its log.
+        stderr: String,
+    },
+    /// Where the server is to listen that is about to be started, another one does.
+    #[error("something listens already at {address}")]
+    Taken {
+        /// The address.
+        address: String,
+    },
+    /// No port is free for the server, or the name of its host means nothing.
+    #[error("there is no free port for {address}: {source}")]
+    NoPort {
+        /// The address.
+        address: String,
         /// What the operating system said.
         source: std::io::Error,
     },
@@ -129,7 +167,25 @@ impl Launch {
     /// A program with its arguments, to be started in `folder`.
     #[must_use]
     pub fn new(argv: Vec<String>, folder: impl Into<PathBuf>) -> Self {
-        Self { argv, folder: folder.into(), backtraces: false }
+        Self { argv, address: None, folder: folder.into(), backtraces: false, patience: PATIENCE }
+    }
+
+    /// A server that is there, and that nobody starts for us.
+    #[must_use]
+    pub fn connect(address: Address) -> Self {
+        Self { address: Some(address), ..Self::new(Vec::new(), "") }
+    }
+
+    /// The same program, spoken to at the address at which it listens. Each process serves one connection.
+    #[must_use]
+    pub fn listening_at(self, address: Address) -> Self {
+        Self { address: Some(address), ..self }
+    }
+
+    /// The same, with this long until a server that we start listens.
+    #[must_use]
+    pub fn with_patience(self, patience: Duration) -> Self {
+        Self { patience, ..self }
     }
 
     /// Takes a command line apart as a POSIX shell would, without running a shell.
@@ -149,9 +205,12 @@ impl Launch {
         Self { backtraces: true, ..self.clone() }
     }
 
-    /// The command as a person would type it.
+    /// The command as a person would type it, or the address of a server that is not started.
     #[must_use]
     pub fn display(&self) -> String {
+        if let Some(address) = self.address.as_ref().filter(|_| !self.has_command()) {
+            return address.to_string();
+        }
         shlex::try_join(self.argv.iter().map(String::as_str)).unwrap_or_else(|_| self.argv.join(" "))
     }
 
@@ -168,10 +227,47 @@ impl Launch {
         program.into_iter().chain(arguments).filter(|file| file.is_file()).collect()
     }
 
+    /// Whether all connections lead to one server, which is there whether we connect or not.
+    #[must_use]
+    pub fn is_shared(&self) -> bool {
+        self.address.is_some() && !self.has_command()
+    }
+
+    /// Whether there can be only one connection at a time, since the server that is started for it has a fixed port.
+    #[must_use]
+    pub fn is_single(&self) -> bool {
+        self.has_command() && self.address.as_ref().is_some_and(|address| !address.is_open())
+    }
+
     /// The folder that it is started in.
     #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    fn has_command(&self) -> bool {
+        !self.argv.is_empty()
+    }
+
+    fn address(&self) -> Option<&Address> {
+        self.address.as_ref()
+    }
+
+    fn until_it_listens(&self) -> Duration {
+        // A little less than what there is until the first answer, so that the reason is told.
+        let patience = self.patience * 9 / 10;
+        if self.has_command() { patience } else { patience.min(RETURN) }
+    }
+
+    /// The same with a port that is free now, wherever `{port}` stands.
+    fn placed(&self) -> Result<Self, StartError> {
+        let Some(address) = self.address.as_ref().filter(|address| address.is_open()) else {
+            return Ok(self.clone());
+        };
+        let no_port = |source| StartError::NoPort { address: address.to_string(), source };
+        let address = address.placed().map_err(no_port)?;
+        let argv = self.argv.iter().map(|word| word.replace(address::ANY_PORT, &address.port_text())).collect();
+        Ok(Self { argv, address: Some(address), ..self.clone() })
     }
 
     fn program(&self) -> &str {

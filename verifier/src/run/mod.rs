@@ -11,15 +11,18 @@
 //! times. Whoever answers nothing any more, not even what it has answered before, is given up, and what is left is
 //! *not run*.
 //!
+//! Several connections to one server may all end by the fault of one case. So a fault while there are several is charged
+//! to nobody: the worker gives its cases back and leaves, and the last one that is left finds the guilty.
+//!
 //! A peer that dies again and again is asked one case at a time, until it is calm, and its next processes are started
 //! ahead of need. So that a death is cheap, processes are started without backtraces; the first case that was charged
 //! with a crash is run once more with them, and [that log](CrashLog) is kept whole.
 
 mod worker;
 
-use std::collections::HashSet;
+use std::collections::{HashSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -39,7 +42,7 @@ const FRUITLESS_LATER: u32 = 8;
 /// How to run.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// How many processes of the peer work side by side.
+    /// How many processes of the peer, or connections to its server, work side by side.
     pub jobs: usize,
     /// How long a peer may be silent while a request is in flight. A large request is given a second more a MiB.
     pub timeout: Duration,
@@ -270,7 +273,7 @@ pub fn run(
     stop: &Stop,
 ) -> RunRecord {
     let shared = Shared::new(launch, cases, settings, listener, stop);
-    let jobs = settings.jobs.clamp(1, cases.len().max(1));
+    let jobs = jobs(settings, cases);
     let mut first = Some(connection);
     let reports: Vec<_> = thread::scope(|scope| {
         let workers: Vec<_> = (0..jobs)
@@ -314,6 +317,11 @@ pub fn run(
         opened: cases.iter().any(|case| case.call == Call::SessionRun).then(|| shared.opened.load(Ordering::Relaxed)),
         notes,
     }
+}
+
+/// How many workers there are.
+fn jobs(settings: &Settings, cases: &[&Case]) -> usize {
+    settings.jobs.clamp(1, cases.len().max(1))
 }
 
 /// Keeps the worse of what is known and what is new.
@@ -361,6 +369,13 @@ struct Shared<'r> {
     opened: AtomicBool,
     given_up: Mutex<Option<String>>,
     ended: AtomicBool,
+    crowd: Mutex<Crowd>,
+}
+
+/// The workers that are at work, and what those left who had a fault by the side of others.
+struct Crowd {
+    workers: usize,
+    given_back: VecDeque<usize>,
 }
 
 impl<'r> Shared<'r> {
@@ -391,11 +406,15 @@ impl<'r> Shared<'r> {
             opened: AtomicBool::new(false),
             given_up: Mutex::new(None),
             ended: AtomicBool::new(false),
+            crowd: Mutex::new(Crowd { workers: jobs(settings, cases), given_back: VecDeque::new() }),
         }
     }
 
     /// The next case that no worker has taken, by its index.
     fn take(&self) -> Option<usize> {
+        if let Some(given_back) = self.crowd().given_back.pop_front() {
+            return Some(given_back);
+        }
         let repeated = self.small_total();
         let total = repeated + self.large.len();
         if self.next.load(Ordering::Relaxed) >= total {
@@ -405,6 +424,32 @@ impl<'r> Shared<'r> {
             taken if taken < repeated => self.small.get(taken % self.small.len()).copied(),
             taken => self.large.get(taken - repeated).copied(),
         }
+    }
+
+    /// Whether another worker is connected to the same server.
+    fn is_crowded(&self) -> bool {
+        self.launch.is_shared() && self.crowd().workers > 1
+    }
+
+    /// Leaves cases to the workers that stay. Whether there are any; if not, the worker itself has to stay.
+    fn give_back(&self, cases: impl Iterator<Item = usize>) -> bool {
+        let mut crowd = self.crowd();
+        crowd.given_back.extend(cases);
+        let leaves = crowd.workers > 1;
+        crowd.workers -= usize::from(leaves);
+        leaves
+    }
+
+    /// Whether a worker that finds nothing to do may leave.
+    fn may_leave(&self) -> bool {
+        let mut crowd = self.crowd();
+        let leaves = crowd.workers > 1 || crowd.given_back.is_empty();
+        crowd.workers -= usize::from(leaves);
+        leaves
+    }
+
+    fn crowd(&self) -> MutexGuard<'_, Crowd> {
+        self.crowd.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn small_total(&self) -> usize {

@@ -71,6 +71,8 @@ struct Spares {
 /// A process, and what is in flight to it.
 struct Process {
     connection: Connection,
+    /// Whether others were connected to the same server when it was opened.
+    crowded: bool,
     /// By request id less one: the case, and whether it was answered.
     sent: Vec<(usize, bool)>,
     /// Everything before this is answered.
@@ -109,8 +111,8 @@ struct Post {
 impl<'r> Worker<'r> {
     pub(super) fn new(shared: &'r Shared<'r>, connection: Option<Connection>) -> Self {
         let report = Report { cases: vec![None; shared.cases.len()], notes: Vec::new() };
-        let process = connection.map(Process::new);
-        let spares = Spares::new(shared.settings.jobs);
+        let process = connection.map(|connection| Process::new(connection, shared.is_crowded()));
+        let spares = Spares::new(shared);
         Self { shared, process, again: VecDeque::new(), known: HashSet::new(), spares, batch: 0, report }
     }
 
@@ -120,19 +122,31 @@ impl<'r> Worker<'r> {
             if self.process.is_none() && self.again.is_empty() {
                 match self.shared.take() {
                     Some(case) => self.again.push_back(case),
-                    None => break,
+                    None if self.shared.may_leave() => break,
+                    None => continue,
                 }
             }
             self.look_for_life();
             let Some(mut process) = self.ready() else {
-                break;
+                if self.shared.give_back(self.again.drain(..)) {
+                    break;
+                }
+                // The last one tries on, until the peer is given up.
+                continue;
             };
             match self.pipeline(&mut process) {
                 Ok(true) => {
                     self.finish(process);
-                    break;
+                    if self.shared.may_leave() {
+                        break;
+                    }
                 }
                 Ok(false) => break,
+                Err(fault) if process.crowded => {
+                    if self.leave(process, fault) {
+                        break;
+                    }
+                }
                 Err(fault) => self.isolate(process, fault),
             }
         }
@@ -155,13 +169,19 @@ impl<'r> Worker<'r> {
             if self.shared.is_over() {
                 return None;
             }
+            let crowded = self.shared.is_crowded();
             let started = Connection::open(self.shared.launch).and_then(|mut connection| {
                 handshake(&mut connection, self.shared.settings.start_timeout, self.shared.stop)?;
-                Ok(Process::new(connection))
+                Ok(Process::new(connection, crowded))
             });
             match started {
                 Ok(process) => return Some(process),
                 Err(StartError::Interrupted) => return None,
+                // It may serve fewer connections at a time; those that it serves do the work.
+                Err(error) if crowded => {
+                    self.report.notes.push(format!("it served fewer connections than --jobs: {error}"));
+                    return None;
+                }
                 Err(error) => {
                     let what = format!("could not be started again: {error}");
                     self.shared.count_fault(&what);
@@ -173,6 +193,14 @@ impl<'r> Worker<'r> {
             self.shared.give_up(format!("{STARTS} times it {what}"));
         }
         None
+    }
+
+    /// After a fault by the side of other connections to the same server: leaves it to the last one that is left to find
+    /// out whose it is. Whether this is another one.
+    fn leave(&mut self, process: Process, fault: Fault) -> bool {
+        let waiting: Vec<usize> = process.waiting_cases().collect();
+        self.shared.count_fault(&process.end(fault).what());
+        self.shared.give_back(waiting.into_iter().chain(self.again.drain(..)))
     }
 
     /// Keeps requests in flight until all cases are answered (`true`) or the run is over (`false`).
@@ -328,19 +356,7 @@ impl<'r> Worker<'r> {
             }
         }
         let patience = deadline.saturating_duration_since(Instant::now());
-        match process.connection.wait(patience) {
-            Ending::Exited(status) if status.success() => {}
-            ending @ Ending::Exited(_) => {
-                let ending = ending.describe();
-                self.report.notes.push(format!("at the end of its input it {ending} instead of 0"));
-            }
-            Ending::ClosedOutput | Ending::Killed => {
-                let seconds = END_GRACE.as_secs();
-                self.report
-                    .notes
-                    .push(format!("{seconds} s after the end of its input it was still running, and was killed"));
-            }
-        }
+        self.report.notes.extend(process.connection.wait(patience).fault_in_peace(END_GRACE));
     }
 
     /// Finds out whether what a process printed when everything was answered belongs to the last answer.
@@ -534,10 +550,14 @@ impl<'r> Worker<'r> {
 
 /// Runs a case that crashes once more, with all backtraces; `None` if it does not crash again, or says nothing.
 pub(super) fn crash_log(shared: &Shared<'_>, index: usize) -> Option<CrashLog> {
+    if shared.launch.is_shared() {
+        // Its log is not ours to read.
+        return None;
+    }
     let Settings { timeout, start_timeout, .. } = *shared.settings;
     let mut connection = Connection::open(&shared.launch.with_backtraces()).ok()?;
     handshake(&mut connection, start_timeout, shared.stop).ok()?;
-    let mut process = Process::new(connection);
+    let mut process = Process::new(connection, false);
     let mut lines = Vec::new();
     process.put(index, shared.cases[index], &mut lines);
     process.send(lines);
@@ -553,10 +573,13 @@ pub(super) fn crash_log(shared: &Shared<'_>, index: usize) -> Option<CrashLog> {
 }
 
 impl Spares {
-    fn new(jobs: usize) -> Self {
+    fn new(shared: &Shared<'_>) -> Self {
+        let (launch, jobs) = (shared.launch, shared.settings.jobs);
         let cores = thread::available_parallelism().map_or(1, usize::from);
         // Twice as many as can run at once, for a start is not work alone, and the machine may be busy.
         let wanted = (2 * cores / jobs.max(1)).clamp(1, MOST_SPARES);
+        // Connecting is cheap, and a server with a fixed port cannot be there twice.
+        let wanted = if launch.is_shared() || launch.is_single() { 0 } else { wanted };
         Self { starting: VecDeque::new(), wanted, enough: Stop::default() }
     }
 
@@ -569,7 +592,7 @@ impl Spares {
             self.starting.push_back(thread::spawn(move || {
                 let mut connection = Connection::open(&launch).ok()?;
                 handshake(&mut connection, patience, &enough).ok()?;
-                Some(Process::new(connection))
+                Some(Process::new(connection, false))
             }));
         }
         let first = self.starting.pop_front()?;
@@ -613,9 +636,10 @@ enum Alone {
 }
 
 impl Process {
-    fn new(connection: Connection) -> Self {
+    fn new(connection: Connection, crowded: bool) -> Self {
         Self {
             connection,
+            crowded,
             sent: Vec::new(),
             low: 0,
             waiting: 0,
@@ -692,7 +716,7 @@ impl Post {
         match &self.fault {
             Fault::Ended => self.ending.describe(),
             Fault::Deaf => match self.ending {
-                Ending::Exited(_) => self.ending.describe(),
+                Ending::Exited(_) | Ending::Disconnected => self.ending.describe(),
                 _ => "closed its standard input".to_owned(),
             },
             Fault::Silent(patience) => {
