@@ -74,6 +74,10 @@ fn main() {
                 say(&answer);
                 say(&answer);
             }
+            // As a peer whose buffer is too small.
+            "cuts-large" if line.len() > 1 << 20 => {
+                say(&json!({"id": request["id"], "result": {"text": &text_in(&answer)[..1 << 20]}}));
+            }
             "skips-target" if target => {}
             "skips-7th" if count == 7 => {}
             "unknown-id-on-target" if target => say(&json!({"id": 999_999, "result": {}})),
@@ -188,6 +192,10 @@ fn describe(mode: &str) -> Value {
 
 fn text_of(request: &Value) -> &str {
     request["args"]["version"].as_str().unwrap_or_default()
+}
+
+fn text_in(answer: &Value) -> &str {
+    answer["result"]["text"].as_str().unwrap_or_default()
 }
 
 /// Whether the minor version is one of 150 below 8,000: thirteen side by side, and the others far apart.

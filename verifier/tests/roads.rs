@@ -12,7 +12,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 use tempfile::TempDir;
 
 mod common;
@@ -51,11 +51,16 @@ fn example(name: &str) -> String {
 }
 
 fn verify(args: &[&str]) -> Run {
+    verify_by("tests/data/vectors", args)
+}
+
+/// Runs the program by the vectors of a folder.
+fn verify_by(vectors: &str, args: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("result.json");
     let output = Command::new(env!("CARGO_BIN_EXE_ncp-verify"))
         .env("COLUMNS", "200")
-        .args(["run", "--vectors", "tests/data/vectors", "--start-timeout", "5", "--json"])
+        .args(["run", "--vectors", vectors, "--start-timeout", "5", "--json"])
         .arg(&file)
         .args(args)
         .stdin(Stdio::null())
@@ -113,6 +118,15 @@ impl Server {
         })
     }
 
+    /// Until it listens.
+    fn wait(&self) {
+        let deadline = Instant::now() + Duration::from_secs(10);
+        while TcpStream::connect(("127.0.0.1", self.1)).is_err() {
+            assert!(Instant::now() < deadline);
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
     fn url(&self, scheme: &str) -> String {
         format!("{scheme}://127.0.0.1:{}", self.1)
     }
@@ -157,6 +171,7 @@ fn a_fault_that_belongs_to_one_case_costs_that_case_on_every_road() {
         ("sleep-on-target", "timeout", "timeout"),
         ("skips-target", "timeout", "timeout"),
         ("binary-on-target", "protocol", "protocol"),
+        ("prints-after-target", "protocol", "protocol"),
         ("twice-on-target", "protocol", "protocol"),
         ("unknown-id-on-target", "protocol", "protocol"),
         ("no-result-on-target", "protocol", "protocol"),
@@ -172,6 +187,40 @@ fn a_fault_that_belongs_to_one_case_costs_that_case_on_every_road() {
             let server = Server::hostile(scheme, &[mode]);
             let run = verify(&["--connect", &server.url(scheme), "--timeout", timeout]);
             assert_eq!((run.exit, run.faults()), (1, expected), "{scheme} {mode}: {}", run.stdout);
+        }
+    }
+}
+
+/// A folder of vectors with one frame of so many bytes, which has to be read and written whole.
+fn a_large_frame(folder: &Path, bytes: usize) -> String {
+    let head = r#"{"kind":"observation_frame","session_id":"s","seq":3,"t":1.5,"sim_time_ms":2.0,"#;
+    let pins = r#""calibrated_posterior":false,"is_simulation_output":true,"#;
+    let records = r#""records":{"a":{"port":"a","target":"b","values":[],"senders":[],"times":["#;
+    let text = json!({"$concat": [head, pins, records, {"$repeat": "-0.25,", "times": bytes / 6}, "1.5]}}}"]});
+    let case = json!({
+        "id": "wire/large/frame", "title": "A large frame is read.", "why": "W.", "requirements": ["NCP-WIRE-015"],
+        "flags": ["large"], "roles": ["observer"], "call": "decode",
+        "args": {"kind": "observation_frame", "text": text}, "expect": {"relation": "message", "text": text}
+    });
+    let file = json!({
+        "format": 1, "area": "wire", "name": "large", "about": "A.", "notes": {"large": "N."}, "cases": [case]
+    });
+    let vectors = folder.join("vectors");
+    std::fs::create_dir_all(vectors.join("wire")).unwrap();
+    std::fs::write(vectors.join("wire/large.json"), file.to_string()).unwrap();
+    vectors.display().to_string()
+}
+
+#[test]
+fn requests_and_answers_of_many_megabytes_travel_whole_on_every_road() {
+    let folder = tempfile::tempdir().unwrap();
+    let vectors = a_large_frame(folder.path(), 6 << 20);
+    for scheme in SCHEMES {
+        for (mode, faults) in [("honest", 0), ("cuts-large", 1)] {
+            let server = Server::hostile(scheme, &[mode]);
+            let run = verify_by(&vectors, &["--connect", &server.url(scheme)]);
+            assert_eq!(run.faults().len(), faults, "{scheme} {mode}: {}{}", run.stdout, run.stderr);
+            assert_eq!(run.peer()["totals"]["total"], 2, "describe and the frame");
         }
     }
 }
@@ -232,37 +281,55 @@ fn a_server_of_one_connection_at_a_time_is_asked_by_one_job_however_many_there_m
 
 #[test]
 fn a_crash_of_a_server_that_several_connections_share_is_charged_to_one_case() {
-    // A supervisor starts it anew; each death ends all connections.
-    let script = format!("while :; do python3 {} $0 fragile {}; done", serve(), example("hostile-peer"));
-    let server = Server::start(|port| {
-        let mut command = Command::new("sh");
-        std::os::unix::process::CommandExt::process_group(&mut command, 0);
-        command.args(["-c", &script, &port.to_string()]);
-        command
-    });
-    let run = verify(&["--connect", &server.url("tcp"), "--jobs", "4"]);
-    let pid = rustix::process::Pid::from_child(&server.0);
-    rustix::process::kill_process_group(pid, rustix::process::Signal::KILL).unwrap();
+    let server = Supervised::start(0.0);
+    let run = verify(&["--connect", &server.0.url("tcp"), "--jobs", "4"]);
     assert_eq!(run.faults(), BTreeMap::from([(TARGET.to_owned(), "crash".to_owned())]), "{}", run.stdout);
     assert_eq!(run.case(TARGET)["what"], "closed the connection");
 }
 
+/// A server that is started anew after each death, which ends all its connections: so many seconds later.
+struct Supervised(Server);
+
+impl Supervised {
+    fn start(pause: f64) -> Self {
+        let (serve, hostile) = (serve(), example("hostile-peer"));
+        let script = format!("while :; do python3 {serve} $0 fragile {hostile}; sleep {pause}; done");
+        Self(Server::start(|port| {
+            let mut command = Command::new("sh");
+            std::os::unix::process::CommandExt::process_group(&mut command, 0);
+            command.args(["-c", &script, &port.to_string()]);
+            command
+        }))
+    }
+}
+
+impl Drop for Supervised {
+    fn drop(&mut self) {
+        let pid = rustix::process::Pid::from_child(&self.0.0);
+        rustix::process::kill_process_group(pid, rustix::process::Signal::KILL).unwrap();
+    }
+}
+
+#[test]
+fn a_server_that_comes_back_behind_a_proxy_that_accepts_meanwhile_is_asked_on() {
+    let server = Supervised::start(1.0);
+    server.0.wait();
+    let port = cutting(server.0.1, Vec::new());
+    let run = verify(&["--connect", &format!("tcp://127.0.0.1:{port}")]);
+    assert_eq!(run.faults(), BTreeMap::from([(TARGET.to_owned(), "crash".to_owned())]), "{}", run.stdout);
+}
+
 /// Passes bytes on between a client and a server, and cuts off each of the first connections after so many bytes of
-/// answers.
+/// answers. Where the server is gone, it accepts and closes, as what stands before a server does.
 fn cutting(server: u16, cuts: Vec<usize>) -> u16 {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
     thread::spawn(move || {
         let mut cuts = cuts.into_iter();
         for client in listener.incoming() {
-            let (client, mut left) = (client.unwrap(), cuts.next().unwrap_or(usize::MAX));
-            let deadline = Instant::now() + Duration::from_secs(5);
-            let server = loop {
-                match TcpStream::connect(("127.0.0.1", server)) {
-                    Ok(server) => break server,
-                    Err(error) => assert!(Instant::now() < deadline, "{error}"),
-                }
-            };
+            let client = client.unwrap();
+            let Ok(server) = TcpStream::connect(("127.0.0.1", server)) else { continue };
+            let mut left = cuts.next().unwrap_or(usize::MAX);
             let (mut from, mut to) = (client.try_clone().unwrap(), server.try_clone().unwrap());
             thread::spawn(move || {
                 let _ = std::io::copy(&mut from, &mut to);
@@ -290,6 +357,7 @@ fn connections_that_are_cut_at_random_cost_a_case_each_at_most() {
     let cuts = vec![420, 811, 530, 307, 1004, 699];
     for scheme in SCHEMES {
         let server = Server::hostile(scheme, &["honest"]);
+        server.wait();
         for jobs in ["1", "2"] {
             let port = cutting(server.1, cuts.clone());
             let run = verify(&["--connect", &format!("{scheme}://127.0.0.1:{port}"), "--repeat", "20", "--jobs", jobs]);
@@ -308,6 +376,7 @@ fn where_nobody_listens_it_is_said_within_seconds() {
         assert_eq!(run.exit, 3, "{}", run.stderr);
         assert!(run.stderr.starts_with(&format!("error: `{url}` cannot be reached: ")), "{}", run.stderr);
         assert_eq!(run.stderr.matches("error:").count(), 1, "{}", run.stderr);
+        assert!(run.stderr.contains("start the server first"), "{}", run.stderr);
     }
     let run = verify(&["--connect", "http://localhost:1"]);
     assert_eq!(run.exit, 2);

@@ -14,7 +14,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::address::Framing;
-use super::socket::{Service, Socket, frame, is_taken};
+use super::socket::{Fragments, Service, Socket, close_frame, frame, is_taken};
 use super::{Launch, StartError, excerpt};
 
 /// How much of the log is kept.
@@ -65,12 +65,14 @@ pub enum Ending {
     Exited(ExitStatus),
     /// Its process closed its standard output but kept running, until it was killed.
     ClosedOutput,
-    /// The server closed the connection, or lost it.
-    Disconnected,
+    /// The server closed the connection, or lost it, and why, if it said so.
+    Disconnected(Option<String>),
     /// There never was a connection to the server, and why.
     Unreachable(String),
-    /// It was still there, until its process was killed, or the connection to it dropped.
+    /// Its process was still there, until it was killed.
     Killed,
+    /// The connection to the server was still there, until it was dropped.
+    Dropped,
 }
 
 /// A peer that is spoken to. Dropping it ends its process with all its children, and the connection to a server.
@@ -169,7 +171,7 @@ impl Connection {
         // A writer that is gone has said so: `Incoming::Deaf`, or the end of a connection.
         if self.has_frames() {
             let lines = lines.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
-            lines.for_each(|line| drop(requests.send(Outgoing::Bytes(frame(Some(line))))));
+            lines.for_each(|line| drop(requests.send(Outgoing::Bytes(frame(line)))));
         } else {
             let _ = requests.send(Outgoing::Bytes(lines));
         }
@@ -179,11 +181,11 @@ impl Connection {
     pub fn send_large(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static) {
         let Some(requests) = &self.requests else { return };
         let large: Large = if self.has_frames() {
-            // The length of a frame stands at its start, so that the line must be there first.
+            // The length of a frame stands at its start, so that the line goes in many.
             Box::new(|out| {
-                let mut line = Vec::new();
-                write(&mut line)?;
-                out.write_all(&frame(Some(line.strip_suffix(b"\n").unwrap_or(&line))))
+                let mut fragments = Fragments::new(out);
+                write(&mut fragments)?;
+                fragments.finish()
             })
         } else {
             Box::new(write)
@@ -245,7 +247,7 @@ impl Connection {
     pub fn close_requests(&mut self) {
         let requests = self.requests.take();
         if self.has_frames() {
-            requests.map(|requests| requests.send(Outgoing::Bytes(frame(None))));
+            requests.map(|requests| requests.send(Outgoing::Bytes(close_frame())));
         }
     }
 
@@ -279,7 +281,8 @@ impl Connection {
         let closed = match (unreachable, self.ended, &self.server) {
             (Some(why), ..) => Ending::Unreachable(why),
             (_, true, None) => Ending::ClosedOutput,
-            (_, true, Some(_)) => Ending::Disconnected,
+            (_, true, Some((_, socket))) => Ending::Disconnected(socket.last_words()),
+            (_, false, Some(_)) if self.child.is_none() => Ending::Dropped,
             (_, false, _) => Ending::Killed,
         };
         self.ending.get_or_insert(closed).clone()
@@ -360,9 +363,11 @@ impl Ending {
         match self {
             Self::Exited(status) => describe_status(*status),
             Self::ClosedOutput => "closed its standard output but kept running".to_owned(),
-            Self::Disconnected => "closed the connection".to_owned(),
+            Self::Disconnected(None) => "closed the connection".to_owned(),
+            Self::Disconnected(Some(why)) => format!("closed the connection ({why})"),
             Self::Unreachable(why) => format!("cannot be reached ({why})"),
             Self::Killed => "had to be killed".to_owned(),
+            Self::Dropped => "kept the connection open".to_owned(),
         }
     }
 
@@ -372,12 +377,15 @@ impl Ending {
         let seconds = waited.as_secs();
         match self {
             Self::Exited(status) if status.success() => None,
-            Self::Disconnected => None,
+            Self::Disconnected(_) => None,
             Self::Exited(_) | Self::Unreachable(_) => {
                 Some(format!("at the end of its input it {} instead of 0", self.describe()))
             }
             Self::ClosedOutput | Self::Killed => {
                 Some(format!("{seconds} s after the end of its input it was still running, and was killed"))
+            }
+            Self::Dropped => {
+                Some(format!("{seconds} s after the end of the requests it had not closed the connection"))
             }
         }
     }

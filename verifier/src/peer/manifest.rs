@@ -270,6 +270,8 @@ mod tests {
                 "a day such as",
             ),
             ("command = [\"x\"".to_owned(), "line 3"),
+            ("connect = \"tcp://a:{port}\"".to_owned(), "is for a `command` that starts the server"),
+            ("connect = \"a:1\"".to_owned(), "is no address of a peer"),
         ] {
             let error = load(&format!("{head}{text}")).unwrap_err().to_string();
             assert!(error.contains(what) && error.contains("peer.toml"), "{error}");

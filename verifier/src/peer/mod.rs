@@ -83,7 +83,7 @@ pub enum StartError {
         source: std::io::Error,
     },
     /// There is no server where it should be.
-    #[error("`{command}` cannot be reached: {why}{}", last_words(stderr))]
+    #[error("`{command}` cannot be reached: {why}{}{}", advice(command), last_words(stderr))]
     Unreachable {
         /// The address, or the command that starts the server.
         command: String,
@@ -349,6 +349,14 @@ fn is_executable(path: &Path) -> bool {
 #[cfg(not(unix))]
 fn is_executable(path: &Path) -> bool {
     path.is_file() || path.with_extension("exe").is_file()
+}
+
+/// What to do about an address at which nobody is; nothing, if a command was to start the server.
+fn advice(command: &str) -> &'static str {
+    match Address::parse(command) {
+        Ok(_) => "\nstart the server first, or let it be started: `command` beside `connect` in a peer.toml",
+        Err(_) => "",
+    }
 }
 
 fn last_words(log: &str) -> String {

@@ -11,12 +11,13 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use tungstenite::error::ProtocolError;
-use tungstenite::protocol::frame::Frame;
-use tungstenite::protocol::frame::coding::{Data, OpCode};
+use tungstenite::protocol::frame::coding::{CloseCode, Data, OpCode};
+use tungstenite::protocol::frame::{CloseFrame, Frame};
 use tungstenite::{Error, Message, WebSocket};
 
 use super::address::{Address, Framing};
 use super::connection::{Incoming, Outgoing, PIECE, read_lines};
+use super::excerpt;
 
 /// How long one attempt to connect may take.
 const ATTEMPT: Duration = Duration::from_secs(2);
@@ -24,6 +25,8 @@ const ATTEMPT: Duration = Duration::from_secs(2);
 const PAUSE: Duration = Duration::from_millis(20);
 /// How many bytes of pongs and the like a server may ask for; then it gets none any more.
 const REPLY_BYTES: usize = 1 << 20;
+/// How much of what a server says at its end is shown.
+const SHOWN: usize = 200;
 
 /// One connection to a server, from the first attempt on.
 #[derive(Debug, Default)]
@@ -34,6 +37,7 @@ struct State {
     stream: Option<TcpStream>,
     closed: bool,
     unreachable: Option<String>,
+    last_words: Option<String>,
 }
 
 /// What serves a connection to a server.
@@ -63,6 +67,11 @@ impl Socket {
     /// Why there never was a connection, if that is so.
     pub(super) fn unreachable(&self) -> Option<String> {
         self.state().unreachable.clone()
+    }
+
+    /// Why the server says that it closed the connection, if it does.
+    pub(super) fn last_words(&self) -> Option<String> {
+        self.state().last_words.clone()
     }
 
     fn is_closed(&self) -> bool {
@@ -107,7 +116,7 @@ impl Service {
                 Ok(mut web) => {
                     web.get_mut().replies = Some((replies, REPLY_BYTES));
                     thread::spawn(move || write(writing, &to_write));
-                    read_messages(web, &line_limit, &events);
+                    read_messages(web, &line_limit, &events, &socket);
                 }
                 Err(error) => end(format!("the WebSocket handshake failed: {error}")),
             },
@@ -115,12 +124,58 @@ impl Service {
     }
 }
 
-/// A line as it travels in a text frame; none: the frame that says that no more will come.
-pub(super) fn frame(line: Option<&[u8]>) -> Vec<u8> {
-    let mut frame = match line {
-        Some(line) => Frame::message(line.to_vec(), OpCode::Data(Data::Text), true),
-        None => Frame::close(None),
-    };
+/// A line as it travels, in one text frame.
+pub(super) fn frame(line: &[u8]) -> Vec<u8> {
+    masked(Frame::message(line.to_vec(), OpCode::Data(Data::Text), true))
+}
+
+/// The frame that says that no more will come.
+pub(super) fn close_frame() -> Vec<u8> {
+    masked(Frame::close(None))
+}
+
+/// Takes a line that is made while it is sent, and sends it as a message of many frames.
+pub(super) struct Fragments<W> {
+    out: W,
+    held: Vec<u8>,
+    is_first: bool,
+}
+
+impl<W: Write> Fragments<W> {
+    pub(super) fn new(out: W) -> Self {
+        Self { out, held: Vec::with_capacity(PIECE), is_first: true }
+    }
+
+    /// Sends what is left, without the line feed.
+    pub(super) fn finish(mut self) -> io::Result<()> {
+        self.held.pop_if(|byte| *byte == b'\n');
+        self.send(true)
+    }
+
+    fn send(&mut self, is_last: bool) -> io::Result<()> {
+        let kind = if std::mem::take(&mut self.is_first) { Data::Text } else { Data::Continue };
+        let piece = std::mem::replace(&mut self.held, Vec::with_capacity(PIECE));
+        self.out.write_all(&masked(Frame::message(piece, OpCode::Data(kind), is_last)))
+    }
+}
+
+impl<W: Write> Write for Fragments<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // Only when more comes, so that the line feed at the end is still held when it is over.
+        if !bytes.is_empty() && self.held.len() >= PIECE {
+            self.send(false)?;
+        }
+        let count = bytes.len().min(PIECE - self.held.len());
+        self.held.extend_from_slice(&bytes[..count]);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+fn masked(mut frame: Frame) -> Vec<u8> {
     // The mask guards proxies against what a browser sends; here any will do.
     let mut mask = [0; 4];
     let _ = getrandom::fill(&mut mask);
@@ -144,6 +199,10 @@ fn connect(address: &Address, patience: Duration, socket: &Socket) -> io::Result
         let addresses = address.resolve().map_err(|error| last = error).unwrap_or_default();
         for address in addresses {
             match TcpStream::connect_timeout(&address, ATTEMPT) {
+                // Where nobody listens yet, a connection may be one to itself, and takes the port from the server.
+                Ok(stream) if stream.local_addr().ok() == stream.peer_addr().ok() => {
+                    last = io::ErrorKind::ConnectionRefused.into();
+                }
                 Ok(stream) => {
                     stream.set_nodelay(true)?;
                     socket.opened(&stream)?;
@@ -236,12 +295,18 @@ impl Write for Half {
 }
 
 /// Hands on each text frame as a line, and what is none as a line that is no answer.
-fn read_messages(mut web: WebSocket<Half>, limit: &AtomicUsize, events: &SyncSender<Incoming>) {
+fn read_messages(mut web: WebSocket<Half>, limit: &AtomicUsize, events: &SyncSender<Incoming>, socket: &Socket) {
     let mut lines = Vec::new();
     loop {
         let most = Some(limit.load(Ordering::Relaxed));
         web.set_config(|config| (config.max_message_size, config.max_frame_size) = (most, most));
         let ended = match web.read() {
+            Ok(Message::Text(text)) if text.contains('\n') => {
+                lines.extend_from_slice(
+                    b"a text frame with a line feed in it, where one JSON document on one line belongs\n",
+                );
+                false
+            }
             Ok(Message::Text(text)) => {
                 lines.extend_from_slice(text.as_bytes());
                 lines.push(b'\n');
@@ -250,6 +315,12 @@ fn read_messages(mut web: WebSocket<Half>, limit: &AtomicUsize, events: &SyncSen
             Ok(Message::Binary(bytes)) => {
                 lines.extend_from_slice(format!("a binary frame of {} bytes\n", bytes.len()).as_bytes());
                 false
+            }
+            // No data may follow, and whether the server waits for us to close the connection does not matter.
+            Ok(Message::Close(frame)) => {
+                socket.state().last_words = frame.map(|frame| last_words(&frame));
+                let _ = web.flush();
+                true
             }
             Ok(_) => false,
             Err(Error::Io(error)) if error.kind() == io::ErrorKind::WouldBlock => {
@@ -287,6 +358,16 @@ fn read_messages(mut web: WebSocket<Half>, limit: &AtomicUsize, events: &SyncSen
     }
 }
 
+/// What a close frame says.
+fn last_words(frame: &CloseFrame) -> String {
+    let reason = excerpt(frame.reason.as_bytes(), SHOWN);
+    let advice = if frame.code == CloseCode::Size { ": its limit for messages has to be raised" } else { "" };
+    match reason.as_str() {
+        "" => format!("code {}{advice}", frame.code),
+        reason => format!("code {}, {reason}{advice}", frame.code),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::net::TcpListener;
@@ -295,7 +376,7 @@ mod tests {
     use super::*;
 
     /// What a connection to a server shows that does this with it.
-    fn seen(url: &str, server: impl FnOnce(TcpStream) + Send + 'static) -> (Vec<Incoming>, Option<String>) {
+    fn seen(url: &str, server: impl FnOnce(TcpStream) + Send + 'static) -> (Vec<Incoming>, Arc<Socket>) {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = listener.local_addr().unwrap().port().to_string();
         thread::spawn(move || server(listener.accept().unwrap().0));
@@ -312,14 +393,14 @@ mod tests {
             events,
         };
         thread::spawn(move || service.serve());
-        (incoming.iter().collect(), socket.unreachable())
+        (incoming.iter().collect(), socket)
     }
 
     fn web(server: impl FnOnce(WebSocket<TcpStream>) + Send + 'static) -> Vec<Incoming> {
-        let (events, unreachable) = seen("ws://127.0.0.1:PORT/ncp", |stream| {
+        let (events, socket) = seen("ws://127.0.0.1:PORT/ncp", |stream| {
             server(tungstenite::accept(stream).unwrap());
         });
-        assert_eq!(unreachable, None);
+        assert_eq!(socket.unreachable(), None);
         events
     }
 
@@ -352,6 +433,49 @@ mod tests {
     }
 
     #[test]
+    fn a_frame_with_several_lines_is_no_answer() {
+        for sent in ["{\"id\":1}\n{\"id\":2}", "{\"id\":1}\n"] {
+            let events = web(|mut web| web.send(sent.into()).unwrap());
+            assert!(text(&events[0]).starts_with("a text frame with a line feed in it"), "{events:?}");
+        }
+    }
+
+    #[test]
+    fn the_end_comes_with_the_close_frame_and_its_reason_is_kept() {
+        let close = |code: CloseCode, reason: &'static str| {
+            let (held, hold) = channel::<()>();
+            let (events, socket) = seen("ws://127.0.0.1:PORT/ncp", move |stream| {
+                let mut web = tungstenite::accept(stream).unwrap();
+                web.close(Some(CloseFrame { code, reason: reason.into() })).unwrap();
+                // It waits for the other side to close the connection.
+                let _ = hold.recv();
+            });
+            drop(held);
+            assert!(matches!(&events[..], [Incoming::End]), "{events:?}");
+            socket.last_words()
+        };
+        assert_eq!(close(CloseCode::Error, "a panic").as_deref(), Some("code 1011, a panic"));
+        let raised = "code 1009: its limit for messages has to be raised";
+        assert_eq!(close(CloseCode::Size, "").as_deref(), Some(raised));
+    }
+
+    #[test]
+    fn a_line_that_is_made_while_it_is_sent_arrives_as_one_message_without_its_line_feed() {
+        for length in [0, 1, PIECE - 1, PIECE, PIECE + 1, 3 * PIECE, (3 << 20) + 7] {
+            let line: Vec<u8> = (0..length).map(|at| b'a' + u8::try_from(at % 23).unwrap()).collect();
+            let mut sent = Vec::new();
+            let mut fragments = Fragments::new(&mut sent);
+            // In pieces of any length.
+            line.chunks(1000).for_each(|chunk| fragments.write_all(chunk).unwrap());
+            fragments.write_all(b"\n").unwrap();
+            fragments.finish().unwrap();
+            let mut web = WebSocket::from_raw_socket(io::Cursor::new(sent), tungstenite::protocol::Role::Server, None);
+            let message = web.read().unwrap();
+            assert_eq!(message, Message::Text(String::from_utf8(line).unwrap().into()), "{length}");
+        }
+    }
+
+    #[test]
     fn a_frame_beyond_the_limit_is_given_up_at_its_header() {
         let events = web(|mut web| {
             // A gigabyte is announced, and never comes.
@@ -378,10 +502,10 @@ mod tests {
 
     #[test]
     fn a_server_that_speaks_something_else_is_unreachable() {
-        let (events, unreachable) = seen("ws://127.0.0.1:PORT/", |mut stream| {
+        let (events, socket) = seen("ws://127.0.0.1:PORT/", |mut stream| {
             stream.write_all(b"HTTP/1.1 404 Not Found\r\n\r\n").unwrap();
         });
         assert!(matches!(&events[..], [Incoming::End]), "{events:?}");
-        assert!(unreachable.unwrap().contains("404"), "the handshake");
+        assert!(socket.unreachable().unwrap().contains("404"), "the handshake");
     }
 }

@@ -30,6 +30,9 @@ const LINGER: Duration = Duration::from_millis(20);
 const MAX_STRAYS: usize = 256;
 /// How often in a row a process may fail to start anew.
 const STARTS: u32 = 3;
+/// How long a server that somebody else starts is left alone after such a failure: what stands before it may accept
+/// connections for it while it is gone.
+const RETURN: Duration = Duration::from_secs(2);
 /// After so many faults, processes are started ahead of need.
 const SPARES_AFTER: u32 = 3;
 /// How many of them there may be.
@@ -165,7 +168,12 @@ impl<'r> Worker<'r> {
             }
         }
         let mut refusal = None;
-        for _ in 0..STARTS {
+        for attempt in 0..STARTS {
+            let again =
+                Instant::now() + if attempt > 0 && self.shared.launch.is_shared() { RETURN } else { Duration::ZERO };
+            while Instant::now() < again && !self.shared.is_over() {
+                thread::sleep(TICK);
+            }
             if self.shared.is_over() {
                 return None;
             }
@@ -716,7 +724,7 @@ impl Post {
         match &self.fault {
             Fault::Ended => self.ending.describe(),
             Fault::Deaf => match self.ending {
-                Ending::Exited(_) | Ending::Disconnected => self.ending.describe(),
+                Ending::Exited(_) | Ending::Disconnected(_) => self.ending.describe(),
                 _ => "closed its standard input".to_owned(),
             },
             Fault::Silent(patience) => {
