@@ -36,4 +36,4 @@ pub use model::{
     RunReport, State, StoredRun, TallyReport, Tool, day_of, time_of,
 };
 pub use progress::Progress;
-pub use terminal::{Detail, terminal};
+pub use terminal::{Detail, example, terminal};
