@@ -1,7 +1,9 @@
 /** The peer, and what of the suite is asked of it. */
 export interface Options {
   /** What starts the peer: its words, or one line in which quotes work as in a shell. */
-  command: readonly string[] | string;
+  command?: readonly string[] | string;
+  /** In its place, where the peer listens: `tcp://HOST:PORT` or `ws://HOST:PORT/PATH`. */
+  connect?: string;
   /** Up to this level; `wire` unless named. */
   level?: "wire" | "safety" | "strict";
   /** Only the cases that fit, as `--filter` of the program. */

@@ -10,12 +10,13 @@ import { program } from "./index.mjs";
 const run = promisify(execFile);
 
 /** Has the program check the peer, and registers a test for each case; the result is what the program wrote. */
-export async function conform({ command, level = "wire", filter = [], expected, deep = false }) {
+export async function conform({ command, connect, level = "wire", filter = [], expected, deep = false }) {
   const folder = await mkdtemp(join(tmpdir(), "ncp-verify-"));
   try {
     const file = join(folder, "result.json");
     const args = ["run", "--color", "never", "--level", level, "--json", file];
-    args.push("--peer-cmd", typeof command === "string" ? command : command.map(quoted).join(" "));
+    if (connect) args.push("--connect", connect);
+    else args.push("--peer-cmd", typeof command === "string" ? command : command.map(quoted).join(" "));
     for (const pattern of [filter].flat()) args.push(`--filter=${pattern}`);
     if (expected) args.push("--expected", expected);
     if (deep) args.push("--deep");

@@ -269,6 +269,7 @@ pub(crate) const CHECKS: &[Check] = &[
         lane: Lane::Peers,
         runs: |_| false,
         run: |work| {
+            work.set_up(setup::pytest)?;
             package::make(work.project, &[], work.say).map_err(|error| Failure::of_one(error.to_string()))?;
             // A machine that makes packages need not build the other crates.
             rust_tests_of(work, &["-p", "xtask"], &["--run-ignored", "only"])

@@ -34,6 +34,33 @@ fn the_wheel_installs_a_program_that_needs_nothing_else() {
 
 #[test]
 #[ignore = "needs the packages, which the check `packages` makes"]
+fn the_installed_wheel_gives_pytest_its_plugin() {
+    let place = Place::new(&["python3"]);
+    place.succeed("python3", &["-m", "venv", "venv"]);
+    let python = place.folder().join("venv/bin/python");
+    let install = ["-m", "pip", "install", "--quiet", "--no-index"];
+    place.succeed(&python, &[&install[..], &[package(".whl").to_str().unwrap()]].concat());
+    // There is no network to install pytest from: that of the project stands beside the wheel.
+    let site = "import sysconfig; print(sysconfig.get_paths()['purelib'])";
+    let of_the_project = Command::new(root().join(".tools/pytest-venv/bin/python")).args(["-c", site]).output();
+    let of_the_project = String::from_utf8(of_the_project.expect("no pytest").stdout).unwrap();
+    let beside = Path::new(place.succeed(&python, &["-c", site]).trim()).join("pytest.pth");
+    fs::write(beside, of_the_project).unwrap();
+
+    let pytest = |peer: &str| {
+        let session = ["-m", "pytest", "-rA", "-p", "no:cacheprovider", "--ncp-filter", "version/", "--ncp-peer"];
+        let output = place.run(&python, &[&session[..], &[peer]].concat());
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (code, said) = pytest("python3 adapter.py");
+    assert!(code == Some(0) && said.contains("PASSED ncp/peer::verdict"), "{said}");
+    assert!(said.matches("PASSED ncp/version/").count() > 50, "{said}");
+    let (code, said) = pytest("python3 PROTOCOL-starter.py");
+    assert!(code == Some(1) && said.contains("FAILED ncp/peer::describe") && said.contains("NCP-VER-020"), "{said}");
+}
+
+#[test]
+#[ignore = "needs the packages, which the check `packages` makes"]
 fn a_wheel_that_is_installed_beside_other_packages_finds_its_program() {
     let place = Place::new(&["python3"]);
     let wheel = package(".whl");
@@ -55,6 +82,18 @@ fn the_packages_of_npm_install_a_program_that_needs_nothing_else() {
     let install = ["install", "--offline", "--no-audit", "--no-fund"];
     place.succeed("npm", &[&install[..], &[launcher.to_str().unwrap(), platform.to_str().unwrap()]].concat());
     place.holds_up(&["npm", "exec", "--offline", "--", "ncp-verify"]);
+
+    let conformed = |peer: &str| {
+        let command = format!("{{ command: ['python3', '{peer}'], filter: 'version/' }}");
+        let tests = format!("import {{ conform }} from 'ncp-verify/test';\nawait conform({command});\n");
+        fs::write(place.folder().join("peer.test.mjs"), tests).unwrap();
+        let output = place.run("node", &["--test", "--test-reporter=tap", "peer.test.mjs"]);
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (code, said) = conformed("adapter.py");
+    assert!(code == Some(0) && said.contains(" - verdict") && said.matches(" - version/").count() > 50, "{said}");
+    let (code, said) = conformed("PROTOCOL-starter.py");
+    assert!(code == Some(1) && said.contains(" - describe") && said.contains("NCP-VER-020"), "{said}");
 
     let find = "import('ncp-verify').then(({ program }) => console.log(program()))";
     let found = place.succeed("node", &["-e", find]);

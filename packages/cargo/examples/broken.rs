@@ -1,5 +1,6 @@
-//! The executable specification with defects, for the tests of the harness. `NCP_DEFECT` says which, `NCP_EXPECTED` names
-//! a list of expected failures, and `NCP_COMMAND` a program that is checked in its place, such as this one with `speak`.
+//! The executable specification with defects, for the tests of the harness. `NCP_DEFECT` says which, `NCP_EXPECTED`
+//! names a list of expected failures, and `NCP_COMMAND` a program that is checked in its place, such as this one with
+//! `speak`.
 
 #![forbid(unsafe_code)]
 

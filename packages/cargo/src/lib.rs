@@ -58,8 +58,9 @@
 //! | expected failure, advice | passed |
 //! | of a role that the peer does not claim | no test |
 //!
-//! [`Conformance::of`] answers in threads of the test. What such a thread cannot survive, such as a stack that overflows
-//! or a call that aborts, ends the test; a program of its own, by [`Conformance::command`], only costs the case.
+//! [`Conformance::of`] answers in threads of the test. What such a thread cannot survive, such as a stack that
+//! overflows or a call that aborts, ends the test; a program of its own, by [`Conformance::command`], only costs the
+//! case.
 
 #![forbid(unsafe_code)]
 

@@ -1,7 +1,8 @@
 // The tests that conform registers, by files of tests that check right and wrong peers. NCP_VERIFY names the program.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
@@ -45,6 +46,24 @@ test("a right peer passes each case and the verdict", () => {
   assert.equal(status, 0, stdout);
   assert.match(stdout, /^ +ok \d+ - version\//m);
   assert.match(stdout, /ok \d+ - verdict/);
+});
+
+test("a peer that listens is tested where it listens", async () => {
+  const port = await new Promise((found) => {
+    const free = createServer().listen(0, "127.0.0.1", () => {
+      const { port } = free.address();
+      free.close(() => found(port));
+    });
+  });
+  const starter = join(project, "peers/PROTOCOL-starter.py");
+  const server = spawn("python3", [join(project, "verifier/tests/data/serve.py"), `${port}`, "starter", starter]);
+  try {
+    const { stdout } = conformed({ connect: `tcp://127.0.0.1:${port}`, filter: "version/guard/lenient" });
+    assert.match(stdout, /^ +ok \d+ - version\/guard\/lenient\/older-minor/m);
+    assert.match(stdout, /not ok \d+ - describe/);
+  } finally {
+    server.kill();
+  }
 });
 
 test("a wrong peer fails with the rule and what differs", () => {

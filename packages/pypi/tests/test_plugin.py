@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
@@ -51,6 +52,20 @@ class Plugin(unittest.TestCase):
         self.assertEqual(session.returncode, 0, session.stdout)
         self.assertIn("PASSED ncp/peer::verdict", session.stdout)
         self.assertGreater(session.stdout.count("PASSED ncp/version/"), 50)
+
+    def test_a_peer_that_listens_is_tested_where_it_listens(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        starter = PROJECT / "peers/PROTOCOL-starter.py"
+        serve = [sys.executable, str(PROJECT / "verifier/tests/data/serve.py"), str(port), "starter", str(starter)]
+        with subprocess.Popen(serve, stderr=subprocess.DEVNULL) as server:
+            try:
+                session = self.pytest(f"tcp://127.0.0.1:{port}", filter="version/guard/lenient")
+            finally:
+                server.kill()
+        self.assertIn("PASSED ncp/version/guard.json::version/guard/lenient/older-minor", session.stdout)
+        self.assertIn("FAILED ncp/peer::describe", session.stdout)
 
     def test_a_wrong_peer_fails_with_the_rule_and_what_differs(self):
         session = self.pytest(self.wrong())

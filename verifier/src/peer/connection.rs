@@ -264,7 +264,7 @@ impl Connection {
         self.end(false)
     }
 
-    /// Ends the process and its children, and the connection to a server, at once, if they have not ended by themselves.
+    /// Ends at once the process and its children, and the connection to a server, unless they ended by themselves.
     pub fn kill(&mut self) -> Ending {
         // Its answers have ended, so most likely it is ending too: its own status says more than our signal.
         let is_ending = self.ended;

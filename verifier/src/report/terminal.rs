@@ -55,8 +55,8 @@ pub fn terminal(report: &Report, style: Style, detail: Detail) -> String {
     page.out
 }
 
-/// Renders one case of a report as a page shows its examples: the rule that it is charged to, with its sentence, what was
-/// expected, and what went over the wire.
+/// Renders one case of a report as a page shows its examples: the rule that it is charged to, with its sentence, what
+/// was expected, and what went over the wire.
 #[must_use]
 pub fn example(report: &Report, case: &CaseReport, style: Style, detail: Detail) -> String {
     let mut page = Page { report, style, detail, out: String::new() };

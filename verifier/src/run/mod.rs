@@ -11,8 +11,8 @@
 //! times. Whoever answers nothing any more, not even what it has answered before, is given up, and what is left is
 //! *not run*.
 //!
-//! Several connections to one server may all end by the fault of one case. So a fault while there are several is charged
-//! to nobody: the worker gives its cases back and leaves, and the last one that is left finds the guilty.
+//! Several connections to one server may all end by the fault of one case. So a fault while there are several is
+//! charged to nobody: the worker gives its cases back and leaves, and the last one that is left finds the guilty.
 //!
 //! A peer that dies again and again is asked one case at a time, until it is calm, and its next processes are started
 //! ahead of need. So that a death is cheap, processes are started without backtraces; the first case that was charged

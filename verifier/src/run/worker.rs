@@ -203,8 +203,8 @@ impl<'r> Worker<'r> {
         None
     }
 
-    /// After a fault by the side of other connections to the same server: leaves it to the last one that is left to find
-    /// out whose it is. Whether this is another one.
+    /// After a fault by the side of other connections to the same server: leaves it to the last one that is left to
+    /// find out whose it is. Whether this is another one.
     fn leave(&mut self, process: Process, fault: Fault) -> bool {
         let waiting: Vec<usize> = process.waiting_cases().collect();
         self.shared.count_fault(&process.end(fault).what());

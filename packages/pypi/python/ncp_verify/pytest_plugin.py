@@ -1,4 +1,4 @@
-"""pytest --ncp-peer COMMAND: each case of the suite is a test, and one run of ncp-verify says what became of it."""
+"""pytest --ncp-peer PEER: each case of the suite is a test, and one run of ncp-verify says what became of it."""
 
 import json
 import os
@@ -18,7 +18,7 @@ FILTERS = 200
 
 def pytest_addoption(parser):
     group = parser.getgroup("ncp", "conformance with the Neuro-Cybernetic Protocol (ncp-verify)")
-    group.addoption("--ncp-peer", metavar="COMMAND", help="check the peer that this command starts")
+    group.addoption("--ncp-peer", metavar="PEER", help="check the peer of this command, or of this tcp:// or ws:// URL")
     group.addoption("--ncp-level", default="wire", choices=["wire", "safety", "strict"], help="up to this level")
     group.addoption("--ncp-filter", action="append", default=[], metavar="PATTERN", help="as --filter of ncp-verify")
     group.addoption("--ncp-expected", metavar="FILE", help="failures that are expected of the peer")
@@ -99,7 +99,9 @@ class Suite:
 
     def _run(self):
         option, file = self.config.getoption, self.folder / "result.json"
-        args = ["run", "--color", "never", "--peer-cmd", option("ncp_peer"), "--json", str(file)]
+        peer = option("ncp_peer")
+        how = "--connect" if peer.startswith(("tcp://", "ws://")) else "--peer-cmd"
+        args = ["run", "--color", "never", how, peer, "--json", str(file)]
         if option("ncp_expected"):
             args += ["--expected", option("ncp_expected")]
         if option("ncp_deep"):
