@@ -131,12 +131,15 @@ fn respelled(spelling: &str, draw: &mut Draw<'_>) -> String {
 
 /// A number of many digits: that overflows by them alone, or that an exponent brings back, or nearly.
 pub(super) fn digits(draw: &mut Draw<'_>) -> String {
-    let count = draw.one(&[17, 18, 19, 20, 40, 308, 309, 310, 350, 400, 1000]) + draw.below(3);
+    let count = match draw.below(3) {
+        0 => draw.size(15, 1100),
+        _ => draw.one(&[17, 19, 40, 307, 308, 309, 310, 320, 350, 400, 1000]) + draw.below(30),
+    };
     let (digit, sign) = (draw.one(&['1', '9']), draw.one(&["", "-"]));
     let many = digit.to_string().repeat(count);
     let zeros = "0".repeat(count);
-    match draw.below(6) {
-        0 | 1 => format!("{sign}{many}"),
+    match draw.below(7) {
+        0 | 1 | 6 => format!("{sign}{many}"),
         2 => format!("{sign}{many}.0"),
         3 => format!("{sign}{many}e-{}", count - draw.below(3)),
         4 => format!("{sign}0.{zeros}{digit}e+{}", count + draw.one(&[0, 1, 300, 308, 309, 310])),
