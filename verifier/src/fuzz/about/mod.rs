@@ -235,7 +235,6 @@ impl About {
         }
         head.to_owned()
     }
-
 }
 
 fn is_strict(args: &Tree) -> bool {

@@ -33,7 +33,6 @@ impl About {
         steps.iter().rev().find_map(|rule| rule.map(str::to_owned))
     }
 
-
     /// The members of the frames of a governor: those of frames that move otherwise than those of frames that do not.
     pub(super) fn governor(&mut self, args: &Tree, expect: &Tree, steps: &[Option<&str>]) {
         let asked = items(args.get("steps"));
@@ -51,9 +50,10 @@ impl About {
         for (nth, answer) in answers.iter().enumerate().filter(|(_, answer)| still(answer) == Some(false)) {
             let rule = steps.get(nth).copied().flatten().unwrap_or("NCP-SAFE-021");
             self.put(&format!("/steps/{nth}/frame/channels"), rule);
-            let given = asked.get(nth).and_then(|step| step.get("command")).map_or(0, |command| {
-                items(command.get("horizon")).len()
-            });
+            let given = asked
+                .get(nth)
+                .and_then(|step| step.get("command"))
+                .map_or(0, |command| items(command.get("horizon")).len());
             let left = items(answer.get("frame").and_then(|frame| frame.get("horizon"))).len();
             let of_horizon = match (left < given, is_limited) {
                 (true, _) => rule,
@@ -67,7 +67,8 @@ impl About {
     /// What a loop sends: why it holds.
     pub(super) fn control_loop(&mut self, args: &Tree, expect: &Tree) {
         let answers = items(expect.get("value").and_then(|value| value.get("steps")));
-        let timeout_ms = double(args.get("limits").and_then(|limits| limits.get("command_timeout_ms"))).unwrap_or(500.0);
+        let timeout_ms =
+            double(args.get("limits").and_then(|limits| limits.get("command_timeout_ms"))).unwrap_or(500.0);
         let radius = double(args.get("limits").and_then(|limits| limits.get("geofence_radius_m"))).filter(|r| *r > 0.0);
         let (mut newest, mut told, mut stale): (Option<(i64, f64)>, Option<f64>, bool) = (None, None, false);
         let (mut position, mut gap, mut is_latched) = (0.0_f64, 0, false);
@@ -78,7 +79,8 @@ impl About {
                     let Some(sensor) = step.get("sensor") else { continue };
                     let seq = integer(sensor.get("seq")).unwrap_or(0);
                     let time = double(sensor.get("t")).unwrap_or(0.0);
-                    stale = newest.is_some_and(|(last, at)| if seq == 0 || last == 0 { time <= at } else { seq <= last });
+                    stale =
+                        newest.is_some_and(|(last, at)| if seq == 0 || last == 0 { time <= at } else { seq <= last });
                     if stale {
                         continue;
                     }
@@ -290,5 +292,73 @@ pub(super) fn buffer(args: &Tree, steps: &mut Vec<Option<&str>>) {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::tree::own;
+
+    fn json(text: &str) -> Tree {
+        own(&Json::parse(text).unwrap())
+    }
+
+    fn rule<'a>(about: &'a About, place: &str) -> Option<&'a str> {
+        about.by.get(place).map(String::as_str)
+    }
+
+    #[test]
+    fn what_a_held_frame_still_says_is_another_rule_than_what_holds_it() {
+        let args = json(
+            r#"{"limits":{"max_speed_mps":1.0},"steps":[
+            {"op":"govern","command":{"mode":"hold"}},
+            {"op":"govern","command":{"mode":"active","horizon":[{},{}]}}]}"#,
+        );
+        let frames = r#"[{"frame":{"mode":"hold"}},{"frame":{"mode":"active","horizon":[{},{}]}}]"#;
+        let expect = json(&format!(r#"{{"value":{{"steps":{frames}}}}}"#));
+        let mut about = About::default();
+        about.governor(&args, &expect, &[Some("NCP-SAFE-002"), Some("NCP-SAFE-060")]);
+        assert_eq!(rule(&about, "/steps/*/frame/channels"), Some("NCP-SAFE-071"));
+        assert_eq!(rule(&about, "/steps/1/frame/channels"), Some("NCP-SAFE-060"));
+        assert_eq!(rule(&about, "/steps/1/frame/horizon"), Some("NCP-SAFE-066"));
+        assert_eq!(rule(&about, "/steps/0/frame/channels"), None);
+    }
+
+    #[test]
+    fn a_loop_holds_for_the_age_of_its_sensor_and_not_for_one_that_is_not_newer() {
+        let sensor = |seq: u8, now: f64| {
+            format!(r#"{{"op":"sensor","sensor":{{"seq":{seq},"channels":{{}}}},"now_s":{now:?}}}"#)
+        };
+        let tick = |now: f64| format!(r#"{{"op":"tick","now_s":{now:?}}}"#);
+        let (held, none) = (r#"{"command":{"mode":"hold"}}"#, "{}");
+        let steps = [tick(0.0), sensor(2, 1.0), tick(1.6), sensor(1, 1.7), tick(1.8)].join(",");
+        let args = json(&format!(r#"{{"limits":{{"command_timeout_ms":500.0}},"steps":[{steps}]}}"#));
+        let answers = [held, none, held, none, held].join(",");
+        let mut about = About::default();
+        about.control_loop(&args, &json(&format!(r#"{{"value":{{"steps":[{answers}]}}}}"#)));
+        let of = |nth: usize| rule(&about, &format!("/steps/{nth}/command/mode"));
+        assert_eq!([of(0), of(2), of(4)], ["NCP-SAFE-030", "NCP-SAFE-033", "NCP-CTRL-012"].map(Some));
+    }
+
+    #[test]
+    fn sessions_of_nearly_equal_ids_are_about_being_kept_apart() {
+        let of = |id: &str| Some(json(&format!(r#"{{"session_id":"{id}"}}"#)));
+        let alike = twins(&[of("uav-front-left"), of("UAV-front-lean"), of("other"), None]);
+        assert_eq!(alike.len(), 2);
+        assert!(!alike.contains("other"));
+    }
+
+    #[test]
+    fn an_estop_in_a_malformed_frame_is_the_rule_of_what_follows_until_it_is_old() {
+        let frame = |text: &str| format!(r#"{{"op":"command","text":{},"now_s":1.0}}"#, crate::fuzz::tree::text(text));
+        let ask = r#"{"op":"active","now_s":1.0}"#.to_owned();
+        let hidden = r#"{"kind":"command_frame","mode":"estop","seq":"x"}"#;
+        let unknown = r#"{"ncp_version":"0.5","kind":"command_frame","mode":"drift"}"#;
+        let steps = [vec![frame(unknown), ask.clone(), frame(hidden), ask.clone()], vec![frame(unknown); 4], vec![ask]];
+        let args = json(&format!(r#"{{"steps":[{}]}}"#, steps.concat().join(",")));
+        let mut rules = Vec::new();
+        buffer(&args, &mut rules);
+        assert_eq!([rules[1], rules[3], rules[8]], ["NCP-WIRE-041", "NCP-RES-022", "NCP-RES-025"].map(Some));
     }
 }

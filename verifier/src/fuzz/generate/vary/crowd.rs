@@ -23,7 +23,9 @@ fn things(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
         .into_iter()
         .filter(|place| match at(tree, place) {
             Some(Json::Array(items)) => items.iter().any(is_thing),
-            Some(Json::Object(members)) => !members.is_empty() && MAPS.contains(&crate::fuzz::tree::name_at(tree, place)),
+            Some(Json::Object(members)) => {
+                !members.is_empty() && MAPS.contains(&crate::fuzz::tree::name_at(tree, place))
+            }
             _ => false,
         })
         .collect();
@@ -101,8 +103,7 @@ fn sessions(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
         _ => {
             let cut = 1 + draw.below(requests.len());
             let head = both.clone().take(cut).map(|(frame, request)| of(0, frame, request));
-            let others =
-                (1..=count).flat_map(|nth| both.clone().map(move |(frame, request)| of(nth, frame, request)));
+            let others = (1..=count).flat_map(|nth| both.clone().map(move |(frame, request)| of(nth, frame, request)));
             head.chain(others).chain(requests[cut..].iter().cloned()).collect()
         }
     };
@@ -112,4 +113,48 @@ fn sessions(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
         members.retain(|(name, _)| name != "verbs");
     }
     count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::tree::{items, list, object};
+
+    #[test]
+    fn a_crowd_of_sessions_has_as_many_ids_and_the_requests_of_each_in_their_order() {
+        let request = |kind: &str| text(format!("{{\"kind\":\"{kind}\",\"session_id\":\"a\"}}"));
+        let kinds = ["open_session", "step_request", "close_session"];
+        let harvest = Harvest::default();
+        let mut largest = 0;
+        for number in 0..60 {
+            let mut args = object([("requests", list(kinds.map(request).to_vec()))]);
+            let count = sessions(&mut args, &mut Draw::new(3, number, &harvest));
+            let mut of: std::collections::BTreeMap<String, Vec<String>> = std::collections::BTreeMap::new();
+            for request in items(args.get("requests")) {
+                let frame = own(&Json::parse(request.as_str().unwrap()).unwrap());
+                let of_id = of.entry(string(&frame, "session_id").unwrap().to_owned()).or_default();
+                of_id.push(string(&frame, "kind").unwrap().to_owned());
+            }
+            assert_eq!(of.len(), count + 1);
+            assert!(of.values().all(|found| *found == kinds), "{of:?}");
+            largest = largest.max(count);
+        }
+        assert!(largest > 32, "{largest}");
+    }
+
+    #[test]
+    fn a_crowd_of_things_has_names_of_their_own_or_all_the_same() {
+        let harvest = Harvest::default();
+        let (mut own_names, mut same) = (0, 0);
+        for number in 0..60 {
+            let mut tree = object([("sensor_channels", list(vec![object([("name", text("pose"))])]))]);
+            let count = things(&mut tree, &mut Draw::new(3, number, &harvest));
+            let names: std::collections::HashSet<&str> =
+                items(tree.get("sensor_channels")).iter().filter_map(|item| string(item, "name")).collect();
+            own_names += usize::from(names.len() == count + 1);
+            same += usize::from(names.len() == 1);
+        }
+        assert!(own_names > 20 && same > 5 && own_names + same == 60, "{own_names} {same}");
+    }
 }

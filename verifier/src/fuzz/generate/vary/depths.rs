@@ -149,3 +149,50 @@ pub(super) fn in_a_frame(
     *frame = changed.into();
     much
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::tree::items;
+
+    const FRAME: &str = r#"{"ncp_version":"0.5","kind":"sensor_frame","seq":7}"#;
+
+    #[test]
+    fn what_is_buried_leaves_a_frame_whole_unless_its_leaf_is_no_json() {
+        let harvest = Harvest::default();
+        let (mut read, mut far) = (0, 0);
+        for number in 0..300 {
+            let (frame, much) = buried(FRAME, &mut Draw::new(2, number, &harvest));
+            assert!(frame.starts_with('{') && frame.ends_with('}') && frame.contains("\"seq\":7"), "{number}");
+            read += usize::from(Json::parse(&frame).is_ok_and(|frame| frame.get("x1").is_some()));
+            far += usize::from(much > 1 << 16);
+        }
+        assert!(read > 60 && far > 20, "{read} {far}");
+    }
+
+    #[test]
+    fn a_fitted_frame_is_the_same_frame_and_within_a_byte_of_its_size() {
+        let harvest = Harvest::default();
+        for number in 0..60 {
+            let (frame, limit) = fitted(FRAME, &mut Draw::new(2, number, &harvest));
+            assert!(frame.len().abs_diff(limit) <= 1, "{} {limit}", frame.len());
+            assert_eq!(Json::parse(&frame).unwrap().get("seq"), Some(&int(7)));
+        }
+    }
+
+    #[test]
+    fn a_blemish_is_not_the_first_of_its_array() {
+        let harvest = Harvest::default();
+        let mut longest = 0;
+        for number in 0..200 {
+            let data = list(vec![literal("0.5"); 3]);
+            let mut tree = object([("session_id", text("s")), ("data", data)]);
+            blemish(&mut tree, &mut Draw::new(2, number, &harvest));
+            let found = items(tree.get("data"));
+            assert!(found.len() > 3 && found[0] == literal("0.5"), "{tree}");
+            longest = longest.max(found.len());
+        }
+        assert!(longest > 1000, "{longest}");
+    }
+}

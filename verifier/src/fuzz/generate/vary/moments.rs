@@ -116,7 +116,9 @@ pub(super) fn omit(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
     const NEEDED: [&str; 9] = ["op", "steps", "requests", "kind", "call", "key", "text", "base64", "now_s"];
     let objects: Vec<Vec<Step>> = places(tree)
         .into_iter()
-        .filter(|place| matches!(crate::fuzz::tree::at(tree, place), Some(Json::Object(members)) if !members.is_empty()))
+        .filter(
+            |place| matches!(crate::fuzz::tree::at(tree, place), Some(Json::Object(members)) if !members.is_empty()),
+        )
         .collect();
     for _ in 0..4 {
         let Some(place) = objects.get(draw.below(objects.len())) else { return 0 };
@@ -133,4 +135,63 @@ pub(super) fn omit(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
         }
     }
     0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::tree::{int, items, list, object, text};
+
+    fn trace() -> Tree {
+        let command = |now: f64, seq: i64| {
+            object([("op", text("command")), ("now_s", num(now)), ("ttl_ms", num(250.0)), ("seq", int(seq))])
+        };
+        object([("steps", list(vec![command(1.0, 1), command(2.0, 2), command(3.0, 3)]))])
+    }
+
+    fn clocks(args: &Tree) -> Vec<f64> {
+        items(args.get("steps")).iter().filter_map(clock_of).collect()
+    }
+
+    #[test]
+    fn a_gap_leaves_what_is_before_it_and_moves_the_rest_together() {
+        let harvest = Harvest::default();
+        let mut widest: f64 = 0.0;
+        for number in 0..200 {
+            let mut args = trace();
+            gap(&mut args, &mut Draw::new(1, number, &harvest));
+            let now = clocks(&args);
+            assert_eq!((now.len(), now[0]), (3, 1.0));
+            let (one, two) = (now[1] - now[0], now[2] - now[1]);
+            assert!((one - 1.0).abs() < 1e-9 || (two - 1.0).abs() < 1e-9 || one.abs() > 1e15, "{now:?}");
+            widest = widest.max(one).max(two);
+        }
+        assert!(widest > 4_294_967.296, "{widest}");
+    }
+
+    #[test]
+    fn an_instant_is_the_end_of_a_ttl_or_next_to_it() {
+        let harvest = Harvest::default();
+        let (mut exact, mut near) = (0, 0);
+        for number in 0..400 {
+            let mut args = trace();
+            instant(&mut args, &mut Draw::new(1, number, &harvest));
+            let ends = [1.25, 2.25, 3.25];
+            exact += usize::from(clocks(&args).iter().any(|now| ends.contains(now)));
+            let is_near = |now: &f64| ends.iter().any(|end| *now != *end && (now - end).abs() <= 1e-3);
+            near += usize::from(clocks(&args).iter().any(is_near));
+        }
+        assert!(exact > 20 && near > 100, "{exact} {near}");
+    }
+
+    #[test]
+    fn what_may_stay_behind_comes_before_a_step_that_is_there() {
+        let harvest = Harvest::default();
+        for number in 0..100 {
+            let mut args = trace();
+            residue(&mut args, &trace(), &mut Draw::new(1, number, &harvest));
+            assert_eq!(items(args.get("steps")).len(), 4, "{number}");
+        }
+    }
 }
