@@ -185,19 +185,19 @@ fn calls(defect: &Defect) -> &'static [Call] {
 /// How many candidates of a call are drawn for the base, and how many at most for the defects that are open.
 fn numbers(call: Call) -> (u64, u64) {
     match call {
-        Call::GovernorRun => (2500, 12_000),
-        Call::Decode => (3600, 40_000),
-        Call::Encode => (2000, 8000),
-        Call::BufferRun => (1750, 8000),
-        Call::SessionRun => (1500, 6000),
-        Call::KeyMatch | Call::CodecEncode | Call::CodecDecode => (2400, 20_000),
+        Call::GovernorRun => (3200, 12_000),
+        Call::Decode => (5000, 40_000),
+        Call::Encode => (2400, 8000),
+        Call::BufferRun => (2400, 8000),
+        Call::SessionRun => (2000, 6000),
+        Call::KeyMatch | Call::CodecEncode | Call::CodecDecode => (3200, 20_000),
         Call::KeyBuild => (2000, 15_000),
         Call::BulkDecode => (1500, 8000),
         Call::BulkEncode => (1250, 4000),
-        Call::ReplyCheck => (1200, 20_000),
-        Call::VersionCheck | Call::HorizonMaxLen => (1200, 20_000),
-        Call::WatchdogRun | Call::LinkRun | Call::LoopRun => (1000, 6000),
-        _ => (700, 2000),
+        Call::ReplyCheck => (1600, 20_000),
+        Call::VersionCheck | Call::HorizonMaxLen => (1600, 20_000),
+        Call::WatchdogRun | Call::LinkRun | Call::LoopRun => (1800, 6000),
+        _ => (1000, 2000),
     }
 }
 

@@ -472,7 +472,8 @@ mod tests {
             for one in drawn.iter().take(20) {
                 let again = deep.candidate(call, one.number, 1 << 16).unwrap();
                 assert_eq!((&again.input, &again.keys), (&one.input, &one.keys));
-                assert!(deep.is_sound(one).unwrap(), "{call:?} {}", one.number);
+                let why = deep.fault(one, &one.expect).unwrap();
+                assert!(why.is_none(), "{call:?} {}: {why:?}\n{}\n{}", one.number, one.arguments(), one.expect);
             }
         }
     }
