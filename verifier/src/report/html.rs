@@ -169,27 +169,52 @@ fn expected(expect: &Expect) -> (&'static str, String) {
     }
 }
 
-/// What the page shows at once.
-fn index(report: &Report, cases: &Cases<'_>) -> Value {
+/// What the page shows at once. The cases are written as they are found: as values they would cost more than the page.
+#[derive(Serialize)]
+struct Index<'r> {
+    #[serde(flatten)]
+    head: Value,
+    cases: Vec<About<'r>>,
+    peers: Vec<Value>,
+}
+
+/// What the page shows at once of a case.
+#[derive(Serialize)]
+struct About<'r> {
+    id: &'r str,
+    title: &'r str,
+    rules: &'r [String],
+    call: &'static str,
+    level: Option<usize>,
+    binding: bool,
+    roles: Vec<&'static str>,
+    chapter: Option<usize>,
+}
+
+fn index<'r>(report: &Report, cases: &Cases<'r>) -> Index<'r> {
     let mut chapters: Vec<&str> = report.rules.iter().map(chapter).collect();
     chapters.dedup();
     let used = |chapter: &&str| cases.all.iter().any(|id| cases.chapter(id) == *chapter);
     chapters.retain(used);
-    let about = |id: &&str| {
+    let about = |id: &'r str| {
         let (_, case) = cases.found(id).first()?;
-        Some(json!({
-            "id": id, "title": &*case.title, "rules": &*case.rules, "call": case.call.as_str(),
-            "level": Level::ALL.iter().position(|level| *level == case.level), "binding": case.binding,
-            "roles": case.roles.iter().copied().map(Role::as_str).collect::<Vec<_>>(),
-            "chapter": chapters.iter().position(|chapter| *chapter == cases.chapter(id)),
-        }))
+        Some(About {
+            id,
+            title: &case.title,
+            rules: &case.rules,
+            call: case.call.as_str(),
+            level: Level::ALL.iter().position(|level| *level == case.level),
+            binding: case.binding,
+            roles: case.roles.iter().copied().map(Role::as_str).collect(),
+            chapter: chapters.iter().position(|chapter| *chapter == cases.chapter(id)),
+        })
     };
     let rule = |rule: &Rule| {
         let Rule { id, sentence, severity, .. } = rule;
         (id.clone(), json!({"sentence": sentence, "keyword": rule.keyword.as_str(), "severity": severity}))
     };
     let asked = &report.asked;
-    json!({
+    let head = json!({
         "of": {
             "wire": report.wire_version, "level": asked.level.as_str(), "cases": asked.cases, "files": asked.files,
             "started": report.started, "version": report.tool.version, "corpus": report.corpus.sha256,
@@ -200,9 +225,9 @@ fn index(report: &Report, cases: &Cases<'_>) -> Value {
         "severities": Severity::ALL,
         "chapters": chapters.iter().map(|chapter| chapter.trim_end_matches(".md")).collect::<Vec<_>>(),
         "rules": report.rules.iter().map(rule).collect::<serde_json::Map<_, _>>(),
-        "cases": cases.all.iter().filter_map(about).collect::<Vec<_>>(),
-        "peers": report.peers.iter().map(|of| peer(of, cases)).collect::<Vec<_>>(),
-    })
+    });
+    let peers = report.peers.iter().map(|of| peer(of, cases)).collect();
+    Index { head, cases: cases.all.iter().copied().filter_map(about).collect(), peers }
 }
 
 impl Cases<'_> {

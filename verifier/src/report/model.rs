@@ -1,6 +1,5 @@
 //! The one model of a result. Its JSON form is that of `schemas/result.schema.json`.
 
-use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read as _, Seek as _, Write};
@@ -437,7 +436,8 @@ pub struct CaseReport {
     #[serde(with = "by_name")]
     pub status: Status,
     /// What it says of the first of its rules: `passed`, `failed`, `inconclusive`, `unsupported` or `not run`.
-    pub ruling: Cow<'static, str>,
+    #[serde(with = "shared")]
+    pub ruling: Arc<str>,
     /// The rule that it is charged to; of an inconclusive case the one that it waits for, and of a trace with a step
     /// that the peer cannot do the one of that step.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -900,7 +900,7 @@ impl CaseReport {
             call: case.call,
             outcome,
             status: *status,
-            ruling: Cow::Borrowed(ruling.as_str()),
+            ruling: shared::shared(ruling.as_str()),
             charged: ruling.decided_by().map(|rule| rule.id.clone()),
             expected: (!passed).then(|| in_words(&case.expect)),
             differences,

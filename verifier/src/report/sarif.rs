@@ -104,7 +104,7 @@ fn result(case: &CaseReport, rules: &[&Rule], place: &Value) -> Value {
         "partialFingerprints": {"ncpCase/v1": case.id},
         "properties": {
             "case": case.id, "call": case.call.as_str(), "outcome": case.outcome.as_str(),
-            "status": case.status.as_str(), "ruling": case.ruling,
+            "status": case.status.as_str(), "ruling": &*case.ruling,
         },
     });
     if let Some(index) = rules.iter().position(|rule| rule.id == case.rule()) {
