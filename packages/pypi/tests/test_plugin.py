@@ -12,6 +12,14 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[3]
 PURE = PROJECT / "peers/python-pure"
+# Puts a program behind a port, a connection after the other.
+SERVER = """
+import socket, subprocess, sys
+server = socket.create_server(("127.0.0.1", int(sys.argv[1])))
+while True:
+    with server.accept()[0] as connection:
+        subprocess.run(sys.argv[2:], stdin=connection, stdout=connection)
+"""
 
 
 class Plugin(unittest.TestCase):
@@ -57,15 +65,13 @@ class Plugin(unittest.TestCase):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
-        starter = PROJECT / "peers/PROTOCOL-starter.py"
-        serve = [sys.executable, str(PROJECT / "verifier/tests/data/serve.py"), str(port), "starter", str(starter)]
-        with subprocess.Popen(serve, stderr=subprocess.DEVNULL) as server:
+        with subprocess.Popen([sys.executable, "-c", SERVER, str(port), *self.right().split()]) as server:
             try:
-                session = self.pytest(f"tcp://127.0.0.1:{port}", filter="version/guard/lenient")
+                session = self.pytest(f"tcp://127.0.0.1:{port}")
             finally:
                 server.kill()
-        self.assertIn("PASSED ncp/version/guard.json::version/guard/lenient/older-minor", session.stdout)
-        self.assertIn("FAILED ncp/peer::describe", session.stdout)
+        self.assertEqual(session.returncode, 0, session.stdout)
+        self.assertGreater(session.stdout.count("PASSED ncp/version/"), 50)
 
     def test_a_wrong_peer_fails_with_the_rule_and_what_differs(self):
         session = self.pytest(self.wrong())
