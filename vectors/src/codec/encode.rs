@@ -1,6 +1,6 @@
 //! From sensor channels to rates.
 
-use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map, maps};
+use super::{Mapping, PLAIN, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, exactly, name_of, num, nums};
@@ -135,6 +135,15 @@ fn ranges() -> Vec<Case> {
                 .title(format!("{x} in 1 \u{2026} -1 should be encoded as by any other range ({name})."))
                 .flags(&["degenerate-range"])
                 .because("A source range that runs downwards should be mapped like every other."),
+        );
+    }
+    for (name, x, value, rate) in PRECISE {
+        let mapping = Mapping { value, rate, ..PLAIN };
+        cases.push(
+            case(format!("precise/{name}"), &["NCP-CODEC-013"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .shows_exactly(object! { "rates" => exactly(object! { "p" => precisely(x, value, rate) }) })
+                .title(format!("{x:?} in {:?} \u{2026} {:?} is encoded to twelve digits ({name}).", value[0], value[1]))
+                .because(PRECISELY),
         );
     }
     // A mapping without ranges has the defaults.
