@@ -74,8 +74,7 @@ fn from_frame(step: &Json) -> Option<Command> {
         ["kind", "ncp_version", "seq", "t", "frame_id", "mode", "ttl_ms", "channels", "horizon", "horizon_dt_ms"]
             .contains(&name)
     };
-    if !members.iter().all(|(name, _)| known(name)) || frame.get("kind")?.as_str()? != "command_frame"
-    {
+    if !members.iter().all(|(name, _)| known(name)) || frame.get("kind")?.as_str()? != "command_frame" {
         return None;
     }
     let mode = frame.get("mode")?.as_str()?;

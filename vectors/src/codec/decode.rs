@@ -136,7 +136,10 @@ fn ranges() -> Vec<Case> {
         cases.push(
             case(format!("precise/{name}"), &["NCP-CODEC-013"], codec(&[], &[mapping]), &[("p", rate)])
                 .shows_exactly(object! { "command" => object! { "channels" => channels } })
-                .title(format!("{rate:?} Hz in {:?} \u{2026} {:?} Hz is decoded to twelve digits ({name}).", from[0], from[1]))
+                .title(format!(
+                    "{rate:?} Hz in {:?} \u{2026} {:?} Hz is decoded to twelve digits ({name}).",
+                    from[0], from[1]
+                ))
                 .because(PRECISELY),
         );
     }
@@ -238,6 +241,13 @@ fn mappings() -> Vec<Case> {
             "One population may drive two components",
             vec![mapping("x", 0, "p"), mapping("x", 1, "p")],
             channels(vec![("x", vec![0.5, 0.5])]),
+        ),
+        (
+            "one-component-twice",
+            "NCP-CODEC-014",
+            "Of two mappings to one component the last should count",
+            vec![mapping("x", 0, "p"), mapping("x", 1, "p"), mapping("x", 0, "q")],
+            channels(vec![("x", vec![-0.5, 0.5])]),
         ),
         (
             "absent",

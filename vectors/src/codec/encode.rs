@@ -294,6 +294,22 @@ fn mappings() -> Vec<Case> {
         .title("Each mapping has its own channel, component and ranges.")
         .because("The encoder maps each mapping's value by that mapping's ranges."),
     );
+    let twice = [
+        Mapping { channel: "a", ..PLAIN },
+        Mapping { channel: "b", population: "q", ..PLAIN },
+        Mapping { channel: "b", value: [0.0, 4.0], rate: [0.0, 80.0], ..PLAIN },
+    ];
+    cases.push(
+        case(
+            "one-population-twice".to_owned(),
+            &["NCP-CODEC-014"],
+            codec(&twice, &[]),
+            sensor(&[("a", &[0.5]), ("b", &[1.0])]),
+        )
+        .shows(rates(&[("p", 20.0), ("q", 200.0)]))
+        .title("Of two mappings to one population the last should count.")
+        .because("Of mappings with one target, here a population, the last should count."),
+    );
     cases.push(
         case("none".to_owned(), &["NCP-CODEC-001"], codec(&[], &[]), sensor(&[("a", &[0.5])]))
             .shows(rates(&[]))

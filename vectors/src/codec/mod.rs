@@ -79,7 +79,8 @@ const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 6] = [
     ("to-a-smaller-range", 61.7, [0.0, 200.0], [-1e-7, 1e-7]),
     ("from-a-small-range", 1.7e-9, [0.0, 3e-9], [0.0, 200.0]),
 ];
-const PRECISELY: &str = "The result is what the formula says to 10\u{207b}\u{b9}\u{b2} of the greater end of the target range.";
+const PRECISELY: &str =
+    "The result is what the formula says to 10\u{207b}\u{b9}\u{b2} of the greater end of the target range.";
 
 /// Numbers that JSON lacks: an interface of JSON texts refuses them.
 const STRANGE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];

@@ -147,10 +147,7 @@ fn huge() -> Vec<Case> {
             cases.push(
                 case(format!("huge/{name}/limit-{limit}"), &["NCP-SAFE-060", "NCP-SAFE-061"], &trace)
                     .shows(steps(vec![object! { "frame" => frame }]))
-                    .title(format!(
-                        "A velocity of ({}, {}, {}) m/s is scaled to {limit} m/s.",
-                        v[0], v[1], v[2]
-                    ))
+                    .title(format!("A velocity of ({}, {}, {}) m/s is scaled to {limit} m/s.", v[0], v[1], v[2]))
                     .flags(&["overflowing-norm"])
                     .because(
                         "A norm that overflows a double is above every limit, and its velocity is scaled like every \

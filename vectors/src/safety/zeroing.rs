@@ -262,7 +262,9 @@ fn canonical(way: &Way) -> Case {
             way.frame, way.name
         ))
         .flags(&["moving-hold"])
-        .because("Without Capabilities the negotiated channels are the canonical ones, here `velocity_setpoint` in m/s.")
+        .because(
+            "Without Capabilities the negotiated channels are the canonical ones, here `velocity_setpoint` in m/s.",
+        )
 }
 
 /// What stands beside the channels.

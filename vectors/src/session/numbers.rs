@@ -1,9 +1,9 @@
 //! The reference networks against their own closed solutions.
 
-use super::{Open, observed, opened, record, recorded, reference, run, step, stimulus};
+use super::{Open, error, not_opened, observed, opened, record, recorded, reference, run, step, stimulus};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::trace::nums;
+use crate::trace::{any, nums};
 
 pub(super) fn file() -> File {
     let mut cases = potentials();
@@ -15,6 +15,7 @@ pub(super) fn file() -> File {
     cases.extend(units());
     cases.extend(ports());
     cases.extend(cadences());
+    cases.extend(refusals());
     cases.extend(durations());
     cases.extend(orders());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
@@ -472,6 +473,53 @@ fn ports() -> Vec<Case> {
         .because("A neuron's id is its position within its population, from 1."),
     );
     cases
+}
+
+/// What the networks should not be opened with. A session that could be opened takes its place.
+fn refusals() -> Vec<Case> {
+    let v = || record("v", "V_m", 1.0);
+    let drive = || stimulus("in", "current_pA");
+    let lif = || Open::lif("a");
+    let with = |target: Json| Open { records: vec![target], ..lif() };
+    let driven = |target: Json| Open { stimuli: vec![target], ..lif() };
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let table = [
+        ("step-of-0", "a step of 0 ms", Open { dt: 0.0, ..lif() }),
+        ("step-below-0", "a step of -1 ms", Open { dt: -1.0, ..lif() }),
+        ("cadence-of-0", "a cadence of 0 ms", with(record("v", "V_m", 0.0))),
+        ("cadence-below-0", "a cadence of -1 ms", with(record("v", "V_m", -1.0))),
+        ("recorded-twice", "two recorded ports of one name", Open { records: vec![v(), v()], ..lif() }),
+        ("driven-twice", "two stimuli of one port", Open { stimuli: vec![drive(), drive()], ..lif() }),
+        ("record-of-none", "a record of a population that is not there", with(v().with("target", "none".into()))),
+        (
+            "stimulus-of-none",
+            "a stimulus of a population that is not there",
+            driven(drive().with("target", "none".into())),
+        ),
+        ("record-of-neuron-0", "a record of neuron 0", with(v().with("ids", ids(&[0])))),
+        ("record-of-neuron-2", "a record of the second neuron of one", with(v().with("ids", ids(&[1, 2])))),
+        ("stimulus-of-neuron-2", "a stimulus of the second neuron of one", driven(drive().with("ids", ids(&[2])))),
+        ("record-of-rate", "a record of the rate of spiking neurons", with(record("v", "rate", 1.0))),
+        ("stimulus-of-rate", "an input to rate neurons for spiking ones", driven(stimulus("in", "rate_inject"))),
+        (
+            "potential-of-rate",
+            "a record of the potential of rate neurons",
+            Open { records: vec![v()], ..Open::rate("a") },
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, open)| {
+            let trace = vec![
+                (open.text(), any(vec![not_opened("a"), error()])),
+                (step("a", Some(1.0), None), error()),
+                (lif().text(), opened("a")),
+            ];
+            reference(format!("refused/{name}"), &["NCP-SESS-060", "NCP-SESS-024"], trace)
+                .title(format!("A session of {words} should not be opened."))
+                .because("The backend should refuse to open a session that the network cannot be made of.")
+        })
+        .collect()
 }
 
 /// How many steps a time is, and that no request makes up for what another was rounded by.
