@@ -515,7 +515,7 @@ fn refusals() -> Vec<Case> {
                 (step("a", Some(1.0), None), error()),
                 (lif().text(), opened("a")),
             ];
-            reference(format!("refused/{name}"), &["NCP-SESS-060", "NCP-SESS-024"], trace)
+            reference(format!("refused/{name}"), &["NCP-SESS-060"], trace)
                 .title(format!("A session of {words} should not be opened."))
                 .because("The backend should refuse to open a session that the network cannot be made of.")
         })
