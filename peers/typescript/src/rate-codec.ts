@@ -118,7 +118,7 @@ function isMapped({ component }: Mapping): boolean {
 function withLines<M extends Mapping>(mapping: M, target: keyof Lines): M & Lines {
   const lines = { values: mapping.value_range ?? VALUES, rates: mapping.rate_range ?? RATES };
   const [begin, end] = lines[target];
-  if (!Number.isFinite(end - begin)) throw new ConfigError(`there is no way to map to ${begin} … ${end}`);
+  if (!Number.isFinite(begin) || !Number.isFinite(end)) throw new ConfigError(`there is no way to map to ${begin} … ${end}`);
   return { ...mapping, ...lines };
 }
 
@@ -127,7 +127,10 @@ function mapped(value: number | undefined, from: Range, to: Range): number {
   const length = from[1] - from[0];
   const degenerate = length === 0 || !Number.isFinite(length); // [NCP-CODEC-007]
   if (value === undefined || !Number.isFinite(value) || degenerate) return to[0] / 2 + to[1] / 2;
-  const result = to[0] + ((clamped(value, from) - from[0]) / length) * (to[1] - to[0]);
+  const share = (clamped(value, from) - from[0]) / length;
+  const width = to[1] - to[0];
+  // Between ends that are further apart than a double can say, each end has its share.
+  const result = Number.isFinite(width) ? to[0] + share * width : to[0] * (1 - share) + to[1] * share;
   return clamped(result, to); // [NCP-CODEC-002] [NCP-CODEC-004]
 }
 

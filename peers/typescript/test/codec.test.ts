@@ -30,6 +30,13 @@ test("a value within its range comes back from its rate", () => {
   }
 });
 
+test("between ends that are further apart than a double can say, the middle and the ends are where they are", () => {
+  const wide = [-1.5e308, 1.5e308] as const;
+  const rateOf = (value: number) => codec({ rate_range: wide }).encode(sensing([value])).get("p");
+  assert.deepEqual([rateOf(-1), rateOf(0), rateOf(1), rateOf(NaN)], [-1.5e308, 0, 1.5e308, 0]);
+  assert.equal(codec({ value_range: wide }).decode({}, HEAD).channels.get("a")!.data[0], 0);
+});
+
 test("results never leave their range, whatever the input", () => {
   for (let n = 0; n < 5_000; n++) {
     const value_range = [random.between(-1e3, 1e3), random.between(-1e3, 1e3)] as const;

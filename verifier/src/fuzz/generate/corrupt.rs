@@ -94,9 +94,57 @@ fn write(tree: &Tree, spaces: u64, escapes: u64, draw: &mut Draw<'_>, out: &mut 
             space(spaces, draw, out);
             out.push('}');
         }
+        Json::Number(spelling) if escapes > 0 && spelling.contains(['.', 'e', 'E']) && draw.chance(50) => {
+            out.push_str(&respelled(spelling, draw));
+        }
         plain => out.push_str(&plain.to_string()),
     }
     space(spaces, draw, out);
+}
+
+/// The same double, spelled with more digits or another exponent.
+fn respelled(spelling: &str, draw: &mut Draw<'_>) -> String {
+    let (digits, exponent) = spelling.split_once(['e', 'E']).unwrap_or((spelling, "0"));
+    let exponent: i64 = exponent.parse().unwrap_or(0);
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let (sign, whole) = whole.strip_prefix('-').map_or(("", whole), |whole| ("-", whole));
+    let long = draw.one(&[3, 3, 20, 400]);
+    let zeros = "0".repeat(draw.size(1, long));
+    let places = |count: usize| i64::try_from(count).unwrap_or(0);
+    match draw.below(6) {
+        0 => format!("{sign}{whole}.{fraction}{zeros}{}{exponent:+}", draw.one(&['e', 'E'])),
+        // All of it before the point.
+        1 if whole != "0" => format!("{sign}{whole}{fraction}e{}", exponent - places(fraction.len())),
+        2 if whole != "0" => {
+            let less = exponent - places(fraction.len()) - places(zeros.len());
+            format!("{sign}{whole}{fraction}{zeros}E{less}")
+        }
+        // All of it behind.
+        3 => {
+            let more = exponent + places(whole.len()) + places(zeros.len());
+            format!("{sign}0.{zeros}{whole}{fraction}e{more:+}")
+        }
+        4 => format!("{sign}{whole}.{fraction}0e{}{}", if exponent < 0 { "-0" } else { "+0" }, exponent.abs()),
+        _ => spelling.to_owned(),
+    }
+}
+
+/// A number of many digits: that overflows by them alone, or that an exponent brings back, or nearly.
+pub(super) fn digits(draw: &mut Draw<'_>) -> String {
+    let count = match draw.below(3) {
+        0 => draw.size(15, 1100),
+        _ => draw.one(&[17, 19, 40, 307, 308, 309, 310, 320, 350, 400, 1000]) + draw.below(30),
+    };
+    let (digit, sign) = (draw.one(&['1', '9']), draw.one(&["", "-"]));
+    let many = digit.to_string().repeat(count);
+    let zeros = "0".repeat(count);
+    match draw.below(7) {
+        0 | 1 | 6 => format!("{sign}{many}"),
+        2 => format!("{sign}{many}.0"),
+        3 => format!("{sign}{many}e-{}", count - draw.below(3)),
+        4 => format!("{sign}0.{zeros}{digit}e+{}", count + draw.one(&[0, 1, 300, 308, 309, 310])),
+        _ => format!("{sign}1{zeros}{}", draw.one(&["", ".5", "e-400", "E+0"])),
+    }
 }
 
 /// A string, some of its characters as escapes.
@@ -211,9 +259,8 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
         }
         // A number beyond a double, or at its end.
         6 => {
-            let spelling = draw
-                .pick(&["1e400", "-1E400", "1.7976931348623159e308", "1.7976931348623158e308", "1e309", "2e-324"])
-                .to_owned();
+            let known = ["1e400", "-1E+400", "1.7976931348623159e308", "1.7976931348623158e308", "1e309", "2e-324"];
+            let spelling = if draw.chance(40) { digits(draw) } else { draw.pick(&known).to_owned() };
             let numbers: Vec<_> =
                 all.iter().filter(|place| matches!(at(frame, place), Some(Json::Number(_)))).cloned().collect();
             if !numbers.is_empty() {

@@ -138,7 +138,7 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
             return draw.pick(alphabet).to_owned();
         }
         // What a search within it comes back to.
-        let most = if draw.chance(20) { 200 } else { 12 };
+        let most = if draw.chance(30) { 250 } else { 12 };
         (0..draw.size(1, most)).map(|_| draw.one(&['a', 'a', 'b'])).collect()
     };
     let key: Vec<String> = (0..count).map(|_| chunk(draw)).collect();
@@ -190,6 +190,9 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
 
 /// A chunk with some runs of it wild.
 fn dollars(chunk: &str, draw: &mut Draw<'_>) -> String {
+    if draw.chance(50) {
+        return pieces(chunk, draw);
+    }
     let mut pattern = String::new();
     for c in chunk.chars() {
         match draw.below(4) {
@@ -207,6 +210,39 @@ fn dollars(chunk: &str, draw: &mut Draw<'_>) -> String {
         pattern.push_str("$*");
         pattern.push_str(&again);
     }
+    single(pattern)
+}
+
+/// Pieces of a chunk with wild runs between, of which neighbours may overlap, or leave out what stands between: then only
+/// a reader that looks again, or that counts a character twice, has another answer.
+fn pieces(chunk: &str, draw: &mut Draw<'_>) -> String {
+    let letters: Vec<char> = chunk.chars().collect();
+    let long = draw.one(&[2, 4, 12]);
+    let mut pattern = Vec::new();
+    let mut at = if draw.chance(60) { 0 } else { draw.below(letters.len()) };
+    for _ in 0..draw.size(2, 6) {
+        let end = (at + draw.size(1, long)).min(letters.len());
+        pattern.push(letters[at.min(end)..end].iter().collect::<String>());
+        at = match draw.below(6) {
+            0 => end.saturating_sub(1),
+            1 => end.saturating_sub(draw.size(1, long)),
+            2 | 3 => end,
+            _ => end + draw.below(4),
+        };
+    }
+    if draw.chance(60) {
+        // To its end, perhaps with what the piece before has covered.
+        let from = if draw.chance(50) { at.min(letters.len()) } else { at.saturating_sub(draw.size(1, long)) };
+        pattern.push(letters[from.min(letters.len())..].iter().collect());
+    }
+    let pattern = pattern.join("$*");
+    let pattern = if draw.chance(20) { format!("$*{pattern}") } else { pattern };
+    let pattern = if draw.chance(20) { format!("{pattern}$*") } else { pattern };
+    single(pattern)
+}
+
+/// One wild run where there would be two side by side, which no pattern has.
+fn single(mut pattern: String) -> String {
     while pattern.contains("$*$*") {
         pattern = pattern.replace("$*$*", "$*");
     }

@@ -18,8 +18,8 @@ struct Script {
 fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let rate = draw.chance(30);
     let neurons = match draw.below(200) {
-        0..=9 => draw.size(5, 300),
-        10 | 11 => draw.size(300, 70_000),
+        0..=19 => draw.size(5, 300),
+        20 | 21 => draw.size(300, 70_000),
         _ => draw.size(1, 4),
     };
     let mut params = Vec::new();
@@ -80,7 +80,10 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         object([("port", text(port)), ("target", text(target)), ("kind", text(kind)), ("ids", ids(of, true, draw))])
     });
     let stimuli: Vec<Tree> = stimuli.collect();
-    let chunk = time(script.dt, 40, draw);
+    let chunk = match draw.below(40) {
+        0 => draw.one(&[0.0, -1.0, -0.25]) * script.dt,
+        _ => time(script.dt, 40, draw),
+    };
     let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), int(i64::try_from(size).unwrap_or(1))));
     object([
         ("ncp_version", text(WIRE_VERSION)),

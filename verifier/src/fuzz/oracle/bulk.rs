@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use ncp_peer_rust::Answer;
 
 use super::{Outcome, Verdict, by_result, equal, reject, specification};
-use crate::fuzz::tree::{Tree, double, items, object, own, string, text};
+use crate::fuzz::tree::{Tree, double, items, list, members, object, own, string, text};
 use crate::json::Json;
 use crate::peer::Call;
 
@@ -78,7 +78,7 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
     }
     match (result, args.get("columns")) {
         (Err(code), _) => reject(code),
-        (Ok(_), Some(columns)) => holds(columns.clone()),
+        (Ok(_), Some(columns)) => holds(list(items(Some(columns)).iter().map(column).collect())),
         (Ok(_), None) => holds(Json::Array(Vec::new())),
     }
 }
@@ -95,6 +95,12 @@ pub(super) fn pack(result: Outcome<'_>) -> Verdict {
         },
         _ => Verdict::Open("the specification does not read its own block"),
     }
+}
+
+/// A column without members that no call has.
+fn column(asked: &Tree) -> Tree {
+    let known = members(Some(asked)).iter().filter(|(name, _)| matches!(name.as_ref(), "name" | "dtype" | "data"));
+    Json::Object(known.cloned().collect())
 }
 
 /// Any valid block of these columns.

@@ -234,12 +234,19 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
             "channels",
             object([("velocity_setpoint", object([("data", about), ("unit", text("m/s"))]))]),
         );
-        set(&mut pattern, "ttl_ms", range(2.0 * period * (1.0 - 1e-12), f64::MAX));
         if !limited {
             set(&mut status, "safety_ok", Json::Bool(true));
         }
-    } else if mode == "estop" && has_place {
-        set(&mut status, "safety_ok", Json::Bool(false));
+    } else {
+        // [NCP-SAFE-071] Whether the controller or the governor holds, the one channel is zero.
+        let zeros = list(vec![num(0.0), num(0.0), num(0.0)]);
+        let still = object([("data", zeros), ("unit", text("m/s"))]);
+        set(&mut pattern, "channels", object([("velocity_setpoint", still)]));
+        if mode == "estop" && has_place {
+            set(&mut status, "safety_ok", Json::Bool(false));
+        }
     }
+    // [NCP-CTRL-014] [NCP-SAFE-070] A HOLD or an ESTOP keeps the ttl that was raised.
+    set(&mut pattern, "ttl_ms", range(2.0 * period * (1.0 - 1e-12), f64::MAX));
     Some(object([("command", pattern), ("status", status)]))
 }

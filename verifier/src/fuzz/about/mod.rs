@@ -4,8 +4,13 @@
 //! knows, the model says the rule of each step. Elsewhere it is what the question itself shows; what that leaves open,
 //! the most similar case of the corpus decides.
 
+mod traces;
+
 use std::collections::{BTreeMap, HashMap};
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use ncp_spec::bulk::{Block, BulkError, Region};
 use ncp_spec::wire::{self, DecodeProblem, Kind, Rule as Breach};
 use ncp_text::catalogue::{Level, Role};
 use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
@@ -56,7 +61,7 @@ impl About {
             Call::Encode => {
                 let written = string(expect, "text").unwrap_or_default().as_bytes().to_vec();
                 head = about.frame(&written, expect, "NCP-WIRE-093", "NCP-WIRE-084", "NCP-WIRE-085");
-                about.put("order", "NCP-WIRE-080");
+                about.put("order", if has_map(&written) { "NCP-WIRE-083" } else { "NCP-WIRE-080" });
                 about.put("extra", "NCP-WIRE-081");
                 about.put("/ncp_version", "NCP-WIRE-090");
             }
@@ -67,18 +72,23 @@ impl About {
                 head = version(call, args, expect, rejects);
             }
             Call::HorizonMaxLen => head = "NCP-RES-033".to_owned(),
-            Call::BulkDecode if !rejects => {
+            Call::BulkDecode if rejects => head = refused_block(args).map_or(head, str::to_owned),
+            Call::BulkDecode => {
                 head = "NCP-BULK-023".to_owned();
                 let columns = items(expect.get("columns")).len();
                 about.put("refusal", if columns > 16 { "NCP-BULK-017" } else { "NCP-BULK-018" });
             }
             Call::BulkEncode => head = if rejects { "NCP-BULK-031" } else { "NCP-BULK-030" }.to_owned(),
             Call::GovernorRun | Call::BufferRun | Call::WatchdogRun if !rejects => {
-                if let Some(steps) = steps {
-                    head = about.trace(steps).unwrap_or(head);
+                let mut steps = steps.map(<[_]>::to_vec);
+                if call == Call::BufferRun {
+                    traces::buffer(args, steps.get_or_insert_default());
                 }
-                if call == Call::GovernorRun {
-                    about.put("/steps/*/frame/seq", "NCP-SAFE-071");
+                if let Some(steps) = &steps {
+                    head = about.trace(steps).unwrap_or(head);
+                    if call == Call::GovernorRun {
+                        about.governor(args, expect, steps);
+                    }
                 }
             }
             Call::LinkRun if !rejects => {
@@ -91,7 +101,7 @@ impl About {
                 ] {
                     about.put(&format!("/steps/*/{member}"), rule);
                 }
-                about.duplicates(args);
+                about.link(args);
                 head = "NCP-RES-040".to_owned();
             }
             Call::LoopRun if !rejects => {
@@ -107,6 +117,7 @@ impl About {
                 ] {
                     about.put(&format!("/steps/*/{place}"), rule);
                 }
+                about.control_loop(args, expect);
                 head = "NCP-CTRL-011".to_owned();
             }
             Call::ReflexStep if !rejects => {
@@ -162,34 +173,6 @@ impl About {
             }
         }
         if strange_numbers || !strange_words { numbers.to_owned() } else { words.to_owned() }
-    }
-
-    /// The steps of a trace: that which most steps have is that of any. The rule of the last one.
-    fn trace(&mut self, steps: &[Option<&str>]) -> Option<String> {
-        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-        for rule in steps.iter().copied().flatten() {
-            *counts.entry(rule).or_default() += 1;
-        }
-        let most = counts.iter().max_by_key(|(_, count)| **count).map(|(rule, _)| *rule)?;
-        self.put("/steps/*", most);
-        for (nth, rule) in steps.iter().enumerate().filter_map(|(nth, rule)| rule.map(|rule| (nth, rule))) {
-            if rule != most {
-                self.put(&format!("/steps/{nth}"), rule);
-            }
-        }
-        steps.iter().rev().find_map(|rule| rule.map(str::to_owned))
-    }
-
-    /// The frames of a link that came before: what they may not change.
-    fn duplicates(&mut self, args: &Tree) {
-        let mut seen = std::collections::HashSet::new();
-        for (nth, step) in items(args.get("steps")).iter().enumerate() {
-            let seq = integer(step.get("seq"));
-            if !seen.insert(seq) {
-                self.put(&format!("/steps/{nth}/received"), "NCP-RES-042");
-                self.put(&format!("/steps/{nth}/lost"), "NCP-RES-042");
-            }
-        }
     }
 
     fn codec(&mut self, call: Call, args: &Tree) -> String {
@@ -249,63 +232,6 @@ impl About {
             for member in ["t", "seq", "frame_id", "mode"] {
                 self.put(&format!("/command/{member}"), "NCP-CODEC-009");
             }
-        }
-        head.to_owned()
-    }
-
-    fn session(&mut self, args: &Tree) -> String {
-        let mut open: HashMap<String, bool> = HashMap::new();
-        let mut head = "NCP-SESS-020";
-        for (nth, request) in items(args.get("requests")).iter().enumerate() {
-            let frame = request.as_str().unwrap_or_default();
-            let parsed = Json::parse(frame).ok();
-            let kind = parsed.as_ref().and_then(|frame| string(frame, "kind")).unwrap_or_default();
-            let id = parsed.as_ref().and_then(|frame| string(frame, "session_id")).unwrap_or_default().to_owned();
-            let is_read = Kind::parse(kind).is_some_and(|kind| wire::decode(kind, frame.as_bytes()).is_ok());
-            let is_rate = parsed.as_ref().is_some_and(|frame| {
-                frame.get("network").and_then(|network| string(network, "ref")) == Some("ncp.reference.rate")
-            });
-            let is_open = open.contains_key(&id);
-            let rule = match kind {
-                _ if !is_read => "NCP-SESS-021",
-                "open_session" => {
-                    open.insert(id.clone(), is_rate);
-                    if is_rate { "NCP-SESS-051" } else { "NCP-SESS-050" }
-                }
-                "step_request" | "run_request" if is_open => {
-                    for (member, rule) in [
-                        ("sim_time_ms", "NCP-SESS-033"),
-                        ("records/*/unit", "NCP-SESS-056"),
-                        ("records/*/senders", "NCP-SESS-052"),
-                        ("records/*/times", "NCP-SESS-053"),
-                        ("session_id", "NCP-SESS-027"),
-                        ("kind", "NCP-SESS-027"),
-                        ("seq", "NCP-SESS-034"),
-                    ] {
-                        self.put(&format!("/replies/*/{member}"), rule);
-                    }
-                    if open.get(&id) == Some(&true) { "NCP-SESS-051" } else { "NCP-SESS-050" }
-                }
-                "step_request" | "run_request" => "NCP-SESS-026",
-                "close_session" => {
-                    if open.remove(&id).is_some() {
-                        "NCP-SESS-028"
-                    } else {
-                        "NCP-SESS-029"
-                    }
-                }
-                _ => "NCP-SESS-022",
-            };
-            self.put(&format!("/replies/{nth}"), rule);
-            if is_open && matches!(rule, "NCP-SESS-050" | "NCP-SESS-051") {
-                self.put(&format!("/replies/{nth}/sim_time_ms"), "NCP-SESS-033");
-                self.put(&format!("/replies/{nth}/records/*"), "NCP-SESS-038");
-                self.put(&format!("/replies/{nth}/records/*/values"), rule);
-                self.put(&format!("/replies/{nth}/records/*/times"), "NCP-SESS-053");
-                self.put(&format!("/replies/{nth}/records/*/senders"), "NCP-SESS-052");
-                self.put(&format!("/replies/{nth}/records/*/unit"), "NCP-SESS-056");
-            }
-            head = rule;
         }
         head.to_owned()
     }
@@ -412,6 +338,42 @@ fn breached(rule: Breach, kind: Kind, path: &str) -> Option<&'static str> {
     })
 }
 
+/// The rule against a block: that of the check of the specification that it fails.
+fn refused_block(args: &Tree) -> Option<&'static str> {
+    let bytes = STANDARD.decode(string(args, "block")?).ok()?;
+    Some(match Block::parse(&bytes).err()? {
+        BulkError::TooLong { .. } => "NCP-BULK-015",
+        BulkError::TooManyColumns { .. } => "NCP-BULK-016",
+        BulkError::HeaderTruncated { .. } => "NCP-BULK-001",
+        BulkError::Magic { .. } => "NCP-BULK-002",
+        BulkError::Version { .. } => "NCP-BULK-003",
+        BulkError::Flags { .. } => "NCP-BULK-004",
+        BulkError::LengthMismatch { .. } => "NCP-BULK-005",
+        BulkError::DirectoryTruncated { .. } => "NCP-BULK-006",
+        BulkError::UnknownDtype { .. } => "NCP-BULK-007",
+        BulkError::OutOfBounds { region: Region::Name(_), .. } => "NCP-BULK-009",
+        BulkError::OutOfBounds { .. } => "NCP-BULK-011",
+        BulkError::NameNotUtf8 { .. } => "NCP-BULK-010",
+        BulkError::Overlap { .. } | BulkError::InDirectory { .. } => "NCP-BULK-012",
+        _ => return None,
+    })
+}
+
+/// Whether a frame has a map of several entries, whose order is another rule than that of members.
+fn has_map(frame: &[u8]) -> bool {
+    const MAPS: [&str; 6] = ["channels", "records", "values", "population_sizes", "params", "horizon"];
+    fn within(json: &Json<'_>, name: &str) -> bool {
+        match json {
+            Json::Object(entries) => {
+                MAPS.contains(&name) && entries.len() > 1 || entries.iter().any(|(name, value)| within(value, name))
+            }
+            Json::Array(items) => items.iter().any(|item| within(item, name)),
+            _ => false,
+        }
+    }
+    std::str::from_utf8(frame).ok().and_then(|text| Json::parse(text).ok()).is_some_and(|json| within(&json, ""))
+}
+
 /// The rule by which a frame must not be refused: that of the limit to which it comes nearest, or of what is strange
 /// about it.
 fn accepted(frame: &[u8]) -> &'static str {
@@ -480,10 +442,12 @@ fn reply(args: &Tree, rejects: bool) -> String {
 
 fn key_match(args: &Tree, rejects: bool) -> String {
     let (pattern, key) = (string(args, "pattern").unwrap_or_default(), string(args, "key").unwrap_or_default());
-    let is_verbatim = |text: &str| text.split('/').any(|chunk| chunk.starts_with('@'));
+    // Verbatim chunks decide where others in their place were matched otherwise.
+    let matches = |pattern: &str, key: &str| ncp_spec::keys::matches(pattern, key).ok();
+    let plain = |text: &str| text.replace('@', "a");
     match () {
         () if rejects => "NCP-KEY-036",
-        () if is_verbatim(key) && pattern.contains('*') => "NCP-KEY-034",
+        () if key.contains('@') && matches(pattern, key) != matches(&plain(pattern), &plain(key)) => "NCP-KEY-034",
         () if pattern.contains("$*") => "NCP-KEY-033",
         () if pattern.split('/').any(|chunk| chunk == "**") => "NCP-KEY-032",
         () if pattern.contains('*') => "NCP-KEY-031",

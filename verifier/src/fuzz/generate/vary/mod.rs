@@ -12,8 +12,20 @@
 //! - *grow*: an array, a map or a string as long as a draw of sizes says.
 //! - *twin*: beside a name one that is nearly equal, with other values; of a session, another session.
 //! - *scale*, *seqs*, *clock*: all lengths times a number, all seqs or times plus a number.
+//! - *gap*: from a step on, everything later, or of later seqs.
+//! - *instant*: a step when a time of the trace ends, or just before or behind that.
+//! - *residue*: before a step nearly the same one, with something that may stay behind.
+//! - *crowd*: a session, a channel or an entry so many times, each with a name of its own.
+//! - *omit*: a member less.
 //! - *spell*: frames as strangely spelled as the grammar allows, or behind much that nobody reads.
+//! - *bury*: in a frame, deep or far behind, what a reader has to notice.
+//! - *fit*: a frame of just so many bytes.
+//! - *blemish*: in an array of many, one that is wrong and not the first.
 //! - *value*: a number next to what was there.
+
+mod crowd;
+mod depths;
+mod moments;
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -78,9 +90,9 @@ impl Seeds {
         let mut varied = Varied { args: seed.clone(), keys: Vec::new() };
         for _ in 0..draw.one(&[1, 1, 2, 2, 3]) {
             let ways: &[Way] = match trace_of(&varied.args) {
-                Some("steps") => &TRACE,
-                Some(_) => &REQUESTS,
-                None => &SINGLE,
+                Some("steps") => TRACE,
+                Some(_) => REQUESTS,
+                None => SINGLE,
             };
             let way = draw.one(ways);
             let before = varied.args.clone();
@@ -121,24 +133,43 @@ enum Way {
     Scale,
     Seqs,
     Clock,
+    Gap,
+    Instant,
+    Residue,
+    Crowd,
+    Omit,
     Spell,
+    Bury,
+    Fit,
+    Blemish,
     Value,
 }
 
-const TRACE: [Way; 19] = {
-    use Way::{Before, Clock, Graft, Grow, Idle, Pump, Rounds, Scale, Seqs, Spell, Twin, Value};
-    [
-        Pump, Pump, Pump, Pump, Idle, Idle, Idle, Rounds, Before, Before, Graft, Graft, Grow, Twin, Scale, Seqs, Clock,
-        Spell, Value,
+/// Each as often as it is drawn.
+const TRACE: &[Way] = {
+    use Way::{
+        Before, Blemish, Bury, Clock, Crowd, Fit, Gap, Graft, Grow, Idle, Instant, Omit, Pump, Residue, Rounds, Scale,
+        Seqs, Spell, Twin, Value,
+    };
+    &[
+        Pump, Pump, Pump, Pump, Idle, Idle, Idle, Rounds, Rounds, Before, Before, Gap, Gap, Gap, Instant, Instant,
+        Instant, Residue, Residue, Residue, Crowd, Omit, Graft, Graft, Grow, Blemish, Twin, Scale, Seqs, Clock, Spell,
+        Bury, Fit, Value,
     ]
 };
-const REQUESTS: [Way; 12] = {
-    use Way::{Before, Graft, Grow, Idle, Pump, Spell, Twin, Value};
-    [Pump, Pump, Pump, Idle, Idle, Before, Graft, Grow, Twin, Twin, Spell, Value]
+const REQUESTS: &[Way] = {
+    use Way::{Before, Blemish, Bury, Crowd, Fit, Graft, Grow, Idle, Omit, Pump, Residue, Spell, Twin, Value};
+    &[
+        Pump, Pump, Pump, Idle, Idle, Before, Crowd, Crowd, Residue, Omit, Graft, Grow, Blemish, Twin, Twin, Spell,
+        Bury, Fit, Value,
+    ]
 };
-const SINGLE: [Way; 12] = {
-    use Way::{Graft, Grow, Scale, Seqs, Spell, Twin, Value};
-    [Graft, Graft, Grow, Grow, Grow, Twin, Spell, Spell, Value, Value, Seqs, Scale]
+const SINGLE: &[Way] = {
+    use Way::{Blemish, Bury, Crowd, Fit, Graft, Grow, Omit, Scale, Seqs, Spell, Twin, Value};
+    &[
+        Graft, Graft, Grow, Grow, Grow, Blemish, Blemish, Crowd, Omit, Twin, Spell, Spell, Bury, Bury, Fit, Value,
+        Value, Seqs, Scale,
+    ]
 };
 
 impl Way {
@@ -170,6 +201,14 @@ impl Way {
                 each_double(args, &mut |name, value| CLOCKS.contains(&name).then_some(value + by));
                 1
             }
+            Self::Gap => moments::gap(args, draw),
+            Self::Instant => moments::instant(args, draw),
+            Self::Residue => moments::residue(args, other, draw),
+            Self::Crowd => crowd::crowd(args, draw),
+            Self::Omit => within(args, draw, &mut moments::omit),
+            Self::Bury => depths::in_a_frame(args, draw, depths::buried),
+            Self::Fit => depths::in_a_frame(args, draw, depths::fitted),
+            Self::Blemish => within(args, draw, &mut depths::blemish),
             Self::Spell => {
                 let mut depth = 0;
                 each_frame(args, &mut |frame| {

@@ -1,0 +1,198 @@
+//! Where within a frame something stands: deep, far behind, at the end of much, or just at the limit of sizes.
+
+use super::{Draw, Tree, frame_at};
+use crate::fuzz::generate::corrupt::digits;
+use crate::fuzz::tree::{Step, at, at_mut, int, list, literal, name_at, object, places, text};
+use crate::json::Json;
+
+/// What a reader has to notice wherever it stands, or to pass wherever it stands: as text of a frame.
+const LEAVES: [&str; 20] = [
+    "1",
+    "-0",
+    "1.0",
+    "1e400",
+    "-1E+400",
+    "9007199254740993",
+    "-9007199254740993",
+    "1e-400",
+    "01",
+    "1.",
+    "+1",
+    "\"\\ud800\"",
+    "\"\\ud83d\\ude80\"",
+    "\"\\x\"",
+    "{\"a\":1,\"a\":2}",
+    "{\"a\":1,\"\\u0061\":2}",
+    "{\"mode\":\"estop\"}",
+    "[1,]",
+    "nul",
+    "\"\u{7f}\"",
+];
+
+/// A member that nobody knows, whose leaf stands deep within it, behind much, or both; how much, in bytes.
+pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
+    let mut leaf = draw.pick(&LEAVES).to_owned();
+    if draw.chance(15) {
+        leaf = digits(draw);
+    }
+    // As deep as a frame may be, and its own levels around.
+    let levels = draw.one(&[0, 0, 1, 2, 8, 31, 32, 60, 61, 62, 63, 64, 65, 100, 129, 500]);
+    let is_list = draw.chance(70);
+    let (open, close) = if is_list { ("[", "]") } else { ("{\"a\":", "}") };
+    let deep = format!("{}{leaf}{}", open.repeat(levels), close.repeat(levels));
+    let most = draw.one(&[60, 1 << 10, 1 << 16, 1 << 17, 300_000]);
+    let size = draw.size(0, most);
+    let before = match draw.below(6) {
+        0 => String::new(),
+        1 => format!("\"x0\":[{}],", vec!["[]"; size / 3 + 1].join(",")),
+        2 => format!("\"x0\":[{}],", vec!["1"; size / 2 + 1].join(",")),
+        3 => format!("\"x0\":\"{}\",", "w".repeat(size)),
+        4 => format!("\"x0\":\"{}\",", "\\u0041".repeat(size / 6)),
+        _ => format!("{},", " ".repeat(size)).replacen(',', "\"x0\":{},", 1),
+    };
+    let member = format!("{before}\"x1\":{deep}");
+    let much = member.len();
+    (join(frame, &member, draw.chance(50)), much)
+}
+
+/// With white space, or a member that nobody knows, so that the frame has just so many bytes.
+pub(super) fn fitted(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
+    let limit = draw.one(&[256, 1024, 4096, 1 << 15, 1 << 16, 1 << 16, 1 << 20, 1 << 20, 1 << 20]);
+    let total = limit + draw.below(3) - 1;
+    let rest = total.saturating_sub(frame.len());
+    let long = match draw.below(3) {
+        0 => format!("{frame}{}", " ".repeat(rest)),
+        1 => format!("{}{frame}", " ".repeat(rest)),
+        _ => {
+            let frame = join(frame, "\"x\":\"\"", true);
+            let rest = total.saturating_sub(frame.len());
+            frame.replacen("\"x\":\"\"", &format!("\"x\":\"{}\"", "w".repeat(rest)), 1)
+        }
+    };
+    (long, limit)
+}
+
+fn join(frame: &str, member: &str, front: bool) -> String {
+    let inner = frame.trim();
+    let empty = inner.get(1..).is_some_and(|rest| rest.trim_start().starts_with('}'));
+    match (inner.strip_prefix('{'), inner.strip_suffix('}')) {
+        (Some(_), Some(_)) if empty => format!("{{{member}}}"),
+        (Some(rest), _) if front => format!("{{{member},{rest}"),
+        (_, Some(head)) => format!("{head},{member}}}"),
+        _ => frame.to_owned(),
+    }
+}
+
+/// An array of many items, of which one that is not the first is wrong, or different.
+pub(super) fn blemish(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
+    // Where doubles stand as PROTOCOL.md, section 2, spells them, and not as a frame does.
+    let is_frame = tree.get("ncp_version").is_some() || tree.get("session_id").is_some();
+    let arrays: Vec<Vec<Step>> = places(tree)
+        .into_iter()
+        .filter(|place| {
+            matches!(at(tree, place), Some(Json::Array(_)))
+                && !matches!(name_at(tree, place), "steps" | "requests" | "verbs")
+        })
+        .collect();
+    let Some(place) = arrays.get(draw.below(arrays.len())) else { return 0 };
+    let Some(Json::Array(items)) = at_mut(tree, place) else { return 0 };
+    let item = items.first().cloned().unwrap_or_else(|| literal("1"));
+    let is_small = matches!(item, Json::Number(_));
+    let most = if is_small && draw.chance(25) { 70_000 } else { 600 };
+    let count = draw.size(1, most);
+    let count = if is_small { count } else { draw.afford(count) };
+    while items.len() < count {
+        items.push(item.clone());
+    }
+    let at = if draw.chance(60) { items.len() } else { 1 + draw.below(items.len().max(1)) };
+    let wrong = match (&item, draw.below(12)) {
+        (Json::Number(spelling), 0..=4) if !spelling.contains('.') => literal(draw.pick(&[
+            "9007199254740991",
+            "9007199254740992",
+            "-9007199254740991",
+            "-9007199254740992",
+            "9223372036854775808",
+            "1.0",
+            "1e0",
+            "-0",
+            "0",
+            "-1",
+        ])),
+        (Json::Number(_), 0..=7) if !is_frame => text(draw.pick(&["NaN", "Infinity", "-Infinity", "-0"])),
+        (Json::Number(_), 0..=4) => literal(draw.pick(&["1e400", "-1e400", "-0.0", "1E+2", "2e-324", "1.5"])),
+        (_, 5) => Json::Null,
+        (_, 6) => Json::Bool(true),
+        (_, 7) => text("1"),
+        (_, 8) => list(Vec::new()),
+        (_, 9) => object([]),
+        (_, 10) => int(draw.integer()),
+        (other, _) => {
+            let mut changed = (*other).clone();
+            super::other_numbers(&mut changed);
+            changed
+        }
+    };
+    items.insert(at.min(items.len()), wrong);
+    items.len()
+}
+
+/// A frame that is written in one of the strings, changed as text.
+pub(super) fn in_a_frame(
+    args: &mut Tree,
+    draw: &mut Draw<'_>,
+    change: fn(&str, &mut Draw<'_>) -> (String, usize),
+) -> usize {
+    let frames: Vec<Vec<Step>> = places(args).into_iter().filter(|place| frame_at(args, place).is_some()).collect();
+    let Some(place) = frames.get(draw.below(frames.len())) else { return 0 };
+    let Some(Json::String(frame)) = at_mut(args, place) else { return 0 };
+    let (changed, much) = change(frame, draw);
+    *frame = changed.into();
+    much
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::tree::items;
+
+    const FRAME: &str = r#"{"ncp_version":"0.5","kind":"sensor_frame","seq":7}"#;
+
+    #[test]
+    fn what_is_buried_leaves_a_frame_whole_unless_its_leaf_is_no_json() {
+        let harvest = Harvest::default();
+        let (mut read, mut far) = (0, 0);
+        for number in 0..300 {
+            let (frame, much) = buried(FRAME, &mut Draw::new(2, number, &harvest));
+            assert!(frame.starts_with('{') && frame.ends_with('}') && frame.contains("\"seq\":7"), "{number}");
+            read += usize::from(Json::parse(&frame).is_ok_and(|frame| frame.get("x1").is_some()));
+            far += usize::from(much > 1 << 16);
+        }
+        assert!(read > 60 && far > 20, "{read} {far}");
+    }
+
+    #[test]
+    fn a_fitted_frame_is_the_same_frame_and_within_a_byte_of_its_size() {
+        let harvest = Harvest::default();
+        for number in 0..60 {
+            let (frame, limit) = fitted(FRAME, &mut Draw::new(2, number, &harvest));
+            assert!(frame.len().abs_diff(limit) <= 1, "{} {limit}", frame.len());
+            assert_eq!(Json::parse(&frame).unwrap().get("seq"), Some(&int(7)));
+        }
+    }
+
+    #[test]
+    fn a_blemish_is_not_the_first_of_its_array() {
+        let harvest = Harvest::default();
+        let mut longest = 0;
+        for number in 0..200 {
+            let data = list(vec![literal("0.5"); 3]);
+            let mut tree = object([("session_id", text("s")), ("data", data)]);
+            blemish(&mut tree, &mut Draw::new(2, number, &harvest));
+            let found = items(tree.get("data"));
+            assert!(found.len() > 3 && found[0] == literal("0.5"), "{tree}");
+            longest = longest.max(found.len());
+        }
+        assert!(longest > 1000, "{longest}");
+    }
+}
