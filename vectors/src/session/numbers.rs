@@ -522,6 +522,9 @@ fn refusals() -> Vec<Case> {
         .collect()
 }
 
+/// The request for a time.
+type Request = fn(f64) -> String;
+
 /// How many steps a time is, and that no request makes up for what another was rounded by.
 fn durations() -> Vec<Case> {
     // The length of a step, the time that each of three requests asks for, and how many steps that is.
@@ -540,7 +543,7 @@ fn durations() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, dt, x, steps) in table {
         let open = |chunk| Open { dt, chunk, ..Open::lif("a") };
-        let ways: [(&str, f64, fn(f64) -> String); 3] = [
+        let ways: [(&str, f64, Request); 3] = [
             ("step", 1.0, |x| step("a", Some(x), None)),
             ("run", 1.0, |x| run("a", x)),
             ("chunk", x, |_| step("a", None, None)),
