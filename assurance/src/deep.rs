@@ -1,6 +1,6 @@
 //! `cargo assure deep`: chooses the deep set from what the generators of the search draw.
 //!
-//! The generators draw candidates by a fixed seed, so many a call. Peers with the planted defects that hide, and with
+//! The generators draw candidates by a seed, so many a call, beside those that the set has already. Peers with the planted defects that hide, and with
 //! those that one case of the corpus catches, are asked them; of those on which a defect shows, two are taken for each.
 //! Around these goes a base that is chosen for what it reaches, and not for any defect: pairs of features, sizes,
 //! classes of numbers and where they stand. What is expected comes from the specification; the two implementations that
@@ -32,6 +32,12 @@ pub(crate) struct DeepArgs {
     /// What everything that is drawn begins with
     #[arg(long, value_name = "N", default_value_t = 15)]
     seed: u64,
+    /// Choose from the cases of this folder as well, besides those that are in the set; may be given again
+    #[arg(long, value_name = "DIR")]
+    from: Vec<PathBuf>,
+    /// Leave the cases that are in the set, and choose from what is drawn
+    #[arg(long)]
+    afresh: bool,
     /// Draw so many hundredths of the usual number of candidates
     #[arg(long, value_name = "N", default_value_t = 100)]
     draws: u64,
@@ -48,11 +54,12 @@ pub(crate) struct DeepArgs {
 
 const HELP: &str = "\
 Writes vectors/deep and its manifest, and says what no candidate shows and on which candidates the sources disagree.
-Takes about half an hour.
+What is in the set is a candidate, too, with what the specification expects now. Takes about half an hour.
 
 Examples:
-  cargo assure deep
-  cargo assure deep --seed 16 --out /tmp/deep";
+  cargo assure deep --seed 17
+  cargo assure deep --seed 18 --afresh --out /tmp/deep
+  cargo assure deep --draws 0 --from /tmp/deep";
 
 impl DeepArgs {
     fn is_meant(&self, call: Call) -> bool {
@@ -74,6 +81,8 @@ const DOORS: &str = "doors.toml";
 const WORK: &str = ".tools/deep";
 /// The second sources.
 const SOURCES: [&str; 2] = ["peers/typescript", "peers/python-pure"];
+/// What is added to a number that is taken.
+const FURTHER: u64 = 1_000_000_000;
 /// How many candidates of a call are drawn at a time.
 const BATCH: u64 = 256;
 /// How many candidates each defect is to fall by, how many are kept to choose from, and on how many it is tried.
@@ -112,7 +121,9 @@ pub(crate) fn deep(project: &Project, args: &DeepArgs) -> Result<bool, Error> {
     let wanted: Vec<Call> = Call::ALL.iter().copied().filter(|call| args.is_meant(*call)).collect();
     targets.retain(|defect| calls(defect).iter().any(|call| wanted.contains(call)));
     let deep = Deep::new(&suite, args.seed)?;
-    let pool = draw(&deep, &suite, &targets, &program, &wanted, args.draws, &stop)?;
+    let kept = kept(&deep, args)?;
+    let source = Source { deep: &deep, suite: &suite, kept, draws: args.draws };
+    let pool = draw(&source, &targets, &program, &wanted, &stop)?;
     let (pool, disputes) = agreed(project, &deep, pool, &stop)?;
     let chosen = fitting(choose(&pool, &targets), &pool);
     let folder = root.join(&args.out);
@@ -217,21 +228,51 @@ fn base(call: Call) -> (usize, usize) {
     }
 }
 
-/// Draws candidates of every call, asks them of the peers with the defects, and keeps those that show something new.
-fn draw<'s>(
-    deep: &Deep<'s>,
+/// Where candidates come from.
+struct Source<'s> {
+    deep: &'s Deep<'s>,
     suite: &'s Suite,
+    /// What is in the set, or in another.
+    kept: BTreeMap<Call, Vec<Candidate>>,
+    /// Hundredths of the usual number of draws.
+    draws: u64,
+}
+
+/// The cases that are there, as candidates: those of the set, unless they are to be left, and of other folders.
+fn kept(deep: &Deep<'_>, args: &DeepArgs) -> Result<BTreeMap<Call, Vec<Candidate>>, Error> {
+    let mut kept: BTreeMap<Call, Vec<Candidate>> = BTreeMap::new();
+    let mut taken: BTreeSet<(Call, u64)> = BTreeSet::new();
+    let mut add = |case: &Case| {
+        if let Some(mut candidate) = deep.kept(case) {
+            while !taken.insert((case.call, candidate.number)) {
+                candidate.number += FURTHER;
+            }
+            kept.entry(case.call).or_default().push(candidate);
+        }
+    };
+    if !args.afresh {
+        Suite::deep()?.cases().iter().for_each(&mut add);
+    }
+    for folder in &args.from {
+        Suite::load(folder)?.cases().iter().for_each(&mut add);
+    }
+    Ok(kept)
+}
+
+/// Draws candidates of every call, asks them of the peers with the defects, and keeps those that show something new.
+fn draw(
+    source: &Source<'_>,
     targets: &[Defect],
     program: &Path,
     wanted: &[Call],
-    draws: u64,
     stop: &Stop,
 ) -> Result<Pool, Error> {
+    let (deep, draws) = (source.deep, source.draws);
     let launch = |name: &str| {
         Launch::new(vec![program.to_string_lossy().into_owned(), "--defect".to_owned(), name.to_owned()], ".")
     };
     let mut pool = Pool::new();
-    let mut rules = Rules::new(suite);
+    let mut rules = Rules::new(source.suite);
     let mut found: Vec<usize> = vec![0; targets.len()];
     let launches: Vec<Launch> = targets.iter().map(|defect| launch(&defect.name)).collect();
     for call in wanted.iter().copied() {
@@ -245,15 +286,22 @@ fn draw<'s>(
             }
         }
         let mut seen: HashMap<u64, usize> = HashMap::new();
-        for from in (0..most).step_by(usize::try_from(BATCH).unwrap_or(1)) {
-            if from >= base && peers.is_empty() {
+        let batch = usize::try_from(BATCH).unwrap_or(1);
+        let old = source.kept.get(&call).map_or(&[][..], Vec::as_slice).chunks(batch).map(Batch::Kept);
+        for batch in old.chain((0..most).step_by(batch).map(Batch::Drawn)) {
+            if peers.is_empty() && matches!(batch, Batch::Drawn(from) if from >= base) {
                 break;
             }
             if stop.is_set() {
                 return Err(MutantsError::Interrupted.into());
             }
-            let drawn: Vec<Candidate> =
-                (from..(from + BATCH).min(most)).filter_map(|number| deep.candidate(call, number, LARGE)).collect();
+            let drawn: Vec<Candidate> = match batch {
+                Batch::Kept(kept) => kept.to_vec(),
+                Batch::Drawn(from) => {
+                    (from..(from + BATCH).min(most)).filter_map(|number| deep.candidate(call, number, LARGE)).collect()
+                }
+            };
+            let counts = matches!(batch, Batch::Kept(_)) || matches!(batch, Batch::Drawn(from) if from < base);
             let mut shows: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); drawn.len()];
             for (place, peer) in &mut peers {
                 for nth in deep.differing(peer, &drawn)? {
@@ -263,8 +311,7 @@ fn draw<'s>(
             }
             peers.retain(|(place, _)| found[*place] < ENOUGH);
             for (candidate, shows) in drawn.into_iter().zip(shows) {
-                let is_new =
-                    from < base && candidate.keys.iter().any(|key| seen.get(key).copied().unwrap_or(0) < SPARE);
+                let is_new = counts && candidate.keys.iter().any(|key| seen.get(key).copied().unwrap_or(0) < SPARE);
                 if shows.is_empty() && !(is_new && candidate.bytes <= LARGE / 8) {
                     continue;
                 }
@@ -286,6 +333,13 @@ fn draw<'s>(
         );
     }
     Ok(pool)
+}
+
+/// Candidates that are asked together.
+enum Batch<'k> {
+    Kept(&'k [Candidate]),
+    /// From which number on.
+    Drawn(u64),
 }
 
 /// What the second sources agree on, and where they do not.

@@ -84,7 +84,7 @@ impl RateCodec {
         }
     }
 
-    /// The rates of the populations for what is sensed. `[NCP-CODEC-005]`
+    /// The rates of the populations for what is sensed. `[NCP-CODEC-005] [NCP-CODEC-014]`
     #[must_use]
     pub fn encode(&self, sensor: Option<&SensorFrame>) -> Rates {
         usable(&self.encoders)
@@ -97,7 +97,7 @@ impl RateCodec {
             .collect()
     }
 
-    /// The command for the rates of the populations. `[NCP-CODEC-006] [NCP-CODEC-009]`
+    /// The command for the rates of the populations. `[NCP-CODEC-006] [NCP-CODEC-009] [NCP-CODEC-014]`
     pub fn decode(&self, rates: &Rates, t: f64, seq: i64, frame_id: impl Into<Text>, mode: Mode) -> CommandFrame {
         let mut command = CommandFrame { t, seq, frame_id: frame_id.into(), mode, ..CommandFrame::default() };
         for mapping in usable(&self.decoders) {

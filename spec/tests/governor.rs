@@ -692,6 +692,19 @@ mod projection {
         }
         assert_eq!(once(&fence(5.0), bare, &at(HOME)).0, Decision::Passed, "the canonical channel");
     }
+
+    /// [NCP-SAFE-042] Of a channel that is declared twice the first declaration says the unit.
+    #[test]
+    fn a_channel_that_is_declared_twice_has_the_unit_of_the_first_declaration() {
+        let bare = CommandFrame { channels: velocity(&[1.0, 0.0, 0.0], None), ..CommandFrame::default() };
+        let knots = || spec(VELOCITY_CHANNEL, ChannelKind::Vec3, Some("kn"));
+        for (declared, expected) in
+            [([drive(), knots()], Decision::Passed), ([knots(), drive()], Decision::Held(Reason::NoVelocity))]
+        {
+            let mut governor = negotiated(fence(5.0), &[pose()], &declared);
+            assert_eq!(govern(&mut governor, &mut bare.clone(), &at(HOME)), expected, "{declared:?}");
+        }
+    }
 }
 
 mod speed_limit {

@@ -59,6 +59,24 @@ fn bus() -> (LocalBus, ncp_spec::bus::Serving, NeuroSimClient) {
     (bus, serving, client)
 }
 
+/// [NCP-SESS-060]
+#[test]
+fn a_session_with_two_targets_of_one_port_is_not_opened() {
+    let mut service = SessionService::new(ReferenceBackend);
+    let mut opens = |request: &OpenSession| {
+        let reply = service.serve(request.encode().unwrap().as_bytes());
+        let Ok(Message::SessionOpened(opened)) = decode_any(reply.as_bytes()) else { panic!("{reply}") };
+        opened.ok
+    };
+    let mut recorded = lif_session("a");
+    recorded.record.targets.push(record("v", Observable::Spikes));
+    assert!(!opens(&recorded));
+    let mut driven = lif_session("a");
+    driven.stimulus.targets.push(driven.stimulus.targets[0].clone());
+    assert!(!opens(&driven));
+    assert!(opens(&lif_session("a")));
+}
+
 /// The closed solution of the membrane equation, which the backend does not use.
 /// [NCP-SESS-050] [NCP-SESS-052] [NCP-SESS-053] [NCP-SESS-054]
 #[test]

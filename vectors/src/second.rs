@@ -3,6 +3,8 @@
 //! The models know what scenario text can say. What they do not know, such as a frame that is malformed, they have no
 //! word on.
 
+use std::collections::BTreeSet;
+
 use crate::command::{Channel, Command};
 use crate::json::Json;
 use crate::resilience::{Event, buffer, watchdog};
@@ -65,13 +67,14 @@ fn from_fields(step: &Json) -> Option<Command> {
 fn from_frame(step: &Json) -> Option<Command> {
     let frame = Json::read(step.get("text")?.as_str()?);
     let Json::Object(members) = &frame else { return None };
+    if repeats(&frame) {
+        return None;
+    }
     let known = |name: &str| {
         ["kind", "ncp_version", "seq", "t", "frame_id", "mode", "ttl_ms", "channels", "horizon", "horizon_dt_ms"]
             .contains(&name)
     };
-    let is_once = |name: &str| members.iter().filter(|(other, _)| other == name).count() == 1;
-    if !members.iter().all(|(name, _)| known(name) && is_once(name)) || frame.get("kind")?.as_str()? != "command_frame"
-    {
+    if !members.iter().all(|(name, _)| known(name)) || frame.get("kind")?.as_str()? != "command_frame" {
         return None;
     }
     let mode = frame.get("mode")?.as_str()?;
@@ -84,6 +87,18 @@ fn from_frame(step: &Json) -> Option<Command> {
     let is_mode = ["init", "active", "hold", "estop"].contains(&mode);
     is_mode.then_some(())?;
     Some(Command { version, ..command(&frame, spelled)? })
+}
+
+/// Whether a member of it repeats, at any depth.
+fn repeats(json: &Json) -> bool {
+    match json {
+        Json::Object(members) => {
+            let names: BTreeSet<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
+            names.len() < members.len() || members.iter().any(|(_, value)| repeats(value))
+        }
+        Json::Array(items) => items.iter().any(repeats),
+        _ => false,
+    }
 }
 
 /// The command of these members.
@@ -185,11 +200,12 @@ fn items(json: &Json) -> Option<&[Json]> {
     }
 }
 
+/// An integer as a frame spells it, and no larger than one may be: a frame with another is rejected, and no model knows
+/// what then becomes of the command before it.
 fn integer(json: &Json) -> Option<i64> {
-    match json {
-        Json::Literal(spelled) => spelled.parse().ok(),
-        _ => None,
-    }
+    const LARGEST: u64 = (1 << 53) - 1;
+    let Json::Literal(spelled) = json else { return None };
+    spelled.parse().ok().filter(|value: &i64| value.unsigned_abs() <= LARGEST && value.to_string() == *spelled)
 }
 
 /// A double as a frame spells it.

@@ -24,7 +24,7 @@ class RateCodec:
         self._decoders = [mapping for mapping in decoders if 0 <= mapping.component < MAX_COMPONENT]
 
     def encode(self, sensor):
-        """The rate of each population, Hz."""
+        """The rate of each population, Hz: that of its last mapping [NCP-CODEC-014]."""
         return {
             mapping.population: _mapped(  # [NCP-CODEC-001] [NCP-CODEC-002]
                 _sample(sensor, mapping), mapping.value_range, mapping.rate_range

@@ -9,7 +9,7 @@ MAX_UPDATES = 256
 """The most updates of the detector that one gap makes [NCP-RES-047]."""
 
 MAX_MISSING = 4096
-"""The most missing seqs that are remembered [NCP-RES-048] [NCP-RES-056]."""
+"""The most missing seqs that are remembered; the lowest are forgotten first [NCP-RES-048] [NCP-RES-056] [NCP-RES-057]."""
 
 LinkState = namedtuple("LinkState", "last_seq received lost loss_rate burst")
 """What the monitor knows; the names are those of `LinkStatus`."""

@@ -96,7 +96,7 @@ MODELS = {"ncp.reference.lif": LifModel, "ncp.reference.rate": RateModel}
 
 
 class Simulation:
-    """One session's network. What cannot be built or done is a `SimulationError`."""
+    """One session's network. What cannot be built [NCP-SESS-060] or done is a `SimulationError`."""
 
     def __init__(self, network, record, stimulus, sim):
         if network.kind != "builtin" or network.ref not in MODELS:

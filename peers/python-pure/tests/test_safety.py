@@ -54,6 +54,22 @@ class Governor(unittest.TestCase):
             exact = Fraction(small) * Fraction(limit) / Fraction(huge)
             self.assertAlmostEqual(scaled[1], float(exact), delta=max(1e-300, 1e-9 * float(exact)))
 
+    def test_a_channel_that_is_declared_twice_has_the_unit_of_the_first_declaration(self):
+        # [NCP-SAFE-042]
+        drive = ncp.ChannelSpec(name="velocity_setpoint", kind="vec3", unit="m/s")
+        speed = ncp.ChannelSpec(name="arm", kind="scalar", unit="m/s")
+        force = ncp.ChannelSpec(name="arm", kind="scalar", unit="N")
+        command = ncp.CommandFrame(
+            channels={
+                "velocity_setpoint": ncp.ChannelValue(data=[0.0, 0.0, 0.0]),
+                "arm": ncp.ChannelValue(data=[8.0]),
+            }
+        )
+        for twice, wanted in [((speed, force), [1.0]), ((force, speed), [8.0])]:
+            limits = ncp.SafetyLimits(max_speed_mps=1.0)
+            governor = ncp.SafetyGovernor(limits, command_channels=[drive, *twice])
+            self.assertEqual(governor.govern(command, 1.0, None, 1.0).channels["arm"].data, wanted)
+
     def test_an_estop_stays_until_the_reset_and_a_bad_limit_for_ever(self):
         still = ncp.CommandFrame(
             channels={"velocity_setpoint": ncp.ChannelValue(data=[0.0] * 3, unit="m/s")}

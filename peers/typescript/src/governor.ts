@@ -44,9 +44,9 @@ export class SafetyGovernor {
     this.#maxSpeed = limitOf(limits.max_speed_mps);
     this.#radius = limitOf(limits.geofence_radius_m);
     this.#timeoutMs = limits.command_timeout_ms ?? 500;
-    // Of a channel that is declared twice each declaration counts: one in m/s makes it a velocity. [NCP-SAFE-065]
+    // Of a channel that is declared twice the first declaration says the unit. [NCP-SAFE-042]
     const units = new Map<string, string | null>();
-    for (const { name, unit } of commands) if (units.get(name) !== METRES_PER_SECOND) units.set(name, unit);
+    for (const { name, unit } of commands) if (!units.has(name)) units.set(name, unit);
     this.#units = units;
     this.#configFault =
       faultOf("geofence_radius_m", this.#radius, POSE_POSITION, METRES, sensors) ??

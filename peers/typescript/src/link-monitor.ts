@@ -99,7 +99,7 @@ export class LinkMonitor {
       this.#cusum = Math.min(this.#cusum + (1 - this.#refLoss), 2 * this.#threshold); // [NCP-RES-047] [NCP-RES-049]
     }
     for (let seq = end - Math.min(gap, MISSING); seq < end; seq++) this.#missing.add(seq);
-    // The oldest are the least likely to come still. [NCP-RES-048] [NCP-RES-056]
+    // The oldest are the least likely to come still. [NCP-RES-048] [NCP-RES-056] [NCP-RES-057]
     for (const seq of this.#missing) {
       if (this.#missing.size <= MISSING) break;
       this.#missing.delete(seq);

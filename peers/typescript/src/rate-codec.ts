@@ -35,7 +35,7 @@ export interface DecoderMapping extends Mapping {
   readonly unit?: string | null | undefined;
 }
 
-/** What a codec maps. Where two mappings have one target, the later one counts. */
+/** What a codec maps. Where two mappings have one target, the later one counts. [NCP-CODEC-014] */
 export interface RateCodecSpec {
   /** From sensor channels to populations. */
   readonly encoders: readonly Mapping[];

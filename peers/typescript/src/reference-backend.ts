@@ -21,6 +21,7 @@ import type { Backend, Simulation } from "./session-service.js";
 export class ReferenceBackend implements Backend {
   readonly name = "ncp.reference";
 
+  /** [NCP-SESS-060] */
   open(request: OpenSession): Simulation {
     return new ReferenceSimulation(request);
   }

@@ -243,15 +243,18 @@ test("the speed limit acts on every channel in metres per second, by its own uni
   assert.ok(Math.abs(dataOf("velocity_setpoint")[0]! - 0.6) < 1e-12);
 });
 
-test("a channel that is declared twice is a velocity if one of its declarations says so", () => {
+test("a channel that is declared twice has the unit of the first declaration", () => {
   const arm = { name: "arm", kind: "scalar" };
-  for (const twice of [
-    [{ ...arm, unit: "m/s" }, arm],
-    [arm, { ...arm, unit: "m/s" }],
-  ]) {
+  const speed = { ...arm, unit: "m/s" };
+  for (const [twice, limited] of [
+    [[speed, arm], 1],
+    [[speed, { ...arm, unit: "N" }], 1],
+    [[arm, speed], 8],
+    [[{ ...arm, unit: "N" }, speed], 8],
+  ] as const) {
     const command = moving([0, 0, 0], { channels: { arm: { data: [8] }, velocity_setpoint: { data: [0, 0, 0] } } });
     const out = governed({ max_speed_mps: 1 }, command, channels([], [VELOCITY, ...twice]));
-    assert.deepEqual([...out.channels.get("arm")!.data], [1]);
+    assert.deepEqual([...out.channels.get("arm")!.data], [limited]);
   }
 });
 

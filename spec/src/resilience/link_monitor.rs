@@ -130,7 +130,7 @@ impl LinkMonitor {
         self.cusum = (self.cusum + by).clamp(0.0, 2.0 * self.threshold);
     }
 
-    /// Keeps the newest missing seqs, which are the likeliest to come late.
+    /// Keeps the newest missing seqs, which are the likeliest to come late. `[NCP-RES-057]`
     fn remember(&mut self, last: i64, seq: i64) {
         let newest = i64::try_from(MAX_MISSING).unwrap_or(i64::MAX);
         let from = last.saturating_add(1).max(seq.saturating_sub(newest));

@@ -125,7 +125,7 @@ impl Channels {
     }
 
     /// The unit of a command's channel: the frame's, or the negotiated one where the frame does not
-    /// say. `[NCP-SAFE-042]`
+    /// say: of a channel that is declared twice, that of the first. `[NCP-SAFE-042]`
     fn unit_of<'a>(&'a self, name: &str, channel: &'a ChannelValue) -> Option<&'a str> {
         channel
             .unit

@@ -97,6 +97,12 @@ pub enum BackendError {
         /// The neuron.
         id: i64,
     },
+    /// Two targets have one port.
+    #[error("two targets have the port {port:?}")]
+    PortTwice {
+        /// The port.
+        port: String,
+    },
     /// The network has no such quantity, or takes no such stimulus.
     #[error("the port {port:?} asks for {what:?}, which the network lacks")]
     Unsupported {

@@ -227,6 +227,7 @@ impl Model {
 }
 
 impl Network {
+    /// `[NCP-SESS-060]`
     fn build(request: &OpenSession) -> Result<Self, BackendError> {
         let dt_ms = request.sim.dt_ms;
         if !is_duration(dt_ms) {
@@ -252,12 +253,18 @@ impl Network {
             if !network.model.takes(&target.kind) {
                 return Err(unsupported(&target.port, target.kind.as_str()));
             }
+            if network.stimuli.iter().any(|other| other.name == target.port) {
+                return Err(BackendError::PortTwice { port: target.port.to_string() });
+            }
             let port = network.port(&target.port, &target.target, &target.ids)?;
             network.stimuli.push(port);
         }
         for target in &request.record.targets {
             if !network.model.records(&target.observable) {
                 return Err(unsupported(&target.port, target.observable.as_str()));
+            }
+            if network.records.iter().any(|other| other.port.name == target.port) {
+                return Err(BackendError::PortTwice { port: target.port.to_string() });
             }
             let port = network.port(&target.port, &target.target, &target.ids)?;
             network.records.push(Record::new(port, target, dt_ms)?);

@@ -1,6 +1,6 @@
 //! From rates to a command.
 
-use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map, maps};
+use super::{Mapping, PLAIN, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, int, name_of, num, nums};
@@ -129,6 +129,20 @@ fn uav() -> Vec<Case> {
 
 fn ranges() -> Vec<Case> {
     let mut cases = Vec::new();
+    for (name, rate, from, to) in PRECISE {
+        let mapping = Mapping { rate: from, value: to, ..PLAIN };
+        let data: Json = std::iter::once(precisely(rate, from, to)).collect();
+        let channels = object! { "x" => object! { "data" => data } };
+        cases.push(
+            case(format!("precise/{name}"), &["NCP-CODEC-013"], codec(&[], &[mapping]), &[("p", rate)])
+                .shows_exactly(object! { "command" => object! { "channels" => channels } })
+                .title(format!(
+                    "{rate:?} Hz in {:?} \u{2026} {:?} Hz is decoded to twelve digits ({name}).",
+                    from[0], from[1]
+                ))
+                .because(PRECISELY),
+        );
+    }
     for (name, rate) in RANGES {
         for share in SHARES {
             for value in [[-1.0, 1.0], [2.0, 6.0]] {
@@ -227,6 +241,13 @@ fn mappings() -> Vec<Case> {
             "One population may drive two components",
             vec![mapping("x", 0, "p"), mapping("x", 1, "p")],
             channels(vec![("x", vec![0.5, 0.5])]),
+        ),
+        (
+            "one-component-twice",
+            "NCP-CODEC-014",
+            "Of two mappings to one component the last should count",
+            vec![mapping("x", 0, "p"), mapping("x", 1, "p"), mapping("x", 0, "q")],
+            channels(vec![("x", vec![-0.5, 0.5])]),
         ),
         (
             "absent",

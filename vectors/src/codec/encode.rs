@@ -1,6 +1,6 @@
 //! From sensor channels to rates.
 
-use super::{Mapping, PLAIN, RANGES, SHARES, STRANGE, codec, map, maps};
+use super::{Mapping, PLAIN, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, exactly, name_of, num, nums};
@@ -135,6 +135,15 @@ fn ranges() -> Vec<Case> {
                 .title(format!("{x} in 1 \u{2026} -1 should be encoded as by any other range ({name})."))
                 .flags(&["degenerate-range"])
                 .because("A source range that runs downwards should be mapped like every other."),
+        );
+    }
+    for (name, x, value, rate) in PRECISE {
+        let mapping = Mapping { value, rate, ..PLAIN };
+        cases.push(
+            case(format!("precise/{name}"), &["NCP-CODEC-013"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .shows_exactly(object! { "rates" => exactly(object! { "p" => precisely(x, value, rate) }) })
+                .title(format!("{x:?} in {:?} \u{2026} {:?} is encoded to twelve digits ({name}).", value[0], value[1]))
+                .because(PRECISELY),
         );
     }
     // A mapping without ranges has the defaults.
@@ -284,6 +293,22 @@ fn mappings() -> Vec<Case> {
         .shows(rates(&[("a0", 150.0), ("a1", 50.0), ("b0", 20.0), ("again", 75.0)]))
         .title("Each mapping has its own channel, component and ranges.")
         .because("The encoder maps each mapping's value by that mapping's ranges."),
+    );
+    let twice = [
+        Mapping { channel: "a", ..PLAIN },
+        Mapping { channel: "b", population: "q", ..PLAIN },
+        Mapping { channel: "b", value: [0.0, 4.0], rate: [0.0, 80.0], ..PLAIN },
+    ];
+    cases.push(
+        case(
+            "one-population-twice".to_owned(),
+            &["NCP-CODEC-014"],
+            codec(&twice, &[]),
+            sensor(&[("a", &[0.5]), ("b", &[1.0])]),
+        )
+        .shows(rates(&[("p", 20.0), ("q", 200.0)]))
+        .title("Of two mappings to one population the last should count.")
+        .because("Of mappings with one target, here a population, the last should count."),
     );
     cases.push(
         case("none".to_owned(), &["NCP-CODEC-001"], codec(&[], &[]), sensor(&[("a", &[0.5])]))

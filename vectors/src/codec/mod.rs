@@ -5,7 +5,7 @@ mod encode;
 
 use crate::case::File;
 use crate::json::{Json, object};
-use crate::trace::{any, num, nums};
+use crate::trace::{any, num, nums, within};
 
 pub(crate) fn files() -> Vec<File> {
     vec![encode::file(), decode::file()]
@@ -61,6 +61,26 @@ fn maps(x: f64, from: [f64; 2], to: [f64; 2]) -> Json {
     }
     any(all.into_iter().map(num).collect())
 }
+
+/// The map as exactly as rule 13 asks for it.
+fn precisely(x: f64, from: [f64; 2], to: [f64; 2]) -> Json {
+    let (result, off) = (map(x, from, to), 1e-12 * to[0].abs().max(to[1].abs()));
+    within(result - off, result + off)
+}
+
+/// Maps on which a careless order of the operations shows, or a rounding on the way: a place, the range that it is
+/// mapped from, and the one that it is mapped to. The differences of each are exact, so that the plain formula is off
+/// by a few roundings only.
+const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 6] = [
+    ("far-from-zero", 1_000_000.3, [1_000_000.0, 1_000_000.7], [0.0, 1.0]),
+    ("far-below-zero", -4_000_000.4, [-4_000_000.9, -4_000_000.2], [-1.0, 1.0]),
+    ("far-and-downwards", 70_000.1, [70_000.0, 70_000.3], [1.0, 0.0]),
+    ("to-a-small-range", 0.123_456_789, [-1.0, 1.0], [0.0, 1e-3]),
+    ("to-a-smaller-range", 61.7, [0.0, 200.0], [-1e-7, 1e-7]),
+    ("from-a-small-range", 1.7e-9, [0.0, 3e-9], [0.0, 200.0]),
+];
+const PRECISELY: &str =
+    "The result is what the formula says to 10\u{207b}\u{b9}\u{b2} of the greater end of the target range.";
 
 /// Numbers that JSON lacks: an interface of JSON texts refuses them.
 const STRANGE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];

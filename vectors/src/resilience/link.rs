@@ -324,6 +324,18 @@ fn bounded() -> Vec<Case> {
                 .because("256 updates of 0.01 are 2.56, which is not above a threshold of 4."),
         );
     }
+    // And as many it makes: at a threshold that 256 are above, and 255 are not.
+    for gap in [256, 257, 1000, 1_000_000_000] {
+        let entries = vec![no_result(), object! { "lost" => int(gap), "burst" => true }];
+        cases.push(
+            Case::new(format!("burst/as-many-{gap}"), &["NCP-RES-047"], &BOTH)
+                .call("link.run", args(Some(0.99), Some(1.565), &[1, 2 + gap]))
+                .shows(steps(entries))
+                .title(format!("One gap of {gap} makes 256 updates."))
+                .flags(&["burst-detector"])
+                .because("256 updates of 0.01 less the delivery's 0.99 are 1.57, which is above a threshold of 1.565."),
+        );
+    }
     cases
 }
 
@@ -502,6 +514,19 @@ fn extremes() -> Vec<Case> {
             .title("Of 4,200 missing frames that all come late, at most 4,096 are taken back.")
             .flags(&["unbounded-work"])
             .because("The monitor remembers at most 4,096 missing seqs; what it forgot is a duplicate when it comes."),
+    );
+    let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(105..=gap).collect();
+    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+    if let Some(last) = entries.last_mut() {
+        *last = object! { "lost" => int(104) };
+    }
+    cases.push(
+        Case::new("extreme/forgets", &["NCP-RES-057"], &BOTH)
+            .call("link.run", args(None, None, &seqs))
+            .shows(steps(entries))
+            .title("Of 4,200 missing frames the 4,096 newest should be remembered.")
+            .flags(&["wrong-loss"])
+            .because("Of more missing seqs than it remembers, the monitor should forget the lowest first."),
     );
     cases
 }

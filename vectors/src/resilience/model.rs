@@ -102,6 +102,8 @@ pub(super) struct Plant {
     happened: Option<&'static str>,
     /// The rule by which a command that came since the last one that advanced does not refresh the deadline.
     refreshes_not: Option<&'static str>,
+    /// Whether an unstamped HOLD came before any other command: the text leaves open whether it advances the stream.
+    unstamped_first: bool,
     /// Whether nothing has moved since a reset that cleared a seq or a latch.
     is_reset: bool,
     /// The rule that decided the last answer.
@@ -137,7 +139,7 @@ impl Plant {
             Some("active") => {
                 if advances {
                     self.last_seq = Some(seq);
-                    self.held = Some((command.clone(), now, false));
+                    self.held = Some((command.clone(), now, self.unstamped_first && seq <= 0));
                     self.happened = None;
                     self.refreshes_not = None;
                 } else {
@@ -147,6 +149,7 @@ impl Plant {
             }
             _ => {
                 let moved = self.held.is_some();
+                self.unstamped_first |= self.last_seq.is_none() && seq == 0;
                 // A HOLD that is older need not be dropped.
                 if advances || seq == 0 || self.last_seq == Some(seq) {
                     self.held = None;

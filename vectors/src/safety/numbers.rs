@@ -342,6 +342,7 @@ fn speeds() -> Vec<Case> {
                 .because("A velocity whose norm is above the limit is scaled to it, and keeps its direction."),
         );
     }
+    cases.extend(kept());
     // A horizon, each of whose steps is above, below or at the limit.
     for (name, limit, one, other) in
         [("tiny", 1e-170, 1e-165, 1e-175), ("huge", 1e170, 1e175, 1e165), ("to-a-tiny-limit", 1e-170, 1e165, 1e-180)]
@@ -369,6 +370,36 @@ fn speeds() -> Vec<Case> {
             .because("Its norm is not above the limit then."),
     );
     cases
+}
+
+/// Components of very different size: each keeps its part of the direction, however small that is.
+fn kept() -> Vec<Case> {
+    let half = 0.5_f64.sqrt();
+    let table: [(&str, f64, [f64; 3], [f64; 3]); 6] = [
+        ("small-beside-huge", 1e170, [1e160, 1e175, 1e175], [half * 1e155, half * 1e170, half * 1e170]),
+        ("small-to-one", 1.0, [1e200, -1e190, 0.0], [1.0, -1e-10, 0.0]),
+        ("tiny-beside-usual", 1e-3, [1e-200, 1e3, 0.0], [1e-206, 1e-3, 0.0]),
+        ("three-sizes", 2.0, [1e250, 1e150, -1e50], [2.0, 2e-100, -2e-200]),
+        ("small-beside-tiny", 1e-170, [0.0, 1e-165, 1e-250], [0.0, 1e-170, 1e-255]),
+        ("below-what-is-asked", 1e-170, [1e160, 1e-10, 0.0], [1e-170, 0.0, 0.0]),
+    ];
+    let near = |x: f64| {
+        let off = (x.abs() * 1e-9).max(1e-300);
+        within(x - off, x + off)
+    };
+    let one = |(name, limit, velocity, scaled): (&str, f64, [f64; 3], [f64; 3])| {
+        let trace = Trace::new(Limits::speed(limit), vec![govern(Command::moving(&velocity), super::near())]);
+        case(format!("range/kept/{name}"), &["NCP-SAFE-061"], &trace)
+            .shows_exactly(steps(vec![moving(&[scaled.map(near).into_iter().collect()])]))
+            .title(format!(
+                "Of a velocity of ({:?}, {:?}, {:?}) m/s under a limit of {limit:?} m/s, the small component keeps its \
+                 part.",
+                velocity[0], velocity[1], velocity[2]
+            ))
+            .flags(&["overflowing-norm"])
+            .because("Each component is the one that came times the limit over the norm, to one part in 10^9.")
+    };
+    table.into_iter().map(one).collect()
 }
 
 /// Components of so long a vector in that direction, but for the roundings that the text allows.

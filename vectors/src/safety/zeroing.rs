@@ -18,6 +18,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = Vec::new();
     for way in WAYS {
         cases.extend(channels(way, &rows)?);
+        cases.push(canonical(way));
         cases.extend(kept(way));
     }
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
@@ -248,6 +249,22 @@ fn channels(way: &Way, rows: &[Row]) -> Result<Vec<Case>, ScenarioError> {
             .because(part.why()))
     };
     rows.iter().map(one).collect()
+}
+
+/// Without Capabilities the velocity is the one negotiated command channel.
+fn canonical(way: &Way) -> Case {
+    let zeros = object! { VELOCITY => object! { "data" => nums(&[0.0; 3]), "unit" => MPS } };
+    let command = Command::of(vec![channel("gripper", &[0.5], None)]);
+    let path = format!("channels/canonical/{}", way.name);
+    case(path, "NCP-SAFE-073", way, None, command, object! { "channels" => zeros })
+        .title(format!(
+            "The {} frame ({}) of a governor without Capabilities has a velocity, though the command has none.",
+            way.frame, way.name
+        ))
+        .flags(&["moving-hold"])
+        .because(
+            "Without Capabilities the negotiated channels are the canonical ones, here `velocity_setpoint` in m/s.",
+        )
 }
 
 /// What stands beside the channels.

@@ -173,7 +173,15 @@ fn of_members(case: Case) -> Case {
         }
         _ => case,
     };
-    case.by("/replies/*/sim_time_ms", "NCP-SESS-033").by(place, rule).by("/replies/*/records/*/senders", "NCP-SESS-052")
+    let case = match case.requirements.first() {
+        Some(&"NCP-SESS-058") => case,
+        _ => case.by("/replies/*/sim_time_ms", "NCP-SESS-033"),
+    };
+    let case = case.by(place, rule);
+    match case.requirements.first() {
+        Some(&"NCP-SESS-059") => case,
+        _ => case.by("/replies/*/records/*/senders", "NCP-SESS-052"),
+    }
 }
 
 fn asking(path: String, rules: &[&'static str], requests: Vec<String>) -> Case {

@@ -1,9 +1,9 @@
 //! The reference networks against their own closed solutions.
 
-use super::{Open, opened, record, recorded, reference, step, stimulus};
+use super::{Open, error, not_opened, observed, opened, record, recorded, reference, run, step, stimulus};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::trace::nums;
+use crate::trace::{any, nums};
 
 pub(super) fn file() -> File {
     let mut cases = potentials();
@@ -15,6 +15,9 @@ pub(super) fn file() -> File {
     cases.extend(units());
     cases.extend(ports());
     cases.extend(cadences());
+    cases.extend(refusals());
+    cases.extend(durations());
+    cases.extend(orders());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
 }
@@ -469,6 +472,158 @@ fn ports() -> Vec<Case> {
         .title("The spikes of two neurons come by their ids.")
         .because("A neuron's id is its position within its population, from 1."),
     );
+    cases
+}
+
+/// What the networks should not be opened with. A session that could be opened takes its place.
+fn refusals() -> Vec<Case> {
+    let v = || record("v", "V_m", 1.0);
+    let drive = || stimulus("in", "current_pA");
+    let lif = || Open::lif("a");
+    let with = |target: Json| Open { records: vec![target], ..lif() };
+    let driven = |target: Json| Open { stimuli: vec![target], ..lif() };
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let table = [
+        ("step-of-0", "a step of 0 ms", Open { dt: 0.0, ..lif() }),
+        ("step-below-0", "a step of -1 ms", Open { dt: -1.0, ..lif() }),
+        ("cadence-of-0", "a cadence of 0 ms", with(record("v", "V_m", 0.0))),
+        ("cadence-below-0", "a cadence of -1 ms", with(record("v", "V_m", -1.0))),
+        ("recorded-twice", "two recorded ports of one name", Open { records: vec![v(), v()], ..lif() }),
+        ("driven-twice", "two stimuli of one port", Open { stimuli: vec![drive(), drive()], ..lif() }),
+        ("record-of-none", "a record of a population that is not there", with(v().with("target", "none".into()))),
+        (
+            "stimulus-of-none",
+            "a stimulus of a population that is not there",
+            driven(drive().with("target", "none".into())),
+        ),
+        ("record-of-neuron-0", "a record of neuron 0", with(v().with("ids", ids(&[0])))),
+        ("record-of-neuron-2", "a record of the second neuron of one", with(v().with("ids", ids(&[1, 2])))),
+        ("stimulus-of-neuron-2", "a stimulus of the second neuron of one", driven(drive().with("ids", ids(&[2])))),
+        ("record-of-rate", "a record of the rate of spiking neurons", with(record("v", "rate", 1.0))),
+        ("stimulus-of-rate", "an input to rate neurons for spiking ones", driven(stimulus("in", "rate_inject"))),
+        (
+            "potential-of-rate",
+            "a record of the potential of rate neurons",
+            Open { records: vec![v()], ..Open::rate("a") },
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, open)| {
+            let trace = vec![
+                (open.text(), any(vec![not_opened("a"), error()])),
+                (step("a", Some(1.0), None), error()),
+                (lif().text(), opened("a")),
+            ];
+            reference(format!("refused/{name}"), &["NCP-SESS-060"], trace)
+                .title(format!("A session of {words} should not be opened."))
+                .because("The backend should refuse to open a session that the network cannot be made of.")
+        })
+        .collect()
+}
+
+/// The request for a time.
+type Request = fn(f64) -> String;
+
+/// How many steps a time is, and that no request makes up for what another was rounded by.
+fn durations() -> Vec<Case> {
+    // The length of a step, the time that each of three requests asks for, and how many steps that is.
+    let table: [(&str, f64, f64, u32); 10] = [
+        ("half-of-an-even-number", 0.25, 0.625, 3),
+        ("half-of-an-odd-number", 0.25, 0.375, 2),
+        ("half-of-one", 0.25, 0.125, 1),
+        ("more-than-half", 0.25, 0.45, 2),
+        ("less-than-half", 0.25, 0.55, 2),
+        ("less-than-half-of-one", 0.25, 0.1, 0),
+        ("tenths-down", 0.1, 0.24, 2),
+        ("tenths-half", 0.1, 0.25, 3),
+        ("tenths-whole", 0.1, 0.3, 3),
+        ("tenths-next-to-half", 0.1, 0.15, 1),
+    ];
+    let mut cases = Vec::new();
+    for (name, dt, x, steps) in table {
+        let open = |chunk| Open { dt, chunk, ..Open::lif("a") };
+        let ways: [(&str, f64, Request); 3] = [
+            ("step", 1.0, |x| step("a", Some(x), None)),
+            ("run", 1.0, |x| run("a", x)),
+            ("chunk", x, |_| step("a", None, None)),
+        ];
+        for (way, chunk, request) in ways {
+            let mut trace = vec![(open(chunk).text(), opened("a"))];
+            trace.extend((1..=3).map(|nth| (request(x), observed("a", f64::from(nth * steps) * dt))));
+            cases.push(
+                reference(format!("duration/{name}/{way}"), &["NCP-SESS-058", "NCP-SESS-033"], trace)
+                    .title(format!(
+                        "With steps of {dt} ms, each of three times {x} ms ({way}) is {steps} steps ({}).",
+                        name.replace('-', " ")
+                    ))
+                    .because(
+                        "A time of x ms is round(x / dt) steps, the greater of two whole numbers that are equally \
+                         near, and the time is the number of all steps times dt.",
+                    ),
+            );
+        }
+    }
+    cases
+}
+
+/// In which order samples come: by their times, and those of one time as the port names its neurons.
+fn orders() -> Vec<Case> {
+    let of = |observable: &str, ids: &[u32]| {
+        record("out", observable, 1.0).with("ids", ids.iter().copied().collect::<Json>())
+    };
+    let driven = |target: Json| Open { size: 3, params: vec![("I_e", 500.0)], records: vec![target], ..Open::lif("a") };
+    let (_, _, beats) = simulate(&[("I_e", 500.0)], 1.0, 40, 500.0);
+    let mut cases = Vec::new();
+    let mut add = |name: String, words: &str, open: Open, request: String, times: Vec<f64>, senders: Vec<u32>| {
+        let records = object! { "out" => sent(&times, &senders) };
+        cases.push(
+            reference(
+                format!("order/{name}"),
+                &["NCP-SESS-059"],
+                vec![(open.text(), opened("a")), (request, recorded("a", records))],
+            )
+            .title(format!("Samples come in the order of their times, and at one time {words} ({name})."))
+            .because(
+                "The samples of an observation are in the order of their times, and those of one time in the order \
+                 of the port's `ids`, or by id when it names none.",
+            ),
+        );
+    };
+    for ids in [&[3_u32, 1][..], &[2, 3, 1], &[]] {
+        let named: &[u32] = if ids.is_empty() { &[1, 2, 3] } else { ids };
+        let words = if ids.is_empty() { "by id" } else { "as the port names its neurons" };
+        let name = named.iter().map(ToString::to_string).collect::<Vec<_>>().join("-");
+        let name = if ids.is_empty() { "by-id".to_owned() } else { name };
+        for (what, observable, at, advance) in
+            [("potential", "V_m", &[1.0, 2.0, 3.0][..], 3.0), ("spikes", "spikes", &beats[..], 40.0)]
+        {
+            let times = at.iter().flat_map(|time| named.iter().map(|_| *time)).collect();
+            let senders = at.iter().flat_map(|_| named.iter().copied()).collect();
+            let request = step("a", Some(advance), None);
+            add(format!("{what}/{name}"), words, driven(of(observable, ids)), request, times, senders);
+        }
+    }
+    // Neurons that spike at times of their own: the second is driven harder.
+    let (_, _, fast) = simulate(&[("I_e", 900.0)], 1.0, 40, 900.0);
+    for ids in [[1_u32, 2], [2, 1]] {
+        let mut all: Vec<(f64, usize, u32)> = Vec::new();
+        for (place, id) in ids.into_iter().enumerate() {
+            all.extend(if id == 2 { &fast } else { &beats }.iter().map(|time| (*time, place, id)));
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let drive = object! { "port" => "in", "target" => "pop", "kind" => "current_pA",
+        "ids" => std::iter::once(2_u32).collect::<Json>() };
+        let open = Open { stimuli: vec![drive], ..driven(of("spikes", &ids)) };
+        add(
+            format!("spikes-apart/{}-{}", ids[0], ids[1]),
+            "as the port names its neurons",
+            open,
+            step("a", Some(40.0), Some(("in", 400.0))),
+            all.iter().map(|(time, ..)| *time).collect(),
+            all.iter().map(|(.., id)| *id).collect(),
+        );
+    }
     cases
 }
 

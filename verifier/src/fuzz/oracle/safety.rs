@@ -295,8 +295,9 @@ impl Setup {
         set(&mut whole, "horizon", list(ticks.clone()));
         patterns.push(object([("frame", whole)]));
         let (Some(radius), false) = (enabled(self.fence), step.command.horizon.is_empty()) else { return };
+        // By SAFE-055 it may hold on a step without a usable velocity; with a speed limit, SAFE-067 truncates.
         let unusable = step.command.horizon.get(kept).is_some_and(|tick| !self.has_velocity(tick));
-        *may_hold |= unusable;
+        *may_hold |= unusable && enabled(self.speed).is_none();
         let dt = step.command.horizon_dt_ms.unwrap_or(f64::NAN);
         let reach = enabled(self.speed).map(|most| most * dt / 1000.0 * (step.command.horizon.len() + 2) as f64);
         let far = step.position().map_or(f64::NAN, |place| norm(&place));
