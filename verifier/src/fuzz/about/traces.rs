@@ -1,7 +1,7 @@
 //! The rules of a trace, step by step and member by member.
 //!
-//! A rule is charged at the first place where an answer differs. So what holds a plant or latches a governor is the rule
-//! of a mode, and what such a frame still says is that of its members.
+//! A rule is charged at the first place where an answer differs. So what holds a plant or latches a governor is the
+//! rule of a mode, and what such a frame still says is that of its members.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 

@@ -213,8 +213,8 @@ fn dollars(chunk: &str, draw: &mut Draw<'_>) -> String {
     single(pattern)
 }
 
-/// Pieces of a chunk with wild runs between, of which neighbours may overlap, or leave out what stands between: then only
-/// a reader that looks again, or that counts a character twice, has another answer.
+/// Pieces of a chunk with wild runs between, of which neighbours may overlap, or leave out what stands between: then
+/// only a reader that looks again, or that counts a character twice, has another answer.
 fn pieces(chunk: &str, draw: &mut Draw<'_>) -> String {
     let letters: Vec<char> = chunk.chars().collect();
     let long = draw.one(&[2, 4, 12]);
