@@ -1,10 +1,11 @@
 //! `cargo assure deep`: chooses the deep set from what the generators of the search draw.
 //!
-//! The generators draw candidates by a seed, so many a call, beside those that the set has already. Peers with the planted defects that hide, and with
-//! those that one case of the corpus catches, are asked them; of those on which a defect shows, two are taken for each.
-//! Around these goes a base that is chosen for what it reaches, and not for any defect: pairs of features, sizes,
-//! classes of numbers and where they stand. What is expected comes from the specification; the two implementations that
-//! are written from the text, and the models, have to agree, or a candidate is not taken and is told.
+//! The generators draw candidates by a seed, so many a call, beside those that the set has already. Peers with the
+//! planted defects that hide, and with those that one case of the corpus catches, are asked them; of those on which a
+//! defect shows, two are taken for each. Around these goes a base that is chosen for what it reaches, and not for any
+//! defect: pairs of features, sizes, classes of numbers and where they stand. What is expected comes from the
+//! specification; the two implementations that are written from the text, and the models, have to agree, or a candidate
+//! is not taken and is told.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
@@ -260,13 +261,7 @@ fn kept(deep: &Deep<'_>, args: &DeepArgs) -> Result<BTreeMap<Call, Vec<Candidate
 }
 
 /// Draws candidates of every call, asks them of the peers with the defects, and keeps those that show something new.
-fn draw(
-    source: &Source<'_>,
-    targets: &[Defect],
-    program: &Path,
-    wanted: &[Call],
-    stop: &Stop,
-) -> Result<Pool, Error> {
+fn draw(source: &Source<'_>, targets: &[Defect], program: &Path, wanted: &[Call], stop: &Stop) -> Result<Pool, Error> {
     let (deep, draws) = (source.deep, source.draws);
     let launch = |name: &str| {
         Launch::new(vec![program.to_string_lossy().into_owned(), "--defect".to_owned(), name.to_owned()], ".")
