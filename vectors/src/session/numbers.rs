@@ -436,25 +436,25 @@ fn ports() -> Vec<Case> {
         } else {
             named.iter().map(ToString::to_string).collect::<Vec<_>>().join("-and-")
         };
-        cases.push(
-            reference(
-                format!("id/{name}-of-3"),
-                &["NCP-SESS-052"],
-                vec![
-                    (open.text(), opened("a")),
-                    (step("a", Some(3.0), None), recorded("a", object! { "v" => sent(&at, &senders) })),
-                ],
-            )
-            .title(format!(
-                "Of three neurons, {} by id.",
-                if ids.len() == 1 {
-                    format!("number {name} is recorded")
-                } else {
-                    format!("{} are recorded", name.replace('-', " "))
-                }
-            ))
-            .because("A neuron's id is its position within its population, from 1."),
-        );
+        let case = reference(
+            format!("id/{name}-of-3"),
+            &["NCP-SESS-052"],
+            vec![
+                (open.text(), opened("a")),
+                (step("a", Some(3.0), None), recorded("a", object! { "v" => sent(&at, &senders) })),
+            ],
+        )
+        .title(format!(
+            "Of three neurons, {} by id.",
+            if ids.len() == 1 {
+                format!("number {name} is recorded")
+            } else {
+                format!("{} are recorded", name.replace('-', " "))
+            }
+        ))
+        .because("A neuron's id is its position within its population, from 1.");
+        // Who sent a sample is another question than which comes first.
+        cases.push(if named.len() > 1 { case.by("/replies/*/records/*/times", "NCP-SESS-059") } else { case });
     }
     let of_spikes = Open { size: 2, ..driven(vec![record("s", "spikes", 1.0)]) };
     let (_, _, spikes) = simulate(&[("I_e", 500.0)], 1.0, 40, 500.0);
@@ -469,6 +469,7 @@ fn ports() -> Vec<Case> {
                 (step("a", Some(40.0), None), recorded("a", object! { "s" => sent(&twice, &senders) })),
             ],
         )
+        .by("/replies/*/records/*/times", "NCP-SESS-059")
         .title("The spikes of two neurons come by their ids.")
         .because("A neuron's id is its position within its population, from 1."),
     );
