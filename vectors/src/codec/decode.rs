@@ -145,7 +145,7 @@ fn ranges() -> Vec<Case> {
     }
     for (name, rate) in RANGES {
         for share in SHARES {
-            for value in [[-1.0, 1.0], [2.0, 6.0]] {
+            for value in [[-1.0, 1.0], [2.0, 6.0], [6.0, 2.0]] {
                 let r = share.of(rate);
                 let mapping = Mapping { value, rate, ..PLAIN };
                 let rule = share.decides("NCP-CODEC-003", "NCP-CODEC-004");
