@@ -80,7 +80,8 @@ impl Menu {
             Call::PlaneQos => self.planes.contains(&of("plane")),
             _ => true,
         };
-        fits && (self.strict || args.get("strict").is_none())
+        let is_of_strict = ["strict", "verb", "verbs"].iter().any(|name| args.get(name).is_some());
+        fits && (self.strict || !is_of_strict)
     }
 }
 

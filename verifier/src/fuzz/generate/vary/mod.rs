@@ -464,6 +464,7 @@ fn gather(tree: &Tree, name: &str, parts: &mut Vec<(String, Tree)>) {
 
 /// An array, a map or a string, longer.
 fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
+    let is_frame = tree.get("kind").is_some_and(|kind| kind.as_str().is_some());
     let all = places(tree);
     for _ in 0..8 {
         let place = &all[draw.below(all.len())];
@@ -484,6 +485,8 @@ fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
                 items.splice(place..place, std::iter::repeat_n(item, count));
                 count
             }
+            // What a call has no member for is no question of the protocol.
+            Json::Object(_) if !is_frame && !MAPS.contains(&name.as_str()) => continue,
             Json::Object(members) => {
                 let most = if draw.chance(70) { 300 } else { 4200 };
                 let count = draw.size(1, most);
