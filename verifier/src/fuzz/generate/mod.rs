@@ -167,11 +167,22 @@ pub(crate) mod tests {
     use super::*;
     use crate::fuzz::harvest::Harvest;
     use crate::fuzz::menu;
+    use crate::fuzz::tree::text;
     use ncp_peer_rust::Answer;
     use ncp_text::catalogue::{Level, Role};
 
     pub(crate) fn whole_menu() -> Menu {
         menu(&Role::ALL, Level::Strict, true, &[])
+    }
+
+    #[test]
+    fn what_only_the_strict_profile_has_is_on_no_other_menu() {
+        let object = |name| crate::fuzz::tree::object([("key", text("rpc")), (name, text("step_request"))]);
+        let (strict, other) = (whole_menu(), Menu { strict: false, ..whole_menu() });
+        for name in ["strict", "verb", "verbs"] {
+            assert!(strict.has(Call::KeyBuild, &object(name)) && !other.has(Call::KeyBuild, &object(name)), "{name}");
+        }
+        assert!(other.has(Call::KeyBuild, &object("realm")));
     }
 
     #[test]

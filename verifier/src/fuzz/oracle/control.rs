@@ -250,3 +250,26 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
     set(&mut pattern, "ttl_ms", range(2.0 * period * (1.0 - 1e-12), f64::MAX));
     Some(object([("command", pattern), ("status", status)]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::Input;
+    use crate::fuzz::oracle::expectation;
+    use crate::fuzz::tree::own;
+
+    #[test]
+    fn a_loop_that_holds_owes_the_ttl_that_it_raised_and_zeros() {
+        let call = Call::LoopRun;
+        let written = r#"{"period_ms":400.0,"limits":{},"config":{},"steps":[{"op":"tick","now_s":0.0}]}"#;
+        let args = Json::parse(written).map(|args| own(&args)).unwrap();
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, written), None) else {
+            panic!("what a loop sends without a sensor is decided");
+        };
+        let answers = items(expect.get("value").and_then(|value| value.get("steps")));
+        let command = answers[0].get("command").unwrap();
+        let least = doubles(command.get("ttl_ms").and_then(|ttl| ttl.get("$range")))[0];
+        assert!((least - 800.0).abs() < 1e-6, "{command}");
+        assert!(command.get("channels").unwrap().to_string().contains("[0.0,0.0,0.0]"), "{command}");
+    }
+}

@@ -817,6 +817,25 @@ mod tests {
     }
 
     #[test]
+    fn arguments_grow_in_their_maps_and_get_no_member_that_no_call_has() {
+        let harvest = Harvest::default();
+        let grown = |written: &str, number: u64| {
+            let mut args = own(&Json::parse(written).unwrap());
+            grow(&mut args, &mut Draw::new(4, number, &harvest));
+            args
+        };
+        let codec = r#"{"codec":{"encoders":[],"decoders":[]},"rates":{"p":1.0}}"#;
+        let mut rates = 0;
+        for number in 0..80 {
+            let args = grown(codec, number);
+            let count = |tree: Option<&Tree>| crate::fuzz::tree::members(tree).len();
+            assert_eq!((count(Some(&args)), count(args.get("codec"))), (2, 2), "{args}");
+            rates += usize::from(count(args.get("rates")) > 1);
+        }
+        assert!(rates > 10, "{rates}");
+    }
+
+    #[test]
     fn a_pumped_step_goes_on_in_time_and_in_seq_and_so_does_what_follows() {
         let trace = |seqs: &[i64]| {
             let step = |seq: &i64| {
