@@ -284,7 +284,9 @@ fn draw(source: &Source<'_>, targets: &[Defect], program: &Path, wanted: &[Call]
         let batch = usize::try_from(BATCH).unwrap_or(1);
         let old = source.kept.get(&call).map_or(&[][..], Vec::as_slice).chunks(batch).map(Batch::Kept);
         for batch in old.chain((0..most).step_by(batch).map(Batch::Drawn)) {
-            if peers.is_empty() && matches!(batch, Batch::Drawn(from) if from >= base) {
+            // Whether it may be taken for what it reaches, and not for a defect alone.
+            let is_of_base = matches!(batch, Batch::Kept(_)) || matches!(batch, Batch::Drawn(from) if from < base);
+            if peers.is_empty() && !is_of_base {
                 break;
             }
             if stop.is_set() {
@@ -296,7 +298,6 @@ fn draw(source: &Source<'_>, targets: &[Defect], program: &Path, wanted: &[Call]
                     (from..(from + BATCH).min(most)).filter_map(|number| deep.candidate(call, number, LARGE)).collect()
                 }
             };
-            let counts = matches!(batch, Batch::Kept(_)) || matches!(batch, Batch::Drawn(from) if from < base);
             let mut shows: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); drawn.len()];
             for (place, peer) in &mut peers {
                 for nth in deep.differing(peer, &drawn)? {
@@ -306,7 +307,7 @@ fn draw(source: &Source<'_>, targets: &[Defect], program: &Path, wanted: &[Call]
             }
             peers.retain(|(place, _)| found[*place] < ENOUGH);
             for (candidate, shows) in drawn.into_iter().zip(shows) {
-                let is_new = counts && candidate.keys.iter().any(|key| seen.get(key).copied().unwrap_or(0) < SPARE);
+                let is_new = is_of_base && candidate.keys.iter().any(|key| seen.get(key).copied().unwrap_or(0) < SPARE);
                 if shows.is_empty() && !(is_new && candidate.bytes <= LARGE / 8) {
                     continue;
                 }

@@ -13,6 +13,7 @@ use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use serde_json::{Value, json};
 
 mod common;
+mod made;
 
 const TARGET: &str = "version/tiny/07-target";
 /// Far more than any of these runs may take, far less than a peer that hangs.
@@ -90,13 +91,7 @@ fn many_versions(folder: &Path, n: usize) -> String {
         })
     };
     let cases: Vec<Value> = (0..n).map(case).collect();
-    let file = json!({
-        "format": 1, "area": "version", "name": "many", "about": "A.", "notes": {"lenient-reader": "N."}, "cases": cases
-    });
-    let vectors = folder.join("vectors");
-    std::fs::create_dir_all(vectors.join("version")).unwrap();
-    std::fs::write(vectors.join("version/many.json"), file.to_string()).unwrap();
-    vectors.display().to_string()
+    made::vectors(folder, "version", "many", "lenient-reader", &cases)
 }
 
 fn thousands(number: u64) -> String {
@@ -289,13 +284,7 @@ fn traces(folder: &Path) -> String {
         ),
         case("reset", "NCP-SAFE-008", json!({"/steps/1": "NCP-SAFE-004"}), json!(longer), json!(answers)),
     ];
-    let file = json!({
-        "format": 1, "area": "safety", "name": "trace", "about": "A.", "notes": {"latch": "N."}, "cases": cases
-    });
-    let vectors = folder.join("vectors");
-    std::fs::create_dir_all(vectors.join("safety")).unwrap();
-    std::fs::write(vectors.join("safety/trace.json"), file.to_string()).unwrap();
-    vectors.display().to_string()
+    made::vectors(folder, "safety", "trace", "latch", &cases)
 }
 
 #[test]

@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 mod common;
+mod made;
 
 const TARGET: &str = "version/tiny/07-target";
 const SCHEMES: [&str; 2] = ["tcp", "ws"];
@@ -202,13 +203,7 @@ fn a_large_frame(folder: &Path, bytes: usize) -> String {
         "flags": ["large"], "roles": ["observer"], "call": "decode",
         "args": {"kind": "observation_frame", "text": text}, "expect": {"relation": "message", "text": text}
     });
-    let file = json!({
-        "format": 1, "area": "wire", "name": "large", "about": "A.", "notes": {"large": "N."}, "cases": [case]
-    });
-    let vectors = folder.join("vectors");
-    std::fs::create_dir_all(vectors.join("wire")).unwrap();
-    std::fs::write(vectors.join("wire/large.json"), file.to_string()).unwrap();
-    vectors.display().to_string()
+    made::vectors(folder, "wire", "large", "large", &[case])
 }
 
 #[test]

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 
 mod common;
+mod made;
 
 fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ncp-verify"));
@@ -57,13 +58,7 @@ fn many_versions(folder: &Path, n: usize) -> String {
         })
     };
     let cases: Vec<Value> = (0..n).map(case).collect();
-    let file = json!({
-        "format": 1, "area": "version", "name": "many", "about": "A.", "notes": {"lenient-reader": "N."}, "cases": cases
-    });
-    let vectors = folder.join("vectors");
-    std::fs::create_dir_all(vectors.join("version")).unwrap();
-    std::fs::write(vectors.join("version/many.json"), file.to_string()).unwrap();
-    vectors.display().to_string()
+    made::vectors(folder, "version", "many", "lenient-reader", &cases)
 }
 
 fn shards(folder: &Path, vectors: &str, mode: &str, of: usize, args: &[&str]) -> Vec<PathBuf> {

@@ -6,6 +6,10 @@ use std::borrow::Cow;
 
 use crate::json::Json;
 
+/// The members that hold entries by name, themselves or in each of their items.
+pub(crate) const MAPS: [&str; 8] =
+    ["channels", "rates", "values", "records", "population_sizes", "params", "horizon", "resolved"];
+
 /// A JSON value that owns its text.
 pub(crate) type Tree = Json<'static>;
 

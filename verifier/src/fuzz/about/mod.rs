@@ -17,7 +17,7 @@ use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 
 use super::generate::Input;
 use super::rules::Rules;
-use super::tree::{Tree, double, doubles, integer, items, members, string};
+use super::tree::{MAPS, Tree, double, doubles, integer, items, members, string};
 use crate::json::Json;
 use crate::peer::Call;
 use crate::suite::Suite;
@@ -361,7 +361,6 @@ fn refused_block(args: &Tree) -> Option<&'static str> {
 
 /// Whether a frame has a map of several entries, whose order is another rule than that of members.
 fn has_map(frame: &[u8]) -> bool {
-    const MAPS: [&str; 6] = ["channels", "records", "values", "population_sizes", "params", "horizon"];
     fn within(json: &Json<'_>, name: &str) -> bool {
         match json {
             Json::Object(entries) => {

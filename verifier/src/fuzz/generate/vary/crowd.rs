@@ -1,8 +1,8 @@
 //! Many of a kind: sessions, channels, entries and declarations, each with a name of its own, or all with one.
 
-use super::{MAPS, NAMED, other_numbers, rename, steps_of, within};
+use super::{NAMED, other_numbers, rename, steps_of, within};
 use crate::fuzz::generate::{Draw, Tree};
-use crate::fuzz::tree::{Step, at, at_mut, own, places, set, string, text};
+use crate::fuzz::tree::{MAPS, Step, at, at_mut, own, places, set, string, text};
 use crate::json::Json;
 
 /// How many bytes the copies have together at most.

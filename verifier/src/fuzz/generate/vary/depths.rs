@@ -48,7 +48,7 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
         2 => format!("\"x0\":[{}],", vec!["1"; size / 2 + 1].join(",")),
         3 => format!("\"x0\":\"{}\",", "w".repeat(size)),
         4 => format!("\"x0\":\"{}\",", "\\u0041".repeat(size / 6)),
-        _ => format!("{},", " ".repeat(size)).replacen(',', "\"x0\":{},", 1),
+        _ => format!("{}\"x0\":{{}},", " ".repeat(size)),
     };
     let member = format!("{before}\"x1\":{deep}");
     let much = member.len();

@@ -35,7 +35,7 @@ use super::{Draw, Menu, Tree};
 use crate::fuzz::draw::LARGEST;
 use crate::fuzz::rules::fnv;
 use crate::fuzz::tree::{
-    Step, at, at_mut, double, int, integer, items, literal, name_at, num, own, places, set, spelled, string, text,
+    MAPS, Step, at, at_mut, double, int, integer, items, literal, name_at, num, own, places, set, spelled, string, text,
 };
 use crate::json::Json;
 use crate::peer::Call;
@@ -519,7 +519,7 @@ fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
     0
 }
 
-/// What is named, and what holds entries by name.
+/// What is named.
 const NAMED: [&str; 12] = [
     "name",
     "channel",
@@ -534,7 +534,6 @@ const NAMED: [&str; 12] = [
     "key",
     "peer_hash",
 ];
-const MAPS: [&str; 8] = ["channels", "rates", "values", "records", "population_sizes", "params", "horizon", "resolved"];
 
 /// Beside a name one that is nearly equal, with other numbers; in place of it, rarely.
 fn twin(args: &mut Tree, draw: &mut Draw<'_>) -> usize {

@@ -5,7 +5,7 @@ use super::{clock_of, each_double, graft, later, steps_of, within};
 use crate::fuzz::draw::LARGEST;
 use crate::fuzz::generate::mutate::value;
 use crate::fuzz::generate::{Draw, Tree};
-use crate::fuzz::tree::{Step, at_mut, double, name_at, num, own, places, set};
+use crate::fuzz::tree::{Step, at_mut, double, name_at, num, places, set};
 use crate::json::Json;
 
 /// From a step on everything is later, has later seqs, or both; how much, as a power of two.
@@ -127,7 +127,7 @@ pub(super) fn omit(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
         let gone = draw.below(members.len());
         if !NEEDED.contains(&members[gone].0.as_ref()) && name != "params" {
             if draw.chance(30) {
-                members[gone].1 = own(&Json::Null);
+                members[gone].1 = Json::Null;
             } else {
                 members.remove(gone);
             }
