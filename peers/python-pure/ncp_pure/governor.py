@@ -11,6 +11,9 @@ POSITION = "pose_position"
 VELOCITY = "velocity_setpoint"
 """The command channel on which the speed limit acts [NCP-SAFE-011]."""
 
+TINY = 2.0**-500
+"""Far above the subnormal doubles, and far below what moves."""
+
 POSITION_UNIT = "m"
 VELOCITY_UNIT = "m/s"
 WIDTH = 3
@@ -214,7 +217,9 @@ def _unit(name, value, negotiated):
 
 
 def _within(point, radius):
-    """Whether a point lies in the closed ball. NaN and overflow do not."""
+    """Whether a point lies in the closed ball. NaN and overflow do not [NCP-SAFE-043] [NCP-SAFE-045]."""
+    if radius < TINY:  # a power of two changes no digit, and gives the norm those that it lacks down here
+        point, radius = [x / TINY for x in point], radius / TINY
     return hypot(*point) <= radius and all(map(isfinite, point))
 
 

@@ -54,6 +54,21 @@ class Governor(unittest.TestCase):
             exact = Fraction(small) * Fraction(limit) / Fraction(huge)
             self.assertAlmostEqual(scaled[1], float(exact), delta=max(1e-300, 1e-9 * float(exact)))
 
+    def test_a_norm_that_only_rounding_brings_onto_the_fence_is_outside_of_it(self):
+        # [NCP-SAFE-043] [NCP-SAFE-045]
+        least = 5e-324
+        for radius, position, mode in (
+            (least, [least, least, 0.0], "estop"),
+            (least, [least, 0.0, 0.0], "active"),
+            (5 * least, [3 * least, 4 * least, 0.0], "active"),
+            (least, [1e300, 0.0, 0.0], "estop"),
+        ):
+            sensor = ncp.SensorFrame(channels={"pose_position": ncp.ChannelValue(data=position, unit="m")})
+            still = ncp.ChannelValue(data=[0.0, 0.0, 0.0], unit="m/s")
+            command = ncp.CommandFrame(mode="active", channels={"velocity_setpoint": still})
+            governor = ncp.SafetyGovernor(ncp.SafetyLimits(geofence_radius_m=radius))
+            self.assertEqual(governor.govern(command, 1.0, sensor, 1.0).mode, mode, (radius, position))
+
     def test_a_channel_that_is_declared_twice_has_the_unit_of_the_first_declaration(self):
         # [NCP-SAFE-042]
         drive = ncp.ChannelSpec(name="velocity_setpoint", kind="vec3", unit="m/s")

@@ -41,13 +41,14 @@ export function allFinite(of: ArrayLike<number>): boolean {
  */
 export function limited(vector: Float64Array, limit: number): Float64Array {
   if (isAtMost(vector, limit)) return vector; // [NCP-SAFE-062]
-  let most = 0;
-  for (const component of vector) most = Math.max(most, Math.abs(component));
-  // In two steps, since the norm of a finite vector can be infinite. [NCP-SAFE-061]
-  const direction = vector.map((component) => component / most);
-  const factor = limit / norm(direction);
+  const [root, scale] = scaledNorm(vector);
+  const factor = (limit * scale) / root;
+  // A quotient that has lost digits would take a component with it, and so would a small one over a huge norm: each is
+  // reckoned where the other cannot be. [NCP-SAFE-061]
+  const times = (component: number) =>
+    factor >= SAFE_LEAST ? component * factor : ((component * scale) / root) * limit;
   for (let shrink = 0; ; shrink = Math.max(shrink * 2, Number.EPSILON)) {
-    const scaled = direction.map((component) => component * (factor * (1 - Math.min(shrink, 1))));
+    const scaled = vector.map((component) => times(component) * (1 - Math.min(shrink, 1)));
     // Rounding may leave the norm a little above the limit. At the latest, the zero vector is not. [NCP-SAFE-060] [NCP-SAFE-069]
     if (isAtMost(scaled, limit)) return scaled;
   }

@@ -206,6 +206,20 @@ test("a velocity above the limit is scaled to it in its direction, however large
   assert.equal(norm(limited(Float64Array.of(1, 1, 1), Number.MIN_VALUE)), 0);
 });
 
+test("a small component beside a huge one is scaled with it and not lost", () => {
+  for (const [huge, small, limit] of [
+    [9e307, 1e-149, 4e286],
+    [Number.MAX_VALUE, 4e-87, 9e307],
+    [1e170, 1e-120, 1e-10],
+    [1e-150, 1e-200, 5e-151],
+  ] as const) {
+    const [first, second] = limited(Float64Array.of(huge, small, 0), limit);
+    assert.ok(Math.abs(first! / limit - 1) < 1e-12, `${first} of ${limit}`);
+    const exact = Math.exp(Math.log(small) + Math.log(limit) - Math.log(huge));
+    assert.ok(Math.abs(second! - exact) <= Math.max(1e-300, 1e-9 * exact), `${second}, not ${exact}`);
+  }
+});
+
 test("the norm is exact where it can be, and overflows only when it must", () => {
   assert.equal(norm([]), 0);
   assert.equal(norm([2, 3, 6]), 7);
