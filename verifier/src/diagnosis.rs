@@ -34,29 +34,30 @@ pub fn by_rule(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Ve
 
 /// The rules of the picked cases, which fail: those that the peer most likely breaks first.
 ///
-/// What is broken at a level also fails cases of the levels above it, and hardly the other way round: so the lowest
-/// level comes first. Within a level it goes by how many of a rule's cases fail, times the share of all its cases that
-/// they are: a defect fails many cases of its own rule, and some of others in passing.
+/// A case of the corpus asks one thing, a case of the deep set many at once: so the rules that a case of the corpus
+/// names come first, and go by the cases of the corpus alone. What is broken at a level also fails cases of the levels
+/// above it, and hardly the other way round: so of these the lowest level comes first. Within a level it goes by how
+/// many of a rule's cases fail, times the share of all its cases that they are: a defect fails many cases of its own
+/// rule, and some of others in passing.
 pub fn likeliest_first(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Vec<Suspect> {
-    let mut all: HashMap<&str, usize> = HashMap::new();
+    let mut all: HashMap<(&str, bool), usize> = HashMap::new();
     for judged in cases {
-        *all.entry(rule_of(judged)).or_default() += 1;
+        *all.entry((rule_of(judged), judged.case.is_deep())).or_default() += 1;
     }
-    let weight = |suspect: &Suspect| {
-        let failing = suspect.cases.len() as f64;
-        failing * failing / all.get(suspect.rule.as_str()).map_or(1.0, |all| *all as f64)
+    let rank = |suspect: &Suspect| {
+        let failing = || suspect.cases.iter().filter_map(|place| cases.get(*place));
+        let is_deep = failing().all(|judged| judged.case.is_deep());
+        let counted = || failing().filter(|judged| judged.case.is_deep() == is_deep);
+        let fail = counted().count() as f64;
+        let share = fail / all.get(&(suspect.rule.as_str(), is_deep)).map_or(1.0, |all| *all as f64);
+        (is_deep, counted().map(|judged| judged.case.level).min(), fail * share)
     };
-    let level = |suspect: &Suspect| {
-        let judged = suspect.cases.iter().filter_map(|place| cases.get(*place));
-        judged.map(|judged| judged.case.level).min()
-    };
-    let mut suspects = by_rule(cases, picked);
+    let mut suspects: Vec<_> = by_rule(cases, picked).into_iter().map(|suspect| (rank(&suspect), suspect)).collect();
     // Stable: rules of one weight keep the order in which they first occur.
-    suspects.sort_by(|a, b| {
-        let heavier = || weight(b).total_cmp(&weight(a));
-        level(a).cmp(&level(b)).then_with(heavier)
+    suspects.sort_by(|((deep, level, weight), _), ((other_deep, other_level, other), _)| {
+        (deep, level).cmp(&(other_deep, other_level)).then_with(|| other.total_cmp(weight))
     });
-    suspects
+    suspects.into_iter().map(|(_, suspect)| suspect).collect()
 }
 
 fn charged_to<'c>(judged: &'c Judged<'_>) -> &'c str {
@@ -104,5 +105,22 @@ mod tests {
         assert_eq!(order(by_rule(&cases, failed)), [&above, &one, &few, &most, &tie].map(|case| case.id.as_str()));
         let ranked = order(likeliest_first(&cases, failed));
         assert_eq!(ranked, [&most, &one, &tie, &few, &above].map(|case| case.id.as_str()));
+    }
+
+    #[test]
+    fn a_rule_that_a_case_of_the_corpus_names_comes_before_those_of_the_deep_set() {
+        let deep = |id, rule| testing::case(id, &[rule], &[Role::Body]);
+        let corpus = |rule| testing::case(rule, &[rule], &[Role::Body]);
+        let (one, other) = (corpus("NCP-WIRE-002"), corpus("NCP-WIRE-003"));
+        let (both, only) = (deep("deep/a", "NCP-WIRE-002"), deep("deep/b", "NCP-WIRE-004"));
+        // One of 2 fails of the corpus, where all that the deep set asks of the rule fail; of the other 2 of 3.
+        let counts = [(&both, 9, 0), (&only, 9, 0), (&one, 1, 1), (&other, 2, 1)];
+        let cases: Vec<_> = counts
+            .iter()
+            .flat_map(|(case, failing, passing)| (0..failing + passing).map(|n| judged(case, n < *failing)))
+            .collect();
+        let failed = |judged: &Judged<'_>| judged.status == Status::Failed;
+        let ranked: Vec<_> = likeliest_first(&cases, failed).into_iter().map(|suspect| suspect.rule).collect();
+        assert_eq!(ranked, ["NCP-WIRE-003", "NCP-WIRE-002", "NCP-WIRE-004"]);
     }
 }

@@ -102,7 +102,7 @@ pub(super) struct Plant {
     happened: Option<&'static str>,
     /// The rule by which a command that came since the last one that advanced does not refresh the deadline.
     refreshes_not: Option<&'static str>,
-    /// Whether an unstamped HOLD came before any other command: the text leaves open whether it advances the stream.
+    /// Whether an unstamped HOLD came before every seq of 0 or more: the text leaves open whether it advances.
     unstamped_first: bool,
     /// Whether nothing has moved since a reset that cleared a seq or a latch.
     is_reset: bool,
@@ -149,7 +149,7 @@ impl Plant {
             }
             _ => {
                 let moved = self.held.is_some();
-                self.unstamped_first |= self.last_seq.is_none() && seq == 0;
+                self.unstamped_first |= self.last_seq.is_none_or(|last| last < 0) && seq == 0;
                 // A HOLD that is older need not be dropped.
                 if advances || seq == 0 || self.last_seq == Some(seq) {
                     self.held = None;

@@ -380,11 +380,131 @@ fn structure(input: &Input, keys: &mut Vec<u64>) {
     walk(&input.args, place, 0, &mut counts, &mut |key| {
         seen.insert(key);
     });
+    // How many different things there are at a place: sessions, channels.
+    for (place, distinct) in different(&input.args) {
+        seen.insert(fnv(fnv(call, place), &format!("different {}", size_of(distinct))));
+    }
     // How often something of one kind occurs in all: counters and age.
     for (what, count) in counts {
         seen.insert(fnv(what, &format!("count {}", count.max(1).ilog2())));
     }
     keys.extend(seen);
+}
+
+/// How many different ids and names the members of these names have, in frames too.
+fn different(args: &Tree) -> Vec<(&'static str, usize)> {
+    const NAMES: [&str; 4] = ["session_id", "port", "name", "frame_id"];
+    let mut found: [BTreeSet<String>; NAMES.len()] = Default::default();
+    let mut waiting: Vec<Tree> = vec![args.clone()];
+    while let Some(tree) = waiting.pop() {
+        match tree {
+            Json::Array(items) => waiting.extend(items),
+            Json::Object(members) => {
+                for (name, value) in members {
+                    match (NAMES.iter().position(|known| *known == name), &value) {
+                        (Some(place), Json::String(word)) => drop(found[place].insert(word.to_string())),
+                        _ => waiting.push(value),
+                    }
+                }
+            }
+            Json::String(written) if written.starts_with('{') => {
+                if let Ok(inner) = Json::parse(&written) {
+                    waiting.push(own(&inner));
+                }
+            }
+            _ => {}
+        }
+    }
+    NAMES.into_iter().zip(found.map(|found| found.len())).filter(|(_, count)| *count > 0).collect()
+}
+
+/// Keys of how a frame is spelled: what stands next to what.
+fn spelling(frame: &str, place: u64, add: &mut impl FnMut(u64)) {
+    let mut before = "";
+    let mut rest = frame;
+    // Behind so much nothing is new but how far behind it is.
+    for _ in 0..4000 {
+        let Some(first) = rest.chars().next() else { return };
+        let (length, class) = token(rest, first);
+        add(fnv(fnv(place, before), class));
+        before = class;
+        rest = rest.get(length..).unwrap_or("");
+    }
+}
+
+/// How long a token is, and of which class.
+fn token(rest: &str, first: char) -> (usize, &'static str) {
+    let end = |is_part: fn(char) -> bool| rest.find(|c| !is_part(c)).unwrap_or(rest.len());
+    match first {
+        '{' => (1, "{"),
+        '}' => (1, "}"),
+        '[' => (1, "["),
+        ']' => (1, "]"),
+        ',' => (1, ","),
+        ':' => (1, ":"),
+        ' ' | '\t' | '\n' | '\r' => {
+            let class = ["space", "tab", "line feed", "return"]
+                [[' ', '\t', '\n', '\r'].iter().position(|c| *c == first).unwrap_or(0)];
+            (end(|c| matches!(c, ' ' | '\t' | '\n' | '\r')), class)
+        }
+        '"' => {
+            let mut escaped = false;
+            let close = rest.char_indices().skip(1).find(|(_, c)| {
+                let closes = *c == '"' && !escaped;
+                escaped = *c == '\\' && !escaped;
+                closes
+            });
+            let length = close.map_or(rest.len(), |(at, _)| at + 1);
+            let inner = rest.get(1..length.saturating_sub(1)).unwrap_or("");
+            let class = match inner {
+                _ if inner.contains("\\\"") && inner.contains(['[', ']', '{', '}']) => "quote and bracket",
+                _ if inner.contains("\\\"") => "quote",
+                _ if inner.ends_with("\\\\") => "backslash at its end",
+                _ if inner.contains("\\u") => "code",
+                _ if inner.contains('\\') => "escape",
+                _ if inner.contains(['[', ']', '{', '}', ',', ':']) => "bracket",
+                _ if !inner.is_ascii() => "beyond ASCII",
+                "" => "empty",
+                _ => "string",
+            };
+            (length, class)
+        }
+        '-' | '+' | '.' | '0'..='9' => {
+            let length = end(|c| matches!(c, '-' | '+' | '.' | 'e' | 'E' | '0'..='9'));
+            (length, number(rest.get(..length).unwrap_or("")))
+        }
+        _ if first.is_ascii_alphabetic() => (end(|c| c.is_ascii_alphanumeric()), "word"),
+        other => (other.len_utf8(), "odd"),
+    }
+}
+
+/// The class of a number's spelling.
+fn number(spelling: &str) -> &'static str {
+    let (digits, exponent) = spelling.split_once(['e', 'E']).unwrap_or((spelling, ""));
+    let is_upper = spelling.contains('E');
+    let is_zero = digits.bytes().all(|byte| !byte.is_ascii_digit() || byte == b'0');
+    match (digits.contains('.'), exponent.chars().next()) {
+        _ if spelling.len() > 40 => "many digits",
+        (false, None) if spelling == "-0" => "-0",
+        (false, None) if digits.starts_with('-') => "-1",
+        (false, None) => "1",
+        (true, None) if is_zero => "0.0",
+        (true, None) if digits.starts_with('-') => "-1.0",
+        (true, None) => "1.0",
+        (_, Some(_)) if is_zero => "0e0",
+        (false, Some('+')) if is_upper => "1E+0",
+        (false, Some('-')) if is_upper => "1E-0",
+        (false, Some(_)) if is_upper => "1E0",
+        (false, Some('+')) => "1e+0",
+        (false, Some('-')) => "1e-0",
+        (false, Some(_)) => "1e0",
+        (true, Some('+')) if is_upper => "1.0E+0",
+        (true, Some('-')) if is_upper => "1.0E-0",
+        (true, Some(_)) if is_upper => "1.0E0",
+        (true, Some('+')) => "1.0e+0",
+        (true, Some('-')) => "1.0e-0",
+        (true, Some(_)) => "1.0e0",
+    }
 }
 
 fn size_of(size: usize) -> String {
@@ -414,6 +534,7 @@ fn number_of(value: f64, spelling: &str) -> &'static str {
         _ if size >= 2_147_483_648.0 => "beyond 2^31",
         _ if size >= 16_777_216.0 => "beyond 2^24",
         _ if spelling.len() > 17 => "long",
+        10.0..100.0 if value.fract() == 0.0 && value > 0.0 => "two digits",
         _ if value.fract().abs() == 0.5 => "half",
         _ if value < 0.0 => "negative",
         _ => "plain",
@@ -431,6 +552,9 @@ fn walk(json: &Json<'_>, place: u64, nth: usize, counts: &mut BTreeMap<u64, usiz
             add(fnv(place, &format!("{class}{far}")));
         }
         Json::String(written) => {
+            if written.trim_start().starts_with('{') {
+                spelling(written, fnv(place, "spelled"), add);
+            }
             if let Ok(inner @ Json::Object(_)) = Json::parse(written) {
                 return walk(&inner, fnv(place, "json"), nth, counts, add);
             }

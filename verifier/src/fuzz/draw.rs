@@ -302,6 +302,13 @@ impl<'h> Draw<'h> {
         if self.chance(8) { -value } else { value }
     }
 
+    /// Quotes and backslashes in front of what has a meaning outside strings.
+    fn quoted(&mut self) -> String {
+        (0..1 + self.below(4))
+            .flat_map(|_| [self.one(&["\"", "\\", "\\\"", ""]), self.one(&["[", "]", "{", "}", ",", ":", "//", "\"e"])])
+            .collect()
+    }
+
     /// A string: of the dictionary, of one script or another, of special characters, or long.
     pub(crate) fn string(&mut self) -> String {
         match self.below(14) {
@@ -321,6 +328,7 @@ impl<'h> Draw<'h> {
                 self.letters(length)
             }
             4 => self.spiced(),
+            5 if self.chance(30) => self.quoted(),
             5 => self.pick(&["NaN", "null", "true", "-0", "0", "1e3", "__proto__", "constructor", "kind"]).to_owned(),
             6 => ["é", "e\u{301}", "ﬁ", "ǆ", "İ", "ß", "\u{1f681}", "\u{ff5e}", "\u{feff}", "中", "ا"][self.below(11)]
                 .to_owned(),

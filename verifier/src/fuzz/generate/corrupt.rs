@@ -95,11 +95,22 @@ fn write(tree: &Tree, spaces: u64, escapes: u64, draw: &mut Draw<'_>, out: &mut 
             out.push('}');
         }
         Json::Number(spelling) if escapes > 0 && spelling.contains(['.', 'e', 'E']) && draw.chance(50) => {
-            out.push_str(&respelled(spelling, draw));
+            let spelling = if draw.chance(10) { draw.pick(&ZEROS).to_owned() } else { respelled(spelling, draw) };
+            out.push_str(&recased(&spelling, draw));
         }
         plain => out.push_str(&plain.to_string()),
     }
     space(spaces, draw, out);
+}
+
+/// Ways to spell no more than a sign.
+const ZEROS: [&str; 8] = ["-0", "0", "-0.0", "0e0", "-0e5", "0.00E-7", "-0.0e-400", "0E400"];
+
+/// The same number, its exponent perhaps with another letter, or with a sign.
+fn recased(spelling: &str, draw: &mut Draw<'_>) -> String {
+    let Some((digits, exponent)) = spelling.split_once(['e', 'E']) else { return spelling.to_owned() };
+    let sign = if exponent.starts_with(['+', '-']) { "" } else { draw.one(&["", "+"]) };
+    format!("{digits}{}{sign}{exponent}", draw.one(&['e', 'E']))
 }
 
 /// The same double, spelled with more digits or another exponent.

@@ -295,7 +295,9 @@ fn sensor(fence: Option<f64>, seq: i64, odd: u64, strange: u64, draw: &mut Draw<
         channels.push((draw.nearly("pose_position"), sample(&position, or_null(unit.map(text)))));
     }
     if draw.chance(70) {
-        let velocity: Vec<f64> = (0..3).map(|_| draw.range(-16, 16) as f64 / 8.0).collect();
+        let any = draw.chance(8);
+        let velocity: Vec<f64> =
+            (0..3).map(|_| if any { draw.finite() } else { draw.range(-16, 16) as f64 / 8.0 }).collect();
         channels.push(("pose_velocity".to_owned(), sample(&velocity, text("m/s"))));
     }
     if draw.chance(20) {
@@ -402,7 +404,8 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
     let mut clock = Clock::draw(draw);
     let (mut seq, mut sensed) = (1, clock.now);
     let gaps = draw.one(&[0, 0, 5, 30]);
-    let odd = draw.one(&[0, 0, 10]);
+    let (odd, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 20, 60]));
+    let mut before: Option<Tree> = None;
     let steps = (0..count).map(|_| {
         if draw.chance(resets) {
             return object([("op", text("reset"))]);
@@ -412,11 +415,16 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
             return object([("op", text("tick")), ("now_s", num(now))]);
         }
         sensed = now;
+        // The same frame again, later.
+        if let Some(before) = before.clone().filter(|_| draw.chance(same)) {
+            return object([("op", text("sensor")), ("sensor", before), ("now_s", num(now))]);
+        }
         seq = if draw.chance(gaps) { (seq + draw.range(-3, 40)).max(1) } else { seq + 1 };
         let mut sensor = sensor(limits.fence, seq, odd, 0, draw);
         if !stamped {
             set(&mut sensor, "seq", int(0));
         }
+        before = Some(sensor.clone());
         object([("op", text("sensor")), ("sensor", sensor), ("now_s", num(now))])
     });
     let steps = list(steps.collect());

@@ -19,6 +19,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let rate = draw.chance(30);
     let neurons = match draw.below(200) {
         0..=19 => draw.size(5, 300),
+        // Ids of one digit and of two.
+        22..=41 => draw.size(9, 24),
         20 | 21 => draw.size(300, 70_000),
         _ => draw.size(1, 4),
     };
@@ -54,6 +56,10 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         // In order and once: in what order others come back, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
+        if count > 1 && draw.chance(30) {
+            // In whose order numbers and their spellings differ.
+            ids.extend([2, 9, 10, 11].iter().filter(|id| **id <= neurons));
+        }
         ids.sort_unstable();
         ids.dedup();
         list(ids.into_iter().map(|id| int(i64::try_from(id).unwrap_or(1))).collect())
@@ -176,7 +182,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
             _ => {}
         }
         let time = match draw.below(20) {
-            0 => -script.dt,
+            0 => script.dt * draw.one(&[-1.0, -1.0, 0.0, 0.0, 0.25, -0.25]),
             1 if draw.chance(15) => script.dt * draw.size(2000, 80_000) as f64,
             1 => script.dt * draw.range(50, 2000) as f64,
             _ => time(script.dt, 30, draw),

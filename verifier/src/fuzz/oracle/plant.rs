@@ -183,7 +183,7 @@ fn follows(
 ) {
     let seq = command.seq;
     let advances = known.last_seq.is_none_or(|last| seq > last);
-    if *unstamped && seq <= 0 && !strict {
+    if *unstamped && advances && seq <= 0 && !strict {
         known.lost = true;
     }
     if strict && !advances {
@@ -195,7 +195,8 @@ fn follows(
         }
         return;
     }
-    if known.last_seq.is_none() && seq == 0 {
+    // The text leaves open whether such a HOLD advances the stream.
+    if known.last_seq.is_none_or(|last| last < 0) && seq == 0 {
         *unstamped = true;
     }
     if advances || seq == 0 || known.last_seq == Some(seq) {
