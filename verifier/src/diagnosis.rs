@@ -38,19 +38,19 @@ pub fn by_rule(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Ve
 /// names come first, and go by the cases of the corpus alone. What is broken at a level also fails cases of the levels
 /// above it, and hardly the other way round: so of these the lowest level comes first. Within a level it goes by how
 /// many of a rule's cases fail, times the share of all its cases that they are: a defect fails many cases of its own
-/// rule, and some of others in passing.
+/// rule, and some of others in passing. Rules that only cases of the deep set name follow by the number of these cases.
 pub fn likeliest_first(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Vec<Suspect> {
-    let mut all: HashMap<(&str, bool), usize> = HashMap::new();
-    for judged in cases {
-        *all.entry((rule_of(judged), judged.case.is_deep())).or_default() += 1;
+    let mut all: HashMap<&str, usize> = HashMap::new();
+    for judged in cases.iter().filter(|judged| !judged.case.is_deep()) {
+        *all.entry(rule_of(judged)).or_default() += 1;
     }
     let rank = |suspect: &Suspect| {
         let failing = || suspect.cases.iter().filter_map(|place| cases.get(*place));
-        let is_deep = failing().all(|judged| judged.case.is_deep());
-        let counted = || failing().filter(|judged| judged.case.is_deep() == is_deep);
-        let fail = counted().count() as f64;
-        let share = fail / all.get(&(suspect.rule.as_str(), is_deep)).map_or(1.0, |all| *all as f64);
-        (is_deep, counted().map(|judged| judged.case.level).min(), fail * share)
+        let of_corpus = || failing().filter(|judged| !judged.case.is_deep());
+        let fail = of_corpus().count() as f64;
+        let weight = fail * fail / all.get(suspect.rule.as_str()).map_or(1.0, |all| *all as f64);
+        let level = of_corpus().map(|judged| judged.case.level).min();
+        (level.is_none(), level, if level.is_some() { weight } else { failing().count() as f64 })
     };
     let mut suspects: Vec<_> = by_rule(cases, picked).into_iter().map(|suspect| (rank(&suspect), suspect)).collect();
     // Stable: rules of one weight keep the order in which they first occur.

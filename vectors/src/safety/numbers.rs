@@ -375,13 +375,15 @@ fn speeds() -> Vec<Case> {
 /// Components of very different size: each keeps its part of the direction, however small that is.
 fn kept() -> Vec<Case> {
     let half = 0.5_f64.sqrt();
-    let table: [(&str, f64, [f64; 3], [f64; 3]); 6] = [
+    let table: [(&str, f64, [f64; 3], [f64; 3]); 8] = [
         ("small-beside-huge", 1e170, [1e160, 1e175, 1e175], [half * 1e155, half * 1e170, half * 1e170]),
         ("small-to-one", 1.0, [1e200, -1e190, 0.0], [1.0, -1e-10, 0.0]),
         ("tiny-beside-usual", 1e-3, [1e-200, 1e3, 0.0], [1e-206, 1e-3, 0.0]),
         ("three-sizes", 2.0, [1e250, 1e150, -1e50], [2.0, 2e-100, -2e-200]),
         ("small-beside-tiny", 1e-170, [0.0, 1e-165, 1e-250], [0.0, 1e-170, 1e-255]),
         ("below-what-is-asked", 1e-170, [1e160, 1e-10, 0.0], [1e-170, 0.0, 0.0]),
+        ("small-beside-the-largest", 4.5e286, [1e-149, 9e307, 0.0], [5e-171, 4.5e286, 0.0]),
+        ("small-under-a-limit-near-the-largest", 9e307, [0.0, 1e-149, 1e308], [0.0, 9e-150, 9e307]),
     ];
     let near = |x: f64| {
         let off = (x.abs() * 1e-9).max(1e-300);
@@ -419,7 +421,7 @@ fn about(limit: f64, direction: [f64; 3]) -> Json {
 /// Fences and positions whose squares leave the doubles.
 fn fences() -> Vec<Case> {
     let still = || Command::moving(&[0.0; 3]);
-    let table: [(&str, f64, [f64; 3], bool); 18] = [
+    let table: [(&str, f64, [f64; 3], bool); 20] = [
         ("huge", 1e170, [1e160, 0.0, 0.0], true),
         ("huge-on-three-axes", 1e170, [1e160, -1e160, 1e160], true),
         ("on-a-huge-fence", size(5.0, 600), [size(3.0, 600), 0.0, size(-4.0, 600)], true),
@@ -436,6 +438,8 @@ fn fences() -> Vec<Case> {
         ("above-a-huge-fence", 1e170, [0.0, 2e170, 0.0], false),
         ("each-component-within-a-huge-fence", 1e170, [7e169, -7e169, 7e169], false),
         ("above-the-least-fence", 5e-324, [0.0, 0.0, 1e-323], false),
+        ("each-component-on-the-least-fence", 5e-324, [5e-324, 5e-324, 0.0], false),
+        ("each-component-within-a-subnormal-fence", 1.5e-323, [1.5e-323, -5e-324, 5e-324], false),
         ("beyond-the-largest-double", f64::MAX, [1.5e308, 1.5e308, 0.0], false),
         ("next-above-a-tiny-fence", size(5.0, -600).next_down(), [size(3.0, -600), size(4.0, -600), 0.0], false),
     ];

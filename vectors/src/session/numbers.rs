@@ -300,6 +300,20 @@ fn stimuli() -> Vec<Case> {
             );
         }
     }
+    // A request of a quarter of a step runs none, and its value stays.
+    let open =
+        Open { records: vec![record("v", "V_m", 1.0)], stimuli: vec![stimulus("in", "current_pA")], ..Open::lif("a") };
+    let (times, values, _) = simulate(&[], 1.0, 5, 300.0);
+    let trace = vec![
+        (open.text(), opened("a")),
+        (step("a", Some(0.25), Some(("in", 300.0))), observed("a", 0.0)),
+        (step("a", Some(5.0), None), recorded("a", object! { "v" => samples(&times, Some(&values)) })),
+    ];
+    cases.push(
+        reference("stimulus/of-no-step".to_owned(), &["NCP-SESS-054", "NCP-SESS-058"], trace)
+            .title("A current that comes with a request of no step acts from the next step.")
+            .because(WHY),
+    );
     // Each session has its own input.
     let open = |id| Open {
         records: vec![record("v", "V_m", 10.0)],
@@ -604,6 +618,16 @@ fn orders() -> Vec<Case> {
             let request = step("a", Some(advance), None);
             add(format!("{what}/{name}"), words, driven(of(observable, ids)), request, times, senders);
         }
+    }
+    // By id, as a number: the tenth comes behind the second.
+    let all: Vec<u32> = (1..=12).collect();
+    for (what, observable, at, advance) in
+        [("potential", "V_m", &[1.0, 2.0][..], 2.0), ("spikes", "spikes", &beats[..], 40.0)]
+    {
+        let times = at.iter().flat_map(|time| all.iter().map(|_| *time)).collect();
+        let senders = at.iter().flat_map(|_| all.iter().copied()).collect();
+        let open = Open { size: 12, ..driven(of(observable, &[])) };
+        add(format!("{what}/by-id-of-12"), "by id", open, step("a", Some(advance), None), times, senders);
     }
     // Neurons that spike at times of their own: the second is driven harder.
     let (_, _, fast) = simulate(&[("I_e", 900.0)], 1.0, 40, 900.0);
