@@ -14,6 +14,8 @@ use serde_json::{Value, json};
 
 mod common;
 mod made;
+#[path = "made/versions.rs"]
+mod versions;
 
 const TARGET: &str = "version/tiny/07-target";
 /// Far more than any of these runs may take, far less than a peer that hangs.
@@ -78,20 +80,6 @@ fn hostile(mode: &str, args: &[&str]) -> Run {
     // Short only where it is waited for, so that a busy machine makes no peer look slow.
     let hangs = ["sleep", "skips", "stops"].iter().any(|word| mode.contains(word));
     verify(&[&["--peer-cmd", &command, "--timeout", if hangs { "1" } else { "10" }], args].concat())
-}
-
-/// A folder of vectors that asks for the versions 9.0 to 9.n, less one.
-fn many_versions(folder: &Path, n: usize) -> String {
-    let case = |i: usize| {
-        json!({
-            "id": format!("version/many/{i}"), "title": "Another version is incompatible.", "why": "W.",
-            "requirements": ["NCP-VER-004"], "flags": ["lenient-reader"], "roles": ["body"], "call": "version.check",
-            "args": {"version": format!("9.{i}"), "strict": false},
-            "expect": {"relation": "json", "value": {"compatible": false}}
-        })
-    };
-    let cases: Vec<Value> = (0..n).map(case).collect();
-    made::vectors(folder, "version", "many", "lenient-reader", &cases)
 }
 
 fn thousands(number: u64) -> String {
@@ -350,7 +338,7 @@ fn a_call_that_always_crashes_costs_its_cases_and_no_others() {
 #[test]
 fn a_peer_that_breaks_for_good_is_given_up_when_it_no_longer_answers_what_it_has_answered() {
     let folder = tempfile::tempdir().unwrap();
-    let vectors = many_versions(folder.path(), 100);
+    let vectors = versions::many(folder.path(), 100);
     let flag = folder.path().join("broken");
     let command = format!("{} die-once-broken {}", example("hostile-peer").display(), flag.display());
     let run = verify_by(&vectors, &["--peer-cmd", &command]);
@@ -365,7 +353,7 @@ fn a_peer_that_breaks_for_good_is_given_up_when_it_no_longer_answers_what_it_has
 #[test]
 fn a_peer_that_dies_a_thousand_times_is_run_to_its_end() {
     let folder = tempfile::tempdir().unwrap();
-    let vectors = many_versions(folder.path(), 2000);
+    let vectors = versions::many(folder.path(), 2000);
     let command = format!("{} die-on-even", example("hostile-peer").display());
     let run = verify_by(&vectors, &["--peer-cmd", &command]);
     let faults = run.faults();
@@ -387,7 +375,7 @@ fn a_peer_that_dies_a_thousand_times_is_run_to_its_end() {
 #[test]
 fn a_run_with_a_hundred_and_fifty_crashes_among_many_cases_is_complete() {
     let folder = tempfile::tempdir().unwrap();
-    let vectors = many_versions(folder.path(), 8000);
+    let vectors = versions::many(folder.path(), 8000);
     let command = format!("{} die-on-150", example("hostile-peer").display());
     let run = verify_by(&vectors, &["--peer-cmd", &command]);
     assert_eq!((run.exit, run.faults().len()), (1, 150), "{}", run.stdout);
@@ -397,7 +385,7 @@ fn a_run_with_a_hundred_and_fifty_crashes_among_many_cases_is_complete() {
 #[test]
 fn crashes_leave_short_logs_and_one_whole_one() {
     let folder = tempfile::tempdir().unwrap();
-    let vectors = many_versions(folder.path(), 4);
+    let vectors = versions::many(folder.path(), 4);
     let command = format!("{} die-on-even", example("hostile-peer").display());
     let run = verify_by(&vectors, &["--peer-cmd", &command]);
     for case in ["version/many/0", "version/many/2"] {

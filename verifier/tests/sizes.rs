@@ -11,6 +11,8 @@ use serde_json::{Value, json};
 
 mod common;
 mod made;
+#[path = "made/versions.rs"]
+mod versions;
 
 fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ncp-verify"));
@@ -45,20 +47,6 @@ fn timeless(file: &Path, dies: bool) -> String {
         }
     }
     serde_json::to_string_pretty(&result).unwrap()
-}
-
-/// A folder of vectors that asks for the versions 9.0 to 9.n, less one.
-fn many_versions(folder: &Path, n: usize) -> String {
-    let case = |i: usize| {
-        json!({
-            "id": format!("version/many/{i}"), "title": "Another version is incompatible.", "why": "W.",
-            "requirements": ["NCP-VER-004"], "flags": ["lenient-reader"], "roles": ["body"], "call": "version.check",
-            "args": {"version": format!("9.{i}"), "strict": false},
-            "expect": {"relation": "json", "value": {"compatible": false}}
-        })
-    };
-    let cases: Vec<Value> = (0..n).map(case).collect();
-    made::vectors(folder, "version", "many", "lenient-reader", &cases)
 }
 
 fn shards(folder: &Path, vectors: &str, mode: &str, of: usize, args: &[&str]) -> Vec<PathBuf> {
@@ -161,7 +149,7 @@ fn a_verifier_that_is_killed_ten_times_loses_at_most_what_was_in_flight() {
     const IN_FLIGHT: usize = 256;
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
-    let vectors = many_versions(folder.path(), CASES);
+    let vectors = versions::many(folder.path(), CASES);
     let (undisturbed, resumed, asked) = (path("undisturbed.json"), path("resumed.json"), path("asked"));
     run(&vectors, &format!("writes-down {}", path("aside").display()), &undisturbed, &[]);
     let journal = path("resumed.json.journal");
@@ -237,7 +225,7 @@ fn a_peer_that_is_killed_at_random_fails_no_case_but_those_that_it_died_on() {
     let deaths: usize = std::env::var("NCP_DEATHS").map_or(60, |deaths| deaths.parse().unwrap());
     let folder = tempfile::tempdir().unwrap();
     let (file, died) = (folder.path().join("result.json"), folder.path().join("died"));
-    let vectors = many_versions(folder.path(), 20 * deaths);
+    let vectors = versions::many(folder.path(), 20 * deaths);
     let run = run(&vectors, &format!("dies-at-random {} {deaths}", died.display()), &file, &[]);
     assert_eq!(run.status.code(), Some(1), "{}", String::from_utf8_lossy(&run.stderr));
     assert_eq!(std::fs::metadata(&died).unwrap().len(), deaths as u64);
