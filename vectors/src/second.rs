@@ -63,9 +63,11 @@ fn from_fields(step: &Json) -> Option<Command> {
     Some(Command { seq: step.get("seq").and_then(integer), ttl, ..Command::of(Vec::new()) })
 }
 
-/// The command of a frame, if it has the members of one and nothing else, once each and of their types.
+/// The command of a frame, if it has the members of one and nothing else, once each and of their types, and no more
+/// bytes than a plant has to read.
 fn from_frame(step: &Json) -> Option<Command> {
-    let frame = Json::read(step.get("text")?.as_str()?);
+    let text = step.get("text")?.as_str().filter(|text| text.len() <= 1 << 20)?;
+    let frame = Json::read(text);
     let Json::Object(members) = &frame else { return None };
     if repeats(&frame) {
         return None;
