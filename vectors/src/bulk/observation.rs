@@ -66,6 +66,7 @@ fn fitting() -> Vec<(&'static str, Samples, &'static str)> {
             samples(&[0.0, -0.0, 5e-324], &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY], &[0, -1, 1]),
             "with zeros, a NaN and infinities",
         ),
+        ("zeros-alone", samples(&[0.0, 0.0], &[0.0, 0.0], &[0, 0]), "of zeros alone"),
         ("large-senders", samples(&[], &[], &[i64::MAX, i64::MIN, (1 << 53) + 1]), "with senders beyond 2^53"),
     ]
 }

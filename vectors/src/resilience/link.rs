@@ -500,6 +500,20 @@ fn extremes() -> Vec<Case> {
             .flags(&["wrong-loss"])
             .because("While no more than 4,096 seqs are missing, the monitor remembers each of them."),
     );
+    // Two missing, and then a long time nothing else: both are taken back for all that.
+    let seqs: Vec<i64> = [0, 3].into_iter().chain(4..=4_300).chain([2, 1]).collect();
+    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+    if let Some(last) = entries.last_mut() {
+        *last = object! { "lost" => int(0), "received" => int(4_301) };
+    }
+    cases.push(
+        Case::new("extreme/remembers-for-long", &["NCP-RES-056", "NCP-RES-041"], &BOTH)
+            .call("link.run", args(None, None, &seqs))
+            .shows(steps(entries))
+            .title("Two missing frames that come 4,300 frames late are taken back.")
+            .flags(&["wrong-loss"])
+            .because("While no more than 4,096 seqs are missing, the monitor remembers each of them."),
+    );
     // More missing than may be remembered: not all of them can be taken back.
     let gap = 4_200_i64;
     let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(1..=gap).collect();

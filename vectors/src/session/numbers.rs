@@ -314,6 +314,29 @@ fn stimuli() -> Vec<Case> {
             .title("A current that comes with a request of no step acts from the next step.")
             .because(WHY),
     );
+    // Networks whose parameters have the same values under other names are others.
+    let named = |id, name| Open {
+        params: vec![(name, 20.0)],
+        records: vec![record("v", "V_m", 10.0)],
+        stimuli: vec![stimulus("in", "current_pA")],
+        ..Open::lif(id)
+    };
+    let last = |name| {
+        let (times, values, _) = simulate(&[(name, 20.0)], 1.0, 10, 300.0);
+        let last = |all: &[f64]| all.last().copied().unwrap_or_default();
+        object! { "v" => samples(&[last(&times)], Some(&[last(&values)])) }
+    };
+    let trace = vec![
+        (named("a", "tau_m").text(), opened("a")),
+        (named("b", "t_ref").text(), opened("b")),
+        (step("a", None, Some(("in", 300.0))), recorded("a", last("tau_m"))),
+        (step("b", None, Some(("in", 300.0))), recorded("b", last("t_ref"))),
+    ];
+    cases.push(
+        reference("params/apart".to_owned(), &["NCP-SESS-050", "NCP-SESS-035"], trace)
+            .title("A parameter of one session is not that of another with the same value.")
+            .because(WHY),
+    );
     // Each session has its own input.
     let open = |id| Open {
         records: vec![record("v", "V_m", 10.0)],
@@ -543,13 +566,14 @@ type Request = fn(f64) -> String;
 /// How many steps a time is, and that no request makes up for what another was rounded by.
 fn durations() -> Vec<Case> {
     // The length of a step, the time that each of three requests asks for, and how many steps that is.
-    let table: [(&str, f64, f64, u32); 10] = [
+    let table: [(&str, f64, f64, u32); 11] = [
         ("half-of-an-even-number", 0.25, 0.625, 3),
         ("half-of-an-odd-number", 0.25, 0.375, 2),
         ("half-of-one", 0.25, 0.125, 1),
         ("more-than-half", 0.25, 0.45, 2),
         ("less-than-half", 0.25, 0.55, 2),
         ("less-than-half-of-one", 0.25, 0.1, 0),
+        ("next-below-half-of-one", 1.0, 0.5_f64.next_down(), 0),
         ("tenths-down", 0.1, 0.24, 2),
         ("tenths-half", 0.1, 0.25, 3),
         ("tenths-whole", 0.1, 0.3, 3),
