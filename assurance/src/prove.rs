@@ -111,7 +111,8 @@ fn engines(project: &Project, args: &ProveArgs, angr: impl FnOnce() -> bool) -> 
         let seconds = began.elapsed().as_secs();
         println!("\n[{}:{:02}] {what}", seconds / 60, seconds % 60);
     };
-    if args.wants("symbolic") {
+    // The engine of the path asks them of the link monitor's detector.
+    if args.wants("symbolic") || args.wants("path") {
         part("the solvers");
         setup::solvers(project, &mut |line| println!("{line}"))?;
     }

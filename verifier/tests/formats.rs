@@ -50,7 +50,10 @@ fn even(text: &str, file: &Path) -> String {
     {
         even = even.replace(of.as_str().unwrap(), is);
     }
-    even.replace(&format!("NCP {}", ncp_text::WIRE_VERSION), "NCP VERSION")
+    for before in ["NCP ", "\"wireVersion\": \""] {
+        even = even.replace(&format!("{before}{}", ncp_text::WIRE_VERSION), &format!("{before}VERSION"));
+    }
+    even
 }
 
 const MODES: [&str; 5] = ["honest", "wrong-answer", "die-on-target", "unsupported", "panics"];

@@ -9,6 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use ncp_text::{CONTRACT_HASH, WIRE_VERSION};
 use ncp_verifier::gate::{GateReport, ROWS, RowState, Verdict};
 use serde::Deserialize;
 use serde_json::Value;
@@ -43,6 +44,15 @@ struct Breakages {
     breakage: Vec<Breakage>,
 }
 
+/// The prepared ones, with the wire version and the contract hash as they stand.
+fn breakages() -> Vec<Breakage> {
+    let (major, minor) = WIRE_VERSION.split_once('.').unwrap();
+    let newer = format!("{major}.{}", minor.parse::<u32>().unwrap() + 1);
+    let text = fs::read_to_string("tests/data/breakages.toml").unwrap();
+    let text = text.replace("{wire}", WIRE_VERSION).replace("{newer}", &newer).replace("{contract}", CONTRACT_HASH);
+    toml::from_str::<Breakages>(&text).unwrap().breakage
+}
+
 fn quick_rows() -> Vec<String> {
     ["identity", "corpus", "buf-lint", "buf-breaking", "contract", "generated"].map(str::to_owned).to_vec()
 }
@@ -51,8 +61,7 @@ fn quick_rows() -> Vec<String> {
 #[test]
 #[ignore = "compiles a copy of the project many times"]
 fn the_gate_fails_by_the_right_row_for_each_prepared_breakage_and_for_no_other() {
-    let Breakages { breakage: breakages } =
-        toml::from_str(&fs::read_to_string("tests/data/breakages.toml").unwrap()).unwrap();
+    let breakages = breakages();
     let broken = breakages.iter().filter(|breakage| !breakage.fails.is_empty()).count();
     assert!(broken >= 15, "{broken} breakages");
     let failing: BTreeSet<&str> =

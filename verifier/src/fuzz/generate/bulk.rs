@@ -194,9 +194,12 @@ pub(super) fn pack(draw: &mut Draw<'_>) -> Tree {
         _ => rows,
     };
     let (times, values, senders) = (count(draw), count(draw), count(draw));
-    let times: Vec<f64> = (0..times).map(|_| draw.double()).collect();
-    let values: Vec<f64> = (0..values).map(|_| draw.double()).collect();
-    let senders = (0..senders).map(|_| text(draw.integer().to_string())).collect();
+    // Arrays of zeros alone are not empty.
+    let (no_time, no_value, no_sender) = (draw.chance(10), draw.chance(10), draw.chance(10));
+    let times: Vec<f64> = (0..times).map(|_| if no_time { 0.0 } else { draw.double() }).collect();
+    let values: Vec<f64> = (0..values).map(|_| if no_value { 0.0 } else { draw.double() }).collect();
+    let senders = (0..senders).map(|_| if no_sender { 0 } else { draw.integer() });
+    let senders = senders.map(|sender| text(sender.to_string())).collect();
     object([("times", nums(&times)), ("values", nums(&values)), ("senders", list(senders))])
 }
 

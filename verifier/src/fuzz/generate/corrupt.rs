@@ -109,8 +109,12 @@ const ZEROS: [&str; 8] = ["-0", "0", "-0.0", "0e0", "-0e5", "0.00E-7", "-0.0e-40
 /// The same number, its exponent perhaps with another letter, or with a sign.
 fn recased(spelling: &str, draw: &mut Draw<'_>) -> String {
     let Some((digits, exponent)) = spelling.split_once(['e', 'E']) else { return spelling.to_owned() };
-    let sign = if exponent.starts_with(['+', '-']) { "" } else { draw.one(&["", "+"]) };
-    format!("{digits}{}{sign}{exponent}", draw.one(&['e', 'E']))
+    let size = exponent.trim_start_matches(['+', '-']);
+    let sign = match exponent.strip_suffix(size) {
+        Some("-") => "-",
+        _ => draw.one(&["", "+"]),
+    };
+    format!("{digits}{}{sign}{}{size}", draw.one(&['e', 'E']), draw.one(&["", "", "", "0", "00"]))
 }
 
 /// The same double, spelled with more digits or another exponent.
@@ -149,7 +153,11 @@ pub(super) fn digits(draw: &mut Draw<'_>) -> String {
     let (digit, sign) = (draw.one(&['1', '9']), draw.one(&["", "-"]));
     let many = digit.to_string().repeat(count);
     let zeros = "0".repeat(count);
-    match draw.below(7) {
+    match draw.below(8) {
+        7 => {
+            let beyond = 306 + draw.below(6);
+            recased(&format!("{sign}{digit}e{beyond}"), draw)
+        }
         0 | 1 | 6 => format!("{sign}{many}"),
         2 => format!("{sign}{many}.0"),
         3 => format!("{sign}{many}e-{}", count - draw.below(3)),

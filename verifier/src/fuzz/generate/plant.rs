@@ -21,6 +21,8 @@ pub(super) struct Clock {
 impl Clock {
     pub(super) fn draw(draw: &mut Draw<'_>) -> Self {
         let now = draw.one(&[0.0, 1.0, 10.0, 1000.0, -5.0, 1e6, 1.7e9, 4_503_599_627_370_496.0]);
+        // A decimal whose milliseconds round, though the differences of such times may not.
+        let now = if draw.chance(20) { draw.range(0, 400) as f64 / 100.0 } else { now };
         Self { now, odd: draw.one(&[0, 0, 5]), exact: draw.chance(80) }
     }
 

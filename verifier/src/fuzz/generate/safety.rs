@@ -410,15 +410,16 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
         if draw.chance(resets) {
             return object([("op", text("reset"))]);
         }
-        let now = clock.tick(sensed, limits.timeout * 0.5, draw);
+        let span = if draw.chance(80) { limits.timeout * 0.5 } else { limits.timeout };
+        let now = clock.tick(sensed, span, draw);
         if draw.chance(ticks) {
             return object([("op", text("tick")), ("now_s", num(now))]);
         }
-        sensed = now;
-        // The same frame again, later.
+        // The same frame again, later, which is no news.
         if let Some(before) = before.clone().filter(|_| draw.chance(same)) {
             return object([("op", text("sensor")), ("sensor", before), ("now_s", num(now))]);
         }
+        sensed = now;
         seq = if draw.chance(gaps) { (seq + draw.range(-3, 40)).max(1) } else { seq + 1 };
         let mut sensor = sensor(limits.fence, seq, odd, 0, draw);
         if !stamped {

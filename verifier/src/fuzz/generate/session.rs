@@ -38,8 +38,15 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
             ("I_e", [0.0, 400.0, 500.0, draw.one(&[1000.0, 1000.0, 1e300, 1e308])]),
         ]
     };
+    // Of one value under different names, in one session or in two.
+    let same = draw.chance(10).then_some(20.0);
+    let may_be = |name: &str| ["C_m", "tau_m", "t_ref", "tau", "mu", "I_e"].contains(&name);
     for (name, values) in known {
-        if draw.chance(30) {
+        if let Some(value) = same.filter(|_| may_be(name)) {
+            if draw.chance(40) {
+                params.push(((*name).to_owned(), spelled(value)));
+            }
+        } else if draw.chance(30) {
             params.push(((*name).to_owned(), spelled(draw.one(values))));
         }
     }

@@ -42,9 +42,12 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     let deep = format!("{}{leaf}{}", open.repeat(levels), close.repeat(levels));
     let most = draw.one(&[60, 1 << 10, 1 << 16, 1 << 17, 300_000]);
     let size = draw.size(0, most);
-    let before = match draw.below(6) {
+    // So many brackets that what is deep begins before a power of two, and ends behind it.
+    let pairs = (draw.one(&[1 << 8, 1 << 12, 1 << 15, 1 << 16]) - draw.below(100)) / 2;
+    let before = match draw.below(7) {
         0 => String::new(),
         1 => format!("\"x0\":[{}],", vec!["[]"; size / 3 + 1].join(",")),
+        6 => format!("\"x0\":[{}],", vec!["[]"; pairs].join(",")),
         2 => format!("\"x0\":[{}],", vec!["1"; size / 2 + 1].join(",")),
         3 => format!("\"x0\":\"{}\",", "w".repeat(size)),
         4 => format!("\"x0\":\"{}\",", "\\u0041".repeat(size / 6)),
