@@ -147,8 +147,10 @@ impl Setup {
         for step in items(args.get("steps")) {
             match string(step, "op")? {
                 "note_link" => {
-                    governor.note_link(step.get("burst") == Some(&Json::Bool(true)));
-                    is_known |= governor.is_stopped();
+                    let burst = step.get("burst") == Some(&Json::Bool(true));
+                    governor.note_link(burst);
+                    // A burst latches whatever was before.
+                    is_known |= burst && governor.is_stopped();
                     entries.push(free());
                 }
                 "reset" => {

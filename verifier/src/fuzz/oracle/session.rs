@@ -27,6 +27,9 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
     if args.get("verbs").is_some() && items(args.get("verbs")).len() != items(args.get("requests")).len() {
         return Verdict::Open("there are not as many verbs as requests");
     }
+    if !strict && args.get("verbs").is_some_and(|verbs| !verbs.is_null()) {
+        return Verdict::Open("which key a request comes at, only a strict server has to heed");
+    }
     let replies = items(result.get("replies"));
     let theirs = match said {
         Some(peer::Answer::Result(result)) => items(result.get("replies")),
