@@ -159,6 +159,7 @@ const BENEATH: &[(&str, &[&str])] = &[
     ("session/", &[ADVANCE, "session/life/chunk/5"]),
     ("control/loop/newest/older", &["control/loop/newest/by-seq/2-1-3"]),
     ("control/loop/newest/unstamped-older", &["control/loop/newest/by-t/2-1-3"]),
+    ("control/loop/newest/unstamped-again", &["control/loop/newest/by-t/2-1-3"]),
     ("control/loop/newest/restarted", &["control/loop/newest/by-seq/2-1-3"]),
     ("control/loop/link/shuffled", &["control/loop/newest/by-seq/2-1-3", "resilience/link/count/late"]),
     ("control/loop/gate/stale", &["safety/gates/stale-sensor/active"]),

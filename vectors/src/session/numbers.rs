@@ -333,7 +333,7 @@ fn stimuli() -> Vec<Case> {
         (step("b", None, Some(("in", 300.0))), recorded("b", last("t_ref"))),
     ];
     cases.push(
-        reference("params/apart".to_owned(), &["NCP-SESS-050", "NCP-SESS-035"], trace)
+        reference("params/apart".to_owned(), &["NCP-SESS-035", "NCP-SESS-050"], trace)
             .title("A parameter of one session is not that of another with the same value.")
             .because(WHY),
     );
