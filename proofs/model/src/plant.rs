@@ -135,7 +135,7 @@ pub(crate) enum Defect {
 /// The plant under check.
 #[derive(Debug, Clone)]
 enum Subject {
-    Real(ActionBuffer, Plant<f64, i64>),
+    Real(Box<ActionBuffer>, Plant<f64, i64>),
     Broken(Wrong),
 }
 
@@ -530,7 +530,7 @@ impl Protocol for PlantSide {
 
 fn subject(defect: Option<Defect>) -> Subject {
     match defect {
-        None => Subject::Real(ActionBuffer::new(), Plant::new()),
+        None => Subject::Real(Box::default(), Plant::new()),
         Some(defect) => Subject::Broken(Wrong { defect, last: None, deadline: None, stopped: false }),
     }
 }
