@@ -485,62 +485,59 @@ fn extremes() -> Vec<Case> {
             .because("Nothing overflows at the largest seq of the wire."),
         );
     }
+    // Only what stands after the last frame is asked.
+    let mut at_last = |name, rules: &[&'static str], seqs: Vec<i64>, last: Json, flag, title, why| {
+        let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+        entries.pop();
+        entries.push(last);
+        cases.push(
+            Case::new(name, rules, &BOTH)
+                .call("link.run", args(None, None, &seqs))
+                .shows(steps(entries))
+                .title(title)
+                .flags(&[flag])
+                .because(why),
+        );
+    };
+    const REMEMBERS: &str = "While no more than 4,096 seqs are missing, the monitor remembers each of them.";
     // As many missing as have to be remembered: all of them are taken back, the oldest last.
-    let gap = 4_096_i64;
-    let seqs: Vec<i64> = [0, gap + 1].into_iter().chain((1..=gap).rev()).collect();
-    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
-    if let Some(last) = entries.last_mut() {
-        *last = object! { "lost" => int(0), "received" => int(gap + 2) };
-    }
-    cases.push(
-        Case::new("extreme/remembers", &["NCP-RES-056", "NCP-RES-041"], &BOTH)
-            .call("link.run", args(None, None, &seqs))
-            .shows(steps(entries))
-            .title("Of 4,096 missing frames that all come late, each is taken back.")
-            .flags(&["wrong-loss"])
-            .because("While no more than 4,096 seqs are missing, the monitor remembers each of them."),
+    at_last(
+        "extreme/remembers",
+        &["NCP-RES-056", "NCP-RES-041"],
+        [0, 4_097].into_iter().chain((1..=4_096).rev()).collect(),
+        object! { "lost" => int(0), "received" => int(4_098) },
+        "wrong-loss",
+        "Of 4,096 missing frames that all come late, each is taken back.",
+        REMEMBERS,
     );
     // Two missing, and then a long time nothing else: both are taken back for all that.
-    let seqs: Vec<i64> = [0, 3].into_iter().chain(4..=4_300).chain([2, 1]).collect();
-    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
-    if let Some(last) = entries.last_mut() {
-        *last = object! { "lost" => int(0), "received" => int(4_301) };
-    }
-    cases.push(
-        Case::new("extreme/remembers-for-long", &["NCP-RES-056", "NCP-RES-041"], &BOTH)
-            .call("link.run", args(None, None, &seqs))
-            .shows(steps(entries))
-            .title("Two missing frames that come 4,300 frames late are taken back.")
-            .flags(&["wrong-loss"])
-            .because("While no more than 4,096 seqs are missing, the monitor remembers each of them."),
+    at_last(
+        "extreme/remembers-for-long",
+        &["NCP-RES-056", "NCP-RES-041"],
+        [0, 3].into_iter().chain(4..=4_300).chain([2, 1]).collect(),
+        object! { "lost" => int(0), "received" => int(4_301) },
+        "wrong-loss",
+        "Two missing frames that come 4,300 frames late are taken back.",
+        REMEMBERS,
     );
     // More missing than may be remembered: not all of them can be taken back.
-    let gap = 4_200_i64;
-    let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(1..=gap).collect();
-    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
-    if let Some(last) = entries.last_mut() {
-        *last = object! { "lost" => within(104.0, 4200.0) };
-    }
-    cases.push(
-        Case::new("extreme/memory", &["NCP-RES-048"], &BOTH)
-            .call("link.run", args(None, None, &seqs))
-            .shows(steps(entries))
-            .title("Of 4,200 missing frames that all come late, at most 4,096 are taken back.")
-            .flags(&["unbounded-work"])
-            .because("The monitor remembers at most 4,096 missing seqs; what it forgot is a duplicate when it comes."),
+    at_last(
+        "extreme/memory",
+        &["NCP-RES-048"],
+        [0, 4_201].into_iter().chain(1..=4_200).collect(),
+        object! { "lost" => within(104.0, 4200.0) },
+        "unbounded-work",
+        "Of 4,200 missing frames that all come late, at most 4,096 are taken back.",
+        "The monitor remembers at most 4,096 missing seqs; what it forgot is a duplicate when it comes.",
     );
-    let seqs: Vec<i64> = [0, gap + 1].into_iter().chain(105..=gap).collect();
-    let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
-    if let Some(last) = entries.last_mut() {
-        *last = object! { "lost" => int(104) };
-    }
-    cases.push(
-        Case::new("extreme/forgets", &["NCP-RES-057"], &BOTH)
-            .call("link.run", args(None, None, &seqs))
-            .shows(steps(entries))
-            .title("Of 4,200 missing frames the 4,096 newest should be remembered.")
-            .flags(&["wrong-loss"])
-            .because("Of more missing seqs than it remembers, the monitor should forget the lowest first."),
+    at_last(
+        "extreme/forgets",
+        &["NCP-RES-057"],
+        [0, 4_201].into_iter().chain(105..=4_200).collect(),
+        object! { "lost" => int(104) },
+        "wrong-loss",
+        "Of 4,200 missing frames the 4,096 newest should be remembered.",
+        "Of more missing seqs than it remembers, the monitor should forget the lowest first.",
     );
     cases
 }

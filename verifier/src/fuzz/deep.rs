@@ -3,6 +3,7 @@
 //! The deep set is chosen from them by `cargo assure deep`, greedily and never by hand. A candidate is a function of
 //! its call, the seed and its number alone.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::time::Duration;
 
@@ -420,33 +421,32 @@ fn different(args: &Tree) -> Vec<(&'static str, usize)> {
 
 /// Keys of how a frame is spelled: what stands next to what.
 fn spelling(frame: &str, place: u64, add: &mut impl FnMut(u64)) {
-    let mut before = "";
+    let mut before = Cow::Borrowed("");
     let mut rest = frame;
     // Behind so much nothing is new but how far behind it is.
     for _ in 0..4000 {
         let Some(first) = rest.chars().next() else { return };
         let (length, class) = token(rest, first);
-        add(fnv(fnv(place, before), class));
+        add(fnv(fnv(place, &before), &class));
         before = class;
         rest = rest.get(length..).unwrap_or("");
     }
 }
 
 /// How long a token is, and of which class.
-fn token(rest: &str, first: char) -> (usize, &'static str) {
+fn token(rest: &str, first: char) -> (usize, Cow<'static, str>) {
     let end = |is_part: fn(char) -> bool| rest.find(|c| !is_part(c)).unwrap_or(rest.len());
-    match first {
+    let (length, class) = match first {
         '{' => (1, "{"),
         '}' => (1, "}"),
         '[' => (1, "["),
         ']' => (1, "]"),
         ',' => (1, ","),
         ':' => (1, ":"),
-        ' ' | '\t' | '\n' | '\r' => {
-            let class = ["space", "tab", "line feed", "return"]
-                [[' ', '\t', '\n', '\r'].iter().position(|c| *c == first).unwrap_or(0)];
-            (end(|c| matches!(c, ' ' | '\t' | '\n' | '\r')), class)
-        }
+        ' ' => (end(is_space), "space"),
+        '\t' => (end(is_space), "tab"),
+        '\n' => (end(is_space), "line feed"),
+        '\r' => (end(is_space), "return"),
         '"' => {
             let mut escaped = false;
             let close = rest.char_indices().skip(1).find(|(_, c)| {
@@ -455,56 +455,50 @@ fn token(rest: &str, first: char) -> (usize, &'static str) {
                 closes
             });
             let length = close.map_or(rest.len(), |(at, _)| at + 1);
-            let inner = rest.get(1..length.saturating_sub(1)).unwrap_or("");
-            let class = match inner {
-                _ if inner.contains("\\\"") && inner.contains(['[', ']', '{', '}']) => "quote and bracket",
-                _ if inner.contains("\\\"") => "quote",
-                _ if inner.ends_with("\\\\") => "backslash at its end",
-                _ if inner.contains("\\u") => "code",
-                _ if inner.contains('\\') => "escape",
-                _ if inner.contains(['[', ']', '{', '}', ',', ':']) => "bracket",
-                _ if !inner.is_ascii() => "beyond ASCII",
-                "" => "empty",
-                _ => "string",
-            };
-            (length, class)
+            (length, string_class(rest.get(1..length.saturating_sub(1)).unwrap_or("")))
         }
         '-' | '+' | '.' | '0'..='9' => {
             let length = end(|c| matches!(c, '-' | '+' | '.' | 'e' | 'E' | '0'..='9'));
-            (length, number(rest.get(..length).unwrap_or("")))
+            return (length, number(rest.get(..length).unwrap_or("")).into());
         }
         _ if first.is_ascii_alphabetic() => (end(|c| c.is_ascii_alphanumeric()), "word"),
         other => (other.len_utf8(), "odd"),
+    };
+    (length, class.into())
+}
+
+fn is_space(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\n' | '\r')
+}
+
+/// The class of what stands between two quotes.
+fn string_class(inner: &str) -> &'static str {
+    match inner {
+        _ if inner.contains("\\\"") && inner.contains(['[', ']', '{', '}']) => "quote and bracket",
+        _ if inner.contains("\\\"") => "quote",
+        _ if inner.ends_with("\\\\") => "backslash at its end",
+        _ if inner.contains("\\u") => "code",
+        _ if inner.contains('\\') => "escape",
+        _ if inner.contains(['[', ']', '{', '}', ',', ':']) => "bracket",
+        _ if !inner.is_ascii() => "beyond ASCII",
+        "" => "empty",
+        _ => "string",
     }
 }
 
-/// The class of a number's spelling.
-fn number(spelling: &str) -> &'static str {
-    let (digits, exponent) = spelling.split_once(['e', 'E']).unwrap_or((spelling, ""));
-    let is_upper = spelling.contains('E');
-    let is_zero = digits.bytes().all(|byte| !byte.is_ascii_digit() || byte == b'0');
-    match (digits.contains('.'), exponent.chars().next()) {
-        _ if spelling.len() > 40 => "many digits",
-        (false, None) if spelling == "-0" => "-0",
-        (false, None) if digits.starts_with('-') => "-1",
-        (false, None) => "1",
-        (true, None) if is_zero => "0.0",
-        (true, None) if digits.starts_with('-') => "-1.0",
-        (true, None) => "1.0",
-        (_, Some(_)) if is_zero => "0e0",
-        (false, Some('+')) if is_upper => "1E+0",
-        (false, Some('-')) if is_upper => "1E-0",
-        (false, Some(_)) if is_upper => "1E0",
-        (false, Some('+')) => "1e+0",
-        (false, Some('-')) => "1e-0",
-        (false, Some(_)) => "1e0",
-        (true, Some('+')) if is_upper => "1.0E+0",
-        (true, Some('-')) if is_upper => "1.0E-0",
-        (true, Some(_)) if is_upper => "1.0E0",
-        (true, Some('+')) => "1.0e+0",
-        (true, Some('-')) => "1.0e-0",
-        (true, Some(_)) => "1.0e0",
+/// The class of a number's spelling: whether it has a sign, a point and an exponent, and how these are written.
+fn number(spelling: &str) -> String {
+    if spelling.len() > 40 {
+        return "many digits".to_owned();
     }
+    let (digits, exponent) = spelling.split_once(['e', 'E']).unwrap_or((spelling, ""));
+    let is_zero = digits.bytes().all(|byte| !byte.is_ascii_digit() || byte == b'0');
+    let sign = if digits.starts_with('-') { "-" } else { "" };
+    let letter = spelling.chars().find(|c| matches!(c, 'e' | 'E')).map(String::from).unwrap_or_default();
+    let exponent_sign =
+        exponent.chars().next().filter(|c| matches!(c, '+' | '-')).map(String::from).unwrap_or_default();
+    let (size, point) = (if is_zero { "0" } else { "1" }, if digits.contains('.') { "." } else { "" });
+    format!("{sign}{size}{point}{letter}{exponent_sign}")
 }
 
 fn size_of(size: usize) -> String {
@@ -638,5 +632,46 @@ mod tests {
         }
         // What was decided when it was chosen is so still, but for what the text left open since.
         assert!(kept > 100, "{kept}");
+    }
+
+    #[test]
+    fn the_tokens_of_a_frame_are_told_apart_by_how_they_are_spelled() {
+        let frame = "{\"a\\\"]\" : [-0, 1E+2,0.0e-5,-2.5,true]}\n\u{1}";
+        let (mut rest, mut classes) = (frame, Vec::new());
+        while let Some(first) = rest.chars().next() {
+            let (length, class) = token(rest, first);
+            classes.push(class.into_owned());
+            rest = &rest[length..];
+        }
+        let expected = [
+            "{",
+            "quote and bracket",
+            "space",
+            ":",
+            "space",
+            "[",
+            "-0",
+            ",",
+            "space",
+            "1E+",
+            ",",
+            "0.e-",
+            ",",
+            "-1.",
+            ",",
+            "word",
+            "]",
+            "}",
+            "line feed",
+            "odd",
+        ];
+        assert_eq!(classes, expected);
+    }
+
+    #[test]
+    fn names_are_counted_once_each_and_within_frames_too() {
+        let request = |id: &str| text(format!("{{\"session_id\":\"{id}\",\"port\":\"p\"}}"));
+        let args = object([("requests", list(vec![request("a"), request("b"), request("a")]))]);
+        assert_eq!(different(&args), [("session_id", 2), ("port", 1)]);
     }
 }
