@@ -256,4 +256,16 @@ mod tests {
         }
         assert!(asked > 500, "{asked}");
     }
+
+    #[test]
+    fn the_model_says_nothing_of_a_frame_that_is_longer_than_a_plant_has_to_read() {
+        let run = |bytes: usize| {
+            let frame = "{\\\"kind\\\":\\\"command_frame\\\",\\\"mode\\\":\\\"active\\\",\\\"seq\\\":1,\\\"t\\\":1.0,\\\"frame_id\\\":\\\"w\\\",\\\"ttl_ms\\\":250.0,\\\"channels\\\":{},\\\"horizon\\\":[]}";
+            let spaces = " ".repeat(bytes - frame.replace('\\', "").len());
+            let step = format!(r#"{{"op":"command","text":"{frame}{spaces}","now_s":1.0}}"#);
+            second("buffer.run", &format!(r#"{{"strict":false,"steps":[{step}]}}"#)).is_some()
+        };
+        assert!(run(1 << 20));
+        assert!(!run((1 << 20) + 1));
+    }
 }

@@ -300,4 +300,49 @@ mod tests {
         assert!(same(Same::Values, refusal, r#"{"error":{"code":"value","message":"b"}}"#));
         assert!(!same(Same::Values, refusal, r#"{"error":{"code":"internal","message":"b"}}"#));
     }
+
+    fn expected(call: Call, args: &str) -> Verdict {
+        let args = own(&Json::parse(args).unwrap());
+        let spec = specification(call, &args.to_string());
+        expectation(&Input { call, args }, &spec, None)
+    }
+
+    #[test]
+    fn whether_a_governor_is_stopped_that_a_rounding_decided_stays_open_until_a_burst() {
+        let govern = |x: f64, y: f64| {
+            format!(
+                r#"{{"op":"govern","command":{{"seq":1,"t":1.0,"frame_id":"w","mode":"active","ttl_ms":50.0,"channels":{{}}}},
+                "now_s":1.0,"sensor":{{"seq":1,"t":1.0,"channels":{{"pose_position":{{"data":[{x:?},{y:?},0.0],"unit":"m"}}}}}},
+                "last_sensor_s":1.0}}"#
+            )
+        };
+        let run = |burst: bool| {
+            // Half an ulp outside of the fence, which a norm of doubles does not show.
+            let near = govern(30.299999999999997, 40.400000000000006);
+            let link = format!(r#"{{"op":"note_link","burst":{burst}}}"#);
+            let limits =
+                r#"{"max_speed_mps":null,"max_tilt_rad":null,"geofence_radius_m":50.5,"command_timeout_ms":500.0}"#;
+            let steps = [near, link, govern(1.0, 1.0)].join(",");
+            let args = format!(r#"{{"limits":{limits},"capabilities":null,"steps":[{steps}]}}"#);
+            let Verdict::Expect(expect) = expected(Call::GovernorRun, &args) else { panic!() };
+            expect.to_string()
+        };
+        assert!(!run(false).contains("estop"), "{}", run(false));
+        assert!(run(true).contains("estop"), "{}", run(true));
+    }
+
+    #[test]
+    fn only_a_strict_server_is_asked_at_which_key_a_request_comes() {
+        let run = |strict: bool| {
+            let version = ncp_text::WIRE_VERSION;
+            let frame = format!(r#"{{"ncp_version":"{version}","kind":"close_session","session_id":"a"}}"#);
+            let request = crate::fuzz::tree::text(frame);
+            expected(
+                Call::SessionRun,
+                &format!(r#"{{"requests":[{request}],"strict":{strict},"verbs":["step_request"]}}"#),
+            )
+        };
+        assert!(matches!(run(false), Verdict::Open(_)));
+        assert!(matches!(run(true), Verdict::Expect(_)));
+    }
 }
