@@ -233,6 +233,7 @@ fn double(json: &Json) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::json::object;
 
     #[test]
     fn the_models_say_of_a_written_trace_what_its_row_says() {
@@ -260,10 +261,12 @@ mod tests {
     #[test]
     fn the_model_says_nothing_of_a_frame_that_is_longer_than_a_plant_has_to_read() {
         let run = |bytes: usize| {
-            let frame = "{\\\"kind\\\":\\\"command_frame\\\",\\\"mode\\\":\\\"active\\\",\\\"seq\\\":1,\\\"t\\\":1.0,\\\"frame_id\\\":\\\"w\\\",\\\"ttl_ms\\\":250.0,\\\"channels\\\":{},\\\"horizon\\\":[]}";
-            let spaces = " ".repeat(bytes - frame.replace('\\', "").len());
-            let step = format!(r#"{{"op":"command","text":"{frame}{spaces}","now_s":1.0}}"#);
-            second("buffer.run", &format!(r#"{{"strict":false,"steps":[{step}]}}"#)).is_some()
+            let members = r#""kind":"command_frame","mode":"active","seq":1,"t":1.0,"frame_id":"w","ttl_ms":250.0"#;
+            let frame = format!(r#"{{{members},"channels":{{}},"horizon":[]}}"#);
+            let text = format!("{frame}{}", " ".repeat(bytes - frame.len()));
+            let step = object! { "op" => "command", "text" => text, "now_s" => crate::trace::num(1.0) };
+            let args = object! { "strict" => false, "steps" => Json::Array(vec![step]) };
+            second("buffer.run", &args.text()).is_some()
         };
         assert!(run(1 << 20));
         assert!(!run((1 << 20) + 1));

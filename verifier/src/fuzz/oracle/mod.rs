@@ -310,11 +310,11 @@ mod tests {
     #[test]
     fn whether_a_governor_is_stopped_that_a_rounding_decided_stays_open_until_a_burst() {
         let govern = |x: f64, y: f64| {
-            format!(
-                r#"{{"op":"govern","command":{{"seq":1,"t":1.0,"frame_id":"w","mode":"active","ttl_ms":50.0,"channels":{{}}}},
-                "now_s":1.0,"sensor":{{"seq":1,"t":1.0,"channels":{{"pose_position":{{"data":[{x:?},{y:?},0.0],"unit":"m"}}}}}},
-                "last_sensor_s":1.0}}"#
-            )
+            let command = r#"{"seq":1,"t":1.0,"frame_id":"w","mode":"active","ttl_ms":50.0,"channels":{}}"#;
+            let pose = format!(r#"{{"pose_position":{{"data":[{x:?},{y:?},0.0],"unit":"m"}}}}"#);
+            let sensor = format!(r#"{{"seq":1,"t":1.0,"channels":{pose}}}"#);
+            let times = r#""now_s":1.0,"last_sensor_s":1.0"#;
+            format!(r#"{{"op":"govern","command":{command},"sensor":{sensor},{times}}}"#)
         };
         let run = |burst: bool| {
             // Half an ulp outside of the fence, which a norm of doubles does not show.
