@@ -66,6 +66,12 @@ fn main() {
                 say(&answer);
                 raw(b"DEBUG: answered\n");
             }
+            // As over a slow road, or on a busy machine.
+            "prints-late-after-target" if target => {
+                say(&answer);
+                sleep(Duration::from_millis(200));
+                raw(b"DEBUG: answered\n");
+            }
             "twice-on-target" if target => {
                 say(&answer);
                 say(&answer);

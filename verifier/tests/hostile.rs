@@ -187,6 +187,7 @@ fn a_fault_that_belongs_to_one_case_is_charged_to_that_case_alone() {
         ("skips-target", "timeout"),
         ("binary-on-target", "protocol"),
         ("prints-after-target", "protocol"),
+        ("prints-late-after-target", "protocol"),
         ("twice-on-target", "protocol"),
         ("unknown-id-on-target", "protocol"),
         ("no-result-on-target", "protocol"),

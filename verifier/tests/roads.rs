@@ -173,6 +173,7 @@ fn a_fault_that_belongs_to_one_case_costs_that_case_on_every_road() {
         ("skips-target", "timeout", "timeout"),
         ("binary-on-target", "protocol", "protocol"),
         ("prints-after-target", "protocol", "protocol"),
+        ("prints-late-after-target", "protocol", "protocol"),
         ("twice-on-target", "protocol", "protocol"),
         ("unknown-id-on-target", "protocol", "protocol"),
         ("no-result-on-target", "protocol", "protocol"),

@@ -26,6 +26,8 @@ const DEAF_GRACE: Duration = Duration::from_secs(1);
 const END_GRACE: Duration = Duration::from_secs(2);
 /// How long we listen, after the answer of a case that runs alone, for what does not belong there.
 const LINGER: Duration = Duration::from_millis(20);
+/// How long we listen for words that came after an answer, and may come again: the road may be slow, the machine busy.
+const LISTEN: Duration = Duration::from_millis(500);
 /// How many answers to requests that are long answered one process may give.
 const MAX_STRAYS: usize = 256;
 /// How often in a row a process may fail to start anew.
@@ -369,10 +371,10 @@ impl<'r> Worker<'r> {
 
     /// Finds out whether what a process printed when everything was answered belongs to the last answer.
     fn finish_badly(&mut self, process: Process, fault: Fault) {
-        let last = process.last_answered;
+        let (last, linger) = (process.last_answered, fault.linger());
         let post = process.end(fault);
         self.shared.count_fault(&post.what());
-        match last.map(|case| (case, self.alone(case, LINGER))) {
+        match last.map(|case| (case, self.alone(case, linger))) {
             Some((case, Alone::Fault { post, .. })) => self.charge(case, &post, None),
             _ => self.report.notes.push(format!("at the end of its input it {}", post.what())),
         }
@@ -383,7 +385,7 @@ impl<'r> Worker<'r> {
     fn isolate(&mut self, process: Process, fault: Fault) {
         let last = process.last_answered;
         let mut waiting: VecDeque<usize> = process.waiting_cases().collect();
-        let silent = matches!(fault, Fault::Silent(_));
+        let (silent, linger) = (matches!(fault, Fault::Silent(_)), fault.linger());
         let strays = matches!(fault, Fault::Strays);
         let only = waiting.len() == 1 && (silent || process.sent.len() == 1);
         let post = process.end(fault);
@@ -417,7 +419,7 @@ impl<'r> Worker<'r> {
         if found {
             return self.go_carefully();
         }
-        match last.filter(|_| !silent).map(|case| (case, self.alone(case, LINGER))) {
+        match last.filter(|_| !silent).map(|case| (case, self.alone(case, linger))) {
             Some((case, Alone::Fault { post, .. })) => self.charge(case, &post, None),
             _ => {
                 let note = "it was the oldest request in flight; alone, in a fresh process, it was answered";
@@ -461,7 +463,7 @@ impl<'r> Worker<'r> {
         }
         let mut note = "in a fresh process it did not happen again";
         for suspect in [Some(case), previous].into_iter().flatten() {
-            match self.alone(suspect, LINGER) {
+            match self.alone(suspect, if suspect == case { LINGER } else { post.fault.linger() }) {
                 Alone::Fault { post, .. } => {
                     if suspect == case {
                         self.known.insert(way(case, &post));
@@ -715,6 +717,13 @@ impl Process {
     fn end(mut self, fault: Fault) -> Post {
         let ending = self.connection.kill();
         Post { fault, ending, log: self.connection.log() }
+    }
+}
+
+impl Fault {
+    /// How long to listen, after the answer of a suspect that runs alone, for whether it happens again.
+    fn linger(&self) -> Duration {
+        if matches!(self, Self::Garbage { .. }) { LISTEN } else { LINGER }
     }
 }
 
