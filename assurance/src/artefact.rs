@@ -129,6 +129,15 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         nightly: false,
     },
     Artefact {
+        name: "deep",
+        makes: &["vectors/deep"],
+        // It is chosen once, like a corpus; what its cases name of the contract stands there.
+        sources: &["spec/text/02-version-and-identity.md"],
+        freshness: Freshness::Locked,
+        command: &["assure", "deep", "--keep"],
+        nightly: false,
+    },
+    Artefact {
         name: "mutants",
         makes: &["reports/mutants.md"],
         sources: &[

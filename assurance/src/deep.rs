@@ -7,6 +7,8 @@
 //! specification; the two implementations that are written from the text, and the models, have to agree, or a candidate
 //! is not taken and is told.
 
+mod kept;
+
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -39,6 +41,10 @@ pub(crate) struct DeepArgs {
     /// Leave the cases that are in the set, and choose from what is drawn
     #[arg(long)]
     afresh: bool,
+    /// Keep the cases that are in the set, and only these: they take the wire version and the contract hash of the
+    /// text, and expect what the specification answers now. A minute
+    #[arg(long, conflicts_with_all = ["seed", "from", "afresh", "draws", "calls", "program"])]
+    keep: bool,
     /// Draw so many hundredths of the usual number of candidates
     #[arg(long, value_name = "N", default_value_t = 100)]
     draws: u64,
@@ -60,7 +66,8 @@ What is in the set is a candidate, too, with what the specification expects now.
 Examples:
   cargo assure deep --seed 17
   cargo assure deep --seed 18 --afresh --out /tmp/deep
-  cargo assure deep --draws 0 --from /tmp/deep";
+  cargo assure deep --draws 0 --from /tmp/deep
+  cargo assure deep --keep";
 
 impl DeepArgs {
     fn is_meant(&self, call: Call) -> bool {
@@ -107,6 +114,9 @@ type Pool = BTreeMap<(Call, u64), Kept>;
 /// Chooses the deep set; `false` if a defect shows on no candidate, or sources disagree.
 pub(crate) fn deep(project: &Project, args: &DeepArgs) -> Result<bool, Error> {
     let stop = console::stop().map_err(Error::Signals)?;
+    if args.keep {
+        return kept::keep(project, &args.out, &stop);
+    }
     let suite = Suite::embedded()?;
     let root = project.path("");
     let hard = hard(&root)?;
@@ -122,13 +132,16 @@ pub(crate) fn deep(project: &Project, args: &DeepArgs) -> Result<bool, Error> {
     let wanted: Vec<Call> = Call::ALL.iter().copied().filter(|call| args.is_meant(*call)).collect();
     targets.retain(|defect| calls(defect).iter().any(|call| wanted.contains(call)));
     let deep = Deep::new(&suite, args.seed)?;
-    let kept = kept(&deep, args)?;
-    let source = Source { deep: &deep, suite: &suite, kept, draws: args.draws };
+    let there = there(&deep, args)?;
+    let source = Source { deep: &deep, suite: &suite, there, draws: args.draws };
     let pool = draw(&source, &targets, &program, &wanted, &stop)?;
     let (pool, disputes) = agreed(project, &deep, pool, &stop)?;
     let chosen = fitting(choose(&pool, &targets), &pool);
     let folder = root.join(&args.out);
     write(&folder, &pool, &chosen, &wanted)?;
+    if args.out == Path::new(FOLDER) {
+        kept::note(&root)?;
+    }
 
     let mut missing = 0;
     for (place, defect) in targets.iter().enumerate() {
@@ -234,21 +247,21 @@ struct Source<'s> {
     deep: &'s Deep<'s>,
     suite: &'s Suite,
     /// What is in the set, or in another.
-    kept: BTreeMap<Call, Vec<Candidate>>,
+    there: BTreeMap<Call, Vec<Candidate>>,
     /// Hundredths of the usual number of draws.
     draws: u64,
 }
 
 /// The cases that are there, as candidates: those of the set, unless they are to be left, and of other folders.
-fn kept(deep: &Deep<'_>, args: &DeepArgs) -> Result<BTreeMap<Call, Vec<Candidate>>, Error> {
-    let mut kept: BTreeMap<Call, Vec<Candidate>> = BTreeMap::new();
+fn there(deep: &Deep<'_>, args: &DeepArgs) -> Result<BTreeMap<Call, Vec<Candidate>>, Error> {
+    let mut there: BTreeMap<Call, Vec<Candidate>> = BTreeMap::new();
     let mut taken: BTreeSet<(Call, u64)> = BTreeSet::new();
     let mut add = |case: &Case| {
         if let Some(mut candidate) = deep.kept(case) {
             while !taken.insert((case.call, candidate.number)) {
                 candidate.number += FURTHER;
             }
-            kept.entry(case.call).or_default().push(candidate);
+            there.entry(case.call).or_default().push(candidate);
         }
     };
     if !args.afresh {
@@ -257,7 +270,15 @@ fn kept(deep: &Deep<'_>, args: &DeepArgs) -> Result<BTreeMap<Call, Vec<Candidate
     for folder in &args.from {
         Suite::load(folder)?.cases().iter().for_each(&mut add);
     }
-    Ok(kept)
+    Ok(there)
+}
+
+/// A candidate with the case that it makes, and the defects that show on it.
+fn kept<'s>(deep: &Deep<'s>, rules: &mut Rules<'s>, candidate: Candidate, shows: BTreeSet<usize>) -> Option<Kept> {
+    let second = ncp_vectors::second(candidate.call().as_str(), &candidate.arguments());
+    let steps = second.as_ref().map(|second| second.rules.as_slice());
+    let made = deep.case(rules, &candidate, steps)?;
+    Some(Kept { candidate, shows, made })
 }
 
 /// Draws candidates of every call, asks them of the peers with the defects, and keeps those that show something new.
@@ -282,7 +303,7 @@ fn draw(source: &Source<'_>, targets: &[Defect], program: &Path, wanted: &[Call]
         }
         let mut seen: HashMap<u64, usize> = HashMap::new();
         let batch = usize::try_from(BATCH).unwrap_or(1);
-        let old = source.kept.get(&call).map_or(&[][..], Vec::as_slice).chunks(batch).map(Batch::Kept);
+        let old = source.there.get(&call).map_or(&[][..], Vec::as_slice).chunks(batch).map(Batch::Kept);
         for batch in old.chain((0..most).step_by(batch).map(Batch::Drawn)) {
             // Whether it may be taken for what it reaches, and not for a defect alone.
             let is_of_base = matches!(batch, Batch::Kept(_)) || matches!(batch, Batch::Drawn(from) if from < base);
@@ -311,13 +332,11 @@ fn draw(source: &Source<'_>, targets: &[Defect], program: &Path, wanted: &[Call]
                 if shows.is_empty() && !(is_new && candidate.bytes <= LARGE / 8) {
                     continue;
                 }
-                let second = ncp_vectors::second(call.as_str(), &candidate.arguments());
-                let steps = second.as_ref().map(|second| second.rules.as_slice());
-                let Some(made) = deep.case(&mut rules, &candidate, steps) else { continue };
-                for key in &candidate.keys {
+                let Some(kept) = kept(deep, &mut rules, candidate, shows) else { continue };
+                for key in &kept.candidate.keys {
                     *seen.entry(*key).or_default() += 1;
                 }
-                pool.insert((call, candidate.number), Kept { candidate, shows, made });
+                pool.insert((call, kept.candidate.number), kept);
             }
         }
         let hidden = peers.iter().filter(|(place, _)| found[*place] == 0).count();

@@ -15,6 +15,7 @@
 //! | [`pins`] | how much the symbolic engine explores |
 //! | [`sabotage`] | engines with a defect of their own |
 //! | [`report`], [`digest`] | what was found out, and about which sources |
+//! | [`evidence`] | the counterexamples of all engines as one file of vectors |
 //! | [`program`] | how an engine's program leaves its result, and how it ends |
 //! | [`terminal`] | how it is shown on the terminal |
 //!
@@ -27,6 +28,7 @@ pub mod counterexample;
 pub mod digest;
 #[cfg(not(feature = "sabotage"))]
 pub mod engines;
+pub mod evidence;
 pub mod harness;
 pub mod kani_engine;
 #[cfg(any(kani, test))]

@@ -16,6 +16,7 @@ use ncp_proofs::counterexample::{Counterexample, ENDS};
 use ncp_proofs::digest::{self, ARTEFACTS};
 use ncp_proofs::engines::symbolic::{self, Limits, Solvers, controls};
 use ncp_proofs::engines::{Outcome, Patience, Verdict, bounds, enumeration, standin};
+use ncp_proofs::evidence;
 use ncp_proofs::harness::{Harness, compared, harness};
 use ncp_proofs::kernel::Production;
 use ncp_proofs::pins;
@@ -425,8 +426,12 @@ fn prove(place: &Place, names: &[&str], stage: Stage, pin: bool) -> Result<bool,
     }
     fs::create_dir_all(file.parent().unwrap_or(&place.root))?;
     fs::write(&file, serde_json::to_string_pretty(&report)? + "\n")?;
+    if report.problems.is_empty() {
+        let file = place.evidence.join(report::VECTORS);
+        let before = fs::read_to_string(&file).unwrap_or_default();
+        fs::write(file, evidence::vectors(&report, &before))?;
+    }
     if report.problems.is_empty() && report::problems(&report).is_empty() {
-        fs::write(place.evidence.join(report::VECTORS), report::vectors(&report))?;
         println!("{}", terminal::proved(&report));
     } else if report.problems.is_empty() {
         println!("shown, as far as {} go: what the others found is of other sources, or none", names.join(", "));

@@ -236,14 +236,16 @@ mod tests {
 
     #[test]
     fn a_command_frame_without_a_mode_means_hold() {
-        assert_eq!(
-            meaning("command_frame", &minimal("command_frame")).text(),
-            [
-                &format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":0,"t":0.0,"#),
-                r#""frame_id":"world","mode":"hold","ttl_ms":200.0,"channels":{},"horizon":[],"horizon_dt_ms":null}"#,
-            ]
-            .concat()
-        );
+        let text = meaning("command_frame", &minimal("command_frame")).text();
+        let known = [
+            &format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":0,"t":0.0,"#),
+            r#""frame_id":"world","mode":"hold","ttl_ms":200.0,"channels":{},"horizon":[],"horizon_dt_ms":null"#,
+        ]
+        .concat();
+        // Fields of a later contract stand behind these, and have no value in the smallest frame.
+        let later = text.strip_prefix(&known).and_then(|rest| rest.strip_suffix('}'));
+        let later = later.unwrap_or_else(|| panic!("{text}"));
+        assert!(later.split(',').skip(1).all(|member| member.ends_with(":null")), "{text}");
     }
 
     #[test]

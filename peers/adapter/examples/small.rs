@@ -16,12 +16,18 @@ mod flight_stack {
     pub(crate) struct Malformed;
 
     pub(crate) fn is_compatible(version: &str) -> Result<bool, Malformed> {
-        let number = |part: &str| match part.trim_start_matches('0') {
-            _ if part.is_empty() || !part.bytes().all(|byte| byte.is_ascii_digit()) => Err(Malformed),
-            digits => Ok(digits.to_owned()),
-        };
+        Ok(numbers(version)? == numbers(WIRE_VERSION)?)
+    }
+
+    /// Major and minor, without leading zeros.
+    fn numbers(version: &str) -> Result<(&str, &str), Malformed> {
+        let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         let (major, minor) = version.split_once('.').unwrap_or((version, "0"));
-        Ok((number(major)?, number(minor)?) == (String::new(), "5".to_owned()))
+        if is_number(major) && is_number(minor) {
+            Ok((major.trim_start_matches('0'), minor.trim_start_matches('0')))
+        } else {
+            Err(Malformed)
+        }
     }
 
     #[derive(Default)]

@@ -66,6 +66,12 @@ pub struct Deep<'s> {
 }
 
 impl Candidate {
+    /// What it asks.
+    #[must_use]
+    pub fn call(&self) -> Call {
+        self.input.call
+    }
+
     /// Its arguments, as a request has them.
     #[must_use]
     pub fn arguments(&self) -> String {
