@@ -6,6 +6,7 @@ use std::sync::Arc;
 use ncp_text::catalogue::Requirement;
 
 use crate::check::Manner;
+use crate::peer::Call;
 use crate::run::{CaseRun, Outcome};
 use crate::suite::Case;
 
@@ -14,6 +15,9 @@ use crate::suite::Case;
 /// An answer can be wrong before it comes to that rule: at an earlier step of a trace, by a crash where a refusal is
 /// asked for, or since the case rests on another that does not pass. The rule that is broken there is charged, and the
 /// case is inconclusive for its own, as in TTCN-3.
+///
+/// A case of the corpus asks one thing, a case of the deep set many at once. So where cases of the corpus show that a
+/// call breaks some rules, those of the deep set with that call add no other: they wait for one of these.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Ruling {
     /// The peer keeps it, here.
@@ -111,7 +115,44 @@ pub(super) fn rulings(runs: &[(&Case, CaseRun)]) -> Vec<Ruling> {
             _ => ruling.clone(),
         }
     };
-    alone.iter().enumerate().map(settle).collect()
+    let settled: Vec<Ruling> = alone.iter().enumerate().map(settle).collect();
+    let shown = Shown::of(runs, &settled);
+    let wait = |((case, _), ruling): (&(&Case, CaseRun), Ruling)| match shown.instead(case, &ruling) {
+        Some(rule) => Ruling::charging(case, Some(rule)),
+        None => ruling,
+    };
+    runs.iter().zip(settled).map(wait).collect()
+}
+
+/// What cases of the corpus show of each call: the rules that it breaks, with how many cases are charged to each.
+struct Shown(HashMap<Call, Vec<(Arc<Requirement>, usize)>>);
+
+impl Shown {
+    fn of(runs: &[(&Case, CaseRun)], rulings: &[Ruling]) -> Self {
+        let mut shown: HashMap<Call, Vec<(Arc<Requirement>, usize)>> = HashMap::new();
+        for ((case, _), ruling) in runs.iter().zip(rulings).filter(|((case, _), _)| !case.is_deep()) {
+            let Some(rule) = ruling.charged() else { continue };
+            let of_call = shown.entry(case.call).or_default();
+            match of_call.iter_mut().find(|(known, _)| known == rule) {
+                Some((_, count)) => *count += 1,
+                None => of_call.push((Arc::clone(rule), 1)),
+            }
+        }
+        Self(shown)
+    }
+
+    /// The rule that a case of the deep set waits for: of those that its call is shown to break, one that it cites, and
+    /// of these one with most cases. None where its own charge is shown, or nothing of its call is.
+    fn instead(&self, case: &Case, ruling: &Ruling) -> Option<&Arc<Requirement>> {
+        let charged = ruling.charged().filter(|_| case.is_deep())?;
+        let shown = self.0.get(&case.call)?;
+        if shown.iter().any(|(rule, _)| rule == charged) {
+            return None;
+        }
+        // Of equals the first.
+        let worth = |(rule, count): &&(Arc<Requirement>, usize)| (case.requirements.contains(rule), *count);
+        shown.iter().rev().max_by_key(worth).map(|(rule, _)| rule)
+    }
 }
 
 /// The rule of the lowest case that is broken, of those on which a case rests. The suite has no circles.
@@ -252,5 +293,26 @@ mod tests {
         assert_eq!(rulings_of([Outcome::Pass, wrong(), wrong()]), [Ruling::Passed, waits_for(OTHER), failed(OTHER)]);
         // What passes shows that it can be judged, so that nothing above it waits for what lies below.
         assert_eq!(rulings_of([wrong(), Outcome::Pass, wrong()]), [failed(OWN), Ruling::Passed, failed(OTHER)]);
+    }
+    #[test]
+    fn where_the_corpus_shows_what_a_call_breaks_the_deep_set_adds_no_other_rule() {
+        let corpus = [case("one", OWN), case("other", OTHER), case("more", OTHER)];
+        let mut cites = case("deep/cites", THIRD);
+        cites.requirements.push(rule(OWN));
+        let deep = [case("deep/new", THIRD), cites, case("deep/known", OWN)];
+        let mut elsewhere = case("deep/elsewhere", THIRD);
+        elsewhere.call = Call::KeyBuild;
+        let rulings_of = |corpus_fails: bool| {
+            let run = |fails: bool| {
+                let outcome = if fails { fail("", Manner::Value) } else { Outcome::Pass };
+                CaseRun { outcome, answer: None, note: None }
+            };
+            let failing = deep.iter().chain([&elsewhere]).map(|case| (case, run(true)));
+            let runs: Vec<_> = corpus.iter().map(|case| (case, run(corpus_fails))).chain(failing).collect();
+            rulings(&runs)[corpus.len()..].to_vec()
+        };
+        let failed = |id| Ruling::Failed { rule: rule(id) };
+        assert_eq!(rulings_of(true), [waits_for(OTHER), waits_for(OWN), failed(OWN), failed(THIRD)]);
+        assert_eq!(rulings_of(false), [failed(THIRD), failed(THIRD), failed(OWN), failed(THIRD)]);
     }
 }
