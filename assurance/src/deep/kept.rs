@@ -119,16 +119,42 @@ fn speak(from: &Path, to: &Path, was: &Contract, now: &Contract) -> Result<usize
 fn spoken(text: &str, was: &Contract, now: &Contract) -> String {
     let version = |piece: &str| {
         // A string within a string ends with an escape.
-        let bare = piece.trim_end_matches('\\');
-        let other = match bare {
-            _ if bare == was.wire_version => &now.wire_version,
-            _ if bare == now.wire_version => &was.wire_version,
+        let (bare, end) = piece.split_at(piece.trim_end_matches('\\').len());
+        // No longer than with an escape for every letter.
+        if bare.len() > 7 * was.wire_version.len().max(now.wire_version.len()) {
+            return piece.to_owned();
+        }
+        let letters = letters(bare);
+        let read: String = letters.iter().map(|(_, letter)| *letter).collect();
+        let other = match read {
+            _ if read == was.wire_version => &now.wire_version,
+            _ if read == now.wire_version => &was.wire_version,
             _ => return piece.to_owned(),
         };
-        format!("{other}{}", &piece[bare.len()..])
+        // A letter that stays is spelled as it was.
+        let spelled = other.chars().enumerate().map(|(at, letter)| match letters.get(at) {
+            Some((spelled, same)) if *same == letter => (*spelled).to_owned(),
+            _ => letter.to_string(),
+        });
+        format!("{}{end}", spelled.collect::<String>())
     };
     let pieces: Vec<String> = text.split('"').map(version).collect();
     pieces.join("\"").replace(&was.contract_hash, &now.contract_hash)
+}
+
+/// The letters of a string within a string, each as it is spelled and as it is read.
+fn letters(mut text: &str) -> Vec<(&str, char)> {
+    let mut letters = Vec::new();
+    while let Some(first) = text.chars().next() {
+        let escaped = text.strip_prefix(r"\\u").and_then(|rest| u32::from_str_radix(rest.get(..4)?, 16).ok());
+        let (spelled, letter) = match escaped.and_then(char::from_u32) {
+            Some(letter) => (text.get(..7).unwrap_or(text), letter),
+            None => (text.get(..first.len_utf8()).unwrap_or(text), first),
+        };
+        letters.push((spelled, letter));
+        text = text.get(spelled.len()..).unwrap_or_default();
+    }
+    letters
 }
 
 #[cfg(test)]
@@ -147,5 +173,8 @@ mod tests {
         assert_eq!(spoken(text, &was, &now), then);
         assert_eq!(spoken(r#"["0.5.0","00.5","0.50"]"#, &was, &now), r#"["0.5.0","00.5","0.50"]"#);
         assert_eq!(spoken(text, &was, &was), text);
+        let escaped = r#"{"text":"{\"v\":\"\\u0030\\u002E5\",\"w\":\"0.\\u0035\",\"x\":\"\\u00305\"}"}"#;
+        let then = r#"{"text":"{\"v\":\"\\u0030\\u002E6\",\"w\":\"0.6\",\"x\":\"\\u00305\"}"}"#;
+        assert_eq!(spoken(escaped, &was, &now), then);
     }
 }
