@@ -8,6 +8,7 @@ use crate::trace::{any, int, name_of, num, nums};
 pub(super) fn file() -> File {
     let mut cases = uav();
     cases.extend(ranges());
+    cases.extend(zeros());
     cases.extend(mappings());
     cases.extend(heads());
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
@@ -124,6 +125,44 @@ fn uav() -> Vec<Case> {
         .title("The UAV codec does not take other populations for its own.")
         .because("The populations are `vel_x`, `vel_y`, `vel_z`."),
     );
+    cases
+}
+
+/// Ranges within which 0 is a number like any other, and not the middle.
+const AROUND_ZERO: [(&str, [f64; 2]); 5] = [
+    ("at-the-low-end", [0.0, 50.0]),
+    ("at-the-high-end", [-30.0, 0.0]),
+    ("below-the-middle", [-50.0, 200.0]),
+    ("above-the-middle", [-200.0, 50.0]),
+    ("far-below-the-middle", [-1.0, 1e6]),
+];
+
+/// A rate of 0 is a rate, and no absent one.
+fn zeros() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, rate) in AROUND_ZERO {
+        for value in [[-1.0, 1.0], [2.0, 6.0]] {
+            let mapping = Mapping { value, rate, ..PLAIN };
+            cases.push(
+                case(
+                    format!("zero/{name}/to-{}-{}", value[0], value[1]).replace("--", "-minus-"),
+                    &["NCP-CODEC-003"],
+                    codec(&[], &[mapping]),
+                    &[("p", 0.0)],
+                )
+                .shows(channels(vec![("x", vec![map(0.0, rate, value)])]))
+                .title(format!(
+                    "A rate of 0 Hz {} of {} \u{2026} {} Hz is decoded within {} \u{2026} {} as any other.",
+                    name.replace('-', " "),
+                    rate[0],
+                    rate[1],
+                    value[0],
+                    value[1]
+                ))
+                .because("A population that is silent is there: its rate is mapped, and is not the middle."),
+            );
+        }
+    }
     cases
 }
 

@@ -48,4 +48,12 @@ struct Gains {
     max_speed: f64,
 }
 
+impl Gains {
+    /// The configuration of a controller.
+    fn json(self) -> Json {
+        object! { "target" => nums(&self.target), "kp" => num(self.kp), "kd" => num(self.kd),
+        "max_speed" => num(self.max_speed) }
+    }
+}
+
 const DEFAULT: Gains = Gains { target: [0.0; 3], kp: 1.0, kd: 0.3, max_speed: 1.5 };

@@ -17,11 +17,6 @@ fn case(path: String, rules: &[&'static str], config: Json, sensor: Json) -> Cas
     Case::new(path, rules, &[Role::Commander]).call("reflex.step", object! { "config" => config, "sensor" => sensor })
 }
 
-fn config(gains: Gains) -> Json {
-    object! { "target" => nums(&gains.target), "kp" => num(gains.kp), "kd" => num(gains.kd),
-    "max_speed" => num(gains.max_speed) }
-}
-
 fn commands(data: &[f64]) -> Json {
     object! { "command" => object! { "mode" => "active", "channels" => velocity(data) } }
 }
@@ -65,7 +60,7 @@ fn laws() -> Vec<Case> {
             let case = case(
                 format!("law/{place}/{name}"),
                 &["NCP-CTRL-001"],
-                config(gains),
+                gains.json(),
                 sensor(1, 0.0, &position, Some(&moving)),
             );
             // A gain of 0 may be refused.
@@ -272,7 +267,7 @@ fn configs() -> Vec<Case> {
             _ => Gains { max_speed: value, ..DEFAULT },
         };
         let case =
-            case(format!("odd/{}/{}", name.replace('_', "-"), name_of(value)), &["NCP-CTRL-001"], config(gains), ask())
+            case(format!("odd/{}/{}", name.replace('_', "-"), name_of(value)), &["NCP-CTRL-001"], gains.json(), ask())
                 .title(format!("A reflex controller with a {name} of {value} is one."))
                 .because("It is finite and not negative.");
         let expected = commands(&law(gains, [0.5, 0.0, 0.0], [0.0; 3]));

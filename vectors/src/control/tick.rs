@@ -1,6 +1,6 @@
 //! The control loop, tick by tick.
 
-use super::{channels_at, velocity};
+use super::{DEFAULT, Gains, channels_at, law, velocity};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::scenario::{self, Row, ScenarioError, Scenarios, source};
@@ -8,6 +8,7 @@ use crate::trace::{any, int, name_of, no_result, num, steps, within};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = newest();
+    cases.extend(laws());
     cases.extend(Scenarios::read(source!("control/loop"))?.rest(row_case)?);
     cases.extend(ttls());
     cases.extend(links());
@@ -134,6 +135,47 @@ fn newest() -> Vec<Case> {
                 .flags(&["last-to-arrive"])
                 .because(NEWEST),
         );
+    }
+    cases
+}
+
+/// What the controller makes of a frame behind another without a stamp: the velocity along x shows which frame it uses,
+/// and another axis that it keeps no position of the one before.
+fn laws() -> Vec<Case> {
+    let configs = [
+        ("defaults", DEFAULT),
+        ("target", Gains { target: [0.25, -0.25, 0.5], ..DEFAULT }),
+        ("stiff", Gains { kp: 4.0, kd: 0.125, max_speed: 10.0, ..DEFAULT }),
+        ("damped", Gains { kp: 0.25, kd: 2.0, max_speed: 0.5, ..DEFAULT }),
+    ];
+    let places = [("y", [0.5, -0.125, -0.25]), ("z", [0.5, 0.25, 0.125]), ("y-and-z", [0.5, -0.125, 0.125])];
+    let mut cases = Vec::new();
+    for (name, gains) in configs {
+        for (axes, position) in places {
+            let frames = [([0.5, 0.25, -0.25], [0.125, 0.0625, 0.0]), (position, [-0.0625, 0.0625, 0.0])];
+            let ticks = (0_u32..).zip(frames).flat_map(|(nth, (position, moving))| {
+                let now = 1.0 + f64::from(nth) / 16.0;
+                let arrives = frame(0, f64::from(nth), channels_at(&position, Some(&moving)), now);
+                [arrives, moves_by(&law(gains, position, moving), now)]
+            });
+            let path = format!("law/unstamped/{axes}/{name}");
+            let case = run_with(path, &["NCP-CTRL-001"], 50.0, Json::object(), gains.json(), ticks.collect());
+            // What follows from the frame before is not made of the newest.
+            let velocity = "/steps/3/command/channels/velocity_setpoint/data";
+            let case = case.by("/steps/3/command", "NCP-CTRL-011");
+            let case = case.by_own(format!("{velocity}/1")).by_own(format!("{velocity}/2"));
+            cases.push(
+                case.title(format!(
+                    "The controller ({name}) takes the position along {} of a second unstamped frame from that frame.",
+                    axes.replace('-', " ")
+                ))
+                .flags(&["reflex-law"])
+                .because(
+                    "The command is u = \u{2212}kp\u{b7}(p \u{2212} target) \u{2212} kd\u{b7}v of the frame that \
+                     the tick used, and of none before it.",
+                ),
+            );
+        }
     }
     cases
 }

@@ -184,6 +184,31 @@ fn depths() -> Vec<Case> {
             Text::concat([format!("{open_frame},\"novel\":[").into(), Text::repeat("[[]],", 1000), "[]]}".into()]),
             "a thousand nested arrays side by side",
         ));
+        // Levels of which a part is open while more brackets come and go than any block of them has.
+        let crowded = |frame: &Json, levels: usize| {
+            let (before, rows) = (40, 1700);
+            let behind = levels - 1 - before;
+            let frame = frame.text();
+            let open = frame.strip_suffix('}').unwrap_or(&frame);
+            Text::concat([
+                format!("{open},\"novel\":{}", "[".repeat(before)).into(),
+                Text::repeat(format!("[{}[]],", "[],".repeat(149)), rows),
+                format!("{}{}}}", "[".repeat(behind), "]".repeat(behind + before)).into(),
+            ])
+        };
+        cases.push(read(
+            "around-a-crowd",
+            crowded(&explicit(kind), LEVELS),
+            "64 levels around half a million brackets",
+        ));
+        cases.push(
+            Case::new(format!("{kind}/depth/around-a-crowd-beyond-limit"), &["NCP-WIRE-064"], readers(kind))
+                .title(format!("{} of 65 levels around half a million brackets is rejected.", a(kind)))
+                .flags(&["missing-limits"])
+                .decode(kind, crowded(&minimal(kind), LEVELS + 1))
+                .rejects("limit")
+                .because("Every level counts that is open, however many brackets have come and gone within it."),
+        );
         cases.push(read(
             "half-and-half",
             Text::concat([

@@ -13,6 +13,7 @@ use crate::trace::{any, int, name_of, no_result, num, nums, steps, within};
 
 pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
+    cases.extend(hairs());
     cases.extend(lengths_of_a_tick());
     cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     cases.push(long_replay());
@@ -60,6 +61,45 @@ fn ticks() -> Vec<Case> {
                                   `channels`, tick k is `horizon[k\u{2212}1]`, and none past the end.",
                     ),
                 );
+            }
+        }
+    }
+    cases
+}
+
+/// Ages next to the start of a tick, and further from it than doubles round.
+fn hairs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for dt in [10.0, 125.0] {
+        for tick in [1_u32, 3] {
+            for power in [-33, -36] {
+                let (start, hair) = (f64::from(tick) * dt / 1000.0, 2.0_f64.powi(power));
+                for (name, age, follows) in
+                    [("before", start * (1.0 - hair), tick - 1), ("behind", start * (1.0 + hair), tick)]
+                {
+                    // Of the nearest, one length of a tick is enough.
+                    if power < -33 && dt > 10.0 {
+                        continue;
+                    }
+                    let rule = if follows > 2 { "NCP-RES-029" } else { "NCP-RES-028" };
+                    let command = active(1).ttl(60_000.0).along_x(dt, &[10.0, 20.0]);
+                    cases.push(
+                        case(
+                            format!("hair/{dt}-ms/{name}-tick-{tick}-by-2-to-{power}").replace("--", "-minus-"),
+                            &[rule, "NCP-RES-025"],
+                            &[Event::Command(command, 0.0), Event::Ask(age)],
+                        )
+                        .title(format!(
+                            "Of a horizon of 2 steps of {dt} ms, the plant follows tick {follows} after {age} s, or \
+                             none behind its end."
+                        ))
+                        .flags(&["wrong-tick"])
+                        .because(
+                            "`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and a quotient that is \
+                             nearly a whole number is none.",
+                        ),
+                    );
+                }
             }
         }
     }

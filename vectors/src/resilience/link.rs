@@ -16,6 +16,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("burst", row_case)?);
     cases.push(at_the_threshold());
     cases.extend(text.rest(row_case)?);
+    cases.extend(relapses());
     cases.extend(bounded());
     cases.extend(parameters());
     cases.extend(extremes());
@@ -307,6 +308,38 @@ fn at_the_threshold() -> Case {
         .title("A sum of exactly the threshold is no burst, and one more loss is.")
         .flags(&["burst-detector"])
         .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5.")
+}
+
+/// Sums that fall below the threshold before they are 0, and rise above it again.
+fn relapses() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for threshold in [2_u32, 3] {
+        for (ref_loss, inverse) in [(0.125, 8), (0.25, 4), (0.5, 2)] {
+            // Up to one and a half times the threshold, and down by three quarters of it.
+            let gap = i64::from(3 * threshold * inverse / (2 * (inverse - 1))) + 1;
+            let falls = i64::from(threshold * inverse * 3 / 4) + 1;
+            let mut seqs = vec![1, 2 + gap];
+            seqs.extend((1..=falls).map(|nth| 2 + gap + nth));
+            let again = 3 + gap + falls + gap;
+            seqs.extend([again, again + 1, again + 2]);
+            cases.push(
+                case(
+                    format!("burst/relapse/threshold-{threshold}/ref-loss-{ref_loss}"),
+                    &["NCP-RES-046"],
+                    (Some(ref_loss), Some(f64::from(threshold))),
+                    (ref_loss, f64::from(threshold)),
+                    &seqs,
+                )
+                .title(format!(
+                    "Under a threshold of {threshold} and a reference loss of {ref_loss} a burst is over below the \
+                     threshold, not only at 0, and comes again."
+                ))
+                .flags(&["burst-detector"])
+                .because("The burst is true exactly while the sum is above the threshold, whatever it was before."),
+            );
+        }
+    }
+    cases
 }
 
 fn bounded() -> Vec<Case> {

@@ -9,6 +9,7 @@ use crate::trace::name_of;
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("resilience/watchdog"))?;
     let mut cases = boundaries();
+    cases.extend(hairs());
     cases.extend(ttls());
     for group in ["no-ttl", "before-any", "clock"] {
         cases.extend(text.cases(group, row_case)?);
@@ -89,6 +90,32 @@ fn boundaries() -> Vec<Case> {
                 .flags(&["L02"])
                 .because("A plant enforces a `ttl_ms` of more than 60,000 as 60,000."),
             );
+        }
+    }
+    cases
+}
+
+/// Ages that are next to a ttl, and further from it than doubles round.
+fn hairs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (ttl, end) in [(10.0, 0.01), (60_000.0, 60.0)] {
+        for power in [-33, -37] {
+            let hair = 2.0_f64.powi(power);
+            for (name, age, rule, is) in [
+                ("before", end * (1.0 - hair), "NCP-RES-013", "moves"),
+                ("past", end * (1.0 + hair), "NCP-RES-002", "holds"),
+            ] {
+                cases.push(
+                    case(
+                        format!("hair/ttl-{ttl}/{name}-by-2-to-{power}").replace("--", "-minus-"),
+                        &[rule, "NCP-RES-001"],
+                        &[command(1, ttl, 0.0), Event::Ask(age)],
+                    )
+                    .title(format!("A plant {is} {age} s after a command of {ttl} ms that came at 0 s."))
+                    .flags(&["off-by-a-boundary"])
+                    .because(DEADLINE),
+                );
+            }
         }
     }
     cases

@@ -1,13 +1,19 @@
 //! What latches ESTOP, what clears it, and what a fault of the configuration outlives.
 
-use super::model::{Limits, Sensor, Step, Trace, govern};
+use super::model::{Limits, Outcome, Sensor, Step, Trace, govern};
 use super::{good, latching, near, row_case};
 use crate::case::{Case, File};
-use crate::scenario::{ScenarioError, Scenarios, source};
+use crate::json::object;
+use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::trace::steps;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = sequences();
-    cases.extend(Scenarios::read(source!("safety/latch"))?.rest(row_case)?);
+    let mut text = Scenarios::read(source!("safety/latch"))?;
+    for group in ["config", "hold"] {
+        cases.extend(text.cases(group, row_case)?);
+    }
+    cases.extend(text.rest(repeated)?);
     let about = "Latches and resets of the governor: every sequence of three events, with a good command after each.";
     Ok(File::new("safety", "latch", about, cases))
 }
@@ -59,6 +65,18 @@ fn sequences() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// A row of HOLDs, of which only the mode is looked at: the first shows its gate, and those behind it that a HOLD
+/// leaves nothing behind.
+fn repeated(row: &Row) -> Result<Case, ScenarioError> {
+    let outcomes = Trace::of(row)?.outcomes();
+    let mode = |outcome: &Option<Vec<Outcome>>| {
+        let holds = outcome.as_ref().is_some_and(|outcome| outcome.first() == Some(&Outcome::Hold));
+        object! { "frame" => object! { "mode" => if holds { "hold" } else { "active" } } }
+    };
+    let shown = steps(outcomes.iter().map(mode).collect());
+    Ok(row_case(row)?.shows(shown).about_from(1))
 }
 
 /// The rules that a sequence shows: at the head what a calm link or a reset does to a latch, else the one

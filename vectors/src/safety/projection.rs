@@ -124,6 +124,21 @@ fn without_horizon_further() -> Vec<Case> {
             .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
         );
     }
+    for dt in [-500.0, 12.5, 50.0, 62.5, 10_000.0] {
+        let command = Command::moving(&[8.0, 0.0, 0.0]).then(dt, &[]);
+        cases.push(
+            one(
+                format!("no-ticks/outward/dt-{}", name_of(dt)),
+                &["NCP-SAFE-051", "NCP-SAFE-054"],
+                Limits::fence(FENCE),
+                command,
+                &[4.0, 0.0, 0.0],
+            )
+            .title(format!("From 4 m out outward, a command without a horizon is held whose horizon_dt_ms is {dt}."))
+            .flags(&["short-look-ahead"])
+            .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
+        );
+    }
     // The velocity is clamped before it is projected.
     for (speed, rule, ends) in [(4.0, "NCP-SAFE-021", "passes"), (16.0, "NCP-SAFE-051", "is held")] {
         let rules: &[&'static str] =

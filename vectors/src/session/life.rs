@@ -3,8 +3,8 @@
 use ncp_text::WIRE_VERSION;
 
 use super::{
-    Open, case, close, closed, error, not_closed, not_opened, observation, observed, opened, record, recorded, run,
-    step as step_of, stimulus,
+    Open, case, close, closed, error, id_of, not_closed, not_opened, observation, observed, opened, record, recorded,
+    run, step as step_of, stimulus, without_session,
 };
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -15,7 +15,7 @@ use crate::trace::{any, anything, int, name_of, nums, text_of};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("session/life"))?;
     let mut cases = Vec::new();
-    for group in ["life", "durations", "zero", "hash"] {
+    for group in ["life", "durations", "zero", "hash", "alike"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(open_questions());
@@ -24,6 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(versions());
     cases.extend(times());
     cases.extend(failures());
+    cases.extend(crowds());
     let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
     Ok(File::new("session", "life", about, cases))
 }
@@ -362,4 +363,25 @@ fn failures() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// The first of many sessions. Whether the server has room for the others is its own affair; the first stays open.
+fn crowds() -> Vec<Case> {
+    const OTHERS: usize = 33;
+    let first = "s0";
+    let others = (1..=OTHERS).map(|nth| (Open::lif(&format!("s{nth}")).text(), anything()));
+    let trace = [open(first), steps(first, 10.0)].into_iter().chain(others);
+    let trace: Vec<(String, Json)> = trace.chain([steps(first, 20.0), (close(first), closed(first))]).collect();
+    let without = trace.iter().map(|(request, reply)| match id_of(request) == first {
+        true => without_session(request).unwrap_or_else(error),
+        false => reply.clone(),
+    });
+    let without = super::replies(without.collect());
+    let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
+    vec![
+        super::asking(format!("crowd/{OTHERS}-opened"), &["NCP-SESS-035", "NCP-SESS-027"], requests)
+            .shows(any(vec![super::replies(with), without]))
+            .title(format!("A session goes on after {OTHERS} others were opened, or refused."))
+            .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other."),
+    ]
 }

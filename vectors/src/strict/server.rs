@@ -5,15 +5,17 @@ use ncp_text::WIRE_VERSION;
 use super::keys::VERBS;
 use super::{against_version, unfit_versions};
 use crate::case::{Case, File};
-use crate::json::Json;
+use crate::json::{Json, object};
+use crate::scenario::beside;
 use crate::session::{Open, case, close, closed, error, not_opened, observed, opened, run, step};
-use crate::trace::any;
+use crate::trace::{any, num, nums};
 
 pub(super) fn file() -> File {
     let mut cases = lives();
     cases.extend(openings());
     cases.extend(unversioned());
     cases.extend(doors());
+    cases.extend(stimulated());
     let about =
         "A strict server: requests without a compatible version, and requests at the control key of another kind.";
     File::new("strict", "server", about, cases)
@@ -127,6 +129,79 @@ fn unversioned() -> Vec<Case> {
                     .because("It answers with an error frame, and does not carry it out."),
             );
         }
+    }
+    cases
+}
+
+/// Requests that carry a stimulus frame: without a version, with another, and with a stimulus frame of another.
+fn stimulated() -> Vec<Case> {
+    let mut rate = Open::rate(ID);
+    rate.stimuli = vec![crate::session::stimulus("drive", "rate_inject")];
+    let opening = || (rate.text(), opened(ID));
+    let values = || object! { "drive" => object! { "data" => nums(&[1.0]) } };
+    let request = |kind: &str, version: Option<&str>, stimulus: Json| {
+        let time = if kind == "step_request" { "advance_ms" } else { "duration_ms" };
+        let request = version.map_or_else(Json::object, |version| object! { "ncp_version" => version });
+        let request = request.and("kind", kind.into()).and("session_id", ID.into()).and(time, num(10.0));
+        request.and("stimulus", stimulus).text()
+    };
+    let of_values = |version: Option<&str>| {
+        let stimulus = version.map_or_else(Json::object, |version| object! { "ncp_version" => version });
+        stimulus.and("values", values())
+    };
+    let good = |kind: &str| (request(kind, Some(WIRE_VERSION), of_values(None)), observed(ID, 10.0));
+    let mut cases = Vec::new();
+    for kind in ["step_request", "run_request"] {
+        let own = (request(kind, Some(WIRE_VERSION), of_values(Some(WIRE_VERSION))), observed(ID, 10.0));
+        cases.push(
+            case(format!("stimulated/{kind}/own/values"), &["NCP-STRICT-012"], vec![opening(), own])
+                .strictly()
+                .title(format!("A strict server carries out a `{kind}` with a stimulus frame of its version."))
+                .flags(&["over-strict", "nested-stimulus"])
+                .because("The version of the stimulus frame is the request's."),
+        );
+        for (what, version) in unfit_versions() {
+            let with: &[(&str, Option<&str>)] = match what {
+                "absent" => &[("no-version", None), ("own-version", Some(WIRE_VERSION))],
+                "older" => &[("same-version", version.as_deref())],
+                "malformed" if kind == "step_request" => &[("no-version", None)],
+                _ => &[],
+            };
+            for (with, of_stimulus) in with {
+                let bad = request(kind, version.as_deref(), of_values(*of_stimulus));
+                cases.push(
+                    case(
+                        format!("stimulated/{kind}/{what}/{with}"),
+                        &["NCP-STRICT-009", against_version(version.as_deref())],
+                        vec![opening(), (bad, error()), good(kind)],
+                    )
+                    .strictly()
+                    .title(format!(
+                        "A strict server does not carry out a `{kind}` whose version is {what}, and whose stimulus \
+                         frame has {}.",
+                        with.replace('-', " ").replace("own", "its own").replace("same", "the same")
+                    ))
+                    .flags(&["L07", "nested-stimulus"])
+                    .because("It answers with an error frame, and does not carry it out, stimulus or none."),
+                );
+            }
+        }
+        let nothing = object! { "ncp_version" => beside(-1) };
+        let bad = request(kind, Some(WIRE_VERSION), nothing);
+        cases.push(
+            case(
+                format!("stimulated/{kind}/fits-not/older/nothing"),
+                &["NCP-STRICT-013", "NCP-SESS-021"],
+                vec![opening(), (bad, error()), good(kind)],
+            )
+            .strictly()
+            .title(format!(
+                "A strict server does not carry out a `{kind}` whose stimulus frame has an older version and nothing \
+                 else."
+            ))
+            .flags(&["nested-stimulus"])
+            .because("A strict receiver rejects a request whose stimulus frame has another version than it."),
+        );
     }
     cases
 }

@@ -357,6 +357,7 @@ impl Encoder {
                     .flags(&["unchecked-pins"])
                     .because("Both pins stand on every `observation_frame`."),
                 );
+                cases.extend(self.other_pins(&explicit(self.kind), &[]));
             }
             "session_opened" => {
                 let provenance = without_pins(explicit_message("SimProvenance"));
@@ -370,6 +371,8 @@ impl Encoder {
                         .flags(&["unchecked-pins"])
                         .because("Both pins stand in every `provenance`."),
                 );
+                let whole = explicit(self.kind).with("provenance", explicit_message("SimProvenance"));
+                cases.extend(self.other_pins(&whole, &["provenance"]));
             }
             "open_session" => {
                 let fields = self
@@ -405,6 +408,32 @@ impl Encoder {
             }
             _ => {}
         }
+        cases
+    }
+
+    /// Pins that a program sets to another than their pinned value: the encoder refuses, or writes what is pinned.
+    fn other_pins(&self, frame: &Json, within: &[&str]) -> Vec<Case> {
+        const PINS: [(&str, bool); 2] = [("calibrated_posterior", false), ("is_simulation_output", true)];
+        let member = |pin: &str| within.iter().copied().chain([pin]).collect::<Vec<_>>().join(".");
+        let of = |name: &str, set: &[(&str, bool)], words: String| {
+            let fields = set.iter().fold(self.fields(frame.clone()), |fields, (pin, pinned)| {
+                let path: Vec<&str> = within.iter().copied().chain([*pin]).collect();
+                fields.edit(&path, |_| Json::Bool(!pinned))
+            });
+            let pins = Json::Object(PINS.map(|(pin, pinned)| (pin.to_owned(), Json::Bool(pinned))).into());
+            let written = within.iter().rev().fold(pins, |inner, name| object! { *name => inner });
+            self.case(&format!("pins/{name}"), &["NCP-PROV-008"])
+                .title(format!("{} {words} is refused, or written with its pins at their values.", a(self.kind)))
+                .flags(&["unchecked-pins"])
+                .encode(self.kind, fields)
+                .shows_or_refuses(object! { "text" => object! { "$json" => written } })
+                .because("An encoder does not write a pin with another than its pinned value.")
+        };
+        let one = |(pin, pinned): (&str, bool)| {
+            of(&format!("{pin}-flipped"), &[(pin, pinned)], format!("whose `{}` is set to {}", member(pin), !pinned))
+        };
+        let mut cases: Vec<Case> = PINS.map(one).into();
+        cases.push(of("both-flipped", &PINS, "whose pins are both set to what they are not".to_owned()));
         cases
     }
 

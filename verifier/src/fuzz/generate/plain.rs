@@ -132,8 +132,11 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
     let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "aaaa", "é", "abab", "@ab", long.as_str(), &longer];
     let alphabet = if draw.chance(20) { &alphabet[..] } else { &alphabet[..11] };
     let count = if draw.chance(20) { draw.size(1, 70) } else { draw.size(1, 6) };
-    let repeats = draw.one(&[0, 0, 50]);
+    let (repeats, odd) = (draw.one(&[0, 0, 50]), draw.one(&[0, 0, 40]));
     let chunk = |draw: &mut Draw<'_>| {
+        if draw.chance(odd) {
+            return draw.pick(&MEANINGFUL).to_owned();
+        }
         if !draw.chance(repeats) {
             return draw.pick(alphabet).to_owned();
         }
@@ -141,7 +144,7 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
         let most = if draw.chance(30) { 250 } else { 12 };
         (0..draw.size(1, most)).map(|_| draw.one(&['a', 'a', 'b'])).collect()
     };
-    let key: Vec<String> = (0..count).map(|_| chunk(draw)).collect();
+    let mut key: Vec<String> = (0..count).map(|_| chunk(draw)).collect();
     // The pattern is the key with some of it made wild, so that both answers are common.
     let mut pattern = Vec::new();
     let mut chunks = key.clone().into_iter();
@@ -154,6 +157,13 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
                 for _ in 0..draw.size(0, count) {
                     chunks.next();
                 }
+            }
+            // The key has another character where the pattern has one that means something elsewhere.
+            9 | 10 if MEANINGFUL.contains(&chunk.as_str()) => {
+                let other = chunk.replace(|c: char| !c.is_alphanumeric(), draw.pick(&["x", "a", ""]));
+                let at = key.len() - chunks.len() - 1;
+                key[at] = if other.is_empty() { "x".to_owned() } else { other };
+                pattern.push(if draw.chance(70) { format!("{chunk}$*") } else { format!("$*{chunk}") });
             }
             8 if chunk.starts_with('@') && draw.chance(60) => {
                 pattern.push(if draw.chance(50) { "$*".to_owned() } else { format!("$*{}", &chunk[1..]) });
@@ -187,6 +197,10 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
     }
     object([("pattern", text(pattern)), ("key", text(key.join("/")))])
 }
+
+/// Chunks with characters that mean something to who takes a pattern for a regular expression, or for a glob.
+const MEANINGFUL: [&str; 14] =
+    ["v1.0", "a+b", "(a)", "[ab]", "[^a]", "[!a]", "a|b", "^a", "a{2}", "{a,b}", "\\d", "a\\", "a_b", "a%"];
 
 /// A chunk with some runs of it wild.
 fn dollars(chunk: &str, draw: &mut Draw<'_>) -> String {
@@ -269,4 +283,26 @@ pub(super) fn horizon(draw: &mut Draw<'_>) -> Tree {
         _ => draw.positive(),
     };
     object([("ttl_ms", num(ttl)), ("dt_ms", num(dt))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::tree::string;
+
+    #[test]
+    fn a_character_that_means_something_elsewhere_stands_beside_a_wildcard_and_another_in_the_key() {
+        let harvest = Harvest::default();
+        let mut found = std::collections::HashSet::<&str>::new();
+        for number in 0..2000 {
+            let args = key_match(&mut Draw::new(3, number, &harvest));
+            let (pattern, key) = (string(&args, "pattern").unwrap(), string(&args, "key").unwrap());
+            for (chunk, other) in pattern.split('/').zip(key.split('/')) {
+                let bare = chunk.strip_suffix("$*").or(chunk.strip_prefix("$*")).unwrap_or_default();
+                found.extend(MEANINGFUL.iter().filter(|known| **known == bare && !other.contains(**known)));
+            }
+        }
+        assert!(found.len() > 10, "{found:?}");
+    }
 }

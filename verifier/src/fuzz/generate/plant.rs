@@ -16,6 +16,8 @@ pub(super) struct Clock {
     odd: u64,
     /// Whether it ticks in fractions that doubles hold exactly.
     exact: bool,
+    /// Into how many readings it cuts the time up to a moment that counts, if it does so: then nothing ends before.
+    patience: Option<i64>,
 }
 
 impl Clock {
@@ -23,7 +25,8 @@ impl Clock {
         let now = draw.one(&[0.0, 1.0, 10.0, 1000.0, -5.0, 1e6, 1.7e9, 4_503_599_627_370_496.0]);
         // A decimal whose milliseconds round, though the differences of such times may not.
         let now = if draw.chance(20) { draw.range(0, 400) as f64 / 100.0 } else { now };
-        Self { now, odd: draw.one(&[0, 0, 5]), exact: draw.chance(80) }
+        let patience = if draw.chance(12) { Some(draw.one(&[3, 9, 13, 45, 99])) } else { None };
+        Self { now, odd: draw.one(&[0, 0, 5]), exact: draw.chance(80), patience }
     }
 
     /// A later time: `span` after a moment that counts, or just before or behind that.
@@ -39,6 +42,11 @@ impl Clock {
             };
         }
         let span = if span_ms.is_finite() { (span_ms / 1000.0).clamp(0.0, 1e5) } else { 1.0 };
+        if let Some(readings) = self.patience.filter(|_| draw.chance(97)) {
+            let next = self.now + span / (readings as f64 + 0.3);
+            self.now = if next < from + span { next.max(self.now) } else { self.now.max(from + span) };
+            return self.now;
+        }
         let next = match draw.below(10) {
             8 => from + span + draw.little().abs() / 10.0,
             9 => from + span - draw.little().abs() / 10.0,
@@ -293,4 +301,25 @@ pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
     });
     let steps = list(steps.collect());
     object([("ref_loss", ref_loss), ("threshold", threshold), ("steps", steps)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+
+    #[test]
+    fn a_patient_clock_reads_often_before_the_moment_and_then_meets_it() {
+        let harvest = Harvest::default();
+        let (mut met, mut most) = (0, 0);
+        for number in 0..400 {
+            let mut draw = Draw::new(3, number, &harvest);
+            let mut clock = Clock { now: 2.0, odd: 0, exact: false, patience: Some(45) };
+            let readings: Vec<f64> = (0..60).map(|_| clock.tick(2.0, 1000.0, &mut draw)).collect();
+            let before = readings.iter().take_while(|now| **now < 3.0).count();
+            met += usize::from(readings.get(before) == Some(&3.0));
+            most = most.max(before);
+        }
+        assert!(met > 50 && most >= 45, "{met} {most}");
+    }
 }

@@ -136,6 +136,11 @@ fn request(kind: &str, id: &str) -> Tree {
 
 /// A value for a port, if any.
 fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
+    if draw.chance(4) {
+        // Nothing for any port.
+        set(request, "stimulus", object([("t", spelled(1.0))]));
+        return;
+    }
     if draw.chance(40) {
         let port = draw.pick(&["in", "in", "in2"]);
         let value = if draw.chance(3) { draw.one(&[1e300, 1e308, -1e308]) } else { draw.range(-8, 40) as f64 * 50.0 };
@@ -145,9 +150,28 @@ fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
     }
 }
 
+/// The request without a version, with another, or with a stimulus frame that has one.
+fn of_other_version(mut request: Tree, draw: &mut Draw<'_>) -> Tree {
+    let version = draw.one(&["0.4", "1.0", "x", WIRE_VERSION]);
+    if let Some(mut stimulus) = request.get("stimulus").cloned().filter(|_| draw.chance(60)) {
+        set(&mut stimulus, "ncp_version", text(version));
+        set(&mut request, "stimulus", stimulus);
+    }
+    match draw.below(3) {
+        0 => set(&mut request, "ncp_version", text(version)),
+        1 => {
+            if let crate::json::Json::Object(members) = &mut request {
+                members.retain(|(name, _)| name != "ncp_version");
+            }
+        }
+        _ => {}
+    }
+    request
+}
+
 /// The arguments of `session.run`.
 pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
-    let most = if draw.chance(6) { draw.size(4, 40) } else { 4 };
+    let most = if draw.chance(6) { draw.size(4, 80) } else { 4 };
     let mut ids: Vec<String> = (0..draw.size(1, most)).map(|_| segment(draw)).collect();
     if most > 4 {
         ids = (0..ids.len()).map(|nth| format!("{}{nth}", draw.one(&['a', 'b', 'z']))).collect();
@@ -167,13 +191,17 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let cadences = cadences.collect();
     let script = Script { ids, dt, cadences };
     let most = if draw.chance(8) { 600 } else { 40 };
-    let count = steps(draw, most).min(most);
+    // All that have an id are opened, and the first of them is asked behind them.
+    let count = steps(draw, most).min(most).max(if script.ids.len() > 20 { script.ids.len() + 4 } else { 0 });
+    let is_strict = menu.strict && draw.chance(20);
+    let versions = if is_strict { draw.one(&[0, 10, 30]) } else { 0 };
     let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
     let mut requests = Vec::new();
     let mut kinds = Vec::new();
     let mut open_now = std::collections::HashSet::new();
     for nth in 0..count {
-        let id = script.ids[draw.below(script.ids.len())].clone();
+        let among = if nth >= script.ids.len() && draw.chance(20) { 1 } else { script.ids.len() };
+        let id = script.ids[draw.below(among)].clone();
         let kind = match draw.below(100) {
             // What a second opening of a session does is advice, so it is rare.
             0..=9 if !open_now.contains(&id) || draw.chance(3) => "open_session",
@@ -212,6 +240,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
             }
             _ => request(kind, &id),
         };
+        let frame = if draw.chance(versions) { of_other_version(frame, draw) } else { frame };
         let written = if draw.chance(odd) {
             match draw.below(4) {
                 0 => draw.pick(&["", "{}", "[]", "null", "\u{feff}", "{\"kind\":\"sensor_frame\"}", "x"]).to_owned(),
@@ -230,7 +259,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         kinds.push(kind);
     }
     let mut args = object([("requests", list(requests))]);
-    if menu.strict && draw.chance(20) {
+    if is_strict {
         set(&mut args, "strict", crate::json::Json::Bool(true));
         if draw.chance(50) {
             let verbs = kinds.iter().map(|kind| {
@@ -241,4 +270,30 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         }
     }
     args
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::generate::tests::whole_menu;
+    use crate::fuzz::harvest::Harvest;
+    use crate::fuzz::tree::items;
+
+    #[test]
+    fn a_strict_server_is_asked_with_stimuli_by_requests_of_other_versions_and_a_crowd_is_opened_whole() {
+        let (menu, harvest) = (whole_menu(), Harvest::default());
+        let (mut stimulated, mut largest) = (0, 0);
+        for number in 0..600 {
+            let args = run(&menu, &mut Draw::new(3, number, &harvest));
+            let requests: Vec<&str> =
+                items(args.get("requests")).iter().filter_map(|request| request.as_str()).collect();
+            let own = format!("{{\"ncp_version\":\"{WIRE_VERSION}\"");
+            let is_other = |request: &&&str| request.contains("\"stimulus\":{") && !request.starts_with(&own);
+            if args.get("strict").is_some() {
+                stimulated += requests.iter().filter(is_other).count();
+            }
+            largest = largest.max(requests.iter().take_while(|request| request.contains("open_session")).count());
+        }
+        assert!(stimulated > 20 && largest > 30, "{stimulated} {largest}");
+    }
 }

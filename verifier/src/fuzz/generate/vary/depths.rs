@@ -39,7 +39,15 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
     let levels = draw.one(&[0, 0, 1, 2, 8, 31, 32, 60, 61, 62, 63, 64, 65, 100, 129, 500]);
     let is_list = draw.chance(70);
     let (open, close) = if is_list { ("[", "]") } else { ("{\"a\":", "}") };
-    let deep = format!("{}{leaf}{}", open.repeat(levels), close.repeat(levels));
+    let crowd = if levels > 8 && draw.chance(12) { "[],".repeat(draw.size(1 << 11, 1 << 17)) } else { String::new() };
+    let deep = if crowd.is_empty() {
+        format!("{}{leaf}{}", open.repeat(levels), close.repeat(levels))
+    } else {
+        // A part of the levels is open while many brackets come and go.
+        let before = 1 + draw.below(levels - 1);
+        let behind = levels - before;
+        format!("{}{crowd}{}{leaf}{}", "[".repeat(before), "[".repeat(behind), "]".repeat(levels))
+    };
     let most = draw.one(&[60, 1 << 10, 1 << 16, 1 << 17, 300_000]);
     let size = draw.size(0, most);
     // So many brackets that what is deep begins before a power of two, and ends behind it.
