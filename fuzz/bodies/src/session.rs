@@ -187,16 +187,18 @@ struct Model {
     steps: f64,
 }
 
+/// The digits of the last part of a version, without leading zeros.
+fn minor(version: &str) -> Option<&str> {
+    version.split('.').next_back().map(|minor| minor.trim_start_matches('0'))
+}
+
 fn judge(request: &Message, reply: &Message, text: &str, open: &mut BTreeMap<String, Model>) {
     match (request, reply) {
         (Message::OpenSession(request), Message::SessionOpened(opened)) => {
             assert_eq!(opened.session_id, request.session_id);
             let id = request.session_id.to_string();
             if opened.ok {
-                assert_eq!(
-                    request.ncp_version.split('.').next_back().map(|minor| minor.trim_start_matches('0')),
-                    Some("5")
-                );
+                assert_eq!(minor(&request.ncp_version), minor(WIRE_VERSION));
                 assert!(opened.provenance.is_some());
                 assert!(open.insert(id, Model::of(request)).is_none(), "opened twice");
             } else {
