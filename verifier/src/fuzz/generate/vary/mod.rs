@@ -104,9 +104,30 @@ impl Seeds {
             }
             varied.keys.push(fnv(rule, &format!("{way:?} {}", (much + 1).ilog2())));
         }
+        spell_plainly(&mut varied.args, "");
         Some(varied)
     }
 }
+
+/// Spells numbers as PROTOCOL.md, section 2, has them, for the adapter reads them and not the implementation: many JSON
+/// readers lose the sign of `-0`, and an i64 has no more digits than it takes.
+fn spell_plainly(tree: &mut Tree, under: &str) {
+    const DIGITS: usize = 40;
+    match tree {
+        Json::Array(items) => items.iter_mut().for_each(|item| spell_plainly(item, under)),
+        Json::Object(members) => members.iter_mut().for_each(|(name, value)| spell_plainly(value, name)),
+        Json::Number(spelling) if spelling == "-0" && ARRAYS.contains(&under) => *tree = literal("-0.0"),
+        Json::String(word) if ARRAYS.contains(&under) && word.len() > DIGITS => {
+            if let Some(digits) = word.get(..DIGITS).filter(|_| word.bytes().all(|byte| byte.is_ascii_digit())) {
+                *tree = text(digits.to_owned());
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Members whose arrays hold doubles, or integers as text.
+const ARRAYS: [&str; 4] = ["data", "times", "values", "senders"];
 
 /// Whether an object has two members of one name; those of written frames may.
 fn repeats(tree: &Tree) -> bool {
@@ -879,5 +900,21 @@ mod tests {
             .filter_map(|frame| string(&frame, "session_id").map(str::to_owned))
             .collect();
         assert_eq!((items(args.get("requests")).len(), ids.len()), (6, 2), "{args}");
+    }
+
+    #[test]
+    fn an_adapter_gets_numbers_as_the_protocol_spells_them() {
+        let spelled = |args: &str| {
+            let mut tree = own(&Json::parse(args).unwrap());
+            spell_plainly(&mut tree, "");
+            tree.to_string()
+        };
+        let long = "0".repeat(4304);
+        let asked = format!(r#"{{"times":[-0,-0.0,1],"senders":["7","{long}"],"seq":-0,"key":"{long}"}}"#);
+        let short = "0".repeat(40);
+        let then = format!(r#"{{"times":[-0.0,-0.0,1],"senders":["7","{short}"],"seq":-0,"key":"{long}"}}"#);
+        assert_eq!(spelled(&asked), then);
+        let frame = r#"{"text":"{\"channels\":{\"a\":{\"data\":[-0]}}}"}"#;
+        assert_eq!(spelled(frame), frame);
     }
 }
