@@ -110,35 +110,25 @@ fn without_horizon_further() -> Vec<Case> {
         );
     }
     // A length of ticks without ticks says nothing.
-    for dt in [-500.0, 0.0, 125.0, 10_000.0] {
-        let command = Command::moving(&[-4.0, 0.0, 0.0]).then(dt, &[]);
-        cases.push(
+    let lengths = |folder: &str, lengths: &[f64], speed: f64, rule: &'static str, what: &str| {
+        let of = |dt: &f64| {
             one(
-                format!("no-ticks/dt-{}", name_of(dt)),
-                &["NCP-SAFE-021", "NCP-SAFE-054"],
+                format!("no-ticks/{folder}dt-{}", name_of(*dt)),
+                &[rule, "NCP-SAFE-054"],
                 Limits::fence(FENCE),
-                command,
+                Command::moving(&[speed, 0.0, 0.0]).then(*dt, &[]),
                 &[4.0, 0.0, 0.0],
             )
-            .title(format!("From 4 m out inward, a command without a horizon passes whose horizon_dt_ms is {dt}."))
-            .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
-        );
-    }
-    for dt in [-500.0, 12.5, 50.0, 62.5, 10_000.0] {
-        let command = Command::moving(&[8.0, 0.0, 0.0]).then(dt, &[]);
-        cases.push(
-            one(
-                format!("no-ticks/outward/dt-{}", name_of(dt)),
-                &["NCP-SAFE-051", "NCP-SAFE-054"],
-                Limits::fence(FENCE),
-                command,
-                &[4.0, 0.0, 0.0],
-            )
-            .title(format!("From 4 m out outward, a command without a horizon is held whose horizon_dt_ms is {dt}."))
-            .flags(&["short-look-ahead"])
-            .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length."),
-        );
-    }
+            .title(format!("From 4 m out {what} whose horizon_dt_ms is {dt}."))
+            .because("Without a horizon the plant follows tick 0 for the whole ttl, and no tick has a length.")
+        };
+        lengths.iter().map(of).collect::<Vec<_>>()
+    };
+    let passes = "inward, a command without a horizon passes";
+    cases.extend(lengths("", &[-500.0, 0.0, 125.0, 10_000.0], -4.0, "NCP-SAFE-021", passes));
+    let held = "outward, a command without a horizon is held";
+    let outward = lengths("outward/", &[-500.0, 12.5, 50.0, 62.5, 10_000.0], 8.0, "NCP-SAFE-051", held);
+    cases.extend(outward.into_iter().map(|case| case.flags(&["short-look-ahead"])));
     // The velocity is clamped before it is projected.
     for (speed, rule, ends) in [(4.0, "NCP-SAFE-021", "passes"), (16.0, "NCP-SAFE-051", "is held")] {
         let rules: &[&'static str] =
