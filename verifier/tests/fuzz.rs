@@ -129,12 +129,12 @@ fn a_crash_and_a_hang_are_findings() {
     let folder = TempDir::new().unwrap();
     let change = "if call == 'key.match' and '$*' in args['pattern']:\n    os._exit(3)";
     let peer = changed(folder.path(), change);
-    let (output, found) = search(&folder, &peer, &["--filter", "key.match", "--cases", "64", "--tries", "40"]);
+    let (output, found) = search(&folder, &peer, &["--filter", "key.match", "--cases", "32", "--tries", "8"]);
     assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
     assert!(findings(&found).iter().any(|finding| finding["kind"] == "crash"), "{}", stdout(&output));
     let change = "if call == 'plane.qos' and args['plane'] == 'action':\n    import time; time.sleep(60)";
     let peer = changed(folder.path(), change);
-    let (output, found) = search(&folder, &peer, &["--filter", "plane.qos", "--cases", "8", "--timeout", "1"]);
+    let (output, found) = search(&folder, &peer, &["--filter", "plane.qos", "--cases", "8", "--timeout", "1", "--tries", "2"]);
     assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
     assert!(findings(&found).iter().any(|finding| finding["kind"] == "hang"), "{}", stdout(&output));
 }

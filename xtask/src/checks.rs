@@ -28,7 +28,8 @@ pub(crate) struct Check {
     pub(crate) run: fn(&mut Work<'_>) -> Result<Tally, Failure>,
 }
 
-/// The checks of one lane run one after the other, beside those of the other lane.
+/// The checks of one lane run one after the other, beside those of the other lane. A lane that has ended takes from the
+/// end of the other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Lane {
     /// What cargo builds without optimisation, and what needs no build.

@@ -1,5 +1,6 @@
 //! Carries the checks out, in two lanes side by side, and shows how they end.
 
+use std::collections::VecDeque;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -42,14 +43,12 @@ pub(crate) fn run(project: &Project, checks: &[&Check]) -> Result<bool, Error> {
     let screen = Mutex::new(Screen::new());
     let total = Mutex::new(Tally::default());
 
+    let waiting = Mutex::new(checks.iter().copied().collect::<VecDeque<_>>());
     thread::scope(|scope| {
         for lane in [Lane::Crates, Lane::Peers] {
-            let (screen, total) = (&screen, &total);
+            let (screen, total, waiting) = (&screen, &total, &waiting);
             scope.spawn(move || {
-                for check in checks.iter().filter(|check| check.lane == lane) {
-                    if process::is_stopped() {
-                        return;
-                    }
+                while let Some(check) = take(&mut lock(waiting), lane).filter(|_| !process::is_stopped()) {
                     let tally = carry_out(project, check, screen);
                     *lock(total) += tally;
                 }
@@ -69,6 +68,14 @@ pub(crate) fn run(project: &Project, checks: &[&Check]) -> Result<bool, Error> {
     print_slowest(&mut total.times);
     println!("{} passed, {} failed", total.passed, total.failed);
     Ok(total.failed == 0)
+}
+
+/// The next check of a lane; once it has none left, the last of the other, so that no lane waits for the other.
+fn take<'c>(waiting: &mut VecDeque<&'c Check>, lane: Lane) -> Option<&'c Check> {
+    match waiting.iter().position(|check| check.lane == lane) {
+        Some(place) => waiting.remove(place),
+        None => waiting.pop_back(),
+    }
 }
 
 /// Carries out one check, and shows how it ends.
@@ -198,6 +205,17 @@ mod tests {
         let selected = names(&[]);
         let lacking: Vec<_> = CHECKS.iter().filter(|check| !selected.contains(&check.name)).collect();
         assert!(lacking.iter().all(|check| ["deny", "gate", "packages"].contains(&check.name)));
+    }
+
+    #[test]
+    fn a_lane_takes_its_own_checks_in_their_order_and_then_the_last_of_the_other() {
+        let project = Project::at("no such folder".as_ref());
+        let only = ["format", "buf-lint", "clippy", "trace", "mutants"].map(str::to_owned);
+        let mut waiting = select(&project, &only).into_iter().collect();
+        let mut next = |lane| take(&mut waiting, lane).map(|check| check.name);
+        assert_eq!([next(Lane::Crates), next(Lane::Crates)], [Some("format"), Some("clippy")]);
+        assert_eq!([next(Lane::Crates), next(Lane::Peers)], [Some("mutants"), Some("buf-lint")]);
+        assert_eq!([next(Lane::Peers), next(Lane::Peers)], [Some("trace"), None]);
     }
 
     #[test]

@@ -32,8 +32,8 @@ def verdict(module, level):
     """What ncp-verify says of a module: its result on the one peer."""
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder) / "result.json"
-        command = ["cargo", "run", "--quiet", "--release", "-p", "ncp-verifier", "--", "run", "--level", level]
-        command += ["--peer-cmd", subprocess.list2cmdline(adapter(module)), "--json", str(result)]
+        command = ["cargo", "run", "--quiet", "--profile", "verify", "-p", "ncp-verifier", "--"]
+        command += ["run", "--level", level, "--peer-cmd", subprocess.list2cmdline(adapter(module)), "--json", str(result)]
         subprocess.run(command, cwd=ROOT, capture_output=True, check=False)
         return json.loads(result.read_text())["peers"][0]
 

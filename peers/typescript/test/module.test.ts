@@ -24,7 +24,7 @@ async function verdict(module: string): Promise<Case[]> {
   try {
     const result = join(folder, "result.json");
     const peer = `'${process.execPath}' '${ADAPTER}' --module '${module}'`;
-    const verify = ["run", "--quiet", "--release", "-p", "ncp-verifier", "--", "run", "--level", "safety"];
+    const verify = ["run", "--quiet", "--profile", "verify", "-p", "ncp-verifier", "--", "run", "--level", "safety"];
     // A peer that fails ends the program with 1.
     await promisify(execFile)("cargo", [...verify, "--peer-cmd", peer, "--json", result], {
       cwd: join(PACKAGE, "../.."),
