@@ -111,12 +111,12 @@ impl Number {
     }
 
     /// Whether another number is this one but for `tolerance`, which is relative, with a floor of the same size:
-    /// |a − b| ≤ tolerance · max(1, |a|, |b|). 0 is −0, and integers are compared exactly if there is no tolerance.
+    /// |a − b| ≤ tolerance · max(1, |a|, |b|). 0 is −0, and two integers have to be the same.
     #[must_use]
     pub fn is_near(self, got: Self, tolerance: f64) -> bool {
         let (a, b) = (self.double, got.double);
         match (self.integer, got.integer) {
-            (Some(expected), Some(got)) if tolerance == 0.0 => expected == got,
+            (Some(expected), Some(got)) => expected == got,
             _ if a.is_finite() && b.is_finite() => (a - b).abs() <= tolerance * a.abs().max(b.abs()).max(1.0),
             _ => a == b || (a.is_nan() && b.is_nan()),
         }

@@ -231,6 +231,8 @@ mod tests {
         assert!(differ_by(0.5, "1", "1.5").is_empty() && !differ_by(0.5, "1", "2.5").is_empty());
         assert!(differ_by(1e-9, "0", "1e-9").is_empty() && !differ_by(1e-9, "0", "2e-9").is_empty());
         assert!(differ_by(1e-9, "1e9", "1000000001").is_empty());
+        // A count is exact, also where a double of its size may be off by many.
+        assert_eq!(differ_by(1e-9, "9007199254740991", "9007199254740990").len(), 1);
         for (pattern, got) in
             [("\"Infinity\"", "1e308"), ("1", "\"Infinity\""), ("\"Infinity\"", "\"-Infinity\""), ("1", "\"NaN\"")]
         {
