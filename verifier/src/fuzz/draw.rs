@@ -390,8 +390,13 @@ impl<'h> Draw<'h> {
         self.pick(&names).to_owned()
     }
 
-    /// So many letters.
+    /// So many letters; some of the time others of more bytes each, as many as fit into so many bytes.
     pub(crate) fn letters(&mut self, length: usize) -> String {
+        if length > 4 && self.chance(20) {
+            let wide = self.one(&['\u{e9}', '\u{3b1}', '\u{4e2d}', '\u{ff5e}', '\u{1f681}', '\u{1f681}']);
+            let end = if self.chance(50) { "" } else { "p" };
+            return wide.to_string().repeat((length - end.len()) / wide.len_utf8()) + end;
+        }
         let first = self.one(b"abxyz019");
         let mut text = char::from(first).to_string().repeat(length);
         // Equal but for the end: a cache by prefix, or a length that is cut, takes them for one.

@@ -60,6 +60,11 @@ impl Shapes {
 
     /// The same where JSON frames are given, which have no word for a number that is not finite.
     fn velocity(&self, draw: &mut Draw<'_>) -> Vec<f64> {
+        if let Some(speed) = self.speed
+            && draw.chance(12)
+        {
+            return near(speed, draw);
+        }
         let axis = draw.below(5);
         let mut data: Vec<f64> = (0..3)
             .map(|at| {
@@ -110,6 +115,12 @@ impl Shapes {
                 let width = if draw.chance(6) { draw.size(1, 300) } else { draw.one(&[0, 1, 2, 3, 4, 3, 3, 17]) };
                 let mut data: Vec<f64> =
                     (0..width).map(|_| if draw.chance(60) { draw.plain() } else { draw.finite() }).collect();
+                if let Some(speed) = self.speed
+                    && width == 3
+                    && draw.chance(12)
+                {
+                    data = near(speed, draw);
+                }
                 if width > 0 && draw.chance(2 * self.strange) {
                     let at = draw.below(width);
                     data[at] = draw.strange();
@@ -118,6 +129,20 @@ impl Shapes {
             }
         }
         map(channels)
+    }
+}
+
+/// A velocity just above a limit, or just below it: by any tolerance that somebody may think of.
+fn near(speed: f64, draw: &mut Draw<'_>) -> Vec<f64> {
+    let length = speed * (1.0 + draw.little());
+    let length = draw.one(&[length, length, speed.next_up(), speed.next_down(), speed]);
+    let of = |x: f64, y: f64, z: f64| vec![x * length, y * length, z * length];
+    match draw.below(5) {
+        0 => of(1.0, 0.0, 0.0),
+        1 => of(0.0, -1.0, 0.0),
+        2 => of(0.0, 0.0, 1.0),
+        3 => of(0.6, 0.0, -0.8),
+        _ => of(2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0),
     }
 }
 

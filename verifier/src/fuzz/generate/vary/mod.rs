@@ -500,7 +500,8 @@ fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
                 let most = if numbers && draw.chance(10) { 70_000 } else { 4200 };
                 let most = if draw.chance(60) { 300 } else { most };
                 let count = draw.size(1, most);
-                let count = draw.afford(count);
+                // A number is no more than a few bytes.
+                let count = if numbers { count } else { draw.afford(count) };
                 let item = if items.is_empty() { literal("1.0") } else { items[draw.below(items.len())].clone() };
                 let place = draw.one(&[0, items.len() / 2, items.len()]);
                 items.splice(place..place, std::iter::repeat_n(item, count));
