@@ -90,13 +90,13 @@ pub(crate) fn weave(project: &Project, defects: &[Defect]) -> Result<Planted, Pl
 impl Planted {
     /// What builds it.
     pub(crate) fn build(&self) -> Launch {
-        let cargo = ["cargo", "build", "--release", "--quiet", "--target-dir", "target", "-p", &self.package];
+        let cargo = ["cargo", "build", "--profile", "verify", "--quiet", "--target-dir", "target", "-p", &self.package];
         Launch::new(cargo.map(str::to_owned).to_vec(), &self.folder)
     }
 
     /// The program that is built.
     pub(crate) fn program(&self) -> PathBuf {
-        self.folder.join("target/release").join(format!("{}{}", self.package, std::env::consts::EXE_SUFFIX))
+        self.folder.join("target/verify").join(format!("{}{}", self.package, std::env::consts::EXE_SUFFIX))
     }
 }
 
