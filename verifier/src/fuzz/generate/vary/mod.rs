@@ -16,6 +16,8 @@
 //! - *instant*: a step when a time of the trace ends, or just before or behind that.
 //! - *residue*: before a step nearly the same one, with something that may stay behind.
 //! - *crowd*: a session, a channel or an entry so many times, each with a name of its own.
+//! - *sibling*: beside an item one that differs from it in one member.
+//! - *namesake*: one name for two things.
 //! - *omit*: a member less.
 //! - *spell*: frames as strangely spelled as the grammar allows, or behind much that nobody reads.
 //! - *bury*: in a frame, deep or far behind, what a reader has to notice.
@@ -25,6 +27,7 @@
 
 mod crowd;
 mod depths;
+mod kin;
 mod moments;
 
 use std::collections::{BTreeMap, HashSet};
@@ -82,6 +85,13 @@ impl Seeds {
         Some((rule, cases.get(draw.below(cases.len()))?))
     }
 
+    /// One of a call that asks for the same by another road.
+    fn of_kin(&self, call: Call, draw: &mut Draw<'_>) -> Option<&Tree> {
+        let kin: Vec<Call> = kin::of(call).iter().copied().filter(|call| self.0.contains_key(call)).collect();
+        let call = kin.get(draw.below(kin.len()))?;
+        self.pick(*call, draw).map(|(_, case)| case)
+    }
+
     /// One of a call, varied; none, if there is no case of it.
     pub(crate) fn vary(&self, call: Call, draw: &mut Draw<'_>) -> Option<Varied> {
         let (rule, seed) = self.pick(call, draw)?;
@@ -96,6 +106,7 @@ impl Seeds {
             };
             let way = draw.one(ways);
             let before = varied.args.clone();
+            let other = if way.takes() && draw.chance(25) { self.of_kin(call, draw).unwrap_or(other) } else { other };
             let much = way.take(&mut varied.args, other, draw);
             // A request that names a member twice is none.
             if varied.args.to_string().len() > LARGE || repeats(&varied.args) {
@@ -158,6 +169,8 @@ enum Way {
     Instant,
     Residue,
     Crowd,
+    Sibling,
+    Namesake,
     Omit,
     Spell,
     Bury,
@@ -169,27 +182,29 @@ enum Way {
 /// Each as often as it is drawn.
 const TRACE: &[Way] = {
     use Way::{
-        Before, Blemish, Bury, Clock, Crowd, Fit, Gap, Graft, Grow, Idle, Instant, Omit, Pump, Residue, Rounds, Scale,
-        Seqs, Spell, Twin, Value,
+        Before, Blemish, Bury, Clock, Crowd, Fit, Gap, Graft, Grow, Idle, Instant, Namesake, Omit, Pump, Residue,
+        Rounds, Scale, Seqs, Sibling, Spell, Twin, Value,
     };
     &[
         Pump, Pump, Pump, Pump, Idle, Idle, Idle, Rounds, Rounds, Before, Before, Gap, Gap, Gap, Instant, Instant,
-        Instant, Residue, Residue, Residue, Crowd, Omit, Graft, Graft, Grow, Blemish, Twin, Scale, Seqs, Clock, Spell,
-        Bury, Fit, Value,
+        Instant, Residue, Residue, Residue, Crowd, Namesake, Sibling, Omit, Graft, Graft, Grow, Blemish, Twin, Scale,
+        Seqs, Clock, Spell, Bury, Fit, Value,
     ]
 };
 const REQUESTS: &[Way] = {
-    use Way::{Before, Blemish, Bury, Crowd, Fit, Graft, Grow, Idle, Omit, Pump, Residue, Spell, Twin, Value};
+    use Way::{
+        Before, Blemish, Bury, Crowd, Fit, Graft, Grow, Idle, Namesake, Omit, Pump, Residue, Sibling, Spell, Twin, Value,
+    };
     &[
-        Pump, Pump, Pump, Idle, Idle, Before, Crowd, Crowd, Residue, Omit, Graft, Grow, Blemish, Twin, Twin, Spell,
-        Bury, Fit, Value,
+        Pump, Pump, Pump, Idle, Idle, Before, Crowd, Crowd, Residue, Namesake, Sibling, Omit, Graft, Grow, Blemish,
+        Twin, Twin, Spell, Bury, Fit, Value,
     ]
 };
 const SINGLE: &[Way] = {
-    use Way::{Blemish, Bury, Crowd, Fit, Graft, Grow, Omit, Scale, Seqs, Spell, Twin, Value};
+    use Way::{Blemish, Bury, Crowd, Fit, Graft, Grow, Namesake, Omit, Scale, Seqs, Sibling, Spell, Twin, Value};
     &[
-        Graft, Graft, Grow, Grow, Grow, Blemish, Blemish, Crowd, Omit, Twin, Spell, Spell, Bury, Bury, Fit, Value,
-        Value, Seqs, Scale,
+        Graft, Graft, Grow, Grow, Grow, Blemish, Blemish, Crowd, Namesake, Sibling, Sibling, Omit, Twin, Spell, Spell,
+        Bury, Bury, Fit, Value, Value, Seqs, Scale,
     ]
 };
 
@@ -226,6 +241,8 @@ impl Way {
             Self::Instant => moments::instant(args, draw),
             Self::Residue => moments::residue(args, other, draw),
             Self::Crowd => crowd::crowd(args, draw),
+            Self::Sibling => within(args, draw, &mut kin::sibling),
+            Self::Namesake => kin::namesake(args, draw),
             Self::Omit => within(args, draw, &mut moments::omit),
             Self::Bury => depths::in_a_frame(args, draw, depths::buried),
             Self::Fit => depths::in_a_frame(args, draw, depths::fitted),
