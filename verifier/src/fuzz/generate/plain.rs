@@ -83,7 +83,9 @@ fn any_segment(draw: &mut Draw<'_>) -> String {
     match draw.below(4) {
         0 => draw.string(),
         1 => {
-            let length = draw.one(&[255, 256, 257, 1000]);
+            // Of wide letters, one more than fit needs some bytes more.
+            let more = draw.below(10);
+            let length = draw.one(&[255, 256, 257, 256 + more, 256 + 10 * more, 256 + 60 * more, 1000]);
             draw.letters(length)
         }
         2 => {

@@ -519,6 +519,8 @@ fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
                 let count = draw.size(1, most);
                 // A number is no more than a few bytes.
                 let count = if numbers { count } else { draw.afford(count) };
+                // As many more as a narrow count of them does not see.
+                let count = if numbers && draw.chance(12) { draw.one(&[1 << 8, 1 << 8, 1 << 16]) } else { count };
                 let item = if items.is_empty() { literal("1.0") } else { items[draw.below(items.len())].clone() };
                 let place = draw.one(&[0, items.len() / 2, items.len()]);
                 items.splice(place..place, std::iter::repeat_n(item, count));
