@@ -171,8 +171,10 @@ impl Json {
         self.write(&mut line, Style { spaced: true, ascii: true });
         let is_long_list = matches!(self, Self::Array(items)
             if items.len() > LONG_LIST && items.iter().all(Self::is_short));
+        let is_long_map = matches!(self, Self::Object(members)
+            if members.len() > LONG_LIST && members.iter().all(|(_, value)| value.is_short()));
         let is_scalar = !matches!(self, Self::Array(_) | Self::Object(_));
-        if is_scalar || is_long_list || indent + line.len() <= LINE {
+        if is_scalar || is_long_list || is_long_map || indent + line.len() <= LINE {
             out.push_str(&line);
             return;
         }

@@ -2,6 +2,7 @@
 
 use crate::json::Json;
 use crate::scenario::{Place, ScenarioError};
+use crate::template::Text;
 
 /// The frame with changes, which have ` | ` between: `name=value` sets a member, `+name=value` adds one at the end,
 /// also
@@ -29,6 +30,22 @@ fn repeated(text: &str) -> String {
     };
     let (part, times) = inside.split_once('*').unwrap_or((inside, "1"));
     format!("{before}{}{}", part.repeat(times.parse().unwrap_or(1)), repeated(after))
+}
+
+/// The text in which `<s*9>` repeats `s`, as a template, which the runner expands.
+pub(crate) fn template(text: &str) -> Text {
+    let mut parts = Vec::new();
+    let mut rest = text;
+    while let Some((before, (inside, after))) = rest.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?))) {
+        let (part, times) = inside.split_once('*').unwrap_or((inside, "1"));
+        parts.extend([before.into(), Text::repeat(part, times.parse().unwrap_or(1))]);
+        rest = after;
+    }
+    if parts.is_empty() {
+        return text.into();
+    }
+    parts.push(rest.into());
+    Text::Concat(parts)
 }
 
 fn patch(frame: Json, change: &str, place: Place) -> Result<Json, ScenarioError> {

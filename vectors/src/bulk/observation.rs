@@ -67,6 +67,34 @@ fn fitting() -> Vec<(&'static str, Samples, &'static str)> {
             "with zeros, a NaN and infinities",
         ),
         ("zeros-alone", samples(&[0.0, 0.0], &[0.0, 0.0], &[0, 0]), "of zeros alone"),
+        (
+            "large-senders-of-three",
+            samples(&[0.1, 0.2, 0.3], &[-65.0, -64.5, -64.0], &[i64::MAX, i64::MIN, (1 << 53) + 1]),
+            "with senders beyond 2^53 beside times and values",
+        ),
+        (
+            "senders-around-two-to-53",
+            samples(
+                &[0.1, 0.2, 0.3, 0.4, 0.5, 0.6],
+                &[1.5; 6],
+                &[(1 << 53) - 1, 1 << 53, (1 << 53) + 1, -(1 << 53) - 1, (1 << 62) + 1, 1 - (1 << 62)],
+            ),
+            "with senders around 2^53 and 2^62",
+        ),
+        (
+            "senders-beyond-32-bits",
+            samples(
+                &[0.1, 0.2, 0.3, 0.4, 0.5],
+                &[1.5; 5],
+                &[(1 << 24) + 1, (1 << 31) - 1, 1 << 31, (1 << 32) + 1, -(1 << 31) - 1],
+            ),
+            "with senders beyond 24, 31 and 32 bits",
+        ),
+        (
+            "long-digits",
+            samples(&[0.1 + 0.2, 1e300, 5e-324], &[-65.000_000_000_000_01, f64::MAX, -1.0 / 3.0], &[7, 8, 9]),
+            "of numbers that need all their digits",
+        ),
         ("large-senders", samples(&[], &[], &[i64::MAX, i64::MIN, (1 << 53) + 1]), "with senders beyond 2^53"),
     ]
 }

@@ -1,6 +1,8 @@
 //! From rates to a command.
 
-use super::{Mapping, PLAIN, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely};
+use super::{
+    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely,
+};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, int, name_of, num, nums};
@@ -11,6 +13,7 @@ pub(super) fn file() -> File {
     cases.extend(zeros());
     cases.extend(mappings());
     cases.extend(heads());
+    cases.extend(alike());
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
     File::new("codec", "decode", about, cases)
 }
@@ -448,6 +451,67 @@ fn heads() -> Vec<Case> {
             frame_id,
             "active",
             format!("Decoding builds a command in a frame of reference ({name})."),
+        );
+    }
+    cases
+}
+
+/// Targets, and populations, that a careless name for them confuses.
+fn alike() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, components, words) in ALIKE {
+        let mut built: Vec<(&str, Vec<f64>)> = Vec::new();
+        let mut of_targets: (Vec<Mapping>, Vec<(&str, f64)>) = (Vec::new(), Vec::new());
+        let mut of_populations: (Vec<Mapping>, Vec<(&str, f64)>, Vec<f64>) = (Vec::new(), Vec::new(), Vec::new());
+        for ((nth, (channel, component)), population) in (0_u32..).zip(components.iter().copied()).zip(POPULATIONS) {
+            let rate = 110.0 + 5.0 * f64::from(nth);
+            let value = map(rate, PLAIN.rate, PLAIN.value);
+            of_targets.0.push(Mapping { channel, component, population, ..PLAIN });
+            of_targets.1.push((population, rate));
+            let at = built.iter().position(|(known, _)| *known == channel).unwrap_or_else(|| {
+                built.push((channel, Vec::new()));
+                built.len() - 1
+            });
+            let width = component as usize + 1;
+            if let Some((_, data)) = built.get_mut(at) {
+                data.resize(data.len().max(width), 0.0);
+                data[width - 1] = value;
+            }
+            // The same names of populations, each of which drives a component of one channel.
+            if of_populations.1.iter().all(|(known, _)| *known != channel) {
+                of_populations.0.push(Mapping { component: nth, population: channel, ..PLAIN });
+                of_populations.1.push((channel, rate));
+                of_populations.2.resize(nth as usize, 0.0);
+                of_populations.2.push(value);
+            }
+        }
+        cases.push(
+            case(
+                format!("alike/targets/{name}"),
+                &["NCP-CODEC-003", "NCP-CODEC-010"],
+                codec(&[], &of_targets.0),
+                &of_targets.1,
+            )
+            .shows(channels(built))
+            .title(format!("Each of several components {words} is built of its own rate."))
+            .because("The decoder maps the rate of the mapping's population to the component that it names."),
+        );
+        if name.starts_with("joined") {
+            continue;
+        }
+        cases.push(
+            case(
+                format!("alike/populations/{name}"),
+                &["NCP-CODEC-003", "NCP-CODEC-010"],
+                codec(&[], &of_populations.0),
+                &of_populations.1,
+            )
+            .shows(channels(vec![("x", of_populations.2)]))
+            .title(format!(
+                "Each of several populations with names {} has its own rate.",
+                words.replace("of channels whose names", "that").replace("of channels whose long names", "that")
+            ))
+            .because("The decoder maps the rate of the mapping's population, and of no other."),
         );
     }
     cases

@@ -1,6 +1,8 @@
 //! From sensor channels to rates.
 
-use super::{Mapping, PLAIN, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely};
+use super::{
+    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely,
+};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::trace::{any, exactly, name_of, num, nums};
@@ -10,6 +12,7 @@ pub(super) fn file() -> File {
     cases.extend(ranges());
     cases.extend(missing());
     cases.extend(mappings());
+    cases.extend(alike());
     let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
                  the rate range.";
     File::new("codec", "encode", about, cases)
@@ -316,5 +319,53 @@ fn mappings() -> Vec<Case> {
             .title("A codec without mappings gives no rates.")
             .because("Each mapping gives one rate; there are none."),
     );
+    cases
+}
+
+/// Components that a careless name for them confuses: written together with their channel, or of channels whose names
+/// are alike.
+fn alike() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, components, words) in ALIKE {
+        for order in ["in-order", "reversed"] {
+            if order == "reversed" && !name.starts_with("joined") {
+                continue;
+            }
+            let mut mappings: Vec<Mapping> = Vec::new();
+            let mut sensed: Vec<(&str, Vec<f64>)> = Vec::new();
+            let mut expected = Vec::new();
+            for ((channel, component), population) in components.iter().copied().zip(POPULATIONS) {
+                // A value for each, far from all others and from 0.
+                #[expect(clippy::cast_precision_loss, reason = "a few mappings")]
+                let value = (mappings.len() as f64 + 1.0) / 16.0;
+                mappings.push(Mapping { channel, component, population, ..PLAIN });
+                expected.push((population, map(value, PLAIN.value, PLAIN.rate)));
+                let width = component as usize + 1;
+                let at = sensed.iter().position(|(known, _)| *known == channel).unwrap_or_else(|| {
+                    sensed.push((channel, Vec::new()));
+                    sensed.len() - 1
+                });
+                if let Some((_, data)) = sensed.get_mut(at) {
+                    data.resize(data.len().max(width), 0.0);
+                    data[width - 1] = value;
+                }
+            }
+            if order == "reversed" {
+                mappings.reverse();
+            }
+            let sensed: Vec<(&str, &[f64])> = sensed.iter().map(|(name, data)| (*name, &data[..])).collect();
+            cases.push(
+                case(
+                    format!("alike/{name}/{order}"),
+                    &["NCP-CODEC-001", "NCP-CODEC-002"],
+                    codec(&mappings, &[]),
+                    sensor(&sensed),
+                )
+                .shows(rates(&expected))
+                .title(format!("Each of several components {words} has its own rate ({}).", order.replace('-', " ")))
+                .because("The encoder maps the value of the component that the mapping names, and of no other."),
+            );
+        }
+    }
     cases
 }

@@ -123,3 +123,57 @@ const SHARES: [Share; 6] = [
     Share { name: "below", share: -0.5 },
     Share { name: "above", share: 1.5 },
 ];
+
+/// A name, components that are easily confused with each other, by their channel and their number, and what they are.
+type Alike = (&'static str, &'static [(&'static str, u32)], &'static str);
+
+const ALIKE: [Alike; 5] = [
+    (
+        "joined",
+        &[("ray1", 0), ("ray", 10), ("ray11", 1), ("ray1", 11), ("ray", 111), ("ray1", 1), ("ray", 11)],
+        "that are the same when channel and number are written together",
+    ),
+    (
+        "joined-number-first",
+        &[("0ray", 1), ("ray", 10), ("1ray", 1), ("ray", 11), ("11ray", 1), ("1ray", 11), ("ray", 111)],
+        "that are the same when number and channel are written together",
+    ),
+    (
+        "names",
+        &[
+            ("x", 0),
+            ("X", 0),
+            ("x ", 0),
+            (" x", 0),
+            ("x\u{301}", 0),
+            ("\u{ff58}", 0),
+            ("a.b", 0),
+            ("a_b", 0),
+            ("a-b", 0),
+            ("a/b", 0),
+            ("Aa", 0),
+            ("BB", 0),
+        ],
+        "of channels whose names are alike",
+    ),
+    (
+        "numbers",
+        &[("1", 0), ("01", 0), ("1.0", 0), ("1e0", 0), ("+1", 0), ("\u{e9}", 0), ("e\u{301}", 0), ("\u{212b}", 0)],
+        "of channels whose names are equal as numbers or normalised",
+    ),
+    (
+        "long-names",
+        &[
+            ("a_channel_of_a_name_of_sixty_four_characters_and_a_number_behind_1", 0),
+            ("a_channel_of_a_name_of_sixty_four_characters_and_a_number_behind_2", 0),
+            ("a_channel_of_a_name_of_sixty_four_characters_and_a_number_behind_", 0),
+            ("a_channel_of_a_name_of_sixteen", 0),
+            ("a_channel", 0),
+            ("a_channe", 0),
+        ],
+        "of channels whose long names begin alike",
+    ),
+];
+
+/// Populations, whose names say nothing of their mappings.
+const POPULATIONS: [&str; 12] = ["p", "q", "r", "s", "t", "u", "v", "w", "k", "l", "m", "n"];

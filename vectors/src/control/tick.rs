@@ -183,7 +183,12 @@ fn laws() -> Vec<Case> {
 /// The steps of a row; `loop.txt` says how they are written.
 fn trace(row: &Row) -> Result<Vec<Step>, ScenarioError> {
     let mut now = 0.0;
-    row.steps().iter().map(|step| one_step(step, &mut now)).collect()
+    let mut steps = Vec::new();
+    for step in row.steps() {
+        let (times, step) = step.repeated();
+        steps.extend(std::iter::repeat_n(one_step(&step, &mut now)?, times));
+    }
+    Ok(steps)
 }
 
 fn one_step(step: &scenario::Step, now: &mut f64) -> Result<Step, ScenarioError> {
@@ -213,6 +218,7 @@ fn one_step(step: &scenario::Step, now: &mut f64) -> Result<Step, ScenarioError>
         "waits" => commands(*now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) }),
         "holds" => holds(*now),
         "stops" => stops(*now),
+        "idles" => (object! { "op" => "tick", "now_s" => num(*now) }, no_result()),
         "reset" => reset(),
         verb => return Err(place.wants("step of a loop", verb)),
     })

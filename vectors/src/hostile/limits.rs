@@ -2,7 +2,7 @@
 
 use super::with_raw;
 use crate::case::{Case, File};
-use crate::json::Json;
+use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, meaning, minimal};
 use crate::roles::{ANY, a, readers};
 use crate::template::Text;
@@ -24,6 +24,7 @@ pub(super) fn file() -> File {
     cases.extend(arrays());
     cases.extend(numeric_arrays());
     cases.extend(small_values());
+    cases.extend(long_strings());
 
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
     File::new("hostile", "limits", about, cases)
@@ -370,7 +371,54 @@ fn small_values() -> Vec<Case> {
     cases
 }
 
-/// Stands for an array that is written as a template.
+/// Names and other strings, which only the bytes of the frame limit, but for ids.
+fn long_strings() -> Vec<Case> {
+    // The last part is the name of an entry, or a field that is a string.
+    let places: [(&str, &[&str], &str); 10] = [
+        ("sensor_frame", &["frame_id"], "frame_id"),
+        ("sensor_frame", &["channels", "{}"], "name of a channel"),
+        ("command_frame", &["frame_id"], "frame_id"),
+        ("command_frame", &["channels", "a", "unit"], "unit of a channel"),
+        ("stimulus_frame", &["values", "{}"], "name of a port"),
+        ("observation_frame", &["records", "{}"], "name of a port"),
+        ("session_opened", &["resolved", "{}"], "name of a population"),
+        ("open_session", &["network", "ref"], "name of a network"),
+        ("open_session", &["network", "params", "{}"], "name of a parameter"),
+        ("link_status", &["session_id"], "session_id, which is any string,"),
+    ];
+    let mut cases = Vec::new();
+    for (kind, path, says) in places {
+        for length in [257, 65_537] {
+            let entry = |value: Json| object! { MARK => value };
+            let frame = match path {
+                ["channels", "{}"] => explicit(kind).with("channels", entry(explicit_message("ChannelValue"))),
+                ["values", "{}"] => explicit(kind).with("values", entry(explicit_message("ChannelValue"))),
+                ["records", "{}"] => explicit(kind).with("records", entry(explicit_message("Observation"))),
+                [map @ .., "{}"] => set(explicit(kind), map, entry(Json::literal("1"))),
+                ["channels", "a", "unit"] => {
+                    let value = explicit_message("ChannelValue").with("unit", MARK.into());
+                    explicit(kind).with("channels", object! { "a" => value })
+                }
+                path => set(explicit(kind), path, MARK.into()),
+            };
+            let place = path.iter().filter(|part| !matches!(**part, "{}" | "a")).copied().collect::<Vec<_>>().join("-");
+            let frame = frame.text();
+            let (before, after) = frame.split_once(MARK).unwrap_or((&frame, ""));
+            let text = Text::concat([before.into(), Text::repeat("n", length), after.into()]);
+            cases.push(
+                Case::new(format!("{kind}/strings/{place}-{length}"), &["NCP-WIRE-034", "NCP-WIRE-061"], readers(kind))
+                    .title(format!("{} with a {says} of {length} characters is read.", a(kind)))
+                    .flags(&["low-limits"])
+                    .decode(kind, text.clone())
+                    .means(text)
+                    .because("Nothing but the bytes of the frame limits a string that is no id."),
+            );
+        }
+    }
+    cases
+}
+
+/// Stands for an array or a string that is written as a template.
 const MARK: &str = "%ITEMS%";
 
 /// The text with the mark replaced by an array of equal items.

@@ -4,6 +4,7 @@ use super::segments::{self, Segment};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::scenario::{Fault, Row, ScenarioError, Scenarios, source};
+use crate::template::Text;
 
 pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut text = Scenarios::read(source!("keys/build"))?;
@@ -13,7 +14,9 @@ pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
     let segments = builders.iter().flat_map(Builder::segments).collect();
     // Between them every role builds these.
     let some = builders.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
-    let realms = some.flat_map(Builder::realms).collect();
+    let mut realms: Vec<Case> = some.flat_map(Builder::realms).collect();
+    realms.extend(builders.iter().flat_map(Builder::long));
+    realms.extend(builders.iter().filter(|builder| builder.key == "rpc").flat_map(Builder::far));
     Ok(vec![
         File::new("keys", "build", "The keys and globs of section 3.2.", built),
         File::new("keys", "segments", "Session ids and stream names that the builders accept and refuse.", segments),
@@ -24,6 +27,12 @@ pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
 /// The realm of the cases that are about something else: named, so that they do not depend on the
 /// default one.
 const REALM: Option<&str> = Some("ncp");
+
+/// The parts of a realm of so many bytes, in segments of 15 and a last one.
+fn realm_of(bytes: usize) -> Vec<Text> {
+    let whole = (bytes - 1) / 16;
+    vec![Text::repeat("abcdefghijklmno/", whole), "z".repeat(bytes - 16 * whole).into()]
+}
 
 /// A key that can be built.
 struct Builder {
@@ -235,6 +244,87 @@ impl Builder {
                     .by("crash", "NCP-KEY-019")
                     .because("A realm is checked segment by segment."),
             );
+        }
+        cases
+    }
+
+    /// Realms that are long as a whole, though none of their segments is: by their bytes, and by their segments.
+    fn long(&self) -> Vec<Case> {
+        let is_whole = self.key == "rpc";
+        let bytes: &[usize] = match is_whole {
+            true => &[257, 513, 1024, 1025, 2049, 4097, 65_537],
+            // A realm of 1,025 bytes is that of the key of which everything is long.
+            false if self.takes_session => &[65_537],
+            false => &[1025, 65_537],
+        };
+        let segments: &[usize] = if is_whole { &[17, 65, 129, 257, 1025, 4097] } else { &[257] };
+        let of_bytes = bytes.iter().map(|bytes| (format!("{bytes}-bytes"), format!("{bytes} bytes"), realm_of(*bytes)));
+        let of_segments = segments.iter().map(|segments| {
+            let realm = vec![Text::repeat("a/", segments - 1), "a".into()];
+            (format!("{segments}-segments"), format!("{segments} segments"), realm)
+        });
+        let mut cases = Vec::new();
+        for (what, says, realm) in of_bytes.chain(of_segments) {
+            let expected = self.rest.replacen("{id}", "uav3", 1);
+            let key = Text::Concat([realm.clone(), vec![format!("/{expected}").into()]].concat());
+            cases.push(
+                self.case(&format!("realm/long/{what}"), &["NCP-KEY-018", "NCP-KEY-020", self.rule])
+                    .title(format!("The `{}` key is built in a realm of {says}.", self.key))
+                    .flags(&["segment-length"])
+                    .call("key.build", self.args(None, "uav3", None).with("realm", Text::Concat(realm).json()))
+                    .gives(object! { "key" => key.json() })
+                    .because("The limit is a segment's: no rule limits a realm or a key as a whole."),
+            );
+        }
+        if self.takes_session {
+            // Everything as long as it may be.
+            let (realm, long) = (realm_of(1025), "s".repeat(256));
+            let name = self.takes_name.then(|| "n".repeat(256));
+            let mut key = format!("/{}", self.rest.replacen("{id}", &long, 1));
+            if let Some(name) = &name {
+                key = format!("{key}/{name}");
+            }
+            let key = Text::Concat([realm.clone(), vec![key.into()]].concat());
+            cases.push(
+                self.case("realm/long/all-long", &["NCP-KEY-018", "NCP-KEY-020", self.rule])
+                    .title(format!("The `{}` key is built of a long realm and segments of 256 bytes.", self.key))
+                    .flags(&["segment-length"])
+                    .call(
+                        "key.build",
+                        self.args(None, &long, name.as_deref()).with("realm", Text::Concat(realm).json()),
+                    )
+                    .gives(object! { "key" => key.json() })
+                    .because("The limit is a segment's: no rule limits a realm or a key as a whole."),
+            );
+        }
+        cases
+    }
+
+    /// Segments that are refused, behind so many that are not.
+    fn far(&self) -> Vec<Case> {
+        let bad = [
+            ("star", "*".to_owned(), "is a wildcard", "NCP-KEY-011"),
+            ("at", "@a".to_owned(), "begins with `@`", "NCP-KEY-013"),
+            ("empty", String::new(), "is empty", "NCP-KEY-010"),
+            ("257-bytes", "b".repeat(257), "has 257 bytes", "NCP-KEY-017"),
+        ];
+        let mut cases = Vec::new();
+        for behind in [15, 4096] {
+            for (what, segment, says, rule) in &bad {
+                let realm = Text::concat([Text::repeat("a/", behind), segment.as_str().into()]);
+                cases.push(
+                    self.case(&format!("realm/far/{what}-behind-{behind}"), &["NCP-KEY-018", *rule, "NCP-KEY-019"])
+                        .title(format!(
+                            "The `{}` key is not built in a realm in which a segment behind {behind} others {says}.",
+                            self.key
+                        ))
+                        .flags(&["L22"])
+                        .call("key.build", self.args(None, "uav3", None).with("realm", realm.json()))
+                        .rejects("key")
+                        .by("crash", "NCP-KEY-019")
+                        .because("A realm is checked segment by segment, to its last."),
+                );
+            }
         }
         cases
     }

@@ -6,6 +6,7 @@ use crate::case::Role::Observer;
 use crate::case::{Case, File};
 use crate::json::object;
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::template::Text;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("keys/matching"))?;
@@ -31,8 +32,97 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         }));
     }
     cases.extend(text.rest(invalid)?);
+    cases.extend(large().iter().map(Large::case));
     let about = "Which keys a key expression covers, wildcard by wildcard, and the chunks that wildcards do not see.";
     Ok(File::new("keys", "matching", about, cases))
+}
+
+/// A pattern and a key of which one is large.
+struct Large {
+    name: &'static str,
+    rule: &'static str,
+    pattern: Text,
+    key: Text,
+    matches: bool,
+    says: &'static str,
+}
+
+impl Large {
+    fn case(&self) -> Case {
+        let verb = if self.matches { "covers" } else { "does not cover" };
+        Case::new(format!("large/{}", self.name), &[self.rule], &[Observer])
+            .title(format!("{} {verb} the key.", self.says))
+            .flags(&[if self.rule == "NCP-KEY-033" { "partial-wildcards" } else { "wildcards" }])
+            .call("key.match", object! { "pattern" => self.pattern.json(), "key" => self.key.json() })
+            .gives(object! { "matches" => self.matches })
+            .because(why(self.rule))
+    }
+}
+
+fn large() -> Vec<Large> {
+    let chunks = |count: usize, last: &str| Text::concat(["ncp/".into(), Text::repeat("a/", count), last.into()]);
+    let chunk = |count: usize, last: &str| Text::concat(["ncp/x".into(), Text::repeat("a", count), last.into()]);
+    let row = |name, rule, pattern: Text, key, matches, says| Large { name, rule, pattern, key, matches, says };
+    let (any, one, run) = ("NCP-KEY-032", "NCP-KEY-031", "NCP-KEY-033");
+    vec![
+        row(
+            "any-of-300",
+            any,
+            "ncp/**/z".into(),
+            chunks(300, "z"),
+            true,
+            "A `**` before a last chunk behind 300 others",
+        ),
+        row("any-of-1025", any, "ncp/**/z".into(), chunks(1025, "z"), true, "A `**` before a last chunk behind 1,025"),
+        row("any-of-1025-not", any, "ncp/**/z".into(), chunks(1025, "y"), false, "A `**` before another last chunk"),
+        row("any-twice", any, "ncp/**/b/**/z".into(), chunks(300, "b/z"), true, "A `**` on both sides of a late chunk"),
+        row(
+            "ones",
+            one,
+            Text::concat(["ncp/".into(), Text::repeat("*/", 300), "z".into()]),
+            chunks(300, "z"),
+            true,
+            "A pattern of 300 `*`",
+        ),
+        row(
+            "ones-too-many",
+            one,
+            Text::concat(["ncp/".into(), Text::repeat("*/", 301), "z".into()]),
+            chunks(300, "z"),
+            false,
+            "A pattern of a `*` more than the key has chunks",
+        ),
+        row("run-of-300", run, "ncp/x$*z".into(), chunk(300, "z"), true, "A `$*` in a chunk of 300 characters"),
+        row("run-of-65537", run, "ncp/x$*z".into(), chunk(65_537, "z"), true, "A `$*` in a chunk of 65,537 characters"),
+        row("run-of-65537-not", run, "ncp/x$*z".into(), chunk(65_537, "y"), false, "A `$*` before another last letter"),
+        row(
+            "runs",
+            run,
+            Text::concat(["ncp/x".into(), Text::repeat("$*aa", 6), "$*z".into()]),
+            chunk(12, "z"),
+            true,
+            "A pattern of six runs of two letters in a chunk that has just as many",
+        ),
+        row(
+            "runs-too-many",
+            run,
+            Text::concat(["ncp/x".into(), Text::repeat("$*aa", 6), "$*z".into()]),
+            chunk(11, "z"),
+            false,
+            "A pattern of six runs of two letters in a chunk that has a letter less",
+        ),
+        row("equal-of-300", "NCP-KEY-030", chunk(300, "b"), chunk(300, "b"), true, "An equal chunk of 302 characters"),
+        row("last-of-256", "NCP-KEY-030", chunk(254, "b"), chunk(254, "c"), false, "A chunk that differs in its 256th"),
+        row("last-of-300", "NCP-KEY-030", chunk(298, "b"), chunk(298, "c"), false, "A chunk that differs in its 300th"),
+        row(
+            "last-of-4097",
+            "NCP-KEY-030",
+            chunk(4095, "b"),
+            chunk(4095, "c"),
+            false,
+            "A chunk that differs at its end",
+        ),
+    ]
 }
 
 fn why(rule: &str) -> &'static str {
@@ -114,6 +204,24 @@ mod tests {
             for key in others.iter().chain(&hidden) {
                 assert!(!covered(key), "{pattern} {key}");
             }
+        }
+    }
+
+    #[test]
+    fn zenoh_covers_the_same_large_keys() {
+        for Large { name, pattern, key, matches, .. } in large() {
+            let (pattern, key) = (expanded(&pattern), expanded(&key));
+            let covers = keyexpr::new(&pattern).unwrap().intersects(keyexpr::new(&key).unwrap());
+            assert_eq!(covers, matches, "{name}");
+        }
+    }
+
+    fn expanded(text: &Text) -> String {
+        match text {
+            Text::Plain(text) => text.clone(),
+            Text::Repeat(text, times) => text.repeat(*times),
+            Text::Concat(parts) => parts.iter().map(expanded).collect(),
+            Text::Base64(_) => unreachable!("no expression is base64"),
         }
     }
 

@@ -52,6 +52,20 @@ pub(crate) fn refused() -> Vec<Segment> {
         )
     }));
     all.extend([
+        segment(
+            "star-last-of-256",
+            "a".repeat(255) + "*",
+            "ends with `*`, its 256th byte",
+            "NCP-KEY-011",
+            "wildcard-injection",
+        ),
+        segment(
+            "space-last-of-256",
+            "a".repeat(255) + " ",
+            "ends with U+0020, its 256th byte",
+            "NCP-KEY-012",
+            "white-space-segment",
+        ),
         segment("nul-first", "\0a", "begins with U+0000", "NCP-KEY-015", "control-characters"),
         segment("nul-last", "a\0", "ends with U+0000", "NCP-KEY-015", "control-characters"),
         segment("bytes-257", "a".repeat(257), "has 257 bytes", "NCP-KEY-017", "segment-length"),

@@ -23,6 +23,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         "hold",
         "hold-without-a-clock",
         "drop",
+        "fallen",
         "replace",
         "trace",
         "reset",
@@ -38,6 +39,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.cases("channels", channels)?);
     cases.extend(text.cases("asked", row_case)?);
+    cases.extend(text.cases("waits", row_case)?);
     text.end()?;
     let about = "The action buffer: which command a plant follows, and when it follows none.";
     Ok(File::new("resilience", "buffer", about, cases))

@@ -3,9 +3,9 @@
 use super::model::{Event, command};
 use super::{buffer_case, buffer_row, go};
 use crate::case::{Case, File};
-use crate::json::Json;
-use crate::patch::{patched, written};
+use crate::patch::{patched, template, written};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::template::Text;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("resilience/estop"))?;
@@ -21,9 +21,9 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     Ok(File::new("resilience", "estop", about, cases))
 }
 
-/// The frame between active commands, and before them.
-fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioError> {
-    let text = Json::string(text_of(row)?);
+/// The frame between active commands, and, if it is short, before them.
+fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioError> {
+    let text = text_of(row)?.json();
     let words = row.cell("words")?;
     let frame = |now| Event::Text { text: text.clone(), now, stops };
     let moving = [go(50, 1.0), Event::Ask(1.0), frame(1.0625), go(51, 1.125), Event::Ask(1.125)];
@@ -52,20 +52,31 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioErro
             .flags(&[flag])
             .because(why)
     };
-    Ok([case("moving", &moving, "moves"), case("first", &first, "has seen nothing")])
+    let mut cases = vec![case("moving", &moving, "moves")];
+    // What makes a frame long does so whatever came before it.
+    if !row.cell("frame")?.starts_with("template") {
+        cases.push(case("first", &first, "has seen nothing"));
+    }
+    Ok(cases)
 }
 
-/// The text of a row: `raw` or `json` and a text, or a command with its changes.
-fn text_of(row: &Row) -> Result<String, ScenarioError> {
+/// The text of a row: `raw` or `json` and a text, `template` and one that the runner makes, `members` and what stands
+/// behind many of them, or a command with its changes.
+fn text_of(row: &Row) -> Result<Text, ScenarioError> {
     let cell = row.text("frame")?;
     if cell.starts_with("raw ") || cell.starts_with("json ") {
-        return Ok(written(&cell));
+        return Ok(written(&cell).into());
     }
-    if cell == "members" {
-        let members: String = (0..300).map(|at| format!("\"x{at}\":{at},")).collect();
-        return Ok(format!("{{{members}\"kind\":\"command_frame\",\"mode\":\"estop\"}}"));
+    if let Some(text) = cell.strip_prefix("template ") {
+        return Ok(template(text));
+    }
+    if let Some(behind) = cell.strip_prefix("members") {
+        // Numbers in a frame that is in good order, and texts in one that is not.
+        let value = |at: u32| if behind.is_empty() { at.to_string() } else { "\"\"".to_owned() };
+        let members: String = (0..300).map(|at| format!("\"x{at}\":{},", value(at))).collect();
+        return Ok(format!("{{{members}{}\"kind\":\"command_frame\",\"mode\":\"estop\"}}", behind.trim()).into());
     }
     let mut steps = row.steps_of("frame")?;
     let (step, changes) = steps.swap_remove(0).halves();
-    Ok(patched(command(&step)?.frame(), &changes, row.place)?.text())
+    Ok(patched(command(&step)?.frame(), &changes, row.place)?.text().into())
 }

@@ -20,6 +20,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(bounded());
     cases.extend(parameters());
     cases.extend(extremes());
+    cases.extend(aliases());
+    cases.extend(spans());
     let about =
         "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
     Ok(File::new("resilience", "link", about, cases))
@@ -451,6 +453,91 @@ fn parameters() -> Vec<Case> {
             .title(format!("A threshold of {} counts as {meant}.", name_of(threshold)))
             .because("A threshold that is not finite or not positive is 5."),
         );
+    }
+    cases
+}
+
+/// Frames from before the first whose seq is a missing one less a power of two: a monitor that keeps a part of the seq
+/// alone takes them for it. And streams that begin again far below.
+fn aliases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let table: [(&str, i64); 12] = [
+        ("64", 64),
+        ("256", 256),
+        ("1000", 1000),
+        ("1024", 1024),
+        ("4095", 4095),
+        ("4096", 4096),
+        ("4097", 4097),
+        ("8192", 8192),
+        ("65536", 65_536),
+        ("2-to-24", 1 << 24),
+        ("2-to-31", 1 << 31),
+        ("2-to-32", 1 << 32),
+    ];
+    for (name, by) in table {
+        let first = by + 3;
+        cases.push(
+            usual(
+                &format!("alias/{name}"),
+                &["NCP-RES-042", "NCP-RES-041", "NCP-RES-043"],
+                &[first, first + 2, first + 1 - by, first + 3, first + 1],
+            )
+            .title(format!(
+                "A frame from before the first, whose seq is that of a missing one less {by}, takes nothing back."
+            ))
+            .flags(&["wrong-loss"])
+            .because("Only what is missing is late; a duplicate changes nothing, and the missing one stays missing."),
+        );
+    }
+    cases
+}
+
+/// Missing seqs that lie as far apart as a table of them may be long, and none of them forgotten: all gaps together
+/// are at most 4,096 seqs.
+fn spans() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for first in [0_i64, -4_100, (1 << 31) - 2_050, (1 << 32) - 2_050, (1 << 53) - 4_200] {
+        for span in [1_024_i64, 2_048, 4_095, 4_096, 4_097] {
+            // At another beginning than 0, the one at which a ring of the usual length is full.
+            if first != 0 && span != 4_096 {
+                continue;
+            }
+            let old = first + 1;
+            let new = old + span;
+            // Every sixteenth of the way a delivery, and so a few seqs less missing than it is long.
+            let mut seqs = vec![first, old + 1];
+            seqs.extend((1..16).map(|nth| old + 1 + nth * (span - 3) / 16));
+            seqs.extend([new - 1, new + 1]);
+            let missing = new + 1 - first + 1 - i64::try_from(seqs.len()).unwrap_or_default();
+            for (order, late) in [("old-first", [old, new]), ("new-first", [new, old])] {
+                if order == "new-first" && (first != 0 || span != 4_096) {
+                    continue;
+                }
+                let seqs: Vec<i64> = seqs.iter().copied().chain(late).collect();
+                let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
+                let all = i64::try_from(seqs.len()).unwrap_or_default();
+                for (entry, lost) in entries.iter_mut().rev().zip([missing - 2, missing - 1]) {
+                    *entry = object! { "lost" => int(lost), "received" => int(all - (lost - (missing - 2))) };
+                }
+                cases.push(
+                    Case::new(
+                        format!("span/{span}/from-{first}/{order}").replace("from--", "from-minus-"),
+                        &["NCP-RES-056", "NCP-RES-041"],
+                        &BOTH,
+                    )
+                    .call("link.run", args(None, None, &seqs))
+                    .shows(steps(entries))
+                    .title(format!(
+                        "Of {missing} missing frames from {first} on, two that lie {span} apart are both taken back \
+                         ({}).",
+                        order.replace('-', " ")
+                    ))
+                    .flags(&["wrong-loss"])
+                    .because("While no more than 4,096 seqs are missing, the monitor remembers each of them."),
+                );
+            }
+        }
     }
     cases
 }

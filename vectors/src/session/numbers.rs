@@ -18,6 +18,10 @@ pub(super) fn file() -> File {
     cases.extend(refusals());
     cases.extend(durations());
     cases.extend(orders());
+    cases.extend(sums());
+    cases.extend(far());
+    cases.extend(near());
+    cases.extend(alike());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
 }
@@ -718,6 +722,489 @@ fn cadences() -> Vec<Case> {
                 .because(
                     "The backend samples a port at every multiple of its `cadence_ms`, from the first after \
                           the session opened.",
+                ),
+        );
+    }
+    cases
+}
+
+/// What all ports give a neuron, and its own current: they add up, and none stands for another.
+fn sums() -> Vec<Case> {
+    // What the neuron has of its own, and what two ports give it in each of two requests.
+    type Inputs = [[Option<f64>; 2]; 2];
+    let table: [(&str, f64, Inputs); 9] = [
+        ("bias-and-current", 100.0, [[Some(50.0), None], [None, None]]),
+        ("bias-and-a-late-current", 100.0, [[None, None], [Some(50.0), None]]),
+        ("bias-against-current", 300.0, [[Some(-300.0), None], [None, None]]),
+        ("bias-and-nothing", 300.0, [[Some(0.0), None], [None, None]]),
+        ("bias-behind-a-current", 200.0, [[Some(150.0), None], [Some(0.0), None]]),
+        ("bias-below-current", -200.0, [[Some(700.0), None], [None, None]]),
+        ("two-currents", 0.0, [[Some(100.0), Some(50.0)], [None, None]]),
+        ("two-currents-and-bias", 25.0, [[Some(100.0), Some(50.0)], [None, Some(-60.0)]]),
+        ("two-currents-in-turn", 25.0, [[Some(100.0), None], [None, Some(50.0)]]),
+    ];
+    let both = |kind: &str| vec![stimulus("in", kind), stimulus("also", kind)];
+    let mut cases = Vec::new();
+    for (name, own, inputs) in table {
+        let lif = Open {
+            params: vec![("I_e", own)],
+            records: vec![record("out", "V_m", 4.0)],
+            stimuli: both("current_pA"),
+            ..Open::lif("a")
+        };
+        let rate = Open {
+            params: vec![("mu", own)],
+            records: vec![record("out", "rate", 4.0)],
+            stimuli: both("rate_inject"),
+            ..Open::rate("a")
+        };
+        for (network, rule, open) in [("lif", "NCP-SESS-050", lif), ("rate", "NCP-SESS-051", rate)] {
+            if network == "rate" && !name.starts_with("two") && name != "bias-against-current" {
+                continue;
+            }
+            let (mut neuron, mut r, mut time, mut now) = (Lif::new(&[], 1.0), 0.0, 0.0, [0.0; 2]);
+            let propagator = (-1.0_f64 / 10.0).exp();
+            let mut trace = vec![(open.text(), opened("a"))];
+            for values in inputs {
+                for (now, value) in now.iter_mut().zip(values) {
+                    *now = value.unwrap_or(*now);
+                }
+                let all = own + now[0] + now[1];
+                let (mut times, mut samples_of) = (Vec::new(), Vec::new());
+                for nth in 1..=8 {
+                    neuron.step(all);
+                    r = r * propagator + all * (1.0 - propagator);
+                    time += 1.0;
+                    if nth % 4 == 0 {
+                        times.push(time);
+                        samples_of.push(if network == "lif" { neuron.v } else { r });
+                    }
+                }
+                let given: Vec<(&str, f64)> =
+                    ["in", "also"].into_iter().zip(values).filter_map(|(port, value)| Some((port, value?))).collect();
+                let records = object! { "out" => samples(&times, Some(&samples_of)) };
+                trace.push((driven_step("a", 8.0, &given), recorded("a", records)));
+            }
+            let rules =
+                if name.contains("late") || name.contains("turn") { vec![rule, "NCP-SESS-054"] } else { vec![rule] };
+            cases.push(
+                reference(format!("sum/{name}/{network}"), &rules, trace)
+                    .title(format!(
+                        "What a neuron has of its own and what its ports give it add up ({}, {network}).",
+                        name.replace('-', " ")
+                    ))
+                    .because(WHY),
+            );
+        }
+    }
+    cases
+}
+
+/// A step with values for several ports.
+fn driven_step(id: &str, advance: f64, values: &[(&str, f64)]) -> String {
+    let request = Json::read(&step(id, Some(advance), None));
+    if values.is_empty() {
+        return request.text();
+    }
+    let value = |(port, value): &(&str, f64)| ((*port).to_owned(), object! { "data" => nums(&[*value]) });
+    let values = Json::Object(values.iter().map(value).collect());
+    request.with("stimulus", object! { "values" => values }).text()
+}
+
+/// Steps and neurons beyond the ends of small integers.
+fn far() -> Vec<Case> {
+    let mut cases = far_samples();
+    cases.extend(far_spikes());
+    cases.extend(far_neurons());
+    cases
+}
+
+/// Ports that are sampled rarely, in sessions that run for long.
+fn far_samples() -> Vec<Case> {
+    let at = |port: &str, times: &[f64]| object! { port => object! { "times" => nums(times) } };
+    let multiples = |every: u32, from: u32, to: u32, dt: f64| -> Vec<f64> {
+        (from + 1..=to).filter(|step| step % every == 0).map(|step| f64::from(step) * dt).collect()
+    };
+    let why = "The backend samples a port at the end of every step whose number since the session opened is a \
+               multiple of its cadence, however many steps that is.";
+    let mut cases = Vec::new();
+    // Cadences in steps, and how many steps a single request runs.
+    let table: [(u32, u32); 12] = [
+        (100, 1_000),
+        (255, 1_100),
+        (256, 1_100),
+        (257, 1_100),
+        (1_000, 10_500),
+        (10_000, 45_000),
+        (30_000, 66_000),
+        (40_000, 90_000),
+        (65_535, 131_100),
+        (65_536, 131_100),
+        (65_537, 131_100),
+        (100_000, 210_000),
+    ];
+    let ports = |observable: &str, every: u32, dt: f64| vec![record("out", observable, f64::from(every) * dt)];
+    for (every, steps) in table {
+        let open = Open { records: ports("V_m", every, 1.0), ..Open::lif("a") };
+        let times = multiples(every, 0, steps, 1.0);
+        cases.push(
+            reference(
+                format!("far/cadence/{every}-of-{steps}"),
+                &["NCP-SESS-053"],
+                vec![(open.text(), opened("a")), (run("a", f64::from(steps)), recorded("a", at("out", &times)))],
+            )
+            .title(format!("A port of a cadence of {every} steps is sampled {} times in {steps} steps.", times.len()))
+            .because(why),
+        );
+    }
+    for (name, observable, every, dt) in
+        [("rate", "rate", 30_000, 1.0), ("quarter-steps", "V_m", 28_000, 0.25), ("tenth-steps", "V_m", 30_000, 0.1)]
+    {
+        let ground = if observable == "rate" { Open::rate("a") } else { Open::lif("a") };
+        let open = Open { records: ports(observable, every, dt), dt, ..ground };
+        // Over three requests.
+        let mut trace = vec![(open.text(), opened("a"))];
+        for (from, to) in [(0, 25_000), (25_000, 61_000), (61_000, 95_000)] {
+            let times = multiples(every, from, to, dt);
+            trace.push((run("a", f64::from(to - from) * dt), recorded("a", at("out", &times))));
+        }
+        cases.push(
+            reference(format!("far/cadence/over-requests/{name}"), &["NCP-SESS-053"], trace)
+                .title(format!(
+                    "A port of a cadence of {every} steps is sampled at its multiples over 95,000 steps of three \
+                     requests ({}).",
+                    name.replace('-', " ")
+                ))
+                .because(why),
+        );
+    }
+    // Two ports, each by its own cadence.
+    let records = vec![record("often", "V_m", 21_000.0), record("rarely", "V_m", 65_537.0)];
+    let open = Open { records, ..Open::lif("a") };
+    let both = object! {
+        "often" => object! { "times" => nums(&multiples(21_000, 0, 70_000, 1.0)) },
+        "rarely" => object! { "times" => nums(&multiples(65_537, 0, 70_000, 1.0)) },
+    };
+    cases.push(
+        reference(
+            "far/cadence/two-ports".to_owned(),
+            &["NCP-SESS-053"],
+            vec![(open.text(), opened("a")), (run("a", 70_000.0), recorded("a", both))],
+        )
+        .title("Two ports are sampled each by its own cadence over 70,000 steps.")
+        .because(why),
+    );
+    for (name, dt) in [("whole", 1.0), ("eighths", 0.125)] {
+        let open = Open { dt, ..Open::lif("a") };
+        let mut trace = vec![(open.text(), opened("a"))];
+        let mut steps = 0.0;
+        for more in [32_767.0, 1.0, 1.0, 32_766.0, 1.0, 1.0, 65_535.0, 2.0] {
+            steps += more;
+            trace.push((run("a", more * dt), observed("a", steps * dt)));
+        }
+        cases.push(
+            reference(format!("far/time/{name}"), &["NCP-SESS-058", "NCP-SESS-033"], trace)
+                .title(format!(
+                    "The time is the number of all steps times dt, also beyond 2^15, 2^16 and 2^17 ({name})."
+                ))
+                .because("The backend reports the number of all steps since the session opened, times dt."),
+        );
+    }
+    cases
+}
+
+/// Spikes that come late, and neurons that rest for long.
+fn far_spikes() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let open = Open {
+        records: vec![record("s", "spikes", 1.0)],
+        stimuli: vec![stimulus("in", "current_pA")],
+        ..Open::lif("a")
+    };
+    for quiet in [255_u32, 32_760, 65_530, 131_065] {
+        let (_, _, spikes) = simulate(&[], 1.0, 40, 900.0);
+        let times: Vec<f64> = spikes.iter().map(|time| f64::from(quiet) + time).collect();
+        let trace = vec![
+            (open.text(), opened("a")),
+            (run("a", f64::from(quiet)), recorded("a", object! { "s" => samples(&[], None) })),
+            (step("a", Some(40.0), Some(("in", 900.0))), recorded("a", object! { "s" => samples(&times, None) })),
+        ];
+        cases.push(
+            reference(format!("far/spikes/behind-{quiet}"), &["NCP-SESS-050", "NCP-SESS-033"], trace)
+                .title(format!("A neuron that is driven after {quiet} quiet steps spikes at times from there on."))
+                .because(WHY),
+        );
+    }
+    for (rest, steps) in [(255_u32, 600_u32), (256, 600), (257, 600), (1_000, 2_100), (70_000, 71_000)] {
+        let params = vec![("t_ref", f64::from(rest)), ("I_e", 2000.0)];
+        let (_, _, spikes) = simulate(&params, 1.0, steps, 2000.0);
+        let open = Open { params, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
+        let expected = recorded("a", object! { "s" => samples(&spikes, None) });
+        cases.push(
+            reference(
+                format!("far/rest/{rest}"),
+                &["NCP-SESS-050"],
+                vec![(open.text(), opened("a")), (run("a", f64::from(steps)), expected)],
+            )
+            .title(format!("A neuron that rests for {rest} steps spikes {} times in {steps}.", spikes.len()))
+            .because(WHY),
+        );
+    }
+    cases
+}
+
+/// Neurons whose ids do not fit a small integer: none stands for another.
+fn far_neurons() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let (_, driven, _) = simulate(&[], 1.0, 3, 300.0);
+    let driven = driven.last().copied().unwrap_or_default();
+    for (size, driven_id) in [(300_u32, 257_u32), (300, 300), (1_100, 1_025), (66_000, 65_537), (66_000, 66_000)] {
+        // What the id is in 8 and in 16 bits, if it is an id at all.
+        let others = [driven_id % 256, driven_id % 65_536, driven_id - 1, 1];
+        let mut recorded_ids = vec![driven_id];
+        for other in others {
+            if other > 0 && !recorded_ids.contains(&other) {
+                recorded_ids.push(other);
+            }
+        }
+        let open = Open {
+            size,
+            records: vec![record("v", "V_m", 3.0).with("ids", ids(&recorded_ids))],
+            stimuli: vec![stimulus("in", "current_pA").with("ids", ids(&[driven_id]))],
+            ..Open::lif("a")
+        };
+        let values: Vec<f64> = recorded_ids.iter().map(|id| if *id == driven_id { driven } else { -70.0 }).collect();
+        let records = object! { "v" => object! { "senders" => ids(&recorded_ids), "values" => nums(&values) } };
+        let trace =
+            vec![(open.text(), opened("a")), (step("a", Some(3.0), Some(("in", 300.0))), recorded("a", records))];
+        cases.push(
+            reference(format!("far/neuron/{driven_id}-of-{size}"), &["NCP-SESS-055", "NCP-SESS-052"], trace)
+                .title(format!("Of {size} neurons number {driven_id} is driven, and no other."))
+                .because(
+                    "A neuron's id is its position within its population, and a stimulus reaches those that its \
+                     `ids` name and no others.",
+                ),
+        );
+    }
+    cases
+}
+
+/// Sessions side by side that differ in one number alone, and in that by little.
+fn near() -> Vec<Case> {
+    // A small difference shows where all is proportional to what differs.
+    let lif = [("E_L", 0.0), ("V_th", 1e9), ("I_e", 3.0), ("C_m", 5.0), ("tau_m", 2.0)];
+    let resting = [("I_e", 150.0), ("E_L", 0.0), ("V_th", 2.0), ("V_reset", 1.0), ("t_ref", 2.0)];
+    // A potential of exactly 15 in one step, as in `thresholds`.
+    let exact = [("tau_m", 1.0 / 1024.0), ("C_m", 1.0), ("I_e", 15.0 * 1024.0), ("E_L", 0.0), ("V_reset", -10.0)];
+    let rate = [("mu", 3.0), ("tau", 2.0)];
+    let little = |x: f64| x * (1.0 + 4e-8);
+    type Row<'a> = (&'static str, &'static str, &'a [(&'static str, f64)], f64, f64);
+    let table: [Row<'_>; 12] = [
+        ("current", "I_e", &lif, 3.0, little(3.0)),
+        ("current-of-six-digits", "I_e", &lif, 123_456.0, 123_456.4),
+        ("capacity", "C_m", &lif, 5.0, little(5.0)),
+        ("time-constant", "tau_m", &lif, 2.0, little(2.0)),
+        ("leak", "E_L", &lif, 1.0, little(1.0)),
+        ("reset", "V_reset", &resting, 1.0, little(1.0)),
+        ("threshold", "V_th", &exact, 15.0, 15.0_f64.next_up()),
+        ("rest", "t_ref", &resting, 2.5, 2.5_f64.next_down()),
+        ("mean-of-rate", "mu", &rate, 3.0, little(3.0)),
+        ("mean-of-rate-of-six-digits", "mu", &rate, 123_456.0, 123_456.4),
+        ("time-constant-of-rate", "tau", &rate, 2.0, little(2.0)),
+        ("sign-of-current", "I_e", &lif, 3.0, -3.0),
+    ];
+    let mut cases = Vec::new();
+    for (name, param, ground, one, other) in table {
+        let of_rate = name.contains("of-rate");
+        // Until it has spiked, rested and gone on.
+        let steps: u32 = if name == "rest" { 12 } else { 6 };
+        let open = |id: &str, value: f64| {
+            let mut params: Params = ground.iter().copied().filter(|(known, _)| *known != param).collect();
+            params.push((param, value));
+            let observable = if of_rate { "rate" } else { "V_m" };
+            let network = if of_rate { Open::rate(id) } else { Open::lif(id) };
+            // The last sample alone, which all before it decide.
+            Open { params, records: vec![record("out", observable, f64::from(steps))], ..network }
+        };
+        let values = |value: f64| -> Json {
+            let params = open("a", value).params;
+            let param = |wanted: &str| params.iter().find(|(known, _)| *known == wanted).map_or(0.0, |(_, x)| *x);
+            let times: Vec<f64> = (1..=steps).map(f64::from).collect();
+            let values: Vec<f64> = if of_rate {
+                let propagator = (-1.0 / param("tau")).exp();
+                let next = |r: &mut f64, _: &f64| {
+                    *r = *r * propagator + param("mu") * (1.0 - propagator);
+                    Some(*r)
+                };
+                times.iter().scan(0.0, next).collect()
+            } else {
+                simulate(&params, 1.0, steps, param("I_e")).1
+            };
+            let last = |all: &[f64]| all.last().copied().unwrap_or_default();
+            object! { "out" => samples(&[last(&times)], Some(&[last(&values)])) }
+        };
+        let trace = |first: f64, second: f64| {
+            vec![
+                (open("a", first).text(), opened("a")),
+                (open("b", second).text(), opened("b")),
+                (step("a", Some(f64::from(steps)), None), recorded("a", values(first))),
+                (step("b", Some(f64::from(steps)), None), recorded("b", values(second))),
+            ]
+        };
+        let rule = if of_rate { "NCP-SESS-051" } else { "NCP-SESS-050" };
+        for (order, first, second) in [("in-order", one, other), ("reversed", other, one)] {
+            if order == "reversed" && !matches!(name, "current" | "threshold") {
+                continue;
+            }
+            cases.push(
+                reference(format!("near/{name}/{order}"), &[rule, "NCP-SESS-035"], trace(first, second))
+                    .title(format!(
+                        "Two sessions whose `{param}` is {first:?} and {second:?} are integrated each by its own ({}).",
+                        name.replace('-', " ")
+                    ))
+                    .because(
+                        "What is done to one session changes no other, and each is integrated by its own numbers, \
+                         however little they differ.",
+                    ),
+            );
+        }
+    }
+    // The same by the length of a step, and by the size of the population.
+    for (name, one, other) in [("step", 1.0, little(1.0)), ("short-step", 0.001, little(0.001))] {
+        let open = |id: &str, dt: f64| Open {
+            params: vec![("E_L", 0.0), ("V_th", 1e9), ("I_e", 30_000.0)],
+            records: vec![record("out", "V_m", dt)],
+            dt,
+            chunk: 4.0 * dt,
+            ..Open::lif(id)
+        };
+        let values = |dt: f64| {
+            let params = open("a", dt).params;
+            let (times, values, _) = simulate(&params, dt, 4, 30_000.0);
+            object! { "out" => samples(&times, Some(&values)) }
+        };
+        let trace = vec![
+            (open("a", one).text(), opened("a")),
+            (open("b", other).text(), opened("b")),
+            (step("a", None, None), recorded("a", values(one))),
+            (step("b", None, None), recorded("b", values(other))),
+        ];
+        cases.push(
+            reference(format!("near/{name}"), &["NCP-SESS-050", "NCP-SESS-035"], trace)
+                .title(format!(
+                    "Two sessions whose steps are {one:?} and {other:?} ms long are integrated each by its own."
+                ))
+                .because("What is done to one session changes no other."),
+        );
+    }
+    let sized = |id: &str, size: u32| Open { size, records: vec![record("out", "V_m", 1.0)], ..Open::lif(id) };
+    let of = |size: u32| {
+        let senders: Vec<u32> = (1..=size).collect();
+        object! { "out" => sent(&vec![1.0; senders.len()], &senders) }
+    };
+    let mut trace = Vec::new();
+    for (id, size) in [("a", 1), ("b", 3), ("c", 2)] {
+        trace.push((sized(id, size).text(), opened(id)));
+    }
+    for (id, size) in [("a", 1), ("b", 3), ("c", 2)] {
+        trace.push((step(id, Some(1.0), None), recorded(id, of(size))));
+    }
+    cases.push(
+        reference("near/size".to_owned(), &["NCP-SESS-035", "NCP-SESS-052"], trace)
+            .title("Three sessions that differ in the size of their population alone have each its own neurons.")
+            .because("What is done to one session changes no other."),
+    );
+    cases
+}
+
+/// Names that are the same when they are written together, or that look alike: each is itself.
+fn alike() -> Vec<Case> {
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
+    let mut cases = Vec::new();
+    // A session and its port.
+    let long = |last: &str, bytes: usize| "n".repeat(bytes - 1) + last;
+    let (one, other) = (long("1", 256), long("2", 256));
+    let (in_one, in_other) = (long("1", 300), long("2", 300));
+    let table: [(&str, [(&str, &str); 2]); 6] = [
+        ("long-sessions", [(&one, "in"), (&other, "in")]),
+        ("long-ports", [("s", &in_one), ("t", &in_other)]),
+        ("session-and-port", [("s1", "1in"), ("s", "11in")]),
+        ("port-and-session", [("1s", "in1"), ("s", "in11")]),
+        ("session-and-port-by-a-hyphen", [("s-a", "in"), ("s", "a-in")]),
+        ("session-and-port-by-a-dot", [("s.a", "in"), ("s", "a.in")]),
+    ];
+    for (name, pairs) in table {
+        let mut trace = Vec::new();
+        for (session, port) in pairs {
+            let stimuli = vec![stimulus(port, "current_pA")];
+            let open = Open { records: vec![record("v", "V_m", 5.0)], stimuli, ..Open::lif(session) };
+            trace.push((open.text(), opened(session)));
+        }
+        let value = |current: f64| object! { "v" => samples(&[5.0], Some(&[after(current)])) };
+        let [(driven, port), (other, _)] = pairs;
+        trace.push((step(driven, Some(5.0), Some((port, 300.0))), recorded(driven, value(300.0))));
+        trace.push((step(other, Some(5.0), None), recorded(other, value(0.0))));
+        cases.push(
+            reference(format!("alike/{name}"), &["NCP-SESS-035", "NCP-SESS-054"], trace)
+                .title(if name.starts_with("long") {
+                    format!(
+                        "A current into one of two {} that begin alike does not reach the other.",
+                        name.replace('-', " ")
+                    )
+                } else {
+                    format!(
+                        "A current into the port `{port}` of the session `{driven}` does not reach `{other}` ({}).",
+                        name.replace('-', " ")
+                    )
+                })
+                .because("What is done to one session changes no other, whatever they and their ports are called."),
+        );
+    }
+    // A population and its neuron, and populations and ports whose names are alike.
+    let of = |port: &str, target: &str, id: u32| {
+        record(port, "V_m", 5.0).with("target", target.into()).with("ids", ids(&[id]))
+    };
+    type Row<'a> = (&'static str, &'static [(&'static str, u32)], [(&'static str, u32); 2], &'a str);
+    let table: [Row<'_>; 6] = [
+        ("population-and-neuron", &[("a", 11), ("a1", 1)], [("a1", 1), ("a", 11)], "NCP-SESS-055"),
+        ("neuron-and-population", &[("a", 11), ("1a", 1)], [("1a", 1), ("a", 11)], "NCP-SESS-055"),
+        ("cases", &[("pop", 1), ("Pop", 1)], [("Pop", 1), ("pop", 1)], "NCP-SESS-055"),
+        ("space", &[("pop", 1), ("pop ", 1)], [("pop ", 1), ("pop", 1)], "NCP-SESS-055"),
+        ("composed", &[("\u{e9}", 1), ("e\u{301}", 1)], [("e\u{301}", 1), ("\u{e9}", 1)], "NCP-SESS-055"),
+        (
+            "beginning",
+            &[("population_1", 1), ("population_12", 1)],
+            [("population_12", 1), ("population_1", 1)],
+            "NCP-SESS-055",
+        ),
+    ];
+    for (name, sizes, [driven, other], rule) in table {
+        let sizes: Json = Json::Object(sizes.iter().map(|(name, size)| ((*name).to_owned(), (*size).into())).collect());
+        let open = Open {
+            records: vec![of("v", driven.0, driven.1), of("w", other.0, other.1)],
+            stimuli: vec![
+                stimulus("in", "current_pA").with("target", driven.0.into()).with("ids", ids(&[driven.1])),
+                stimulus("IN", "current_pA").with("target", other.0.into()).with("ids", ids(&[other.1])),
+            ],
+            ..Open::lif("a")
+        };
+        let text = open.json().edit(&["network", "population_sizes"], |_| sizes).text();
+        let records = object! {
+            "v" => object! { "values" => nums(&[after(300.0)]) },
+            "w" => object! { "values" => nums(&[after(0.0)]) },
+        };
+        let trace = vec![(text, opened("a")), (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", records))];
+        cases.push(
+            reference(format!("alike/{name}"), &[rule], trace)
+                .title(format!(
+                    "A current into neuron {} of `{}` does not reach neuron {} of `{}`.",
+                    driven.1, driven.0, other.1, other.0
+                ))
+                .because(
+                    "A stimulus reaches the neurons of its target that its `ids` name, and no others, whatever they \
+                     are called.",
                 ),
         );
     }

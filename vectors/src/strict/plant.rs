@@ -1,16 +1,25 @@
 //! A strict plant: which commands it follows, and what the others leave behind, which is nothing.
 
 use crate::case::{Case, File, Role};
-use crate::json::Json;
+use crate::patch::template;
 use crate::resilience::{Event, buffer, events, go};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("strict/plant"))?;
     let mut cases = Vec::new();
-    for group in
-        ["followed", "first-seq", "first-version", "dropped", "kept-seq", "kept-version", "version", "hold", "estop"]
-    {
+    for group in [
+        "followed",
+        "first-seq",
+        "first-version",
+        "dropped",
+        "fallen",
+        "kept-seq",
+        "kept-version",
+        "version",
+        "hold",
+        "estop",
+    ] {
         cases.extend(text.cases(group, |row| Ok(case(row, &events(row)?)))?);
     }
     cases.extend(text.cases("estop-broken", broken_stop)?);
@@ -28,6 +37,6 @@ fn case(row: &Row, events: &[Event]) -> Case {
 
 /// An ESTOP in a frame that no receiver reads, between commands that move.
 fn broken_stop(row: &Row) -> Result<Case, ScenarioError> {
-    let stop = Event::Text { text: Json::string(row.text("frame")?), now: 1.0625, stops: true };
+    let stop = Event::Text { text: template(&row.text("frame")?).json(), now: 1.0625, stops: true };
     Ok(case(row, &[go(5, 1.0), stop, Event::Ask(1.0625), go(6, 1.125), Event::Ask(1.125)]))
 }

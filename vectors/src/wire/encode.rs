@@ -7,6 +7,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{CONTRACT_HASH, WIRE_VERSION, explicit, explicit_message, full, meaning, minimal};
 use crate::roles::{a, writers};
+use crate::template::Text;
 use ncp_text::tables::{Default, Message, Shape, Unknown, tables};
 
 /// A file a kind.
@@ -125,6 +126,21 @@ impl Encoder {
                     "The field is written, in UTF-8, and JSON has an escape for what may not stand in a \
                               string.",
                 ),
+            );
+            let long = || Text::repeat("n", 65_537);
+            let fields = self.fields(explicit(self.kind)).with(field, long().json());
+            let frame = meaning(self.kind, &self.fields(explicit(self.kind)).with(field, LONG.into())).text();
+            let (before, after) = frame.split_once(LONG).unwrap_or((&frame, ""));
+            cases.push(
+                self.case("long-string", &[WRITE, "NCP-WIRE-061"])
+                    .title(format!(
+                        "{} whose `{field}` has 65,537 characters is written with all of them.",
+                        a(self.kind)
+                    ))
+                    .flags(&["low-limits"])
+                    .encode(self.kind, fields)
+                    .means(Text::concat([before.into(), long(), after.into()]))
+                    .because("The field is written; nothing but the bytes of the frame limits a string."),
             );
         }
         cases
@@ -300,7 +316,26 @@ impl Encoder {
                             ),
                     );
                 }
-                if matches!(**value, Shape::Message(_)) {
+                let is_message = matches!(**value, Shape::Message(_));
+                let most = many(self.kind);
+                let entry = |nth: usize| {
+                    let value = if is_message { Json::object() } else { sample.clone() };
+                    (format!("{:x}", nth * STRIDE % most), value)
+                };
+                let entries = (0..most).map(entry).collect();
+                // A tick of a horizon is a map of channels as well.
+                let is_another = name == "horizon";
+                cases.extend((!is_another).then(|| {
+                    self.at(&name, "order-of-many", &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
+                        .title(format!(
+                            "{} has the entries of `{shown}` sorted by the code points of their keys, also {most} of \
+                             them.",
+                            a(self.kind)
+                        ))
+                        .flags(&["map-order"])
+                        .because("A map is sorted however many entries it has; a frame may have 4,096.")
+                }));
+                if is_message {
                     cases.push(
                         self.at(
                             &name,
@@ -667,6 +702,24 @@ const DOUBLES: &[(&str, &str)] = &[
     ("two-to-53", "9007199254740992.0"),
     ("a-third", "0.3333333333333333"),
 ];
+
+/// Stands for a string that is written as a template.
+const LONG: &str = "%LONG%";
+
+/// How many entries a large map of that kind has: as many as it may have where an entry is small, and fewer elsewhere,
+/// since they have to be written out.
+fn many(kind: &str) -> usize {
+    match kind {
+        "session_opened" => 4096,
+        "open_session" => 129,
+        "command_frame" => 257,
+        _ => 65,
+    }
+}
+
+/// In what order a program inserts the entries of a large map: every so many. It has no divisor in common with any of
+/// the numbers above.
+const STRIDE: usize = 1877;
 
 /// Keys of a map as a program inserts them, and what the case shows.
 const ORDERS: &[(&str, &[&str], &str)] = &[
