@@ -22,7 +22,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 }
 
 /// The frame between active commands, and before them.
-fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioError> {
+fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioError> {
     let text = Json::string(text_of(row)?);
     let words = row.cell("words")?;
     let frame = |now| Event::Text { text: text.clone(), now, stops };
@@ -52,8 +52,21 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<[Case; 2], ScenarioErro
             .flags(&[flag])
             .because(why)
     };
-    Ok([case("moving", &moving, "moves"), case("first", &first, "has seen nothing")])
+    let mut cases = vec![case("moving", &moving, "moves"), case("first", &first, "has seen nothing")];
+    // The same bytes again, after a reset: a latch that was cleared says nothing of the next one.
+    if AGAIN.contains(&row.name) {
+        let reset = |now| [Event::Reset, go(50, now), Event::Ask(now)];
+        let again = [&[frame(1.0)][..], &reset(1.0625), &[frame(1.125), go(51, 1.125), Event::Ask(1.125)]].concat();
+        let unmoved = [frame(1.0), frame(1.0), Event::Reset, frame(1.0625), go(51, 1.125), Event::Ask(1.125)];
+        cases.push(case("again", &again, "moves, and was reset after the same bytes"));
+        cases.push(case("repeated", &unmoved, "was reset after the same bytes and has not moved since"));
+    }
+    Ok(cases)
 }
+
+/// Frames that come again in cases of their own: malformed in each way, and in good order.
+const AGAIN: [&str; 6] =
+    ["minimal", "seq-text", "no-version", "kind-and-mode-twice", "escaped-name-malformed", "everything-wrong"];
 
 /// The text of a row: `raw` or `json` and a text, or a command with its changes.
 fn text_of(row: &Row) -> Result<String, ScenarioError> {
