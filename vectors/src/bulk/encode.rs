@@ -201,12 +201,12 @@ fn refused() -> Vec<Case> {
                 .because("The field name_len has 16 bits, and a length that does not fit is an error, never cut."),
         );
     }
-    for (times, character, bytes) in [
-        (32_768, "\u{e9}", "65,536"),
-        (32_769, "\u{e9}", "65,538"),
-        (21_846, "\u{20ac}", "65,538"),
-        (16_384, "\u{1f681}", "65,536"),
-        (21_845, "\u{1f681}", "87,380"),
+    for (times, character, shown, bytes) in [
+        (32_768, "\u{e9}", "32,768", "65,536"),
+        (32_769, "\u{e9}", "32,769", "65,538"),
+        (21_846, "\u{20ac}", "21,846", "65,538"),
+        (16_384, "\u{1f681}", "16,384", "65,536"),
+        (21_845, "\u{1f681}", "21,845", "87,380"),
     ] {
         let of = character.len();
         let name = match of {
@@ -216,7 +216,7 @@ fn refused() -> Vec<Case> {
         cases.push(
             encode(name, &["NCP-BULK-031"], named(Text::repeat(character, times)))
                 .rejects("block")
-                .title(format!("A name of {bytes} bytes in {times} characters is refused."))
+                .title(format!("A name of {bytes} bytes in {shown} characters is refused."))
                 .flags(&["L21", "bytes-not-characters"])
                 .because("The field name_len counts bytes."),
         );
