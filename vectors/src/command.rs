@@ -123,6 +123,12 @@ impl Command {
         self
     }
 
+    /// With that speed along x.
+    pub(crate) fn x(mut self, x: f64) -> Self {
+        self.channels = vec![velocity(&[x, 0.0, 0.0])];
+        self
+    }
+
     /// And further channels.
     pub(crate) fn and(mut self, more: Channel) -> Self {
         self.channels.push(more);

@@ -66,6 +66,46 @@ fn round_trips() -> Vec<Case> {
             "Columns whose names are not in ASCII".to_owned(),
         ),
         ("many".to_owned(), many, "Twenty columns".to_owned()),
+        (
+            "name-at-the-end-of-another".to_owned(),
+            vec![f64s("V_m", [1.5]), f64s("m", [2.5])],
+            "A column whose name ends that of the one before".to_owned(),
+        ),
+        (
+            "name-at-the-beginning-of-another".to_owned(),
+            vec![f64s("senders", [1.5]), f64s("send", [2.5])],
+            "A column whose name begins that of the one before".to_owned(),
+        ),
+        (
+            "name-within-a-later-one".to_owned(),
+            vec![f64s("e", [1.5]), i64s("times", [2]), f32s("im", [3.5])],
+            "Columns whose names stand within a later and an earlier one".to_owned(),
+        ),
+        (
+            "name-across-two-others".to_owned(),
+            vec![f64s("ab", [1.5]), f64s("cd", [2.5]), f64s("bc", [3.5]), f64s("abcd", [4.5])],
+            "Columns whose names stand across two others side by side".to_owned(),
+        ),
+        (
+            "names-of-one-letter".to_owned(),
+            (1..=12).rev().map(|times| f64s(&"a".repeat(times), [1.5])).collect(),
+            "Twelve columns whose names are one letter ever fewer times".to_owned(),
+        ),
+        (
+            "name-in-the-header".to_owned(),
+            vec![f64s("NCPB", [1.5]), f64s("CP", [2.5]), f64s("\u{1}", [3.5])],
+            "Columns whose names are bytes of the header".to_owned(),
+        ),
+        (
+            "name-of-a-part-of-characters".to_owned(),
+            vec![f64s("a\u{e9}", [1.5]), f64s("\u{e9}", [2.5]), f64s("\u{1f9e0}\u{e9}a", [3.5])],
+            "Columns whose names share characters of several bytes".to_owned(),
+        ),
+        (
+            "name-in-the-data".to_owned(),
+            vec![i64s("abcdefgh", [0x6867_6665_6463_6261]), i32s("cdef", [0x6665_6463]), f64s("z", [1.5])],
+            "Columns whose names are also the bytes of their values".to_owned(),
+        ),
         ("long".to_owned(), vec![f64s("a", long)], "A column of a thousand rows".to_owned()),
         (
             "odd-bytes".to_owned(),
@@ -84,6 +124,30 @@ fn round_trips() -> Vec<Case> {
                 .because("A decoder by the rules accepts the block, and it holds the same columns in the same order.")
         })
         .collect();
+    for (what, name, says) in [
+        (
+            "two",
+            Text::concat([Text::repeat("\u{e9}", 32_767), "x".into()]),
+            "32,768 characters of two bytes, but for one",
+        ),
+        ("three", Text::repeat("\u{20ac}", 21_845), "21,845 characters of three bytes"),
+        (
+            "four",
+            Text::concat([Text::repeat("\u{1f681}", 16_383), "\u{20ac}".into()]),
+            "16,384 characters of four bytes, but for one",
+        ),
+    ] {
+        let columns = named(name);
+        cases.push(
+            encode(format!("round-trip/longest-name-of-{what}-bytes"), &["NCP-BULK-030"], columns.clone())
+                .gives_columns(columns)
+                .title(format!(
+                    "A column with a name of 65,535 bytes, {says}, is written as a block that holds just that."
+                ))
+                .flags(&["low-limits", "bytes-not-characters"])
+                .because("The field name_len has 16 bits and counts bytes, so the name fits."),
+        );
+    }
     let long_name = named(Text::repeat("x", 65535));
     cases.push(
         encode("round-trip/longest-name", &["NCP-BULK-030"], long_name.clone())
@@ -137,13 +201,26 @@ fn refused() -> Vec<Case> {
                 .because("The field name_len has 16 bits, and a length that does not fit is an error, never cut."),
         );
     }
-    cases.push(
-        encode("refused/name-of-32769-characters", &["NCP-BULK-031"], named(Text::repeat("\u{e9}", 32_769)))
-            .rejects("block")
-            .title("A name of 65,538 bytes in 32,769 characters is refused.")
-            .flags(&["L21", "bytes-not-characters"])
-            .because("The field name_len counts bytes."),
-    );
+    for (times, character, shown, bytes) in [
+        (32_768, "\u{e9}", "32,768", "65,536"),
+        (32_769, "\u{e9}", "32,769", "65,538"),
+        (21_846, "\u{20ac}", "21,846", "65,538"),
+        (16_384, "\u{1f681}", "16,384", "65,536"),
+        (21_845, "\u{1f681}", "21,845", "87,380"),
+    ] {
+        let of = character.len();
+        let name = match of {
+            2 => format!("refused/name-of-{times}-characters"),
+            _ => format!("refused/name-of-{times}-characters-of-{of}"),
+        };
+        cases.push(
+            encode(name, &["NCP-BULK-031"], named(Text::repeat(character, times)))
+                .rejects("block")
+                .title(format!("A name of {bytes} bytes in {shown} characters is refused."))
+                .flags(&["L21", "bytes-not-characters"])
+                .because("The field name_len counts bytes."),
+        );
+    }
     let twice = columns_json(&[f64s("times", [1.5]), f64s("times", [2.5])]);
     cases.push(
         encode("refused/repeated-name", &["NCP-BULK-034"], twice)

@@ -8,6 +8,8 @@ mod observation;
 mod overlap;
 mod values;
 
+use std::collections::BTreeMap;
+
 use crate::case::Case;
 use crate::case::File;
 use crate::case::Role::{self, Commander, Observer};
@@ -16,7 +18,34 @@ use crate::template::Text;
 use build::Block;
 
 pub(crate) fn files() -> Vec<File> {
-    vec![header::file(), directory::file(), overlap::file(), values::file(), encode::file(), observation::file()]
+    let read = [header::file(), directory::file(), overlap::file(), values::file()];
+    let observation = observation::file(read.iter().flat_map(not_unpacked).collect());
+    read.into_iter().chain([encode::file(), observation]).collect()
+}
+
+/// The blocks of a file that a decoder must reject, as unpacking is given them: all whose length is wrong, for which
+/// another road may care less, and some for every other rule.
+fn not_unpacked(file: &File) -> Vec<Case> {
+    const ADVICE: [&str; 3] = ["NCP-BULK-008", "NCP-BULK-013", "NCP-BULK-014"];
+    // Which the observations have a case of.
+    const ASKED: &str = "total-len/more-by-1";
+    let mut asked: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut cases = Vec::new();
+    for case in file.cases.iter().filter(|case| case.expect.get("reject").is_some()) {
+        let rule = case.requirements.first().copied().unwrap_or_default();
+        let before = asked.entry(rule).or_default();
+        let most = if rule == "NCP-BULK-005" { usize::MAX } else { 4 };
+        let is_small = case.args.get("block").and_then(Json::as_str).is_some_and(|block| block.len() < 400);
+        if case.path == ASKED || ADVICE.contains(&rule) || *before == most || !is_small {
+            continue;
+        }
+        *before += 1;
+        let path = format!("unpack/block/{}/{}", file.name, case.path);
+        let case = Case { path, call: "observation.unpack", requirements: vec![rule], ..case.clone() };
+        let title = case.title.replace("is rejected", "is not unpacked either");
+        cases.push(case.title(title).because("Unpacking decodes first: what a decoder has to reject, it rejects."));
+    }
+    cases
 }
 
 /// The roles that read blocks.

@@ -1,18 +1,22 @@
 //! Observations packed in blocks, and taken out of them.
 
 use super::READERS;
-use super::build::{Block, Column, Part, Values, f32s, f64s, golden, i32s, i64s};
+use super::build::{Block, Column, ENTRY, HEADER, Part, Values, f32s, f64s, golden, i32s, i64s, le16, le32};
 use super::columns_json;
 use crate::case::Role::Server;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::template::Text;
 
-pub(super) fn file() -> File {
+/// With the blocks that are no blocks.
+pub(super) fn file(broken: Vec<Case>) -> File {
     let mut cases = packed();
     cases.extend(not_packed());
     cases.extend(unpacked());
+    cases.extend(laid_out());
     cases.extend(not_unpacked());
+    cases.extend(broken);
+    cases.extend(wrapped());
     File::new("bulk", "observation", "Observations packed in BulkBlocks, and taken out of them.", cases)
 }
 
@@ -208,6 +212,112 @@ fn unpacked() -> Vec<Case> {
             .because("Names are compared by their letters."),
     );
     cases
+}
+
+/// Columns that lie elsewhere than an encoder puts them.
+fn laid_out() -> Vec<Case> {
+    let whole = samples(&[0.1, 0.2], &[-65.0, -64.5], &[7, 9]);
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: [(&str, &'static str, &str, [usize; 3], [usize; 3], usize); 5] = [
+        ("unaligned", "NCP-BULK-018", "begin right behind the names", [60, 65, 71], [78, 94, 110], 126),
+        ("odd", "NCP-BULK-018", "begin at odd places", [60, 65, 71], [79, 95, 111], 127),
+        (
+            "data-reversed",
+            "NCP-BULK-021",
+            "lie in the other order than the directory's",
+            [60, 65, 71],
+            [112, 96, 80],
+            128,
+        ),
+        ("names-reversed", "NCP-BULK-021", "have their names in the other order", [73, 67, 60], [80, 96, 112], 128),
+        ("gaps", "NCP-BULK-020", "have bytes of no meaning between them", [64, 72, 80], [96, 120, 144], 168),
+    ];
+    let one = |(what, rule, says, names, data, len): (&str, &'static str, &str, [usize; 3], [usize; 3], usize)| {
+        let block = Block::new(whole.columns()).laid_out(&names, &data, len).filled(0xff);
+        unpack(format!("laid-out/{what}"), &[rule], &block.bytes())
+            .gives(whole.json())
+            .title(format!("A block whose columns {says} is unpacked."))
+            .flags(&["fixed-layout"])
+            .because("Unpacking decodes first: what a decoder has to accept, it accepts.")
+    };
+    table.into_iter().map(one).collect()
+}
+
+/// Lengths that are equal in 8 or in 16 bits.
+fn wrapped() -> Vec<Case> {
+    let table: [(&str, [usize; 3], &str); 8] = [
+        ("257-and-1", [257, 1, 0], "257 times and one value"),
+        ("3-and-259", [3, 0, 259], "3 times and 259 senders"),
+        ("512-and-256", [0, 512, 256], "512 values and 256 senders"),
+        ("1-1-and-257", [1, 1, 257], "one time and one value, and 257 senders"),
+        ("65537-and-1", [65_537, 1, 0], "65,537 times and one value"),
+        ("2-and-65538", [2, 0, 65_538], "2 times and 65,538 senders"),
+        ("131073-and-1", [0, 131_073, 1], "131,073 values and one sender"),
+        ("65537-and-257", [65_537, 257, 257], "65,537 times, 257 values and as many senders"),
+    ];
+    let zeros = |zero: &str, count: usize| (0..count).map(|_| Json::read(zero)).collect::<Json>();
+    let mut cases = Vec::new();
+    for (what, [times, values, senders], says) in table {
+        // No template can stand for an array.
+        if times.max(values).max(senders) < 1000 {
+            let arrays = object! { "times" => zeros("0", times), "values" => zeros("0", values),
+            "senders" => zeros("\"0\"", senders) };
+            cases.push(
+                Case::new(format!("pack/refused/{what}"), &["NCP-OBS-003"], &[Server])
+                    .call("observation.pack", arrays)
+                    .rejects("block")
+                    .title(format!("An observation with {says} is not packed."))
+                    .flags(&["uneven-arrays", "truncated-counts"])
+                    .because("The arrays that are not empty differ in length, though not in their lowest bits."),
+            );
+        }
+        let block = of_zeros(&[("times", 2, times), ("values", 2, values), ("senders", 4, senders)]);
+        cases.push(
+            Case::new(format!("unpack/refused/{what}"), &["NCP-OBS-004"], READERS)
+                .call("observation.unpack", object! { "block" => block })
+                .rejects("block")
+                .title(format!("A block with {says} is not unpacked."))
+                .flags(&["uneven-arrays", "truncated-counts"])
+                .because("The columns that are not empty differ in length, though not in their lowest bits."),
+        );
+    }
+    for rows in [257, 65_537] {
+        let block = of_zeros(&[("times", 2, rows), ("values", 2, rows), ("senders", 4, rows)]);
+        cases.push(
+            Case::new(format!("unpack/many/{rows}-rows"), &["NCP-OBS-004", "NCP-BULK-025"], READERS)
+                .call("observation.unpack", object! { "block" => block })
+                .accepts()
+                .title(format!("A block with three columns of {rows} rows each is unpacked."))
+                .flags(&["low-limits"])
+                .because("The columns agree in length, and the block is far below its limit."),
+        );
+    }
+    cases
+}
+
+/// A block of columns of eight bytes a value, each a name, a dtype and a number of rows of 0, as a template. No byte of
+/// what it writes out is above 127, so that it is a text.
+fn of_zeros(columns: &[(&str, u8, usize)]) -> Text {
+    let columns: Vec<_> = columns.iter().filter(|(.., rows)| *rows > 0).collect();
+    let names: String = columns.iter().map(|(name, ..)| *name).collect();
+    let mut name_at = HEADER + ENTRY * columns.len();
+    let begin = (name_at + names.len()).next_multiple_of(8);
+    let mut data_at = begin;
+    let mut directory = Vec::new();
+    for (name, dtype, rows) in &columns {
+        directory.extend(le32(name_at));
+        directory.extend(le16(name.len()));
+        directory.extend([*dtype, 0]);
+        directory.extend(le32(*rows));
+        directory.extend(le32(data_at));
+        name_at += name.len();
+        data_at += 8 * rows;
+    }
+    let header = [b"NCPB", &[1, 0][..], &le16(columns.len()), &le32(data_at), &directory, names.as_bytes()].concat();
+    debug_assert!(header.is_ascii(), "{columns:?}");
+    let padding = "\0".repeat(begin - header.len());
+    let header = String::from_utf8_lossy(&header).into_owned() + &padding;
+    Text::Base64(Box::new(Text::concat([header.into(), Text::repeat("\0", data_at - begin)])))
 }
 
 fn not_unpacked() -> Vec<Case> {

@@ -8,6 +8,7 @@ use crate::case::{Case, File};
 pub(super) fn file() -> File {
     let mut cases = shared();
     cases.extend(among_many());
+    cases.extend(among_hundreds());
     cases.extend(amplified());
     cases.extend(apart());
     let about = "Regions of a BulkBlock that share bytes, which no block may have, and regions that only touch.";
@@ -137,6 +138,41 @@ fn among_many() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Only two of hundreds of columns share bytes. The others have no rows, so that most of the block are its names.
+fn among_hundreds() -> Vec<Case> {
+    // Names that stay different from all others when the last one is written into another.
+    let block = |count: usize| {
+        let column = |nth: usize| match nth {
+            0 => f32s("!?", []),
+            _ if nth + 2 == count => f32s("!!", [1.5]),
+            _ if nth + 1 == count => f32s("#=", [2.5]),
+            _ => f32s(&short_name(nth), []),
+        };
+        Block::new((0..count).map(column).collect::<Vec<_>>())
+    };
+    let table = [
+        (600, "data/last-two", "the data of the last two"),
+        (600, "name/last-two", "the names of the last two"),
+        (600, "name/first-and-last", "the names of the first and the last"),
+        (1100, "name/last-two", "the names of the last two"),
+    ];
+    let one = |(count, what, says): (usize, &str, &str)| {
+        let block = block(count);
+        let (mut data, mut names) = (block.data.clone(), block.names.clone());
+        match what {
+            "data/last-two" => data[count - 1] = data[count - 2],
+            "name/last-two" => names[count - 1] = names[count - 2] + 1,
+            _ => names[count - 1] = names[0] + 1,
+        }
+        let len = block.len;
+        rejected(format!("of-{count}-columns/{what}"), &["NCP-BULK-012"], &block.laid_out(&names, &data, len).bytes())
+            .title(format!("A block of {count} columns of which only {says} share a byte is rejected."))
+            .flags(&["L01", "overlapping-regions"])
+            .because("No two regions may share a byte, however many columns there are.")
+    };
+    table.into_iter().map(one).collect()
 }
 
 /// Many columns over the same bytes.

@@ -1,7 +1,8 @@
 //! From rates to a command.
 
 use super::{
-    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely,
+    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, narrow, pairs,
+    precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -185,6 +186,19 @@ fn ranges() -> Vec<Case> {
                 .because(PRECISELY),
         );
     }
+    for (name, r, rate, value) in narrow() {
+        let mapping = Mapping { value, rate, ..PLAIN };
+        cases.push(
+            case(format!("narrow/{name}"), &["NCP-CODEC-003", "NCP-CODEC-013"], codec(&[], &[mapping]), &[("p", r)])
+                .shows(channels(vec![("x", vec![map(r, rate, value)])]))
+                .title(format!(
+                    "{r:e} Hz in {:e} \u{2026} {:e} is decoded as in any wider range ({name}).",
+                    rate[0], rate[1]
+                ))
+                .flags(&["degenerate-range"])
+                .because("A range is degenerate when its length is 0 or not finite, and not when it is small."),
+        );
+    }
     for (name, rate) in RANGES {
         for share in SHARES {
             for value in [[-1.0, 1.0], [2.0, 6.0], [6.0, 2.0]] {
@@ -338,6 +352,7 @@ fn mappings() -> Vec<Case> {
                 ),
         );
     }
+    cases.extend(in_pairs());
     // What no mapping names is 0, and not the middle of another's range.
     for (name, value) in [("positive", [2.0, 6.0]), ("negative", [-8.0, -4.0])] {
         let far = Mapping { component: 2, value, ..PLAIN };
@@ -368,6 +383,42 @@ fn mappings() -> Vec<Case> {
             .title("A decoder's unit becomes the channel's.")
             .because("The decoder builds the command's channel; its unit is the mapping's."),
     );
+    cases
+}
+
+/// Two mappings that differ in one thing only, in either order, and the first once more behind them.
+fn in_pairs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let rates = [("p", 150.0), ("q", 25.0)];
+    let decoded = |of: &Mapping| {
+        let rate = rates.iter().find(|(name, _)| *name == of.population).map_or(f64::NAN, |(_, rate)| *rate);
+        map(rate, of.rate, of.value)
+    };
+    for (name, other) in pairs(PLAIN) {
+        // Two channels in each pair, but for where they lie in one.
+        let other = if name == "component" { other } else { Mapping { channel: "y", ..other } };
+        let again = Mapping { channel: "z", ..PLAIN };
+        for (order, mappings) in
+            [("after", vec![PLAIN, other]), ("before", vec![other, PLAIN]), ("between", vec![PLAIN, other, again])]
+        {
+            let mut expected = match name {
+                "component" => vec![("x", vec![decoded(&PLAIN), decoded(&other)])],
+                _ => vec![("x", vec![decoded(&PLAIN)]), ("y", vec![decoded(&other)])],
+            };
+            if order == "between" {
+                expected.push(("z", vec![decoded(&again)]));
+            }
+            cases.push(
+                case(format!("pair/{name}/{order}"), &["NCP-CODEC-003"], codec(&[], &mappings), &rates)
+                    .shows(channels(expected))
+                    .title(format!(
+                        "Of two mappings that differ in {} alone each decodes as it says ({order}).",
+                        name.replace('-', " ")
+                    ))
+                    .because("The decoder maps each mapping's rate by that mapping's ranges."),
+            );
+        }
+    }
     cases
 }
 

@@ -1,7 +1,8 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, precisely,
+    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, narrow, pairs,
+    precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -149,6 +150,24 @@ fn ranges() -> Vec<Case> {
                 .because(PRECISELY),
         );
     }
+    for (name, x, value, rate) in narrow() {
+        let mapping = Mapping { value, rate, ..PLAIN };
+        cases.push(
+            case(
+                format!("narrow/{name}"),
+                &["NCP-CODEC-001", "NCP-CODEC-013"],
+                codec(&[mapping], &[]),
+                sensor(&[("x", &[x])]),
+            )
+            .shows(rates(&[("p", map(x, value, rate))]))
+            .title(format!(
+                "{x:e} in {:e} \u{2026} {:e} is encoded as in any wider range ({name}).",
+                value[0], value[1]
+            ))
+            .flags(&["degenerate-range"])
+            .because("A range is degenerate when its length is 0 or not finite, and not when it is small."),
+        );
+    }
     // A mapping without ranges has the defaults.
     let bare = object! { "encoders" => Json::Array(vec![object! { "channel" => "x", "component" => 0_u32,
     "population" => "p" }]), "decoders" => Json::Array(Vec::new()) };
@@ -248,6 +267,27 @@ fn missing() -> Vec<Case> {
 
 fn mappings() -> Vec<Case> {
     let mut cases = Vec::new();
+    for (name, other) in pairs(PLAIN) {
+        // Two populations in each pair, since of mappings to one only the last counts.
+        let other = Mapping { population: "q", ..other };
+        let data = |channel: &str| if channel == "x" { [0.5, -0.25] } else { [0.125, 0.25] };
+        let rate = |of: &Mapping| {
+            let place = usize::try_from(of.component).unwrap_or_default();
+            map(data(of.channel).get(place).copied().unwrap_or_default(), of.value, of.rate)
+        };
+        let sensed = || sensor(&[("x", &data("x")), ("y", &data("y"))]);
+        for (order, mappings) in [("after", [PLAIN, other]), ("before", [other, PLAIN])] {
+            cases.push(
+                case(format!("pair/{name}/{order}"), &["NCP-CODEC-001"], codec(&mappings, &[]), sensed())
+                    .shows(rates(&[("p", rate(&PLAIN)), ("q", rate(&other))]))
+                    .title(format!(
+                        "Of two mappings that differ in {} alone each encodes as it says ({order}).",
+                        name.replace('-', " ")
+                    ))
+                    .because("The encoder maps each mapping's value by that mapping's ranges."),
+            );
+        }
+    }
     for component in [4096_u32, 4097, 65_536, 4_294_967_295] {
         let far = Mapping { component, population: "far", ..PLAIN };
         let near = Mapping { component: 1, population: "near", ..PLAIN };

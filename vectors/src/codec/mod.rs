@@ -82,6 +82,39 @@ const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 6] = [
 const PRECISELY: &str =
     "The result is what the formula says to 10\u{207b}\u{b9}\u{b2} of the greater end of the target range.";
 
+/// Lengths of a source range, down to where the doubles of it are still normal.
+const NARROW: [f64; 8] = [1e-6, 1e-9, 3e-11, 1e-12, 5e-13, 1e-15, 1e-100, 1e-290];
+
+/// A narrow range at 0 and about it, in either direction of what it is mapped to, with a place in it: its name, the
+/// place, and both ranges.
+fn narrow() -> Vec<(String, f64, [f64; 2], [f64; 2])> {
+    let mut all = Vec::new();
+    for length in NARROW {
+        all.push((format!("at-zero/{length:e}"), length * 0.25, [0.0, length], [0.0, 100.0]));
+        all.push((format!("about-zero/{length:e}"), length * 0.5, [-length, length], [60.0, 20.0]));
+    }
+    // Differences of doubles that lie next to each other are exact.
+    for power in [20, 36, 44] {
+        let length = 2.0_f64.powi(-power);
+        let name = format!("at-one/2-to-minus-{power}");
+        all.push((name, 1.0 + length * 0.25, [1.0, 1.0 + length], [0.0, 100.0]));
+    }
+    all
+}
+
+/// Two mappings that differ in one thing, which is the name of the pair.
+fn pairs(one: Mapping) -> [(&'static str, Mapping); 7] {
+    [
+        ("channel", Mapping { channel: "y", ..one }),
+        ("component", Mapping { component: 1, ..one }),
+        ("population", Mapping { population: "q", ..one }),
+        ("value-low", Mapping { value: [-3.0, 1.0], ..one }),
+        ("value-high", Mapping { value: [-1.0, 3.0], ..one }),
+        ("rate-low", Mapping { rate: [-100.0, 200.0], ..one }),
+        ("rate-high", Mapping { rate: [0.0, 400.0], ..one }),
+    ]
+}
+
 /// Numbers that JSON lacks: an interface of JSON texts refuses them.
 const STRANGE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 

@@ -11,6 +11,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(laws());
     cases.extend(Scenarios::read(source!("control/loop"))?.rest(row_case)?);
     cases.extend(ttls());
+    cases.extend(many_ticks());
     cases.extend(links());
     cases.extend(modes());
     cases.extend(safety());
@@ -296,6 +297,39 @@ fn ttls() -> Vec<Case> {
                 ),
         );
     }
+    cases
+}
+
+/// What holds of the first ticks holds of those behind them.
+fn many_ticks() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (period, ticks) in [(150.0, 40), (20_000.0, 20)] {
+        let lasts = || object! { "ttl_ms" => within(2.0 * period, f64::MAX) };
+        let tick = |seq: i64| {
+            let now = 1.0 + f64::from(i32::try_from(seq).unwrap_or_default()) * period / 1000.0;
+            [arrives(seq, now), commands(now, lasts())]
+        };
+        let trace = (1..=ticks).flat_map(tick).collect();
+        cases.push(
+            run(format!("ttl/many-ticks/period-{period}"), &["NCP-CTRL-014"], period, Json::object(), trace)
+                .title(format!(
+                    "With a period of {period} ms each of {ticks} commands lasts {} ms or more.",
+                    2.0 * period
+                ))
+                .flags(&["short-ttl"])
+                .because("The loop raises `ttl_ms` to at least two periods, at every tick."),
+        );
+    }
+    let mut trace = vec![arrives(1, 1.0), moves(1, 1.0)];
+    let held = || object! { "mode" => "hold" };
+    trace.extend((0..100_u32).map(|nth| commands(1.5625 + f64::from(nth) / 256.0, held())));
+    trace.extend([arrives(2, 2.0), moves(2, 2.0)]);
+    cases.push(
+        run("gate/stale-for-many-ticks", &["NCP-CTRL-015", "NCP-SAFE-033"], 50.0, Json::object(), trace)
+            .title("A stale sensor holds at each of a hundred ticks.")
+            .flags(&["stale-sensor"])
+            .because("The governor holds while the sensor is stale, however long it has been so."),
+    );
     cases
 }
 

@@ -19,6 +19,7 @@ const ENTRIES: usize = 4096;
 pub(super) fn file() -> File {
     let mut cases = sizes();
     cases.extend(observation_sizes());
+    cases.extend(large());
     cases.extend(depths());
     cases.extend(maps());
     cases.extend(arrays());
@@ -115,6 +116,61 @@ fn observation_sizes() -> Vec<Case> {
             .rejects("limit")
             .because("An `observation_frame` may have 64 MiB, and this one has a byte more."),
     ]
+}
+
+/// What is told from its neighbours in a small frame, in frames of 64 and 256 KiB and more: a reader for large frames
+/// is no other reader.
+fn large() -> Vec<Case> {
+    // A member, its value as it is spelled, the rule, and what is special about it. `seq` is written twice.
+    let table: [(&str, &str, &str, &'static str, &str); 11] = [
+        ("overflow", "t", "1e999", "NCP-WIRE-013", "overflows a double"),
+        ("minus-overflow", "t", "-1e309", "NCP-WIRE-013", "overflows a double downwards"),
+        ("fraction", "seq", "1.0", "NCP-WIRE-010", "has a fraction"),
+        ("minus-zero-integer", "seq", "-0", "NCP-WIRE-010", "is the negative zero"),
+        ("beyond-2-to-53", "seq", "9007199254740992", "NCP-WIRE-011", "is 2^53"),
+        ("text", "t", "\"1\"", "NCP-WIRE-020", "is a text"),
+        ("repeated", "seq", "1,\"seq\":1", "NCP-WIRE-007", "stands there twice"),
+        ("minus-zero", "t", "-0", "NCP-WIRE-015", "is the negative zero"),
+        ("largest", "t", "1.7976931348623157e308", "NCP-WIRE-012", "is the largest double"),
+        (
+            "many-digits",
+            "t",
+            "0.1000000000000000055511151231257827021181583404541015625",
+            "NCP-WIRE-012",
+            "has 55 digits",
+        ),
+        ("largest-integer", "seq", "9007199254740991", "NCP-WIRE-034", "is the largest integer"),
+    ];
+    let sizes: [(&str, &[usize]); 3] = [
+        ("sensor_frame", &[(64 << 10) + 1, (256 << 10) + 1, MIB]),
+        ("command_frame", &[(512 << 10) + 1]),
+        ("observation_frame", &[(256 << 10) + 1, 2 * MIB]),
+    ];
+    let mut cases = Vec::new();
+    for (kind, sizes) in sizes {
+        for (nth, size) in sizes.iter().enumerate() {
+            for (what, member, value, rule, says) in table {
+                let frame = |ground: Json| ground.with(member, Json::literal(value));
+                let is_read = matches!(rule, "NCP-WIRE-015" | "NCP-WIRE-012" | "NCP-WIRE-034");
+                let whole = if is_read { frame(explicit(kind)) } else { frame(minimal(kind)) };
+                // Behind what matters, and before it.
+                let text = match nth % 2 {
+                    0 => padded(&whole.text(), *size, "x"),
+                    _ => padded_before(&whole.text(), *size),
+                };
+                let verb = if is_read { "read as it is" } else { "rejected" };
+                let case = Case::new(format!("{kind}/large/{what}-in-{size}-bytes"), &[rule], readers(kind))
+                    .title(format!("{} of {size} bytes whose `{member}` {says} is {verb}.", a(kind)))
+                    .decode(kind, text)
+                    .because("What a frame means, and whether it is read, does not depend on its length.");
+                cases.push(match is_read {
+                    true => case.flags(&["rounding"]).means(meaning(kind, &whole).text()),
+                    false => case.flags(&["overflow"]).rejects("value"),
+                });
+            }
+        }
+    }
+    cases
 }
 
 fn too_large(kind: &str, what: &str, text: Text) -> Case {
@@ -440,6 +496,14 @@ fn padded(frame: &str, total: usize, unit: &str) -> Text {
     Text::concat([before.into(), Text::repeat(unit, room / unit.len()), format!("{rest}\"}}").into()])
 }
 
+/// The frame with an unknown string before everything else.
+fn padded_before(frame: &str, total: usize) -> Text {
+    let rest = frame.strip_prefix('{').unwrap_or(frame);
+    let (before, after) = ("{\"pad\":\"", format!("\",{rest}"));
+    let room = total - before.len() - after.len();
+    Text::concat([before.into(), Text::repeat("x", room), after.into()])
+}
+
 /// The frame with so much white space before its last brace that the whole has `total` bytes.
 fn spaced(frame: &str, total: usize) -> Text {
     let open = frame.strip_suffix('}').unwrap_or(frame);
@@ -518,6 +582,7 @@ mod tests {
         for unit in ["x", "\u{e9}"] {
             assert_eq!(expanded(&padded(&frame, MIB + 1, unit)).len(), MIB + 1);
         }
+        assert_eq!(expanded(&padded_before(&frame, MIB)).len(), MIB);
         assert_eq!(expanded(&spaced(&frame, MIB)).len(), MIB);
         for side in [Side::Before, Side::After] {
             let text = expanded(&outside(&frame, MIB, side));

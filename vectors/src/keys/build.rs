@@ -234,6 +234,37 @@ impl Builder {
                     .gives(object! { "key" => self.expected(Some(&realm), "uav3", None) })
                     .because("The limit is a segment's, not the realm's."),
             );
+            for (what, character, times) in [("four", "\u{1f681}", 64), ("two", "\u{e9}", 128)] {
+                let long = character.repeat(times);
+                let realm = format!("{long}/a/{long}");
+                cases.push(
+                    self.case(&format!("realm/ends-of-256-bytes-of-{what}"), &["NCP-KEY-020", "NCP-KEY-018"])
+                        .title(format!(
+                            "The `rpc` key is built in a realm whose first and last segment have 256 bytes in {times} \
+                             characters."
+                        ))
+                        .flags(&["bytes-not-characters"])
+                        .call("key.build", self.args(Some(&realm), "uav3", None))
+                        .gives(object! { "key" => self.expected(Some(&realm), "uav3", None) })
+                        .because("The limit is a segment's, not the realm's, and counts bytes."),
+                );
+                let realm = format!("a/{}", character.repeat(times + 1));
+                cases.push(
+                    self.case(
+                        &format!("realm/second-too-long-by-one-of-{what}"),
+                        &["NCP-KEY-018", "NCP-KEY-017", "NCP-KEY-019"],
+                    )
+                    .title(format!(
+                        "The `rpc` key is not built in a realm whose second segment has {} characters of {what} bytes.",
+                        times + 1
+                    ))
+                    .flags(&["bytes-not-characters", "L22"])
+                    .call("key.build", self.args(Some(&realm), "uav3", None))
+                    .rejects("key")
+                    .by("crash", "NCP-KEY-019")
+                    .because("A realm is checked segment by segment, and the limit counts bytes."),
+                );
+            }
             let realm = format!("a/{}", "b".repeat(257));
             cases.push(
                 self.case("realm/second-of-257-bytes", &["NCP-KEY-018", "NCP-KEY-017", "NCP-KEY-019"])

@@ -84,12 +84,24 @@ pub(crate) fn refused() -> Vec<Segment> {
             "bytes-not-characters",
         ),
     ]);
+    all.extend(too_long().map(|(name, text, says)| segment(name, text, says, "NCP-KEY-017", "bytes-not-characters")));
     all
+}
+
+/// Segments that are just beyond the limit by their bytes alone, in characters of each length.
+fn too_long() -> [(&'static str, String, &'static str); 4] {
+    let of = |character: &str, times: usize, more: &str| character.repeat(times) + more;
+    [
+        ("bytes-258-of-129-characters", of("\u{e9}", 129, ""), "has 258 bytes in 129 characters"),
+        ("bytes-257-of-86-characters", of("\u{20ac}", 85, "\u{e9}"), "has 257 bytes in 86 characters"),
+        ("bytes-257-of-65-characters", of("\u{1f681}", 64, "a"), "has 257 bytes in 65 characters"),
+        ("bytes-260-of-65-characters", of("\u{1f681}", 65, ""), "has 260 bytes in 65 characters"),
+    ]
 }
 
 /// One refused segment a rule.
 pub(crate) fn refused_sample() -> Vec<Segment> {
-    const SAMPLE: [&str; 9] = [
+    const SAMPLE: [&str; 10] = [
         "empty",
         "slash-inside",
         "star-alone",
@@ -99,6 +111,7 @@ pub(crate) fn refused_sample() -> Vec<Segment> {
         "dot-dot",
         "control-00",
         "bytes-257",
+        "bytes-260-of-65-characters",
     ];
     refused().into_iter().filter(|segment| SAMPLE.contains(&segment.name.as_str())).collect()
 }
@@ -162,14 +175,34 @@ pub(crate) fn accepted() -> Vec<Segment> {
             "NCP-KEY-020",
             "bytes-not-characters",
         ),
+        segment(
+            "bytes-255-of-85-characters",
+            "\u{20ac}".repeat(85),
+            "has 255 bytes in 85 characters",
+            "NCP-KEY-020",
+            "bytes-not-characters",
+        ),
+        segment(
+            "bytes-256-of-86-characters",
+            "\u{20ac}".repeat(85) + "a",
+            "has 256 bytes in 86 characters",
+            "NCP-KEY-020",
+            "bytes-not-characters",
+        ),
     ]);
     all
 }
 
 /// A few of them.
 pub(crate) fn accepted_sample() -> Vec<Segment> {
-    const SAMPLE: [&str; 5] =
-        ["three-dots", "at-inside", "decomposed", "no-break-space", "bytes-256-of-128-characters"];
+    const SAMPLE: [&str; 6] = [
+        "three-dots",
+        "at-inside",
+        "decomposed",
+        "no-break-space",
+        "bytes-256-of-128-characters",
+        "bytes-256-of-64-characters",
+    ];
     accepted().into_iter().filter(|segment| SAMPLE.contains(&segment.name.as_str())).collect()
 }
 
@@ -200,8 +233,8 @@ mod tests {
 
     #[test]
     fn every_name_of_a_sample_is_the_name_of_a_segment() {
-        assert_eq!(refused_sample().len(), 9);
-        assert_eq!(accepted_sample().len(), 5);
+        assert_eq!(refused_sample().len(), 10);
+        assert_eq!(accepted_sample().len(), 6);
     }
 
     #[test]

@@ -21,6 +21,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         "mode/not-estop",
         "mode-absent",
         "hold",
+        "hold-restart",
         "hold-without-a-clock",
         "drop",
         "fallen",
@@ -41,6 +42,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("asked", row_case)?);
     cases.extend(text.cases("waits", row_case)?);
     text.end()?;
+    cases.extend(long_streams());
+    cases.extend(far_deadlines());
     let about = "The action buffer: which command a plant follows, and when it follows none.";
     Ok(File::new("resilience", "buffer", about, cases))
 }
@@ -87,6 +90,54 @@ fn deadlines() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Commands that do not advance, however many of them come.
+fn long_streams() -> Vec<Case> {
+    let table: [(&str, &[&'static str], &str, Vec<i64>); 3] = [
+        ("rising", &["NCP-RES-032", "NCP-RES-020"], "a rising seq below the last", (1..=50).collect()),
+        ("same", &["NCP-RES-020", "NCP-RES-009"], "the last seq", vec![1000; 26]),
+        ("unstamped", &["NCP-RES-020", "NCP-RES-009"], "no stamp", vec![0; 26]),
+    ];
+    let one = |(name, rules, words, seqs): (&str, &[&'static str], &str, Vec<i64>)| {
+        let mut events = vec![go(1000, 1.0)];
+        for (nth, seq) in (1_u32..).zip(&seqs) {
+            let now = 1.0 + f64::from(nth) / 64.0;
+            events.push(Event::Command(active(*seq).x(77.0), now));
+            if nth % 8 == 0 {
+                events.push(Event::Ask(now));
+            }
+        }
+        let end = 1.0 + f64::from(u32::try_from(seqs.len()).unwrap_or_default()) / 64.0;
+        events.extend([Event::Ask(end), Event::Reset, go(1, end + 0.125), Event::Ask(end + 0.125)]);
+        super::buffer_case(format!("drop/many/{name}"), rules, &events)
+            .title(format!(
+                "{} commands of {words} are all dropped, and after a reset seq 1 moves the plant.",
+                seqs.len()
+            ))
+            .flags(&["revived-command"])
+            .because("The buffer drops a command that does not advance, and a sender that began again until a reset.")
+    };
+    table.into_iter().map(one).collect()
+}
+
+/// Ends of a ttl at which no double is, on clocks that have run for long: a deadline that is added up rounds past it.
+fn far_deadlines() -> Vec<Case> {
+    let one = |(whole, ttl): (f64, f64)| {
+        let far = whole.log2();
+        let (received, now) = (whole - 1.0, whole);
+        let replays = active(2).ttl(60_000.0).along_x(ttl, &[21.0, 22.0]);
+        let events = [Event::Command(active(1).ttl(ttl), received), Event::Ask(now)];
+        let ticks = [Event::Command(replays, received), Event::Ask(now)];
+        let held = super::buffer_case(format!("clock/far/past-the-ttl/2-to-{far}"), &["NCP-RES-002"], &events)
+            .title(format!("At 2^{far} s a command of {ttl} ms is over one second after it came."))
+            .because("The age is now \u{2212} received, and it is more than the ttl by more than doubles round it.");
+        let next = super::buffer_case(format!("clock/far/past-the-tick/2-to-{far}"), &["NCP-RES-028"], &ticks)
+            .title(format!("At 2^{far} s tick 1 of a horizon of {ttl} ms has begun one second after it came."))
+            .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, whatever the clock began with.");
+        [held, next].map(|case| case.flags(&["off-by-a-boundary"]))
+    };
+    super::FAR.into_iter().flat_map(|power| one(super::second_at(power))).collect()
 }
 
 /// A frame that is rejected as the first and as the second one.

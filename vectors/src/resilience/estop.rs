@@ -57,8 +57,20 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioErro
     if !row.cell("frame")?.starts_with("template") {
         cases.push(case("first", &first, "has seen nothing"));
     }
+    // The same bytes again, after a reset: a latch that was cleared says nothing of the next one.
+    if AGAIN.contains(&row.name) {
+        let reset = |now| [Event::Reset, go(50, now), Event::Ask(now)];
+        let again = [&[frame(1.0)][..], &reset(1.0625), &[frame(1.125), go(51, 1.125), Event::Ask(1.125)]].concat();
+        let unmoved = [frame(1.0), frame(1.0), Event::Reset, frame(1.0625), go(51, 1.125), Event::Ask(1.125)];
+        cases.push(case("again", &again, "moves, and was reset after the same bytes"));
+        cases.push(case("repeated", &unmoved, "was reset after the same bytes and has not moved since"));
+    }
     Ok(cases)
 }
+
+/// Frames that come again in cases of their own: malformed in each way, and in good order.
+const AGAIN: [&str; 6] =
+    ["minimal", "seq-text", "no-version", "kind-and-mode-twice", "escaped-name-malformed", "everything-wrong"];
 
 /// The text of a row: `raw` or `json` and a text, `template` and one that the runner makes, `members` and what stands
 /// behind many of them, or a command with its changes.

@@ -17,6 +17,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.push(at_the_threshold());
     cases.extend(text.rest(row_case)?);
     cases.extend(relapses());
+    cases.extend(lasting());
+    cases.extend(alike());
     cases.extend(bounded());
     cases.extend(parameters());
     cases.extend(extremes());
@@ -340,6 +342,77 @@ fn relapses() -> Vec<Case> {
                 .because("The burst is true exactly while the sum is above the threshold, whatever it was before."),
             );
         }
+    }
+    cases
+}
+
+/// Bursts over hundreds of frames without a gap, which end when the sum says so and not before.
+fn lasting() -> Vec<Case> {
+    // The reference loss, the threshold, the gap, and how many frames follow.
+    let table = [(0.0, 5.0, 98, 300), (0.001, 5.0, 98, 300), (0.01, 5.0, 98, 520), (0.05, 50.0, 250, 300)];
+    let mut cases = Vec::new();
+    for (ref_loss, threshold, gap, frames) in table {
+        let seqs: Vec<i64> = [1].into_iter().chain(2 + gap..2 + gap + frames).collect();
+        let mut monitor = Monitor::new(ref_loss, threshold, false);
+        let report = |(nth, seq): (usize, &i64)| {
+            monitor.frame(*seq);
+            let burst = monitor.report().get("burst").cloned();
+            match burst {
+                // Now and then is often enough, and at the end.
+                Some(burst) if nth % 20 == 1 || nth + 1 == seqs.len() => object! { "burst" => burst },
+                _ => no_result(),
+            }
+        };
+        let entries = seqs.iter().enumerate().map(report).collect();
+        cases.push(
+            Case::new(
+                format!("burst/lasting/ref-loss-{ref_loss}/threshold-{threshold}"),
+                &["NCP-RES-046", "NCP-RES-049"],
+                &BOTH,
+            )
+            .call("link.run", args(Some(ref_loss), Some(threshold), &seqs))
+            .shows(steps(entries))
+            .title(format!(
+                "Under a reference loss of {ref_loss} and a threshold of {threshold} a burst of {gap} lost frames \
+                 lasts as long as the sum says, over {frames} frames."
+            ))
+            .flags(&["burst-detector"])
+            .because(
+                "Each delivery takes the reference loss off the sum, and nothing else does: the burst is true exactly \
+                 while the sum is above the threshold.",
+            ),
+        );
+    }
+    cases
+}
+
+/// Seqs that agree in their lowest bits with one that is missing.
+fn alike() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for bits in [8_u32, 10, 12, 16] {
+        let far = 1_i64 << bits;
+        // The second seq is missing; a duplicate above it looks like it, and below it one of the first.
+        let above = vec![1, 3, 2 + far, 2 + far, 3 + far];
+        let below = vec![4, 5, 3 + far, 5 + far, 5, 4, 6 + far];
+        for (name, seqs) in [("above", above), ("below", below)] {
+            cases.push(
+                usual(&format!("count/alike/{name}-by-2-to-{bits}"), &["NCP-RES-042", "NCP-RES-040"], &seqs)
+                    .title(format!("A duplicate that lies 2^{bits} {name} a missing seq takes nothing back."))
+                    .flags(&["wrong-loss"])
+                    .because("A duplicate changes nothing: a frame is late when its own seq is remembered as missing."),
+            );
+        }
+        if bits > 12 {
+            continue;
+        }
+        // Both are missing, and each is taken back when it comes, once. The last leaves no more than 4,096 missing.
+        let both = vec![1, 3, 3 + far, 2 + far, 2, 2 + far, 2, 4 + far];
+        cases.push(
+            usual(&format!("count/alike/both-by-2-to-{bits}"), &["NCP-RES-041", "NCP-RES-042"], &both)
+                .title(format!("Of two missing seqs that lie 2^{bits} apart each is taken back once."))
+                .flags(&["wrong-loss"])
+                .because("A late frame is taken back from `lost`, and a duplicate changes nothing."),
+        );
     }
     cases
 }

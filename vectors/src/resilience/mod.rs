@@ -20,6 +20,15 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     Ok(files)
 }
 
+/// Powers of two seconds that a clock may read: three weeks, 68 years and longer.
+const FAR: [i32; 3] = [21, 31, 40];
+
+/// The power as a time, and a ttl in ms that ends just before it when it begins a second before it: closer to it than
+/// doubles are there. That second, the age and both times in ms are exact.
+fn second_at(power: i32) -> (f64, f64) {
+    (2.0_f64.powi(power), 1000.0 * (1.0 - 2.0_f64.powi(power - 55)))
+}
+
 /// What becomes of an action buffer that sees these events.
 fn buffer_case(path: impl Into<String>, rules: &[&'static str], events: &[Event]) -> Case {
     let (args, pattern, decided) = buffer(events, false);

@@ -106,6 +106,10 @@ pub(super) struct Plant {
     unstamped_first: bool,
     /// Whether nothing has moved since a reset that cleared a seq or a latch.
     is_reset: bool,
+    /// Whether a strict plant has rejected or dropped a command since the last one that advanced.
+    spared: bool,
+    /// Whether it had before the one that it follows, and nobody has asked since.
+    spares: bool,
     /// The rule that decided the last answer.
     said: &'static str,
 }
@@ -135,6 +139,7 @@ impl Plant {
                     Some(_) if seq < 1 => "NCP-STRICT-004",
                     Some(_) => "NCP-STRICT-005",
                 });
+                self.spared = true;
             }
             Some("active") => {
                 if advances {
@@ -142,6 +147,7 @@ impl Plant {
                     self.held = Some((command.clone(), now, self.unstamped_first && seq <= 0));
                     self.happened = None;
                     self.refreshes_not = None;
+                    self.spares = std::mem::take(&mut self.spared);
                 } else {
                     self.happened = self.happened.or(Some(DROPPED));
                     self.refreshes_not = Some("NCP-RES-009");
@@ -212,6 +218,7 @@ impl Plant {
         let exact = (now - received) * 1000.0 == command.ttl.min(60_000.0);
         // Whether a strict plant follows what it rejects, or loses by it what it had, a model does not see.
         let happened = happened.filter(|rule| !rule.starts_with("NCP-STRICT"));
+        let happened = happened.or(std::mem::take(&mut self.spares).then_some(SPARED));
         let happened = happened.or(std::mem::take(&mut self.is_reset).then_some(RESET));
         self.said = happened.unwrap_or(if exact { "NCP-RES-003" } else { "NCP-RES-026" });
         let usable = command.dt.filter(|dt| dt.is_finite() && *dt > 0.0);
@@ -269,6 +276,9 @@ const OWN: &str = "";
 const DROPPED: &str = "NCP-RES-020";
 /// The rule by which a command moves the plant that would not have advanced before a reset.
 const RESET: &str = "NCP-RES-030";
+
+/// The rule by which a command moves a strict plant that rejected or dropped another before it.
+const SPARED: &str = "NCP-STRICT-011";
 
 /// A trace: its arguments, its pattern, and the rule of each answer.
 pub(crate) type Run = (Json, Json, Vec<Option<&'static str>>);

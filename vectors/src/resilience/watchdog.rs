@@ -10,6 +10,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("resilience/watchdog"))?;
     let mut cases = boundaries();
     cases.extend(hairs());
+    cases.extend(far());
     cases.extend(ttls());
     for group in ["no-ttl", "before-any", "clock"] {
         cases.extend(text.cases(group, row_case)?);
@@ -119,6 +120,34 @@ fn hairs() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Ends of a ttl at which no double is, on clocks that have run for long.
+fn far() -> Vec<Case> {
+    let one = |power: i32| {
+        let (whole, ttl) = super::second_at(power);
+        let case = |name: &str, events: &[Event]| {
+            case(format!("far/2-to-{power}/{name}"), &["NCP-RES-002", "NCP-RES-001"], events)
+                .title(format!(
+                    "A plant holds one second after a command of {ttl} ms that came before 2^{power} s ({name})."
+                ))
+                .flags(&["off-by-a-boundary"])
+                .because(DEADLINE)
+        };
+        [
+            case("first", &[command(1, ttl, whole - 1.0), Event::Ask(whole)]),
+            case(
+                "renewed",
+                &[
+                    command(1, 250.0, whole - 2.0),
+                    command(2, ttl, whole - 1.0),
+                    Event::Ask(whole - 0.5),
+                    Event::Ask(whole),
+                ],
+            ),
+        ]
+    };
+    super::FAR.into_iter().flat_map(one).collect()
 }
 
 fn ttls() -> Vec<Case> {

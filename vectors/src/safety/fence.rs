@@ -5,11 +5,13 @@ use super::{case, row_case};
 use crate::case::{Case, File};
 use crate::command::Command;
 use crate::scenario::{ScenarioError, Scenarios, source};
+use crate::trace::name_of;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = places();
     cases.extend(Scenarios::read(source!("safety/fence"))?.rest(row_case)?);
     cases.extend(moved());
+    cases.extend(hairs());
     let about = "The geofence and the measured position: inside, on and outside the ball, and positions that are none.";
     Ok(File::new("safety", "fence", about, cases))
 }
@@ -142,6 +144,43 @@ fn moved() -> Vec<Case> {
                     .flags(&["L28"])
                     .because("The fence is the ball about the origin of the reference frame, not about where the \
                               plant was first."),
+                );
+            }
+        }
+    }
+    cases
+}
+
+/// Positions that are outside, or inside, by ever less of the radius.
+fn hairs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (radius, direction) in [(5.0, [0.6, 0.0, -0.8]), (1e-3, [0.0, 1.0, 0.0]), (1e5, [0.0, 0.6, 0.8])] {
+        for power in [4, 6, 7, 9, 10, 11] {
+            if radius != 5.0 && power != 7 && power != 11 {
+                continue;
+            }
+            let hair = 10.0_f64.powi(-power);
+            for (name, factor, rule) in
+                [("outside", 1.0 + hair, "NCP-SAFE-043"), ("inside", 1.0 - hair, "NCP-SAFE-045")]
+            {
+                if name == "inside" && power < 9 {
+                    continue;
+                }
+                let at = direction.map(|x| if x == 0.0 { 0.0 } else { x * radius * factor });
+                let steps = vec![govern(still(), Sensor::at(&at))];
+                cases.push(
+                    case(
+                        format!("hair/{}/{name}-by-1e-{power}", name_of(radius)),
+                        &[rule],
+                        &Trace::new(Limits::fence(radius), steps),
+                    )
+                    .title(format!(
+                        "A position {name} the fence of {radius} m by 1e-{power} of it is told from the others."
+                    ))
+                    .flags(&["off-by-a-boundary"])
+                    .because(
+                        "ESTOP is latched when the norm of the position is more than the radius, by however little.",
+                    ),
                 );
             }
         }

@@ -11,6 +11,7 @@ use crate::trace::{any, name_of, num, nums, refused, steps, within};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = vectors();
     cases.extend(never_above());
+    cases.extend(hairs());
     cases.extend(huge());
     cases.extend(Scenarios::read(source!("safety/speed"))?.rest(row_case)?);
     cases.extend(channels());
@@ -117,6 +118,110 @@ fn never_above() -> Vec<Case> {
                         .because(why),
                 );
             }
+        }
+    }
+    cases
+}
+
+/// Norms above the limit by ever less of it, and below it: only a rounding is allowed, one part in 10^12. Along one
+/// axis the norm is the component itself.
+fn hairs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let pose = |direction: [f64; 3], speed: f64| direction.map(|x| if x == 0.0 { 0.0 } else { x * speed });
+    let (ahead, down) = ([0.0, 1.0, 0.0], [0.0, 0.0, -1.0]);
+    for (limit, direction) in [(2.0, ahead), (2.5, down), (1e-6, ahead), (1e6, down)] {
+        for power in 3..=11 {
+            // The other limits show that a tolerance of so many m/s is none either.
+            if limit != 2.0 && power != 7 && power != 11 {
+                continue;
+            }
+            let hair = 10.0_f64.powi(-power);
+            let fast = pose(direction, limit * (1.0 + hair));
+            let slow = pose(direction, limit * 0.25);
+            let most = pose(direction, limit);
+            // What is sent of a velocity that is too fast.
+            let clamped = || {
+                let of = |x: f64| {
+                    let (low, high) = (x.abs() * (1.0 - 1e-9), x.abs() * (1.0 + 1e-12));
+                    if x == 0.0 {
+                        num(0.0)
+                    } else if x > 0.0 {
+                        within(low, high)
+                    } else {
+                        within(-high, -low)
+                    }
+                };
+                object! { "data" => most.iter().copied().map(of).collect::<Json>() }
+            };
+            let near_by = || Command::moving(&slow);
+            let at_once = vec![(VELOCITY, fast.to_vec())];
+            let beside = vec![(VELOCITY, slow.to_vec()), ("tow_velocity", fast.to_vec())];
+            let of = |channels: &[(&str, Vec<f64>)]| -> Vec<Channel> {
+                channels.iter().map(|(name, data)| channel(name, data, Some(MPS))).collect()
+            };
+            let in_step = |step: Vec<Channel>| {
+                let mut command = near_by().then(50.0, &[slow, slow]);
+                if let Some(last) = command.horizon.last_mut() {
+                    *last = step;
+                }
+                command
+            };
+            let channels = |name: &str| object! { "channels" => Json::Object(vec![(name.to_owned(), clamped())]) };
+            let steps_of = |name: &str| {
+                let of_last = Json::Object(vec![(name.to_owned(), clamped())]);
+                object! { "horizon" => Json::Array(vec![Json::object(), of_last]) }
+            };
+            let table = [
+                ("tick-0", "NCP-SAFE-060", "the velocity of tick 0", Command::of(of(&at_once)), channels(VELOCITY)),
+                (
+                    "other-channel",
+                    "NCP-SAFE-065",
+                    "another channel in m/s",
+                    Command::of(of(&beside)),
+                    channels("tow_velocity"),
+                ),
+                ("step", "NCP-SAFE-066", "the velocity of a step", in_step(of(&at_once)), steps_of(VELOCITY)),
+                (
+                    "other-channel-of-a-step",
+                    "NCP-SAFE-066",
+                    "another channel in m/s of a step",
+                    in_step(of(&beside)),
+                    steps_of("tow_velocity"),
+                ),
+            ];
+            for (name, rule, words, command, pattern) in table {
+                if name != "tick-0" && (limit != 2.0 || power % 2 == 0) || name.ends_with("a-step") && power < 9 {
+                    continue;
+                }
+                let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
+                let path = format!("hair/{}/{name}/above-by-1e-{power}", name_of(limit));
+                cases.push(
+                    case(path, &[rule, "NCP-SAFE-061"], &trace)
+                        .shows(steps(vec![object! { "frame" => pattern.and("mode", "active".into()) }]))
+                        .title(format!(
+                            "Under a limit of {limit} m/s {words} is scaled that is above it by 1e-{power} of it."
+                        ))
+                        .flags(&["per-axis-clamp"])
+                        .because(
+                            "The norm of what is sent is not above the limit by more than a rounding, one part in \
+                             10^12.",
+                        ),
+                );
+            }
+            if power < 9 {
+                continue;
+            }
+            let just_below = pose(direction, limit * (1.0 - hair));
+            let trace = Trace::new(Limits::speed(limit), vec![govern(Command::moving(&just_below), near())]);
+            cases.push(
+                case(format!("hair/{}/below-by-1e-{power}", name_of(limit)), &["NCP-SAFE-062"], &trace)
+                    .shows_exactly(trace.pattern())
+                    .title(format!(
+                        "Under a limit of {limit} m/s a velocity is left as it is that is below it by 1e-{power} of it."
+                    ))
+                    .flags(&["per-axis-clamp"])
+                    .because(CLAMP),
+            );
         }
     }
     cases

@@ -9,6 +9,7 @@ use crate::trace::name_of;
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("safety/stale"))?;
     let mut cases = ages();
+    cases.extend(hairs());
     for group in ["clock", "backward", "no-time", "senders-clock"] {
         cases.extend(text.cases(group, row_case)?);
     }
@@ -63,6 +64,40 @@ fn ages() -> Vec<Case> {
                 );
             }
         }
+    }
+    cases
+}
+
+/// Ages next to a timeout, and further from it than doubles round; and next to it on a clock that has run for long.
+fn hairs() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let mut add = |path: String, rule: &'static str, timeout: f64, age: f64, last: f64| {
+        let ends = if rule == "NCP-SAFE-033" { "is held" } else { "passes" };
+        cases.push(
+            case(path, &[rule], &Trace::new(limits(timeout), vec![ask(last + age, Some(last))]))
+                .title(format!(
+                    "A command is judged by a sensor {age} s old under a timeout of {timeout} ms, at {} s: it {ends}.",
+                    last + age
+                ))
+                .flags(&["off-by-a-boundary"])
+                .because(
+                    "The governor holds when now \u{2212} last is more than the timeout, and not when it is less.",
+                ),
+        );
+    };
+    for (timeout, end) in [(10.0, 0.01), (500.0, 0.5)] {
+        for power in [-20, -33, -37] {
+            let hair = 2.0_f64.powi(power);
+            let path = |name: &str| format!("hair/{timeout}-ms/{name}-by-2-to-minus-{}", -power);
+            add(path("inside"), "NCP-SAFE-034", timeout, end * (1.0 - hair), 0.0);
+            add(path("outside"), "NCP-SAFE-033", timeout, end * (1.0 + hair), 0.0);
+        }
+    }
+    // A second before a power of two, and a timeout that ends closer to it than doubles are there.
+    for power in [21, 31, 40] {
+        let timeout = 1000.0 * (1.0 - 2.0_f64.powi(power - 55));
+        let path = format!("hair/at-2-to-{power}-s/outside");
+        add(path, "NCP-SAFE-033", timeout, 1.0, 2.0_f64.powi(power) - 1.0);
     }
     cases
 }

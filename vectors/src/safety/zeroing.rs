@@ -20,6 +20,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(channels(way, &rows)?);
         cases.push(canonical(way));
         cases.extend(kept(way));
+        cases.extend(wide(way));
     }
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
     Ok(File::new("safety", "zeroing", about, cases))
@@ -249,6 +250,49 @@ fn channels(way: &Way, rows: &[Row]) -> Result<Vec<Case>, ScenarioError> {
             .because(part.why()))
     };
     rows.iter().map(one).collect()
+}
+
+/// A channel that is wider than a buffer somebody may keep zeros in, and more channels than that.
+fn wide(way: &Way) -> Vec<Case> {
+    // Every width on the plainest way to either frame, one on each other.
+    let widths: &[usize] = match way.name {
+        "hold-command" => &[65, 300, 1025],
+        "breach" => &[65, 300],
+        _ => &[65],
+    };
+    let why = "A zeroed channel of the command keeps its width, however wide it is.";
+    let mut cases: Vec<Case> = widths
+        .iter()
+        .map(|width| {
+            let grid = channel("grid", &vec![0.5; *width], None);
+            let zeros = object! { "channels" => object! { "grid" => object! { "data" => nums(&vec![0.0; *width]) } } };
+            let command = Command::moving(&[1.0, 0.0, 0.0]).and(grid);
+            case(format!("wide/{width}/{}", way.name), "NCP-SAFE-072", way, None, command, zeros)
+                .by("/steps/*/frame/channels/*/data/*", "NCP-SAFE-071")
+                .title(format!(
+                    "The {} frame ({}) of a command with a channel {width} wide is as wide.",
+                    way.frame, way.name
+                ))
+                .flags(&["moving-hold"])
+                .because(why)
+        })
+        .collect();
+    if way.name == "hold-command" {
+        let names: Vec<String> = (0..130).map(|nth| format!("joint_{nth}")).collect();
+        let joints = names.iter().map(|name| channel(name, &[0.5], None)).collect();
+        let zeros = names.iter().map(|name| (name.clone(), object! { "data" => nums(&[0.0]) })).collect();
+        let part = object! { "channels" => Json::Object(zeros) };
+        cases.push(
+            case(format!("wide/130-channels/{}", way.name), "NCP-SAFE-071", way, None, Command::of(joints), part)
+                .title(format!(
+                    "The {} frame ({}) of a command with 130 channels zeroes them all.",
+                    way.frame, way.name
+                ))
+                .flags(&["moving-hold"])
+                .because("The union of the command's channels and the negotiated ones is zeroed."),
+        );
+    }
+    cases
 }
 
 /// Without Capabilities the velocity is the one negotiated command channel.

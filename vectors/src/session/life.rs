@@ -15,7 +15,7 @@ use crate::trace::{any, anything, int, name_of, nums, text_of};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("session/life"))?;
     let mut cases = Vec::new();
-    for group in ["life", "durations", "zero", "hash", "alike"] {
+    for group in ["life", "durations", "announced", "zero", "hash", "alike"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(open_questions());
@@ -24,6 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(versions());
     cases.extend(times());
     cases.extend(failures());
+    cases.extend(failures_of_one());
     cases.extend(crowds());
     let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
     Ok(File::new("session", "life", about, cases))
@@ -51,14 +52,22 @@ fn exchange(step: &Step) -> Result<(String, Json), ScenarioError> {
         "open" => {
             let mut open = Open::lif(id);
             let mut hash = None;
+            let mut sim = Vec::new();
             for word in asked {
                 match word.split_once('=') {
                     Some(("chunk", chunk)) => open.chunk = place.double(chunk)?,
                     Some(("contract_hash", value)) => hash = Some(Json::read(value)),
+                    // Members of its `sim`, with bars between.
+                    Some(("sim", members)) => {
+                        let members = members.split('|').filter_map(|member| member.split_once('='));
+                        sim.extend(members.map(|(name, value)| (name, Json::read(value))));
+                    }
                     _ => {}
                 }
             }
-            hash.into_iter().fold(open.json(), |open, hash| open.with("contract_hash", hash)).text()
+            let with = |open: Json, (name, value)| open.edit(&["sim"], |sim: Json| sim.with(name, value));
+            let open = sim.into_iter().fold(open.json(), with);
+            hash.into_iter().fold(open, |open, hash| open.with("contract_hash", hash)).text()
         }
         "step" => step_of(id, time.transpose()?, None),
         "run" => run(id, time.ok_or_else(|| place.wants("time", ""))??),
@@ -360,6 +369,127 @@ fn failures() -> Vec<Case> {
             format!("A step whose {what} leaves the doubles takes no simulation time."),
             vec![open(), fails(), (by(5.0, rest), observed("a", 5.0))],
             "A request that fails leaves the time of the session as it was.",
+        );
+    }
+    cases
+}
+
+/// Numbers of one of two populations that leave the doubles, at its first step or after some: the other is put back as
+/// well, and so are another session and its time.
+fn failures_of_one() -> Vec<Case> {
+    let drive = |port: &str, kind: &str, target: &str| stimulus(port, kind).with("target", target.into());
+    let kinds = [("rate", "rate", "rate_inject"), ("membrane", "V_m", "current_pA")];
+    let mut cases = Vec::new();
+    for (what, observable, kind) in kinds {
+        for (failing, other) in [("pop", "other"), ("other", "pop")] {
+            // Two inputs whose sum is none, in whatever order it is computed, and one to the population that is asked.
+            let two = [drive("y", kind, failing), drive("z", kind, failing), drive("x", kind, other)];
+            let network = |id: &str| if what == "rate" { Open::rate(id) } else { Open::lif(id) };
+            let open = |id: &str| Open {
+                other: Some(1),
+                records: vec![record("out", observable, 1.0).with("target", other.into())],
+                stimuli: two.to_vec(),
+                ..network(id)
+            };
+            let by = |id: &str, time: f64, x: f64, much: f64| {
+                let value = |value: f64| object! { "data" => nums(&[value]) };
+                let values = object! { "x" => value(x), "y" => value(much), "z" => value(much) };
+                let request = Json::read(&step_of(id, Some(time), None));
+                request.with("stimulus", object! { "values" => values }).text()
+            };
+            // What the population that is asked does, of which no step of a request that failed is left.
+            let mut state = if what == "rate" { 0.0 } else { -70.0 };
+            let p = (-0.1_f64).exp();
+            let mut runs = |from: u32, to: u32, x: f64| {
+                let mut values = Vec::new();
+                for _ in from..to {
+                    state = match what {
+                        "rate" => state * p + x * (1.0 - p),
+                        _ => -70.0 + (state + 70.0) * p + x * 10.0 / 250.0 * (1.0 - p),
+                    };
+                    values.push(state);
+                }
+                let times: Vec<f64> = (from + 1..=to).map(f64::from).collect();
+                object! { "out" => object! { "times" => nums(&times), "values" => nums(&values) } }
+            };
+            let before = recorded("a", runs(0, 3, 40.0));
+            let after = recorded("a", runs(3, 5, 20.0));
+            let trace = vec![
+                (open("a").text(), opened("a")),
+                (by("a", 3.0, 40.0, 1.0), before),
+                (by("a", 4.0, 200.0, 1.7e308), error()),
+                (by("a", 2.0, 20.0, 1.0), after),
+            ];
+            cases.push(
+                super::reference(format!("fails/{what}-of-{failing}/other"), &["NCP-SESS-057", "NCP-SESS-037"], trace)
+                    .title(format!(
+                        "After a step in which the {what} of the population `{failing}` leaves the doubles, `{other}` \
+                         goes on from where it was."
+                    ))
+                    .flags(&["session-lifecycle", "non-finite-numbers"])
+                    .because("A request that fails leaves the network as it was before it, all of it."),
+            );
+        }
+    }
+    cases.extend(late_failures());
+    cases
+}
+
+/// A membrane that leaves the doubles only at a later step of its request, beside a population that does not.
+fn late_failures() -> Vec<Case> {
+    // From E_L the potential falls by 1e308 mV times 1 - P^n, which is too much at the third step.
+    let params = vec![("E_L", -1.6e308), ("C_m", 1.0), ("tau_m", 10.0), ("V_th", 0.0)];
+    let gain = 10.0;
+    let p = (-0.1_f64).exp();
+    let drive = |port: &str, target: &str| stimulus(port, "current_pA").with("target", target.into());
+    let open = |id: &str| Open {
+        other: Some(1),
+        params: params.clone(),
+        records: vec![record("out", "V_m", 1.0), record("out-too", "V_m", 1.0).with("target", "other".into())],
+        stimuli: vec![drive("x", "pop"), drive("y", "other")],
+        ..Open::lif(id)
+    };
+    let by = |id: &str, time: f64, x: f64, y: f64| {
+        let value = |value: f64| object! { "data" => nums(&[value]) };
+        let request = Json::read(&step_of(id, Some(time), None));
+        request.with("stimulus", object! { "values" => object! { "x" => value(x), "y" => value(y) } }).text()
+    };
+    let fall = |v: f64, i: f64| -1.6e308 + (v + 1.6e308) * p + i * gain * (1.0 - p);
+    let run = |id: &str, from: u32, steps: u32, x: f64, y: f64, state: &mut [f64; 2]| {
+        let mut values = [Vec::new(), Vec::new()];
+        for _ in 0..steps {
+            *state = [fall(state[0], x), fall(state[1], y)];
+            values[0].push(state[0]);
+            values[1].push(state[1]);
+        }
+        let times: Vec<f64> = (from + 1..=from + steps).map(f64::from).collect();
+        let of = |values: &[f64]| object! { "times" => nums(&times), "values" => nums(values) };
+        (by(id, f64::from(steps), x, y), recorded(id, object! { "out" => of(&values[0]), "out-too" => of(&values[1]) }))
+    };
+    // So much falls too far at the third step of a request; so little rises, and never far.
+    let (much, little) = (-1e307, 2e306);
+    let table: [(&str, &str, f64, f64); 3] = [
+        ("first", "the first population", much, little),
+        ("second", "the second population", little, much),
+        ("both", "both populations", much, much),
+    ];
+    let mut cases = Vec::new();
+    for (name, words, x, y) in table {
+        let (mut a, mut b) = ([-1.6e308; 2], [-1.6e308; 2]);
+        let mut trace = vec![(open("a").text(), opened("a")), (open("b").text(), opened("b"))];
+        trace.push(run("a", 0, 2, little, little, &mut a));
+        trace.push(run("b", 0, 1, little, little, &mut b));
+        trace.push((by("a", 10.0, x, y), error()));
+        trace.push(run("a", 2, 2, little, 0.0, &mut a));
+        trace.push(run("b", 1, 2, 0.0, little, &mut b));
+        cases.push(
+            super::reference(format!("fails/later/{name}"), &["NCP-SESS-057", "NCP-SESS-035"], trace)
+                .title(format!(
+                    "After a step in which {words} of a session leaves the doubles some way on, neither population has \
+                     moved, and no other session."
+                ))
+                .flags(&["session-lifecycle", "non-finite-numbers"])
+                .because("A request that fails leaves the network and the time of its session as they were before it."),
         );
     }
     cases

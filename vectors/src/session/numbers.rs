@@ -1,6 +1,6 @@
 //! The reference networks against their own closed solutions.
 
-use super::{Open, error, not_opened, observed, opened, record, recorded, reference, run, step, stimulus};
+use super::{Open, error, not_opened, observation, observed, opened, record, recorded, reference, run, step, stimulus};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::trace::{any, nums};
@@ -11,7 +11,10 @@ pub(super) fn file() -> File {
     cases.extend(spikes());
     cases.extend(rates());
     cases.extend(stimuli());
+    cases.extend(lasting());
     cases.extend(reach());
+    cases.extend(neurons_by_bits());
+    cases.extend(shared_names());
     cases.extend(units());
     cases.extend(ports());
     cases.extend(cadences());
@@ -410,6 +413,192 @@ fn reach() -> Vec<Case> {
             )
         })
         .collect()
+}
+
+/// A stimulus stays however many requests come without one, and however long they run.
+fn lasting() -> Vec<Case> {
+    let driven = |ports: &[&str]| Open {
+        records: vec![record("v", "V_m", 1.0)],
+        stimuli: ports.iter().map(|port| stimulus(port, "current_pA")).collect(),
+        ..Open::lif("a")
+    };
+    let mut cases = Vec::new();
+    let mut add = |name: &str, words: &str, trace| {
+        cases.push(
+            reference(format!("stimulus/{name}"), &["NCP-SESS-054", "NCP-SESS-050"], trace)
+                .title(format!("A current stays {words}."))
+                .because(
+                    "A stimulus acts from the first step of its request, and stays until another value for its port \
+                     comes.",
+                ),
+        );
+    };
+    // One request a step; of most only the last potential is asked, and of none when it is written down.
+    let steps =
+        |open: Open, count: u32, value: &dyn Fn(u32) -> Option<(&'static str, f64)>, current: &dyn Fn(u32) -> f64| {
+            let mut neuron = Lif::new(&[], 1.0);
+            let mut trace = vec![(open.text(), opened("a"))];
+            for nth in 1..=count {
+                neuron.step(current(nth));
+                let observed = recorded("a", object! { "v" => samples(&[f64::from(nth)], Some(&[neuron.v])) });
+                let request = step("a", Some(1.0), value(nth));
+                trace.push((request, if nth % 8 == 0 || nth == count { observed } else { observation("a") }));
+            }
+            trace
+        };
+    add(
+        "over-requests/of-nothing",
+        "over sixty requests that bring none",
+        steps(driven(&["in"]), 60, &|nth| (nth == 1).then_some(("in", 300.0)), &|_| 300.0),
+    );
+    add(
+        "over-requests/of-another-port",
+        "over twenty-four requests that drive another port of the same neuron",
+        steps(
+            driven(&["in", "more"]),
+            25,
+            &|nth| Some(if nth == 1 { ("in", 200.0) } else { ("more", f64::from(nth)) }),
+            &|nth| if nth == 1 { 200.0 } else { 200.0 + f64::from(nth) },
+        ),
+    );
+    add("over-requests/of-no-step", "over twenty-four requests of no step", {
+        let mut trace = vec![(driven(&["in"]).text(), opened("a"))];
+        trace.push((step("a", Some(0.25), Some(("in", 300.0))), observation("a")));
+        trace.extend((0..24).map(|_| (step("a", Some(0.25), None), observation("a"))));
+        let (times, values, _) = simulate(&[], 1.0, 3, 300.0);
+        let observed = recorded("a", object! { "v" => samples(&times, Some(&values)) });
+        trace.push((step("a", Some(3.0), None), observed));
+        trace
+    });
+    // Long runs, of which a neuron that never spikes is at rest at the end.
+    let long = Open { records: vec![record("v", "V_m", 500.0)], ..driven(&["in"]) };
+    let (times, values, _) = simulate(&[], 1.0, 3000, 300.0);
+    let at = |all: &[f64], from: usize| [all[from + 499], all[from + 999], all[from + 1499]];
+    let observed = |from| recorded("a", object! { "v" => samples(&at(&times, from), Some(&at(&values, from))) });
+    add(
+        "over-time/3000-ms",
+        "over three seconds of simulation time",
+        vec![
+            (long.text(), opened("a")),
+            (step("a", Some(1500.0), Some(("in", 300.0))), observed(0)),
+            (run("a", 1500.0), observed(1500)),
+        ],
+    );
+    cases
+}
+
+/// Neurons whose ids have more bits than 8, 9, 10 and 12, and those that share the lower ones.
+fn neurons_by_bits() -> Vec<Case> {
+    let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
+    let list = |ids: &[u32]| ids.iter().copied().collect::<Json>();
+    let mut cases = Vec::new();
+    for bits in [8_u32, 9, 10, 12] {
+        let whole = 1_u32 << bits;
+        let ids = [1, 2, whole, whole + 1, whole + 2];
+        let record = record("v", "V_m", 5.0).with("ids", list(&ids));
+        for (name, driven) in
+            [("beyond", vec![whole + 1]), ("before", vec![1]), ("at", vec![whole]), ("both", vec![2, whole + 2])]
+        {
+            let drive = stimulus("in", "current_pA").with("ids", list(&driven));
+            let open = Open { size: whole + 2, records: vec![record.clone()], stimuli: vec![drive], ..Open::lif("a") };
+            let values = ids.map(|id| after(if driven.contains(&id) { 300.0 } else { 0.0 }));
+            let v = object! { "values" => nums(&values), "senders" => list(&ids) };
+            let trace = vec![
+                (open.text(), opened("a")),
+                (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", object! { "v" => v })),
+            ];
+            let names = driven.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ");
+            cases.push(
+                reference(format!("reach/{name}-2-to-{bits}"), &["NCP-SESS-055", "NCP-SESS-052"], trace)
+                    .title(format!("Of {} neurons a stimulus reaches number {names} and no other.", whole + 2))
+                    .because(
+                        "A stimulus reaches each of the neurons that its `ids` name, and no others; an id is the \
+                         position within the population, from 1.",
+                    ),
+            );
+        }
+        // Who sent a spike, of two that are driven and lie so far apart.
+        let drive = stimulus("in", "current_pA").with("ids", list(&[2, whole + 1]));
+        let open = Open {
+            size: whole + 2,
+            records: vec![self::record("s", "spikes", 1.0)],
+            stimuli: vec![drive],
+            ..Open::lif("a")
+        };
+        let (_, _, spikes) = simulate(&[], 1.0, 20, 900.0);
+        let times: Vec<f64> = spikes.iter().flat_map(|time| [*time, *time]).collect();
+        let senders: Vec<u32> = spikes.iter().flat_map(|_| [2, whole + 1]).collect();
+        let trace = vec![
+            (open.text(), opened("a")),
+            (step("a", Some(20.0), Some(("in", 900.0))), recorded("a", object! { "s" => sent(&times, &senders) })),
+        ];
+        cases.push(
+            reference(format!("id/spikes-beyond-2-to-{bits}"), &["NCP-SESS-052", "NCP-SESS-055"], trace)
+                .by("/replies/*/records/*/times", "NCP-SESS-059")
+                .title(format!("Of {} neurons the spikes of number 2 and {} come by their ids.", whole + 2, whole + 1))
+                .because("A neuron's id is its position within its population, from 1."),
+        );
+    }
+    cases
+}
+
+/// A port that is recorded and one that is a stimulus, under one name, and names of something else.
+fn shared_names() -> Vec<Case> {
+    let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
+    let value = |current: f64| object! { "values" => nums(&[after(current)]) };
+    let v = |port: &str| record(port, "V_m", 5.0);
+    let i = |port: &str| stimulus(port, "current_pA");
+    let of = |target: Json, population: &str| target.with("target", population.into());
+    let lif = |records: Vec<Json>, stimuli: Vec<Json>| Open { records, stimuli, ..Open::lif("a") };
+    let named = |name: &str| lif(vec![v(name)], vec![i(name)]);
+    let crossed = Open { other: Some(1), ..lif(vec![of(v("x"), "other"), v("y")], vec![i("x"), of(i("y"), "other")]) };
+    let one = |name: &str| Json::Object(vec![(name.to_owned(), value(300.0))]);
+    let table: Vec<(&str, &str, Open, &str, Json)> = vec![
+        ("of-both", "that is recorded under the same name", named("soma"), "soma", one("soma")),
+        ("of-the-population", "that has the name of its population", named("pop"), "pop", one("pop")),
+        ("of-the-session", "that has the name of its session", named("a"), "a", one("a")),
+        ("of-the-observable", "that has the name of an observable", named("V_m"), "V_m", one("V_m")),
+        ("of-a-prototype", "whose name is `__proto__`", named("__proto__"), "__proto__", one("__proto__")),
+        (
+            "of-two",
+            "of two that are both recorded under their names",
+            lif(vec![v("x"), v("y")], vec![i("y"), i("x")]),
+            "x",
+            object! { "x" => value(300.0), "y" => value(300.0) },
+        ),
+        (
+            "of-another-population",
+            "under whose name another population is recorded",
+            crossed,
+            "x",
+            object! { "x" => value(0.0), "y" => value(300.0) },
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, words, open, port, records)| {
+            let trace =
+                vec![(open.text(), opened("a")), (step("a", Some(5.0), Some((port, 300.0))), recorded("a", records))];
+            reference(format!("stimulus/name-{name}"), &["NCP-SESS-054", "NCP-SESS-055"], trace)
+                .title(format!("A stimulus reaches a port {words}."))
+                .because("A port that is recorded and one that is a stimulus may share a name.")
+        })
+        .collect();
+    // The same of rate neurons, whose input is another.
+    let open = Open {
+        records: vec![record("x", "rate", 1.0)],
+        stimuli: vec![stimulus("x", "rate_inject")],
+        ..Open::rate("a")
+    };
+    let r = 40.0 * (1.0 - (-0.1_f64).exp());
+    let records = object! { "x" => samples(&[1.0], Some(&[r])) };
+    let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("x", 40.0))), recorded("a", records))];
+    cases.push(
+        reference("stimulus/name-of-both/rate".to_owned(), &["NCP-SESS-054", "NCP-SESS-051"], trace)
+            .title("An input reaches a rate neuron that is recorded under the same name.")
+            .because("A port that is recorded and one that is a stimulus may share a name."),
+    );
+    cases
 }
 
 /// In which unit observations are.

@@ -1,5 +1,6 @@
 //! The two pins of chapter 6, on every frame that carries them.
 
+use crate::case::Role::Commander;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, meaning, minimal};
@@ -61,8 +62,106 @@ pub(super) fn file() -> File {
         }
     }
     cases.extend(beside());
+    cases.extend(of_backends());
     let about = "The pins `calibrated_posterior` and `is_simulation_output`: exactly their pinned values, or absent.";
     File::new("wire", "pins", about, cases)
+}
+
+/// A flipped pin among other members that say something, on each road to the frame: none of them is a reason to let it
+/// pass.
+fn of_backends() -> Vec<Case> {
+    let backends = ["mock", "", "ncp.reference", "NEST 3.8", "test", "dummy", "hardware"];
+    let provenance = |pin: &str, pinned: bool| object! { pin => !pinned };
+    let mut beside: Vec<(String, String, Json, &str)> = Vec::new();
+    for backend in backends {
+        let name = if backend.is_empty() { "empty".to_owned() } else { backend.to_lowercase().replace(' ', "-") };
+        beside.push((format!("backend-{name}"), format!("backend `{backend}`"), object! { "backend" => backend }, ""));
+    }
+    for (name, says, members) in [
+        ("reference-network", "network `ncp.reference.lif`", object! { "network_ref" => "ncp.reference.lif" }),
+        ("seed", "seed 0", object! { "seed" => Json::literal("0") }),
+        ("not-advisory", "`advisory_only` at false", object! { "advisory_only" => false }),
+        ("note", "note `validated`", object! { "note" => "validated" }),
+    ] {
+        beside.push((name.to_owned(), says.to_owned(), members, ""));
+    }
+    for (name, says, member) in [
+        ("session-of-backend-mock", "session of the backend `mock`", object! { "backend" => "mock" }),
+        ("session-of-backend-nest", "session of the backend `nest`", object! { "backend" => "nest" }),
+    ] {
+        beside.push((name.to_owned(), says.to_owned(), member, "session"));
+    }
+    let with = |frame: Json, members: &Json| {
+        members.members().iter().fold(frame, |frame, (name, value)| frame.with(name, value.clone()))
+    };
+    let mut cases = Vec::new();
+    for (kind, nested, pin, pinned, rule) in PINS.into_iter().filter(|(_, nested, ..)| *nested) {
+        for (name, says, members, of) in &beside {
+            let frame = match *of {
+                "session" => with(minimal(kind).with("provenance", provenance(pin, pinned)), members),
+                _ => minimal(kind).with("provenance", with(provenance(pin, pinned), members)),
+            };
+            cases.extend(on_each_road(kind, nested, pin, rule, name, says, &frame, "open_session"));
+        }
+    }
+    for (kind, nested, pin, pinned, rule) in PINS.into_iter().filter(|(_, nested, ..)| !*nested) {
+        let record = object! { "v" => object! { "times" => Json::Array(vec![Json::literal("0.1")]) } };
+        for (name, says, members) in [
+            ("records", "with a record", object! { "records" => record }),
+            (
+                "later",
+                "of a later seq",
+                object! { "seq" => Json::literal("7"), "sim_time_ms" => Json::literal("70.0") },
+            ),
+            ("before-any-step", "of the time 0", object! { "sim_time_ms" => Json::literal("0.0") }),
+        ] {
+            let frame = with(minimal(kind).with(pin, (!pinned).into()), &members);
+            for request in ["step_request", "run_request"] {
+                cases.extend(on_each_road(kind, nested, pin, rule, name, says, &frame, request));
+            }
+        }
+    }
+    cases
+}
+
+/// The frame as a decoder is given it, and as a client is given it as the reply to its request.
+#[expect(clippy::too_many_arguments, reason = "they are what a case is made of")]
+fn on_each_road(
+    kind: &'static str,
+    nested: bool,
+    pin: &str,
+    rule: &'static str,
+    name: &str,
+    says: &str,
+    frame: &Json,
+    request: &str,
+) -> Vec<Case> {
+    let member = if nested { format!("provenance.{pin}") } else { pin.to_owned() };
+    let says = if nested { format!("beside the {says}") } else { says.to_owned() };
+    let why = "The pin is present and has another than its pinned value, whatever stands beside it.";
+    let decoded = Case::new(format!("{kind}/{pin}/beside/{name}"), &[rule], readers(kind))
+        .title(format!("{} whose `{member}` is flipped, {says}, is rejected.", a(kind)))
+        .flags(&["unchecked-pins"])
+        .decode(kind, frame.text())
+        .rejects("provenance")
+        .because(why);
+    let args = object! { "request" => minimal(request).text(), "reply" => frame.text() };
+    let replied = Case::new(format!("{kind}/{pin}/as-the-reply/{request}/{name}"), &[rule], &[Commander])
+        .title(format!(
+            "A client rejects {} whose `{member}` is flipped, {says}, as the reply to its `{request}`.",
+            an(kind)
+        ))
+        .flags(&["unchecked-pins"])
+        .call("reply.check", args)
+        .rejects("reply")
+        .because(why);
+    // A decoder is given no request.
+    if request == "run_request" { vec![replied] } else { vec![decoded, replied] }
+}
+
+/// The kind with its article, within a sentence.
+fn an(kind: &str) -> String {
+    a(kind).replacen('A', "a", 1)
 }
 
 /// Frames in which something else is like a broken pin, or a pin is broken beside other content.

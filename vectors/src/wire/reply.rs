@@ -8,8 +8,25 @@ use crate::patch::patched;
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
-    let cases = Scenarios::read(source!("wire/reply"))?.rest(|row| reply(row, minimal(&row.fill("{pair.name}")?)))?;
+    let mut text = Scenarios::read(source!("wire/reply"))?;
+    let mut cases = text.cases("reply", |row| reply(row, minimal(&row.fill("{pair.name}")?)))?;
+    for group in ["wording-opened", "wording-closed", "wording-error"] {
+        cases.extend(text.cases(group, |row| wording(row, group == "wording-error"))?);
+    }
+    text.end()?;
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
+}
+
+/// A failure whose error says what the row says.
+fn wording(row: &Row, is_error_frame: bool) -> Result<Case, ScenarioError> {
+    let error = Json::read(row.cell("error")?);
+    let reply = match is_error_frame {
+        true => minimal("error").with("error", error),
+        false => minimal(&row.fill("{pair}")?).with("ok", false.into()).with("error", error),
+    };
+    let request = minimal(&row.fill("{pair.name}")?).text();
+    let args = object! { "request" => request, "reply" => reply.text() };
+    Ok(row.case(&[Commander]).call("reply.check", args).rejects("reply"))
 }
 
 /// A case of a row: a reply to that request.
