@@ -134,7 +134,8 @@ fn a_crash_and_a_hang_are_findings() {
     assert!(findings(&found).iter().any(|finding| finding["kind"] == "crash"), "{}", stdout(&output));
     let change = "if call == 'plane.qos' and args['plane'] == 'action':\n    import time; time.sleep(60)";
     let peer = changed(folder.path(), change);
-    let (output, found) = search(&folder, &peer, &["--filter", "plane.qos", "--cases", "8", "--timeout", "1", "--tries", "2"]);
+    let (output, found) =
+        search(&folder, &peer, &["--filter", "plane.qos", "--cases", "8", "--timeout", "1", "--tries", "2"]);
     assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
     assert!(findings(&found).iter().any(|finding| finding["kind"] == "hang"), "{}", stdout(&output));
 }

@@ -193,7 +193,8 @@ const TRACE: &[Way] = {
 };
 const REQUESTS: &[Way] = {
     use Way::{
-        Before, Blemish, Bury, Crowd, Fit, Graft, Grow, Idle, Namesake, Omit, Pump, Residue, Sibling, Spell, Twin, Value,
+        Before, Blemish, Bury, Crowd, Fit, Graft, Grow, Idle, Namesake, Omit, Pump, Residue, Sibling, Spell, Twin,
+        Value,
     };
     &[
         Pump, Pump, Pump, Idle, Idle, Before, Crowd, Crowd, Residue, Namesake, Sibling, Omit, Graft, Grow, Blemish,
