@@ -48,7 +48,9 @@ pub(crate) fn run(project: &Project, checks: &[&Check]) -> Result<bool, Error> {
         for lane in [Lane::Crates, Lane::Peers] {
             let (screen, total, waiting) = (&screen, &total, &waiting);
             scope.spawn(move || {
-                while let Some(check) = take(&mut lock(waiting), lane).filter(|_| !process::is_stopped()) {
+                // The lock is not held while a check is carried out.
+                let next = || take(&mut lock(waiting), lane);
+                while let Some(check) = next().filter(|_| !process::is_stopped()) {
                     let tally = carry_out(project, check, screen);
                     *lock(total) += tally;
                 }
@@ -187,6 +189,8 @@ impl Screen {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
     use super::*;
 
     fn names(only: &[&str]) -> Vec<&'static str> {
@@ -216,6 +220,23 @@ mod tests {
         assert_eq!([next(Lane::Crates), next(Lane::Crates)], [Some("format"), Some("clippy")]);
         assert_eq!([next(Lane::Crates), next(Lane::Peers)], [Some("mutants"), Some("buf-lint")]);
         assert_eq!([next(Lane::Peers), next(Lane::Peers)], [Some("trace"), None]);
+    }
+
+    #[test]
+    fn the_lanes_work_side_by_side() {
+        static AT_WORK: AtomicUsize = AtomicUsize::new(0);
+        fn meets_the_other(_: &mut Work<'_>) -> Result<Tally, Failure> {
+            AT_WORK.fetch_add(1, Ordering::SeqCst);
+            let deadline = Instant::now() + Duration::from_secs(20);
+            while AT_WORK.load(Ordering::SeqCst) < 2 && Instant::now() < deadline {
+                thread::sleep(Duration::from_millis(5));
+            }
+            Ok(Tally::one(AT_WORK.load(Ordering::SeqCst) == 2))
+        }
+        let check = |lane| Check { name: "meets", about: "", lane, runs: |_| true, run: meets_the_other };
+        let folder = tempfile::tempdir().unwrap();
+        let checks = [check(Lane::Crates), check(Lane::Peers)];
+        assert!(run(&Project::at(folder.path()), &checks.iter().collect::<Vec<_>>()).unwrap());
     }
 
     #[test]
