@@ -742,6 +742,9 @@ impl From<&DescriptionReport> for Description {
     }
 }
 
+/// Cases with larger requests are asked of a mutant only where no other fails, and so stand for few in the dictionary.
+const ASKED_BYTES: usize = 64 << 10;
+
 impl PeerReport {
     /// Says of each expected failure which entry of the list it is; `entries` is that list.
     pub fn expecting(&mut self, entries: &[ExpectedFailure]) {
@@ -765,7 +768,18 @@ impl PeerReport {
             verdict.cases.iter().filter(fails).map(|judged| (CaseKey::of(&judged.case.id), judged.case)).collect();
         let cases = |keys: &[CaseKey]| keys.iter().filter_map(|key| failing.get(key).copied()).collect::<Vec<_>>();
         let ids = |cases: &[&Case]| cases.iter().map(|case| case.id.clone()).collect::<Vec<_>>();
-        let Explanation { defects, unexplained } = dictionary.explain(&observed);
+        let Explanation { mut defects, mut unexplained } = dictionary.explain(&observed);
+        // A case that the dictionary was not asked belongs to the defect that breaks its rule.
+        let rule = |key: &CaseKey| failing.get(key)?.requirements.first().map(|rule| rule.id.as_str());
+        unexplained.retain(|key| {
+            let is_asked = failing.get(key).is_none_or(|case| case.request_bytes() <= ASKED_BYTES);
+            let found = defects.iter_mut().find(|found| found.cases.iter().any(|other| rule(other) == rule(key)));
+            match found.filter(|_| !is_asked) {
+                Some(found) => found.cases.push(*key),
+                None => return true,
+            }
+            false
+        });
         let report = |found: &Explained| {
             let explained = cases(&found.cases);
             let shortest = explained.iter().min_by_key(|case| (case.request_bytes(), &case.id))?;
