@@ -22,7 +22,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(bounded());
     cases.extend(parameters());
     cases.extend(extremes());
-    cases.extend(aliases());
+    cases.extend(alike_from_before());
     cases.extend(spans());
     let about =
         "The link monitor: losses, late frames and duplicates, bursts and how they clear, and seqs from end to end.";
@@ -530,9 +530,9 @@ fn parameters() -> Vec<Case> {
     cases
 }
 
-/// Frames from before the first whose seq is a missing one less a power of two: a monitor that keeps a part of the seq
-/// alone takes them for it. And streams that begin again far below.
-fn aliases() -> Vec<Case> {
+/// Frames from before the first whose seq is a missing one less such a number: a monitor that keeps a part of the seq
+/// alone takes them for it.
+fn alike_from_before() -> Vec<Case> {
     let mut cases = Vec::new();
     let table: [(&str, i64); 12] = [
         ("64", 64),

@@ -742,9 +742,6 @@ impl From<&DescriptionReport> for Description {
     }
 }
 
-/// Cases with larger requests are asked of a mutant only where no other fails, and so stand for few in the dictionary.
-const ASKED_BYTES: usize = 64 << 10;
-
 impl PeerReport {
     /// Says of each expected failure which entry of the list it is; `entries` is that list.
     pub fn expecting(&mut self, entries: &[ExpectedFailure]) {
@@ -769,12 +766,13 @@ impl PeerReport {
         let cases = |keys: &[CaseKey]| keys.iter().filter_map(|key| failing.get(key).copied()).collect::<Vec<_>>();
         let ids = |cases: &[&Case]| cases.iter().map(|case| case.id.clone()).collect::<Vec<_>>();
         let Explanation { mut defects, mut unexplained } = dictionary.explain(&observed);
-        // A case that the dictionary was not asked belongs to the defect that breaks its rule.
+        // Large cases are asked of a mutant only where no other fails, so few entries of the dictionary know them: such a
+        // case belongs to the defect that breaks its rule.
         let rule = |key: &CaseKey| failing.get(key)?.requirements.first().map(|rule| rule.id.as_str());
         unexplained.retain(|key| {
-            let is_asked = failing.get(key).is_none_or(|case| case.request_bytes() <= ASKED_BYTES);
+            let is_large = failing.get(key).is_some_and(|case| case.is_large());
             let found = defects.iter_mut().find(|found| found.cases.iter().any(|other| rule(other) == rule(key)));
-            match found.filter(|_| !is_asked) {
+            match found.filter(|_| is_large) {
                 Some(found) => found.cases.push(*key),
                 None => return true,
             }

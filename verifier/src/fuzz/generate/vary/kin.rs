@@ -3,7 +3,7 @@
 //! Who remembers an answer by less than all that decides it, who keeps two sorts of things in one table, and who checks
 //! on one road what another takes unchecked: each is seen only where something nearly equal is asked beside.
 
-use super::{NAMED, Way, names, other_numbers, rename, within};
+use super::{NAMED, names, other_numbers, rename, within};
 use crate::fuzz::generate::mutate::value;
 use crate::fuzz::generate::{Draw, Tree};
 use crate::fuzz::tree::{MAPS, Step, at, at_mut, own, places, text};
@@ -127,13 +127,6 @@ fn call_it(tree: &mut Tree, old: &str, new: &str, left: &mut usize, under: &str)
             *tree = text(new);
         }
         _ => {}
-    }
-}
-
-impl Way {
-    /// Whether it takes something of another case.
-    pub(super) fn takes(self) -> bool {
-        matches!(self, Self::Graft | Self::Idle | Self::Before | Self::Residue)
     }
 }
 

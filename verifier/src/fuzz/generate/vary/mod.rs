@@ -106,7 +106,8 @@ impl Seeds {
             };
             let way = draw.one(ways);
             let before = varied.args.clone();
-            let other = if way.takes() && draw.chance(25) { self.of_kin(call, draw).unwrap_or(other) } else { other };
+            let by_another_road = way.takes_of_another() && draw.chance(25);
+            let other = if by_another_road { self.of_kin(call, draw).unwrap_or(other) } else { other };
             let much = way.take(&mut varied.args, other, draw);
             // A request that names a member twice is none.
             if varied.args.to_string().len() > LARGE || repeats(&varied.args) {
@@ -210,6 +211,11 @@ const SINGLE: &[Way] = {
 };
 
 impl Way {
+    /// Whether it takes something of another case.
+    fn takes_of_another(self) -> bool {
+        matches!(self, Self::Graft | Self::Idle | Self::Before | Self::Residue)
+    }
+
     /// Changes the arguments this way; how much.
     fn take(self, args: &mut Tree, other: &Tree, draw: &mut Draw<'_>) -> usize {
         match self {
