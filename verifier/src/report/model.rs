@@ -766,8 +766,8 @@ impl PeerReport {
         let cases = |keys: &[CaseKey]| keys.iter().filter_map(|key| failing.get(key).copied()).collect::<Vec<_>>();
         let ids = |cases: &[&Case]| cases.iter().map(|case| case.id.clone()).collect::<Vec<_>>();
         let Explanation { mut defects, mut unexplained } = dictionary.explain(&observed);
-        // Large cases are asked of a mutant only where no other fails, so few entries of the dictionary know them: such a
-        // case belongs to the defect that breaks its rule.
+        // Large cases are asked of a mutant only where no other fails, so few entries of the dictionary know
+        // them: such a case belongs to the defect that breaks its rule.
         let rule = |key: &CaseKey| failing.get(key)?.requirements.first().map(|rule| rule.id.as_str());
         unexplained.retain(|key| {
             let is_large = failing.get(key).is_some_and(|case| case.is_large());
