@@ -3,6 +3,7 @@
 use std::io::IsTerminal as _;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use clap::Args;
@@ -19,12 +20,12 @@ use crate::stop::Stop;
 use crate::suite::{Pattern, Suite};
 
 pub(super) const HELP: &str = "\
-Draws inputs and whole traces at random and asks the specification and the peer the same. Where their answers part, and
-the text does not leave it open, the input is shrunk to the smallest that still shows it. A crash, a hang, or memory
-beyond a bound is found as well. The same seed finds the same, whatever --jobs.
+Draws inputs and whole traces at random and asks the specification and the peer the same. Where their answers \
+part, and the text does not leave it open, the input is shrunk to the smallest that still shows it. A crash, a \
+hang, or memory beyond a bound is found as well. The same seed finds the same, whatever --jobs.
 
-No black box finds a value that switches checks off, unless it is tried: --dictionary takes such values out of the
-peer's own sources or binary.
+No black box finds a value that switches checks off, unless it is tried: --dictionary takes such values out of \
+the peer's own sources or binary.
 
 Examples:
   ncp-verify fuzz --peer my/peer                              a minute of it
@@ -71,9 +72,10 @@ pub(super) struct FuzzArgs {
     /// Ask up to this level: wire, safety or strict [default: what the peer's peer.toml claims, else wire]
     #[arg(long, value_name = "LEVEL", value_parser = level)]
     level: Option<Level>,
-    /// How many processes of each peer, or connections to it, work side by side
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
-    jobs: u16,
+    /// How many processes of each peer, or connections to it, work side by side [default: as many as there are cores;
+    /// one connection, and one process of a peer with a fixed port]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: Option<u16>,
     /// Write what is found as vector files into this folder, for run --vectors
     #[arg(long, value_name = "DIR")]
     save: Option<PathBuf>,
@@ -140,7 +142,7 @@ pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) 
         let settings = Settings {
             extent,
             seed,
-            jobs: usize::from(args.jobs),
+            jobs: jobs(args, &source.launch),
             patterns: patterns.clone(),
             level: args
                 .level
@@ -240,12 +242,20 @@ fn sources(args: &FuzzArgs) -> Result<Vec<Source>, CliError> {
         sources.push(Source { name: None, shown: address.to_string(), launch, manifest: None });
     }
     for source in &mut sources {
-        if args.jobs > 1 && source.launch.is_single() {
+        if args.jobs.is_some_and(|jobs| jobs > 1) && source.launch.is_single() {
             return Err(CliError::Usage(one_at_a_time(source.name.as_ref().unwrap_or(&source.shown))));
         }
         source.launch = source.launch.clone().with_patience(args.start_timeout);
     }
     Ok(sources)
+}
+
+/// How many processes or connections work side by side. A server that listens may take one connection only, and
+/// somebody else has started it, so that several are for them to ask for.
+fn jobs(args: &FuzzArgs, launch: &Launch) -> usize {
+    let alone = launch.is_single() || !launch.has_command();
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    args.jobs.map_or(if alone { 1 } else { cores }, usize::from)
 }
 
 /// A seed that the next run does not have.

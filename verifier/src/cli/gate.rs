@@ -27,8 +27,8 @@ Rows:
   proofs        the proofs are about the sources as they are
   peers         every bundled peer does what it says, down to its expected failures
 
-A row that cannot be run, since a tool or a file is missing, keeps the gate shut, unless --allow-missing names it.
-What to do about a row that failed stands below the table.
+A row that cannot be run, since a tool or a file is missing, keeps the gate shut, unless --allow-missing names \
+it. What to do about a row that failed stands below the table.
 
 Examples:
   ncp-verify gate

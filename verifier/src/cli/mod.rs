@@ -224,8 +224,8 @@ Examples:
   ncp-verify explain lenient-integers";
 
 const DIFF_HELP: &str = "\
-Says what is fixed, what newly fails, and what fails in another way. A case that could not be judged before, since an
-earlier step failed, and now fails by its own rule, is no regression.
+Says what is fixed, what newly fails, and what fails in another way. A case that could not be judged before, \
+since an earlier step failed, and now fails by its own rule, is no regression.
 
 Examples:
   ncp-verify run --peer my/peer --json old.json
@@ -238,9 +238,10 @@ Exit codes:
     2  usage: a file that is no result";
 
 const ATTEST_HELP: &str = "\
-The attestation is a DSSE envelope, signed with ed25519, around an in-toto statement. Its subjects are the files that
-the peer's command names, by their digests as they are now, and those that you name; it also has the digests of vectors,
-text and verifier, and holds the whole result. A result whose verdict does not follow from its cases is not signed.
+The attestation is a DSSE envelope, signed with ed25519, around an in-toto statement. Its subjects are the files \
+that the peer's command names, by their digests as they are now, and those that you name; it also has the \
+digests of vectors, text and verifier, and holds the whole result. A result whose verdict does not follow from \
+its cases is not signed.
 
 Examples:
   ncp-verify attest --new-key release.key
@@ -251,8 +252,8 @@ Exit codes:
     2  usage: a file that is no result or no key, or a result that does not hold";
 
 const CHECK_REPORT_HELP: &str = "\
-Refuses what was not signed by the key, or was changed; what is about other vectors or another text than this program
-has; and a result that is not what follows from its cases, which are all judged anew.
+Refuses what was not signed by the key, or was changed; what is about other vectors or another text than this \
+program has; and a result that is not what follows from its cases, which are all judged anew.
 
 Examples:
   ncp-verify check-report result.attestation.json --key release.key.pub
@@ -284,8 +285,8 @@ Exit codes:
     2  usage: a file that is no result";
 
 const MERGE_HELP: &str = "\
-The merged result is that of one run over all cases, byte for byte, but for the time that it took. It draws on the same
-vectors as the shards, so that this has to be the same version of ncp-verify.
+The merged result is that of one run over all cases, byte for byte, but for the time that it took. It draws on \
+the same vectors as the shards, so that this has to be the same version of ncp-verify.
 
 Examples:
   ncp-verify run --peer my/peer --shard 1/2 --json one.json
@@ -295,8 +296,8 @@ Examples:
 Exit codes: those of the one run";
 
 const RUN_HELP: &str = "\
-A peer is any program that speaks the protocol of peers/PROTOCOL.md, on its standard streams or as a server over TCP or
-WebSocket. What `ncp-verify starter` prints is an adapter to begin with.
+A peer is any program that speaks the protocol of peers/PROTOCOL.md, on its standard streams or as a server over \
+TCP or WebSocket. What `ncp-verify starter` prints is an adapter to begin with.
 
 Examples:
   ncp-verify run --peer-cmd 'python3 my_adapter.py'
@@ -561,6 +562,18 @@ mod tests {
         let cli = Cli::try_parse_from(["ncp-verify", "run", "--peer-cmd", "x", "--timeout", "0.5"]).unwrap();
         let Some(Command::Run(run)) = cli.command else { panic!() };
         assert_eq!((run.peer_cmd, run.check.timeout), (vec!["x".to_owned()], Duration::from_millis(500)));
+    }
+
+    /// A terminal wraps a paragraph where it ends; a break of ours within it would leave a stump of a line.
+    #[test]
+    fn no_paragraph_of_a_help_text_has_a_line_break_of_its_own() {
+        let is_prose = |line: &str| !line.is_empty() && !line.starts_with(' ') && !line.ends_with(':');
+        for command in Cli::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let lines: Vec<&str> = help.lines().collect();
+            let broken = lines.windows(2).find(|pair| pair.iter().all(|line| is_prose(line)));
+            assert_eq!(broken, None, "{}", command.get_name());
+        }
     }
 
     #[test]

@@ -245,7 +245,8 @@ impl Launch {
         &self.folder
     }
 
-    fn has_command(&self) -> bool {
+    /// Whether we start it, and do not only connect to it.
+    pub(crate) fn has_command(&self) -> bool {
         !self.argv.is_empty()
     }
 
