@@ -77,6 +77,22 @@ fn laws() -> Vec<Case> {
             );
         }
     }
+    // What is left of a difference is lost in the products of its ends.
+    for (name, kp, far) in [("tenth", 0.1, 1e15), ("third", 1.0 / 3.0, -1e12), ("seven-tenths", 0.7, 3e14)] {
+        let gains = Gains { kp, target: [far, -far, 0.5 * far], ..DEFAULT };
+        let position = [far + 1.0, 1.0 - far, 0.5 * far - 1.0];
+        cases.push(
+            case(
+                format!("law/far-from-the-origin/{name}"),
+                &["NCP-CTRL-001"],
+                gains.json(),
+                sensor(1, 0.0, &position, Some(&[0.0; 3])),
+            )
+            .shows(commands(&law(gains, position, [0.0; 3])))
+            .title(format!("A body {:e} m from the origin is led by its distance from the target.", far.abs()))
+            .because("The command is \u{2212}kp\u{b7}(p \u{2212} target): the difference comes first."),
+        );
+    }
     // None given, where only one counts.
     for (name, position, moving) in [
         ("kp", [0.5, -0.75, 1.25], [0.0; 3]),

@@ -68,7 +68,8 @@ impl Gains {
                 return None;
             }
             let given = *given.get(axis)?;
-            let off = TOLERANCE * scale.min(self.max_speed.abs().max(1e-300) + scale * 1e-3) + f64::MIN_POSITIVE;
+            // The difference and the products may round.
+            let off = TOLERANCE * (self.kp * (p - t).abs() + self.kd * v.abs()) + f64::MIN_POSITIVE;
             axes.push(range(given - off, given + off));
         }
         Some(list(axes))

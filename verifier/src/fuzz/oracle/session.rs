@@ -48,6 +48,7 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         }
         let id = asked.as_ref().and_then(|asked| string(asked, "session_id")).unwrap_or_default().to_owned();
         let of = asked.as_ref().and_then(|asked| string(asked, "kind")).unwrap_or_default().to_owned();
+        let version = asked.as_ref().and_then(|asked| string(asked, "ncp_version")).unwrap_or(WIRE_VERSION);
         let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
         match kind.as_str() {
             "session_opened" if reply.get("ok") != Some(&Json::Bool(false)) => {
@@ -63,7 +64,6 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
                 return Verdict::Open("a session that is open already, SESS-030");
             }
             "error" | "session_opened" if of == "open_session" && Session::is_network(asked.as_ref()) => {
-                let version = asked.as_ref().and_then(|asked| string(asked, "ncp_version")).unwrap_or(WIRE_VERSION);
                 if version == WIRE_VERSION {
                     return Verdict::Open("whether a server opens such a network is its own affair");
                 }
@@ -78,7 +78,9 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         if of == "close_session" && kind == "session_closed" {
             open.remove(&id);
         }
-        patterns.push(pattern(&reply, &kind, &of));
+        let is_refused_for_version =
+            version != WIRE_VERSION || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
+        patterns.push(pattern(&reply, &kind, &of, is_refused_for_version));
     }
     if differs_by_rounding(args, result) {
         return Verdict::Open("a potential so near its threshold that a rounding decides");
@@ -103,7 +105,7 @@ fn openness(written: &str, asked: &Tree, strict: bool) -> Option<&'static str> {
 }
 
 /// What a reply has to be.
-fn pattern(reply: &Tree, kind: &str, of: &str) -> Tree {
+fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool) -> Tree {
     let written = |pattern: Tree| object([("$json", pattern)]);
     let error = || written(object([("kind", text("error")), ("error", object([("$anything", Json::Bool(true))]))]));
     let id = reply.get("session_id").cloned().unwrap_or(Json::Null);
@@ -128,6 +130,10 @@ fn pattern(reply: &Tree, kind: &str, of: &str) -> Tree {
         // A session that is not open is closed with either.
         _ if of == "close_session" => {
             any(vec![error(), written(object([("kind", text("session_closed")), ("ok", Json::Bool(false))]))])
+        }
+        // What its version and another rule reject is refused by either.
+        _ if of == "open_session" && is_refused_for_version => {
+            any(vec![error(), written(object([("kind", text("session_opened")), ("ok", Json::Bool(false))]))])
         }
         _ => error(),
     }
