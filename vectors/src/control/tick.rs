@@ -496,11 +496,16 @@ fn safety() -> Vec<Case> {
 /// The counter of the status, of which where it begins is the loop's affair.
 fn counters() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (name, with_sensor) in [("moving", true), ("waiting", false)] {
+    let table = [
+        ("moving", "while the loop is moving", true, 4_u32),
+        ("waiting", "while the loop is waiting", false, 4),
+        ("long", "for 300 ticks", false, 300),
+    ];
+    for (name, words, with_sensor, ticks) in table {
         let from = |first: i64| {
             let mut trace = if with_sensor { vec![arrives(7, 1.0)] } else { Vec::new() };
             trace.extend(
-                (0..4_u32)
+                (0..ticks)
                     .map(|nth| says(1.0 + f64::from(nth) / 16.0, object! { "seq" => int(first + i64::from(nth)) })),
             );
             trace
@@ -509,7 +514,7 @@ fn counters() -> Vec<Case> {
         let results = |first| steps(from(first).into_iter().map(|(_, result)| result).collect());
         cases.push(
             case.shows(any(vec![results(1), results(0)]))
-                .title(format!("The status of each tick has a counter of its own, while the loop is {name}."))
+                .title(format!("The status of each tick has a counter of its own, {words}."))
                 .because(
                     "The loop sends a `ControlStatus` each tick with a counter of its own, which is not the \
                           sensor's seq.",

@@ -15,7 +15,7 @@ use crate::trace::{any, anything, int, name_of, nums, text_of};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("session/life"))?;
     let mut cases = Vec::new();
-    for group in ["life", "durations", "announced", "zero", "hash", "alike"] {
+    for group in ["life", "durations", "announced", "zero", "hash", "opened-anew", "alike"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(open_questions());
@@ -51,23 +51,25 @@ fn exchange(step: &Step) -> Result<(String, Json), ScenarioError> {
     let request = match step.verb() {
         "open" => {
             let mut open = Open::lif(id);
-            let mut hash = None;
+            let mut members = Vec::new();
             let mut sim = Vec::new();
             for word in asked {
                 match word.split_once('=') {
                     Some(("chunk", chunk)) => open.chunk = place.double(chunk)?,
-                    Some(("contract_hash", value)) => hash = Some(Json::read(value)),
+                    Some((name @ ("contract_hash" | "ncp_version" | "network"), value)) => {
+                        members.push((name, Json::read(value)));
+                    }
                     // Members of its `sim`, with bars between.
-                    Some(("sim", members)) => {
-                        let members = members.split('|').filter_map(|member| member.split_once('='));
-                        sim.extend(members.map(|(name, value)| (name, Json::read(value))));
+                    Some(("sim", of_sim)) => {
+                        let of_sim = of_sim.split('|').filter_map(|member| member.split_once('='));
+                        sim.extend(of_sim.map(|(name, value)| (name, Json::read(value))));
                     }
                     _ => {}
                 }
             }
             let with = |open: Json, (name, value)| open.edit(&["sim"], |sim: Json| sim.with(name, value));
             let open = sim.into_iter().fold(open.json(), with);
-            hash.into_iter().fold(open, |open, hash| open.with("contract_hash", hash)).text()
+            members.into_iter().fold(open, |open, (name, value)| open.with(name, value)).text()
         }
         "step" => step_of(id, time.transpose()?, None),
         "run" => run(id, time.ok_or_else(|| place.wants("time", ""))??),
@@ -437,6 +439,11 @@ fn failures_of_one() -> Vec<Case> {
 
 /// A membrane that leaves the doubles only at a later step of its request, beside a population that does not.
 fn late_failures() -> Vec<Case> {
+    [1, 2, 3].into_iter().flat_map(late_failures_sampled).collect()
+}
+
+/// The same, with a sample every so many steps.
+fn late_failures_sampled(every: u32) -> Vec<Case> {
     // From E_L the potential falls by 1e308 mV times 1 - P^n, which is too much at the third step.
     let params = vec![("E_L", -1.6e308), ("C_m", 1.0), ("tau_m", 10.0), ("V_th", 0.0)];
     let gain = 10.0;
@@ -445,7 +452,10 @@ fn late_failures() -> Vec<Case> {
     let open = |id: &str| Open {
         other: Some(1),
         params: params.clone(),
-        records: vec![record("out", "V_m", 1.0), record("out-too", "V_m", 1.0).with("target", "other".into())],
+        records: vec![
+            record("out", "V_m", f64::from(every)),
+            record("out-too", "V_m", f64::from(every)).with("target", "other".into()),
+        ],
         stimuli: vec![drive("x", "pop"), drive("y", "other")],
         ..Open::lif(id)
     };
@@ -457,12 +467,15 @@ fn late_failures() -> Vec<Case> {
     let fall = |v: f64, i: f64| -1.6e308 + (v + 1.6e308) * p + i * gain * (1.0 - p);
     let run = |id: &str, from: u32, steps: u32, x: f64, y: f64, state: &mut [f64; 2]| {
         let mut values = [Vec::new(), Vec::new()];
-        for _ in 0..steps {
+        let mut times = Vec::new();
+        for step in from + 1..=from + steps {
             *state = [fall(state[0], x), fall(state[1], y)];
-            values[0].push(state[0]);
-            values[1].push(state[1]);
+            if step % every == 0 {
+                times.push(f64::from(step));
+                values[0].push(state[0]);
+                values[1].push(state[1]);
+            }
         }
-        let times: Vec<f64> = (from + 1..=from + steps).map(f64::from).collect();
         let of = |values: &[f64]| object! { "times" => nums(&times), "values" => nums(values) };
         (by(id, f64::from(steps), x, y), recorded(id, object! { "out" => of(&values[0]), "out-too" => of(&values[1]) }))
     };
@@ -480,13 +493,21 @@ fn late_failures() -> Vec<Case> {
         trace.push(run("a", 0, 2, little, little, &mut a));
         trace.push(run("b", 0, 1, little, little, &mut b));
         trace.push((by("a", 10.0, x, y), error()));
-        trace.push(run("a", 2, 2, little, 0.0, &mut a));
+        trace.push(run("a", 2, if every == 1 { 2 } else { 5 }, little, 0.0, &mut a));
         trace.push(run("b", 1, 2, 0.0, little, &mut b));
+        let (path, rules, sampled): (_, &[&'static str], _) = match every {
+            1 => (format!("fails/later/{name}"), &["NCP-SESS-057", "NCP-SESS-035"], String::new()),
+            _ => (
+                format!("fails/later/{name}/every-{every}"),
+                &["NCP-SESS-057", "NCP-SESS-053", "NCP-SESS-035"],
+                format!(" (a sample every {every} steps)"),
+            ),
+        };
         cases.push(
-            super::reference(format!("fails/later/{name}"), &["NCP-SESS-057", "NCP-SESS-035"], trace)
+            super::reference(path, rules, trace)
                 .title(format!(
                     "After a step in which {words} of a session leaves the doubles some way on, neither population has \
-                     moved, and no other session."
+                     moved, and no other session{sampled}."
                 ))
                 .flags(&["session-lifecycle", "non-finite-numbers"])
                 .because("A request that fails leaves the network and the time of its session as they were before it."),

@@ -28,6 +28,8 @@ pub(super) fn few_doubles() -> Vec<Double> {
     vec![
         spelled("integer", "5", "5.0", "integer-spelled-doubles"),
         exact("negative-zero", "-0.0", "-0.0", "signed-zero"),
+        // Just above the half between two doubles.
+        spelled("integer-of-twenty-digits", "18446744073709553665", "1.8446744073709556e19", "integer-spelled-doubles"),
     ]
 }
 
@@ -72,6 +74,19 @@ pub(super) fn more_doubles() -> Vec<Double> {
         spelled("two-to-63", "9223372036854775808", "9.223372036854775808e18", "integer-spelled-doubles"),
         spelled("two-to-64", "18446744073709551616", "1.8446744073709551616e19", "integer-spelled-doubles"),
         spelled("thirty-digits", "123456789012345678901234567890", "1.2345678901234568e29", "integer-spelled-doubles"),
+        spelled("integer-of-22-digits", "-1180591620717411434497", "-1.1805916207174116e21", "integer-spelled-doubles"),
+        spelled(
+            "integer-of-31-digits",
+            "1267650600228229542234191560705",
+            "1.2676506002282297e30",
+            "integer-spelled-doubles",
+        ),
+        spelled(
+            "integer-of-61-digits",
+            "1606938044258990453947923680586147734807949174969684883144705",
+            "1.6069380442589906e60",
+            "integer-spelled-doubles",
+        ),
         exact("seventeen-digits", "0.30000000000000004", "0.30000000000000004", "seventeen-digits"),
         exact("seventeen-digits-below-one", "0.99999999999999989", "0.9999999999999999", "seventeen-digits"),
         exact("seventeen-digits-above-one", "1.0000000000000002", "1.0000000000000002", "seventeen-digits"),
