@@ -120,6 +120,26 @@ fn newest() -> Vec<Case> {
                 .flags(&["last-to-arrive"])
                 .because(NEWEST),
         );
+        // The same below 0, where a stamp is a stamp: the times say the opposite.
+        let below = order.map(|seq| seq - 10);
+        let mut trace = Vec::new();
+        let mut newest = i64::MIN;
+        for (nth, seq) in (0_u32..).zip(below) {
+            let now = 1.0 + f64::from(nth) / 16.0;
+            newest = newest.max(seq);
+            trace.push(frame(seq, -(seq as f64), channels_at(&[seq as f64 / 16.0, 0.0, 0.0], Some(&[0.0; 3])), now));
+            trace.push(moves(newest, now));
+        }
+        let name_below = below.map(|seq| seq.to_string().replace('-', "minus-")).join("-");
+        cases.push(
+            run(format!("newest/below-zero/{name_below}"), &["NCP-CTRL-011"], 50.0, Json::object(), trace)
+                .title(format!(
+                    "Frames of the seqs {} are used newest first.",
+                    below.map(|seq| seq.to_string()).join(", ")
+                ))
+                .flags(&["last-to-arrive"])
+                .because("In rule 11, 0 is no stamp, and every other seq is one."),
+        );
         // The same by time, unstamped.
         let mut trace = Vec::new();
         let mut newest = 0_u32;

@@ -645,6 +645,7 @@ fn extremes() -> Vec<Case> {
             Case::new(format!("extreme/{name}"), &["NCP-RES-050", "NCP-RES-045"], &BOTH)
                 .call("link.run", args(None, None, &seqs))
                 .shows(steps(vec![entry(first), big]))
+                .by("/steps/*/loss_rate", "NCP-RES-044")
                 .title(format!(
                     "A gap from {first} to the other end overflows nothing and is a burst ({}).",
                     name.replace('-', " ")
@@ -660,6 +661,7 @@ fn extremes() -> Vec<Case> {
             Case::new(format!("extreme/{name}/and-back"), &["NCP-RES-043", "NCP-RES-050"], &BOTH)
                 .call("link.run", args(None, None, &back))
                 .shows(steps(vec![entry(first), after().with("last_seq", int(last)), after(), after(), after()]))
+                .by("/steps/*/loss_rate", "NCP-RES-044")
                 .title(format!(
                     "After a gap from {first} to the other end, nothing leads back ({}).",
                     name.replace('-', " ")

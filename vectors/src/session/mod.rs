@@ -153,9 +153,15 @@ fn replies(of: Vec<Json>) -> Json {
 /// A case for the servers that claim the reference networks.
 fn reference(path: String, rules: &[&'static str], trace: Vec<(String, Json)>) -> Case {
     let mut expected = within_capacities(&trace);
+    let opens = trace
+        .first()
+        .filter(|(_, reply)| opens(reply))
+        .map(|(request, _)| if request.contains("ncp.reference.rate") { "NCP-SESS-051" } else { "NCP-SESS-050" });
     let (requests, answers): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
     expected.insert(0, replies(answers));
-    of_members(asking(path, rules, requests).shows(any(expected)).needs(REFERENCE_NETWORKS))
+    let case = of_members(asking(path, rules, requests).shows(any(expected)).needs(REFERENCE_NETWORKS));
+    // A server that claims the networks opens them, whatever else the case is about.
+    opens.into_iter().fold(case, |case, rule| case.by("/replies/0", rule))
 }
 
 /// Lets each member of an observation be judged by the rule about it.

@@ -344,6 +344,7 @@ fn stimuli() -> Vec<Case> {
             .title("A parameter of one session is not that of another with the same value.")
             .because(WHY),
     );
+    cases.extend(swapped());
     // Each session has its own input.
     let open = |id| Open {
         records: vec![record("v", "V_m", 10.0)],
@@ -369,6 +370,54 @@ fn stimuli() -> Vec<Case> {
     cases
 }
 
+/// Networks whose parameters have swapped their values are others: side by side, and one behind the other.
+fn swapped() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, [one, two], [x, y]) in [
+        ("leak-and-reset", ["E_L", "V_reset"], [-70.0, -64.0]),
+        ("capacity-and-time-constant", ["C_m", "tau_m"], [40.0, 20.0]),
+        ("time-constant-and-refractory-time", ["tau_m", "t_ref"], [5.0, 8.0]),
+    ] {
+        let (p, q) = ([(one, x), (two, y)], [(one, y), (two, x)]);
+        let open = |id: &str, params: [(&'static str, f64); 2]| Open {
+            params: params.to_vec(),
+            records: vec![record("v", "V_m", 10.0)],
+            stimuli: vec![stimulus("in", "current_pA")],
+            ..Open::lif(id)
+        };
+        let after = |params: [(&'static str, f64); 2]| {
+            let (times, values, _) = simulate(&params, 1.0, 10, 30.0);
+            let last = |all: &[f64]| all.last().copied().unwrap_or_default();
+            object! { "v" => samples(&[last(&times)], Some(&[last(&values)])) }
+        };
+        let opens = |id: &str, params| (open(id, params).text(), opened(id));
+        let steps = |id: &str, params| (step(id, None, Some(("in", 30.0))), recorded(id, after(params)));
+        for (how, words, trace) in [
+            ("apart", "in two sessions", vec![opens("a", p), opens("b", q), steps("b", q), steps("a", p)]),
+            (
+                "anew",
+                "in a session that is opened anew",
+                vec![
+                    opens("a", p),
+                    steps("a", p),
+                    (super::close("a"), crate::trace::anything()),
+                    opens("a", q),
+                    steps("a", q),
+                ],
+            ),
+        ] {
+            cases.push(
+                reference(format!("params/swapped/{name}/{how}"), &["NCP-SESS-050", "NCP-SESS-035"], trace)
+                    .title(format!("The values of `{one}` and `{two}` are their own {words}."))
+                    .because(
+                        "A parameter is known by its name: networks with the same values under other names are others.",
+                    ),
+            );
+        }
+    }
+    cases
+}
+
 /// Which neurons a stimulus reaches: two of a population of three, or one population of two.
 fn reach() -> Vec<Case> {
     let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
@@ -379,27 +428,29 @@ fn reach() -> Vec<Case> {
     let of =
         |target: &str, port: &str| record(port, "V_m", 5.0).with("target", target.into()).with("port", port.into());
     #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
-    let table: [(&str, &str, &str, &[u32], [bool; 3], bool); 6] = [
-        ("all", "all of its population", "pop", &[], [true; 3], false),
-        ("other", "no neuron of another population", "other", &[], [false; 3], true),
-        ("first", "the neuron that it names", "pop", &[1], [true, false, false], false),
-        ("last", "the neuron that it names", "pop", &[3], [false, false, true], false),
-        ("two", "the neurons that it names", "pop", &[1, 3], [true, false, true], false),
-        ("other-id", "the neuron that it names, in its population", "other", &[1], [false; 3], true),
+    let table: [(&str, &str, &str, &[u32], [bool; 3], u32, bool); 8] = [
+        ("all", "all of its population", "pop", &[], [true; 3], 1, false),
+        ("other", "no neuron of another population", "other", &[], [false; 3], 1, true),
+        ("all-of-one-size", "no neuron of another population of its size", "pop", &[], [true; 3], 3, false),
+        ("other-of-one-size", "no neuron of another population of its size", "other", &[], [false; 3], 3, true),
+        ("first", "the neuron that it names", "pop", &[1], [true, false, false], 1, false),
+        ("last", "the neuron that it names", "pop", &[3], [false, false, true], 1, false),
+        ("two", "the neurons that it names", "pop", &[1, 3], [true, false, true], 1, false),
+        ("other-id", "the neuron that it names, in its population", "other", &[1], [false; 3], 1, true),
     ];
     table
         .into_iter()
-        .map(|(name, words, target, ids, pop, other)| {
+        .map(|(name, words, target, ids, pop, size, other)| {
             let open = Open {
                 size: 3,
-                other: Some(1),
+                other: Some(size),
                 records: vec![of("pop", "v"), of("other", "w")],
                 stimuli: vec![drive(target, ids)],
                 ..Open::lif("a")
             };
             let driven = |is: bool| after(if is { 300.0 } else { 0.0 });
             let v = nums(&pop.map(driven));
-            let w = nums(&[driven(other)]);
+            let w = nums(&vec![driven(other); size as usize]);
             let records = object! { "v" => object! { "values" => v }, "w" => object! { "values" => w } };
             reference(
                 format!("reach/{name}"),

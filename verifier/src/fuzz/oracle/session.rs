@@ -63,10 +63,10 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
             "session_opened" if open.contains_key(&id) => {
                 return Verdict::Open("a session that is open already, SESS-030");
             }
-            "error" | "session_opened" if of == "open_session" && Session::is_network(asked.as_ref()) => {
-                if version == WIRE_VERSION {
-                    return Verdict::Open("whether a server opens such a network is its own affair");
-                }
+            "error" | "session_opened"
+                if of == "open_session" && Session::is_network(asked.as_ref()) && version == WIRE_VERSION =>
+            {
+                return Verdict::Open("whether a server opens such a network is its own affair");
             }
             _ => {}
         }

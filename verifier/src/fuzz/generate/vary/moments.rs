@@ -12,7 +12,8 @@ use crate::json::Json;
 pub(super) fn gap(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
     let Some(steps) = steps_of(args).filter(|steps| steps.len() > 1) else { return 0 };
     let from = 1 + draw.below(steps.len() - 1);
-    let power = draw.below(52);
+    // Where narrow counters of units of time or of seqs begin anew, more often.
+    let power = if draw.chance(40) { draw.one(&[8, 16, 24, 31, 32]) } else { draw.below(52) };
     let by = (1_i64 << power).saturating_add(draw.range(-1, 1));
     let (clock, seqs) = draw.one(&[(true, false), (true, false), (true, true), (false, true)]);
     let has_clock = steps.iter().any(|step| clock_of(step).is_some());
@@ -21,6 +22,7 @@ pub(super) fn gap(args: &mut Tree, draw: &mut Draw<'_>) -> usize {
         (_, 0) => 10_f64.powi(i32::try_from(draw.below(9)).unwrap_or(0)),
         // Milliseconds of a wide count, more often than what a narrow one ends at.
         (_, 1) => by as f64,
+        (_, 2) => by as f64 / draw.one(&[1e6, 1e9]),
         _ => by as f64 / 1000.0,
     };
     let seqs = if seqs || !has_clock { by.min(LARGEST) } else { 0 };
