@@ -68,9 +68,12 @@ impl Gains {
                 return None;
             }
             let given = *given.get(axis)?;
-            // The difference and the products may round.
-            let off = TOLERANCE * (self.kp * (p - t).abs() + self.kd * v.abs()) + f64::MIN_POSITIVE;
-            axes.push(range(given - off, given + off));
+            let (pull, drag) = (self.kp * (p - t), self.kd * v);
+            // The difference and the products may round, and the clamp is exact.
+            let off = TOLERANCE * (pull.abs() + drag.abs()) + f64::MIN_POSITIVE;
+            let most = self.max_speed.abs();
+            let at = |u: f64| u.max(-most).min(most);
+            axes.push(range(at(-pull - drag - off).min(given), at(-pull - drag + off).max(given)));
         }
         Some(list(axes))
     }
