@@ -11,6 +11,7 @@ pub(super) fn file() -> File {
     cases.extend(data());
     cases.extend(empty_regions());
     cases.extend(name_bytes());
+    cases.extend(last_of_many());
     File::new("bulk", "directory", "The directory of a BulkBlock: types, names, and where the data lies.", cases)
 }
 
@@ -241,4 +242,29 @@ fn name_bytes() -> Vec<Case> {
                 .because("The name is not well-formed UTF-8.")
         })
         .collect()
+}
+
+/// What is wrong with the last of many columns.
+fn last_of_many() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for count in [65, 300] {
+        let columns: Vec<_> = (0..count).map(|nth| f32s(&format!("c{nth:03}"), [1.5])).collect();
+        let block = Block::new(columns);
+        let last = count - 1;
+        let name_at = block.names.last().copied().unwrap_or_default();
+        let first_data = block.data.first().copied().unwrap_or_default();
+        let table = [
+            ("dtype", "NCP-BULK-007", "has the dtype 9", block.entry(last, Part::Dtype, 9)),
+            ("utf-8", "NCP-BULK-010", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
+            ("name", "NCP-BULK-009", "has a name beyond the end", block.entry(last, Part::NameOff, block.len)),
+            ("data", "NCP-BULK-011", "has data beyond the end", block.entry(last, Part::DataOff, block.len)),
+            ("overlap", "NCP-BULK-012", "shares its data with the first", block.entry(last, Part::DataOff, first_data)),
+        ];
+        cases.extend(table.into_iter().map(|(what, rule, says, bytes)| {
+            rejected(format!("last-of-{count}/{what}"), &[rule], &bytes)
+                .title(format!("A block whose last column of {count} {says} is rejected."))
+                .because("What a decoder has to see of one column it has to see of each.")
+        }));
+    }
+    cases
 }

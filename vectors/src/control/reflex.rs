@@ -78,7 +78,9 @@ fn laws() -> Vec<Case> {
         }
     }
     // What is left of a difference is lost in the products of its ends.
-    for (name, kp, far) in [("tenth", 0.1, 1e15), ("third", 1.0 / 3.0, -1e12), ("seven-tenths", 0.7, 3e14)] {
+    for (name, kp, far) in
+        [("tenth", 0.1, 1e15), ("third", 1.0 / 3.0, -1e12), ("seven-tenths", 0.7, 3e14), ("three", 3.0, 1e308)]
+    {
         let gains = Gains { kp, target: [far, -far, 0.5 * far], ..DEFAULT };
         let position = [far + 1.0, 1.0 - far, 0.5 * far - 1.0];
         cases.push(

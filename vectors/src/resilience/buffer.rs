@@ -41,6 +41,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("channels", channels)?);
     cases.extend(text.cases("asked", row_case)?);
     cases.extend(text.cases("waits", row_case)?);
+    cases.extend(text.cases("behind-many", row_case)?);
     text.end()?;
     cases.extend(long_streams());
     cases.extend(far_deadlines());

@@ -33,7 +33,8 @@ pub(crate) fn events(row: &Row) -> Result<Vec<Event>, ScenarioError> {
     let (mut events, mut now) = (Vec::new(), 0.0);
     for step in row.steps() {
         let (times, step) = step.repeated();
-        for _ in 0..times {
+        let steps = step.counted()?;
+        for step in std::iter::repeat_n(&steps, times).flatten() {
             for word in step.words() {
                 if let Some(time) = word.strip_prefix('@') {
                     now = step.place.double(time)?;
@@ -41,7 +42,7 @@ pub(crate) fn events(row: &Row) -> Result<Vec<Event>, ScenarioError> {
                     now += step.place.double(time)?;
                 }
             }
-            events.push(event(&step, now)?);
+            events.push(event(step, now)?);
         }
     }
     Ok(events)

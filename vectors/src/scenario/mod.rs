@@ -566,6 +566,22 @@ impl Step {
         times.map_or((1, self.clone()), |times| (times, self.tail()))
     }
 
+    /// The steps that it stands for: `go 1..60` is one for each number, as is every first word behind a verb that is a
+    /// range.
+    pub(crate) fn counted(self) -> Result<Vec<Self>, ScenarioError> {
+        let range = self.words.get(1).and_then(|word| word.split_once(".."));
+        let Some((first, last)) = range.map(|(first, last)| (first.to_owned(), last.to_owned())) else {
+            return Ok(vec![self]);
+        };
+        let (first, last) = (self.place.integer(&first)?, self.place.integer(&last)?);
+        let numbered = |number: i64| {
+            let words = self.words.iter().enumerate();
+            let words = words.map(|(nth, word)| if nth == 1 { number.to_string() } else { word.clone() });
+            Self { place: self.place, words: words.collect() }
+        };
+        Ok((first..=last).map(numbered).collect())
+    }
+
     /// The step up to a bar, and what stands behind it.
     pub(crate) fn halves(&self) -> (Self, String) {
         let bar = self.words.iter().position(|word| word == "|").unwrap_or(self.words.len());

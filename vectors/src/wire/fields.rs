@@ -466,6 +466,8 @@ impl Probe<'_> {
             ("other-case", other_case),
             ("space", format!("{first} ")),
             ("empty", String::new()),
+            ("full-width", first.bytes().filter_map(|b| char::from_u32(0xfee0 + u32::from(b))).collect()),
+            ("soft-hyphen", first.replacen('t', "\u{ad}t", 1)),
             ("sentinel", "unknown".to_owned()),
         ];
         // A mode moves a plant, so it gets all of them.
