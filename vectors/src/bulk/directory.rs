@@ -254,15 +254,34 @@ fn last_of_many() -> Vec<Case> {
         let name_at = block.names.last().copied().unwrap_or_default();
         let first_data = block.data.first().copied().unwrap_or_default();
         let table = [
-            ("dtype", "NCP-BULK-007", "has the dtype 9", block.entry(last, Part::Dtype, 9)),
-            ("utf-8", "NCP-BULK-010", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
-            ("name", "NCP-BULK-009", "has a name beyond the end", block.entry(last, Part::NameOff, block.len)),
-            ("data", "NCP-BULK-011", "has data beyond the end", block.entry(last, Part::DataOff, block.len)),
-            ("overlap", "NCP-BULK-012", "shares its data with the first", block.entry(last, Part::DataOff, first_data)),
+            ("dtype", "NCP-BULK-007", "unchecked-header", "has the dtype 9", block.entry(last, Part::Dtype, 9)),
+            ("utf-8", "NCP-BULK-010", "invalid-utf8", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
+            (
+                "name",
+                "NCP-BULK-009",
+                "unchecked-header",
+                "has a name beyond the end",
+                block.entry(last, Part::NameOff, block.len),
+            ),
+            (
+                "data",
+                "NCP-BULK-011",
+                "unchecked-header",
+                "has data beyond the end",
+                block.entry(last, Part::DataOff, block.len),
+            ),
+            (
+                "overlap",
+                "NCP-BULK-012",
+                "overlapping-regions",
+                "shares its data with the first",
+                block.entry(last, Part::DataOff, first_data),
+            ),
         ];
-        cases.extend(table.into_iter().map(|(what, rule, says, bytes)| {
+        cases.extend(table.into_iter().map(|(what, rule, flag, says, bytes)| {
             rejected(format!("last-of-{count}/{what}"), &[rule], &bytes)
                 .title(format!("A block whose last column of {count} {says} is rejected."))
+                .flags(&[flag])
                 .because("What a decoder has to see of one column it has to see of each.")
         }));
     }
