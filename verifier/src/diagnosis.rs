@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use crate::verdict::Judged;
 
-/// Cases that are charged to one rule, those first that are about it.
+/// Cases that are charged to one rule, those first that are about it and that a reader takes in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Suspect {
     /// The rule.
@@ -27,7 +27,11 @@ pub fn by_rule(cases: &[Judged<'_>], picked: impl Fn(&Judged<'_>) -> bool) -> Ve
         }
     }
     for suspect in &mut suspects {
-        suspect.cases.sort_by_key(|place| cases.get(*place).is_none_or(|judged| rule_of(judged) != suspect.rule));
+        // A frame of 64 KiB explains nothing that a short one does not.
+        suspect.cases.sort_by_key(|place| {
+            let judged = cases.get(*place);
+            judged.map(|judged| (rule_of(judged) != suspect.rule, judged.case.is_large()))
+        });
     }
     suspects
 }
