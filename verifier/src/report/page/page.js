@@ -107,7 +107,7 @@ function defects() {
         onclick: () => show({ peer: place, status: "f", search: rule }) }, rule)),
       el("td", {}, data.rules[rule]?.severity ?? ""), el("td", {}, String(count)),
       el("td", {}, prose(data.rules[rule]?.sentence ?? "")));
-    const table = (rows) => el("div", { class: "scroll" }, el("table", {},
+    const table = (rows) => el("div", { class: "scroll broken" }, el("table", {},
       el("thead", {}, el("tr", {}, ["rule", "severity", "cases", "sentence"].map((head) => el("th", {}, head)))),
       el("tbody", {}, rows.map(row))));
     if (sorted.length) {
