@@ -112,6 +112,19 @@ mod tests {
     }
 
     #[test]
+    fn of_a_rule_its_own_cases_come_first_and_of_these_those_that_a_reader_takes_in() {
+        let rule = "NCP-WIRE-002";
+        let large = testing::large("large", rule, 100_000);
+        let small = testing::case("small", &[rule], &[Role::Body]);
+        let other = testing::case("other", &["NCP-WIRE-003"], &[Role::Body]);
+        let mut waits = judged(&other, true);
+        waits.ruling = Ruling::Failed { rule: small.requirements[0].clone() };
+        let cases = [waits, judged(&large, true), judged(&small, true)];
+        let [suspect] = &by_rule(&cases, |_| true)[..] else { panic!() };
+        assert_eq!(suspect.cases, [2, 1, 0]);
+    }
+
+    #[test]
     fn a_rule_that_a_case_of_the_corpus_names_comes_before_those_of_the_deep_set() {
         let deep = |id, rule| testing::case(id, &[rule], &[Role::Body]);
         let corpus = |rule| testing::case(rule, &[rule], &[Role::Body]);

@@ -22,6 +22,7 @@ pub use connection::{Connection, Ending, Incoming};
 pub use expected::{ExpectedFailure, ExpectedFailures};
 pub use handshake::{Description, handshake};
 pub use manifest::{Manifest, ManifestError, Setup};
+pub(crate) use protocol::put_request;
 pub use protocol::{Answer, Call, MAX_REQUEST_BYTES, Reply, ReplyFault, write_request};
 
 use std::ffi::OsString;

@@ -181,10 +181,15 @@ impl<'a> Reply<'a> {
 
 /// Appends one request line. `body` is the rest of the object after its `id`: `"call":…,"args":…}`.
 pub fn write_request(out: &mut Vec<u8>, id: u64, body: &str) {
+    put_request(out, id, |out| out.extend_from_slice(body.as_bytes()));
+}
+
+/// As [`write_request`], with what appends the body.
+pub(crate) fn put_request(out: &mut Vec<u8>, id: u64, body: impl FnOnce(&mut Vec<u8>)) {
     out.extend_from_slice(b"{\"id\":");
     out.extend_from_slice(id.to_string().as_bytes());
     out.push(b',');
-    out.extend_from_slice(body.as_bytes());
+    body(out);
     out.push(b'\n');
 }
 

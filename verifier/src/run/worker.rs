@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 use super::{CaseRun, CrashLog, Event, Outcome, Settings, Shared, Stop, keep_worst};
 use crate::check::{Judgement, judge};
 use crate::peer::{
-    Answer, Call, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, write_request,
+    Answer, Call, Connection, Ending, Incoming, Reply, ReplyFault, StartError, excerpt, handshake, put_request,
 };
 use crate::suite::Case;
 
 /// How many requests may be in flight.
-const WINDOW: usize = 128;
+const WINDOW: usize = 256;
 /// How many bytes of requests may be in flight, unless a single one is larger.
 const WINDOW_BYTES: usize = 1 << 20;
 /// How long an answer may be, beside eight times the largest request.
@@ -219,20 +219,28 @@ impl<'r> Worker<'r> {
             if self.shared.is_over() {
                 return Ok(false);
             }
-            if process.waiting <= WINDOW / 2 {
-                self.fill(process);
-            }
+            self.fill(process, 0);
             if process.waiting == 0 {
                 return Ok(true);
             }
-            self.take_event(process)?;
+            let event = process.connection.receive(TICK);
+            if let Incoming::Lines(lines) = &event {
+                // What comes next is sent before these are judged, so that the peer has work meanwhile.
+                self.fill(process, lines.iter().filter(|byte| **byte == b'\n').count());
+            }
+            self.take_event(process, event)?;
         }
     }
 
-    /// Puts as many requests in flight as the window allows.
-    fn fill(&mut self, process: &mut Process) {
+    /// Once a quarter of the window is free, puts as many requests in flight as it allows. Of those that count as in
+    /// flight, so many have an answer that is not looked at yet.
+    fn fill(&mut self, process: &mut Process, arrived: usize) {
+        let window = WINDOW + arrived.min(process.waiting);
+        if process.waiting > window - WINDOW / 4 {
+            return;
+        }
         let mut lines = Vec::with_capacity(self.batch);
-        while process.waiting < WINDOW && (process.waiting_bytes < WINDOW_BYTES || process.waiting == 0) {
+        while process.waiting < window && (process.waiting_bytes < WINDOW_BYTES || process.waiting == 0) {
             let Some(index) = self.again.pop_front().or_else(|| self.shared.take()) else {
                 break;
             };
@@ -248,9 +256,9 @@ impl<'r> Worker<'r> {
         process.send(lines);
     }
 
-    /// Waits for the next event, at most a tick, and deals with it.
-    fn take_event(&mut self, process: &mut Process) -> Result<(), Fault> {
-        match process.connection.receive(TICK) {
+    /// Deals with what came from the peer, or with that nothing came.
+    fn take_event(&mut self, process: &mut Process, event: Incoming) -> Result<(), Fault> {
+        match event {
             Incoming::Lines(lines) => self.take_lines(process, &lines),
             Incoming::Overlong(line) => {
                 Err(Fault::Garbage { why: "a line is longer than any answer may be".to_owned(), line })
@@ -359,7 +367,8 @@ impl<'r> Worker<'r> {
         process.connection.close_requests();
         let deadline = Instant::now() + END_GRACE;
         while Instant::now() < deadline && !self.shared.is_over() {
-            match self.take_event(&mut process) {
+            let event = process.connection.receive(TICK);
+            match self.take_event(&mut process, event) {
                 Ok(()) => {}
                 Err(Fault::Ended | Fault::Deaf) => break,
                 Err(fault) => return self.finish_badly(process, fault),
@@ -530,7 +539,8 @@ impl<'r> Worker<'r> {
             if self.shared.is_over() {
                 return Alone::Over;
             }
-            if let Err(fault) = self.take_event(&mut process) {
+            let event = process.connection.receive(TICK);
+            if let Err(fault) = self.take_event(&mut process, event) {
                 break fault;
             }
             if process.waiting == 0 && answered.get_or_insert_with(Instant::now).elapsed() >= linger {
@@ -676,7 +686,7 @@ impl Process {
                 out.write_all(b"\n")
             });
         } else {
-            write_request(lines, id, &case.body());
+            put_request(lines, id, |lines| case.put_body(lines));
         }
         if self.waiting == 0 {
             self.progress = Instant::now();

@@ -77,7 +77,6 @@ pub struct Case {
     /// The vector file that holds it.
     pub file: Arc<str>,
     args: Template,
-    kept: Option<String>,
 }
 
 /// By which rules an answer is judged, where another decides than the one that the case is about.
@@ -165,7 +164,7 @@ impl Case {
         let Parts { id, title, requirements, flags, roles, needs, call, args, expect, by, rests_on, why, file } = parts;
         let level = requirements.iter().map(|rule| rule.level).max().unwrap_or(Level::Wire);
         let binding = requirements.iter().any(|rule| rule.keyword.is_binding());
-        let mut case = Self {
+        Self {
             id,
             title,
             requirements,
@@ -180,22 +179,25 @@ impl Case {
             rests_on,
             why,
             file,
-            args,
-            kept: None,
-        };
-        if case.args.bytes() <= KEPT_BYTES {
-            case.kept = Some(case.make_body());
+            args: args.keep(),
         }
-        case
     }
 
     /// The request after its id: `"call":…,"args":…}`.
     #[must_use]
-    pub fn body(&self) -> Cow<'_, str> {
-        match &self.kept {
-            Some(body) => Cow::Borrowed(body),
-            None => Cow::Owned(self.make_body()),
-        }
+    pub fn body(&self) -> String {
+        let mut body = Vec::with_capacity(self.request_bytes());
+        self.put_body(&mut body);
+        String::from_utf8(body).unwrap_or_default()
+    }
+
+    /// Appends the [body](Self::body) to what is sent.
+    pub(crate) fn put_body(&self, out: &mut Vec<u8>) {
+        out.extend_from_slice(b"\"call\":\"");
+        out.extend_from_slice(self.call.as_str().as_bytes());
+        out.extend_from_slice(b"\",\"args\":");
+        out.extend_from_slice(self.args.expand().as_bytes());
+        out.push(b'}');
     }
 
     /// What writes the request after its id, piece by piece: for one that [is large](Self::is_large).
@@ -211,7 +213,7 @@ impl Case {
     /// The templates that a large request is made of, as the file has them.
     #[must_use]
     pub fn made_of(&self) -> Option<String> {
-        self.is_large().then(|| self.args.unexpanded())
+        self.is_large().then(|| self.args.unexpanded().to_owned())
     }
 
     /// About how many bytes a request of this case has.
@@ -230,10 +232,6 @@ impl Case {
     #[must_use]
     pub fn concerns(&self, roles: &[Role]) -> bool {
         self.roles.iter().any(|role| roles.contains(role))
-    }
-
-    fn make_body(&self) -> String {
-        format!("\"call\":\"{}\",\"args\":{}}}", self.call.as_str(), self.args.expand())
     }
 }
 

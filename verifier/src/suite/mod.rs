@@ -21,7 +21,7 @@ pub use pattern::{PatternError, Shape};
 pub use template::{Template, TemplateError};
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -244,14 +244,6 @@ impl Suite {
         if cases.is_empty() {
             return Err(SuiteError::Empty(place.to_owned()));
         }
-        let mut seen = HashSet::with_capacity(cases.len());
-        if let Some(case) = cases.iter().find(|case| !seen.insert(case.id.as_str())) {
-            return Err(SuiteError::Case {
-                file: case.file.to_string(),
-                id: case.id.clone(),
-                message: "its id stands twice".to_owned(),
-            });
-        }
         foundations(&cases)?;
         let digest = hex(&Sha256::digest(&manifest));
         let describe =
@@ -275,23 +267,30 @@ fn side_by_side<T, R: Send>(items: impl Iterator<Item = T> + Send, work: impl Fn
     done.into_iter().map(|(_, made)| made).collect()
 }
 
-/// Sees to it that a case rests on cases of the suite, and in the end on those that rest on none.
+/// Sees to it that an id stands once, and that a case rests on cases of the suite, and in the end on those that rest on
+/// none.
 fn foundations(cases: &[Case]) -> Result<(), SuiteError> {
-    let known: HashMap<&str, &Case> = cases.iter().map(|case| (case.id.as_str(), case)).collect();
     let fault =
         |case: &Case, message: String| SuiteError::Case { file: case.file.to_string(), id: case.id.clone(), message };
-    if let Some((case, id)) =
-        cases.iter().find_map(|case| Some((case, case.rests_on.iter().find(|id| !known.contains_key(id.as_str()))?)))
-    {
-        return Err(fault(case, format!("it rests on {id}, which the suite does not have")));
+    // Whether a case is known to stand on firm ground.
+    let mut laid: HashMap<&str, bool> = HashMap::with_capacity(cases.len());
+    let mut waiting: Vec<&Case> = Vec::new();
+    for case in cases {
+        if laid.insert(&case.id, case.rests_on.is_empty()).is_some() {
+            return Err(fault(case, "its id stands twice".to_owned()));
+        }
+        waiting.extend((!case.rests_on.is_empty()).then_some(case));
     }
-    let mut laid: HashSet<&str> = HashSet::new();
-    let mut waiting: Vec<&Case> = cases.iter().collect();
+    for case in &waiting {
+        if let Some(id) = case.rests_on.iter().find(|id| !laid.contains_key(id.as_str())) {
+            return Err(fault(case, format!("it rests on {id}, which the suite does not have")));
+        }
+    }
     while !waiting.is_empty() {
         let count = waiting.len();
-        let is_laid = |case: &Case| case.rests_on.iter().all(|id| laid.contains(id.as_str()));
+        let is_laid = |case: &Case| case.rests_on.iter().all(|id| laid.get(id.as_str()) == Some(&true));
         let (ready, rest): (Vec<&Case>, Vec<&Case>) = waiting.into_iter().partition(|case| is_laid(case));
-        laid.extend(ready.iter().map(|case| case.id.as_str()));
+        laid.extend(ready.iter().map(|case| (case.id.as_str(), true)));
         if let Some(case) = rest.first()
             && rest.len() == count
         {
@@ -354,6 +353,16 @@ pub(crate) mod testing {
 
     /// A case of `decode` that cites these rules.
     pub(crate) fn case(id: &str, rules: &[&str], roles: &[Role]) -> Case {
+        decode(id, rules, roles, r#"{"kind":"command_frame","text":"{}"}"#)
+    }
+
+    /// The same about one rule, with a frame of so many bytes.
+    pub(crate) fn large(id: &str, rule: &str, bytes: usize) -> Case {
+        let args = format!(r#"{{"kind":"command_frame","text":{{"$repeat":" ","times":{bytes}}}}}"#);
+        decode(id, &[rule], &[Role::Body], &args)
+    }
+
+    fn decode(id: &str, rules: &[&str], roles: &[Role], args: &str) -> Case {
         let catalogue = Catalogue::load().unwrap();
         Case::new(Parts {
             id: id.to_owned(),
@@ -363,7 +372,7 @@ pub(crate) mod testing {
             roles: roles.to_vec(),
             needs: Vec::new(),
             call: Call::Decode,
-            args: Template::new(r#"{"kind":"command_frame","text":"{}"}"#).unwrap(),
+            args: Template::new(args).unwrap(),
             by: By::default(),
             rests_on: Vec::new(),
             expect: Expect::Accept,

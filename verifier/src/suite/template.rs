@@ -23,9 +23,21 @@ const MAX_DEPTH: usize = 8;
 /// A JSON value of a vector file, its templates not yet expanded.
 #[derive(Debug, Clone)]
 pub struct Template {
+    /// As in the file, but without white space.
     raw: Arc<str>,
     bytes: usize,
-    kept: Option<Box<str>>,
+    expanded: Expanded,
+}
+
+/// Where the expanded text is.
+#[derive(Debug, Clone)]
+enum Expanded {
+    /// There is no template in it: it is the text itself.
+    Itself,
+    /// At hand.
+    Kept(Box<str>),
+    /// Made when it is asked for.
+    Made,
 }
 
 /// Why a template cannot be expanded.
@@ -59,8 +71,10 @@ impl Template {
     /// # Errors
     /// [`TemplateError`] if it is not JSON, or a template in it is faulty or too large.
     pub fn new(raw: &str) -> Result<Self, TemplateError> {
-        let bytes = size(&Json::parse(raw)?)?;
-        Ok(Self { raw: raw.into(), bytes, kept: None })
+        let value = Json::parse(raw)?;
+        let bytes = size(&value)?;
+        let expanded = if holds_template(&value) { Expanded::Made } else { Expanded::Itself };
+        Ok(Self { raw: value.to_string().into(), bytes, expanded })
     }
 
     /// About how many bytes it expands to.
@@ -72,14 +86,14 @@ impl Template {
     /// Whether this is a string, or a template of one.
     #[must_use]
     pub fn is_text(&self) -> bool {
-        self.raw.starts_with('"') || self.raw.trim_start_matches(['{', ' ', '\t', '\r', '\n']).starts_with("\"$")
+        self.raw.starts_with('"') || self.raw.starts_with("{\"$")
     }
 
     /// Keeps the expanded text at hand, unless it is large.
     #[must_use]
     pub fn keep(mut self) -> Self {
-        if self.bytes <= KEPT_BYTES {
-            self.kept = Some(self.expand().into());
+        if self.bytes <= KEPT_BYTES && matches!(self.expanded, Expanded::Made) {
+            self.expanded = Expanded::Kept(self.expand().into());
         }
         self
     }
@@ -87,13 +101,16 @@ impl Template {
     /// The value as JSON text without white space, its templates expanded and its numbers spelled as in the file.
     #[must_use]
     pub fn expand(&self) -> Cow<'_, str> {
-        if let Some(kept) = &self.kept {
-            return Cow::Borrowed(kept);
+        match &self.expanded {
+            Expanded::Itself => Cow::Borrowed(&self.raw),
+            Expanded::Kept(kept) => Cow::Borrowed(kept),
+            Expanded::Made => {
+                let mut out = Vec::with_capacity(self.bytes + 64);
+                // It was read when it was made, and a vector takes whatever is written.
+                drop(self.write_to(&mut out));
+                Cow::Owned(String::from_utf8(out).unwrap_or_default())
+            }
         }
-        let mut out = Vec::with_capacity(self.bytes + 64);
-        // It was read when it was made, and a vector takes whatever is written.
-        drop(self.write_to(&mut out));
-        Cow::Owned(String::from_utf8(out).unwrap_or_default())
     }
 
     /// Writes what [`expand`](Self::expand) gives, piece by piece, so that its size costs no memory.
@@ -101,16 +118,17 @@ impl Template {
     /// # Errors
     /// What `out` says.
     pub fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
-        match &self.kept {
-            Some(kept) => out.write_all(kept.as_bytes()),
-            None => Json::parse(&self.raw).map_or(Ok(()), |value| write_expanded(&value, out)),
+        match &self.expanded {
+            Expanded::Itself => out.write_all(self.raw.as_bytes()),
+            Expanded::Kept(kept) => out.write_all(kept.as_bytes()),
+            Expanded::Made => Json::parse(&self.raw).map_or(Ok(()), |value| write_expanded(&value, out)),
         }
     }
 
     /// The value as JSON text without white space, its templates as they are.
     #[must_use]
-    pub fn unexpanded(&self) -> String {
-        Json::parse(&self.raw).map_or_else(|_| String::new(), |value| value.to_string())
+    pub fn unexpanded(&self) -> &str {
+        &self.raw
     }
 
     /// The string that it stands for, if [`is_text`](Self::is_text).
@@ -162,6 +180,17 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
 /// The form of a part of a template, which cannot be an ordinary value.
 fn part<'v, 'a>(value: &'v Json<'a>) -> Result<Form<'v, 'a>, TemplateError> {
     form(value)?.ok_or(TemplateError::Type { name: "a part", expected: "a string or a template" })
+}
+
+/// Whether a template stands somewhere in a value.
+fn holds_template(value: &Json<'_>) -> bool {
+    match (form(value), value) {
+        (Ok(Some(Form::Text(_))), _) => false,
+        (Ok(Some(_)), _) => true,
+        (_, Json::Array(items)) => items.iter().any(holds_template),
+        (_, Json::Object(members)) => members.iter().any(|(_, member)| holds_template(member)),
+        _ => false,
+    }
 }
 
 /// About how many bytes a value expands to, as JSON.
