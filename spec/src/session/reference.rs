@@ -10,7 +10,7 @@ use ncp_kernel::is_duration;
 /// The most neurons of a session: a request is no way to fill a server's memory.
 const MAX_NEURONS: i64 = 100_000;
 /// The most integration steps of a request.
-const MAX_STEPS: f64 = 1e7;
+const MAX_STEPS: f64 = 2e7;
 /// The most samples that a request records.
 const MAX_SAMPLES: f64 = 1e6;
 /// The most neuron steps of a request, what records look at included: some seconds of work.
@@ -160,7 +160,7 @@ impl Model {
         if !(0.0..=MAX_STEPS).contains(&steps) {
             return Err(refuse("t_ref", t_ref));
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 2e7
         Ok(Self::Lif {
             propagator: (-dt_ms / tau).exp(),
             gain: tau / c_m,
@@ -180,7 +180,7 @@ impl Model {
     }
 
     /// For how many steps a neuron rests after a spike.
-    #[expect(clippy::cast_precision_loss)] // within 0 and 1e7
+    #[expect(clippy::cast_precision_loss)] // within 0 and 2e7
     fn rest_steps(&self) -> f64 {
         match self {
             Self::Lif { t_ref, .. } => *t_ref as f64,
@@ -377,7 +377,7 @@ impl Simulation for Network {
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {
         self.check_advance(advance_ms)?;
         let before = (self.populations.clone(), self.steps);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 1e7
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 2e7
         let steps_now = self.steps_of(advance_ms) as u64;
         let mut observations: Vec<Observation> =
             self.records.iter().map(|record| empty_observation(&record.target)).collect();

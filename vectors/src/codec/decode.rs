@@ -340,6 +340,20 @@ fn mappings() -> Vec<Case> {
             vec![mapping("x", 300, "p")],
             channels(vec![("x", [vec![0.0; 300], vec![0.5]].concat())]),
         ),
+        (
+            "component-1024",
+            "NCP-CODEC-003",
+            "A mapping of component 1,024 is followed",
+            vec![mapping("x", 1024, "p")],
+            channels(vec![("x", [vec![0.0; 1024], vec![0.5]].concat())]),
+        ),
+        (
+            "component-4095",
+            "NCP-CODEC-003",
+            "A mapping of component 4,095 is followed",
+            vec![mapping("x", 4095, "p")],
+            channels(vec![("x", [vec![0.0; 4095], vec![0.5]].concat())]),
+        ),
     ];
     for (name, rule, words, mappings, expected) in table {
         cases.push(

@@ -9,6 +9,7 @@ pub(super) fn file() -> File {
     let mut cases = potentials();
     cases.extend(thresholds());
     cases.extend(spikes());
+    cases.extend(rests());
     cases.extend(rates());
     cases.extend(stimuli());
     cases.extend(lasting());
@@ -206,6 +207,25 @@ fn spikes() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Requests that begin while a neuron rests.
+fn rests() -> Vec<Case> {
+    let params = vec![("t_ref", 5.0), ("I_e", 600.0)];
+    let one = |length: u32| {
+        let (_, _, spikes) = simulate(&params, 1.0, 60, 600.0);
+        let open = Open { params: params.clone(), records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
+        let mut trace = vec![(open.text(), opened("a"))];
+        for nth in 0..60 / length {
+            let (from, to) = (f64::from(nth * length), f64::from((nth + 1) * length));
+            let within: Vec<f64> = spikes.iter().copied().filter(|time| *time > from && *time <= to).collect();
+            trace.push((step("a", Some(to - from), None), recorded("a", object! { "s" => samples(&within, None) })));
+        }
+        reference(format!("spikes/rests/requests-of-{length}-ms"), &["NCP-SESS-050"], trace)
+            .title(format!("A neuron rests for 5 ms after a spike, whatever requests of {length} ms begin meanwhile."))
+            .because(WHY)
+    };
+    [1, 2, 3].map(one).into()
 }
 
 fn rates() -> Vec<Case> {

@@ -726,6 +726,7 @@ const ORDERS: &[(&str, &[&str], &str)] = &[
     ("letters", &["b", "a", "B", "_"], "capitals before `_` before small letters"),
     ("astral", &["\u{1f600}", "\u{ff5e}", "z"], "U+FF5E before U+1F600"),
     ("digits", &["9", "10", "1", "2"], "`10` before `2`"),
+    ("escapes", &["a]", "aB", "a\"", "a\n", "a\\"], "a line feed, a quote, `B`, a backslash, a bracket"),
 ];
 
 #[cfg(test)]

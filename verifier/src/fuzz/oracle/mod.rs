@@ -23,8 +23,9 @@ use ncp_peer_rust::Answer;
 
 pub(crate) use frames::bytes as frame_bytes;
 
+use super::draw::LARGEST;
 use super::generate::Input;
-use super::tree::{Tree, list, num, object, own, text};
+use super::tree::{Tree, integer, items, list, num, object, own, text};
 use crate::json::{Json, Number};
 use crate::peer::{self, Call};
 
@@ -63,6 +64,9 @@ pub(crate) fn expectation(input: &Input, spec: &Answer, said: Option<&peer::Answ
     if has_steps && result.is_err_and(|code| code != "value") {
         return Verdict::Open("the arguments are none of the protocol");
     }
+    if has_foreign_seq(&input.args) {
+        return Verdict::Open("a seq is beyond the integers of the wire");
+    }
     let args = &input.args;
     match input.call {
         Call::Describe => Verdict::Open("it is no question of the text"),
@@ -89,6 +93,12 @@ pub(crate) fn expectation(input: &Input, spec: &Answer, said: Option<&peer::Answ
         Call::CodecDecode => codec::decode(args, result),
         Call::SessionRun => session::run(args, result, said),
     }
+}
+
+/// Whether a step has a seq that no frame may have, so that an API need not take it. `// [NCP-WIRE-011]`
+fn has_foreign_seq(args: &Tree) -> bool {
+    let seqs = items(args.get("steps")).iter().filter_map(|step| integer(step.get("seq")));
+    seqs.into_iter().any(|seq| seq.unsigned_abs() > LARGEST.unsigned_abs())
 }
 
 fn concerns_objects(call: Call) -> bool {
@@ -299,6 +309,20 @@ mod tests {
         let refusal = r#"{"error":{"code":"type","message":"a"}}"#;
         assert!(same(Same::Values, refusal, r#"{"error":{"code":"value","message":"b"}}"#));
         assert!(!same(Same::Values, refusal, r#"{"error":{"code":"internal","message":"b"}}"#));
+    }
+
+    #[test]
+    fn a_seq_that_no_frame_may_have_is_none_that_a_peer_is_asked_for() {
+        let ask = |seq: &str| {
+            let step = format!(r#"{{"op":"command","now_s":1.0,"ttl_ms":200.0,"seq":{seq}}}"#);
+            expected(Call::WatchdogRun, &format!(r#"{{"steps":[{step},{{"op":"should_hold","now_s":1.1}}]}}"#))
+        };
+        for seq in ["9007199254740991", "-9007199254740991"] {
+            assert!(matches!(ask(seq), Verdict::Expect(_)), "{seq}");
+        }
+        for seq in ["9007199254740992", "-9007199254740992"] {
+            assert!(matches!(ask(seq), Verdict::Open(_)), "{seq}");
+        }
     }
 
     fn expected(call: Call, args: &str) -> Verdict {

@@ -153,9 +153,19 @@ fn record_of(record: &Tree) -> Tree {
     pattern
 }
 
+/// What a server that claims the reference networks bears: so many neurons in a session, and so many neurons times
+/// steps and samples in a request. Section 4.4.
+const MOST_NEURONS: f64 = 1e5;
+const MOST_NEURON_STEPS: f64 = 2e7;
+const MOST_SAMPLES: f64 = 1e6;
+
 /// A session of a reference network, as far as the text says what it does.
 struct Session {
+    dt: f64,
     chunk: f64,
+    neurons: f64,
+    /// How many samples a step gives at most, over all ports.
+    samples: f64,
     ports: Vec<String>,
 }
 
@@ -231,7 +241,20 @@ impl Session {
             (1e-3..1e6).contains(&param("tau", 10.0)) && param("mu", 0.0).abs() < 1e6
         };
         let ports = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default().to_owned());
-        (plain && sane).then(|| Self { chunk, ports: ports.collect() })
+        let sampled = targets("record").iter().map(|target| {
+            let named = items(target.get("ids")).len() as f64;
+            let all = string(target, "target").and_then(size).unwrap_or(0) as f64;
+            let is_of_spikes = string(target, "observable") == Some("spikes");
+            let every = (double(target.get("cadence_ms")).unwrap_or(1.0) / dt).floor().max(1.0);
+            (if named > 0.0 { named } else { all }) / if is_of_spikes { 1.0 } else { every }
+        });
+        (plain && sane).then(|| Self {
+            dt,
+            chunk,
+            neurons: sizes.iter().filter_map(|(_, size)| integer(Some(size))).sum::<i64>() as f64,
+            samples: sampled.sum(),
+            ports: ports.collect(),
+        })
     }
 
     /// What the text leaves open of a step or a run of this session.
@@ -241,6 +264,13 @@ impl Session {
         let time = time.unwrap_or(self.chunk);
         if time == 0.0 {
             return Some("whether a step of 0 ms is refused is a server's own affair");
+        }
+        let steps = time / self.dt + 1.0;
+        if self.neurons > MOST_NEURONS
+            || steps * self.neurons.max(1.0) > MOST_NEURON_STEPS
+            || steps * self.samples > MOST_SAMPLES
+        {
+            return Some("a server may refuse a request as large as this");
         }
         let values = asked.get("stimulus").and_then(|stimulus| stimulus.get("values"));
         members(values).iter().find_map(|(port, value)| {
@@ -305,6 +335,25 @@ fn shape(result: &Json<'_>) -> Vec<(String, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_request_is_asked_for_up_to_the_size_that_a_server_bears() {
+        let open = |size: u32, cadence: &str| {
+            let asked = format!(
+                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
+                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"pop":{size}}}}},"sim":{{"dt_ms":1.0}},
+                "record":{{"targets":[{{"port":"v","target":"pop","cadence_ms":{cadence}}}]}}}}"#
+            );
+            Session::read(&own(&Json::parse(&asked).unwrap())).unwrap()
+        };
+        let of = |session: &Session, ms: &str| {
+            session.openness(&own(&Json::parse(&format!(r#"{{"advance_ms":{ms}}}"#)).unwrap())).is_some()
+        };
+        assert!(!of(&open(100, "100.0"), "199998.0"));
+        assert!(of(&open(100, "100.0"), "200001.0"), "too many neurons times steps");
+        assert!(!of(&open(100, "1.0"), "9998.0"));
+        assert!(of(&open(100, "1.0"), "10001.0"), "too many samples");
+    }
 
     #[test]
     fn a_session_that_the_text_describes_is_told_from_others() {
