@@ -31,6 +31,9 @@ pub(super) fn key_match(args: &Tree, result: Outcome<'_>) -> Verdict {
     if string(args, "key").is_some_and(|key| key.contains(['*', '$'])) {
         return Verdict::Open("the key has wildcards");
     }
+    if string(args, "pattern").is_some_and(|pattern| pattern.contains("$*$*")) {
+        return Verdict::Open("a `$*` stands directly behind another");
+    }
     match result {
         Err(_) => Verdict::Open("what is no key expression, KEY-036"),
         result => by_result(result),
