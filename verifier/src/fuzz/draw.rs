@@ -140,10 +140,18 @@ impl<'h> Draw<'h> {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A size from `low` to `high`: log-uniform, at the powers of two and their neighbours, or at the ends.
+    /// A size from `low` to `high`: log-uniform, at the powers of two and their neighbours, at the ends, or at a number
+    /// of the dictionary and its neighbours.
     pub(crate) fn size(&mut self, low: usize, high: usize) -> usize {
         if high <= low {
             return low;
+        }
+        if !self.harvest.numbers.is_empty() && self.chance(15) {
+            let found = self.harvest.numbers[self.below(self.harvest.numbers.len())];
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is below `high`")]
+            if found >= 1.0 && found < high as f64 {
+                return (found as usize + self.below(3)).saturating_sub(1).clamp(low, high);
+            }
         }
         let top = (high as f64).ln_1p();
         let size = match self.below(10) {

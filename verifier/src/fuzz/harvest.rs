@@ -4,6 +4,9 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use ncp_text::CHAPTERS;
 
 /// How many strings and how many numbers are kept.
 const MOST: usize = 4096;
@@ -63,6 +66,19 @@ impl Harvest {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.words.is_empty() && self.numbers.is_empty()
+    }
+}
+
+/// Whether the text of the protocol has this string, or the number that it spells.
+pub(super) fn is_in_the_text(word: &str) -> bool {
+    static NUMBERS: LazyLock<BTreeSet<u64>> = LazyLock::new(|| {
+        let (mut words, mut numbers) = (BTreeSet::new(), BTreeSet::new());
+        CHAPTERS.iter().for_each(|chapter| collect(chapter.text.as_bytes(), &mut words, &mut numbers));
+        numbers
+    });
+    match word.parse::<f64>() {
+        Ok(number) => NUMBERS.contains(&number.to_bits()),
+        Err(_) => CHAPTERS.iter().any(|chapter| chapter.text.contains(word)),
     }
 }
 

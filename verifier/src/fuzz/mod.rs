@@ -7,6 +7,7 @@
 //! - `draw`: random choices, and the classes of numbers and sizes at which implementations go wrong.
 //! - `tree`: JSON that is built and changed.
 //! - [`harvest`]: strings and numbers from a peer's own sources.
+//! - `sweep`: each of these in each place where one of its kind may stand.
 //! - `generate`: inputs for every call.
 //! - `oracle`: what the text asks of an answer, with every freedom that it leaves.
 //! - [`deep`]: candidates for the deep set.
@@ -32,6 +33,7 @@ pub mod report;
 mod rules;
 mod search;
 mod shrink;
+mod sweep;
 mod tree;
 
 pub use asker::Fault;

@@ -26,6 +26,8 @@ struct OfPeer<'t> {
     name: &'t str,
     version: &'t str,
     language: &'t str,
+    /// Of the dictionary: how many tries were made, and how many there are.
+    swept: [u64; 2],
     inputs: u64,
     steps: u64,
     seconds: f64,
@@ -67,6 +69,7 @@ pub fn json(seed: u64, tested: &[(String, Tested)]) -> Result<String, serde_json
             name,
             version: &tested.description.version,
             language: &tested.description.language,
+            swept: [tested.swept.0, tested.swept.1],
             inputs: tested.inputs,
             steps: tested.steps,
             seconds: tested.elapsed.as_secs_f64(),
@@ -119,6 +122,10 @@ pub fn terminal(name: &str, seed: u64, tested: &Tested, style: Style, whole_cove
             tested.inputs, tested.steps
         ),
     );
+    if tested.swept.1 > 0 {
+        let (made, all) = tested.swept;
+        line(&mut out, &format!("  dictionary: {made} of {all} tries, first with what the text has no word of"));
+    }
     if tested.nothing_asked {
         line(&mut out, "  nothing was asked: no call fits the filter, the level and the roles that the peer claims");
     }

@@ -22,6 +22,7 @@ use super::harvest::Harvest;
 use super::oracle::{self, Verdict, agree};
 use super::rules::{Decided, Rules};
 use super::shrink::shrink;
+use super::sweep::Sweep;
 use super::tree::{Tree, text};
 use crate::check::{Differences, Judgement, Manner};
 use crate::peer::{Call, Connection, Description, Launch, Reply, StartError, excerpt};
@@ -124,6 +125,8 @@ pub struct Finding {
 pub struct Tested {
     /// What the peer says about itself.
     pub description: Description,
+    /// How many tries with what the dictionary holds were made, and how many there are.
+    pub swept: (u64, u64),
     /// How many inputs were asked.
     pub inputs: u64,
     /// How many steps they had.
@@ -210,12 +213,14 @@ pub fn fuzz(
     let menu = super::menu(&roles, settings.level, description.reference_networks, &settings.patterns);
     let patience = Patience { silence: settings.timeout, start: settings.start_timeout, memory: settings.memory };
     let seeds = Seeds::of(suite, &menu);
+    let sweep = Sweep::new(&seeds, &settings.harvest);
     let mut first = Some(first);
     let askers = (0..settings.jobs.max(1)).map(|_| Asker::new(launch, patience.clone(), stop, first.take())).collect();
     let mut search = Search {
         settings,
         menu,
         seeds,
+        sweep,
         roles,
         stop,
         listener,
@@ -224,8 +229,10 @@ pub fn fuzz(
         kept: BTreeMap::new(),
         looks: BTreeMap::new(),
         askers,
+        numbers: 0,
         tested: Tested {
             description,
+            swept: (0, 0),
             inputs: 0,
             steps: 0,
             elapsed: Duration::ZERO,
@@ -248,6 +255,8 @@ struct Search<'s> {
     menu: Menu,
     /// The cases of the corpus, to be varied.
     seeds: Seeds,
+    /// What the dictionary gives to try.
+    sweep: Sweep,
     roles: Vec<Role>,
     stop: &'s Stop,
     listener: &'s dyn Listener,
@@ -258,6 +267,8 @@ struct Search<'s> {
     /// For each look of a disagreement, how many had it, and which finding it is.
     looks: BTreeMap<Look, (u64, Option<usize>)>,
     askers: Vec<Asker<'s>>,
+    /// How many numbers of inputs are given away.
+    numbers: u64,
     tested: Tested,
 }
 
@@ -288,6 +299,7 @@ impl Search<'_> {
             self.tested.elapsed = started.elapsed();
         }
         self.tested.elapsed = started.elapsed();
+        self.tested.swept = (swept(self.numbers).min(self.sweep.len()), self.sweep.len());
         self.tested.faults = self.askers.iter().map(|asker| asker.faults).sum();
         self.askers.iter_mut().for_each(Asker::end_in_peace);
         Ok(())
@@ -295,8 +307,17 @@ impl Search<'_> {
 
     /// Asks one round of inputs.
     fn round(&mut self, count: usize, until: Option<Instant>) -> Result<Vec<Done>, FuzzError> {
-        let first = self.tested.inputs;
+        let first = self.numbers;
+        self.numbers += count as u64;
         let (menu, seeds, kept, settings) = (&self.menu, &self.seeds, &self.kept, self.settings);
+        let drawn = |number| {
+            let input = match turn(number, &self.sweep) {
+                Turn::Swept(at) => self.sweep.input(at),
+                Turn::Drawn => draw_input(menu, seeds, kept, settings, number),
+            };
+            // What was varied or changed may be no question to this peer any more.
+            input.filter(|input| menu.has(input.call, &input.args))
+        };
         let known = &self.tested.coverage.keys;
         let next = AtomicUsize::new(0);
         let (stop, listener) = (self.stop, self.listener);
@@ -310,9 +331,8 @@ impl Search<'_> {
                     return;
                 }
                 let numbers = (from..(from + CHUNK).min(count)).map(|nth| first + nth as u64);
-                let tasks: Vec<Task> = numbers
-                    .filter_map(|number| Some(Task { number, input: draw_input(menu, seeds, kept, settings, number)? }))
-                    .collect();
+                let tasks: Vec<Task> =
+                    numbers.filter_map(|number| Some(Task { number, input: drawn(number)? })).collect();
                 match ask(asker, tasks, known) {
                     Ok(mut done) => {
                         listener.asked(done.len() as u64);
@@ -596,6 +616,27 @@ impl Search<'_> {
             *finding = Some(at);
         }
     }
+}
+
+/// Where the input of a number comes from.
+enum Turn {
+    /// From the sweep, at this place.
+    Swept(u64),
+    /// It is drawn.
+    Drawn,
+}
+
+/// While there is something to sweep, all but one of so many numbers sweep.
+const SWEPT: u64 = 8;
+
+/// How many of the numbers below this one sweep.
+fn swept(number: u64) -> u64 {
+    number / SWEPT * (SWEPT - 1) + (number % SWEPT).min(SWEPT - 1)
+}
+
+fn turn(number: u64, sweep: &Sweep) -> Turn {
+    let at = swept(number);
+    if number % SWEPT < SWEPT - 1 && at < sweep.len() { Turn::Swept(at) } else { Turn::Drawn }
 }
 
 /// The input of this number: drawn anew, a case of the corpus that is varied, or an input that was kept, changed.

@@ -27,6 +27,7 @@ mod vary;
 
 use super::draw::Draw;
 use super::tree::Tree;
+use crate::json::Json;
 use crate::peer::Call;
 
 pub(crate) use mutate::mutate;
@@ -76,7 +77,13 @@ impl Menu {
         let fits = match call {
             Call::Decode => self.reads.contains(&of("kind")),
             Call::Encode => self.writes.contains(&of("kind")),
-            Call::KeyBuild => self.keys.contains(&of("key")),
+            Call::KeyBuild => {
+                let key = of("key");
+                let lacks = |name: &str| args.get(name).is_none_or(|value| matches!(value, Json::Null));
+                self.keys.contains(&key)
+                    && (lacks("session") || !matches!(key, "rpc" | "fleet_glob"))
+                    && (lacks("name") || matches!(key, "sensor" | "command"))
+            }
             Call::PlaneQos => self.planes.contains(&of("plane")),
             _ => true,
         };
@@ -183,6 +190,21 @@ pub(crate) mod tests {
             assert!(strict.has(Call::KeyBuild, &object(name)) && !other.has(Call::KeyBuild, &object(name)), "{name}");
         }
         assert!(other.has(Call::KeyBuild, &object("realm")));
+    }
+
+    #[test]
+    fn a_key_is_asked_for_with_what_it_is_made_of() {
+        let object = |key, part| crate::fuzz::tree::object([("key", text(key)), (part, text("a"))]);
+        let menu = whole_menu();
+        for (key, part, is_asked) in [
+            ("rpc", "session", false),
+            ("fleet_glob", "session", false),
+            ("observation", "session", true),
+            ("observation", "name", false),
+            ("sensor", "name", true),
+        ] {
+            assert_eq!(menu.has(Call::KeyBuild, &object(key, part)), is_asked, "{key} {part}");
+        }
     }
 
     #[test]

@@ -27,7 +27,9 @@ fn is_difference(a: f64, b: f64, difference: f64) -> bool {
 /// Whether the product of two doubles is a double.
 fn is_product(a: f64, b: f64) -> bool {
     let product = a * b;
-    product.is_finite() && a.mul_add(b, -product) == 0.0 && (product == 0.0 || product.abs() > 1e-290)
+    // What underflows is no product, and its rest would not be seen.
+    let is_seen = a == 0.0 || b == 0.0 || product.abs() > 1e-290;
+    product.is_finite() && a.mul_add(b, -product) == 0.0 && is_seen
 }
 
 /// Whether the sum of two doubles is a double.
@@ -100,6 +102,7 @@ mod tests {
         assert!(is_settled(&[0.0, 5.0_f64.next_up(), 0.0], 5.0));
         assert!(!is_settled(&[0.3, 0.4, 0.0], 0.5));
         assert!(is_settled(&[0.3, 0.4, 0.0], 0.6));
+        assert!(!is_settled(&[3e-210, 4e-210, 0.0], 5e-210));
         assert!((norm(&[3e-200, 4e-200, 0.0]) - 5e-200).abs() < 1e-210);
         assert!((norm(&[3e200, 4e200, 0.0]) - 5e200).abs() < 1e190);
     }

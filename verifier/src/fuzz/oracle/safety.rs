@@ -258,6 +258,13 @@ impl Setup {
         if enabled(self.fence).is_none() {
             return false;
         }
+        // A projection that leaves the doubles on its way may be taken for one that ends outside.
+        let mut ticks = std::iter::once(&step.command.channels).chain(&step.command.horizon);
+        let far = step.position().map_or(0.0, |place| norm(&place));
+        let leaves = |speed: f64| !(speed * 60.0 + far).is_finite() || speed * 60.0 + far > f64::MAX / 8.0;
+        if ticks.any(|tick| tick.get(VELOCITY).is_some_and(|velocity| leaves(norm(&velocity.data)))) {
+            return true;
+        }
         [1.0 - TOLERANCE, 1.0 + TOLERANCE].into_iter().any(|wider| {
             let mut other = self.build(wider);
             if before.is_stopped() {

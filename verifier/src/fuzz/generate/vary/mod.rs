@@ -78,6 +78,11 @@ impl Seeds {
         Self(seeds.into_iter().map(|(call, rules)| (call, rules.into_iter().collect())).collect())
     }
 
+    /// The cases of each call, by the rule that each is about.
+    pub(crate) fn by_rule(&self) -> impl Iterator<Item = (Call, &[(String, Vec<Tree>)])> {
+        self.0.iter().map(|(call, rules)| (*call, rules.as_slice()))
+    }
+
     /// One of a call, by a rule that is drawn first: those with few cases come as often as others.
     fn pick(&self, call: Call, draw: &mut Draw<'_>) -> Option<(&str, &Tree)> {
         let rules = self.0.get(&call)?;
