@@ -73,5 +73,7 @@ def _mapped(x, source, target):
     if x is None or not isfinite(x) or length == 0 or not isfinite(length):
         return begin / 2 + end / 2  # [NCP-CODEC-005] [NCP-CODEC-006] [NCP-CODEC-007]
     part = min(max((x - low) / length, 0.0), 1.0)
-    value = begin + part * (end - begin)
+    span = end - begin
+    # A span that overflows is not multiplied: 0 times infinity is no number, and no clamp mends it.
+    value = begin + part * span if isfinite(span) else begin * (1.0 - part) + end * part
     return min(max(value, min(target)), max(target))

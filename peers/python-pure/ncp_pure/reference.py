@@ -1,6 +1,6 @@
 """The reference backend: two small networks that are integrated exactly (section 4.4 of the text)."""
 
-from math import exp, floor, inf, isfinite
+from math import exp, expm1, floor, inf, isfinite
 
 from .errors import SimulationError
 from .messages import Observation
@@ -11,7 +11,7 @@ MAX_NEURONS = 100_000
 MAX_NEURON_STEPS = 20_000_000
 """The most steps, summed over the neurons, that one request may ask for."""
 
-MAX_SAMPLES = 2_000_000
+MAX_SAMPLES = 1_000_000
 """The most samples that one request may ask for."""
 
 
@@ -46,7 +46,7 @@ class LifModel:
         self._threshold = params["V_th"]
         self._reset = params["V_reset"]
         self._decay = exp(-dt / params["tau_m"])
-        self._gain = params["tau_m"] / params["C_m"] * (1.0 - self._decay)
+        self._gain = params["tau_m"] / params["C_m"] * -expm1(-dt / params["tau_m"])
         self._bias = params["I_e"]
         self._refractory_steps = whole_steps(params["t_ref"], dt)
 
@@ -79,13 +79,14 @@ class RateModel:
         if params["tau"] <= 0:
             raise SimulationError("tau must be positive")
         self._decay = exp(-dt / params["tau"])
+        self._rise = -expm1(-dt / params["tau"])  # 1 - P loses the digits of a small step
         self._mu = params["mu"]
 
     def initial(self):
         return 0.0
 
     def step(self, rate, x):
-        return rate * self._decay + (self._mu + x) * (1.0 - self._decay), False
+        return rate * self._decay + (self._mu + x) * self._rise, False
 
     def value(self, rate):
         return rate
@@ -160,6 +161,8 @@ class Simulation:
         steps = whole_steps(duration_ms, self._dt)
         if steps * max(1, neurons) > MAX_NEURON_STEPS:
             raise SimulationError("this would take too long in one request")
+        if not isfinite((self._steps + steps) * self._dt):
+            raise SimulationError("the time would leave the doubles")  # [NCP-SESS-057]
         samples = sum(
             len(recorder.ids) * (1 if recorder.is_spikes else steps // recorder.every)
             for recorder in self._recorders.values()

@@ -120,6 +120,8 @@ class ReferenceSimulation implements Simulation {
     let samples = 0;
     for (const record of this.#records) samples += record.mostSamples(steps);
     if (!(samples <= SAMPLES)) throw new SessionError(`${forMs} ms gives too many samples for one reply`);
+    // [NCP-SESS-057]
+    if (!Number.isFinite((this.#step + steps) * this.#dtMs)) throw new SessionError("the time leaves the doubles");
     const values = Array.from(stimulus, ([port, value]) => this.#valueFor(port, value));
 
     // From here on only a number that leaves the doubles is refused. [NCP-SESS-054]

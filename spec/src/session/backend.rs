@@ -111,8 +111,8 @@ pub enum BackendError {
         /// The observable or the stimulus kind.
         what: String,
     },
-    /// A number of the network is no double any more.
-    #[error("a number of the network leaves the doubles")]
+    /// A number of the network, or its time, is no double any more.
+    #[error("a number of the network or its time leaves the doubles")]
     Overflow,
     /// A port of a stimulus is not one of the session's.
     #[error("the session has no stimulus port {port:?}")]

@@ -107,8 +107,18 @@ impl Record {
 }
 
 enum Model {
-    Lif { propagator: f64, gain: f64, e_l: f64, v_th: f64, v_reset: f64, i_e: f64, t_ref: u64 },
-    Rate { propagator: f64, mu: f64 },
+    Lif { propagator: f64, rise: f64, gain: f64, e_l: f64, v_th: f64, v_reset: f64, i_e: f64, t_ref: u64 },
+    Rate { propagator: f64, rise: f64, mu: f64 },
+}
+
+/// P = exp(−x) and 1 − P, which a difference of doubles would lose the digits of for a small x.
+fn propagation(x: f64) -> (f64, f64) {
+    ((-x).exp(), -(-x).exp_m1())
+}
+
+#[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
+fn count_of(steps: u64) -> f64 {
+    steps as f64
 }
 
 impl Model {
@@ -152,7 +162,8 @@ impl Model {
         let plain = |name| param(name).unwrap_or(0.0);
         if network.reference == "ncp.reference.rate" {
             let tau = positive("tau")?;
-            return Ok(Self::Rate { propagator: (-dt_ms / tau).exp(), mu: plain("mu") });
+            let (propagator, rise) = propagation(dt_ms / tau);
+            return Ok(Self::Rate { propagator, rise, mu: plain("mu") });
         }
         let (tau, c_m) = (positive("tau_m")?, positive("C_m")?);
         let t_ref = plain("t_ref");
@@ -161,8 +172,10 @@ impl Model {
             return Err(refuse("t_ref", t_ref));
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 2e7
+        let (propagator, rise) = propagation(dt_ms / tau);
         Ok(Self::Lif {
-            propagator: (-dt_ms / tau).exp(),
+            propagator,
+            rise,
             gain: tau / c_m,
             e_l: plain("E_L"),
             v_th: plain("V_th"),
@@ -191,16 +204,15 @@ impl Model {
     fn step(&self, neuron: &mut Neuron) {
         neuron.spiked = false;
         match *self {
-            Self::Rate { propagator, mu } => {
-                neuron.state = neuron.state * propagator + (mu + neuron.input) * (1.0 - propagator);
+            Self::Rate { propagator, rise, mu } => {
+                neuron.state = neuron.state * propagator + (mu + neuron.input) * rise;
             }
             Self::Lif { v_reset, .. } if neuron.refractory > 0 => {
                 neuron.refractory -= 1;
                 neuron.state = v_reset;
             }
-            Self::Lif { propagator, gain, e_l, v_th, v_reset, i_e, t_ref } => {
-                neuron.state =
-                    e_l + (neuron.state - e_l) * propagator + (i_e + neuron.input) * gain * (1.0 - propagator);
+            Self::Lif { propagator, rise, gain, e_l, v_th, v_reset, i_e, t_ref } => {
+                neuron.state = e_l + (neuron.state - e_l) * propagator + (i_e + neuron.input) * gain * rise;
                 // What left the doubles is no spike. [NCP-SESS-057]
                 if neuron.state >= v_th && neuron.state.is_finite() {
                     neuron.spiked = true;
@@ -327,9 +339,8 @@ impl Network {
         neurons.all(|neuron| neuron.state.is_finite())
     }
 
-    #[expect(clippy::cast_precision_loss)] // steps stay far below 2^53
     fn time_of(&self, step: u64) -> f64 {
-        step as f64 * self.dt_ms
+        count_of(step) * self.dt_ms
     }
 }
 
@@ -371,7 +382,11 @@ impl Simulation for Network {
             && steps <= MAX_STEPS
             && steps * (neurons + watched) <= MAX_WORK
             && samples <= MAX_SAMPLES;
-        if can { Ok(()) } else { Err(BackendError::Time { name: "advance_ms", value_ms: advance_ms }) }
+        if !can {
+            return Err(BackendError::Time { name: "advance_ms", value_ms: advance_ms });
+        }
+        // [NCP-SESS-057]
+        if ((count_of(self.steps) + steps) * self.dt_ms).is_finite() { Ok(()) } else { Err(BackendError::Overflow) }
     }
 
     fn advance(&mut self, advance_ms: f64) -> Result<SortedMap<Observation>, BackendError> {

@@ -1,12 +1,12 @@
 //! From rates to a command.
 
 use super::{
-    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, narrow, pairs,
-    precisely,
+    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps,
+    narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::trace::{any, int, name_of, num, nums};
+use crate::trace::{any, int, name_of, num, nums, within};
 
 pub(super) fn file() -> File {
     let mut cases = uav();
@@ -197,6 +197,16 @@ fn ranges() -> Vec<Case> {
                 ))
                 .flags(&["degenerate-range"])
                 .because("A range is degenerate when its length is 0 or not finite, and not when it is small."),
+        );
+    }
+    for (name, r) in WIDE {
+        let mapping = Mapping { rate: [-1.0, 1.0], value: [-1e308, 1e308], ..PLAIN };
+        let data: Json = std::iter::once(within(-1e308, 1e308)).collect();
+        cases.push(
+            case(format!("wide/{name}"), &["NCP-CODEC-004"], codec(&[], &[mapping]), &[("p", r)])
+                .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => data } } } })
+                .title(format!("{r} Hz are decoded within a value range whose length overflows ({name})."))
+                .because(WIDELY),
         );
     }
     for (name, rate) in RANGES {

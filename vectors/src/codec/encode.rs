@@ -1,12 +1,12 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, codec, map, maps, narrow, pairs,
-    precisely,
+    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps,
+    narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::trace::{any, exactly, name_of, num, nums};
+use crate::trace::{any, exactly, name_of, num, nums, within};
 
 pub(super) fn file() -> File {
     let mut cases = uav();
@@ -166,6 +166,15 @@ fn ranges() -> Vec<Case> {
             ))
             .flags(&["degenerate-range"])
             .because("A range is degenerate when its length is 0 or not finite, and not when it is small."),
+        );
+    }
+    for (name, x) in WIDE {
+        let mapping = Mapping { value: [-1.0, 1.0], rate: [-1e308, 1e308], ..PLAIN };
+        cases.push(
+            case(format!("wide/{name}"), &["NCP-CODEC-002"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .shows(object! { "rates" => exactly(object! { "p" => within(-1e308, 1e308) }) })
+                .title(format!("{x} is encoded within a rate range whose length overflows ({name})."))
+                .because(WIDELY),
         );
     }
     // A mapping without ranges has the defaults.

@@ -208,5 +208,18 @@ const ALIKE: [Alike; 5] = [
     ),
 ];
 
+/// Samples for a target range whose length overflows.
+const WIDE: [(&str, f64); 7] = [
+    ("first-end", -1.0),
+    ("last-end", 1.0),
+    ("below", -3.0),
+    ("above", 3.0),
+    ("middle", 0.0),
+    ("quarter", -0.5),
+    ("near-the-end", 0.999),
+];
+const WIDELY: &str = "By how much a result is off where a step on the way overflows is left open; its clamp holds \
+                      there, too, and what is no number is within no range.";
+
 /// Populations, whose names say nothing of their mappings.
 const POPULATIONS: [&str; 12] = ["p", "q", "r", "s", "t", "u", "v", "w", "k", "l", "m", "n"];

@@ -5,11 +5,11 @@ use super::{buffer_case as case, buffer_row};
 use ncp_text::WIRE_VERSION;
 
 use crate::case::{Case, File, Role};
-use crate::command::{Command, active};
+use crate::command::{Channel, Command, active, channel, channels_json, velocity};
 use crate::json::{Json, object};
 use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::template::Text;
-use crate::trace::{any, int, name_of, no_result, num, nums, steps, within};
+use crate::trace::{any, exactly, int, name_of, no_result, num, nums, steps, within};
 
 pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
@@ -18,6 +18,7 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     cases.push(long_replay());
     cases.push(longest_replay());
+    cases.extend(channels_of_a_tick());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
     Ok(File::new("resilience", "horizon", about, cases))
 }
@@ -147,6 +148,49 @@ fn longest_replay() -> Case {
         .title("Of a horizon of 4,096 steps, the longest, the plant follows the last until its tick is over.")
         .flags(&["wrong-tick"])
         .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and none past the end of the horizon.")
+}
+
+/// Ticks that have other channels than tick 0: each is what it says, and nothing of another.
+fn channels_of_a_tick() -> Vec<Case> {
+    let (v, grip, tow) = (
+        |x: f64| velocity(&[x, 0.0, 0.0]),
+        |x: f64| channel("grip", &[x], None),
+        |x: f64| channel("tow", &[x, -x], Some("N")),
+    );
+    let table = [
+        ("fewer", "channels that later ticks leave out", vec![v(1.0), grip(0.5)], vec![vec![v(2.0)], vec![grip(0.25)]]),
+        (
+            "more",
+            "channels that only later ticks have",
+            vec![v(1.0)],
+            vec![vec![v(2.0), grip(0.5)], vec![tow(3.0), v(3.0)]],
+        ),
+        ("others", "other channels in each tick", vec![v(1.0)], vec![vec![grip(0.5)], vec![tow(3.0)]]),
+        ("none", "a tick without channels", vec![v(1.0), grip(0.5)], vec![vec![], vec![v(3.0)]]),
+        (
+            "units",
+            "a tick that leaves a unit out",
+            vec![tow(1.0)],
+            vec![vec![channel("tow", &[2.0, -2.0], None)], vec![channel("tow", &[3.0], Some("kN"))]],
+        ),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, now, horizon)| {
+            let ticks = std::iter::once(&now).chain(&horizon);
+            // To the channel: one more would move the plant.
+            let of_tick = |tick: &Vec<Channel>| object! { "channels" => exactly(channels_json(tick)) };
+            let shown: Vec<Json> = std::iter::once(no_result()).chain(ticks.map(of_tick)).collect();
+            let command = Command { channels: now, horizon, dt: Some(125.0), ..active(1).ttl(1000.0) };
+            let events: Vec<Event> =
+                std::iter::once(Event::Command(command, 2.0)).chain([2.0, 2.125, 2.25].map(Event::Ask)).collect();
+            case(format!("channels/{name}"), &["NCP-RES-028"], &events)
+                .shows(steps(shown))
+                .title(format!("A plant replays a horizon with {words}."))
+                .flags(&["wrong-tick"])
+                .because("`active` is the channels of the tick whose time it is, and takes none from another tick.")
+        })
+        .collect()
 }
 
 fn lengths_of_a_tick() -> Vec<Case> {

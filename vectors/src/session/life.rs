@@ -25,7 +25,9 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(times());
     cases.extend(failures());
     cases.extend(failures_of_one());
+    cases.extend(endless());
     cases.extend(crowds());
+    cases.extend(abandoned());
     let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
     Ok(File::new("session", "life", about, cases))
 }
@@ -376,6 +378,39 @@ fn failures() -> Vec<Case> {
     cases
 }
 
+/// A time that leaves the doubles.
+fn endless() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, advances, then) in [
+        ("at-once", &[1.0, 1.0][..], 0.0),
+        ("in-one-request", &[2.0][..], 1.0),
+        ("after-some", &[1.0, 0.0, 1.0, 1.0][..], 0.0),
+    ] {
+        let open = Open { dt: 1e308, records: Vec::new(), ..Open::lif("a") };
+        let mut trace = vec![(open.text(), opened("a"))];
+        let mut time = 0.0;
+        for advance in advances.iter().chain([&then]).map(|steps| steps * 1e308) {
+            let reply = if f64::is_finite(time + advance) {
+                time += advance;
+                observed("a", time)
+            } else {
+                error()
+            };
+            // No text holds an infinity as a number; 1.7e308 ms are two steps of 1e308 ms.
+            let advance = if advance.is_finite() { advance } else { 1.7e308 };
+            trace.push((super::step("a", Some(advance), None), reply));
+        }
+        cases.push(
+            super::reference(format!("fails/time/{name}"), &["NCP-SESS-057", "NCP-SESS-037"], trace)
+                .title(format!("A step whose time leaves the doubles is an error, and costs nothing else ({name})."))
+                .because(
+                    "A request by which the time of a session leaves the doubles fails, and leaves the time as it was.",
+                ),
+        );
+    }
+    cases
+}
+
 /// Numbers of one of two populations that leave the doubles, at its first step or after some: the other is put back as
 /// well, and so are another session and its time.
 fn failures_of_one() -> Vec<Case> {
@@ -514,6 +549,38 @@ fn late_failures_sampled(every: u32) -> Vec<Case> {
         );
     }
     cases
+}
+
+/// A session that is left alone for long, while much is asked of others.
+fn abandoned() -> Vec<Case> {
+    const MANY: usize = 300;
+    let table: [(&str, &str, (String, Json)); 2] = [
+        ("steps-of-another", "steps of another session", (step_of("b", None, None), anything())),
+        ("failing-steps", "steps of a session that is not open", (step_of("c", None, None), error())),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, other)| {
+            let others = std::iter::repeat_n(other, MANY);
+            let others: Vec<(String, Json)> =
+                if name == "steps-of-another" { vec![(Open::lif("b").text(), anything())] } else { Vec::new() }
+                    .into_iter()
+                    .chain(others)
+                    .collect();
+            let trace = [open("a"), steps("a", 10.0)].into_iter().chain(others);
+            let trace: Vec<(String, Json)> = trace.chain([steps("a", 20.0), (close("a"), closed("a"))]).collect();
+            let without = trace.iter().map(|(request, reply)| match id_of(request) == "a" {
+                true => without_session(request).unwrap_or_else(error),
+                false => reply.clone(),
+            });
+            let without = super::replies(without.collect());
+            let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
+            super::asking(format!("abandoned/{name}"), &["NCP-SESS-035", "NCP-SESS-027"], requests)
+                .shows(any(vec![super::replies(with), without]))
+                .title(format!("A session goes on after {MANY} {words}."))
+                .because("What is done to one session changes no other; only a `close_session` ends one.")
+        })
+        .collect()
 }
 
 /// The first of many sessions. Whether the server has room for the others is its own affair; the first stays open.

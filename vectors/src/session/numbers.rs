@@ -18,6 +18,7 @@ pub(super) fn file() -> File {
     cases.extend(shared_names());
     cases.extend(units());
     cases.extend(ports());
+    cases.extend(many_ports());
     cases.extend(cadences());
     cases.extend(refusals());
     cases.extend(durations());
@@ -25,6 +26,7 @@ pub(super) fn file() -> File {
     cases.extend(sums());
     cases.extend(far());
     cases.extend(near());
+    cases.extend(slow());
     cases.extend(alike());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
@@ -693,6 +695,43 @@ fn units() -> Vec<Case> {
     .collect()
 }
 
+/// More ports than a small table holds.
+fn many_ports() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for count in [20_usize, 70, 300] {
+        let name = |nth: usize| format!("p{nth}");
+        let records: Vec<Json> = (1..=count).map(|nth| record(&name(nth), "V_m", 1.0)).collect();
+        let potential = simulate(&[], 1.0, 1, 300.0).1;
+        let observed = |nth: usize| (name(nth), object! { "values" => nums(&potential) });
+        let open = Open { records, stimuli: vec![stimulus("in", "current_pA")], ..Open::lif("a") };
+        let all = crate::trace::exactly(Json::Object((1..=count).map(observed).collect()));
+        let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", all))];
+        cases.push(
+            reference(format!("port/many/{count}-recorded"), &["NCP-SESS-038"], trace)
+                .title(format!("A session returns each of the {count} ports that it records."))
+                .because("A server returns an observation for each port that the session records."),
+        );
+        // Each gives its own share, which is a power of two: what is lost is seen.
+        let share = 1024.0 / 256.0;
+        let stimuli: Vec<Json> = (1..=count).map(|nth| stimulus(&name(nth), "current_pA")).collect();
+        let open = Open { records: vec![record("out", "V_m", 1.0)], stimuli, ..Open::lif("a") };
+        #[expect(clippy::cast_precision_loss, reason = "some hundreds")]
+        let potential = simulate(&[], 1.0, 1, share * count as f64).1;
+        let given: Vec<String> = (1..=count).map(name).collect();
+        let given: Vec<(&str, f64)> = given.iter().map(|name| (name.as_str(), share)).collect();
+        let records = object! { "out" => samples(&[1.0], Some(&potential)) };
+        let trace = vec![(open.text(), opened("a")), (driven_step("a", 1.0, &given), recorded("a", records))];
+        cases.push(
+            reference(format!("port/many/{count}-driven"), &["NCP-SESS-055", "NCP-SESS-054"], trace)
+                .title(format!("What {count} ports give a neuron adds up."))
+                .because(
+                    "A stimulus reaches each of the neurons of its target; a neuron is given the sum of all ports.",
+                ),
+        );
+    }
+    cases
+}
+
 /// Which ports come back.
 fn ports() -> Vec<Case> {
     use crate::trace::exactly;
@@ -1246,6 +1285,55 @@ fn far_neurons() -> Vec<Case> {
                      `ids` name and no others.",
                 ),
         );
+    }
+    cases
+}
+
+/// Steps so small beside the time constant that 1 − P, as a difference of doubles, has lost its digits.
+fn slow() -> Vec<Case> {
+    const WHY: &str = "The formulas are those of real numbers, and hold to a relative error of 1e-9: 1 \u{2212} P has \
+                       its nine digits where the step is small beside the time constant, too.";
+    // With constant input, all steps together are one: what a network comes to from 0 has a closed form.
+    let rise = |steps: u32, ratio: f64| -(-f64::from(steps) * ratio).exp_m1();
+    let mut cases = Vec::new();
+    for (name, dt, tau) in
+        [("1e-8", 1.0, 1e8), ("1e-9", 1.0, 1e9), ("1e-10", 0.125, 1.25e9), ("1e-12", 1.0, 1e12), ("1e-18", 1.0, 1e18)]
+    {
+        for steps in [1_u32, 10] {
+            let advance = f64::from(steps) * dt;
+            let lif = Open {
+                params: vec![
+                    ("tau_m", tau),
+                    ("C_m", tau),
+                    ("E_L", 0.0),
+                    ("V_reset", 0.0),
+                    ("V_th", 1e300),
+                    ("I_e", 3e18),
+                ],
+                records: vec![record("out", "V_m", advance)],
+                dt,
+                ..Open::lif("a")
+            };
+            let rate = Open {
+                params: vec![("tau", tau), ("mu", 3e18)],
+                records: vec![record("out", "rate", advance)],
+                dt,
+                ..Open::rate("a")
+            };
+            for (network, rule, open) in [("lif", "NCP-SESS-050", lif), ("rate", "NCP-SESS-051", rate)] {
+                let value = 3e18 * rise(steps, dt / tau);
+                let records = object! { "out" => samples(&[advance], Some(&[value])) };
+                let trace = vec![(open.text(), opened("a")), (step("a", Some(advance), None), recorded("a", records))];
+                cases.push(
+                    reference(format!("slow/{name}-by-{steps}/{network}"), &[rule], trace)
+                        .title(format!(
+                            "A neuron ({network}) whose time constant is {tau:e} ms is integrated by {steps} steps of \
+                             {dt} ms."
+                        ))
+                        .because(WHY),
+                );
+            }
+        }
     }
     cases
 }

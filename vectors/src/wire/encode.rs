@@ -127,6 +127,23 @@ impl Encoder {
                               string.",
                 ),
             );
+            // Line ends of every sort, what only looks like an escape, white space at the ends, noncharacters.
+            let odd = " a\r\nb\n\rc\r\r\nd\\r\\ne\\u000a\\\\f\"\\\"g\t\t\u{b}\u{85}h\u{fdd0}\u{fffe}\u{fffd}\
+                       \u{1ffff}\u{10ffff} \r\n";
+            cases.push(
+                self.says(
+                    "string-of-lines",
+                    &[WRITE, "NCP-WIRE-092"],
+                    &self.fields(explicit(self.kind)).with(field, Json::string(odd)),
+                )
+                .title(format!(
+                    "{} whose `{field}` holds line ends, backslashes and noncharacters is written as JSON that says \
+                     the same.",
+                    a(self.kind)
+                ))
+                .flags(&["string-escapes"])
+                .because("A string is written as it is: no character of it is left out, and none is another."),
+            );
             let long = || Text::repeat("n", 65_537);
             let fields = self.fields(explicit(self.kind)).with(field, long().json());
             let frame = meaning(self.kind, &self.fields(explicit(self.kind)).with(field, LONG.into())).text();

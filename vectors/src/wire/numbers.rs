@@ -111,6 +111,16 @@ pub(super) fn more_doubles() -> Vec<Double> {
     all.push(spelled("largest-below-the-halfway", format!("{HALFWAY}1"), "1.7976931348623157e308", "largest-double"));
     all.push(spelled("many-digits-and-exponent", format!("1{}e-395", "0".repeat(400)), "100000.0", "many-digits"));
     all.push(spelled("many-zeros-and-exponent", format!("0.{}1e401", "0".repeat(399)), "10.0", "many-digits"));
+    // What stands at the end decides, beyond any buffer of a kibibyte or a few.
+    for (zeros, names) in [
+        (1100, ["a-kibibyte-of-zeros", "a-kibibyte-and-a-power", "a-kibibyte-behind-a-digit"]),
+        (4200, ["four-kibibytes-of-zeros", "four-kibibytes-and-a-power", "four-kibibytes-behind-a-digit"]),
+    ] {
+        let (few, many) = ("0".repeat(zeros - 1), "0".repeat(zeros));
+        all.push(spelled(names[0], format!("0.{few}1e{zeros}"), "1.0", "many-digits"));
+        all.push(spelled(names[1], format!("1{many}e-{zeros}"), "1.0", "many-digits"));
+        all.push(spelled(names[2], format!("2.{many}e2"), "200.0", "many-digits"));
+    }
     all.extend(rounded_once());
     all
 }

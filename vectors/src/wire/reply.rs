@@ -6,6 +6,7 @@ use crate::json::{Json, object};
 use crate::model::{explicit, minimal};
 use crate::patch::patched;
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::template::Text;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("wire/reply"))?;
@@ -14,7 +15,43 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(text.cases(group, |row| wording(row, group == "wording-error"))?);
     }
     text.end()?;
+    cases.extend(sizes());
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
+}
+
+/// Replies as long as their kind may be, and longer: a reply is a frame like every other.
+fn sizes() -> Vec<Case> {
+    const MIB: usize = 1 << 20;
+    let table = [
+        ("open_session", "session_opened", MIB, true),
+        ("open_session", "session_opened", MIB + 1, false),
+        ("close_session", "session_closed", MIB, true),
+        ("close_session", "session_closed", MIB + 1, false),
+        ("step_request", "observation_frame", MIB + 1, true),
+        ("run_request", "observation_frame", 2 * MIB, true),
+    ];
+    let case = |(request, kind, size, is_read): (&str, &str, usize, bool)| {
+        let frame = explicit(kind).text();
+        let open = format!("{},\"novel\":\"", frame.strip_suffix('}').unwrap_or(&frame));
+        let pad = size - open.len() - 2;
+        let reply = Text::concat([open.into(), Text::repeat("x", pad), "\"}".into()]);
+        let rules: &[&'static str] = match (is_read, kind) {
+            (true, "observation_frame") => &["NCP-SESS-007", "NCP-WIRE-063"],
+            (true, _) => &["NCP-SESS-007", "NCP-WIRE-062"],
+            (false, _) => &["NCP-WIRE-060"],
+        };
+        let case = Case::new(format!("{request}/size/{size}-bytes"), rules, &[Commander])
+            .call("reply.check", object! { "request" => minimal(request).text(), "reply" => reply.json() })
+            .flags(&[if is_read { "low-limits" } else { "missing-limits" }])
+            .because("An `observation_frame` may have 64 MiB, and every other reply 1 MiB.");
+        if is_read {
+            case.accepts()
+                .title(format!("A client accepts a `{kind}` of {size} bytes as the reply to its `{request}`."))
+        } else {
+            case.rejects("limit").title(format!("A client reports a `{kind}` of {size} bytes as an error."))
+        }
+    };
+    table.into_iter().map(case).collect()
 }
 
 /// A failure whose error says what the row says.
