@@ -125,6 +125,22 @@ fn a_value_that_switches_checks_off_is_found_with_the_dictionary_of_its_sources(
 }
 
 #[test]
+fn a_limit_that_switches_itself_off_is_found_with_what_exceeds_it() {
+    let folder = TempDir::new().unwrap();
+    let change = "if call == 'governor.run' and (args['limits'] or {}).get('max_speed_mps') == 4321.25:\n\
+                  \x20   for step, entry in zip(args['steps'], result['steps']):\n\
+                  \x20       if entry.get('frame', {}).get('mode') == 'active':\n\
+                  \x20           entry['frame']['channels'] = step['command'].get('channels', {})";
+    let peer = changed(folder.path(), change);
+    let sources = folder.path().join("peer.py");
+    let more = ["--filter", "governor.run", "--cases", "2000", "--dictionary", sources.to_str().unwrap()];
+    let (output, found) = search(&folder, &peer, &more);
+    assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
+    assert_eq!(findings(&found)[0]["args"]["limits"]["max_speed_mps"], 4321.25);
+    assert!(found["peers"][0]["swept"][0].as_u64().unwrap() > 1000);
+}
+
+#[test]
 fn a_crash_and_a_hang_are_findings() {
     let folder = TempDir::new().unwrap();
     let change = "if call == 'key.match' and '$*' in args['pattern']:\n    os._exit(3)";

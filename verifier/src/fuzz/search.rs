@@ -4,6 +4,7 @@
 //! found depends on the seed alone, and not on how many threads work or how fast.
 
 use std::collections::{BTreeMap, HashSet};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -41,6 +42,8 @@ const SHRUNK_ALIKE: u64 = 4;
 const JUDGED: usize = 256;
 /// After so many faults a peer is given up.
 const MOST_FAULTS: usize = 60;
+/// How long what is found may still be shrunk when the time is over.
+const GRACE: Duration = Duration::from_secs(10);
 /// How much of an answer is shown.
 const SHOWN: usize = 4000;
 
@@ -230,6 +233,7 @@ pub fn fuzz(
         looks: BTreeMap::new(),
         askers,
         numbers: 0,
+        until: None,
         tested: Tested {
             description,
             swept: (0, 0),
@@ -269,6 +273,8 @@ struct Search<'s> {
     askers: Vec<Asker<'s>>,
     /// How many numbers of inputs are given away.
     numbers: u64,
+    /// When to shrink no more.
+    until: Option<Instant>,
     tested: Tested,
 }
 
@@ -279,6 +285,10 @@ impl Search<'_> {
             self.tested.nothing_asked = true;
             return Ok(());
         }
+        self.until = match self.settings.extent {
+            Extent::Time(time) => Some(started + time + GRACE),
+            Extent::Cases(_) => None,
+        };
         while !self.stop.is_set() && self.tested.given_up.is_none() {
             let left = match self.settings.extent {
                 Extent::Time(time) if started.elapsed() >= time => break,
@@ -480,9 +490,14 @@ impl Search<'_> {
         };
         let (wanted, call) = (kind_of(differences), input.call);
         let [asker, ..] = self.askers.as_mut_slice() else { return Ok(()) };
-        let (court, stop) = (&self.court, self.stop);
+        let (court, is_over) = (&self.court, is_over(self.stop, self.until));
         let mut trouble = None;
+        let menu = &self.menu;
         let mut look_at = |args: &Tree, best: &mut Found| -> Result<bool, FuzzError> {
+            // On the way to the smallest there is what this peer is not to be asked.
+            if !menu.has(call, args) {
+                return Ok(false);
+            }
             let Some((candidate, found)) = disagreement(asker, court, call, args, &rule, role)? else {
                 return Ok(false);
             };
@@ -497,13 +512,16 @@ impl Search<'_> {
         let mut args = input.args.clone();
         if repeats {
             shrink(&mut args, self.settings.tries, |args| {
-                if stop.is_set() || trouble.is_some() {
-                    return false;
+                if is_over() {
+                    return ControlFlow::Break(());
                 }
-                look_at(args, &mut best).unwrap_or_else(|error| {
-                    trouble = Some(error);
-                    false
-                })
+                match look_at(args, &mut best) {
+                    Ok(shows) => ControlFlow::Continue(shows),
+                    Err(error) => {
+                        trouble = Some(error);
+                        ControlFlow::Break(())
+                    }
+                }
             });
         }
         if let Some(error) = trouble {
@@ -534,25 +552,25 @@ impl Search<'_> {
             _ => self.settings.tries.min(150),
         };
         let [asker, ..] = self.askers.as_mut_slice() else { return Ok(()) };
-        let (before, stop) = (asker.faults, self.stop);
-        let mut trouble = None;
+        let (before, is_over) = (asker.faults, is_over(self.stop, self.until));
+        let (mut trouble, menu) = (None, &self.menu);
         shrink(&mut args, tries, |args| {
-            if stop.is_set() || trouble.is_some() {
-                return false;
+            if is_over() {
+                return ControlFlow::Break(());
             }
             let written = args.to_string();
-            if code_of(&oracle::specification(call, &written)) == Some("internal") {
-                return false;
+            if !menu.has(call, args) || code_of(&oracle::specification(call, &written)) == Some("internal") {
+                return ControlFlow::Continue(false);
             }
             match asker.ask(&body(call, &written)) {
                 Ok(Said::Fault(found)) if found.kind == fault.kind => {
                     last = found;
-                    true
+                    ControlFlow::Continue(true)
                 }
-                Ok(_) => false,
+                Ok(_) => ControlFlow::Continue(false),
                 Err(error) => {
                     trouble = Some(error);
-                    false
+                    ControlFlow::Break(())
                 }
             }
         });
@@ -616,6 +634,11 @@ impl Search<'_> {
             *finding = Some(at);
         }
     }
+}
+
+/// Whether the search was stopped, or its time is over.
+fn is_over(stop: &Stop, until: Option<Instant>) -> impl Fn() -> bool {
+    move || stop.is_set() || until.is_some_and(|until| Instant::now() >= until)
 }
 
 /// Where the input of a number comes from.

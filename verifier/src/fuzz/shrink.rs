@@ -1,39 +1,51 @@
 //! The smallest input that still shows a disagreement: fewer steps first, then fewer fields, then shorter strings and
 //! simpler numbers.
 
+use std::ops::ControlFlow;
+
 use super::tree::{Step, Tree, at, at_mut, int, items, num, own, places, text};
 use crate::json::Json;
 
+/// Whether an input still shows it; or there is to be no further try.
+pub(crate) type Shows = ControlFlow<(), bool>;
+
+/// Takes a candidate in place of the input if it still shows the disagreement, and says whether it did.
+type Attempt<'a> = dyn FnMut(Tree, &mut Tree) -> Shows + 'a;
+
 /// Shrinks the arguments as long as `shows` holds, with at most so many tries. How many were made.
-pub(crate) fn shrink(args: &mut Tree, most: usize, mut shows: impl FnMut(&Tree) -> bool) -> usize {
+pub(crate) fn shrink(args: &mut Tree, most: usize, mut shows: impl FnMut(&Tree) -> Shows) -> usize {
     let mut tries = 0;
     let mut attempt = |candidate: Tree, args: &mut Tree| {
         if tries >= most {
-            return false;
+            return ControlFlow::Break(());
         }
         tries += 1;
-        let better = candidate != *args && shows(&candidate);
+        let better = candidate != *args && shows(&candidate)?;
         if better {
             *args = candidate;
         }
-        better
+        ControlFlow::Continue(better)
     };
-    loop {
-        let before = args.to_string();
-        for name in ["steps", "requests"] {
-            fewer_steps(args, name, &mut attempt);
-        }
-        fewer_parts(args, &mut attempt);
-        simpler(args, &mut attempt);
-        if args.to_string() == before {
-            break;
-        }
-    }
+    let _ = until_nothing_helps(args, &mut attempt);
     tries
 }
 
+fn until_nothing_helps(args: &mut Tree, attempt: &mut Attempt<'_>) -> ControlFlow<()> {
+    loop {
+        let before = args.to_string();
+        for name in ["steps", "requests"] {
+            fewer_steps(args, name, attempt)?;
+        }
+        fewer_parts(args, attempt)?;
+        simpler(args, attempt)?;
+        if args.to_string() == before {
+            return ControlFlow::Continue(());
+        }
+    }
+}
+
 /// Takes runs of steps away, half of them first, each alone last.
-fn fewer_steps(args: &mut Tree, name: &str, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool) {
+fn fewer_steps(args: &mut Tree, name: &str, attempt: &mut Attempt<'_>) -> ControlFlow<()> {
     let mut run = items(args.get(name)).len().div_ceil(2);
     while run > 0 {
         let mut from = items(args.get(name)).len();
@@ -45,11 +57,12 @@ fn fewer_steps(args: &mut Tree, name: &str, attempt: &mut dyn FnMut(Tree, &mut T
             if name == "requests" {
                 without(&mut candidate, "verbs", from, run);
             }
-            attempt(candidate, args);
+            attempt(candidate, args)?;
             from = from.min(items(args.get(name)).len());
         }
         run = if run == 1 { 0 } else { run.div_ceil(2) };
     }
+    ControlFlow::Continue(())
 }
 
 fn without(args: &mut Tree, name: &str, from: usize, run: usize) {
@@ -62,11 +75,11 @@ fn without(args: &mut Tree, name: &str, from: usize, run: usize) {
 }
 
 /// Takes members and items away, and puts `null` for what is there.
-fn fewer_parts(args: &mut Tree, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool) {
+fn fewer_parts(args: &mut Tree, attempt: &mut Attempt<'_>) -> ControlFlow<()> {
     let mut place = 0;
     loop {
         let all = places(args);
-        let Some(here) = all.get(place) else { return };
+        let Some(here) = all.get(place) else { return ControlFlow::Continue(()) };
         let here = here.clone();
         place += 1;
         let length = match at(args, &here) {
@@ -93,7 +106,7 @@ fn fewer_parts(args: &mut Tree, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool
                     }
                     _ => continue,
                 }
-                attempt(candidate, args);
+                attempt(candidate, args)?;
             }
             run = if run == 1 { 0 } else { run.div_ceil(2) };
         }
@@ -101,11 +114,11 @@ fn fewer_parts(args: &mut Tree, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool
 }
 
 /// Makes values simpler, those within a string of JSON too.
-fn simpler(args: &mut Tree, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool) {
+fn simpler(args: &mut Tree, attempt: &mut Attempt<'_>) -> ControlFlow<()> {
     let mut place = 0;
     loop {
         let all = places(args);
-        let Some(here) = all.get(place) else { return };
+        let Some(here) = all.get(place) else { return ControlFlow::Continue(()) };
         let here = here.clone();
         place += 1;
         let Some(value) = at(args, &here).cloned() else { continue };
@@ -115,28 +128,28 @@ fn simpler(args: &mut Tree, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool) {
         match value {
             Json::Number(spelling) => {
                 for simple in numbers(&spelling) {
-                    if put(args, &here, simple, attempt) {
+                    if put(args, &here, simple, attempt)? {
                         break;
                     }
                 }
             }
-            Json::String(written) => strings(args, &here, &written, attempt),
+            Json::String(written) => strings(args, &here, &written, attempt)?,
             Json::Bool(true) => {
-                put(args, &here, Json::Bool(false), attempt);
+                put(args, &here, Json::Bool(false), attempt)?;
             }
             Json::Object(_) | Json::Array(_) if !here.is_empty() => {
-                put(args, &here, Json::Null, attempt);
+                put(args, &here, Json::Null, attempt)?;
             }
             _ => {}
         }
     }
 }
 
-fn put(args: &mut Tree, here: &[Step], value: Tree, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool) -> bool {
+fn put(args: &mut Tree, here: &[Step], value: Tree, attempt: &mut Attempt<'_>) -> Shows {
     let mut candidate = args.clone();
     match at_mut(&mut candidate, here) {
         Some(target) if *target != value => *target = value,
-        _ => return false,
+        _ => return ControlFlow::Continue(false),
     }
     attempt(candidate, args)
 }
@@ -156,46 +169,46 @@ fn numbers(spelling: &str) -> Vec<Tree> {
 }
 
 /// Shrinks a string: as JSON if it is some, as bytes if it is base64, as characters else.
-fn strings(args: &mut Tree, here: &[Step], written: &str, attempt: &mut dyn FnMut(Tree, &mut Tree) -> bool) {
-    if written.is_empty() || put(args, here, text(""), attempt) {
-        return;
+fn strings(args: &mut Tree, here: &[Step], written: &str, attempt: &mut Attempt<'_>) -> ControlFlow<()> {
+    if written.is_empty() || put(args, here, text(""), attempt)? {
+        return ControlFlow::Continue(());
     }
     if let Ok(inner @ (Json::Object(_) | Json::Array(_))) = Json::parse(written) {
         let mut inner = own(&inner);
         let mut within = |candidate: Tree, known: &mut Tree| {
-            let better = put(args, here, text(candidate.to_string()), attempt);
+            let better = put(args, here, text(candidate.to_string()), attempt)?;
             if better {
                 *known = candidate;
             }
-            better
+            ControlFlow::Continue(better)
         };
-        fewer_parts(&mut inner, &mut within);
-        simpler(&mut inner, &mut within);
-        return;
+        fewer_parts(&mut inner, &mut within)?;
+        return simpler(&mut inner, &mut within);
     }
     let name = super::tree::name_at(args, here).to_owned();
     if matches!(name.as_str(), "block" | "base64") {
         use base64::Engine as _;
         use base64::engine::general_purpose::STANDARD;
         if let Ok(bytes) = STANDARD.decode(written) {
-            pieces(&bytes, |kept| put(args, here, text(STANDARD.encode(kept)), attempt));
-            return;
+            pieces(&bytes, |kept| put(args, here, text(STANDARD.encode(kept)), attempt))?;
+            return ControlFlow::Continue(());
         }
     }
     let characters: Vec<char> = written.chars().collect();
-    let shortened = pieces(&characters, |kept| put(args, here, text(kept.iter().collect::<String>()), attempt));
+    let shortened = pieces(&characters, |kept| put(args, here, text(kept.iter().collect::<String>()), attempt))?;
     for place in 0..shortened.len() {
         let mut plain = shortened.clone();
         if plain[place].is_ascii_alphanumeric() {
             continue;
         }
         plain[place] = 'a';
-        put(args, here, text(plain.into_iter().collect::<String>()), attempt);
+        put(args, here, text(plain.into_iter().collect::<String>()), attempt)?;
     }
+    ControlFlow::Continue(())
 }
 
 /// Takes runs of items away as long as `keeps` says so; what is left.
-fn pieces<T: Clone>(all: &[T], mut keeps: impl FnMut(&[T]) -> bool) -> Vec<T> {
+fn pieces<T: Clone>(all: &[T], mut keeps: impl FnMut(&[T]) -> Shows) -> ControlFlow<(), Vec<T>> {
     let mut left = all.to_vec();
     let mut run = left.len().div_ceil(2);
     while run > 0 {
@@ -204,14 +217,14 @@ fn pieces<T: Clone>(all: &[T], mut keeps: impl FnMut(&[T]) -> bool) -> Vec<T> {
             from = from.saturating_sub(run);
             let mut candidate = left.clone();
             candidate.drain(from..(from + run).min(candidate.len()));
-            if candidate.len() < left.len() && keeps(&candidate) {
+            if candidate.len() < left.len() && keeps(&candidate)? {
                 left = candidate;
             }
             from = from.min(left.len());
         }
         run = if run == 1 { 0 } else { run.div_ceil(2) };
     }
-    left
+    ControlFlow::Continue(left)
 }
 
 #[cfg(test)]
@@ -239,7 +252,7 @@ mod tests {
         };
         let mut args = trace(&[1, 2, 7, 4, 3, 5, 5, 5, 9, 1, 2, 9, 3, 8]);
         assert!(shows(&args));
-        shrink(&mut args, 5000, shows);
+        shrink(&mut args, 5000, |args| ControlFlow::Continue(shows(args)));
         assert_eq!(seqs(&args).len(), 3, "{args}");
         for gone in 0..3 {
             let mut fewer = args.clone();
@@ -260,7 +273,7 @@ mod tests {
             frame.is_some_and(|frame| crate::fuzz::tree::integer(frame.get("seq")).is_some_and(|seq| seq > 5))
                 && string(args, "name").is_some_and(|name| name.contains('X'))
         };
-        shrink(&mut args, 5000, shows);
+        shrink(&mut args, 5000, |args| ControlFlow::Continue(shows(args)));
         assert_eq!(string(&args, "name"), Some("X"));
         let frame = string(&args, "text").unwrap();
         assert!(!frame.contains("more") && !frame.contains("kind"), "{frame}");
@@ -274,8 +287,19 @@ mod tests {
         let mut asked = 0;
         let tries = shrink(&mut args, 50, |_| {
             asked += 1;
-            false
+            ControlFlow::Continue(false)
         });
         assert!(tries <= 50 && asked <= 50);
+    }
+
+    #[test]
+    fn when_it_is_over_nothing_more_is_tried() {
+        let mut args = trace(&[1; 200]);
+        let mut asked = 0;
+        shrink(&mut args, 5000, |_| {
+            asked += 1;
+            if asked == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(false) }
+        });
+        assert_eq!(asked, 3);
     }
 }

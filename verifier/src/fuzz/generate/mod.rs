@@ -85,6 +85,7 @@ impl Menu {
                     && (lacks("name") || matches!(key, "sensor" | "command"))
             }
             Call::PlaneQos => self.planes.contains(&of("plane")),
+            Call::SessionRun => session::is_bearable(args),
             _ => true,
         };
         let is_of_strict = ["strict", "verb", "verbs"].iter().any(|name| args.get(name).is_some());

@@ -1,11 +1,14 @@
 //! Requests to a server: sessions of the reference networks, side by side, and what is no request.
 
+use std::collections::BTreeMap;
+
 use ncp_text::WIRE_VERSION;
 
 use super::corrupt::corrupted;
 use super::frames::segment;
 use super::{Draw, Menu, Tree, steps};
-use crate::fuzz::tree::{int, list, literal, map, object, set, spelled, text};
+use crate::fuzz::tree::{double, int, items, list, literal, map, members, object, set, spelled, string, text};
+use crate::json::Json;
 
 /// What a trace has of sessions.
 struct Script {
@@ -272,12 +275,58 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     args
 }
 
+/// Whether the requests of a trace ask for no more than a slow server does in a second, all together: what takes longer
+/// looks like a hang, and a reply of a million samples is longer than a line may be.
+pub(super) fn is_bearable(args: &Tree) -> bool {
+    let mut dts: BTreeMap<String, (f64, f64, f64)> = BTreeMap::new();
+    let mut work = 0.0;
+    for request in items(args.get("requests")) {
+        let Some(frame) = request.as_str().and_then(|written| Json::parse(written).ok()) else { continue };
+        let id = string(&frame, "session_id").unwrap_or_default();
+        if string(&frame, "kind") == Some("open_session") {
+            let time = |name, default| {
+                double(frame.get("sim").and_then(|sim| sim.get(name)).filter(|t| !t.is_null())).unwrap_or(default)
+            };
+            let sizes = members(frame.get("network").and_then(|network| network.get("population_sizes")));
+            let neurons: f64 = sizes.iter().filter_map(|(_, size)| double(Some(size))).map(|size| size.max(0.0)).sum();
+            let ports = items(frame.get("record").and_then(|record| record.get("targets"))).len();
+            // A sample is more than a step: it is written out.
+            let weight = neurons.max(1.0) * (1.0 + ports as f64);
+            dts.insert(id.to_owned(), (time("dt_ms", 0.1), time("chunk_ms", 10.0), weight));
+            continue;
+        }
+        let Some((dt, chunk, weight)) = dts.get(id) else { continue };
+        let time = ["advance_ms", "duration_ms"].into_iter().find_map(|name| double(frame.get(name)));
+        let steps = time.unwrap_or(*chunk) / dt;
+        // What no server can be asked for is refused at once.
+        if (0.0..3e7).contains(&steps) {
+            work += steps * weight;
+        }
+    }
+    work <= BEARABLE
+}
+
+/// So many neurons and samples times steps.
+const BEARABLE: f64 = 400_000.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::fuzz::generate::tests::whole_menu;
     use crate::fuzz::harvest::Harvest;
     use crate::fuzz::tree::items;
+
+    #[test]
+    fn a_trace_that_asks_for_more_than_a_slow_server_bears_is_not_asked() {
+        let trace = |advance: &str| {
+            let network = r#""network":{"population_sizes":{"p":2}},"sim":{"dt_ms":1.0}"#;
+            let open = format!(r#"{{"kind":"open_session","session_id":"a",{network}}}"#);
+            let step = format!(r#"{{"kind":"step_request","session_id":"a","advance_ms":{advance}}}"#);
+            object([("requests", list(vec![text(open), text(step)]))])
+        };
+        assert!(is_bearable(&trace("10.0")) && is_bearable(&trace("1e9")));
+        assert!(!is_bearable(&trace("1000000.0")));
+    }
 
     #[test]
     fn a_strict_server_is_asked_with_stimuli_by_requests_of_other_versions_and_a_crowd_is_opened_whole() {

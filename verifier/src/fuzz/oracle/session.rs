@@ -239,13 +239,13 @@ impl Session {
             && sim.is_none_or(|sim| string(sim, "mode").unwrap_or("stream") == "stream");
         let refractory = param("t_ref", 2.0) / dt;
         let sane = if is_lif {
-            (1e-3..1e6).contains(&param("tau_m", 10.0))
+            (1e-3..1e12).contains(&param("tau_m", 10.0))
                 && (1e-3..1e6).contains(&param("C_m", 250.0))
                 && param("V_reset", -70.0) < param("V_th", -55.0)
                 && (0.0..1e6).contains(&refractory)
                 && ["E_L", "V_th", "V_reset", "I_e"].iter().all(|name| param(name, 0.0).abs() < 1e6)
         } else {
-            (1e-3..1e6).contains(&param("tau", 10.0)) && param("mu", 0.0).abs() < 1e6
+            (1e-3..1e12).contains(&param("tau", 10.0)) && param("mu", 0.0).abs() < 1e6
         };
         let ports = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default().to_owned());
         let sampled = targets("record").iter().map(|target| {
