@@ -42,6 +42,8 @@ const SHRUNK_ALIKE: u64 = 4;
 const JUDGED: usize = 256;
 /// After so many faults a peer is given up.
 const MOST_FAULTS: usize = 60;
+/// How many bytes the arguments of an input may have.
+const LARGEST: usize = 16 << 20;
 /// How long what is found may still be shrunk when the time is over.
 const GRACE: Duration = Duration::from_secs(10);
 /// How much of an answer is shown.
@@ -689,8 +691,12 @@ fn draw_input(
 }
 
 /// Asks inputs of the peer, and meanwhile of the specification.
-fn ask(asker: &mut Asker<'_>, tasks: Vec<Task>, known: &HashSet<u64>) -> Result<Vec<Done>, StartError> {
-    let written: Vec<String> = tasks.iter().map(|task| task.input.args.to_string()).collect();
+fn ask(asker: &mut Asker<'_>, mut tasks: Vec<Task>, known: &HashSet<u64>) -> Result<Vec<Done>, StartError> {
+    let mut written: Vec<String> = tasks.iter().map(|task| task.input.args.to_string()).collect();
+    // Large steps again and again would only show how slow a peer is.
+    let mut fits = written.iter().map(|args| args.len() <= LARGEST).collect::<Vec<_>>().into_iter();
+    tasks.retain(|_| fits.next() == Some(true));
+    written.retain(|args| args.len() <= LARGEST);
     let bodies: Vec<String> = tasks.iter().zip(&written).map(|(task, args)| body(task.input.call, args)).collect();
     let flight = asker.begin(&bodies)?;
     let answers: Vec<Answer> =
