@@ -117,18 +117,26 @@ impl Sweep {
         for (call, rules) in seeds.by_rule() {
             sweep.learn(call, rules);
         }
-        let (words, rare_words) = ordered(&harvest.words, |word| (!is_plain(word), is_in_the_text(word)));
+        let (words, rare_words) = ordered(&harvest.words, |word| {
+            // What has a digit is rarely the name of a function.
+            (!is_plain(word) || is_in_the_text(word), !word.contains(|c: char| c.is_ascii_digit()))
+        });
         let (numbers, rare_numbers) = ordered(&harvest.numbers, |number| {
-            (number.fract() == 0.0 && number.abs() <= COMMON, is_in_the_text(&number.to_string()))
+            let is_common = number.fract() == 0.0 && number.abs() <= COMMON;
+            (is_common || is_in_the_text(&number.to_string()), false)
         });
         let tiers = [((0, rare_words), (0, rare_numbers)), ((rare_words, words.len()), (rare_numbers, numbers.len()))];
         (sweep.words, sweep.numbers) = (words, numbers);
         for (words, numbers) in tiers {
             for round in 0..OF_ONE_ANSWER {
-                let manners = [Manner::Alone, Manner::Together];
-                manners.iter().for_each(|manner| sweep.plan(false, numbers, round, *manner));
-                manners.iter().for_each(|manner| sweep.plan(true, words, round, *manner));
-                sweep.plan(true, words, round, Manner::Joined);
+                for of in [Sort::Question, Sort::Trace, Sort::Frame] {
+                    for manner in [Manner::Alone, Manner::Together] {
+                        sweep.plan(of, false, numbers, round, manner);
+                    }
+                    for manner in [Manner::Alone, Manner::Together, Manner::Joined] {
+                        sweep.plan(of, true, words, round, manner);
+                    }
+                }
             }
         }
         sweep
@@ -187,7 +195,7 @@ impl Sweep {
                 self.cases.push(case.clone());
             }
         }
-        let most = if has_steps(call) { OF_A_TRACE } else { OF_ONE_ANSWER };
+        let most = if sort(call) == Sort::Trace { OF_A_TRACE } else { OF_ONE_ANSWER };
         let spread: BTreeMap<u64, Vec<usize>> =
             shown.into_iter().map(|(holder, cases)| (holder, spread(&cases, CANDIDATES))).collect();
         for (holder, place, takes) in places {
@@ -214,14 +222,14 @@ impl Sweep {
         put.is_done && answer(&args) != answer(case)
     }
 
-    /// Adds what one round tries: of each place that is no part of a trace one case, of the others some.
-    fn plan(&mut self, words: bool, values: (usize, usize), round: usize, manner: Manner) {
+    /// Adds what one round tries: of each place of a trace some cases, of the others one.
+    fn plan(&mut self, of: Sort, words: bool, values: (usize, usize), round: usize, manner: Manner) {
         const EACH: usize = OF_A_TRACE / OF_ONE_ANSWER;
-        let ranks = |slot: &Slot| match has_steps(slot.call) {
-            true => round * EACH..(round + 1) * EACH,
-            false => round..round + 1,
+        let ranks = |slot: &Slot| match sort(slot.call) {
+            Sort::Trace => round * EACH..(round + 1) * EACH,
+            Sort::Question | Sort::Frame => round..round + 1,
         };
-        let fits = |(_, slot): &(usize, &Slot)| (slot.takes == Takes::Word) == words;
+        let fits = |(_, slot): &(usize, &Slot)| (slot.takes == Takes::Word) == words && sort(slot.call) == of;
         let tried = self.slots.iter().enumerate().filter(fits);
         let tried = tried.flat_map(|(at, slot)| {
             ranks(slot).filter_map(move |rank| slot.cases.get(rank)).map(move |case| (at, *case))
@@ -235,9 +243,21 @@ impl Sweep {
     }
 }
 
-fn has_steps(call: Call) -> bool {
-    use Call::{BufferRun, GovernorRun, LinkRun, LoopRun, SessionRun, WatchdogRun};
-    matches!(call, BufferRun | GovernorRun | LinkRun | LoopRun | SessionRun | WatchdogRun)
+/// What a call is, for the order: frames have the most places, and the least to switch off in each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sort {
+    Question,
+    Trace,
+    Frame,
+}
+
+fn sort(call: Call) -> Sort {
+    use Call::{BufferRun, Decode, Encode, GovernorRun, LinkRun, LoopRun, ReplyCheck, SessionRun, WatchdogRun};
+    match call {
+        BufferRun | GovernorRun | LinkRun | LoopRun | SessionRun | WatchdogRun => Sort::Trace,
+        Decode | Encode | ReplyCheck => Sort::Frame,
+        _ => Sort::Question,
+    }
 }
 
 /// Of these cases, each with its rule, so many that are about different rules; of one rule, from all of them.
@@ -261,12 +281,12 @@ fn spread(cases: &[(usize, usize)], most: usize) -> Vec<usize> {
     chosen
 }
 
-/// Values that compare lower first, by their place within each; and how many are lowest.
+/// Values in the order of their class, by their place within each; and of how many the first of it does not hold.
 fn ordered<T: Clone>(values: &[T], class: impl Fn(&T) -> (bool, bool)) -> (Vec<T>, usize) {
     let mut classed: Vec<((bool, bool), T)> = values.iter().map(|value| (class(value), value.clone())).collect();
     classed.sort_by_key(|(class, _)| *class);
-    let lowest = classed.iter().filter(|(class, _)| *class == (false, false)).count();
-    (classed.into_iter().map(|(_, value)| value).collect(), lowest)
+    let first = classed.iter().filter(|((is_last, _), _)| !is_last).count();
+    (classed.into_iter().map(|(_, value)| value).collect(), first)
 }
 
 /// Whether a string may be a name, rather than a message for people or a piece of code.
@@ -599,7 +619,7 @@ mod tests {
     #[test]
     fn a_word_that_the_text_lacks_comes_before_one_that_it_has() {
         let sweep = sweep(&["hold", "a message for people", "xyzzy"], &[]);
-        assert_eq!(sweep.words, ["xyzzy", "hold", "a message for people"]);
+        assert_eq!(sweep.words[0], "xyzzy");
     }
 
     #[test]
