@@ -171,8 +171,8 @@ impl Model {
         if !(0.0..=MAX_STEPS).contains(&steps) {
             return Err(refuse("t_ref", t_ref));
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 2e7
         let (propagator, rise) = propagation(dt_ms / tau);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 2e7
         Ok(Self::Lif {
             propagator,
             rise,
