@@ -32,6 +32,8 @@ use crate::suite::{Pattern, Suite};
 
 /// How many inputs a round has.
 const ROUND: usize = 1024;
+/// After so many rounds without an input the search ends.
+const IDLE_ROUNDS: usize = 1000;
 /// How many of them a worker takes at a time.
 const CHUNK: usize = 32;
 /// How many inputs of a call are kept.
@@ -291,6 +293,7 @@ impl Search<'_> {
             Extent::Time(time) => Some(started + time + GRACE),
             Extent::Cases(_) => None,
         };
+        let mut idle = 0;
         while !self.stop.is_set() && self.tested.given_up.is_none() {
             let left = match self.settings.extent {
                 Extent::Time(time) if started.elapsed() >= time => break,
@@ -307,6 +310,11 @@ impl Search<'_> {
                 Extent::Cases(_) => None,
             };
             let done = self.round(left, until)?;
+            // Where nothing that is drawn may be asked, nothing will be.
+            idle = if done.is_empty() { idle + 1 } else { 0 };
+            if idle >= IDLE_ROUNDS {
+                break;
+            }
             self.take(done)?;
             self.tested.elapsed = started.elapsed();
         }
@@ -697,6 +705,9 @@ fn ask(asker: &mut Asker<'_>, mut tasks: Vec<Task>, known: &HashSet<u64>) -> Res
     let mut fits = written.iter().map(|args| args.len() <= LARGEST).collect::<Vec<_>>().into_iter();
     tasks.retain(|_| fits.next() == Some(true));
     written.retain(|args| args.len() <= LARGEST);
+    if tasks.is_empty() {
+        return Ok(Vec::new());
+    }
     let bodies: Vec<String> = tasks.iter().zip(&written).map(|(task, args)| body(task.input.call, args)).collect();
     let flight = asker.begin(&bodies)?;
     let answers: Vec<Answer> =

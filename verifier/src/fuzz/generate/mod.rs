@@ -88,7 +88,9 @@ impl Menu {
             Call::SessionRun => session::is_bearable(args),
             _ => true,
         };
-        let is_of_strict = ["strict", "verb", "verbs"].iter().any(|name| args.get(name).is_some());
+        // How strictly two versions are compared is asked of every peer.
+        let is_of_strict =
+            call != Call::VersionCheck && ["strict", "verb", "verbs"].iter().any(|name| args.get(name).is_some());
         fits && (self.strict || !is_of_strict)
     }
 }
@@ -191,6 +193,7 @@ pub(crate) mod tests {
             assert!(strict.has(Call::KeyBuild, &object(name)) && !other.has(Call::KeyBuild, &object(name)), "{name}");
         }
         assert!(other.has(Call::KeyBuild, &object("realm")));
+        assert!(other.has(Call::VersionCheck, &object("strict")));
     }
 
     #[test]
