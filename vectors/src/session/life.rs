@@ -554,52 +554,43 @@ fn late_failures_sampled(every: u32) -> Vec<Case> {
 /// A session that is left alone for long, while much is asked of others.
 fn abandoned() -> Vec<Case> {
     const MANY: usize = 300;
-    let table: [(&str, &str, (String, Json)); 2] = [
-        ("steps-of-another", "steps of another session", (step_of("b", None, None), anything())),
-        ("failing-steps", "steps of a session that is not open", (step_of("c", None, None), error())),
-    ];
-    table
-        .into_iter()
-        .map(|(name, words, other)| {
-            let others = std::iter::repeat_n(other, MANY);
-            let others: Vec<(String, Json)> =
-                if name == "steps-of-another" { vec![(Open::lif("b").text(), anything())] } else { Vec::new() }
-                    .into_iter()
-                    .chain(others)
-                    .collect();
-            let trace = [open("a"), steps("a", 10.0)].into_iter().chain(others);
-            let trace: Vec<(String, Json)> = trace.chain([steps("a", 20.0), (close("a"), closed("a"))]).collect();
-            let without = trace.iter().map(|(request, reply)| match id_of(request) == "a" {
-                true => without_session(request).unwrap_or_else(error),
-                false => reply.clone(),
-            });
-            let without = super::replies(without.collect());
-            let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
-            super::asking(format!("abandoned/{name}"), &["NCP-SESS-035", "NCP-SESS-027"], requests)
-                .shows(any(vec![super::replies(with), without]))
-                .title(format!("A session goes on after {MANY} {words}."))
-                .because("What is done to one session changes no other; only a `close_session` ends one.")
-        })
-        .collect()
+    const WHY: &str = "What is done to one session changes no other; only a `close_session` ends one.";
+    let repeated = |request: String, reply: Json| std::iter::repeat_n((request, reply), MANY);
+    let of_another = std::iter::once((Open::lif("b").text(), anything()));
+    let of_another = of_another.chain(repeated(step_of("b", None, None), anything())).collect();
+    let failing = repeated(step_of("c", None, None), error()).collect();
+    vec![
+        goes_on("abandoned/steps-of-another", "a", of_another)
+            .title(format!("A session goes on after {MANY} steps of another session."))
+            .because(WHY),
+        goes_on("abandoned/failing-steps", "a", failing)
+            .title(format!("A session goes on after {MANY} steps of a session that is not open."))
+            .because(WHY),
+    ]
 }
 
 /// The first of many sessions. Whether the server has room for the others is its own affair; the first stays open.
 fn crowds() -> Vec<Case> {
     const OTHERS: usize = 33;
-    let first = "s0";
-    let others = (1..=OTHERS).map(|nth| (Open::lif(&format!("s{nth}")).text(), anything()));
-    let trace = [open(first), steps(first, 10.0)].into_iter().chain(others);
-    let trace: Vec<(String, Json)> = trace.chain([steps(first, 20.0), (close(first), closed(first))]).collect();
-    let without = trace.iter().map(|(request, reply)| match id_of(request) == first {
+    let others = (1..=OTHERS).map(|nth| (Open::lif(&format!("s{nth}")).text(), anything())).collect();
+    vec![
+        goes_on(&format!("crowd/{OTHERS}-opened"), "s0", others)
+            .title(format!("A session goes on after {OTHERS} others were opened, or refused."))
+            .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other."),
+    ]
+}
+
+/// A session that is stepped before and behind other requests, and closed; or was not opened by a server without such
+/// networks.
+fn goes_on(path: &str, id: &str, others: Vec<(String, Json)>) -> Case {
+    let trace = [open(id), steps(id, 10.0)].into_iter().chain(others);
+    let trace: Vec<(String, Json)> = trace.chain([steps(id, 20.0), (close(id), closed(id))]).collect();
+    let without = trace.iter().map(|(request, reply)| match id_of(request) == id {
         true => without_session(request).unwrap_or_else(error),
         false => reply.clone(),
     });
     let without = super::replies(without.collect());
     let (requests, with): (Vec<String>, Vec<Json>) = trace.into_iter().unzip();
-    vec![
-        super::asking(format!("crowd/{OTHERS}-opened"), &["NCP-SESS-035", "NCP-SESS-027"], requests)
-            .shows(any(vec![super::replies(with), without]))
-            .title(format!("A session goes on after {OTHERS} others were opened, or refused."))
-            .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other."),
-    ]
+    super::asking(path.to_owned(), &["NCP-SESS-035", "NCP-SESS-027"], requests)
+        .shows(any(vec![super::replies(with), without]))
 }

@@ -711,8 +711,7 @@ fn many_ports() -> Vec<Case> {
                 .title(format!("A session returns each of the {count} ports that it records."))
                 .because("A server returns an observation for each port that the session records."),
         );
-        // Each gives its own share, which is a power of two: what is lost is seen.
-        let share = 1024.0 / 256.0;
+        let share = 4.0;
         let stimuli: Vec<Json> = (1..=count).map(|nth| stimulus(&name(nth), "current_pA")).collect();
         let open = Open { records: vec![record("out", "V_m", 1.0)], stimuli, ..Open::lif("a") };
         #[expect(clippy::cast_precision_loss, reason = "some hundreds")]

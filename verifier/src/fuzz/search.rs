@@ -699,12 +699,10 @@ fn draw_input(
 }
 
 /// Asks inputs of the peer, and meanwhile of the specification.
-fn ask(asker: &mut Asker<'_>, mut tasks: Vec<Task>, known: &HashSet<u64>) -> Result<Vec<Done>, StartError> {
-    let mut written: Vec<String> = tasks.iter().map(|task| task.input.args.to_string()).collect();
+fn ask(asker: &mut Asker<'_>, tasks: Vec<Task>, known: &HashSet<u64>) -> Result<Vec<Done>, StartError> {
+    let written = tasks.into_iter().map(|task| (task.input.args.to_string(), task));
     // Large steps again and again would only show how slow a peer is.
-    let mut fits = written.iter().map(|args| args.len() <= LARGEST).collect::<Vec<_>>().into_iter();
-    tasks.retain(|_| fits.next() == Some(true));
-    written.retain(|args| args.len() <= LARGEST);
+    let (written, tasks): (Vec<String>, Vec<Task>) = written.filter(|(args, _)| args.len() <= LARGEST).unzip();
     if tasks.is_empty() {
         return Ok(Vec::new());
     }

@@ -261,7 +261,8 @@ impl Setup {
         // A projection that leaves the doubles on its way may be taken for one that ends outside.
         let mut ticks = std::iter::once(&step.command.channels).chain(&step.command.horizon);
         let far = step.position().map_or(0.0, |place| norm(&place));
-        let leaves = |speed: f64| !(speed * 60.0 + far).is_finite() || speed * 60.0 + far > f64::MAX / 8.0;
+        let most = enabled(self.speed).unwrap_or(f64::INFINITY);
+        let leaves = |speed: f64| speed.min(most) * 60.0 + far > f64::MAX / 8.0;
         if ticks.any(|tick| tick.get(VELOCITY).is_some_and(|velocity| leaves(norm(&velocity.data)))) {
             return true;
         }

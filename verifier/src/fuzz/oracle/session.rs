@@ -18,8 +18,8 @@ use crate::peer::{self, Call};
 const LIF: [&str; 7] = ["C_m", "tau_m", "E_L", "V_th", "V_reset", "t_ref", "I_e"];
 const RATE: [&str; 2] = ["tau", "mu"];
 
-/// How long a request may be before its reply may be too long.
-const LONG: usize = 1_000_000;
+/// How long a request is whose reply may be too long, though it is not itself.
+const LONG: std::ops::RangeInclusive<usize> = 1_000_000..=1 << 20;
 
 pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>) -> Verdict {
     let result = match result {
@@ -50,7 +50,7 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
             return Verdict::Open(why);
         }
         // Its reply may be longer than a frame may be.
-        if written.len() > LONG && written.contains("population_sizes") {
+        if LONG.contains(&written.len()) && written.contains("population_sizes") {
             return Verdict::Open("what a request leaves whose reply would be longer than a frame may be");
         }
         let id = asked.as_ref().and_then(|asked| string(asked, "session_id")).unwrap_or_default().to_owned();
