@@ -199,14 +199,12 @@ def _is_bad(limit, name, unit, channels):
         return True  # [NCP-SAFE-013]
     declared = [spec for spec in channels if spec.name == name]
     # [NCP-SAFE-014] [NCP-SAFE-015] [NCP-SAFE-016]
-    return not declared or any(spec.unit != unit or _width(spec) != WIDTH for spec in declared)
+    return not declared or any(spec.unit != unit or not _is_wide(spec) for spec in declared)
 
 
-def _width(spec):
-    """The declared width of a channel; of a shape that says none, the one that is wanted."""
-    if spec.kind == "array":
-        return WIDTH if spec.size is None else spec.size
-    return {"scalar": 1, "vec3": 3, "quat": 4}.get(spec.kind, WIDTH)
+def _is_wide(spec):
+    """Whether a channel is declared with three components [NCP-SAFE-016]."""
+    return (spec.kind, spec.size) in (("vec3", None), ("vec3", WIDTH), ("array", WIDTH))
 
 
 def _unit(name, value, negotiated):

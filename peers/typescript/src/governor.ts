@@ -220,13 +220,13 @@ function faultOf(
   const specs = declared.filter((spec) => spec.name === channel); // [NCP-SAFE-010] [NCP-SAFE-011]
   if (specs.length === 0) return `${name} needs the channel ${channel}`; // [NCP-SAFE-014]
   if (specs.some((spec) => spec.unit !== unit)) return `${name} needs ${channel} in ${unit}`; // [NCP-SAFE-015]
-  if (specs.some((spec) => widthOf(spec) !== SPACE)) return `${name} needs ${channel} ${SPACE} wide`; // [NCP-SAFE-016]
+  if (!specs.every(isSpatial)) return `${name} needs ${channel} ${SPACE} wide`; // [NCP-SAFE-016]
   return null;
 }
 
-/** The components of a channel, or `null` when its declaration does not say. */
-function widthOf({ kind, size }: ChannelSpec): number | null {
-  return kind === "array" ? size : (WIDTHS.get(kind) ?? null);
+/** Whether a channel is declared with three components. */
+function isSpatial({ kind, size }: ChannelSpec): boolean {
+  return size === SPACE ? kind === "vec3" || kind === "array" : size === null && kind === "vec3";
 }
 
 /** The measured position in m, its components finite or not, or `null` when there is none. [NCP-SAFE-010] */
@@ -236,12 +236,6 @@ function positionIn(sensor: SensorFrame | null): Float64Array | null {
   // The negotiated unit is `m`, or the fence would be a config fault. [NCP-SAFE-041] [NCP-SAFE-042]
   return value.unit === null || value.unit === METRES ? value.data : null;
 }
-
-const WIDTHS: ReadonlyMap<string, number> = new Map([
-  ["scalar", 1],
-  ["vec3", SPACE],
-  ["quat", 4],
-]);
 
 /** The channels of a governor that was told of none. */
 const CANONICAL: NegotiatedChannels = create("capabilities", {

@@ -298,6 +298,8 @@ fn maps() -> Vec<Case> {
     // At the limit, one for each role is enough: the entries have to be written out.
     const READ: [&str; 4] =
         ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
+    // The others have more than a byte counts.
+    const MANY: usize = 600;
     let mut cases = Vec::new();
     for (kind, path, value) in places {
         let entries = |count: usize| Json::Object((0..count).map(|nth| (base_36(nth), Json::literal(value))).collect());
@@ -317,6 +319,16 @@ fn maps() -> Vec<Case> {
             cases.push(
                 Case::new(format!("{kind}/map/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
                     .title(format!("{} with 4,096 entries in `{member}` is read.", a(kind)))
+                    .flags(&["low-limits"])
+                    .decode(kind, text.clone())
+                    .means(text)
+                    .because("A map may have 4,096 entries; what each leaves out has its default."),
+            );
+        } else {
+            let text = set(explicit(kind), path, entries(MANY)).text();
+            cases.push(
+                Case::new(format!("{kind}/map/{place}-of-many"), &["NCP-WIRE-068"], readers(kind))
+                    .title(format!("{} with {MANY} entries in `{member}` is read.", a(kind)))
                     .flags(&["low-limits"])
                     .decode(kind, text.clone())
                     .means(text)

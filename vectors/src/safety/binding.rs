@@ -160,7 +160,21 @@ fn values() -> Vec<Case> {
 fn widths() -> Vec<Case> {
     let wide = |name, kind, unit, size| Spec { kind, size, ..vec3(name, Some(unit)) };
     let mut cases = Vec::new();
-    for (kind, size) in [("scalar", None), ("quat", None), ("array", Some(2)), ("array", Some(4)), ("array", Some(0))] {
+    for (kind, size) in [
+        ("scalar", None),
+        ("quat", None),
+        ("array", Some(2)),
+        ("array", Some(4)),
+        ("array", Some(0)),
+        // No width is another than 3, too.
+        ("array", None),
+        ("matrix", None),
+        ("vec3", Some(2)),
+        ("vec3", Some(4)),
+        ("vec3", Some(0)),
+        ("scalar", Some(3)),
+        ("quat", Some(3)),
+    ] {
         let name = size.map_or(kind.to_owned(), |size: i64| format!("{kind}-{size}"));
         let position =
             Capabilities { sensors: vec![wide(POSITION, kind, M, size)], commands: vec![vec3(VELOCITY, Some(MPS))] };

@@ -51,7 +51,11 @@ fn many_channels() -> Vec<Case> {
     let of = |name: &str, rules: &[&'static str], limits: Limits, channels: Vec<Channel>| {
         one(&format!("channels/{name}"), rules, limits, vec![govern(Command::of(channels), near())])
     };
-    let plain = |last: Channel| vec![velocity(&[1.0, 0.0, 0.0]), last];
+    let still = || velocity(&[1.0, 0.0, 0.0]);
+    let plain = |last: Channel| vec![still(), last];
+    let behind = |count: usize, last: Vec<Channel>| -> Vec<Channel> {
+        (0..count).map(|nth| channel(&format!("a{nth:03}"), &[1.0], None)).chain(last).collect()
+    };
     vec![
         of("twenty-two", &["NCP-SAFE-065", "NCP-SAFE-060"], Limits::speed(2.0), channels(fast("z".to_owned())))
             .title("Of 22 channels in m/s each is limited."),
@@ -61,6 +65,34 @@ fn many_channels() -> Vec<Case> {
             .title("A channel of twenty components is limited by its last."),
         of("wide-not-finite", &["NCP-SAFE-064"], Limits::NONE, plain(wide(f64::INFINITY)))
             .title("The last of twenty components holds where it is not finite."),
+        of(
+            "behind-forty",
+            &["NCP-SAFE-065", "NCP-SAFE-060"],
+            Limits::speed(2.0),
+            behind(40, vec![still(), fast("z".to_owned())]),
+        )
+        .title("Behind 40 other channels one in m/s is limited."),
+        of(
+            "behind-forty-not-finite",
+            &["NCP-SAFE-064"],
+            Limits::speed(2.0),
+            behind(40, vec![still(), channel("z", &[f64::NAN], None)]),
+        )
+        .title("Behind 40 other channels a component that is not finite holds."),
+        of(
+            "velocity-behind-forty",
+            &["NCP-SAFE-011", "NCP-SAFE-060"],
+            Limits::speed(2.0),
+            behind(40, vec![velocity(&[6.0, 8.0, 0.0])]),
+        )
+        .title("Behind 40 other channels the velocity is limited."),
+        of(
+            "velocity-behind-three-hundred",
+            &["NCP-SAFE-011", "NCP-SAFE-052"],
+            Limits::fence(5.0),
+            behind(300, vec![still()]),
+        )
+        .title("Behind 300 other channels the velocity is found, and projected."),
         of("velocity-259-wide", &["NCP-SAFE-063"], Limits::speed(2.0), vec![velocity(&[0.0; 259])])
             .title("A velocity of 259 components, which are 3 in eight bits, is held."),
     ]
@@ -127,9 +159,11 @@ fn long_horizons() -> Vec<Case> {
 pub(super) fn longest() -> File {
     const STEPS: usize = 4096;
     let of = |name: &str, rules: &[&'static str], limits: Limits, last: [f64; 3], expected: Json| {
-        let mut ticks = [[0.0; 3]; STEPS];
-        ticks[STEPS - 1] = last;
-        let command = Command::moving(&[0.0; 3]).ttl(60_000.0).then(1.0, &ticks);
+        let mut command = Command::moving(&[0.0; 3]).ttl(60_000.0).then(1.0, &[last]);
+        let last = command.horizon.pop();
+        // Without a unit, in the negotiated one.
+        let still = vec![channel(VELOCITY, &[0.0; 3], None)];
+        command.horizon.extend(std::iter::repeat_n(still, STEPS - 1).chain(last));
         let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[4.0, 0.0, 0.0]))]);
         let frame = object! { "mode" => "active", "horizon" => expected };
         case(name, rules, &trace)
@@ -141,7 +175,7 @@ pub(super) fn longest() -> File {
     let before = || std::iter::repeat_n(Json::object(), STEPS - 1);
     let limited = object! { VELOCITY => object! { "data" => nums(&[1.2, 1.6, 0.0]) } };
     let all = before().chain([limited]).collect();
-    let cases = vec![
+    let mut cases = vec![
         of("limited", &["NCP-SAFE-066"], Limits::speed(2.0), [3.0, 4.0, 0.0], all)
             .title("The last step of the longest horizon is limited."),
         of(
@@ -153,6 +187,20 @@ pub(super) fn longest() -> File {
         )
         .title("The last step of the longest horizon is not sent where it leaves the fence."),
     ];
+    // Steps that need no velocity, since nothing is limited.
+    let mut whole = Command::moving(&[1.0, 0.0, 0.0]).ttl(60_000.0).then(1.0, &[[0.5, 0.0, 0.0]]);
+    let last = whole.horizon.pop();
+    whole.horizon.extend(std::iter::repeat_n(Vec::new(), STEPS - 1).chain(last));
+    let half = object! { VELOCITY => object! { "data" => nums(&[0.5, 0.0, 0.0]) } };
+    let passed = object! { "mode" => "active", "horizon" => before().chain([half]).collect::<Json>() };
+    let trace = Trace::new(Limits::NONE, vec![govern(whole, Sensor::at(&[4.0, 0.0, 0.0]))]);
+    cases.push(
+        case("passed", &["NCP-SAFE-021"], &trace)
+            .shows(steps(vec![object! { "frame" => passed }]))
+            .flags(&["long-horizon"])
+            .title("The longest horizon passes to its last step where no limit is enabled.")
+            .because(LATE),
+    );
     let about = "The longest horizon that a frame may have, of which the last step is judged.";
     File::new("safety", "longest", about, cases)
 }

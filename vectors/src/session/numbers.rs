@@ -125,6 +125,8 @@ fn networks() -> Vec<(&'static str, Params)> {
         // No whole number of steps, and never half of one.
         ("rest-rounded-up", vec![("t_ref", 0.8), ("I_e", 600.0)]),
         ("rest-rounded-down", vec![("t_ref", 1.2), ("I_e", 600.0)]),
+        ("rest-just-rounded-up", vec![("t_ref", 3.55), ("I_e", 600.0)]),
+        ("rest-just-rounded-down", vec![("t_ref", 3.45), ("I_e", 600.0)]),
         ("reset-to-threshold", vec![("V_reset", -55.0), ("I_e", 600.0)]),
         ("reset-above-threshold", vec![("V_reset", -40.0), ("I_e", 600.0)]),
         ("other-levels", vec![("E_L", -65.0), ("V_th", -50.0), ("V_reset", -75.0), ("I_e", 450.0)]),
@@ -1111,9 +1113,36 @@ fn driven_step(id: &str, advance: f64, values: &[(&str, f64)]) -> String {
 
 /// Steps and neurons beyond the ends of small integers.
 fn far() -> Vec<Case> {
-    let mut cases = far_samples();
+    let mut cases = far_times();
+    cases.extend(far_samples());
     cases.extend(far_spikes());
     cases.extend(far_neurons());
+    cases
+}
+
+/// The time of sessions that run for long, in one request and in many.
+fn far_times() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, dt, parts) in [
+        ("66000", 1.0, &[66_000.0][..]),
+        ("140000", 1.0, &[140_000.0]),
+        ("over-requests", 1.0, &[30_000.0, 30_000.0, 30_000.0, 50_000.0, 7.0]),
+        ("behind-many", 1.0, &[70_000.0, 1.0, 2.0]),
+        ("hundred-quarters", 0.25, &[0.25; 100]),
+    ] {
+        let open = Open { dt, ..Open::lif("a") };
+        let mut trace = vec![(open.text(), opened("a"))];
+        let mut time = 0.0;
+        for part in parts {
+            time += part;
+            trace.push((run("a", *part), observed("a", time)));
+        }
+        cases.push(
+            reference(format!("far/time/{name}"), &["NCP-SESS-058", "NCP-SESS-033"], trace)
+                .title(format!("A session that has run for {time} ms, in {} requests, says so.", parts.len()))
+                .because("The time of a session is the number of all steps since it opened, times dt."),
+        );
+    }
     cases
 }
 

@@ -465,6 +465,9 @@ impl Probe<'_> {
             ("constant", first.to_uppercase()),
             ("other-case", other_case),
             ("space", format!("{first} ")),
+            ("space-before", format!(" {first}")),
+            ("line-feed", format!("{first}\n")),
+            ("nul", format!("{first}\0")),
             ("empty", String::new()),
             ("full-width", first.bytes().filter_map(|b| char::from_u32(0xfee0 + u32::from(b))).collect()),
             ("soft-hyphen", first.replacen('t', "\u{ad}t", 1)),
@@ -472,7 +475,7 @@ impl Probe<'_> {
         ];
         // A mode moves a plant, so it gets all of them.
         let kept = known.unknown == Unknown::Kept;
-        let few = ["novel", "constant", "sentinel"];
+        let few = ["novel", "constant", "space", "line-feed", "sentinel"];
         for (what, string) in strings.into_iter().filter(|(what, _)| !kept || few.contains(what)) {
             let value = Json::string(&string);
             let says = match string.as_str() {

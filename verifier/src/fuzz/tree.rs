@@ -140,14 +140,14 @@ pub(crate) fn doubles(tree: Option<&Json<'_>>) -> Vec<f64> {
     items(tree).iter().map(|item| double(Some(item)).unwrap_or(f64::NAN)).collect()
 }
 
-/// The doubles of an array as ranges, by which each may be off, relatively.
-pub(crate) fn near_list(tree: &Json<'_>, tolerance: f64) -> Tree {
+/// The doubles of an array as ranges: each may be off by a part of itself, or by the least if that is more.
+pub(crate) fn near_list(tree: &Json<'_>, tolerance: f64, least: f64) -> Tree {
     let near = |item: &Json<'_>| {
         let value = double(Some(item)).unwrap_or(f64::NAN);
-        if !value.is_finite() || value == 0.0 {
+        let off = (value.abs() * tolerance).max(least);
+        if !value.is_finite() || off == 0.0 {
             return num(value);
         }
-        let off = value.abs() * tolerance;
         object([("$range", list(vec![num(value - off), num(value + off)]))])
     };
     list(items(Some(tree)).iter().map(near).collect())

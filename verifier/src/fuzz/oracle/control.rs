@@ -135,6 +135,9 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
     let limit = |name: &str| double(limits.and_then(|limits| limits.get(name)).filter(|limit| !limit.is_null()));
     let timeout = limit("command_timeout_ms").unwrap_or(500.0);
     let period = double(args.get("period_ms")).unwrap_or(f64::NAN);
+    if period.is_finite() && (2.0 * period).is_infinite() {
+        return Verdict::Open("a period of which two are beyond the doubles");
+    }
     let fence = limit("geofence_radius_m").filter(|fence| fence.is_finite() && *fence > 0.0);
     let other_roundings: Vec<Tree> = match fence {
         Some(fence) => {
@@ -275,5 +278,19 @@ mod tests {
         let least = doubles(command.get("ttl_ms").and_then(|ttl| ttl.get("$range")))[0];
         assert!((least - 800.0).abs() < 1e-6, "{command}");
         assert!(command.get("channels").unwrap().to_string().contains("[0.0,0.0,0.0]"), "{command}");
+    }
+
+    #[test]
+    fn what_a_loop_of_a_period_does_of_which_two_leave_the_doubles_is_open() {
+        let call = Call::LoopRun;
+        let verdict = |period: &str| {
+            let written = format!(
+                r#"{{"period_ms":{period},"limits":{{}},"config":{{}},"steps":[{{"op":"tick","now_s":0.0}}]}}"#
+            );
+            let args = Json::parse(&written).map(|args| own(&args)).unwrap();
+            expectation(&Input { call, args }, &specification(call, &written), None)
+        };
+        assert!(matches!(verdict("9e307"), Verdict::Open(_)));
+        assert!(matches!(verdict("8e307"), Verdict::Expect(_)));
     }
 }

@@ -87,7 +87,8 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         }
         let is_refused_for_version =
             version != WIRE_VERSION || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
-        patterns.push(pattern(&reply, &kind, &of, is_refused_for_version));
+        let level = open.get(&id).map_or(0.0, |session| session.level);
+        patterns.push(pattern(&reply, &kind, &of, is_refused_for_version, level));
     }
     if differs_by_rounding(args, result) {
         return Verdict::Open("a potential so near its threshold that a rounding decides");
@@ -111,8 +112,8 @@ fn openness(written: &str, asked: &Tree, strict: bool) -> Option<&'static str> {
     }
 }
 
-/// What a reply has to be.
-fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool) -> Tree {
+/// What a reply has to be; `level` is the greatest of the terms that its samples do not show.
+fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool, level: f64) -> Tree {
     let written = |pattern: Tree| object([("$json", pattern)]);
     let error = || written(object([("kind", text("error")), ("error", object([("$anything", Json::Bool(true))]))]));
     let id = reply.get("session_id").cloned().unwrap_or(Json::Null);
@@ -124,7 +125,7 @@ fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool) -> 
         }
         "observation_frame" => {
             let records =
-                members(reply.get("records")).iter().map(|(port, record)| (port.to_string(), record_of(record)));
+                members(reply.get("records")).iter().map(|(port, record)| (port.to_string(), record_of(record, level)));
             written(object([
                 ("kind", text(kind)),
                 ("session_id", id),
@@ -146,12 +147,18 @@ fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool) -> 
     }
 }
 
+/// How much of the greatest term a value may be off.
+const CANCELLED: f64 = 1e-14;
+
 /// An observation, its numbers within the tolerance of the text.
-fn record_of(record: &Tree) -> Tree {
+fn record_of(record: &Tree, level: f64) -> Tree {
+    let values = items(record.get("values")).iter().filter_map(|value| double(Some(value)));
+    let greatest = values.map(f64::abs).fold(level, f64::max);
     let mut pattern = object([]);
     for (name, value) in members(Some(record)) {
         match name.as_ref() {
-            "times" | "values" => set(&mut pattern, name, near_list(value, TOLERANCE)),
+            "times" => set(&mut pattern, name, near_list(value, TOLERANCE, 0.0)),
+            "values" => set(&mut pattern, name, near_list(value, TOLERANCE, CANCELLED * greatest)),
             "senders" | "port" | "target" | "observable" => set(&mut pattern, name, value.clone()),
             "unit" if matches!(value.as_str(), Some("mV" | "Hz")) => set(&mut pattern, name, value.clone()),
             _ => {}
@@ -174,6 +181,8 @@ struct Session {
     /// How many samples a step gives at most, over all ports.
     samples: f64,
     ports: Vec<String>,
+    /// The magnitude of the potential at rest, in mV.
+    level: f64,
 }
 
 impl Session {
@@ -241,7 +250,6 @@ impl Session {
         let sane = if is_lif {
             (1e-3..1e12).contains(&param("tau_m", 10.0))
                 && (1e-3..1e6).contains(&param("C_m", 250.0))
-                && param("V_reset", -70.0) < param("V_th", -55.0)
                 && (0.0..1e6).contains(&refractory)
                 && ["E_L", "V_th", "V_reset", "I_e"].iter().all(|name| param(name, 0.0).abs() < 1e6)
         } else {
@@ -261,6 +269,7 @@ impl Session {
             neurons: sizes.iter().filter_map(|(_, size)| integer(Some(size))).sum::<i64>() as f64,
             samples: sampled.sum(),
             ports: ports.collect(),
+            level: if is_lif { param("E_L", -70.0).abs() } else { 0.0 },
         })
     }
 
@@ -342,6 +351,7 @@ fn shape(result: &Json<'_>) -> Vec<(String, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fuzz::tree::doubles;
 
     #[test]
     fn a_request_is_asked_for_up_to_the_size_that_a_server_bears() {
@@ -375,8 +385,20 @@ mod tests {
         assert!(open("{}", "1.0"));
         assert!(!open(r#"{"tau":1.0}"#, "1.0"));
         assert!(open(r#"{"t_ref":1.5}"#, "1.0"));
-        assert!(!open(r#"{"V_reset":-50.0}"#, "1.0"));
+        assert!(open(r#"{"V_reset":-50.0}"#, "1.0"));
         assert!(open("{}", "0.3"));
         assert!(!open("{}", "0.001"));
+    }
+
+    #[test]
+    fn a_value_may_be_off_by_a_part_of_itself_or_of_the_terms_that_cancel() {
+        let range = |values: &str, level: f64| {
+            let record = own(&Json::parse(&format!(r#"{{"values":[{values}]}}"#)).unwrap());
+            doubles(items(record_of(&record, level).get("values"))[0].get("$range"))
+        };
+        assert_eq!(range("-50.0", 70.0), [-50.0 - 5e-8, -50.0 + 5e-8]);
+        assert_eq!(range("0.0,-100.0", 70.0), [-1e-12, 1e-12]);
+        assert_eq!(range("1e-20", 70.0), [1e-20 - 7e-13, 1e-20 + 7e-13]);
+        assert_eq!(range("1e-20", 0.0), [1e-20 - 1e-29, 1e-20 + 1e-29]);
     }
 }
