@@ -23,6 +23,7 @@ pub(super) fn file() -> File {
     cases.extend(depths());
     cases.extend(maps());
     cases.extend(arrays());
+    cases.extend(sums());
     cases.extend(numeric_arrays());
     cases.extend(small_values());
     cases.extend(long_strings());
@@ -299,7 +300,7 @@ fn maps() -> Vec<Case> {
     const READ: [&str; 4] =
         ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
     // The others have more than a byte counts.
-    const MANY: usize = 600;
+    const MANY: usize = 300;
     let mut cases = Vec::new();
     for (kind, path, value) in places {
         let entries = |count: usize| Json::Object((0..count).map(|nth| (base_36(nth), Json::literal(value))).collect());
@@ -377,6 +378,35 @@ fn arrays() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Maps and arrays that each keep their limit, and together have more: the limit is that of one.
+fn sums() -> Vec<Case> {
+    let item =
+        |message: &str, path: &[&str], value: &str| set(explicit_message(message), path, Json::literal(value)).text();
+    let value = explicit_message("ChannelValue").text();
+    let horizon = format!("{{\"a\":{value},\"b\":{value},\"c\":{value}}}");
+    let binding = item("EntityBinding", &["entity", "meta"], r#"{"a":"x","b":"y","c":"z"}"#);
+    let record = item("RecordTarget", &["recordables"], r#"["V_m","g_ex","w"]"#);
+    let stimulus = item("StimulusTarget", &["params"], r#"{"a":1.0,"b":2.0,"c":3.0}"#);
+    let places: [(&str, &[&str], &str); 4] = [
+        ("command_frame", &["horizon"], &horizon),
+        ("open_session", &["bindings"], &binding),
+        ("open_session", &["record", "targets"], &record),
+        ("open_session", &["stimulus", "targets"], &stimulus),
+    ];
+    places
+        .into_iter()
+        .map(|(kind, path, item)| {
+            let text = list(&set(explicit(kind), path, Json::literal(MARK)).text(), item, 1_500);
+            Case::new(format!("{kind}/sum/{}", path.join("-")), &["NCP-WIRE-068"], readers(kind))
+                .title(format!("{} with 1,500 items of 3 entries each in `{}` is read.", a(kind), path.join(".")))
+                .flags(&["low-limits"])
+                .decode(kind, text.clone())
+                .means(text)
+                .because("One map may have 4,096 entries, and one array as many items, whatever others have.")
+        })
+        .collect()
 }
 
 /// Numeric arrays, which only the bytes of the frame limit.

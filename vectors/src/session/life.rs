@@ -20,6 +20,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(open_questions());
     cases.extend(refused());
+    cases.extend(refused_anew());
     cases.extend(text.rest(malformed)?);
     cases.extend(versions());
     cases.extend(times());
@@ -216,6 +217,46 @@ fn refused() -> Vec<Case> {
                 )
         })
         .collect()
+}
+
+/// An `open_session` of an open id that a server refuses for its network ends nothing.
+fn refused_anew() -> Vec<Case> {
+    let changed = |network: Json| {
+        object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "a",
+        "network" => network }
+        .text()
+    };
+    [
+        ("unknown-network", object! { "kind" => "builtin", "ref" => "ncp.no.such.network" }),
+        ("unknown-handle", object! { "kind" => "handle", "ref" => "no-such-handle" }),
+        ("no-name", object! { "kind" => "builtin", "ref" => "" }),
+        ("odd-kind", object! { "kind" => "no-such-kind", "ref" => "ncp.reference.lif" }),
+    ]
+    .into_iter()
+    .map(|(name, network)| {
+        let trace = |second: Json, third: Json, fourth: Json| {
+            vec![
+                open("a"),
+                steps("a", 10.0),
+                (changed(network.clone()), second),
+                (step_of("a", None, None), third),
+                (close("a"), fourth),
+            ]
+        };
+        let refused = || trace(any(vec![not_opened("a"), error()]), observed("a", 20.0), closed("a"));
+        let answers = |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
+        let opens = answers(trace(opened("a"), anything(), anything()));
+        case(format!("opened-anew/{name}"), &["NCP-SESS-027", "NCP-SESS-033"], refused())
+            .shows(any(vec![answers(refused()), opens]))
+            .flags(&["session-lifecycle"])
+            .title(format!(
+                "An `open_session` of another network ({}) for a session that is open leaves it as it is where it is \
+                 refused.",
+                name.replace('-', " ")
+            ))
+            .because("An `open_session` that is refused ends no session.")
+    })
+    .collect()
 }
 
 /// Bytes that are no request, before and after the session is opened.

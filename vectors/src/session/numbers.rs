@@ -1114,6 +1114,7 @@ fn driven_step(id: &str, advance: f64, values: &[(&str, f64)]) -> String {
 /// Steps and neurons beyond the ends of small integers.
 fn far() -> Vec<Case> {
     let mut cases = far_times();
+    cases.push(many_samples());
     cases.extend(far_samples());
     cases.extend(far_spikes());
     cases.extend(far_neurons());
@@ -1128,7 +1129,7 @@ fn far_times() -> Vec<Case> {
         ("140000", 1.0, &[140_000.0]),
         ("over-requests", 1.0, &[30_000.0, 30_000.0, 30_000.0, 50_000.0, 7.0]),
         ("behind-many", 1.0, &[70_000.0, 1.0, 2.0]),
-        ("hundred-quarters", 0.25, &[0.25; 100]),
+        ("forty-quarters", 0.25, &[0.25; 40]),
     ] {
         let open = Open { dt, ..Open::lif("a") };
         let mut trace = vec![(open.text(), opened("a"))];
@@ -1144,6 +1145,17 @@ fn far_times() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// What a server bears in a request, over and over: it is bounded by the request, and not by the session.
+fn many_samples() -> Case {
+    let records = vec![record("s", "spikes", 1.0)];
+    let open = Open { records, size: 100_000, ..Open::lif("a") };
+    let mut trace = vec![(open.text(), opened("a"))];
+    trace.extend((1..=12).map(|step| (run("a", 1.0), observed("a", f64::from(step)))));
+    reference("far/samples/of-many-requests".to_owned(), &["NCP-SESS-027"], trace)
+        .title("Twelve requests that may give 100,000 spikes each are answered, one after the other.")
+        .because("A server bears a million samples in each request.")
 }
 
 /// Ports that are sampled rarely, in sessions that run for long.

@@ -158,6 +158,8 @@ pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
         ("overflow-by-rounding", "1.7976931348623159e308".to_owned()),
         ("overflow-at-the-halfway", format!("{HALFWAY}2")),
         ("overflow-by-digits", format!("1{}", "0".repeat(400))),
+        ("overflow-by-one-digit", format!("1{}", "0".repeat(309))),
+        ("overflow-by-digits-and-a-fraction", format!("1{}.5", "0".repeat(349))),
         ("overflow-exponent-leading-zeros", "1e00309".to_owned()),
         ("overflow-huge-exponent", "1e99999999999999999999".to_owned()),
     ]

@@ -5,7 +5,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, minimal};
 use crate::patch::patched;
-use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use crate::template::Text;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -16,6 +16,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     text.end()?;
     cases.extend(sizes());
+    cases.extend(alike());
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
 }
 
@@ -37,7 +38,7 @@ fn sizes() -> Vec<Case> {
         let reply = Text::concat([open.into(), Text::repeat("x", pad), "\"}".into()]);
         let rules: &[&'static str] = match (is_read, kind) {
             (true, "observation_frame") => &["NCP-SESS-007", "NCP-WIRE-063"],
-            (true, _) => &["NCP-SESS-007", "NCP-WIRE-062"],
+            (true, _) => &["NCP-SESS-007", "NCP-WIRE-061"],
             (false, _) => &["NCP-WIRE-060"],
         };
         let case = Case::new(format!("{request}/size/{size}-bytes"), rules, &[Commander])
@@ -52,6 +53,27 @@ fn sizes() -> Vec<Case> {
         }
     };
     table.into_iter().map(case).collect()
+}
+
+/// Replies of another version that is letter for letter the request's.
+fn alike() -> Vec<Case> {
+    let pairs = [
+        ("open_session", "session_opened"),
+        ("step_request", "observation_frame"),
+        ("run_request", "observation_frame"),
+        ("close_session", "session_closed"),
+    ];
+    let case = |((request, kind), (name, version)): ((&str, &str), &(&str, String))| {
+        let of = |kind: &str| minimal(kind).with("ncp_version", version.as_str().into()).text();
+        Case::new(format!("{request}/version/{name}-as-asked"), &["NCP-SESS-003"], &[Commander])
+            .call("reply.check", object! { "request" => of(request), "reply" => of(kind) })
+            .flags(&["unchecked-reply-version"])
+            .title(format!("A client rejects a `{kind}` of version \"{version}\" also where it asked in that version."))
+            .because("A client rejects a reply whose version is not compatible with its own.")
+            .rejects("version")
+    };
+    let versions = [("older", beside(-1)), ("newer", beside(1)), ("next-major", "1.0".to_owned())];
+    pairs.into_iter().flat_map(|pair| versions.iter().map(move |version| case((pair, version)))).collect()
 }
 
 /// A failure whose error says what the row says.

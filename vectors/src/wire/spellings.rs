@@ -3,6 +3,10 @@
 use super::fields;
 use super::place::Place;
 use crate::case::{Case, File};
+use crate::json::Json;
+use crate::model::{explicit, meaning, minimal};
+use crate::roles::{a, readers};
+use crate::template::Text;
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
@@ -21,9 +25,146 @@ pub(super) fn file() -> File {
             cases.extend(fields::spellings(&place, field).into_iter().map(under));
         }
     }
+    cases.extend(behind_white_space());
+    cases.extend(late_items());
+    cases.extend(equal_items());
     let about = "Numbers in every spelling: rounding, subnormals, signed zeros, overflow, and integers that are none.";
     File::new("wire", "numbers", about, cases)
 }
+
+/// A negative zero behind each kind of white space: no integer, and a number with its sign.
+fn behind_white_space() -> Vec<Case> {
+    let spaces = [("tab", "\t"), ("line-feed", "\n"), ("carriage-return", "\r"), ("lines", "\r\n\t ")];
+    let case = |(name, space): (&str, &str)| {
+        let spelled = |member: &str, value: &str| {
+            let frame = minimal(SENSOR).text();
+            format!("{},\"{member}\":{space}{value}}}", frame.strip_suffix('}').unwrap_or(&frame))
+        };
+        let shown = name.replace('-', " ");
+        let number = explicit(SENSOR).with("t", Json::literal("-0.0"));
+        let integer = Case::new(format!("{SENSOR}/behind/{name}/integer"), &["NCP-WIRE-010"], readers(SENSOR))
+            .title(format!("A `{SENSOR}` whose `seq` is -0 behind a {shown} is rejected."))
+            .flags(&["lenient-integers"])
+            .decode(SENSOR, spelled("seq", "-0"))
+            .rejects("type")
+            .because("It is not spelled `0` or `-?[1-9][0-9]*`, whatever stands before it.");
+        let number =
+            Case::new(format!("{SENSOR}/behind/{name}/number"), &["NCP-WIRE-012", "NCP-WIRE-015"], readers(SENSOR))
+                .title(format!("A `{SENSOR}` whose `t` is -0 behind a {shown} is read as the negative zero."))
+                .flags(&["signed-zero"])
+                .decode(SENSOR, spelled("t", "-0"))
+                .means(number.text())
+                .because("A number is the nearest double, its sign included, whatever stands before it.");
+        [integer, number]
+    };
+    spaces.into_iter().flat_map(case).collect()
+}
+
+/// A bad item behind many good ones: every item of an array has its type.
+fn late_items() -> Vec<Case> {
+    let numbers = [
+        ("boolean", "true", "NCP-WIRE-020", "type"),
+        ("string", "\"1\"", "NCP-WIRE-020", "type"),
+        ("null", "null", "NCP-WIRE-021", "type"),
+        ("infinite", "1e309", "NCP-WIRE-013", "malformed"),
+    ];
+    let integers = [
+        ("boolean", "true", "NCP-WIRE-020", "type"),
+        ("fraction", "1.0", "NCP-WIRE-010", "type"),
+        ("negative-zero", "-0", "NCP-WIRE-010", "type"),
+        ("too-large", "9007199254740992", "NCP-WIRE-011", "value"),
+    ];
+    let fields = [
+        (SENSOR, "channels.a.data", r#"{"kind":"sensor_frame","channels":{"a":{"data":["#, "]}}}", "0.5", numbers),
+        (
+            "open_session",
+            "record.targets[0].ids",
+            r#"{"kind":"open_session","session_id":"s1","network":{},"record":{"targets":[{"ids":["#,
+            "]}]}}",
+            "1",
+            integers,
+        ),
+    ];
+    let mut cases = Vec::new();
+    for (kind, member, before, after, good, bad) in fields {
+        for count in [1_400, 70_000] {
+            for (name, item, rule, code) in bad {
+                let text = Text::concat([
+                    before.into(),
+                    Text::repeat(format!("{good},"), count),
+                    format!("{item}{after}").into(),
+                ]);
+                cases.push(
+                    Case::new(format!("{kind}/late/{name}-behind-{count}"), &[rule, "NCP-WIRE-050"], readers(kind))
+                        .title(format!(
+                            "{} whose `{member}` has {item} behind {count} good items is rejected.",
+                            a(kind)
+                        ))
+                        .flags(&["unchecked-types"])
+                        .decode(kind, text)
+                        .rejects(code)
+                        .because("The rules of fields hold for every item of an array, the last as the first."),
+                );
+            }
+        }
+    }
+    cases
+}
+
+/// Items side by side that some languages hold for equal: each is read by itself.
+fn equal_items() -> Vec<Case> {
+    let step = |item: &str| format!(r#"{{"a":{{"data":[{item}]}}}}"#);
+    let horizon = |items: &[&str]| {
+        let steps: Vec<String> = items.iter().map(|item| step(item)).collect();
+        format!(r#"{{"kind":"command_frame","horizon_dt_ms":10.0,"horizon":[{}]}}"#, steps.join(","))
+    };
+    let data =
+        |items: &[&str]| format!(r#"{{"kind":"command_frame","channels":{{"a":{{"data":[{}]}}}}}}"#, items.join(","));
+    let targets = |items: &[&str]| {
+        let targets: Vec<String> = items.iter().map(|item| format!(r#"{{"port":"p","ids":[{item}]}}"#)).collect();
+        let targets = targets.join(",");
+        format!(r#"{{"kind":"open_session","session_id":"s1","network":{{}},"record":{{"targets":[{targets}]}}}}"#)
+    };
+    let command = "command_frame";
+    let rejected = [
+        ("step-of-true", command, horizon(&["1", "true"]), "NCP-WIRE-020"),
+        ("step-of-false", command, horizon(&["0.0", "false"]), "NCP-WIRE-020"),
+        ("step-of-a-string", command, horizon(&["1", "\"1\""]), "NCP-WIRE-020"),
+        ("item-true", command, data(&["1", "1.0", "true"]), "NCP-WIRE-020"),
+        ("item-false", command, data(&["0", "-0.0", "false"]), "NCP-WIRE-020"),
+        ("id-with-a-point", "open_session", targets(&["1", "1.0"]), "NCP-WIRE-010"),
+        ("id-true", "open_session", targets(&["1", "true"]), "NCP-WIRE-020"),
+        ("id-negative-zero", "open_session", targets(&["0", "-0"]), "NCP-WIRE-010"),
+    ];
+    let mut cases: Vec<Case> = rejected
+        .into_iter()
+        .map(|(name, kind, text, rule)| {
+            Case::new(format!("{kind}/equal/{name}"), &[rule, "NCP-WIRE-050"], readers(kind))
+                .title(format!(
+                    "{} with an item of another type behind one of equal value is rejected ({name}).",
+                    a(kind)
+                ))
+                .flags(&["unchecked-types"])
+                .decode(kind, text)
+                .rejects("type")
+                .because("Each item is read by the rules of its field; what another is makes it no better.")
+        })
+        .collect();
+    for (name, text) in [("steps", horizon(&["0.0", "-0.0", "0.0"])), ("items", data(&["0.0", "-0.0", "0.0"]))] {
+        let meant = meaning(command, &Json::read(&text));
+        cases.push(
+            Case::new(format!("{command}/equal/signed-{name}"), &["NCP-WIRE-015"], readers(command))
+                .title(format!("A `{command}` with zeros of both signs side by side keeps each ({name})."))
+                .flags(&["signed-zero"])
+                .decode(command, text)
+                .means(meant.text())
+                .because("A double survives decoding and encoding bit for bit, the sign of a zero included."),
+        );
+    }
+    cases
+}
+
+const SENSOR: &str = "sensor_frame";
 
 /// Kind, message, the member as a reader finds it, and the field's own name.
 const FIELDS: &[(&str, &str, &str, &str)] = &[

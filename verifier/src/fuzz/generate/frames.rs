@@ -307,7 +307,14 @@ pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let (request, reply) = draw.one(&PAIRS);
     let id = segment(draw);
     let mut asked = frame(request, Some(&id), draw);
-    set(&mut asked, "ncp_version", text(WIRE_VERSION));
+    let others = ["0.4", "0.7", "1.0", "0", "latest", ""];
+    // Whoever asks in another version is answered in it, or in one's own.
+    let (own, answered) = match draw.below(12) {
+        0 => (draw.pick(&others), false),
+        1 => (draw.pick(&others), true),
+        _ => (WIRE_VERSION, false),
+    };
+    set(&mut asked, "ncp_version", text(own));
     let other = match draw.below(12) {
         0 => segment(draw),
         // Equal for long, or after normalisation.
@@ -324,6 +331,7 @@ pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     };
     let mut answer = frame(kind, Some(&other), draw);
     match draw.below(10) {
+        _ if answered => set(&mut answer, "ncp_version", text(own)),
         0 => set(&mut answer, "ncp_version", text(draw.pick(&["0.4", "0.6", "1.0", "0", "0.5.0", "", " 0.5"]))),
         1 | 2 if answer.get("ok").is_some() || draw.chance(30) => set(&mut answer, "ok", Json::Bool(draw.chance(50))),
         _ => set(&mut answer, "ok", Json::Bool(true)),

@@ -287,6 +287,13 @@ fn capabilities(draw: &mut Draw<'_>) -> Tree {
     if draw.chance(30) {
         sensors.insert(0, spec("imu", "vec3", Some("m"), None));
     }
+    // A name of one list in the other: it says nothing there.
+    if draw.chance(15) {
+        sensors.push(spec("velocity_setpoint", "vec3", draw.one(&[Some("m/s"), Some("km/h"), None]), None));
+    }
+    if draw.chance(15) {
+        commands.push(spec("pose_position", "vec3", draw.one(&[Some("m"), Some("cm"), None]), None));
+    }
     object([("sensor_channels", list(sensors)), ("command_channels", list(commands))])
 }
 

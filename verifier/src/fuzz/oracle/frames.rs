@@ -2,6 +2,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use ncp_spec::version::check_version;
 use ncp_text::WIRE_VERSION;
 use ncp_text::tables::{Default, Message, Shape, tables};
 
@@ -95,9 +96,7 @@ fn lacks_within(shape: &Shape, value: &Tree) -> bool {
 
 pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
     let request = string(args, "request").and_then(|text| Json::parse(text).ok());
-    if request.as_ref().and_then(|request| request.get("ncp_version")).and_then(Json::as_str) != Some(WIRE_VERSION) {
-        return Verdict::Open("the request is none of this version");
-    }
+    let asked = request.as_ref().and_then(|request| request.get("ncp_version")).and_then(Json::as_str);
     let reply = string(args, "reply").unwrap_or_default();
     let parsed = Json::parse(reply).ok();
     let kind = parsed.as_ref().and_then(|reply| reply.get("kind")).and_then(Json::as_str).unwrap_or_default();
@@ -111,6 +110,11 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
     let version = parsed.as_ref().and_then(|reply| reply.get("ncp_version")).and_then(Json::as_str);
     if version.is_some_and(is_advice) {
         return Verdict::Open("a version with leading zeros or many digits, VER-009");
+    }
+    // [NCP-SESS-003] A reply of another version is none, in whichever the client asked.
+    let is_of_another = version.is_some_and(|version| check_version(version, false) != Ok(true));
+    if asked != Some(WIRE_VERSION) && !(is_of_another && result.is_err()) {
+        return Verdict::Open("the request is none of this version");
     }
     result.map_or_else(reject, |_| accept())
 }

@@ -18,6 +18,9 @@ use crate::peer::{self, Call};
 const LIF: [&str; 7] = ["C_m", "tau_m", "E_L", "V_th", "V_reset", "t_ref", "I_e"];
 const RATE: [&str; 2] = ["tau", "mu"];
 
+/// Why it is open what becomes of an opening of a session that is open.
+const OPEN_ALREADY: &str = "a session that is open already, SESS-030";
+
 /// How long a request is whose reply may be too long, though it is not itself.
 const LONG: std::ops::RangeInclusive<usize> = 1_000_000..=1 << 20;
 
@@ -39,56 +42,59 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         _ => &[],
     };
     let mut open: HashMap<String, Session> = HashMap::new();
+    // Of these the text does not say whether they are open, or what they hold: of the others it does, SESS-035.
+    let mut unknown: HashMap<String, &'static str> = HashMap::new();
+    let mut why_open = None;
     let mut patterns = Vec::new();
     for (nth, (request, reply)) in items(args.get("requests")).iter().zip(replies).enumerate() {
         let text_of = |tree: &Tree| tree.as_str().and_then(|text| Json::parse(text).ok().map(|json| own(&json)));
         let Some(reply) = text_of(reply) else { return Verdict::Open("the specification replies no JSON") };
         let kind = string(&reply, "kind").unwrap_or_default().to_owned();
-        let written = request.as_str().unwrap_or_default();
         let asked = text_of(request);
-        if let Some(why) = asked.as_ref().and_then(|asked| openness(written, asked, strict)) {
-            return Verdict::Open(why);
-        }
-        // Its reply may be longer than a frame may be.
-        if LONG.contains(&written.len()) && written.contains("population_sizes") {
-            return Verdict::Open("what a request leaves whose reply would be longer than a frame may be");
-        }
-        let id = asked.as_ref().and_then(|asked| string(asked, "session_id")).unwrap_or_default().to_owned();
-        let of = asked.as_ref().and_then(|asked| string(asked, "kind")).unwrap_or_default().to_owned();
-        let version = asked.as_ref().and_then(|asked| string(asked, "ncp_version")).unwrap_or(WIRE_VERSION);
+        let of_asked = |name: &str| asked.as_ref().and_then(|asked| string(asked, name)).unwrap_or_default();
+        let (id, of) = (of_asked("session_id").to_owned(), of_asked("kind").to_owned());
+        let is_open = open.contains_key(&id) || unknown.contains_key(&id);
         let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
-        match kind.as_str() {
-            "session_opened" if reply.get("ok") != Some(&Json::Bool(false)) => {
-                let Some(session) = asked.as_ref().and_then(Session::read) else {
-                    return Verdict::Open("which networks a server has is its own affair");
-                };
-                if refused && !open.is_empty() {
-                    return Verdict::Open("a server may refuse a session while it holds another, SESS-041");
-                }
-                open.insert(id.clone(), session);
-            }
-            "session_opened" if open.contains_key(&id) => {
-                return Verdict::Open("a session that is open already, SESS-030");
-            }
-            "error" | "session_opened"
-                if of == "open_session" && Session::is_network(asked.as_ref()) && version == WIRE_VERSION =>
-            {
-                return Verdict::Open("whether a server opens such a network is its own affair");
-            }
-            _ => {}
-        }
-        if let Some(session) = open.get(&id).filter(|_| matches!(of.as_str(), "step_request" | "run_request"))
-            && let Some(why) = asked.as_ref().and_then(|asked| session.openness(asked))
-        {
+        let is_full = refused && (!open.is_empty() || !unknown.is_empty());
+        let may_be_refused = own_openness(request.as_str().unwrap_or_default(), &of, strict);
+        if let (None, Some(why)) = (&asked, may_be_refused) {
             return Verdict::Open(why);
         }
-        if of == "close_session" && kind == "session_closed" {
-            open.remove(&id);
+        let why = may_be_refused
+            .or_else(|| unknown.get(&id).copied())
+            .or_else(|| opening_openness(asked.as_ref(), &reply, &kind, &of, is_open, is_full))
+            .or_else(|| open.get(&id)?.step_openness(asked.as_ref()?, &of));
+        let is_closed = kind == "session_closed" && may_be_refused.is_none();
+        let known = if is_closed || why.is_some() {
+            unknown.remove(&id);
+            open.remove(&id)
+        } else {
+            None
+        };
+        if let Some(why) = why {
+            why_open.get_or_insert(why);
+            patterns.push(object([("$anything", Json::Bool(true))]));
+            match known {
+                // [NCP-SESS-027] An opening that is refused ends no session.
+                Some(session) if why == OPEN_ALREADY && refused => drop(open.insert(id, session)),
+                _ if is_closed => {}
+                _ => drop(unknown.insert(id, why)),
+            }
+            continue;
         }
-        let is_refused_for_version =
-            version != WIRE_VERSION || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
+        if kind == "session_opened"
+            && reply.get("ok") != Some(&Json::Bool(false))
+            && let Some(session) = asked.as_ref().and_then(Session::read)
+        {
+            open.insert(id.clone(), session);
+        }
         let level = open.get(&id).map_or(0.0, |session| session.level);
+        let is_refused_for_version = version_of(asked.as_ref()) != WIRE_VERSION
+            || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
         patterns.push(pattern(&reply, &kind, &of, is_refused_for_version, level));
+    }
+    if let Some(why) = why_open.filter(|_| patterns.iter().all(|pattern| pattern.get("$anything").is_some())) {
+        return Verdict::Open(why);
     }
     if differs_by_rounding(args, result) {
         return Verdict::Open("a potential so near its threshold that a rounding decides");
@@ -96,20 +102,53 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
     fits(object([("replies", list(patterns))]))
 }
 
+/// The version of a request.
+fn version_of(asked: Option<&Tree>) -> &str {
+    asked.and_then(|asked| string(asked, "ncp_version")).unwrap_or(WIRE_VERSION)
+}
+
+/// What the text leaves open of a request, whatever came before it.
+fn own_openness(written: &str, of: &str, strict: bool) -> Option<&'static str> {
+    let why = match freedom(of, written.as_bytes(), strict) {
+        Freedom::Open(why) => Some(why),
+        Freedom::MayReject if of != "open_session" => Some("a version that may be rejected, WIRE-039"),
+        _ => None,
+    };
+    // Its reply may be longer than a frame may be.
+    let is_long = LONG.contains(&written.len()) && written.contains("population_sizes");
+    why.or(is_long.then_some("what a request leaves whose reply would be longer than a frame may be"))
+}
+
+/// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another.
+fn opening_openness(
+    asked: Option<&Tree>,
+    reply: &Tree,
+    kind: &str,
+    of: &str,
+    is_open: bool,
+    is_full: bool,
+) -> Option<&'static str> {
+    match kind {
+        "session_opened" if reply.get("ok") != Some(&Json::Bool(false)) => {
+            if asked.and_then(Session::read).is_none() {
+                return Some("which networks a server has is its own affair");
+            }
+            is_full.then_some("a server may refuse a session while it holds another, SESS-041")
+        }
+        "session_opened" if is_open && version_of(asked) == WIRE_VERSION => Some(OPEN_ALREADY),
+        "error" | "session_opened"
+            if of == "open_session" && Session::is_network(asked) && version_of(asked) == WIRE_VERSION =>
+        {
+            Some("whether a server opens such a network is its own affair")
+        }
+        _ => None,
+    }
+}
+
 fn refuses(reply: &str) -> bool {
     Json::parse(reply).is_ok_and(|reply| {
         reply.get("kind").and_then(Json::as_str) == Some("error") || reply.get("ok") == Some(&Json::Bool(false))
     })
-}
-
-/// What the text leaves open of a request by itself.
-fn openness(written: &str, asked: &Tree, strict: bool) -> Option<&'static str> {
-    let kind = string(asked, "kind").unwrap_or_default();
-    match freedom(kind, written.as_bytes(), strict) {
-        Freedom::Open(why) => Some(why),
-        Freedom::MayReject if kind != "open_session" => Some("a version that may be rejected, WIRE-039"),
-        _ => None,
-    }
 }
 
 /// What a reply has to be; `level` is the greatest of the terms that its samples do not show.
@@ -273,6 +312,11 @@ impl Session {
         })
     }
 
+    /// What the text leaves open of a request for this session.
+    fn step_openness(&self, asked: &Tree, of: &str) -> Option<&'static str> {
+        matches!(of, "step_request" | "run_request").then(|| self.openness(asked)).flatten()
+    }
+
     /// What the text leaves open of a step or a run of this session.
     fn openness(&self, asked: &Tree) -> Option<&'static str> {
         let time =
@@ -351,6 +395,8 @@ fn shape(result: &Json<'_>) -> Vec<(String, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fuzz::Input;
+    use crate::fuzz::oracle::expectation;
     use crate::fuzz::tree::doubles;
 
     #[test]
@@ -388,6 +434,39 @@ mod tests {
         assert!(open(r#"{"V_reset":-50.0}"#, "1.0"));
         assert!(open("{}", "0.3"));
         assert!(!open("{}", "0.001"));
+    }
+
+    #[test]
+    fn what_is_open_of_one_session_leaves_nothing_open_of_another() {
+        let open = |id: &str| {
+            format!(
+                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"{id}",
+                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
+            )
+        };
+        let of = |kind: &str, id: &str, rest: &str| format!(r#"{{"kind":"{kind}","session_id":"{id}"{rest}}}"#);
+        let odd = r#","stimulus":{"values":{"no-port":{"data":[1.0]}}}"#;
+        let requests = [
+            open("a"),
+            open("b"),
+            of("step_request", "a", odd),
+            of("step_request", "a", ""),
+            of("step_request", "b", ""),
+            of("close_session", "a", ""),
+            of("step_request", "a", ""),
+            of("close_session", "b", r#","ncp_version":"7.0""#),
+            of("step_request", "b", ""),
+        ];
+        let requests = requests.map(text);
+        let written = object([("requests", list(requests.into()))]).to_string();
+        let args = own(&Json::parse(&written).unwrap());
+        let call = Call::SessionRun;
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
+            panic!("what a server answers is decided for both");
+        };
+        let replies = items(expect.get("value").and_then(|value| value.get("replies")));
+        let is_open: Vec<bool> = replies.iter().map(|reply| reply.get("$anything").is_some()).collect();
+        assert_eq!(is_open, [false, false, true, true, false, true, false, true, true]);
     }
 
     #[test]
