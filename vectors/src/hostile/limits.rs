@@ -300,7 +300,7 @@ fn maps() -> Vec<Case> {
     const READ: [&str; 4] =
         ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
     // The others have more than a byte counts.
-    const MANY: usize = 300;
+    const MANY: usize = 260;
     let mut cases = Vec::new();
     for (kind, path, value) in places {
         let entries = |count: usize| Json::Object((0..count).map(|nth| (base_36(nth), Json::literal(value))).collect());

@@ -4,7 +4,7 @@ use super::fields;
 use super::place::Place;
 use crate::case::{Case, File};
 use crate::json::Json;
-use crate::model::{explicit, meaning, minimal};
+use crate::model::{explicit, minimal};
 use crate::roles::{a, readers};
 use crate::template::Text;
 
@@ -49,7 +49,7 @@ fn behind_white_space() -> Vec<Case> {
             .rejects("type")
             .because("It is not spelled `0` or `-?[1-9][0-9]*`, whatever stands before it.");
         let number =
-            Case::new(format!("{SENSOR}/behind/{name}/number"), &["NCP-WIRE-012", "NCP-WIRE-015"], readers(SENSOR))
+            Case::new(format!("{SENSOR}/behind/{name}/number"), &["NCP-WIRE-015", "NCP-WIRE-012"], readers(SENSOR))
                 .title(format!("A `{SENSOR}` whose `t` is -0 behind a {shown} is read as the negative zero."))
                 .flags(&["signed-zero"])
                 .decode(SENSOR, spelled("t", "-0"))
@@ -150,14 +150,17 @@ fn equal_items() -> Vec<Case> {
                 .because("Each item is read by the rules of its field; what another is makes it no better.")
         })
         .collect();
-    for (name, text) in [("steps", horizon(&["0.0", "-0.0", "0.0"])), ("items", data(&["0.0", "-0.0", "0.0"]))] {
-        let meant = meaning(command, &Json::read(&text));
+    let zero = |sign: &str| format!(r#"{{"a":{{"data":[{sign}0.0],"unit":"m"}}}}"#);
+    let steps = Json::read(&format!("[{},{},{}]", zero(""), zero("-"), zero("")));
+    let items = Json::read(r#"{"a":{"data":[0.0,-0.0,0.0],"unit":"m"}}"#);
+    for (name, member, value) in [("steps", "horizon", steps), ("items", "channels", items)] {
+        let text = explicit(command).with("horizon_dt_ms", Json::literal("10.0")).with(member, value).text();
         cases.push(
             Case::new(format!("{command}/equal/signed-{name}"), &["NCP-WIRE-015"], readers(command))
                 .title(format!("A `{command}` with zeros of both signs side by side keeps each ({name})."))
                 .flags(&["signed-zero"])
-                .decode(command, text)
-                .means(meant.text())
+                .decode(command, text.clone())
+                .means(text)
                 .because("A double survives decoding and encoding bit for bit, the sign of a zero included."),
         );
     }
