@@ -315,6 +315,12 @@ pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         _ => (WIRE_VERSION, false),
     };
     set(&mut asked, "ncp_version", text(own));
+    // Its stimulus frame is of the request's version.
+    if own != WIRE_VERSION
+        && let Json::Object(members) = &mut asked
+    {
+        members.retain(|(name, _)| name != "stimulus");
+    }
     let other = match draw.below(12) {
         0 => segment(draw),
         // Equal for long, or after normalisation.
