@@ -118,3 +118,30 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
     }
     result.map_or_else(reject, |_| accept())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::Input;
+    use crate::fuzz::oracle::{expectation, specification};
+    use crate::fuzz::tree::own;
+    use crate::peer::Call;
+
+    #[test]
+    fn a_reply_of_another_version_is_rejected_also_where_the_client_asked_in_it() {
+        let verdict = |asked: &str, answered: &str| {
+            let of = |kind: &str, version: &str| {
+                text(format!(r#"{{"ncp_version":"{version}","kind":"{kind}","session_id":"a"}}"#))
+            };
+            let pair = [("request", of("close_session", asked)), ("reply", of("session_closed", answered))];
+            let args = object(pair);
+            let spec = specification(Call::ReplyCheck, &args.to_string());
+            expectation(&Input { call: Call::ReplyCheck, args: own(&args) }, &spec, None)
+        };
+        let rejects = |verdict: Verdict| matches!(&verdict, Verdict::Expect(expect) if expect.get("reject").is_some());
+        assert!(rejects(verdict("0.4", "0.4")));
+        assert!(rejects(verdict(WIRE_VERSION, "0.4")));
+        assert!(!rejects(verdict(WIRE_VERSION, WIRE_VERSION)));
+        assert!(matches!(verdict("0.4", WIRE_VERSION), Verdict::Open(_)));
+    }
+}

@@ -470,6 +470,29 @@ mod tests {
     }
 
     #[test]
+    fn an_opening_that_the_peer_refuses_leaves_its_session_decided() {
+        let open = format!(
+            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
+            "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
+        );
+        let step = r#"{"kind":"step_request","session_id":"a"}"#.to_owned();
+        let written = object([("requests", list([open.clone(), open, step].map(text).into()))]).to_string();
+        let spec = specification(Call::SessionRun, &written);
+        let Answer::Result(refusing) = &spec else { panic!("the specification answers") };
+        let refusing = peer::Answer::Result(own(&Json::parse(refusing).unwrap()));
+        let is_open = |said: Option<&peer::Answer<'_>>| -> Vec<bool> {
+            let args = own(&Json::parse(&written).unwrap());
+            let Verdict::Expect(expect) = expectation(&Input { call: Call::SessionRun, args }, &spec, said) else {
+                panic!("what a server answers is decided");
+            };
+            let replies = items(expect.get("value").and_then(|value| value.get("replies")));
+            replies.iter().map(|reply| reply.get("$anything").is_some()).collect()
+        };
+        assert_eq!(is_open(Some(&refusing)), [false, true, false]);
+        assert_eq!(is_open(None), [false, true, true], "another server may have opened it anew");
+    }
+
+    #[test]
     fn a_value_may_be_off_by_a_part_of_itself_or_of_the_terms_that_cancel() {
         let range = |values: &str, level: f64| {
             let record = own(&Json::parse(&format!(r#"{{"values":[{values}]}}"#)).unwrap());
