@@ -480,7 +480,10 @@ impl Probe<'_> {
             let value = Json::string(&string);
             let says = match string.as_str() {
                 "" => "is the empty string".to_owned(),
-                string => format!("is `{string}`, which is no wire string,"),
+                // A line feed and U+0000 are shown as their escapes.
+                string => {
+                    format!("is `{}`, which is no wire string,", string.replace('\n', "\\n").replace('\0', "\\0"))
+                }
             };
             let id = format!("unknown-{what}");
             cases.push(match &known.unknown {
