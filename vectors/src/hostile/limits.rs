@@ -315,27 +315,19 @@ fn maps() -> Vec<Case> {
                 .rejects("limit")
                 .because("A map of the tables may have 4,096 entries."),
         );
-        if READ.contains(&format!("{kind}/{place}").as_str()) {
-            let text = set(explicit(kind), path, entries(ENTRIES)).text();
-            cases.push(
-                Case::new(format!("{kind}/map/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
-                    .title(format!("{} with 4,096 entries in `{member}` is read.", a(kind)))
-                    .flags(&["low-limits"])
-                    .decode(kind, text.clone())
-                    .means(text)
-                    .because("A map may have 4,096 entries; what each leaves out has its default."),
-            );
-        } else {
-            let text = set(explicit(kind), path, entries(MANY)).text();
-            cases.push(
-                Case::new(format!("{kind}/map/{place}-of-many"), &["NCP-WIRE-068"], readers(kind))
-                    .title(format!("{} with {MANY} entries in `{member}` is read.", a(kind)))
-                    .flags(&["low-limits"])
-                    .decode(kind, text.clone())
-                    .means(text)
-                    .because("A map may have 4,096 entries; what each leaves out has its default."),
-            );
-        }
+        let (count, says, name) = match READ.contains(&format!("{kind}/{place}").as_str()) {
+            true => (ENTRIES, "4,096".to_owned(), "at-limit"),
+            false => (MANY, MANY.to_string(), "of-many"),
+        };
+        let text = set(explicit(kind), path, entries(count)).text();
+        cases.push(
+            Case::new(format!("{kind}/map/{place}-{name}"), &["NCP-WIRE-068"], readers(kind))
+                .title(format!("{} with {says} entries in `{member}` is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, text.clone())
+                .means(text)
+                .because("A map may have 4,096 entries; what each leaves out has its default."),
+        );
     }
     cases
 }
