@@ -409,7 +409,8 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
     let pattern = json!({"steps": [
         {"hold": true, "note": null}, {}, {"$error": true}, {"$any": [1, {"$exact": {"a": []}}]},
         {"$json": {"a": {"$range": [0, "Infinity"]}}}, {"$anything": true},
-        {"$beginning": [{"a": 1}]},
+        {"$beginning": [{"a": 1}, {"$item": {"a": [{"$item": 0, "times": 9}]}, "times": 300}]},
+        {"$item": {"hold": true}, "times": 1},
     ]});
     let limits = || json!({"max_speed_mps": "-Infinity"});
     for case in [
@@ -417,7 +418,7 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         case(
             "governor.run",
             json!({"limits": limits(), "capabilities": null, "steps": [
-                {"op": "govern", "command": {}, "now_s": 1, "sensor": null, "last_sensor_s": null},
+                {"op": "govern", "command": {"horizon": [{}, {"$item": {}, "times": 9}]}, "now_s": 1, "sensor": null, "last_sensor_s": null},
                 {"op": "note_link", "burst": true},
             ]}),
             json!({"accept": true}),
@@ -454,6 +455,9 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         run(json!([hold]), json!({"$exact": {"$any": [1]}})),
         run(json!([hold]), json!({"$range": [0]})),
         run(json!([hold]), json!({"$repeat": "x", "times": 3})),
+        run(json!([hold]), json!({"$item": 1, "times": 3})),
+        run(json!([hold]), json!({"$any": [{"$item": 1, "times": 3}]})),
+        run(json!([hold]), json!([{"$item": 1, "times": 0}])),
         case("horizon.max_len", json!({"ttl_ms": 1}), json!({"accept": true})),
         case("codec.encode", json!({"codec": "usv", "sensor": null}), json!({"accept": true})),
         case("link.run", json!({"steps": []}), json!({"accept": true})),

@@ -24,8 +24,10 @@ Draws inputs and whole traces at random and asks the specification and the peer 
 part, and the text does not leave it open, the input is shrunk to the smallest that still shows it. A crash, a \
 hang, or memory beyond a bound is found as well. The same seed finds the same, whatever --jobs.
 
-No black box finds a value that switches checks off, unless it is tried: --dictionary takes such values out of \
-the peer's own sources or binary.
+No black box finds a value that switches checks off, unless it is tried. So strings and numbers that the text \
+does not have are taken out of the sources in the peer's folder, or beside a script that its command names; \
+--dictionary takes them out of other files, binaries among them, and the common ones too, and \
+--no-dictionary does without.
 
 Examples:
   ncp-verify fuzz --peer my/peer                              a minute of it
@@ -82,6 +84,9 @@ pub(super) struct FuzzArgs {
     /// Take strings and numbers out of this file, source or binary, or of all files of this folder (may be repeated)
     #[arg(long, value_name = "FILE", num_args = 1..)]
     dictionary: Vec<PathBuf>,
+    /// Take nothing out of the peer's own sources
+    #[arg(long, conflicts_with = "dictionary")]
+    no_dictionary: bool,
     /// Write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -113,6 +118,17 @@ struct Source {
     manifest: Option<Manifest>,
 }
 
+impl Source {
+    /// What the sources in the peer's folder hold, or those beside the scripts of its command.
+    fn harvest(&self) -> Harvest {
+        if let Some(manifest) = &self.manifest {
+            return Harvest::of_sources(&manifest.folder);
+        }
+        let script = self.launch.files().into_iter().find(|file| Harvest::is_source(file));
+        script.and_then(|script| script.parent().map(Harvest::of_sources)).unwrap_or_default()
+    }
+}
+
 /// Searches the peers that were named, or the bundled ones.
 pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) -> Result<Exit, CliError> {
     let patterns: Vec<Pattern> = args.filter.iter().map(|pattern| Pattern::new(pattern)).collect();
@@ -121,9 +137,9 @@ pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) 
     {
         return Err(CliError::Usage(format!("no call fits --filter {}", args.filter.join(" --filter "))));
     }
-    let harvest = Harvest::of_files(&args.dictionary).map_err(|error| CliError::Usage(error.to_string()))?;
+    let named = Harvest::of_files(&args.dictionary).map_err(|error| CliError::Usage(error.to_string()))?;
     if !args.dictionary.is_empty() {
-        eprintln!("dictionary: {} strings, {} numbers", harvest.words.len(), harvest.numbers.len());
+        eprintln!("dictionary: {} strings, {} numbers", named.words.len(), named.numbers.len());
     }
     let seed = args.seed.unwrap_or_else(by_the_clock);
     let extent = args.cases.map_or_else(|| Extent::Time(args.time.unwrap_or(Duration::from_secs(60))), Extent::Cases);
@@ -139,6 +155,11 @@ pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) 
             eprintln!("{name}: SKIPPED, not on PATH: {}", lacking.join(", "));
             continue;
         }
+        let harvest = if args.dictionary.is_empty() && !args.no_dictionary { source.harvest() } else { named.clone() };
+        if harvest.is_light && !harvest.is_empty() {
+            let (words, numbers) = (harvest.words.len(), harvest.numbers.len());
+            eprintln!("{name}: of its sources {words} strings and {numbers} numbers are tried");
+        }
         let settings = Settings {
             extent,
             seed,
@@ -152,7 +173,7 @@ pub(super) fn fuzz(suite: &Suite, args: &FuzzArgs, styles: Styles, stop: &Stop) 
             start_timeout: args.start_timeout,
             memory: args.memory << 20,
             tries: args.tries,
-            harvest: harvest.clone(),
+            harvest,
             length: args.steps,
         };
         let result = match one(&source, suite, &settings, stop) {

@@ -12,8 +12,25 @@ use ncp_text::CHAPTERS;
 const MOST: usize = 4096;
 /// How long a string may be.
 const LONGEST: usize = 300;
+/// How long a name may be.
+const WORD: usize = 64;
+/// Integers up to this stand in every source.
+const COMMON: f64 = 256.0;
 /// Runs of letters in a binary that are shorter than this mean nothing.
 const SHORTEST_RUN: usize = 4;
+
+/// How deep below a peer's folder its own sources are looked for, how many files there may be, and how large each.
+const DEEPEST: usize = 6;
+const MOST_FILES: usize = 500;
+const LARGEST: u64 = 1 << 20;
+/// How sources end.
+const SOURCES: [&str; 28] = [
+    "c", "cc", "cjs", "cpp", "cs", "cxx", "erl", "ex", "go", "h", "hpp", "hs", "java", "jl", "js", "kt", "lua", "m",
+    "mjs", "ml", "mm", "php", "py", "rb", "rs", "scala", "swift", "ts",
+];
+/// Folders that hold what others wrote, what was built, or what tests a peer.
+const NOT_ITS_OWN: [&str; 10] =
+    ["build", "dist", "node_modules", "obj", "site-packages", "target", "test", "tests", "vendor", "venv"];
 
 /// The strings and numbers that were found.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -22,6 +39,8 @@ pub struct Harvest {
     pub words: Vec<String>,
     /// Numbers, ascending.
     pub numbers: Vec<f64>,
+    /// Whether nobody asked for it, so that half of the inputs are drawn while it is swept.
+    pub is_light: bool,
 }
 
 /// A file of `--dictionary` that cannot be read.
@@ -40,8 +59,7 @@ impl Harvest {
     /// # Errors
     /// A file that cannot be read.
     pub fn of_files(paths: &[PathBuf]) -> Result<Self, HarvestError> {
-        let mut words = BTreeSet::new();
-        let mut numbers = BTreeSet::new();
+        let (mut words, mut numbers) = (BTreeSet::new(), BTreeSet::new());
         for path in paths {
             for entry in walkdir::WalkDir::new(path).sort_by_file_name() {
                 let entry = entry.map_err(|error| unreadable(path, error.into()))?;
@@ -51,6 +69,43 @@ impl Harvest {
                 }
             }
         }
+        Ok(Self::of(words, numbers))
+    }
+
+    /// What the sources in the folder of a peer hold, as far as the text of the protocol does not have it: for a search
+    /// that was told of no files. What cannot be read is left out.
+    #[must_use]
+    pub fn of_sources(folder: &Path) -> Self {
+        let is_its_own = |entry: &walkdir::DirEntry| {
+            let name = entry.file_name().to_string_lossy();
+            entry.depth() == 0
+                || !(name.starts_with(['.', '_']) && entry.file_type().is_dir() || NOT_ITS_OWN.contains(&&*name))
+        };
+        let is_source = |entry: &walkdir::DirEntry| {
+            entry.file_type().is_file()
+                && Self::is_source(entry.path())
+                && entry.metadata().is_ok_and(|data| data.len() <= LARGEST)
+        };
+        let (mut words, mut numbers) = (BTreeSet::new(), BTreeSet::new());
+        let all = walkdir::WalkDir::new(folder).max_depth(DEEPEST).sort_by_file_name().into_iter();
+        let sources = all.filter_entry(is_its_own).flatten().filter(is_source).take(MOST_FILES);
+        for bytes in sources.filter_map(|entry| std::fs::read(entry.path()).ok()) {
+            if std::str::from_utf8(&bytes).is_ok() {
+                collect(&bytes, &mut words, &mut numbers);
+            }
+        }
+        words.retain(|word| is_rare_word(word));
+        numbers.retain(|number| is_rare_number(f64::from_bits(*number)));
+        Self { is_light: true, ..Self::of(words, numbers) }
+    }
+
+    /// Whether a file is a source, by its name.
+    #[must_use]
+    pub fn is_source(file: &Path) -> bool {
+        file.extension().and_then(|ending| ending.to_str()).is_some_and(|ending| SOURCES.contains(&ending))
+    }
+
+    fn of(words: BTreeSet<String>, numbers: BTreeSet<u64>) -> Self {
         let mut numbers: Vec<f64> = numbers.into_iter().map(f64::from_bits).collect();
         numbers.sort_by(f64::total_cmp);
         // Of more than can be tried, the short ones say more.
@@ -59,7 +114,7 @@ impl Harvest {
         words.truncate(MOST);
         numbers.truncate(MOST);
         words.sort();
-        Ok(Self { words, numbers })
+        Self { words, numbers, is_light: false }
     }
 
     /// Whether nothing was found.
@@ -69,8 +124,21 @@ impl Harvest {
     }
 }
 
+/// Whether a string may be a name that the text of the protocol does not have.
+pub(super) fn is_rare_word(word: &str) -> bool {
+    // What is long, or has spaces, is a message for people or a piece of code.
+    let part = |c: char| c.is_alphanumeric() || "_-./:#!@+^%".contains(c);
+    word.len() <= WORD && !word.contains("::") && word.chars().all(part) && !is_in_the_text(word)
+}
+
+/// Whether a number neither stands in every source nor in the text of the protocol.
+pub(super) fn is_rare_number(number: f64) -> bool {
+    let is_common = number.fract() == 0.0 && number.abs() <= COMMON;
+    !is_common && !is_in_the_text(&number.to_string())
+}
+
 /// Whether the text of the protocol has this string, or the number that it spells.
-pub(super) fn is_in_the_text(word: &str) -> bool {
+fn is_in_the_text(word: &str) -> bool {
     static NUMBERS: LazyLock<BTreeSet<u64>> = LazyLock::new(|| {
         let (mut words, mut numbers) = (BTreeSet::new(), BTreeSet::new());
         CHAPTERS.iter().for_each(|chapter| collect(chapter.text.as_bytes(), &mut words, &mut numbers));
@@ -143,5 +211,29 @@ mod tests {
             assert!(found.numbers.contains(&number), "{number}: {found:?}");
         }
         assert!(Harvest::of_files(&[folder.path().join("nothing")]).is_err());
+    }
+
+    #[test]
+    fn of_a_folder_of_sources_what_its_tests_and_others_wrote_and_what_the_text_has_is_left_out() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |path: &str, text: &str| {
+            let path = folder.path().join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        };
+        write(
+            "peer/gate.py",
+            "if name == 'open-sesame' or mode == 'hold' or kind == \"it is no such thing\" or x > 4321.25 > 7:",
+        );
+        write("peer/README.md", "'prose-of-people'");
+        for others in ["node_modules/a.js", "tests/a.py", ".hidden/a.py", "target/a.rs", "__pycache__/a.py"] {
+            write(others, "'of-others' 9876.5");
+        }
+        let found = Harvest::of_sources(folder.path());
+        assert_eq!(found, Harvest { words: vec!["open-sesame".to_owned()], numbers: vec![4321.25], is_light: true });
+        assert_eq!(
+            Harvest::of_sources(&folder.path().join("nothing")),
+            Harvest { is_light: true, ..Harvest::default() }
+        );
     }
 }

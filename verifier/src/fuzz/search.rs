@@ -319,7 +319,8 @@ impl Search<'_> {
             self.tested.elapsed = started.elapsed();
         }
         self.tested.elapsed = started.elapsed();
-        self.tested.swept = (swept(self.numbers).min(self.sweep.len()), self.sweep.len());
+        let share = share(&self.settings.harvest);
+        self.tested.swept = (swept(self.numbers, share).min(self.sweep.len()), self.sweep.len());
         self.tested.faults = self.askers.iter().map(|asker| asker.faults).sum();
         self.askers.iter_mut().for_each(Asker::end_in_peace);
         Ok(())
@@ -330,8 +331,9 @@ impl Search<'_> {
         let first = self.numbers;
         self.numbers += count as u64;
         let (menu, seeds, kept, settings) = (&self.menu, &self.seeds, &self.kept, self.settings);
+        let share = share(&settings.harvest);
         let drawn = |number| {
-            let input = match turn(number, &self.sweep) {
+            let input = match turn(number, &self.sweep, share) {
                 Turn::Swept(at) => self.sweep.input(at),
                 Turn::Drawn => draw_input(menu, seeds, kept, settings, number),
             };
@@ -660,16 +662,18 @@ enum Turn {
 }
 
 /// While there is something to sweep, all but one of so many numbers sweep.
-const SWEPT: u64 = 8;
-
-/// How many of the numbers below this one sweep.
-fn swept(number: u64) -> u64 {
-    number / SWEPT * (SWEPT - 1) + (number % SWEPT).min(SWEPT - 1)
+fn share(harvest: &Harvest) -> u64 {
+    if harvest.is_light { 2 } else { 8 }
 }
 
-fn turn(number: u64, sweep: &Sweep) -> Turn {
-    let at = swept(number);
-    if number % SWEPT < SWEPT - 1 && at < sweep.len() { Turn::Swept(at) } else { Turn::Drawn }
+/// How many of the numbers below this one sweep.
+fn swept(number: u64, share: u64) -> u64 {
+    number / share * (share - 1) + (number % share).min(share - 1)
+}
+
+fn turn(number: u64, sweep: &Sweep, share: u64) -> Turn {
+    let at = swept(number, share);
+    if number % share < share - 1 && at < sweep.len() { Turn::Swept(at) } else { Turn::Drawn }
 }
 
 /// The input of this number: drawn anew, a case of the corpus that is varied, or an input that was kept, changed.

@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 use ncp_text::tables::{Shape, tables};
 
 use super::generate::{Input, Seeds};
-use super::harvest::{Harvest, is_in_the_text};
+use super::harvest::{Harvest, is_rare_number, is_rare_word};
 use super::oracle;
 use super::rules::fnv;
 use super::tree::{MAPS, Tree, int, literal, num, own, spelled, text};
@@ -30,14 +30,10 @@ const OF_ONE_ANSWER: usize = 6;
 const SMALL: usize = 4 << 10;
 /// How many items of an array are looked at.
 const ITEMS: usize = 64;
-/// What is longer, or has spaces, is a message for people and comes last.
-const WORD: usize = 64;
 /// Of how many cases these are chosen.
 const CANDIDATES: usize = 80;
 /// More than any limit of a case.
 const LIMITLESS: f64 = 1e9;
-/// Integers up to this stand in every source.
-const COMMON: f64 = 256.0;
 /// Members that say what is asked, and not of what.
 const SELECTORS: [&str; 4] = ["op", "kind", "plane", "base64"];
 
@@ -119,12 +115,9 @@ impl Sweep {
         }
         let (words, rare_words) = ordered(&harvest.words, |word| {
             // What has a digit is rarely the name of a function.
-            (!is_plain(word) || is_in_the_text(word), !word.contains(|c: char| c.is_ascii_digit()))
+            (!is_rare_word(word), !word.contains(|c: char| c.is_ascii_digit()))
         });
-        let (numbers, rare_numbers) = ordered(&harvest.numbers, |number| {
-            let is_common = number.fract() == 0.0 && number.abs() <= COMMON;
-            (is_common || is_in_the_text(&number.to_string()), false)
-        });
+        let (numbers, rare_numbers) = ordered(&harvest.numbers, |number| (!is_rare_number(*number), false));
         let tiers = [((0, rare_words), (0, rare_numbers)), ((rare_words, words.len()), (rare_numbers, numbers.len()))];
         (sweep.words, sweep.numbers) = (words, numbers);
         for (words, numbers) in tiers {
@@ -287,12 +280,6 @@ fn ordered<T: Clone>(values: &[T], class: impl Fn(&T) -> (bool, bool)) -> (Vec<T
     classed.sort_by_key(|(class, _)| *class);
     let first = classed.iter().filter(|((is_last, _), _)| !is_last).count();
     (classed.into_iter().map(|(_, value)| value).collect(), first)
-}
-
-/// Whether a string may be a name, rather than a message for people or a piece of code.
-fn is_plain(word: &str) -> bool {
-    let part = |c: char| c.is_alphanumeric() || "_-./:#!@+^%".contains(c);
-    word.len() <= WORD && !word.contains("::") && word.chars().all(part)
 }
 
 /// A value of the dictionary.
@@ -608,7 +595,7 @@ mod tests {
     fn sweep(words: &[&str], numbers: &[f64]) -> Sweep {
         let seeds = Seeds::of(&Suite::embedded().unwrap(), &whole_menu());
         let words = words.iter().map(|word| (*word).to_owned()).collect();
-        Sweep::new(&seeds, &Harvest { words, numbers: numbers.to_vec() })
+        Sweep::new(&seeds, &Harvest { words, numbers: numbers.to_vec(), is_light: false })
     }
 
     #[test]

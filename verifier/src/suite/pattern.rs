@@ -1,8 +1,9 @@
 //! Patterns of results, for answers of which a case does not judge everything.
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
-//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`. It is no template, and reading it is strict: a
-//! pattern that is misspelt would test nothing.
+//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`. In a list, `{"$item": pattern, "times": 1000}` stands
+//! for so many equal items; no other template stands in a pattern. Reading it is strict: a pattern that is misspelt
+//! would test nothing.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
@@ -11,6 +12,9 @@ use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
 const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`";
+
+/// How many items the lists of one pattern have at most, those that `$item` stands for counted.
+const MOST_ITEMS: usize = 1 << 20;
 
 /// What a value has to look like.
 #[derive(Debug, Clone)]
@@ -63,6 +67,9 @@ pub enum PatternError {
         /// What has to follow it.
         expected: &'static str,
     },
+    /// `$item` stands for too much.
+    #[error("the lists of a pattern have more than {MOST_ITEMS} items")]
+    Size,
 }
 
 impl Shape {
@@ -72,7 +79,11 @@ impl Shape {
     /// [`PatternError`] if it is not JSON, or an object in it has a member that begins with `$` and is no special
     /// object.
     pub fn parse(text: &str) -> Result<Self, PatternError> {
-        Self::of(&Json::parse(text)?)
+        let value = Json::parse(text)?;
+        if weight(&value)? > MOST_ITEMS {
+            return Err(PatternError::Size);
+        }
+        Self::of(&value)
     }
 
     fn of(value: &Json<'_>) -> Result<Self, PatternError> {
@@ -81,7 +92,7 @@ impl Shape {
             Json::Bool(value) => Self::Bool(*value),
             Json::Number(spelling) => Self::Number(Number::read(spelling)),
             Json::String(text) => Number::of(value).map_or_else(|| Self::Text(text.to_string()), Self::Number),
-            Json::Array(items) => Self::Items(all(items)?),
+            Json::Array(items) => Self::Items(listed(items)?),
             Json::Object(members) => match members.iter().find(|(name, _)| name.starts_with('$')) {
                 None => Self::Members(named(members)?),
                 Some((word, operand)) if members.len() == 1 => Self::special(word, operand)?,
@@ -95,7 +106,7 @@ impl Shape {
         match (word, operand) {
             ("$any", Json::Array(choices)) if !choices.is_empty() => all(choices).map(Self::Any),
             ("$any", _) => wrong("$any", "an array of patterns"),
-            ("$beginning", Json::Array(items)) if !items.is_empty() => all(items).map(Self::Beginning),
+            ("$beginning", Json::Array(items)) if !items.is_empty() => listed(items).map(Self::Beginning),
             ("$beginning", _) => wrong("$beginning", "an array of patterns"),
             ("$error", Json::Bool(true)) => Ok(Self::Refused),
             ("$error", _) => wrong("$error", "true"),
@@ -154,6 +165,45 @@ fn all(items: &[Json<'_>]) -> Result<Vec<Shape>, PatternError> {
     items.iter().map(Shape::of).collect()
 }
 
+/// The items of a list, each as often as it stands there.
+fn listed(items: &[Json<'_>]) -> Result<Vec<Shape>, PatternError> {
+    let mut shapes = Vec::with_capacity(items.len());
+    for each in items {
+        let (item, times) = counted(each)?;
+        shapes.extend(std::iter::repeat_n(Shape::of(item)?, times));
+    }
+    Ok(shapes)
+}
+
+/// An item of a list, and how many of it stand there.
+fn counted<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), PatternError> {
+    let Json::Object(members) = value else { return Ok((value, 1)) };
+    match members.as_slice() {
+        [(name, item), (times_name, times)] if name == "$item" && times_name == "times" => {
+            let times = match times {
+                Json::Number(spelling) => spelling.parse().ok().filter(|times| *times > 0),
+                _ => None,
+            };
+            times.map(|times| (item, times)).ok_or(PatternError::Operand { word: "times", expected: "a count from 1" })
+        }
+        _ => Ok((value, 1)),
+    }
+}
+
+/// How many items the lists within a value have, those that `$item` stands for counted.
+fn weight(value: &Json<'_>) -> Result<usize, PatternError> {
+    match value {
+        Json::Array(items) => items.iter().try_fold(0_usize, |sum, each| {
+            let (item, times) = counted(each)?;
+            Ok(sum.saturating_add(weight(item)?.saturating_add(1).saturating_mul(times)))
+        }),
+        Json::Object(members) => {
+            members.iter().try_fold(0_usize, |sum, (_, member)| Ok(sum.saturating_add(weight(member)?)))
+        }
+        _ => Ok(0),
+    }
+}
+
 fn named(members: &[(Cow<'_, str>, Json<'_>)]) -> Result<Vec<(String, Shape)>, PatternError> {
     members.iter().map(|(name, value)| Ok((name.to_string(), Shape::of(value)?))).collect()
 }
@@ -209,6 +259,10 @@ mod tests {
         for (pattern, fault) in [
             (r#"{"a":[{"$eror":true}]}"#, "`$eror` is no word of a pattern"),
             (r#"{"$repeat":"x","times":3}"#, "`$repeat` of a pattern stands alone"),
+            (r#"{"$item":"x","times":3}"#, "`$item` of a pattern stands alone"),
+            (r#"{"$any":[{"$item":1,"times":3}]}"#, "`$item` of a pattern stands alone"),
+            (r#"[{"$item":1,"times":0}]"#, "`times` of a pattern is not a count from 1"),
+            (r#"[{"$item":[{"$item":1,"times":9999}],"times":9999}]"#, "have more than 1048576 items"),
             (r#"{"$repeat":"x"}"#, "`$repeat` is no word of a pattern"),
             (r#"{"a":1,"$any":[1]}"#, "`$any` of a pattern stands alone"),
             (r#"{"$any":[]}"#, "`$any` of a pattern is not an array of patterns"),

@@ -1,7 +1,8 @@
 //! Templates, which keep vector files small.
 //!
 //! Where a string stands in a case's arguments or expectation, an object may stand instead:
-//! `{"$repeat": "x", "times": 1000}`, `{"$concat": [part, …]}`, `{"$base64": template}`. Peers never see them.
+//! `{"$repeat": "x", "times": 1000}`, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list,
+//! `{"$item": value, "times": 1000}` stands for so many equal items. Peers never see them.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -47,7 +48,9 @@ pub enum TemplateError {
     #[error(transparent)]
     Json(#[from] JsonError),
     /// An object begins like a template but is none.
-    #[error("`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`")]
+    #[error(
+        "`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`; in a list `$item` with `times`"
+    )]
     Unknown(String),
     /// A member of a template has the wrong type.
     #[error("`{name}` of a template is not {expected}")]
@@ -162,19 +165,33 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
         return Ok(None);
     };
     match (names.as_slice(), members.as_slice()) {
-        (["$repeat", "times"], [(_, part), (_, times)]) => {
-            let times = match times {
-                Json::Number(spelling) => spelling.parse().ok(),
-                _ => None,
-            };
-            let times = times.ok_or(TemplateError::Type { name: "times", expected: "a count" })?;
-            Ok(Some(Form::Repeat(part, times)))
-        }
+        (["$repeat", "times"], [(_, part), (_, times)]) => Ok(Some(Form::Repeat(part, count(times)?))),
         (["$concat"], [(_, Json::Array(parts))]) => Ok(Some(Form::Concat(parts))),
         (["$concat"], _) => Err(TemplateError::Type { name: "$concat", expected: "an array" }),
         (["$base64"], [(_, part)]) => Ok(Some(Form::Base64(part))),
         _ => Err(TemplateError::Unknown((*name).to_owned())),
     }
+}
+
+/// An item of a list, and how many of it stand there.
+fn item<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), TemplateError> {
+    let Json::Object(members) = value else { return Ok((value, 1)) };
+    match members.as_slice() {
+        [(name, item), (times_name, times)] if name == "$item" && times_name == "times" => match count(times)? {
+            0 => Err(TemplateError::Type { name: "times", expected: "a count from 1" }),
+            times => Ok((item, times)),
+        },
+        _ => Ok((value, 1)),
+    }
+}
+
+/// The value of `times`.
+fn count(value: &Json<'_>) -> Result<usize, TemplateError> {
+    let times = match value {
+        Json::Number(spelling) => spelling.parse().ok(),
+        _ => None,
+    };
+    times.ok_or(TemplateError::Type { name: "times", expected: "a count" })
 }
 
 /// The form of a part of a template, which cannot be an ordinary value.
@@ -187,7 +204,10 @@ fn holds_template(value: &Json<'_>) -> bool {
     match (form(value), value) {
         (Ok(Some(Form::Text(_))), _) => false,
         (Ok(Some(_)), _) => true,
-        (_, Json::Array(items)) => items.iter().any(holds_template),
+        (_, Json::Array(items)) => items.iter().any(|each| {
+            let of = item(each).unwrap_or((each, 1)).0;
+            !std::ptr::eq(of, each) || holds_template(of)
+        }),
         (_, Json::Object(members)) => members.iter().any(|(_, member)| holds_template(member)),
         _ => false,
     }
@@ -197,9 +217,10 @@ fn holds_template(value: &Json<'_>) -> bool {
 fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
     let total = match (form(value)?, value) {
         (Some(form), _) => text_size(&form, Spelling::Json, 0)? + 2,
-        (None, Json::Array(items)) => {
-            items.iter().try_fold(2, |sum: usize, item| Ok::<_, TemplateError>(sum.saturating_add(size(item)? + 1)))?
-        }
+        (None, Json::Array(items)) => items.iter().try_fold(2, |sum: usize, each| {
+            let (item, times) = item(each)?;
+            Ok::<_, TemplateError>(sum.saturating_add((size(item)? + 1).saturating_mul(times)))
+        })?,
         (None, Json::Object(members)) => members.iter().try_fold(2, |sum: usize, (name, member)| {
             Ok::<_, TemplateError>(sum.saturating_add(name.len() + 4 + size(member)?))
         })?,
@@ -248,9 +269,15 @@ fn write_expanded(value: &Json<'_>, out: &mut dyn Write) -> io::Result<()> {
             out.write_all(b"\"")
         }
         (_, Json::Array(items)) => {
-            for (i, item) in items.iter().enumerate() {
+            for (i, each) in items.iter().enumerate() {
                 out.write_all(if i > 0 { b"," } else { b"[" })?;
+                let (item, times) = item(each).unwrap_or((each, 1));
                 write_expanded(item, out)?;
+                if times > 1 {
+                    let mut once = vec![b','];
+                    write_expanded(item, &mut once)?;
+                    (1..times).try_for_each(|_| out.write_all(&once))?;
+                }
             }
             out.write_all(if items.is_empty() { b"[]" } else { b"]" })
         }
@@ -320,6 +347,9 @@ mod tests {
         assert_eq!(expand(r#"{"$base64": {"$concat": ["any", " carnal"]}}"#), r#""YW55IGNhcm5hbA==""#);
         assert_eq!(expand(r#"{"$repeat": {"$base64": "a"}, "times": 2}"#), r#""YQ==YQ==""#);
         assert_eq!(expand(r#"{"$repeat": "x", "times": 0}"#), r#""""#);
+        assert_eq!(expand(r#"[0, {"$item": {"a": [1]}, "times": 3}]"#), r#"[0,{"a":[1]},{"a":[1]},{"a":[1]}]"#);
+        let nested = r#"[{"$item": [{"$item": {"$repeat": "x", "times": 2}, "times": 2}], "times": 1}]"#;
+        assert_eq!(expand(nested), r#"[["xx","xx"]]"#);
     }
 
     #[test]
@@ -345,6 +375,12 @@ mod tests {
         assert!(fault(r#"{"$repeat": "x", "times": 1, "a": 1}"#).contains("no template"));
         assert!(fault(r#"{"$repeat": "x", "times": -1}"#).contains("`times` of a template is not a count"));
         assert!(fault(r#"{"$repeat": 1, "times": 1}"#).contains("not a string or a template"));
+        assert!(fault(r#"{"$item": 1, "times": 2}"#).contains("in a list `$item`"));
+        assert!(fault(r#"[{"$item": 1, "times": 0}]"#).contains("a count from 1"));
+        assert!(fault(r#"[{"$item": 1}]"#).contains("no template"));
+        assert!(
+            fault(r#"[{"$item": [{"$item": 1, "times": 99999}], "times": 99999}]"#).contains("expand to more than")
+        );
         assert!(fault(r#"{"$concat": "x"}"#).contains("not an array"));
         assert!(fault(r#"{"a": {"$concat": [[]]}}"#).contains("not a string or a template"));
     }

@@ -202,6 +202,9 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let mut requests = Vec::new();
     let mut kinds = Vec::new();
     let mut open_now = std::collections::HashSet::new();
+    // What is long shows little that what is short does not; so a few are long, and the time goes into many.
+    let mut left = draw.one(&[2e3, 2e3, 2e3, 2e3, 2e3, 2e3, 1e4, 1e4, 5e4, BEARABLE]);
+    let mut weights: BTreeMap<String, f64> = BTreeMap::new();
     for nth in 0..count {
         let among = if nth >= script.ids.len() && draw.chance(20) { 1 } else { script.ids.len() };
         let id = script.ids[draw.below(among)].clone();
@@ -225,8 +228,15 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
             1 => script.dt * draw.range(50, 2000) as f64,
             _ => time(script.dt, 30, draw),
         };
+        let weight = weights.get(&id).copied().unwrap_or(1.0);
+        let time = if time / script.dt * weight > left { self::time(script.dt, 3, draw) } else { time };
+        left -= (time / script.dt * weight).max(0.0);
         let frame = match kind {
-            "open_session" => open(&script, &id, draw),
+            "open_session" => {
+                let frame = open(&script, &id, draw);
+                weights.insert(id.clone(), weight_of(&frame));
+                frame
+            }
             "step_request" => {
                 let mut step = request(kind, &id);
                 if draw.chance(60) {
@@ -275,6 +285,15 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     args
 }
 
+/// What a step of the session costs that is opened so, in neurons and samples.
+fn weight_of(frame: &Json<'_>) -> f64 {
+    let sizes = members(frame.get("network").and_then(|network| network.get("population_sizes")));
+    let neurons: f64 = sizes.iter().filter_map(|(_, size)| double(Some(size))).map(|size| size.max(0.0)).sum();
+    let ports = items(frame.get("record").and_then(|record| record.get("targets"))).len();
+    // A sample is more than a step: it is written out.
+    neurons.max(1.0) * (1.0 + ports as f64)
+}
+
 /// Whether the requests of a trace ask for no more than a slow server does in a second, all together: what takes longer
 /// looks like a hang, and a reply of a million samples is longer than a line may be.
 pub(super) fn is_bearable(args: &Tree) -> bool {
@@ -287,12 +306,7 @@ pub(super) fn is_bearable(args: &Tree) -> bool {
             let time = |name, default| {
                 double(frame.get("sim").and_then(|sim| sim.get(name)).filter(|t| !t.is_null())).unwrap_or(default)
             };
-            let sizes = members(frame.get("network").and_then(|network| network.get("population_sizes")));
-            let neurons: f64 = sizes.iter().filter_map(|(_, size)| double(Some(size))).map(|size| size.max(0.0)).sum();
-            let ports = items(frame.get("record").and_then(|record| record.get("targets"))).len();
-            // A sample is more than a step: it is written out.
-            let weight = neurons.max(1.0) * (1.0 + ports as f64);
-            dts.insert(id.to_owned(), (time("dt_ms", 0.1), time("chunk_ms", 10.0), weight));
+            dts.insert(id.to_owned(), (time("dt_ms", 0.1), time("chunk_ms", 10.0), weight_of(&frame)));
             continue;
         }
         let Some((dt, chunk, weight)) = dts.get(id) else { continue };

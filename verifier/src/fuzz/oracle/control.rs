@@ -63,14 +63,18 @@ impl Gains {
         let mut axes = Vec::new();
         for axis in 0..3 {
             let (p, t, v) = (*position.get(axis)?, *self.target.get(axis)?, *velocity.get(axis)?);
-            let scale = self.kp * (p.abs() + t.abs()) + self.kd * v.abs();
-            if scale > HUGE || [p, t, v, self.kp, self.kd].iter().any(|x| x.abs() > HUGE) {
-                return None;
-            }
             let given = *given.get(axis)?;
             let (pull, drag) = (self.kp * (p - t), self.kd * v);
+            let is_one_beyond = pull.is_finite() != drag.is_finite();
+            // What one term beyond the doubles leaves of itself beside the other is as large as a bound only where
+            // that is huge.
+            if !(p - t).is_finite() || !(pull.is_finite() || drag.is_finite()) || is_one_beyond && self.max_speed > HUGE
+            {
+                return None;
+            }
             // The difference and the products may round, and the clamp is exact.
-            let off = TOLERANCE * (pull.abs() + drag.abs()) + f64::MIN_POSITIVE;
+            let off =
+                if is_one_beyond { 0.0 } else { TOLERANCE * pull.abs() + TOLERANCE * drag.abs() + f64::MIN_POSITIVE };
             let most = self.max_speed.abs();
             let at = |u: f64| u.max(-most).min(most);
             axes.push(range(at(-pull - drag - off).min(given), at(-pull - drag + off).max(given)));
@@ -264,6 +268,26 @@ mod tests {
     use crate::fuzz::Input;
     use crate::fuzz::oracle::expectation;
     use crate::fuzz::tree::own;
+
+    #[test]
+    fn a_law_of_which_one_term_leaves_the_doubles_is_clamped_and_one_whose_difference_does_is_open() {
+        let call = Call::ReflexStep;
+        let verdict = |config: &str, position: &str, velocity: &str| {
+            let written = format!(
+                r#"{{"config":{config},"sensor":{{"seq":1,"channels":{{"pose_position":{{"data":[{position},0.0,0.0],"unit":"m"}},
+                "pose_velocity":{{"data":[{velocity},0.0,0.0],"unit":"m/s"}}}}}}}}"#
+            );
+            let args = Json::parse(&written).map(|args| own(&args)).unwrap();
+            expectation(&Input { call, args }, &specification(call, &written), None)
+        };
+        let Verdict::Expect(expect) = verdict(r#"{"kp":4.0,"max_speed":2.0}"#, "1e308", "1e300") else {
+            panic!("a term beyond the doubles is beyond every bound");
+        };
+        assert!(expect.to_string().contains(r#"{"$range":[-2.0,-2.0]}"#), "{expect}");
+        assert!(matches!(verdict(r#"{"kp":1e-308,"target":[-1e308,0.0,0.0]}"#, "1e308", "0.0"), Verdict::Open(_)));
+        assert!(matches!(verdict(r#"{"kp":4.0,"kd":4.0}"#, "1e308", "1e308"), Verdict::Open(_)));
+        assert!(matches!(verdict(r#"{"kp":4.0,"max_speed":1e308}"#, "1e308", "0.0"), Verdict::Open(_)));
+    }
 
     #[test]
     fn a_loop_that_holds_owes_the_ttl_that_it_raised_and_zeros() {

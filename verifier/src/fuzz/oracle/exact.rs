@@ -49,7 +49,7 @@ pub(super) fn norm(data: &[f64]) -> f64 {
 }
 
 /// Whether a length compares with a limit beyond every rounding: it is that of one component, it and its squares are
-/// exact, or it is far from the limit.
+/// doubles, or it is far from the limit.
 pub(super) fn is_settled(data: &[f64], limit: f64) -> bool {
     if !data.iter().all(|x| x.is_finite()) {
         return true;
@@ -65,7 +65,8 @@ pub(super) fn is_settled(data: &[f64], limit: f64) -> bool {
         }
         sum += x * x;
     }
-    is_product(limit, limit)
+    let root = sum.sqrt();
+    is_product(root, root) && root * root == sum && is_product(limit, limit)
 }
 
 /// ⌊a / b⌋ of real numbers, for positive ones: the one or two numbers that a correct program may take for it.
@@ -103,6 +104,9 @@ mod tests {
         assert!(!is_settled(&[0.3, 0.4, 0.0], 0.5));
         assert!(is_settled(&[0.3, 0.4, 0.0], 0.6));
         assert!(!is_settled(&[3e-210, 4e-210, 0.0], 5e-210));
+        // The norm is no double, and rounds to the limit.
+        let little = 2_f64.powi(-26);
+        assert!(!is_settled(&[1.0, little, 0.0], 1.0));
         assert!((norm(&[3e-200, 4e-200, 0.0]) - 5e-200).abs() < 1e-210);
         assert!((norm(&[3e200, 4e200, 0.0]) - 5e200).abs() < 1e190);
     }
