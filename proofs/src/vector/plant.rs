@@ -7,7 +7,6 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ncp_kernel::{Mode, Received};
-use ncp_spec::WIRE_VERSION;
 use ncp_spec::resilience::ActionBuffer;
 use serde_json::{Value, json};
 
@@ -143,9 +142,10 @@ impl Command {
             return None;
         }
         let horizon = (1..=self.steps).map(|tick| json!({ "velocity_setpoint": setpoint(tick) }));
+        // Without a version, which a plant reads as its own: what is kept as evidence is that of every version.
         let frame = json!({
-            "ncp_version": WIRE_VERSION, "kind": "command_frame", "seq": self.seq, "t": 0.0, "frame_id": "world",
-            "mode": self.mode.as_str(), "ttl_ms": self.ttl, "channels": { "velocity_setpoint": setpoint(0) },
+            "kind": "command_frame", "seq": self.seq, "t": 0.0, "frame_id": "world", "mode": self.mode.as_str(),
+            "ttl_ms": self.ttl, "channels": { "velocity_setpoint": setpoint(0) },
             "horizon": horizon.collect::<Vec<_>>(), "horizon_dt_ms": self.dt,
         });
         Some(frame.to_string())

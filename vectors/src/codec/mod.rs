@@ -71,13 +71,19 @@ fn precisely(x: f64, from: [f64; 2], to: [f64; 2]) -> Json {
 /// Maps on which a careless order of the operations shows, or a rounding on the way: a place, the range that it is
 /// mapped from, and the one that it is mapped to. The differences of each are exact, so that the plain formula is off
 /// by a few roundings only.
-const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 6] = [
+///
+/// The last four are ranges of which the quotient of lengths is no normal double, though every step of the formula is.
+const PRECISE: [(&str, f64, [f64; 2], [f64; 2]); 10] = [
     ("far-from-zero", 1_000_000.3, [1_000_000.0, 1_000_000.7], [0.0, 1.0]),
     ("far-below-zero", -4_000_000.4, [-4_000_000.9, -4_000_000.2], [-1.0, 1.0]),
     ("far-and-downwards", 70_000.1, [70_000.0, 70_000.3], [1.0, 0.0]),
     ("to-a-small-range", 0.123_456_789, [-1.0, 1.0], [0.0, 1e-3]),
     ("to-a-smaller-range", 61.7, [0.0, 200.0], [-1e-7, 1e-7]),
     ("from-a-small-range", 1.7e-9, [0.0, 3e-9], [0.0, 200.0]),
+    ("from-huge-to-tiny", 3.1e299, [0.0, 9e299], [0.0, 7e-20]),
+    ("from-huge-to-tiny-signed", -2.3e150, [-7e150, 7e150], [-3e-160, 3e-160]),
+    ("from-tiny-to-huge", 1.1e-200, [0.0, 3e-200], [0.0, 7e120]),
+    ("from-tiny-to-huge-signed", -2.3e-160, [-7e-160, 7e-160], [-3e150, 3e150]),
 ];
 const PRECISELY: &str =
     "The result is what the formula says to 10\u{207b}\u{b9}\u{b2} of the greater end of the target range.";

@@ -25,6 +25,7 @@ pub(super) fn file() -> File {
     cases.extend(arrays());
     cases.extend(sums());
     cases.extend(numeric_arrays());
+    cases.extend(equal_numbers());
     cases.extend(small_values());
     cases.extend(long_strings());
 
@@ -430,6 +431,46 @@ fn numeric_arrays() -> Vec<Case> {
                 .because("Nothing but the bytes of the frame limits a numeric array.")
         })
         .collect()
+}
+
+/// Long arrays of few values, of which 0 and -0 are two.
+fn equal_numbers() -> Vec<Case> {
+    let places: [(&str, &[&str]); 5] = [
+        ("sensor_frame", &["channels", "a", "data"]),
+        ("command_frame", &["channels", "a", "data"]),
+        ("command_frame", &["horizon", "0", "a", "data"]),
+        ("stimulus_frame", &["values", "a", "data"]),
+        ("observation_frame", &["records", "a", "values"]),
+    ];
+    let mut cases = Vec::new();
+    for (kind, path) in places {
+        let place = path.iter().filter(|part| !matches!(**part, "0" | "a")).copied().collect::<Vec<_>>().join("-");
+        let member = path.join(".").replace(".0", "[0]");
+        for count in [17, 65, 129, 300] {
+            for (order, first, last) in [("zero-first", "0.0", "-0.0"), ("zero-last", "-0.0", "0.0")] {
+                let items = vec![first; count - 2].join(",");
+                let data = format!("[{items},0.5,{last}]");
+                let text = set(explicit(kind), path, Json::literal(data)).text();
+                cases.push(
+                    Case::new(
+                        format!("{kind}/equal-numbers/{place}-{count}/{order}"),
+                        &["NCP-WIRE-015"],
+                        readers(kind),
+                    )
+                    .title(format!(
+                        "{} whose `{member}` has {count} numbers, {first} many times and {last} at the end, is \
+                             read to the sign.",
+                        a(kind)
+                    ))
+                    .flags(&["signed-zero"])
+                    .decode(kind, text.clone())
+                    .means(text)
+                    .because("0 and \u{2212}0 are two doubles, and a number is read as the double that is nearest."),
+                );
+            }
+        }
+    }
+    cases
 }
 
 /// Frames of a million bytes that hold as many values as fit.

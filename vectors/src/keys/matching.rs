@@ -33,8 +33,53 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.rest(invalid)?);
     cases.extend(large().iter().map(Large::case));
+    cases.extend(controls());
     let about = "Which keys a key expression covers, wildcard by wildcard, and the chunks that wildcards do not see.";
     Ok(File::new("keys", "matching", about, cases))
+}
+
+/// Characters that are as good as any other, but end or break a line where an expression is made a regular one.
+fn controls() -> Vec<Case> {
+    let characters = [("line-feed", '\n'), ("carriage-return", '\r'), ("nul", '\0'), ("line-separator", '\u{2028}')];
+    let table: [(&str, &'static str, &str, &str, bool); 14] = [
+        ("equal", "NCP-KEY-030", "ncp/a%", "ncp/a%", true),
+        ("one-more-at-the-end", "NCP-KEY-030", "ncp/a", "ncp/a%", false),
+        ("one-less-at-the-end", "NCP-KEY-030", "ncp/a%", "ncp/a", false),
+        ("one-more-within", "NCP-KEY-030", "ncp/a/b", "ncp/a%/b", false),
+        ("alone-for-one", "NCP-KEY-031", "ncp/*/b", "ncp/%/b", true),
+        ("within-one", "NCP-KEY-031", "*/b", "a%c/b", true),
+        ("behind-one", "NCP-KEY-031", "*/b", "a/b%", false),
+        ("within-any", "NCP-KEY-032", "ncp/**", "ncp/a%/b%c", true),
+        ("behind-any", "NCP-KEY-032", "**/b", "a/b%", false),
+        ("in-a-run", "NCP-KEY-033", "ncp/a$*b", "ncp/a%b", true),
+        ("at-the-end-of-a-run", "NCP-KEY-033", "ncp/a$*", "ncp/a%", true),
+        ("behind-a-run", "NCP-KEY-033", "ncp/$*3", "ncp/uav3%", false),
+        ("behind-a-run-within", "NCP-KEY-033", "ncp/$*3/sensor", "ncp/uav3%/sensor", false),
+        ("before-a-run", "NCP-KEY-033", "ncp/3$*", "ncp/%3a", false),
+    ];
+    let mut cases = Vec::new();
+    for (word, character) in characters {
+        for (name, rule, pattern, key, matches) in table {
+            let spelled = |expression: &str| expression.replace('%', &character.to_string());
+            let verb = if matches { "covers" } else { "does not cover" };
+            cases.push(
+                Case::new(format!("control/{word}/{name}"), &[rule], &[Observer])
+                    .title(format!(
+                        "`{pattern}` {verb} `{key}`, where % is a character that is not printed ({}).",
+                        word.replace('-', " ")
+                    ))
+                    .flags(&[match rule {
+                        "NCP-KEY-030" => "literal-patterns",
+                        "NCP-KEY-033" => "partial-wildcards",
+                        _ => "wildcards",
+                    }])
+                    .call("key.match", object! { "pattern" => spelled(pattern), "key" => spelled(key) })
+                    .gives(object! { "matches" => matches })
+                    .because("Matching takes a chunk of any length and of any other characters as it is."),
+            );
+        }
+    }
+    cases
 }
 
 /// A pattern and a key of which one is large.

@@ -615,13 +615,13 @@ fn abandoned() -> Vec<Case> {
 
 /// The first of many sessions. Whether the server has room for the others is its own affair; the first stays open.
 fn crowds() -> Vec<Case> {
-    const OTHERS: usize = 33;
-    let others = (1..=OTHERS).map(|nth| (Open::lif(&format!("s{nth}")).text(), anything())).collect();
-    vec![
-        goes_on(&format!("crowd/{OTHERS}-opened"), "s0", others)
-            .title(format!("A session goes on after {OTHERS} others were opened, or refused."))
-            .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other."),
-    ]
+    let of = |others: usize| {
+        let opened = (1..=others).map(|nth| (Open::lif(&format!("s{nth}")).text(), anything())).collect();
+        goes_on(&format!("crowd/{others}-opened"), "s0", opened)
+            .title(format!("A session goes on after {others} others were opened, or refused."))
+            .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other.")
+    };
+    [33, 130, 257].map(of).into()
 }
 
 /// A session that is stepped before and behind other requests, and closed; or was not opened by a server without such

@@ -28,6 +28,7 @@ pub(super) fn file() -> File {
     cases.extend(near());
     cases.extend(slow());
     cases.extend(alike());
+    cases.extend(reopened());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
 }
@@ -435,6 +436,57 @@ fn swapped() -> Vec<Case> {
                     .title(format!("The values of `{one}` and `{two}` are their own {words}."))
                     .because(
                         "A parameter is known by its name: networks with the same values under other names are others.",
+                    ),
+            );
+        }
+    }
+    cases
+}
+
+/// A session that is opened just as one was that has ended: it begins as that one did, and not as that one ended.
+fn reopened() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, words, current) in [("driven", "driven", 30.0), ("spiking", "made to spike", 4000.0)] {
+        let opens = |id: &str| {
+            let open = Open {
+                records: vec![record("v", "V_m", 1.0)],
+                stimuli: vec![stimulus("in", "current_pA"), stimulus("more", "current_pA")],
+                ..Open::lif(id)
+            };
+            (open.text(), opened(id))
+        };
+        let after = |steps: u32, driven: f64| {
+            let (times, values, _) = simulate(&[], 1.0, steps, driven);
+            object! { "v" => samples(&times, Some(&values)) }
+        };
+        let driven = |id: &str| (step(id, Some(7.0), Some(("in", current))), recorded(id, after(7, current)));
+        let at_rest = |id: &str| (step(id, Some(10.0), None), recorded(id, after(10, 0.0)));
+        let closes = |id: &str| (super::close(id), crate::trace::anything());
+        for (how, which, trace) in [
+            ("same-id", "with its id", vec![opens("a"), driven("a"), closes("a"), opens("a"), at_rest("a")]),
+            ("other-id", "with another id", vec![opens("a"), driven("a"), closes("a"), opens("b"), at_rest("b")]),
+            (
+                "two-of-them",
+                "and another, at the same time,",
+                vec![
+                    opens("a"),
+                    opens("b"),
+                    driven("a"),
+                    closes("a"),
+                    at_rest("b"),
+                    closes("b"),
+                    opens("a"),
+                    at_rest("a"),
+                ],
+            ),
+        ] {
+            cases.push(
+                reference(format!("reopened/{name}/{how}"), &["NCP-SESS-035", "NCP-SESS-050"], trace)
+                    .title(format!(
+                        "A session that is opened {which} just as one that was {words} and closed begins at rest."
+                    ))
+                    .because(
+                        "What was done to a session, its stimuli among it, changes no other, not the next either.",
                     ),
             );
         }

@@ -13,6 +13,11 @@ fn range(draw: &mut Draw<'_>) -> [f64; 2] {
         2 => [low, end(draw)],
         // Their sum, or their difference, leaves the doubles.
         3 => draw.one(&[[1e308, 1.5e308], [-1.5e308, 1.5e308], [-f64::MAX, -1e308], [f64::MAX / 2.0, f64::MAX]]),
+        // Of any scale, so that the quotient of two lengths leaves the doubles, though no step of the formula does.
+        4 | 5 => {
+            let end = draw.range(1, 9) as f64 * 10_f64.powi(i32::try_from(draw.range(-280, 298)).unwrap_or(0));
+            if draw.chance(50) { [0.0, end] } else { [-end, end] }
+        }
         _ => {
             let high = end(draw);
             draw.note(high);
@@ -72,6 +77,16 @@ fn codec(draw: &mut Draw<'_>) -> Tree {
     object([("encoders", list(mappings(false, draw))), ("decoders", list(mappings(true, draw)))])
 }
 
+/// A number within a source range of the codec.
+fn within(codec: &Tree, side: &str, name: &str, draw: &mut Draw<'_>) -> f64 {
+    let mappings = crate::fuzz::tree::items(codec.get(side));
+    let Some(mapping) = mappings.get(draw.below(mappings.len())) else { return draw.plain() };
+    match crate::fuzz::tree::doubles(mapping.get(name)).as_slice() {
+        [from, to] if (to - from).is_finite() => from + draw.range(0, 32) as f64 / 32.0 * (to - from),
+        _ => draw.plain(),
+    }
+}
+
 /// The arguments of `codec.encode`.
 pub(super) fn encode(draw: &mut Draw<'_>) -> Tree {
     let codec = codec(draw);
@@ -83,8 +98,13 @@ pub(super) fn encode(draw: &mut Draw<'_>) -> Tree {
         own.extend(["x", "pose_error", "velocity_setpoint", "y"].map(str::to_owned));
         let channels = own.into_iter().map(|name| {
             let width = if draw.chance(5) { draw.one(&[64, 65, 4095, 4096]) } else { draw.below(6) };
-            let data: Vec<f64> =
-                (0..width).map(|_| if draw.chance(40) { draw.plain() } else { draw.double() }).collect();
+            let data: Vec<f64> = (0..width)
+                .map(|_| match draw.below(10) {
+                    0..=3 => draw.plain(),
+                    4..=6 => within(&codec, "encoders", "value_range", draw),
+                    _ => draw.double(),
+                })
+                .collect();
             (name, object([("data", nums(&data))]))
         });
         let channels: Vec<_> = channels.collect();
@@ -101,7 +121,11 @@ pub(super) fn decode(draw: &mut Draw<'_>) -> Tree {
     names.extend((0..crate::fuzz::tree::items(codec.get("decoders")).len()).map(|nth| format!("p{nth}")));
     names.extend(names.clone().into_iter().filter(|_| draw.chance(5)).map(|name| format!("{name} ")));
     let rates = names.into_iter().filter_map(|name| {
-        let rate = if draw.chance(40) { draw.range(-10, 220) as f64 } else { draw.double() };
+        let rate = match draw.below(10) {
+            0..=3 => draw.range(-10, 220) as f64,
+            4..=6 => within(&codec, "decoders", "rate_range", draw),
+            _ => draw.double(),
+        };
         draw.chance(85).then(|| (name, num(rate)))
     });
     let rates = map(rates.collect());

@@ -240,6 +240,17 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
             }
         }
         // Another type.
+        0 if draw.chance(50) => {
+            // What is right stands a level too deep.
+            let Some(value) = at(frame, &place).cloned() else { return };
+            let wrapped = match draw.below(4) {
+                0 => object([(name.as_str(), value)]),
+                1 => list(vec![value.clone(), value]),
+                2 => list(vec![list(vec![value])]),
+                _ => list(vec![value]),
+            };
+            replace(frame, &place, draw, |_| wrapped);
+        }
         0..=2 => replace(frame, &place, draw, |draw| match draw.below(8) {
             0 => Json::Null,
             1 => Json::Bool(draw.chance(50)),
@@ -305,6 +316,7 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
         9 => {
             let versions = [
                 "0.4", "0.6", "1.0", "1", "0", "0.5.0", "v0.5", "", "0.", ".5", " 0.5", "0.5 ", "00.5", "0.05", "0.５",
+                "0.51", "0.50", "0.5\n", "10.5", "0.15",
             ];
             set(frame, "ncp_version", text(draw.pick(&versions)));
         }

@@ -198,6 +198,18 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
             let count = draw.size(0, most);
             let count = draw.afford(count);
             let inner = Swarm { most: if numeric { swarm.most } else { swarm.most.min(3) }, ..*swarm };
+            if numeric && count > 8 && draw.chance(15) {
+                // Few values, again and again.
+                let mut few: Vec<Tree> = (0..3).map(|_| value_of(item, &inner, draw)).collect();
+                if matches!(**item, Shape::Number) {
+                    let zero = |negative: bool| match (swarm.frame, negative) {
+                        (true, negative) => literal(if negative { "-0.0" } else { "0.0" }),
+                        (false, negative) => num(if negative { -0.0 } else { 0.0 }),
+                    };
+                    few.extend([zero(false), zero(true)]);
+                }
+                return list((0..count).map(|_| few[draw.below(few.len())].clone()).collect());
+            }
             list((0..count).map(|_| value_of(item, &inner, draw)).collect())
         }
         Shape::Map(value) => {

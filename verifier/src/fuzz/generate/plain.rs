@@ -134,10 +134,18 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
     let alphabet = ["a", "b", "ab", "aab", "@a", "session", "x.y", "aaaa", "é", "abab", "@ab", long.as_str(), &longer];
     let alphabet = if draw.chance(20) { &alphabet[..] } else { &alphabet[..11] };
     let count = if draw.chance(20) { draw.size(1, 70) } else { draw.size(1, 6) };
-    let (repeats, odd) = (draw.one(&[0, 0, 50]), draw.one(&[0, 0, 40]));
+    let (repeats, odd, controls) = (draw.one(&[0, 0, 50]), draw.one(&[0, 0, 40]), draw.one(&[0, 0, 0, 30]));
     let chunk = |draw: &mut Draw<'_>| {
         if draw.chance(odd) {
             return draw.pick(&MEANINGFUL).to_owned();
+        }
+        if draw.chance(controls) {
+            let control = draw.one(&['\n', '\n', '\r', '\0', '\u{2028}', '\u{85}']);
+            return match draw.below(4) {
+                0 => control.to_string(),
+                1 => format!("a{control}b"),
+                _ => format!("{}{control}", draw.pick(alphabet)),
+            };
         }
         if !draw.chance(repeats) {
             return draw.pick(alphabet).to_owned();

@@ -174,7 +174,7 @@ fn of_other_version(mut request: Tree, draw: &mut Draw<'_>) -> Tree {
 
 /// The arguments of `session.run`.
 pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
-    let most = if draw.chance(6) { draw.size(4, 80) } else { 4 };
+    let most = if draw.chance(6) { draw.size(4, 300) } else { 4 };
     let mut ids: Vec<String> = (0..draw.size(1, most)).map(|_| segment(draw)).collect();
     if most > 4 {
         ids = (0..ids.len()).map(|nth| format!("{}{nth}", draw.one(&['a', 'b', 'z']))).collect();
@@ -205,6 +205,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     // What is long shows little that what is short does not; so a few are long, and the time goes into many.
     let mut left = draw.one(&[2e3, 2e3, 2e3, 2e3, 2e3, 2e3, 1e4, 1e4, 5e4, BEARABLE]);
     let mut weights: BTreeMap<String, f64> = BTreeMap::new();
+    let (mut opened, again): (Option<Tree>, u64) = (None, draw.one(&[0, 0, 40, 100]));
     for nth in 0..count {
         let among = if nth >= script.ids.len() && draw.chance(20) { 1 } else { script.ids.len() };
         let id = script.ids[draw.below(among)].clone();
@@ -233,7 +234,13 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         left -= (time / script.dt * weight).max(0.0);
         let frame = match kind {
             "open_session" => {
-                let frame = open(&script, &id, draw);
+                // As another was opened, that may be closed by now.
+                let mut frame = match &opened {
+                    Some(frame) if draw.chance(again) => frame.clone(),
+                    _ => open(&script, &id, draw),
+                };
+                set(&mut frame, "session_id", text(id.clone()));
+                opened = Some(frame.clone());
                 weights.insert(id.clone(), weight_of(&frame));
                 frame
             }
@@ -276,7 +283,15 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         set(&mut args, "strict", crate::json::Json::Bool(true));
         if draw.chance(50) {
             let verbs = kinds.iter().map(|kind| {
-                let other = draw.one(&["open_session", "step_request", "run_request", "close_session"]);
+                let other = draw.one(&[
+                    "open_session",
+                    "step_request",
+                    "run_request",
+                    "close_session",
+                    "session_opened",
+                    "observation_frame",
+                    "command_frame",
+                ]);
                 text(if draw.chance(85) { kind } else { other })
             });
             set(&mut args, "verbs", list(verbs.collect()));
