@@ -4,7 +4,7 @@ use super::fields;
 use super::place::Place;
 use crate::case::{Case, File};
 use crate::json::Json;
-use crate::model::{explicit, minimal};
+use crate::model::{explicit, explicit_message, minimal};
 use crate::roles::{a, readers};
 use crate::template::Text;
 
@@ -25,39 +25,48 @@ pub(super) fn file() -> File {
             cases.extend(fields::spellings(&place, field).into_iter().map(under));
         }
     }
-    cases.extend(behind_white_space());
+    cases.extend(beside_white_space());
     cases.extend(late_items());
     cases.extend(equal_items());
     let about = "Numbers in every spelling: rounding, subnormals, signed zeros, overflow, and integers that are none.";
     File::new("wire", "numbers", about, cases)
 }
 
-/// A negative zero behind each kind of white space: no integer, and a number with its sign.
-fn behind_white_space() -> Vec<Case> {
-    let spaces = [("tab", "\t"), ("line-feed", "\n"), ("carriage-return", "\r"), ("lines", "\r\n\t ")];
-    let case = |(name, space): (&str, &str)| {
+/// A negative zero beside each kind of white space: no integer, and a number with its sign.
+fn beside_white_space() -> Vec<Case> {
+    let spaces = [("space", " "), ("tab", "\t"), ("line-feed", "\n"), ("carriage-return", "\r"), ("lines", "\r\n\t ")];
+    let case = |(side, (name, space)): (&str, (&str, &str))| {
         let spelled = |member: &str, value: &str| {
             let frame = minimal(SENSOR).text();
-            format!("{},\"{member}\":{space}{value}}}", frame.strip_suffix('}').unwrap_or(&frame))
+            let (front, back) = if side == "behind" { (space, "") } else { ("", space) };
+            format!("{},\"{member}\":{front}{value}{back}}}", frame.strip_suffix('}').unwrap_or(&frame))
         };
         let shown = name.replace('-', " ");
-        let number = explicit(SENSOR).with("t", Json::literal("-0.0"));
-        let integer = Case::new(format!("{SENSOR}/behind/{name}/integer"), &["NCP-WIRE-010"], readers(SENSOR))
-            .title(format!("A `{SENSOR}` whose `seq` is -0 behind a {shown} is rejected."))
+        let integer = Case::new(format!("{SENSOR}/{side}/{name}/integer"), &["NCP-WIRE-010"], readers(SENSOR))
+            .title(format!("A `{SENSOR}` whose `seq` is -0 {side} a {shown} is rejected."))
             .flags(&["lenient-integers"])
             .decode(SENSOR, spelled("seq", "-0"))
             .rejects("type")
-            .because("It is not spelled `0` or `-?[1-9][0-9]*`, whatever stands before it.");
-        let number =
-            Case::new(format!("{SENSOR}/behind/{name}/number"), &["NCP-WIRE-015", "NCP-WIRE-012"], readers(SENSOR))
-                .title(format!("A `{SENSOR}` whose `t` is -0 behind a {shown} is read as the negative zero."))
+            .because("It is not spelled `0` or `-?[1-9][0-9]*`, whatever stands beside it.");
+        let number = |field: &str, value: &str, is: Json| {
+            let path = if field == "t" { "number" } else { "item" };
+            Case::new(format!("{SENSOR}/{side}/{name}/{path}"), &["NCP-WIRE-015", "NCP-WIRE-012"], readers(SENSOR))
+                .title(format!("A `{SENSOR}` whose `{field}` has -0 {side} a {shown} is read as the negative zero."))
                 .flags(&["signed-zero"])
-                .decode(SENSOR, spelled("t", "-0"))
-                .means(number.text())
-                .because("A number is the nearest double, its sign included, whatever stands before it.");
-        [integer, number]
+                .decode(SENSOR, spelled(field, value))
+                .means(explicit(SENSOR).with(field, is).text())
+                .because("A number is the nearest double, its sign included, whatever stands beside it.")
+        };
+        let item = match side {
+            "behind" => format!("{{\"a\":{{\"data\":[1,{space}-0]}}}}"),
+            _ => format!("{{\"a\":{{\"data\":[-0{space},1]}}}}"),
+        };
+        let data = if side == "behind" { "[1.0,-0.0]" } else { "[-0.0,1.0]" };
+        let channel = explicit_message("ChannelValue").with("data", Json::literal(data));
+        let channels = Json::object().and("a", channel);
+        [integer, number("t", "-0", Json::literal("-0.0")), number("channels", &item, channels)]
     };
-    spaces.into_iter().flat_map(case).collect()
+    ["behind", "before"].into_iter().flat_map(|side| spaces.map(|space| (side, space))).flat_map(case).collect()
 }
 
 /// A bad item behind many good ones: every item of an array has its type.

@@ -133,7 +133,9 @@ fn spell_plainly(tree: &mut Tree, under: &str) {
     match tree {
         Json::Array(items) => items.iter_mut().for_each(|item| spell_plainly(item, under)),
         Json::Object(members) => members.iter_mut().for_each(|(name, value)| spell_plainly(value, name)),
-        Json::Number(spelling) if spelling == "-0" && ARRAYS.contains(&under) => *tree = literal("-0.0"),
+        Json::Number(spelling) if spelling == "-0" => {
+            *tree = literal(if ARRAYS.contains(&under) { "-0.0" } else { "0" });
+        }
         Json::String(word) if ARRAYS.contains(&under) && word.len() > DIGITS => {
             if let Some(digits) = word.get(..DIGITS).filter(|_| word.bytes().all(|byte| byte.is_ascii_digit())) {
                 *tree = text(digits.to_owned());
