@@ -203,6 +203,42 @@ fn unpacked() -> Vec<Case> {
             .flags(&["closed-objects"])
             .because("Only the three names mean anything here."),
     );
+    // Names that begin or end as the three do, and are others: who takes such a block takes no column for another.
+    for (what, alike) in [
+        ("longer", "timestamps"),
+        ("shorter", "time"),
+        ("numbered", "times2"),
+        ("spaced", "times "),
+        ("capital", "Times"),
+        ("end", "sometimes"),
+        ("beginning", "time_ms"),
+    ] {
+        let block = Block::new([f64s(alike, [1.0, 2.0]), f64s("values", [-65.0, -64.5]), senders()]);
+        cases.push(
+            unpack(format!("alike/times/{what}"), &["NCP-OBS-005"], &block.bytes())
+                .shows_or_refuses(samples(&[], &[-65.0, -64.5], &[7, 9]).json())
+                .title(format!("A column named `{alike}` is not taken for the times."))
+                .flags(&["lossy-blocks"])
+                .because("A column that is not there is an empty array, and columns are known by their whole names."),
+        );
+    }
+    for (name, alike) in [("values", "value"), ("senders", "sender_types")] {
+        let columns = match name {
+            "values" => [times(), f64s(alike, [1.0, 2.0]), senders()],
+            _ => [times(), values(), i64s(alike, [1, 2])],
+        };
+        let given = match name {
+            "values" => samples(&[0.1, 0.2], &[], &[7, 9]),
+            _ => samples(&[0.1, 0.2], &[-65.0, -64.5], &[]),
+        };
+        cases.push(
+            unpack(format!("alike/{name}"), &["NCP-OBS-005"], &Block::new(columns).bytes())
+                .shows_or_refuses(given.json())
+                .title(format!("A column named `{alike}` is not taken for the {name}."))
+                .flags(&["lossy-blocks"])
+                .because("A column that is not there is an empty array, and columns are known by their whole names."),
+        );
+    }
     let capital = Block::new([times(), f64s("Values", [1.0, 2.0])]);
     cases.push(
         unpack("other-case", &["NCP-OBS-007"], &capital.bytes())

@@ -32,6 +32,8 @@ fn shared() -> Vec<Case> {
     let narrow = Block::new([f64s("ab", [1.5, 2.5]), f32s("cd", [3.5])]);
     let integers = Block::new([f64s("ab", [1.5]), i64s("cd", [7])]);
     let name_in_name = Block::new([f64s("abc", [1.5]), f64s("b", [2.5])]);
+    let ends =
+        |name: &str, at| Block::new([f64s("abc", [1.5]), f64s(name, [2.5])]).laid_out(&[44, at], &[48, 56], 64).bytes();
     let three = Block::new([f64s("ab", [1.5]), f64s("cd", [2.5]), f64s("ef", [3.5])]);
     let table: Vec<(&str, Vec<u8>, &str)> = vec![
         (
@@ -76,6 +78,9 @@ fn shared() -> Vec<Case> {
         ),
         ("name-name/same", at([48, 48], [64, 88]), "the names of two columns at the same place"),
         ("name-name/by-one-byte", at([48, 49], [64, 88]), "the last byte of one name and the first of another"),
+        ("name-name/end", ends("c", 46), "a name and the end of another, which reads the same"),
+        ("name-name/beginning", ends("ab", 44), "a name and the beginning of another, which reads the same"),
+        ("name-name/letter", ends("a", 44), "a name and the first letter of another, which reads the same"),
         ("name-name/within", name_in_name.laid_out(&[44, 45], &[48, 56], 64).bytes(), "one name within another"),
         ("name-data/first-byte", at([48, 63], [64, 88]), "a name's last byte and the first of another column's data"),
         ("name-data/last-byte", at([79, 56], [64, 88]), "a name's first byte and the last of its column's own data"),

@@ -9,6 +9,7 @@ use crate::trace::{any, int, name_of, no_result, num, steps, within};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = newest();
     cases.extend(laws());
+    cases.extend(undamped());
     cases.extend(Scenarios::read(source!("control/loop"))?.rest(row_case)?);
     cases.extend(ttls());
     cases.extend(many_ticks());
@@ -105,6 +106,30 @@ fn newest() -> Vec<Case> {
     let mut cases = Vec::new();
     // Three frames in every order, with a tick after each.
     let orders = [[1, 2, 3], [1, 3, 2], [2, 1, 3], [2, 3, 1], [3, 1, 2], [3, 2, 1]];
+    // Unstamped frames so close in time that a coarser clock takes them for one.
+    for (name, early, late) in [
+        ("within-a-millisecond", 1.0, 1.0 + 1.0 / 4096.0),
+        ("within-a-microsecond", 1.0, 1.0 + 1.0 / 4_194_304.0),
+        ("neighbours", 1.0, 1.0_f64.next_up()),
+        ("smallest", 0.0, 5e-324),
+        ("of-a-late-clock", 1_000_000.0, 1_000_000.0 + 1.0 / 4096.0),
+        ("below-zero", -1.0, -1.0 + 1.0 / 4096.0),
+    ] {
+        let at = |t: f64, x: f64, now: f64| arrives_at(0, t, &[x, 0.0, 0.0], now);
+        let rising = vec![at(early, 0.5, 1.0), at(late, 0.25, 1.0625), moves_by(&[-0.25, 0.0, 0.0], 1.0625)];
+        let falling = vec![at(late, 0.25, 1.0), at(early, 0.5, 1.0625), moves_by(&[-0.25, 0.0, 0.0], 1.0625)];
+        for (what, trace) in [("rising", rising), ("falling", falling)] {
+            cases.push(
+                run(format!("newest/close-in-time/{name}/{what}"), &["NCP-CTRL-011"], 50.0, Json::object(), trace)
+                    .title(format!(
+                        "Of two unstamped frames that are close in time, the newer is used ({}, {what}).",
+                        name.replace('-', " ")
+                    ))
+                    .flags(&["last-to-arrive"])
+                    .because(NEWEST),
+            );
+        }
+    }
     for order in orders {
         let mut trace = Vec::new();
         let mut newest = 0;
@@ -158,6 +183,33 @@ fn newest() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// What the controller makes of a frame without a usable velocity behind one that had it: it damps nothing, or holds.
+fn undamped() -> Vec<Case> {
+    let still = |x: f64| velocity(&[-x, 0.0, 0.0]);
+    let choice = |now: f64, x: f64| {
+        let holds = object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) };
+        commands(now, any(vec![object! { "mode" => "active", "channels" => still(x) }, holds]))
+    };
+    let unusable: [(&str, &str, Option<&[f64]>); 3] = [
+        ("none", "no velocity", None),
+        ("two-wide", "a velocity of two components", Some(&[0.5, 0.5])),
+        ("empty", "an empty velocity", Some(&[])),
+    ];
+    let case = |(name, words, second): (&str, &str, Option<&[f64]>)| {
+        let trace = vec![
+            frame(1, 0.0, channels_at(&[0.5, 0.0, 0.0], Some(&[0.5, 0.25, -0.5])), 1.0),
+            moves_by(&law(DEFAULT, [0.5, 0.0, 0.0], [0.5, 0.25, -0.5]), 1.0),
+            frame(2, 0.0625, channels_at(&[0.25, 0.0, 0.0], second), 1.0625),
+            choice(1.0625, 0.25),
+        ];
+        run_with(format!("law/undamped/{name}"), &["NCP-CTRL-004"], 50.0, Json::object(), DEFAULT.json(), trace)
+            .title(format!("A frame with {words} is damped by no velocity of the frame before."))
+            .flags(&["reflex-law"])
+            .because("Without a usable `pose_velocity` the controller damps nothing or commands a HOLD.")
+    };
+    unusable.into_iter().map(case).collect()
 }
 
 /// What the controller makes of a frame behind another without a stamp: the velocity along x shows which frame it uses,

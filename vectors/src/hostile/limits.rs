@@ -243,6 +243,35 @@ fn depths() -> Vec<Case> {
             Text::concat([format!("{open_frame},\"novel\":[").into(), Text::repeat("[[]],", 1000), "[]]}".into()]),
             "a thousand nested arrays side by side",
         ));
+        // Strings whose ends are told by their escapes, among so many brackets that the levels are counted.
+        for (name, string, says) in [
+            ("ends-with-escape", r#""C:\\""#, "a string that ends with a backslash"),
+            ("ends-with-escapes", r#""\\\\""#, "a string of two backslashes"),
+            ("quote-and-bracket", r#""a\"[[""#, "a string with brackets behind a quote"),
+            ("escape-quote-bracket", r#""\\\"]]""#, "a string with brackets behind a backslash and a quote"),
+            ("bracket-and-escape", r#""]]\\""#, "a string of brackets and a backslash"),
+            ("escaped-quote-last", r#""[[\"""#, "a string of brackets and a quote"),
+        ] {
+            let text = |open_frame: &str, levels: usize| {
+                let within = format!("{}{string}{}", "[".repeat(levels - 2), "]".repeat(levels - 2));
+                Text::from(format!(
+                    "{open_frame},\"novel\":[{string},{}{within},{string},{{{string}:[{string}]}},{string}]}}",
+                    "[],".repeat(70)
+                ))
+            };
+            cases.push(read(&format!("{name}/at-limit"), text(open_frame, LEVELS), &format!("64 levels and {says}")));
+            let frame = minimal(kind).text();
+            cases.push(
+                Case::new(format!("{kind}/depth/{name}/beyond-limit"), &["NCP-WIRE-064"], readers(kind))
+                    .title(format!("{} of 65 levels with {says} is rejected.", a(kind)))
+                    .flags(&["missing-limits"])
+                    .decode(kind, text(frame.strip_suffix('}').unwrap_or(&frame), LEVELS + 1))
+                    .rejects("limit")
+                    .because(
+                        "Brackets within a string are no levels, and those behind it are, whatever its escapes are.",
+                    ),
+            );
+        }
         // Levels of which a part is open while more brackets come and go than any block of them has.
         let crowded = |frame: &Json, levels: usize| {
             let (before, rows) = (40, 1700);

@@ -717,6 +717,16 @@ fn extremes() -> Vec<Case> {
         "Two missing frames that come 4,300 frames late are taken back.",
         REMEMBERS,
     );
+    // Hardly fewer missing than may be, and far behind.
+    at_last(
+        "extreme/remembers-far-back",
+        &["NCP-RES-056", "NCP-RES-041"],
+        [0, 3, 4_050].into_iter().chain(4_051..=8_300).chain([2, 1, 4_049]).collect(),
+        object! { "lost" => int(4_045), "received" => int(4_256) },
+        "wrong-loss",
+        "Of 4,048 missing frames two that come 8,298 seqs late are taken back.",
+        REMEMBERS,
+    );
     // More missing than may be remembered: not all of them can be taken back.
     at_last(
         "extreme/memory",

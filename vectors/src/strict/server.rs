@@ -130,6 +130,24 @@ fn unversioned() -> Vec<Case> {
             );
         }
     }
+    // What may be answered in two ways of a session that is not open, may not where the version rejects the request.
+    for (what, version) in unfit_versions() {
+        let trace = vec![(with_version(&close("b"), version.as_deref()), error()), open(), step_after(0.0)];
+        cases.push(
+            case(
+                format!("close_session/of-no-session/{what}"),
+                &["NCP-STRICT-009", against_version(version.as_deref())],
+                trace,
+            )
+            .strictly()
+            .title(format!(
+                "A strict server answers a `close_session` for no open session with an error frame if its version is \
+                 {what}."
+            ))
+            .flags(&["L07"])
+            .because("It answers with an error frame, and does not carry it out."),
+        );
+    }
     cases
 }
 

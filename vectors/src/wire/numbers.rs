@@ -110,6 +110,12 @@ pub(super) fn more_doubles() -> Vec<Double> {
     ));
     all.push(spelled("largest-below-the-halfway", format!("{HALFWAY}1"), "1.7976931348623157e308", "largest-double"));
     all.push(spelled("many-digits-and-exponent", format!("1{}e-395", "0".repeat(400)), "100000.0", "many-digits"));
+    // As many as overflow with one more.
+    for (name, zeros) in
+        [("299-zeros-and-9", 299), ("288-zeros-and-20", 288), ("209-zeros-and-99", 209), ("8-zeros-and-300", 8)]
+    {
+        all.push(spelled(name, format!("1{}e{}", "0".repeat(zeros), 308 - zeros), "1e308", "many-digits"));
+    }
     all.push(spelled("many-zeros-and-exponent", format!("0.{}1e401", "0".repeat(399)), "10.0", "many-digits"));
     // What stands at the end decides, beyond any buffer of a kibibyte or a few.
     for (zeros, names) in [
@@ -153,7 +159,19 @@ pub(super) fn few_infinite() -> Vec<(&'static str, String)> {
 
 /// More of them.
 pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
-    vec![
+    // Too few digits to overflow by themselves, with an exponent that does not by itself.
+    let together =
+        |(name, zeros, exponent): (&'static str, usize, usize)| (name, format!("1{}e{exponent}", "0".repeat(zeros)));
+    let split = [
+        ("overflow-by-308-zeros-and-1", 308, 1),
+        ("overflow-by-299-zeros-and-10", 299, 10),
+        ("overflow-by-289-zeros-and-20", 289, 20),
+        ("overflow-by-210-zeros-and-99", 210, 99),
+        ("overflow-by-109-zeros-and-200", 109, 200),
+        ("overflow-by-9-zeros-and-300", 9, 300),
+    ];
+    let split = split.map(together);
+    let alone = [
         ("overflow-negative", "-1e309".to_owned()),
         ("overflow-by-rounding", "1.7976931348623159e308".to_owned()),
         ("overflow-at-the-halfway", format!("{HALFWAY}2")),
@@ -162,7 +180,8 @@ pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
         ("overflow-by-digits-and-a-fraction", format!("1{}.5", "0".repeat(349))),
         ("overflow-exponent-leading-zeros", "1e00309".to_owned()),
         ("overflow-huge-exponent", "1e99999999999999999999".to_owned()),
-    ]
+    ];
+    alone.into_iter().chain(split).collect()
 }
 
 /// 2^1024 − 2^970, halfway from the largest double to the next power of two, but for its last

@@ -5,6 +5,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, meaning, minimal};
 use crate::roles::{a, readers};
+use crate::template::Text;
 
 /// The kind, whether the pins stand in its `provenance`, the pin, its value, and the rule.
 const PINS: [(&str, bool, &str, bool, &str); 4] = [
@@ -67,8 +68,50 @@ pub(super) fn file() -> File {
     }
     cases.extend(beside());
     cases.extend(of_backends());
+    cases.extend(in_large_frames());
     let about = "The pins `calibrated_posterior` and `is_simulation_output`: exactly their pinned values, or absent.";
     File::new("wire", "pins", about, cases)
+}
+
+/// A flipped pin before and behind so much that a receiver might read the frame on a faster road.
+fn in_large_frames() -> Vec<Case> {
+    const SHAPES: [(&str, &str, usize); 2] =
+        [("64-kib", "more than 64 KiB", 20_000), ("1-mib", "more than 1 MiB", 300_000)];
+    let mut cases = Vec::new();
+    for (kind, nested, pin, pinned, rule) in PINS {
+        let member = if nested { format!("provenance.{pin}") } else { pin.to_owned() };
+        let broken =
+            if nested { format!("\"provenance\":{{\"{pin}\":{}}}", !pinned) } else { format!("\"{pin}\":{}", !pinned) };
+        let front = minimal(kind).text();
+        let front = front.strip_suffix('}').unwrap_or(&front);
+        // Of the two kinds only an observation may be longer than 1 MiB.
+        for (size, words, count) in SHAPES.into_iter().take(if nested { 1 } else { 2 }) {
+            let large = || {
+                let (before, item, after) = match nested {
+                    true => ("\"novel\":\"", "abc ", "\""),
+                    false => ("\"records\":{\"a\":{\"values\":[", "0.5,", "0.5]}}"),
+                };
+                [before.into(), Text::repeat(item, count), after.into()]
+            };
+            for place in ["before", "behind"] {
+                let [a_part, b_part, c_part] = large();
+                let text = if place == "before" {
+                    Text::concat([format!("{front},{broken},").into(), a_part, b_part, c_part, "}".into()])
+                } else {
+                    Text::concat([format!("{front},").into(), a_part, b_part, c_part, format!(",{broken}}}").into()])
+                };
+                cases.push(
+                    Case::new(format!("{kind}/{pin}/large/{size}/{place}"), &[rule], readers(kind))
+                        .title(format!("{} of {words} whose `{member}` is {} is rejected ({place}).", a(kind), !pinned))
+                        .flags(&["unchecked-pins"])
+                        .decode(kind, text)
+                        .rejects("provenance")
+                        .because(format!("The pin is present and not exactly `{pinned}`, however long the frame is.")),
+                );
+            }
+        }
+    }
+    cases
 }
 
 /// A flipped pin among other members that say something, on each road to the frame: none of them is a reason to let it

@@ -311,7 +311,11 @@ impl<'h> Draw<'h> {
     }
 
     /// Quotes and backslashes in front of what has a meaning outside strings.
-    fn quoted(&mut self) -> String {
+    pub(crate) fn quoted(&mut self) -> String {
+        if self.chance(30) {
+            // A string that ends with what has to be escaped.
+            return format!("{}{}", self.one(&["", "a", "[", "]]"]), self.one(&["\\", "\\\\", "\"", "\\\""]));
+        }
         (0..1 + self.below(4))
             .flat_map(|_| [self.one(&["\"", "\\", "\\\"", ""]), self.one(&["[", "]", "{", "}", ",", ":", "//", "\"e"])])
             .collect()

@@ -26,7 +26,18 @@ pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
 
 /// A value for a member that nobody knows.
 pub(super) fn unknown(draw: &mut Draw<'_>) -> Tree {
-    match draw.below(9) {
+    match draw.below(10) {
+        // So many brackets that somebody counts them, about strings whose ends are told by their escapes.
+        9 => {
+            let strings: Vec<String> = (0..3).map(|_| draw.quoted()).collect();
+            let count = draw.size(1, 100);
+            let mut items = vec![list(Vec::new()); count];
+            items.extend(strings.into_iter().map(text));
+            items.push(deep(&[2, 31, 58, 60, 61, 62, 63], draw));
+            let at = draw.below(items.len());
+            items.insert(at, text(draw.quoted()));
+            list(items)
+        }
         // Large, and perhaps with a name twice.
         6 => {
             let count = if draw.chance(20) { draw.size(1, 3000) } else { draw.size(1, 40) };
@@ -153,7 +164,13 @@ pub(super) fn digits(draw: &mut Draw<'_>) -> String {
     let (digit, sign) = (draw.one(&['1', '9']), draw.one(&["", "-"]));
     let many = digit.to_string().repeat(count);
     let zeros = "0".repeat(count);
-    match draw.below(8) {
+    match draw.below(9) {
+        // Digits and an exponent that overflow together, or nearly.
+        8 => {
+            let zeros = draw.below(309);
+            let exponent = (306 + draw.below(5)).saturating_sub(zeros);
+            recased(&format!("{sign}{digit}{}e{exponent}", "0".repeat(zeros)), draw)
+        }
         7 => {
             let beyond = 306 + draw.below(6);
             recased(&format!("{sign}{digit}e{beyond}"), draw)
@@ -195,9 +212,31 @@ pub(super) fn corrupted(frame: &Tree, draw: &mut Draw<'_>) -> Vec<u8> {
     if draw.chance(60) {
         let mut frame = frame.clone();
         wrong_value(&mut frame, draw);
+        if draw.chance(2) {
+            enlarge(&mut frame, draw);
+        }
         return wild(&frame, draw).into_bytes();
     }
     wrong_text(wild(frame, draw).into_bytes(), draw)
+}
+
+/// Makes the frame long by a member that nobody knows, at its beginning or its end: some receivers read long frames on a
+/// road of their own.
+fn enlarge(frame: &mut Tree, draw: &mut Draw<'_>) {
+    let kinds = frame.get("kind").and_then(Json::as_str);
+    let most = if kinds == Some("observation_frame") { 1_300_000 } else { 1_000_000 };
+    let length = if draw.chance(30) { most } else { draw.size(4000, 140_000) };
+    let member = if draw.chance(50) {
+        text("x".repeat(length))
+    } else {
+        // In rows, since an array that is ignored may be held to a limit, too.
+        let row = list(vec![literal("0.5"); 1000]);
+        list(vec![row; length / 4000 + 1])
+    };
+    if let Json::Object(members) = frame {
+        let at = if draw.chance(50) { 0 } else { members.len() };
+        members.insert(at, ("future".into(), member));
+    }
 }
 
 /// Changes one value or member, so that the grammar stays.
@@ -281,7 +320,12 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
                 "-0.0",
                 "2147483648",
             ];
-            let spelling = draw.pick(&spelling).to_owned();
+            let mut spelling = draw.pick(&spelling).to_owned();
+            if draw.chance(40) {
+                // What follows it, or stands before it, may be white space.
+                let space = draw.pick(&[" ", "\t", "\n", "\r", " \r\n"]);
+                spelling = if draw.chance(70) { format!("{spelling}{space}") } else { format!("{space}{spelling}") };
+            }
             let numbers: Vec<_> =
                 all.iter().filter(|place| matches!(at(frame, place), Some(Json::Number(_)))).cloned().collect();
             let place = if numbers.is_empty() { place } else { numbers[draw.below(numbers.len())].clone() };

@@ -359,6 +359,10 @@ pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     {
         members.retain(|(name, _)| name != "ok");
     }
+    // A remark, or what the table of the reply lacks.
+    if !matches!(kind, "error") && draw.chance(10) {
+        set(&mut answer, "error", text(draw.pick(&["", "3 of 4 ports are used"])));
+    }
     let bytes = if draw.chance(75) { wild(&answer, draw).into_bytes() } else { corrupted(&answer, draw) };
     let reply = String::from_utf8_lossy(&bytes).into_owned();
     let mut args = object([("request", text(asked.to_string())), ("reply", text(reply))]);

@@ -110,7 +110,7 @@ pub(crate) const fn weight(call: Call) -> usize {
         Call::CodecEncode | Call::CodecDecode | Call::ReflexStep | Call::GovernorRun => 20,
         Call::KeyMatch | Call::ReplyCheck | Call::WatchdogRun => 24,
         Call::Encode => 40,
-        Call::Decode => 60,
+        Call::Decode => 100,
     }
 }
 

@@ -437,6 +437,8 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
     let (mut seq, mut sensed) = (1, clock.now);
     let gaps = draw.one(&[0, 0, 5, 30]);
     let (odd, same) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 20, 60]));
+    // How far the times of frames are apart: an eighth of a second as a rule, or less than a coarse clock tells.
+    let apart = draw.one(&[0.125, 0.125, 0.125, 1.0 / 4096.0, 1.0 / 4_194_304.0]);
     let mut before: Option<Tree> = None;
     let steps = (0..count).map(|_| {
         if draw.chance(resets) {
@@ -456,6 +458,9 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
         let mut sensor = sensor(limits.fence, seq, odd, 0, draw);
         if !stamped {
             set(&mut sensor, "seq", int(0));
+            if apart < 0.125 {
+                set(&mut sensor, "t", num(1.0 + seq as f64 * apart));
+            }
         }
         before = Some(sensor.clone());
         object([("op", text("sensor")), ("sensor", sensor), ("now_s", num(now))])

@@ -184,6 +184,11 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
                 let rounds =
                     |other: &Tree| items(other.get("steps")).get(place).is_some_and(|o| mode(o) != mode(answer));
                 is_known &= !other_roundings.iter().any(rounds);
+                if is_known && is_in_another_unit(newest.as_ref()) {
+                    // Whether it holds or goes on, it keeps nothing of it.
+                    entries.push(free());
+                    continue;
+                }
                 entries.push(match tick(answer, newest.as_ref(), &gains, period, limits).filter(|_| is_known) {
                     Some(pattern) => pattern,
                     None => {
@@ -217,17 +222,26 @@ fn widened(args: &Tree, fence: f64) -> Option<Tree> {
     }
 }
 
+/// Whether a position or a velocity that can be used but for its unit is in another.
+fn is_in_another_unit(newest: Option<&Tree>) -> bool {
+    let is_other = |name: &str, own: &str| {
+        let (data, unit) = data(newest, name);
+        is_usable(data.as_ref()) && unit.is_some_and(|unit| unit != own)
+    };
+    is_usable(data(newest, "pose_position").0.as_ref())
+        && (is_other("pose_position", "m") || is_other("pose_velocity", "m/s"))
+}
+
 /// What a tick may send; none where it is open.
 fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits: Option<&Tree>) -> Option<Tree> {
     let command = answer.get("command")?;
     let mode = string(command, "mode")?;
-    let (position, unit) = data(newest, "pose_position");
-    let (velocity, speed_unit) = data(newest, "pose_velocity");
+    let (position, velocity) = (data(newest, "pose_position").0, data(newest, "pose_velocity").0);
     let has_place = is_usable(position.as_ref());
-    let others = |unit: &Option<String>, own: &str| unit.as_deref().is_some_and(|unit| unit != own);
-    if has_place && (!is_usable(velocity.as_ref()) || others(&unit, "m") || others(&speed_unit, "m/s")) {
-        return None;
-    }
+    // [NCP-CTRL-004]
+    let is_damped = is_usable(velocity.as_ref());
+    let velocity = velocity.filter(|_| is_damped).unwrap_or_else(|| vec![0.0; 3]);
+    let may_hold_instead = has_place && !is_damped && mode == "active";
     let mut pattern = object([("mode", text(mode))]);
     if let Some(seq) = newest.and_then(|newest| newest.get("seq")) {
         set(&mut pattern, "seq", seq.clone());
@@ -237,7 +251,7 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
     if mode == "active" {
         let given = command.get("channels").and_then(|channels| channels.get("velocity_setpoint"));
         let given = doubles(given.and_then(|channel| channel.get("data")));
-        let about = gains.about(&given, &position?, &velocity?)?;
+        let about = gains.about(&given, &position?, &velocity)?;
         let limited = most.is_some_and(|most| most > 0.0 && norm(&given) > most * (1.0 - 1e-6));
         let about = if limited { list(given.iter().map(|x| super::near(*x, 1e-12)).collect()) } else { about };
         set(
@@ -259,7 +273,13 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
     }
     // [NCP-CTRL-014] [NCP-SAFE-070] A HOLD or an ESTOP keeps the ttl that was raised.
     set(&mut pattern, "ttl_ms", range(2.0 * period * (1.0 - 1e-12), f64::MAX));
-    Some(object([("command", pattern), ("status", status)]))
+    let sent = object([("command", pattern), ("status", status)]);
+    if !may_hold_instead {
+        return Some(sent);
+    }
+    let zeros = object([("data", nums(&[0.0; 3])), ("unit", text("m/s"))]);
+    let held = object([("mode", text("hold")), ("channels", object([("velocity_setpoint", zeros)]))]);
+    Some(any(vec![sent, object([("command", held)])]))
 }
 
 #[cfg(test)]
@@ -287,6 +307,29 @@ mod tests {
         assert!(matches!(verdict(r#"{"kp":1e-308,"target":[-1e308,0.0,0.0]}"#, "1e308", "0.0"), Verdict::Open(_)));
         assert!(matches!(verdict(r#"{"kp":4.0,"kd":4.0}"#, "1e308", "1e308"), Verdict::Open(_)));
         assert!(matches!(verdict(r#"{"kp":4.0,"max_speed":1e308}"#, "1e308", "0.0"), Verdict::Open(_)));
+    }
+
+    #[test]
+    fn a_loop_without_a_usable_velocity_damps_nothing_or_holds_and_is_judged_on_as_before() {
+        let call = Call::LoopRun;
+        let sensor = |seq: i64, more: &str| {
+            format!(
+                r#"{{"op":"sensor","sensor":{{"seq":{seq},"channels":{{"pose_position":{{"data":[0.5,0.0,0.0],"unit":"m"}}{more}}}}},"now_s":1.0}}"#
+            )
+        };
+        let moving = r#","pose_velocity":{"data":[1.0,0.0,0.0],"unit":"m/s"}"#;
+        let tick = r#"{"op":"tick","now_s":1.0}"#;
+        let steps = [&sensor(1, moving), tick, &sensor(2, ""), tick, &sensor(3, moving), tick].join(",");
+        let written = format!(r#"{{"period_ms":50.0,"limits":{{}},"config":{{}},"steps":[{steps}]}}"#);
+        let args = Json::parse(&written).map(|args| own(&args)).unwrap();
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
+            panic!("a loop whose sensor has no velocity is decided");
+        };
+        let answers = items(expect.get("value").and_then(|value| value.get("steps")));
+        let undamped = answers[3].to_string();
+        assert!(undamped.starts_with("{\"$any\"") && undamped.contains("\"hold\""), "{undamped}");
+        assert!(undamped.contains("-0.50000000") || undamped.contains("-0.5,"), "{undamped}");
+        assert!(answers[5].to_string().contains("velocity_setpoint"), "{}", answers[5]);
     }
 
     #[test]

@@ -91,7 +91,13 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         let level = open.get(&id).map_or(0.0, |session| session.level);
         let is_refused_for_version = version_of(asked.as_ref()) != WIRE_VERSION
             || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
-        patterns.push(pattern(&reply, &kind, &of, is_refused_for_version, level));
+        let verb = items(args.get("verbs")).get(nth).and_then(Json::as_str);
+        let by_strictness = strict && (is_refused_for_version || verb.is_some_and(|verb| verb != of));
+        patterns.push(match of.as_str() {
+            // [NCP-STRICT-007] [NCP-STRICT-009] An error frame, and not what else a session that is not open may get.
+            "close_session" if by_strictness && kind == "error" => pattern(&reply, &kind, "", false, level),
+            _ => pattern(&reply, &kind, &of, is_refused_for_version, level),
+        });
     }
     if let Some(why) = why_open.filter(|_| patterns.iter().all(|pattern| pattern.get("$anything").is_some())) {
         return Verdict::Open(why);
