@@ -33,7 +33,7 @@ pub(super) fn unknown(draw: &mut Draw<'_>) -> Tree {
             let count = draw.size(1, 100);
             let mut items = vec![list(Vec::new()); count];
             items.extend(strings.into_iter().map(text));
-            items.push(deep(&[2, 31, 58, 60, 61, 62, 63], draw));
+            items.push(deep(&[2, 31, 58, 60, 61, 62], draw));
             let at = draw.below(items.len());
             items.insert(at, text(draw.quoted()));
             list(items)

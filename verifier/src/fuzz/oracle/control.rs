@@ -303,7 +303,7 @@ mod tests {
         let Verdict::Expect(expect) = verdict(r#"{"kp":4.0,"max_speed":2.0}"#, "1e308", "1e300") else {
             panic!("a term beyond the doubles is beyond every bound");
         };
-        assert!(expect.to_string().contains(r#"{"$range":[-2.0,-2.0]}"#), "{expect}");
+        assert!(expect.to_string().contains(r#""data":[-2.0,"#), "{expect}");
         assert!(matches!(verdict(r#"{"kp":1e-308,"target":[-1e308,0.0,0.0]}"#, "1e308", "0.0"), Verdict::Open(_)));
         assert!(matches!(verdict(r#"{"kp":4.0,"kd":4.0}"#, "1e308", "1e308"), Verdict::Open(_)));
         assert!(matches!(verdict(r#"{"kp":4.0,"max_speed":1e308}"#, "1e308", "0.0"), Verdict::Open(_)));

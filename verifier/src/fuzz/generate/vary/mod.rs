@@ -946,7 +946,7 @@ mod tests {
         let long = "0".repeat(4304);
         let asked = format!(r#"{{"times":[-0,-0.0,1],"senders":["7","{long}"],"seq":-0,"key":"{long}"}}"#);
         let short = "0".repeat(40);
-        let then = format!(r#"{{"times":[-0.0,-0.0,1],"senders":["7","{short}"],"seq":-0,"key":"{long}"}}"#);
+        let then = format!(r#"{{"times":[-0.0,-0.0,1],"senders":["7","{short}"],"seq":0,"key":"{long}"}}"#);
         assert_eq!(spelled(&asked), then);
         let frame = r#"{"text":"{\"channels\":{\"a\":{\"data\":[-0]}}}"}"#;
         assert_eq!(spelled(frame), frame);
