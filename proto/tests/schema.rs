@@ -418,7 +418,8 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         case(
             "governor.run",
             json!({"limits": limits(), "capabilities": null, "steps": [
-                {"op": "govern", "command": {"horizon": [{}, {"$item": {}, "times": 9}]}, "now_s": 1, "sensor": null, "last_sensor_s": null},
+                {"op": "govern", "command": {"horizon": [{}, {"$item": {}, "times": 9}]}, "now_s": 1, "sensor": null,
+                    "last_sensor_s": null},
                 {"op": "note_link", "burst": true},
             ]}),
             json!({"accept": true}),

@@ -1,9 +1,9 @@
 //! Patterns of results, for answers of which a case does not judge everything.
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
-//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`. In a list, `{"$item": pattern, "times": 1000}` stands
-//! for so many equal items; no other template stands in a pattern. Reading it is strict: a pattern that is misspelt
-//! would test nothing.
+//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`. In a list, `{"$item": pattern, "times": 1000}`
+//! stands for so many equal items; no other template stands in a pattern. Reading it is strict: a pattern that is
+//! misspelt would test nothing.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};

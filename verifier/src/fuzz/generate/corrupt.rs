@@ -220,8 +220,8 @@ pub(super) fn corrupted(frame: &Tree, draw: &mut Draw<'_>) -> Vec<u8> {
     wrong_text(wild(frame, draw).into_bytes(), draw)
 }
 
-/// Makes the frame long by a member that nobody knows, at its beginning or its end: some receivers read long frames on a
-/// road of their own.
+/// Makes the frame long by a member that nobody knows, at its beginning or its end: some receivers read long frames on
+/// a road of their own.
 fn enlarge(frame: &mut Tree, draw: &mut Draw<'_>) {
     let kinds = frame.get("kind").and_then(Json::as_str);
     let most = if kinds == Some("observation_frame") { 1_300_000 } else { 1_000_000 };

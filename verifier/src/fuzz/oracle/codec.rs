@@ -196,9 +196,8 @@ mod tests {
     #[test]
     fn of_a_map_whose_steps_leave_the_doubles_the_clamp_is_asked_for_and_of_the_others_all() {
         let mapping = |name: &str, ends: &str| {
-            format!(
-                r#"{{"channel":"{name}","component":0,"population":"{name}","value_range":{ends},"rate_range":[3.0,7.0]}}"#
-            )
+            let place = format!(r#""channel":"{name}","component":0,"population":"{name}""#);
+            format!(r#"{{{place},"value_range":{ends},"rate_range":[3.0,7.0]}}"#)
         };
         let mappings = [mapping("a", "[-1.7e308,1.7e308]"), mapping("b", "[0.0,1.0]")].join(",");
         let sensor = r#"{"seq":1,"channels":{"a":{"data":[0.5]},"b":{"data":[0.5]}}}"#;

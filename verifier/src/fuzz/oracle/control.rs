@@ -293,10 +293,10 @@ mod tests {
     fn a_law_of_which_one_term_leaves_the_doubles_is_clamped_and_one_whose_difference_does_is_open() {
         let call = Call::ReflexStep;
         let verdict = |config: &str, position: &str, velocity: &str| {
-            let written = format!(
-                r#"{{"config":{config},"sensor":{{"seq":1,"channels":{{"pose_position":{{"data":[{position},0.0,0.0],"unit":"m"}},
-                "pose_velocity":{{"data":[{velocity},0.0,0.0],"unit":"m/s"}}}}}}}}"#
-            );
+            let position = format!(r#""pose_position":{{"data":[{position},0.0,0.0],"unit":"m"}}"#);
+            let velocity = format!(r#""pose_velocity":{{"data":[{velocity},0.0,0.0],"unit":"m/s"}}"#);
+            let sensor = format!(r#"{{"seq":1,"channels":{{{position},{velocity}}}}}"#);
+            let written = format!(r#"{{"config":{config},"sensor":{sensor}}}"#);
             let args = Json::parse(&written).map(|args| own(&args)).unwrap();
             expectation(&Input { call, args }, &specification(call, &written), None)
         };
@@ -313,9 +313,9 @@ mod tests {
     fn a_loop_without_a_usable_velocity_damps_nothing_or_holds_and_is_judged_on_as_before() {
         let call = Call::LoopRun;
         let sensor = |seq: i64, more: &str| {
-            format!(
-                r#"{{"op":"sensor","sensor":{{"seq":{seq},"channels":{{"pose_position":{{"data":[0.5,0.0,0.0],"unit":"m"}}{more}}}}},"now_s":1.0}}"#
-            )
+            let position = r#""pose_position":{"data":[0.5,0.0,0.0],"unit":"m"}"#;
+            let sensor = format!(r#"{{"seq":{seq},"channels":{{{position}{more}}}}}"#);
+            format!(r#"{{"op":"sensor","sensor":{sensor},"now_s":1.0}}"#)
         };
         let moving = r#","pose_velocity":{"data":[1.0,0.0,0.0],"unit":"m/s"}"#;
         let tick = r#"{"op":"tick","now_s":1.0}"#;
