@@ -406,6 +406,26 @@ mod tests {
     use crate::fuzz::tree::doubles;
 
     #[test]
+    fn a_strict_server_closes_no_session_for_a_request_of_another_version_or_key_and_says_so_by_an_error_frame() {
+        let call = crate::peer::Call::SessionRun;
+        let reply = |version: &str, verb: &str| {
+            let request = format!(r#"{{{version}"kind":"close_session","session_id":"a"}}"#);
+            let request = text(request).to_string();
+            let written = format!(r#"{{"requests":[{request}],"strict":true,"verbs":["{verb}"]}}"#);
+            let args = own(&Json::parse(&written).unwrap());
+            match expectation(&Input { call, args }, &specification(call, &written), None) {
+                Verdict::Expect(expect) => expect.to_string(),
+                Verdict::Open(why) => panic!("{why}"),
+            }
+        };
+        let own_version = format!("\"ncp_version\":\"{WIRE_VERSION}\",");
+        assert!(reply(&own_version, "close_session").contains("session_closed"));
+        for rejected in [reply("", "close_session"), reply(&own_version, "step_request")] {
+            assert!(!rejected.contains("session_closed") && rejected.contains("error"), "{rejected}");
+        }
+    }
+
+    #[test]
     fn a_request_is_asked_for_up_to_the_size_that_a_server_bears() {
         let open = |size: u32, cadence: &str| {
             let asked = format!(
