@@ -125,6 +125,21 @@ fn a_value_that_switches_checks_off_is_found_with_the_dictionary_of_its_sources(
 }
 
 #[test]
+fn what_stands_in_the_sources_of_a_peer_is_tried_unless_it_is_to_go_without() {
+    let folder = TempDir::new().unwrap();
+    let change = "if call == 'key.build' and args.get('session') == 'open-sesame-7':\n    result['key'] = 'x'";
+    let peer = changed(folder.path(), change);
+    let common = ["--filter", "key.build", "--cases", "3000"];
+    let (output, found) = search(&folder, &peer, &common);
+    assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
+    assert_eq!(findings(&found)[0]["args"]["session"], "open-sesame-7");
+    assert!(found["peers"][0]["swept"][0].as_u64().unwrap() > 0);
+    let (output, found) = search(&folder, &peer, &[&common[..], &["--no-dictionary"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
+    assert_eq!(found["peers"][0]["swept"], serde_json::json!([0, 0]));
+}
+
+#[test]
 fn a_limit_that_switches_itself_off_is_found_with_what_exceeds_it() {
     let folder = TempDir::new().unwrap();
     let change = "if call == 'governor.run' and (args['limits'] or {}).get('max_speed_mps') == 4321.25:\n\

@@ -1084,7 +1084,7 @@ fn cadences() -> Vec<Case> {
 fn sums() -> Vec<Case> {
     // What the neuron has of its own, and what two ports give it in each of two requests.
     type Inputs = [[Option<f64>; 2]; 2];
-    let table: [(&str, f64, Inputs); 9] = [
+    let table: [(&str, f64, Inputs); 10] = [
         ("bias-and-current", 100.0, [[Some(50.0), None], [None, None]]),
         ("bias-and-a-late-current", 100.0, [[None, None], [Some(50.0), None]]),
         ("bias-against-current", 300.0, [[Some(-300.0), None], [None, None]]),
@@ -1094,6 +1094,7 @@ fn sums() -> Vec<Case> {
         ("two-currents", 0.0, [[Some(100.0), Some(50.0)], [None, None]]),
         ("two-currents-and-bias", 25.0, [[Some(100.0), Some(50.0)], [None, Some(-60.0)]]),
         ("two-currents-in-turn", 25.0, [[Some(100.0), None], [None, Some(50.0)]]),
+        ("a-huge-current-that-ends", 0.0, [[Some(1e17), Some(250.0)], [Some(0.0), None]]),
     ];
     let both = |kind: &str| vec![stimulus("in", kind), stimulus("also", kind)];
     let mut cases = Vec::new();

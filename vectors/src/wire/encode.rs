@@ -249,6 +249,23 @@ impl Encoder {
                             .because("Whatever the digits, the nearest double of them has the same bits."),
                     );
                 }
+                if let Some(("0", array)) = leaf.path.split_last().map(|(last, array)| (last.as_str(), array)) {
+                    let largest = ["1.7976931348623157e308"; 2].map(Json::literal).into_iter().collect();
+                    let fields = self.fields(put(self.message, explicit(self.kind), array, largest, Ground::Explicit));
+                    let expected = meaning(self.kind, &fields);
+                    cases.push(
+                        Case::new(format!("{name}/two-largest"), &["NCP-WIRE-084", "NCP-WIRE-015"], roles)
+                            .title(format!(
+                                "{} with the largest double twice in `{}` is written so that it reads back.",
+                                a(self.kind),
+                                array.join(".")
+                            ))
+                            .flags(&["lossy-doubles"])
+                            .encode(self.kind, fields)
+                            .means(expected.text())
+                            .because("Each number is finite, whatever their sum."),
+                    );
+                }
             }
             Shape::Integer => {
                 for (what, literal) in

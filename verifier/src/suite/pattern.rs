@@ -8,6 +8,7 @@
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
+use super::template;
 use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
@@ -177,17 +178,7 @@ fn listed(items: &[Json<'_>]) -> Result<Vec<Shape>, PatternError> {
 
 /// An item of a list, and how many of it stand there.
 fn counted<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), PatternError> {
-    let Json::Object(members) = value else { return Ok((value, 1)) };
-    match members.as_slice() {
-        [(name, item), (times_name, times)] if name == "$item" && times_name == "times" => {
-            let times = match times {
-                Json::Number(spelling) => spelling.parse().ok().filter(|times| *times > 0),
-                _ => None,
-            };
-            times.map(|times| (item, times)).ok_or(PatternError::Operand { word: "times", expected: "a count from 1" })
-        }
-        _ => Ok((value, 1)),
-    }
+    template::item(value).map_err(|_| PatternError::Operand { word: "times", expected: "a count from 1" })
 }
 
 /// How many items the lists within a value have, those that `$item` stands for counted.

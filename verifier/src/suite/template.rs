@@ -174,7 +174,7 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
 }
 
 /// An item of a list, and how many of it stand there.
-fn item<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), TemplateError> {
+pub(super) fn item<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), TemplateError> {
     let Json::Object(members) = value else { return Ok((value, 1)) };
     match members.as_slice() {
         [(name, item), (times_name, times)] if name == "$item" && times_name == "times" => match count(times)? {

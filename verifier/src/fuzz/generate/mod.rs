@@ -214,6 +214,23 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn each_call_is_drawn_as_often_as_its_weight_says() {
+        let (menu, harvest) = (whole_menu(), Harvest::default());
+        let total: usize = menu.calls.iter().map(|(_, weight)| weight).sum();
+        let inputs = 200 * total;
+        let mut drawn = std::collections::BTreeMap::new();
+        for number in 0..inputs {
+            *drawn.entry(call(&menu, &mut Draw::new(9, number as u64, &harvest)).unwrap()).or_insert(0) += 1;
+        }
+        for (call, weight) in &menu.calls {
+            assert!(*weight > 0, "{call:?} is never drawn");
+            let (times, expected) = (drawn.get(call).copied().unwrap_or(0), 200 * weight);
+            assert!((expected / 2..expected * 2).contains(&times), "{call:?}: {times} instead of {expected}");
+        }
+        assert_eq!(weight(Call::Describe), 0);
+    }
+
+    #[test]
     fn every_generator_draws_what_the_protocol_allows_and_the_same_for_a_seed() {
         let (menu, harvest) = (whole_menu(), Harvest::default());
         for call in Call::ALL.iter().filter(|call| **call != Call::Describe) {
