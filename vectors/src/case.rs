@@ -259,7 +259,7 @@ impl Case {
         if let Some(need) = self.needs {
             json = json.and("needs", [need].into_iter().collect::<Json>());
         }
-        let args = self.args.folded(&|name| LISTS_OF_FRAMES.contains(&name));
+        let args = self.args.folded(&|name| LISTS_WITH_RUNS.contains(&name));
         let is_pattern = self.expect.get("relation").and_then(Json::as_str) == Some("pattern");
         let expect = if is_pattern { self.expect.folded(&|_| true) } else { self.expect };
         json = json.and("call", self.call.into()).and("args", args).and("expect", expect);
@@ -273,8 +273,8 @@ impl Case {
     }
 }
 
-/// The lists of a command or sensor frame that are written as what repeats itself, once, and how often.
-const LISTS_OF_FRAMES: [&str; 2] = ["horizon", "data"];
+/// The lists of arguments that are written as what repeats itself, once, and how often.
+const LISTS_WITH_RUNS: [&str; 3] = ["horizon", "data", "steps"];
 
 /// The text with an exponent in each double that is written out in more than [`FIGURES`] figures, as
 /// `Display` does with the largest and the smallest.

@@ -71,7 +71,9 @@ def _mapped(x, source, target):
     begin, end = target
     length = high - low
     if x is None or not isfinite(x) or length == 0 or not isfinite(length):
-        return begin / 2 + end / 2  # [NCP-CODEC-005] [NCP-CODEC-006] [NCP-CODEC-007]
+        # [NCP-CODEC-005] [NCP-CODEC-006] [NCP-CODEC-007] Halves of subnormals would round.
+        both = begin + end
+        return both / 2 if isfinite(both) else begin / 2 + end / 2
     part = min(max((x - low) / length, 0.0), 1.0)
     span = end - begin
     # A span that overflows is not multiplied: 0 times infinity is no number, and no clamp mends it.

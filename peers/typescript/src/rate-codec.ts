@@ -126,12 +126,18 @@ function withLines<M extends Mapping>(mapping: M, target: keyof Lines): M & Line
 function mapped(value: number | undefined, from: Range, to: Range): number {
   const length = from[1] - from[0];
   const degenerate = length === 0 || !Number.isFinite(length); // [NCP-CODEC-007]
-  if (value === undefined || !Number.isFinite(value) || degenerate) return to[0] / 2 + to[1] / 2;
+  if (value === undefined || !Number.isFinite(value) || degenerate) return middle(to);
   const share = (clamped(value, from) - from[0]) / length;
   const width = to[1] - to[0];
   // Between ends that are further apart than a double can say, each end has its share.
   const result = Number.isFinite(width) ? to[0] + share * width : to[0] * (1 - share) + to[1] * share;
   return clamped(result, to); // [NCP-CODEC-002] [NCP-CODEC-004]
+}
+
+/** The middle as of real numbers: no sum overflows, and no half of a subnormal rounds. */
+function middle([begin, end]: Range): number {
+  const both = begin + end;
+  return Number.isFinite(both) ? both / 2 : begin / 2 + end / 2;
 }
 
 /** Clamping the source first changes no result, and keeps every step of the computation finite. */

@@ -31,6 +31,7 @@ use crate::json::Json;
 use crate::peer::Call;
 
 pub(crate) use mutate::mutate;
+pub(in crate::fuzz) use plain::canonical;
 pub(crate) use vary::Seeds;
 
 /// One question to a peer.

@@ -201,11 +201,28 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
     if draw.chance(15) {
         pattern.push(draw.pick(&["**", "*", "a", "$*"]).to_owned());
     }
-    let mut pattern = pattern.join("/");
+    let mut pattern = canonical(pattern).join("/");
     if draw.chance(5) {
         pattern.push_str(draw.pick(&["/", "#", "?", "*a", "$", "//a"]));
     }
     object([("pattern", text(pattern)), ("key", text(key.join("/")))])
+}
+
+/// A pattern as Zenoh writes it: it refuses every other spelling, and so may a peer.
+pub(in crate::fuzz) fn canonical(chunks: Vec<String>) -> Vec<String> {
+    let mut pattern: Vec<String> = Vec::new();
+    for chunk in chunks {
+        let chunk = if chunk == "$*" { "*".to_owned() } else { chunk };
+        match pattern.last_mut() {
+            Some(last) if last == "**" && chunk == "**" => {}
+            Some(last) if last == "**" && chunk == "*" => {
+                *last = chunk;
+                pattern.push("**".to_owned());
+            }
+            _ => pattern.push(chunk),
+        }
+    }
+    pattern
 }
 
 /// Chunks with characters that mean something to who takes a pattern for a regular expression, or for a glob.
@@ -314,5 +331,19 @@ mod tests {
             }
         }
         assert!(found.len() > 10, "{found:?}");
+    }
+
+    #[test]
+    fn a_pattern_is_spelled_as_zenoh_spells_it() {
+        let spelled = |pattern: &str| canonical(pattern.split('/').map(str::to_owned).collect()).join("/");
+        for (pattern, expected) in [
+            ("a/$*/b", "a/*/b"),
+            ("**/**/a", "**/a"),
+            ("**/*/*", "*/*/**"),
+            ("**/$*/**", "*/**"),
+            ("a$*/**/b", "a$*/**/b"),
+        ] {
+            assert_eq!(spelled(pattern), expected);
+        }
     }
 }

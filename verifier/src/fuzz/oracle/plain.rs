@@ -3,6 +3,7 @@
 use super::exact::floors;
 use super::open::is_advice;
 use super::{Outcome, Verdict, any, by_result, fits};
+use crate::fuzz::generate::canonical;
 use crate::fuzz::tree::{Tree, double, list, num, object, string};
 use crate::json::Json;
 
@@ -31,8 +32,12 @@ pub(super) fn key_match(args: &Tree, result: Outcome<'_>) -> Verdict {
     if string(args, "key").is_some_and(|key| key.contains(['*', '$'])) {
         return Verdict::Open("the key has wildcards");
     }
-    if string(args, "pattern").is_some_and(|pattern| pattern.contains("$*$*")) {
-        return Verdict::Open("a `$*` stands directly behind another");
+    let is_canonical = |pattern: &str| {
+        let chunks: Vec<String> = pattern.split('/').map(str::to_owned).collect();
+        !pattern.contains("$*$*") && canonical(chunks.clone()) == chunks
+    };
+    if string(args, "pattern").is_some_and(|pattern| !is_canonical(pattern)) {
+        return Verdict::Open("a pattern that Zenoh spells in another way");
     }
     match result {
         Err(_) => Verdict::Open("what is no key expression, KEY-036"),

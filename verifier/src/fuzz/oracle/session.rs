@@ -54,6 +54,9 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         let of_asked = |name: &str| asked.as_ref().and_then(|asked| string(asked, name)).unwrap_or_default();
         let (id, of) = (of_asked("session_id").to_owned(), of_asked("kind").to_owned());
         let is_open = open.contains_key(&id) || unknown.contains_key(&id);
+        // [NCP-STRICT-007]
+        let verb = items(args.get("verbs")).get(nth).and_then(Json::as_str);
+        let by_key = strict && verb.is_some_and(|verb| verb != of);
         let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
         let is_full = refused && (!open.is_empty() || !unknown.is_empty());
         let may_be_refused = own_openness(request.as_str().unwrap_or_default(), &of, strict);
@@ -62,7 +65,7 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         }
         let why = may_be_refused
             .or_else(|| unknown.get(&id).copied())
-            .or_else(|| opening_openness(asked.as_ref(), &reply, &kind, &of, is_open, is_full))
+            .or_else(|| opening_openness(asked.as_ref(), &reply, &kind, &of, is_open, is_full, by_key))
             .or_else(|| open.get(&id)?.step_openness(asked.as_ref()?, &of));
         let is_closed = kind == "session_closed" && may_be_refused.is_none();
         let known = if is_closed || why.is_some() {
@@ -89,13 +92,18 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
             open.insert(id.clone(), session);
         }
         let level = open.get(&id).map_or(0.0, |session| session.level);
+        // Which of the two is a server's own affair, and leaves everything as it was.
+        let runs_nothing = kind == "observation_frame"
+            && open.get(&id).zip(asked.as_ref()).is_some_and(|(session, asked)| session.time_of(asked) == 0.0);
         let is_refused_for_version = version_of(asked.as_ref()) != WIRE_VERSION
             || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
-        let verb = items(args.get("verbs")).get(nth).and_then(Json::as_str);
-        let by_strictness = strict && (is_refused_for_version || verb.is_some_and(|verb| verb != of));
+        let by_strictness = by_key || strict && is_refused_for_version;
         patterns.push(match of.as_str() {
             // [NCP-STRICT-007] [NCP-STRICT-009] An error frame, and not what else a session that is not open may get.
             "close_session" if by_strictness && kind == "error" => pattern(&reply, &kind, "", false, level),
+            "step_request" | "run_request" if runs_nothing => {
+                any(vec![pattern(&reply, &kind, &of, false, level), error_frame()])
+            }
             _ => pattern(&reply, &kind, &of, is_refused_for_version, level),
         });
     }
@@ -125,7 +133,8 @@ fn own_openness(written: &str, of: &str, strict: bool) -> Option<&'static str> {
     why.or(is_long.then_some("what a request leaves whose reply would be longer than a frame may be"))
 }
 
-/// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another.
+/// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another; `by_key`:
+/// a strict server has to refuse it for its key.
 fn opening_openness(
     asked: Option<&Tree>,
     reply: &Tree,
@@ -133,6 +142,7 @@ fn opening_openness(
     of: &str,
     is_open: bool,
     is_full: bool,
+    by_key: bool,
 ) -> Option<&'static str> {
     match kind {
         "session_opened" if reply.get("ok") != Some(&Json::Bool(false)) => {
@@ -143,7 +153,7 @@ fn opening_openness(
         }
         "session_opened" if is_open && version_of(asked) == WIRE_VERSION => Some(OPEN_ALREADY),
         "error" | "session_opened"
-            if of == "open_session" && Session::is_network(asked) && version_of(asked) == WIRE_VERSION =>
+            if of == "open_session" && !by_key && Session::is_network(asked) && version_of(asked) == WIRE_VERSION =>
         {
             Some("whether a server opens such a network is its own affair")
         }
@@ -157,10 +167,17 @@ fn refuses(reply: &str) -> bool {
     })
 }
 
+fn written(pattern: Tree) -> Tree {
+    object([("$json", pattern)])
+}
+
+fn error_frame() -> Tree {
+    written(object([("kind", text("error")), ("error", object([("$anything", Json::Bool(true))]))]))
+}
+
 /// What a reply has to be; `level` is the greatest of the terms that its samples do not show.
 fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool, level: f64) -> Tree {
-    let written = |pattern: Tree| object([("$json", pattern)]);
-    let error = || written(object([("kind", text("error")), ("error", object([("$anything", Json::Bool(true))]))]));
+    let error = error_frame;
     let id = reply.get("session_id").cloned().unwrap_or(Json::Null);
     let ok = reply.get("ok").cloned().unwrap_or(Json::Bool(true));
     match kind {
@@ -169,12 +186,14 @@ fn pattern(reply: &Tree, kind: &str, of: &str, is_refused_for_version: bool, lev
             if ok == Json::Bool(false) { any(vec![own, error()]) } else { own }
         }
         "observation_frame" => {
+            let time = double(reply.get("sim_time_ms")).unwrap_or(0.0);
             let records =
                 members(reply.get("records")).iter().map(|(port, record)| (port.to_string(), record_of(record, level)));
             written(object([
                 ("kind", text(kind)),
                 ("session_id", id),
-                ("sim_time_ms", super::near(double(reply.get("sim_time_ms")).unwrap_or(0.0), 0.0)),
+                // [NCP-SESS-058] The double nearest to one product.
+                ("sim_time_ms", super::range(time, time)),
                 ("calibrated_posterior", Json::Bool(false)),
                 ("is_simulation_output", Json::Bool(true)),
                 ("records", exactly(map(records.collect()))),
@@ -228,6 +247,7 @@ struct Session {
     ports: Vec<String>,
     /// The magnitude of the potential at rest, in mV.
     level: f64,
+    is_lif: bool,
 }
 
 impl Session {
@@ -256,12 +276,14 @@ impl Session {
         let size = |name: &str| sizes.iter().find(|(known, _)| known == name).and_then(|(_, size)| integer(Some(size)));
         let targets = |spec: &str| items(asked.get(spec).and_then(|spec| spec.get("targets")));
         let fits = |target: &&Tree, kinds: &[&str], name: &str, default: &str| {
-            let of = string(target, "target").and_then(size).unwrap_or(0);
+            let of = string(target, "target").and_then(size);
             let ids = items(target.get("ids"));
             let ids: Option<Vec<i64>> = ids.iter().map(|id| integer(Some(id))).collect();
             kinds.contains(&string(target, name).unwrap_or(default))
-                && ids.is_some_and(|ids| ids.iter().all(|id| (1..=of).contains(id)) && ids.is_sorted_by(|a, b| a < b))
-                && of > 0
+                && of.is_some()
+                && ids.is_some_and(|ids| {
+                    ids.iter().all(|id| (1..=of.unwrap_or(0)).contains(id)) && ids.is_sorted_by(|a, b| a < b)
+                })
         };
         let observables: &[&str] = if is_lif { &["V_m", "spikes"] } else { &["rate"] };
         let stimuli: &[&str] = if is_lif { &["current_pA"] } else { &["rate_inject"] };
@@ -275,7 +297,7 @@ impl Session {
         driven.dedup();
         let is_time = |ms: f64| ms > 0.0 && ms < 1e7;
         let plain = (0.01..=100.0).contains(&dt)
-            && is_time(chunk)
+            && (chunk == 0.0 || is_time(chunk))
             && params.iter().all(|(name, _)| known.contains(&name.as_ref()))
             && ports.len() == count
             && driven.len() == targets("stimulus").len()
@@ -287,10 +309,17 @@ impl Session {
             && targets("stimulus")
                 .iter()
                 .all(|target| fits(&target, stimuli, "kind", "current_pA") && members(target.get("params")).is_empty())
-            && sizes.iter().all(|(_, size)| integer(Some(size)).is_some_and(|size| (1..=4096).contains(&size)))
+            && sizes.iter().all(|(_, size)| integer(Some(size)).is_some_and(|size| (0..=4096).contains(&size)))
             && string(network, "kind").unwrap_or("builtin") == "builtin"
-            && items(asked.get("bindings")).is_empty()
-            && sim.is_none_or(|sim| string(sim, "mode").unwrap_or("stream") == "stream");
+            && items(asked.get("bindings")).iter().all(|binding| {
+                let port = string(binding, "port").unwrap_or_default();
+                match string(binding, "direction") {
+                    None | Some("stimulus") => driven.contains(&port),
+                    Some("record") => ports.contains(&port),
+                    Some(_) => false,
+                }
+            })
+            && sim.is_none_or(|sim| matches!(string(sim, "mode"), None | Some("stream" | "batch")));
         let refractory = param("t_ref", 2.0) / dt;
         let sane = if is_lif {
             (1e-3..1e12).contains(&param("tau_m", 10.0))
@@ -315,6 +344,7 @@ impl Session {
             samples: sampled.sum(),
             ports: ports.collect(),
             level: if is_lif { param("E_L", -70.0).abs() } else { 0.0 },
+            is_lif,
         })
     }
 
@@ -323,13 +353,18 @@ impl Session {
         matches!(of, "step_request" | "run_request").then(|| self.openness(asked)).flatten()
     }
 
+    /// The time of a step or a run of this session.
+    fn time_of(&self, asked: &Tree) -> f64 {
+        let named = |name| double(asked.get(name).filter(|time| !time.is_null()));
+        ["advance_ms", "duration_ms"].into_iter().find_map(named).unwrap_or(self.chunk)
+    }
+
     /// What the text leaves open of a step or a run of this session.
     fn openness(&self, asked: &Tree) -> Option<&'static str> {
-        let time =
-            ["advance_ms", "duration_ms"].into_iter().find_map(|name| double(asked.get(name).filter(|t| !t.is_null())));
-        let time = time.unwrap_or(self.chunk);
-        if time == 0.0 {
-            return Some("whether a step of 0 ms is refused is a server's own affair");
+        let time = self.time_of(asked);
+        let values = asked.get("stimulus").and_then(|stimulus| stimulus.get("values"));
+        if time == 0.0 && !members(values).is_empty() {
+            return Some("what a step of 0 ms leaves at a port, if a server refuses it");
         }
         let steps = time / self.dt + 1.0;
         if self.neurons > MOST_NEURONS
@@ -338,11 +373,11 @@ impl Session {
         {
             return Some("a server may refuse a request as large as this");
         }
-        let values = asked.get("stimulus").and_then(|stimulus| stimulus.get("values"));
         members(values).iter().find_map(|(port, value)| {
             let data = items(value.get("data"));
             let fits = data.len() == 1 && double(data.first()).is_some_and(|value| value.abs() < 1e9);
-            let is_plain = fits && value.get("unit").is_none_or(Json::is_null);
+            let unit = value.get("unit").filter(|unit| !unit.is_null());
+            let is_plain = fits && unit.is_none_or(|unit| self.is_lif && unit.as_str() == Some("pA"));
             let is_port = self.ports.iter().filter(|known| *known == port).count() == 1;
             (!is_plain || !is_port).then_some("a stimulus that does not fit its port")
         })
@@ -460,6 +495,58 @@ mod tests {
         assert!(open(r#"{"V_reset":-50.0}"#, "1.0"));
         assert!(open("{}", "0.3"));
         assert!(!open("{}", "0.001"));
+    }
+
+    /// Of each reply of a trace, whether it is open.
+    fn openness(requests: &[&str], rest: &str) -> Vec<bool> {
+        let open = format!(
+            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a","bindings":[{{"port":"v",
+            "direction":"record"}},{{"port":"in"}}],"network":{{"ref":"ncp.reference.lif","population_sizes":
+            {{"pop":1,"none":0}}}},"record":{{"targets":[{{"port":"v","target":"pop"}}]}},"stimulus":{{"targets":
+            [{{"port":"in","target":"pop"}}]}},"sim":{{"dt_ms":1.0,"chunk_ms":0.0,"mode":"batch"}}}}"#
+        );
+        let requests = std::iter::once(open.as_str()).chain(requests.iter().copied()).map(text).collect();
+        let mut args = object([("requests", list(requests))]);
+        for (name, value) in members(Some(&own(&Json::parse(&format!("{{{rest}}}")).unwrap()))) {
+            set(&mut args, name, value.clone());
+        }
+        let (call, written) = (Call::SessionRun, args.to_string());
+        match expectation(&Input { call, args }, &specification(call, &written), None) {
+            Verdict::Expect(expect) => items(expect.get("value").and_then(|value| value.get("replies")))
+                .iter()
+                .map(|reply| reply.get("$anything").is_some())
+                .collect(),
+            Verdict::Open(why) => panic!("{why}"),
+        }
+    }
+
+    #[test]
+    fn a_step_of_no_time_leaves_what_comes_behind_it_decided_unless_it_brings_a_stimulus() {
+        let step = |rest: &str| format!(r#"{{"kind":"step_request","session_id":"a"{rest}}}"#);
+        let (none, later) = (step(""), step(r#","advance_ms":1.0"#));
+        assert_eq!(openness(&[&none, &later], ""), [false; 3]);
+        let driven = step(r#","stimulus":{"values":{"in":{"data":[300.0]}}}"#);
+        assert_eq!(openness(&[&driven, &later], ""), [false, true, true]);
+    }
+
+    #[test]
+    fn a_stimulus_in_the_unit_of_its_port_is_decided_and_one_in_another_is_open() {
+        let step = |unit: &str| {
+            format!(
+                r#"{{"kind":"step_request","session_id":"a","advance_ms":1.0,
+                "stimulus":{{"values":{{"in":{{"data":[300.0],"unit":"{unit}"}}}}}}}}"#
+            )
+        };
+        assert_eq!(openness(&[&step("pA")], ""), [false, false]);
+        assert_eq!(openness(&[&step("nA")], ""), [false, true]);
+    }
+
+    #[test]
+    fn an_opening_at_the_key_of_another_request_is_refused_by_an_error_frame() {
+        let network = r#""network":{"ref":"ncp.reference.lif","population_sizes":{"pop":1}}"#;
+        let again = format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"b",{network}}}"#);
+        let verbs = r#""strict":true,"verbs":["open_session","step_request"]"#;
+        assert!(!openness(&[&again], verbs)[1]);
     }
 
     #[test]
