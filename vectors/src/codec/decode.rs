@@ -1,8 +1,8 @@
 //! From rates to a command.
 
 use super::{
-    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps,
-    narrow, pairs, precisely,
+    ALIKE, Mapping, OVERFLOWING, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec,
+    map, maps, narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -206,6 +206,16 @@ fn ranges() -> Vec<Case> {
             case(format!("wide/{name}"), &["NCP-CODEC-004"], codec(&[], &[mapping]), &[("p", r)])
                 .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => data } } } })
                 .title(format!("{r} Hz are decoded within a value range whose length overflows ({name})."))
+                .because(WIDELY),
+        );
+    }
+    for (name, r, [low, high]) in OVERFLOWING {
+        let mapping = Mapping { rate: [0.0, 1e-300], value: [low, high], ..PLAIN };
+        let data: Json = std::iter::once(within(low, high)).collect();
+        cases.push(
+            case(format!("quotient/{name}"), &["NCP-CODEC-004"], codec(&[], &[mapping]), &[("p", r)])
+                .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => data } } } })
+                .title(format!("{r:e} Hz are decoded within {low} \u{2026} {high}, though the quotient overflows."))
                 .because(WIDELY),
         );
     }

@@ -1,8 +1,8 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, Mapping, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps,
-    narrow, pairs, precisely,
+    ALIKE, Mapping, OVERFLOWING, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec,
+    map, maps, narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -174,6 +174,16 @@ fn ranges() -> Vec<Case> {
             case(format!("wide/{name}"), &["NCP-CODEC-002"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
                 .shows(object! { "rates" => exactly(object! { "p" => within(-1e308, 1e308) }) })
                 .title(format!("{x} is encoded within a rate range whose length overflows ({name})."))
+                .because(WIDELY),
+        );
+    }
+    for (name, x, [low, high]) in OVERFLOWING {
+        let mapping = Mapping { value: [0.0, 1e-300], rate: [low, high], ..PLAIN };
+        let path = format!("quotient/{name}");
+        cases.push(
+            case(path, &["NCP-CODEC-002"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .shows(object! { "rates" => exactly(object! { "p" => within(low, high) }) })
+                .title(format!("{x:e} is encoded within {low} \u{2026} {high} Hz, though the quotient overflows."))
                 .because(WIDELY),
         );
     }

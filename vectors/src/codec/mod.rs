@@ -224,6 +224,14 @@ const WIDE: [(&str, f64); 7] = [
     ("quarter", -0.5),
     ("near-the-end", 0.999),
 ];
+/// What overflows when it is divided by the length of a source range of 1e-300, and into which range it is mapped.
+const OVERFLOWING: [(&str, f64, [f64; 2]); 4] = [
+    ("into-a-point", 1e300, [5.0, 5.0]),
+    ("below-into-a-point", -1e300, [5.0, 5.0]),
+    ("into-a-range", 1e300, [0.0, 200.0]),
+    ("below-into-a-range", -1e300, [0.0, 200.0]),
+];
+
 const WIDELY: &str = "By how much a result is off where a step on the way overflows is left open; its clamp holds \
                       there, too, and what is no number is within no range.";
 
