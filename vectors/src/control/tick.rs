@@ -330,6 +330,42 @@ fn ttls() -> Vec<Case> {
             .because("The loop raises `ttl_ms` to at least two periods."),
         );
     }
+    // More than a plant enforces, which is no matter of the frame: of commands, HOLDs and ESTOPs.
+    for (name, period, modes) in [
+        ("a-quarter", 250.0, &["waiting", "burst"][..]),
+        ("half-a-minute", 30_000.5, &["active"]),
+        ("forty-seconds", 40_000.0, &["active", "waiting", "stale", "burst"]),
+        ("a-thousand-seconds", 1e6, &["active"]),
+        ("1e300", 1e300, &["active", "waiting"]),
+    ] {
+        let lasts = |mode: &str| object! { "mode" => mode, "ttl_ms" => within(2.0 * period, f64::MAX) };
+        let lost = || arrives_at(400, 100.0, &[0.5, 0.0, 0.0], 1.0625);
+        for (what, words, rule, trace) in [
+            ("active", "a command", "NCP-CTRL-015", vec![arrives(8, 1.0), commands(1.0, lasts("active"))]),
+            ("waiting", "a HOLD without a frame", "NCP-CTRL-003", vec![commands(1.0, lasts("hold"))]),
+            ("stale", "a HOLD for its age", "NCP-SAFE-033", vec![arrives(8, 1.0), commands(2.0, lasts("hold"))]),
+            (
+                "burst",
+                "an ESTOP",
+                "NCP-CTRL-016",
+                vec![arrives(8, 1.0), lost(), commands(1.0625, lasts("estop")), commands(1.125, lasts("estop"))],
+            ),
+        ] {
+            if !modes.contains(&what) {
+                continue;
+            }
+            cases.push(
+                run(format!("ttl/long/{name}/{what}"), &["NCP-CTRL-014"], period, Json::object(), trace)
+                    .by("/steps/*/command/mode", rule)
+                    .title(format!("With a period of {period} ms {words} has a ttl of two periods or more."))
+                    .flags(&["short-ttl"])
+                    .because(
+                        "The loop raises `ttl_ms` to at least two periods, whatever the mode; that a plant enforces a \
+                         minute at most does not change the value on the wire.",
+                    ),
+            );
+        }
+    }
     // Raised is not set: no controller means its commands for so few milliseconds.
     for period in [0.125, 1.0] {
         let command = object! { "mode" => "active", "ttl_ms" => within(10.0, f64::MAX) };
@@ -444,7 +480,66 @@ fn links() -> Vec<Case> {
     let duplicated: Vec<Step> = (0..40).map(|_| arrives(1, 1.0)).chain([moves(1, 1.0)]).collect();
     let shuffled: Vec<Step> =
         [1, 4, 3, 2, 7, 6, 5].into_iter().map(|seq| arrives(seq, 1.0)).chain([moves(7, 1.0)]).collect();
+    // The sum is 5.65 behind the gap, and 0.05 less with each frame behind that.
+    let between = |last: i64| -> Vec<Step> {
+        let frames = std::iter::once(8).chain(9..=last).map(|seq| arrives_at(seq, 0.0, &[0.5, 0.0, 0.0], 1.0625));
+        [arrives(1, 1.0), moves(1, 1.0)].into_iter().chain(frames).collect()
+    };
+    let mut cleared = between(23);
+    cleared.extend([moves_by(&[-0.5, 0.0, 0.0], 1.0625), moves_by(&[-0.5, 0.0, 0.0], 1.125)]);
+    let mut lasting = between(12);
+    lasting.push(stops(1.0625));
+    // A frame of the first seq and a tick, frames of the others and a tick.
+    let of_seqs = |first: i64, others: Vec<i64>, tick: fn(f64) -> Step| -> Vec<Step> {
+        let at = |seq: i64, t: f64, now: f64| arrives_at(seq, t, &[0.5, 0.0, 0.0], now);
+        let before = [at(first, -1.0, 1.0), moves_by(&[-0.5, 0.0, 0.0], 1.0)];
+        let frames = (0_u32..).zip(others).map(|(nth, seq)| at(seq, f64::from(nth), 1.0625));
+        before.into_iter().chain(frames).chain([tick(1.0625)]).collect()
+    };
+    let goes_on = |now: f64| moves_by(&[-0.5, 0.0, 0.0], now);
     let table: Vec<(&str, &[&'static str], &str, Vec<Step>)> = vec![
+        (
+            "cleared-between-ticks",
+            &["NCP-SAFE-021", "NCP-CTRL-016"],
+            "A burst that rose and cleared between two ticks stops nothing.",
+            cleared,
+        ),
+        (
+            "burst-between-ticks",
+            &["NCP-CTRL-016", "NCP-SAFE-006"],
+            "A burst that rose between two ticks and lasts stops the plant.",
+            lasting,
+        ),
+        (
+            "burst-below-zero",
+            &["NCP-RES-053", "NCP-CTRL-016"],
+            "A burst of losses among negative seqs stops the plant.",
+            of_seqs(-100, vec![-60], stops),
+        ),
+        (
+            "burst-across-zero",
+            &["NCP-RES-053", "NCP-CTRL-016"],
+            "A burst of losses from below 0 to above stops the plant.",
+            of_seqs(-3, vec![9], stops),
+        ),
+        (
+            "burst-up-to-below-zero",
+            &["NCP-RES-053", "NCP-CTRL-016"],
+            "A burst of losses that ends at a seq of \u{2212}1 stops the plant.",
+            of_seqs(-30, vec![-1], stops),
+        ),
+        (
+            "few-losses-below-zero",
+            &["NCP-RES-053", "NCP-SAFE-007"],
+            "Two frames that are lost below 0 are no burst.",
+            of_seqs(-9, vec![-6], goes_on),
+        ),
+        (
+            "fast-sensor-across-zero",
+            &["NCP-RES-053"],
+            "A fast sensor loses nothing where its seq passes 0.",
+            of_seqs(-5, (-4..=5).collect(), goes_on),
+        ),
         ("burst", &["NCP-CTRL-016", "NCP-SAFE-006"], "A burst of losses stops the plant at the next tick.", lossy),
         ("burst-after-reset", &["NCP-CTRL-016"], "A burst after a reset leads back to ESTOP.", again),
         (

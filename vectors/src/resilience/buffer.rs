@@ -39,6 +39,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     for row in text.rows("malformed")? {
         cases.extend(malformed(&row)?);
     }
+    cases.extend(text.cases("clock-of-the-dropped", row_case)?);
     cases.extend(text.cases("channels", channels)?);
     cases.extend(text.cases("asked", row_case)?);
     cases.extend(text.cases("waits", row_case)?);

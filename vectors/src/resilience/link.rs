@@ -683,7 +683,7 @@ fn extremes() -> Vec<Case> {
         );
     }
     // Only what stands after the last frame is asked.
-    let mut at_last = |name, rules: &[&'static str], seqs: Vec<i64>, last: Json, flag, title, why| {
+    let mut at_last = |name: &str, rules: &[&'static str], seqs: Vec<i64>, last: Json, flag, title: &str, why| {
         let mut entries: Vec<Json> = seqs.iter().map(|_| no_result()).collect();
         entries.pop();
         entries.push(last);
@@ -727,6 +727,34 @@ fn extremes() -> Vec<Case> {
         "Of 4,048 missing frames two that come 8,298 seqs late are taken back.",
         REMEMBERS,
     );
+    // More missing in all than have to be remembered, and never so many at a time.
+    for (name, seqs, lost, words) in [
+        ("one-came", vec![0, 4_097, 4_096, 4_099, 1], 4_095, "one of the last came late"),
+        ("first-gap-came", vec![0, 3, 2, 4_099, 1], 4_095, "one of an early gap came late"),
+        (
+            "many-came",
+            [0, 101].into_iter().chain((2..=100).rev()).chain([4_196, 1, 4_197]).collect(),
+            4_094,
+            "a hundred early ones came late",
+        ),
+        (
+            "came-and-again",
+            [0, 2_049].into_iter().chain((2_019..2_049).rev()).chain([4_127, 1, 2, 4_126]).collect(),
+            4_092,
+            "thirty came late before the next gap",
+        ),
+    ] {
+        let received = i64::try_from(seqs.len()).unwrap_or_default();
+        at_last(
+            &format!("extreme/remembers-though/{name}"),
+            &["NCP-RES-056", "NCP-RES-041"],
+            seqs,
+            object! { "lost" => int(lost), "received" => int(received) },
+            "wrong-loss",
+            &format!("Where {words}, no more than 4,096 are missing at a time, and the oldest is taken back."),
+            "Rule 56 counts the seqs that are missing at that time: one that came late is missing no longer.",
+        );
+    }
     // More missing than may be remembered: not all of them can be taken back.
     at_last(
         "extreme/memory",

@@ -7,12 +7,14 @@ use crate::case::{Case, File};
 use crate::command::{Channel, Command, MPS, VELOCITY, channel, velocity};
 use crate::json::{Json, object};
 use crate::scenario::{ScenarioError, Scenarios, source};
-use crate::trace::{any, beginning, nums, steps};
+use crate::trace::{any, beginning, int, nums, refused, steps};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = Scenarios::read(source!("safety/together"))?.rest(row_case)?;
     cases.extend(at_the_limit());
     cases.extend(many_channels());
+    cases.extend(widest());
+    cases.extend(most_channels());
     cases.extend(long_horizons());
     let about = "Gates and limits together: what a governor keeps, long horizons, many channels and components.";
     Ok(File::new("safety", "together", about, cases))
@@ -95,6 +97,130 @@ fn many_channels() -> Vec<Case> {
         .title("Behind 300 other channels the velocity is found, and projected."),
         of("velocity-259-wide", &["NCP-SAFE-063"], Limits::speed(2.0), vec![velocity(&[0.0; 259])])
             .title("A velocity of 259 components, which are 3 in eight bits, is held."),
+    ]
+}
+
+/// Components behind a thousand others, and behind as many as 16 bits count.
+fn widest() -> Vec<Case> {
+    let still = || velocity(&[1.0, 0.0, 0.0]);
+    let ends_with = |width: usize, x: f64, last: f64, unit: Option<&str>| {
+        let mut data = vec![x; width];
+        if let Some(end) = data.last_mut() {
+            *end = last;
+        }
+        channel("motors", &data, unit)
+    };
+    // In a step that is not the last.
+    let in_step = |channel: Channel| {
+        let mut command = Command::moving(&[1.0, 0.0, 0.0]).then(50.0, &[[1.0, 0.0, 0.0]; 3]);
+        if let Some(step) = command.horizon.get_mut(1) {
+            step.push(channel);
+        }
+        command
+    };
+    let mut cases = Vec::new();
+    for (width, words) in [(1_025, "1,025"), (4_097, "4,097"), (65_537, "65,537")] {
+        let strange = || ends_with(width, 0.5, f64::NAN, None);
+        let trace = vec![
+            govern(Command::of(vec![still(), strange()]), near()),
+            govern(Command::of(vec![still(), ends_with(width, 0.5, 0.25, None)]).seq(8), near()),
+        ];
+        let modes = |first: Vec<Json>| {
+            let passes = object! { "frame" => object! { "mode" => "active", "seq" => int(8) } };
+            steps(vec![any(first), passes])
+        };
+        let holds = || object! { "frame" => object! { "mode" => "hold" } };
+        cases.push(
+            one(&format!("widest/not-finite/{width}"), &["NCP-SAFE-064"], Limits::NONE, trace)
+                .shows(modes(vec![holds(), refused()]))
+                .by("/steps/1", "NCP-SAFE-022")
+                .title(format!(
+                    "A channel of {words} components whose last is not finite is held, and the next passes."
+                )),
+        );
+        // The other roads, once beyond ten bits.
+        if width != 1_025 {
+            continue;
+        }
+        cases.push(
+            one(
+                &format!("widest/step-not-finite/{width}"),
+                &["NCP-SAFE-067"],
+                Limits::NONE,
+                vec![govern(in_step(strange()), near())],
+            )
+            .title(format!(
+                "A horizon is truncated before a step with a channel of {words} components whose last is not finite, \
+                 or the command is held."
+            )),
+        );
+        for (name, rules, words, command) in [
+            (
+                "limited",
+                ["NCP-SAFE-065", "NCP-SAFE-060"],
+                "A channel",
+                Command::of(vec![still(), ends_with(width, 0.0, 9.0, Some(MPS))]),
+            ),
+            (
+                "step-limited",
+                ["NCP-SAFE-066", "NCP-SAFE-065"],
+                "The channel of a step",
+                in_step(ends_with(width, 0.0, 9.0, Some(MPS))),
+            ),
+        ] {
+            cases.push(
+                one(&format!("widest/{name}/{width}"), &rules, Limits::speed(2.0), vec![govern(command, near())])
+                    .title(format!("{words} of {width} components in m/s is limited by its last.")),
+            );
+        }
+    }
+    cases
+}
+
+/// The last of so many channels that a table of fixed size has no room for it. Only that one is looked at.
+fn most_channels() -> Vec<Case> {
+    let behind = |count: usize, last: Channel| -> Vec<Channel> {
+        let others = (0..count).map(|nth| channel(&format!("a{nth:03}"), &[1.0], None));
+        others.chain([velocity(&[1.0, 0.0, 0.0]), last]).collect()
+    };
+    let fast = || channel("z", &[6.0, 8.0, 0.0], Some(MPS));
+    let strange = || channel("z", &[f64::NAN], None);
+    let limited = || object! { "z" => object! { "data" => nums(&[1.2, 1.6, 0.0]) } };
+    let step = |last: Channel| {
+        let mut command = Command::moving(&[1.0, 0.0, 0.0]).then(50.0, &[[1.0, 0.0, 0.0]]);
+        command.horizon.push(behind(129, last));
+        command
+    };
+    let frame = |frame: Json| object! { "frame" => frame };
+    let of = |name: &str, rules: &[&'static str], command: Command, answers: Vec<Json>, title: &str| {
+        one(&format!("most-channels/{name}"), rules, Limits::speed(2.0), vec![govern(command, near())])
+            .shows(steps(vec![any(answers)]))
+            .title(title)
+    };
+    vec![
+        of(
+            "limited",
+            &["NCP-SAFE-065", "NCP-SAFE-060"],
+            Command::of(behind(519, fast())),
+            vec![frame(object! { "mode" => "active", "channels" => limited() })],
+            "Behind 520 other channels one in m/s is limited.",
+        ),
+        of(
+            "not-finite",
+            &["NCP-SAFE-064"],
+            Command::of(behind(129, strange())),
+            vec![frame(object! { "mode" => "hold" }), refused()],
+            "Behind 130 other channels a component that is not finite holds.",
+        ),
+        of(
+            "step-limited",
+            &["NCP-SAFE-066", "NCP-SAFE-065"],
+            step(fast()),
+            vec![frame(object! { "mode" => "active",
+            "horizon" => Json::Array(vec![Json::object(), object! { "z" => object! {
+            "data" => nums(&[1.2, 1.6, 0.0]) } }]) })],
+            "Behind 130 other channels of a step one in m/s is limited.",
+        ),
     ]
 }
 

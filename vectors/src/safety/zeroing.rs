@@ -3,7 +3,7 @@
 //! A case looks at one thing only: at the zeros, at widths and units, at what is added, at one member that is
 //! kept, or at the horizon. That the frame is a HOLD or an ESTOP is asked elsewhere.
 
-use super::model::{Capabilities, Limits, Sensor, Step, Trace, govern, scalar, vec3};
+use super::model::{Capabilities, Limits, Sensor, Spec, Step, Trace, govern, scalar, vec3};
 use super::near;
 use crate::case::{Case, File, Role};
 use crate::command::{self, Channel, Command, MPS, VELOCITY, channel, velocity};
@@ -19,6 +19,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     for way in WAYS {
         cases.extend(channels(way, &rows)?);
         cases.push(canonical(way));
+        cases.extend(declared(way));
         cases.extend(kept(way));
         cases.extend(wide(way));
     }
@@ -309,6 +310,43 @@ fn canonical(way: &Way) -> Case {
         .because(
             "Without Capabilities the negotiated channels are the canonical ones, here `velocity_setpoint` in m/s.",
         )
+}
+
+/// The velocity as somebody else would declare it: three zeros in m/s are added all the same.
+fn declared(way: &Way) -> Vec<Case> {
+    let of = |kind, unit: Option<&str>, size| Spec { kind, size, ..vec3(VELOCITY, unit) };
+    let table = [
+        ("other-unit", "as a `vec3` in km/h", of("vec3", Some("km/h"), None)),
+        ("no-unit", "without a unit", of("vec3", None, None)),
+        ("empty-unit", "in an empty unit", of("vec3", Some(""), None)),
+        ("scalar", "as a scalar in m/s", of("scalar", Some(MPS), None)),
+        ("array-of-4", "as an `array` of 4 in m/s", of("array", Some(MPS), Some(4))),
+        ("array-without-a-size", "as an `array` without a size", of("array", Some(MPS), None)),
+        ("array-of-6-in-other-unit", "as an `array` of 6 in rad/s", of("array", Some("rad/s"), Some(6))),
+    ];
+    // Every declaration on the plainest way, a few on others.
+    let count = match way.name {
+        "hold-command" => table.len(),
+        "breach" => 2,
+        "config-fault" | "latched" => 1,
+        _ => 0,
+    };
+    let one = |(name, words, spec): (&str, &str, Spec)| {
+        let capabilities = Capabilities { commands: vec![spec], ..Capabilities::canonical(&[]) };
+        let zeros = object! { VELOCITY => object! { "data" => nums(&[0.0; 3]), "unit" => MPS } };
+        let command = Command::of(vec![channel("gripper", &[0.5], None)]);
+        let path = format!("channels/declared/{name}/{}", way.name);
+        case(path, "NCP-SAFE-073", way, Some(capabilities), command, object! { "channels" => zeros })
+            .title(format!(
+                "The {} frame ({}) adds three zeros in m/s for a velocity that was declared {words}.",
+                way.frame, way.name
+            ))
+            .flags(&["moving-hold"])
+            .because(
+                "The velocity channel of rule 73 is `velocity_setpoint`, in whatever kind and unit it was declared.",
+            )
+    };
+    table.into_iter().take(count).map(one).collect()
 }
 
 /// What stands beside the channels.
