@@ -99,32 +99,33 @@ fn laws() -> Vec<Case> {
     let still = [0.0; 3];
     let even = Gains { kp: 1.0, kd: 1.0, max_speed: 100.0, target: still };
     for (name, gains, position, moving) in [
-        ("max-speed/0.7", Gains { max_speed: 0.7, ..even }, [5.0, -5.0, 0.5], still),
-        ("max-speed/0.1", Gains { max_speed: 0.1, ..even }, [0.0, 5.0, -5.0], still),
-        ("max-speed/1e-50", Gains { max_speed: 1e-50, ..even }, [-5.0, 0.0, 5.0], still),
-        ("max-speed/1e300", Gains { max_speed: 1e300, ..even }, [1e301, -1e301, 0.5], still),
+        ("max-speed/0.7", Gains { max_speed: 0.7, ..even }, [5.0, -5.0, 5.0], still),
+        ("max-speed/0.1", Gains { max_speed: 0.1, ..even }, [5.0, 5.0, -5.0], still),
+        ("max-speed/1e-50", Gains { max_speed: 1e-50, ..even }, [-5.0, 5.0, 5.0], still),
+        ("max-speed/1e300", Gains { max_speed: 1e300, ..even }, [1e301, -1e301, 1e301], still),
         ("kp/0.7", Gains { kp: 0.7, ..even }, [0.5, -0.25, 1.0], still),
-        ("kp/1e-50", Gains { kp: 1e-50, ..even }, [0.5, -0.25, 1.0], still),
         ("kd/0.1", Gains { kd: 0.1, ..even }, still, [0.5, -0.25, 1.0]),
-        ("kd/1e-50", Gains { kd: 1e-50, ..even }, still, [0.5, -0.25, 1.0]),
         ("target", Gains { target: [-0.1, 0.2, -0.3], ..even }, [0.5, -0.25, 1.0], still),
         ("target/1e300", Gains { target: [1e300, -1e300, 0.5], max_speed: 1e301, ..even }, still, still),
         ("position", even, [0.1, -0.7, 1.3], still),
         ("velocity", even, still, [0.1, -0.7, 1.3]),
         ("all", Gains { kp: 0.7, kd: 0.1, max_speed: 0.9, target: [0.1, 0.2, 0.3] }, [0.6, 0.1, 3.3], [0.3, -0.6, 0.7]),
     ] {
+        let expected = commands(&law(gains, position, moving));
+        let case = case(
+            format!("law/finer-than-24-bits/{name}"),
+            &["NCP-CTRL-001"],
+            gains.json(),
+            sensor(1, 0.0, &position, Some(&moving)),
+        );
+        // A clamp rounds nothing.
+        let is_clamped = name.starts_with("max-speed");
+        let case = if is_clamped { case.shows_exactly(expected) } else { case.shows(expected) };
         cases.push(
-            case(
-                format!("law/finer-than-24-bits/{name}"),
-                &["NCP-CTRL-001"],
-                gains.json(),
-                sensor(1, 0.0, &position, Some(&moving)),
-            )
-            .shows(commands(&law(gains, position, moving)))
-            .title(format!("The reflex controller computes with doubles ({}).", name.replace(['-', '/'], " ")))
-            .because(
-                "The command is right to one part in 10^9 before it is clamped, and the clamp is exactly max_speed.",
-            ),
+            case.title(format!("The reflex controller computes with doubles ({}).", name.replace(['-', '/'], " ")))
+                .because(
+                    "The command is right to one part in 10^9 before it is clamped, and the clamp is exactly max_speed.",
+                ),
         );
     }
     // None given, where only one counts.
