@@ -123,9 +123,7 @@ fn laws() -> Vec<Case> {
         let case = if is_clamped { case.shows_exactly(expected) } else { case.shows(expected) };
         cases.push(
             case.title(format!("The reflex controller computes with doubles ({}).", name.replace(['-', '/'], " ")))
-                .because(
-                    "The command is right to one part in 10^9 before it is clamped, and the clamp is exactly max_speed.",
-                ),
+                .because("It is right to one part in 10^9 before it is clamped, and the clamp is exactly max_speed."),
         );
     }
     // None given, where only one counts.
