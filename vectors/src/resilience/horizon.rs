@@ -1,13 +1,13 @@
 //! Replaying a horizon, and how long one may be.
 
-use super::model::{Event, buffer, events};
+use super::model::Event;
 use super::{buffer_case as case, buffer_row};
 use ncp_text::WIRE_VERSION;
 
 use crate::case::{Case, File, Role};
 use crate::command::{Channel, Command, active, channel, channels_json, velocity};
 use crate::json::{Json, object};
-use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::template::Text;
 use crate::trace::{any, exactly, int, name_of, no_result, num, nums, steps, within};
 
@@ -17,27 +17,12 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     cases.extend(lengths_of_a_tick());
     let mut text = Scenarios::read(source!("resilience/horizon"))?;
     cases.extend(text.cases("trace", buffer_row)?);
-    cases.extend(text.cases("far", far_behind)?);
     cases.extend(text.rest(buffer_row)?);
     cases.push(long_replay());
     cases.push(longest_replay());
     cases.extend(channels_of_a_tick());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
     Ok(File::new("resilience", "horizon", about, cases))
-}
-
-/// A tick far behind the end, where an error is no hold: a number of ticks that no integer holds is one all the same.
-fn far_behind(row: &Row) -> Result<Case, ScenarioError> {
-    let (args, pattern, decided) = buffer(&events(row)?, false);
-    let answered = |entry: &Json| match entry.get("channels") {
-        Some(Json::Null) => entry.clone().and("error", Json::Null),
-        _ => entry.clone(),
-    };
-    let entries = match pattern.get("steps") {
-        Some(Json::Array(entries)) => entries.iter().map(answered).collect(),
-        _ => Vec::new(),
-    };
-    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(steps(entries)).decided_by(&decided))
 }
 
 /// The tick at many ages, around each boundary that doubles hold exactly.
