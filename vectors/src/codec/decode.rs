@@ -1,8 +1,9 @@
 //! From rates to a command.
 
 use super::{
-    ALIKE, Mapping, OVERFLOWING, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec,
-    map, maps, narrow, pairs, precisely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY, POINTS,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, SUBNORMAL, SUBNORMALLY, WIDE, WIDELY, codec, map, maps,
+    narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -15,6 +16,10 @@ pub(super) fn file() -> File {
     cases.extend(mappings());
     cases.extend(heads());
     cases.extend(alike());
+    cases.extend(extreme());
+    cases.extend(points());
+    cases.extend(nameless());
+    cases.push(many());
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
     File::new("codec", "decode", about, cases)
 }
@@ -140,6 +145,92 @@ const AROUND_ZERO: [(&str, [f64; 2]); 5] = [
     ("above-the-middle", [-200.0, 50.0]),
     ("far-below-the-middle", [-1.0, 1e6]),
 ];
+
+/// Ranges at either end of the doubles.
+fn extreme() -> Vec<Case> {
+    let value = [0.0, 100.0];
+    let mut cases: Vec<Case> = EXTREME
+        .into_iter()
+        .map(|(name, r, rate)| {
+            let mapping = Mapping { value, rate, ..PLAIN };
+            case(
+                format!("extreme/{name}"),
+                &["NCP-CODEC-003", "NCP-CODEC-007", "NCP-CODEC-013"],
+                codec(&[], &[mapping]),
+                &[("p", r)],
+            )
+            .shows(channels(vec![("x", vec![map(r, rate, value)])]))
+            .title(format!(
+                "{r:e} Hz in {:e} \u{2026} {:e} is decoded as in any other range ({name}).",
+                rate[0], rate[1]
+            ))
+            .flags(&["degenerate-range"])
+            .because(EXTREMELY)
+        })
+        .collect();
+    cases.extend(SUBNORMAL.map(|(name, value, middle)| {
+        let mapping = Mapping { value, ..PLAIN };
+        case(format!("extreme/middle/{name}"), &["NCP-CODEC-006"], codec(&[], &[mapping]), &[])
+            .shows_exactly(channels(vec![("x", vec![middle])]))
+            .title(format!("Without a rate the value is the middle of subnormal ends ({name})."))
+            .because(SUBNORMALLY)
+    }));
+    cases
+}
+
+/// Value ranges of length 0.
+fn points() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, point) in POINTS {
+        for (side, r) in FAR_OFF {
+            let mapping = Mapping { rate: [0.0, 1e-300], value: [point, point], ..PLAIN };
+            cases.push(
+                case(format!("point/{name}/{side}"), &["NCP-CODEC-004"], codec(&[], &[mapping]), &[("p", r)])
+                    .shows_exactly(channels(vec![("x", vec![point])]))
+                    .title(format!("A value range of the one number {point} gives that number for {r:e} Hz."))
+                    .because(POINTEDLY),
+            );
+        }
+    }
+    cases
+}
+
+/// Channels and populations of an empty name.
+fn nameless() -> Vec<Case> {
+    let mut cases: Vec<Case> = NAMELESS
+        .into_iter()
+        .map(|(name, channel, population, words)| {
+            let mapping = Mapping { channel, population, ..PLAIN };
+            case(format!("nameless/{name}"), &["NCP-CODEC-003"], codec(&[], &[mapping]), &[(population, 150.0)])
+                .shows(channels(vec![(channel, vec![0.5])]))
+                .title(format!("The decoder maps {words} of the empty name like every other."))
+                .because(NAMELESSLY)
+        })
+        .collect();
+    let mapping = Mapping { population: "", ..PLAIN };
+    cases.push(
+        case("nameless/absent".to_owned(), &["NCP-CODEC-006"], codec(&[], &[mapping]), &[("p", 150.0)])
+            .shows(channels(vec![("x", vec![0.0])]))
+            .title("A population of the empty name that is absent gives the middle of the value range.")
+            .because(NAMELESSLY),
+    );
+    cases
+}
+
+/// More mappings than a byte counts.
+fn many() -> Case {
+    let mapping = |nth: u32| {
+        let population = if nth < 256 { "p" } else { "q" };
+        object! { "channel" => "x", "component" => nth, "population" => population }
+    };
+    let decoders: Json = (0..MANY).map(mapping).collect();
+    let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
+    let data = [vec![0.5; 256], vec![-0.5; 2]].concat();
+    case("many".to_owned(), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
+        .shows(channels(vec![("x", data)]))
+        .title(format!("A codec of {MANY} mappings decodes by each of them."))
+        .because(MANIFOLD)
+}
 
 /// A rate of 0 is a rate, and no absent one.
 fn zeros() -> Vec<Case> {

@@ -1,8 +1,9 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, Mapping, OVERFLOWING, PLAIN, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec,
-    map, maps, narrow, pairs, precisely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY, POINTS,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, SUBNORMAL, SUBNORMALLY, WIDE, WIDELY, codec, map, maps,
+    narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -14,6 +15,10 @@ pub(super) fn file() -> File {
     cases.extend(missing());
     cases.extend(mappings());
     cases.extend(alike());
+    cases.extend(extreme());
+    cases.extend(points());
+    cases.extend(nameless());
+    cases.push(many());
     let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
                  the rate range.";
     File::new("codec", "encode", about, cases)
@@ -379,6 +384,97 @@ fn mappings() -> Vec<Case> {
             .because("Each mapping gives one rate; there are none."),
     );
     cases
+}
+
+/// Ranges at either end of the doubles.
+fn extreme() -> Vec<Case> {
+    let rate = [0.0, 100.0];
+    let mut cases: Vec<Case> = EXTREME
+        .into_iter()
+        .map(|(name, x, value)| {
+            let mapping = Mapping { value, rate, ..PLAIN };
+            case(
+                format!("extreme/{name}"),
+                &["NCP-CODEC-001", "NCP-CODEC-007", "NCP-CODEC-013"],
+                codec(&[mapping], &[]),
+                sensor(&[("x", &[x])]),
+            )
+            .shows(rates(&[("p", map(x, value, rate))]))
+            .title(format!(
+                "{x:e} in {:e} \u{2026} {:e} is encoded as in any other range ({name}).",
+                value[0], value[1]
+            ))
+            .flags(&["degenerate-range"])
+            .because(EXTREMELY)
+        })
+        .collect();
+    cases.extend(SUBNORMAL.map(|(name, rate, middle)| {
+        let mapping = Mapping { rate, ..PLAIN };
+        case(format!("extreme/middle/{name}"), &["NCP-CODEC-005"], codec(&[mapping], &[]), Json::Null)
+            .shows_exactly(rates(&[("p", middle)]))
+            .title(format!("Without a sensor frame the rate is the middle of subnormal ends ({name})."))
+            .because(SUBNORMALLY)
+    }));
+    cases
+}
+
+/// Rate ranges of length 0.
+fn points() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (name, point) in POINTS {
+        for (side, x) in FAR_OFF {
+            let mapping = Mapping { value: [0.0, 1e-300], rate: [point, point], ..PLAIN };
+            cases.push(
+                case(
+                    format!("point/{name}/{side}"),
+                    &["NCP-CODEC-002"],
+                    codec(&[mapping], &[]),
+                    sensor(&[("x", &[x])]),
+                )
+                .shows_exactly(rates(&[("p", point)]))
+                .title(format!("A rate range of the one number {point} gives that number for {x:e}."))
+                .because(POINTEDLY),
+            );
+        }
+    }
+    cases
+}
+
+/// Channels and populations of an empty name.
+fn nameless() -> Vec<Case> {
+    let mut cases: Vec<Case> = NAMELESS
+        .into_iter()
+        .map(|(name, channel, population, words)| {
+            let mapping = Mapping { channel, population, ..PLAIN };
+            case(format!("nameless/{name}"), &["NCP-CODEC-001"], codec(&[mapping], &[]), sensor(&[(channel, &[0.5])]))
+                .shows(rates(&[(population, 150.0)]))
+                .title(format!("The encoder maps {words} of the empty name like every other."))
+                .because(NAMELESSLY)
+        })
+        .collect();
+    let mapping = Mapping { channel: "", ..PLAIN };
+    cases.push(
+        case("nameless/absent".to_owned(), &["NCP-CODEC-005"], codec(&[mapping], &[]), sensor(&[("x", &[0.5])]))
+            .shows(rates(&[("p", 100.0)]))
+            .title("A channel of the empty name that is absent gives the middle of the rate range.")
+            .because(NAMELESSLY),
+    );
+    cases
+}
+
+/// More mappings than a byte counts.
+fn many() -> Case {
+    // Of one target the last should count, so all that have one say the same.
+    let mapping = |nth: u32| {
+        object! { "channel" => "x", "component" => nth, "population" => if nth < 256 { "p" } else { "q" } }
+    };
+    let mappings: Json = (0..MANY).map(mapping).collect();
+    let data = [vec![0.5; 256], vec![-0.5; 2]].concat();
+    let codec = object! { "encoders" => mappings, "decoders" => Json::Array(Vec::new()) };
+    case("many".to_owned(), &["NCP-CODEC-001"], codec, sensor(&[("x", &data)]))
+        .shows(rates(&[("p", 150.0), ("q", 50.0)]))
+        .title(format!("A codec of {MANY} mappings encodes by each of them."))
+        .because(MANIFOLD)
 }
 
 /// Components that a careless name for them confuses: written together with their channel, or of channels whose names

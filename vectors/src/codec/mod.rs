@@ -108,6 +108,41 @@ fn narrow() -> Vec<(String, f64, [f64; 2], [f64; 2])> {
     all
 }
 
+/// A source range near one end of the doubles, or near the other, with a place in it: each step of the map is still a
+/// normal double.
+const EXTREME: [(&str, f64, [f64; 2]); 5] = [
+    ("short/1e-305", 2.5e-306, [0.0, 1e-305]),
+    ("short/1e-305-about-zero", 5e-306, [-1e-305, 1e-305]),
+    ("short/3e-308", 2.3e-308, [0.0, 3e-308]),
+    ("long/1.7e308", 4.25e307, [0.0, 1.7e308]),
+    ("long/1.6e308-about-zero", 4e307, [-8e307, 8e307]),
+];
+const EXTREMELY: &str =
+    "A range is degenerate when its length is 0 or not finite: neither a short one is, nor a long one.";
+
+/// Names of a channel and of a population, of which one is empty, in a path and in words.
+const NAMELESS: [(&str, &str, &str, &str); 3] = [
+    ("channel", "", "p", "a channel"),
+    ("population", "x", "", "a population"),
+    ("both", "", "", "a channel and a population"),
+];
+const NAMELESSLY: &str = "An empty name is a name of a population or a channel like every other.";
+
+/// So many mappings that an index of a byte ends before the last.
+const MANY: u32 = 258;
+const MANIFOLD: &str = "Each mapping is followed; there is no limit to their number.";
+
+/// Ranges whose ends are subnormal, and their middle.
+const SUBNORMAL: [(&str, [f64; 2], f64); 2] =
+    [("smallest", [5e-324, 5e-324], 5e-324), ("three-times-the-smallest", [1.5e-323, 1.5e-323], 1.5e-323)];
+const SUBNORMALLY: &str = "The middle of a range is that of its ends as real numbers, and no other double.";
+
+/// Target ranges of length 0, and a source place that is so far off that a step on the way overflows.
+const POINTS: [(&str, f64); 1] = [("five", 5.0)];
+const FAR_OFF: [(&str, f64); 2] = [("above", 1e300), ("below", -1e300)];
+const POINTEDLY: &str =
+    "A result whose step on the way overflows is clamped all the same, and the range has one number.";
+
 /// Two mappings that differ in one thing, which is the name of the pair.
 fn pairs(one: Mapping) -> [(&'static str, Mapping); 7] {
     [

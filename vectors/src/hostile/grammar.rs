@@ -1,12 +1,13 @@
 //! Texts that are nearly JSON.
 
-use super::with_raw;
+use super::{CARRIERS, with_raw};
 use crate::case::{Case, File};
 use crate::json::Json;
 use crate::model::{explicit, meaning, minimal};
 use crate::patch::{patched, written};
-use crate::roles::readers;
+use crate::roles::{a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::template::Text;
 
 /// What stands around, before, after and instead of the object.
 pub(super) fn structure_file() -> Result<File, ScenarioError> {
@@ -23,8 +24,54 @@ pub(super) fn token_file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("number", |row| member_case(row, row.kind()?))?);
     cases.extend(text.cases("number-in", |row| member_case(row, &row.fill("{place.first}")?))?);
     cases.extend(text.rest(|row| member_case(row, row.kind()?))?);
+    cases.extend(long_strings());
     let about = "Numbers, literals and strings that other languages write and JSON does not have.";
     Ok(File::new("hostile", "tokens", about, cases))
+}
+
+/// What may not stand in a string, so far behind its beginning: a reader that takes many characters at a time is no
+/// other reader.
+fn long_strings() -> Vec<Case> {
+    const WHOLE: [(&str, &str, &str); 7] = [
+        ("raw-line-feed", "\n", "a line feed as it is"),
+        ("raw-nul", "\0", "U+0000 as it is"),
+        ("raw-first-control", "\u{1}", "U+0001 as it is"),
+        ("raw-tab", "\t", "a tab as it is"),
+        ("raw-last-control", "\u{1f}", "U+001F as it is"),
+        ("escape-hex", r"\x41", "the escape `\\x`"),
+        ("escape-three-digits", r"\u041", "an escape of three digits"),
+    ];
+    let of = |kind: &str, place: &str, behind: usize, (what, bad, says): (&str, &str, &str)| {
+        let frame = minimal(kind).text();
+        let open = frame.strip_suffix('}').unwrap_or(&frame);
+        let (before, after, says_where) = match place {
+            "name" => (format!("{open},\""), "x\":1}", "a member's name with"),
+            "channel" => (format!("{open},\"channels\":{{\""), "x\":{}}}", "a channel's name with"),
+            "frame_id" => (format!("{open},\"frame_id\":\""), "x\"}", "a `frame_id` with"),
+            _ => (format!("{open},\"novel\":\""), "x\"}", "a string with"),
+        };
+        let path = if place == "novel" { "string".to_owned() } else { format!("string/{place}") };
+        Case::new(format!("{kind}/{path}/{what}-behind-{behind}"), &["NCP-WIRE-002"], readers(kind))
+            .title(format!("{} with {says_where} {says} behind {behind} letters is rejected.", a(kind)))
+            .flags(&["lenient-strings"])
+            .decode(kind, Text::concat([before.into(), Text::repeat("x", behind), format!("{bad}{after}").into()]))
+            .rejects("malformed")
+            .because("What a string may hold does not depend on how long it is.")
+    };
+    let mut cases = Vec::new();
+    for kind in CARRIERS {
+        cases.extend(WHOLE.map(|bad| of(kind, "novel", 100, bad)));
+        cases.push(of(kind, "name", 100, WHOLE[0]));
+    }
+    for behind in [7, 15, 16, 31, 32, 63, 64, 256, 4096, 70_000] {
+        cases.push(of("close_session", "novel", behind, WHOLE[0]));
+    }
+    for kind in ["sensor_frame", "command_frame"] {
+        for place in ["frame_id", "channel"] {
+            cases.push(of(kind, place, 100, WHOLE[0]));
+        }
+    }
+    cases
 }
 
 /// A frame that says only what it must, with changes.
@@ -83,7 +130,6 @@ fn spread(frame: &str, space: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hostile::CARRIERS;
 
     #[test]
     fn no_explicit_frame_has_a_token_within_a_string() {

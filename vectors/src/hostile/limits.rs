@@ -20,7 +20,9 @@ pub(super) fn file() -> File {
     let mut cases = sizes();
     cases.extend(observation_sizes());
     cases.extend(large());
+    cases.extend(large_and_broken());
     cases.extend(depths());
+    cases.extend(deep_names());
     cases.extend(maps());
     cases.extend(arrays());
     cases.extend(sums());
@@ -28,6 +30,8 @@ pub(super) fn file() -> File {
     cases.extend(equal_numbers());
     cases.extend(small_values());
     cases.extend(long_strings());
+    cases.extend(long_names());
+    cases.extend(long_enums());
 
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
     File::new("hostile", "limits", about, cases)
@@ -124,7 +128,7 @@ fn observation_sizes() -> Vec<Case> {
 /// is no other reader.
 fn large() -> Vec<Case> {
     // A member, its value as it is spelled, the rule, and what is special about it. `seq` is written twice.
-    let table: [(&str, &str, &str, &'static str, &str); 11] = [
+    let table: [(&str, &str, &str, &'static str, &str); 14] = [
         ("overflow", "t", "1e999", "NCP-WIRE-013", "overflows a double"),
         ("minus-overflow", "t", "-1e309", "NCP-WIRE-013", "overflows a double downwards"),
         ("fraction", "seq", "1.0", "NCP-WIRE-010", "has a fraction"),
@@ -142,6 +146,15 @@ fn large() -> Vec<Case> {
             "has 55 digits",
         ),
         ("largest-integer", "seq", "9007199254740991", "NCP-WIRE-034", "is the largest integer"),
+        ("rounded-once", "t", "9007199254740993e1", "NCP-WIRE-012", "has more than 53 bits and a power of ten"),
+        ("rounded-once-by-decimals", "t", "90071992547.40995", "NCP-WIRE-012", "has more than 53 bits and decimals"),
+        (
+            "rounded-once-by-a-negative-power",
+            "t",
+            "-1152921504606847105e-18",
+            "NCP-WIRE-012",
+            "has more than 53 bits and a negative power of ten",
+        ),
     ];
     let sizes: [(&str, &[usize]); 3] = [
         ("sensor_frame", &[(64 << 10) + 1, (256 << 10) + 1, MIB]),
@@ -151,7 +164,9 @@ fn large() -> Vec<Case> {
     let mut cases = Vec::new();
     for (kind, sizes) in sizes {
         for (nth, size) in sizes.iter().enumerate() {
-            for (what, member, value, rule, says) in table {
+            // The last of the numbers in one size of a kind.
+            let shown = if nth == 0 { table.len() } else { table.len() - ROUNDED };
+            for (what, member, value, rule, says) in table.into_iter().take(shown) {
                 let frame = |ground: Json| ground.with(member, Json::literal(value));
                 let is_read = matches!(rule, "NCP-WIRE-015" | "NCP-WIRE-012" | "NCP-WIRE-034");
                 let whole = if is_read { frame(explicit(kind)) } else { frame(minimal(kind)) };
@@ -170,6 +185,60 @@ fn large() -> Vec<Case> {
                     false => case.flags(&["overflow"]).rejects("value"),
                 });
             }
+        }
+    }
+    cases
+}
+
+/// How many of these are numbers that have to be rounded once.
+const ROUNDED: usize = 3;
+
+/// What is no frame for its bytes or its grammar, in frames of many sizes: a reader for large frames is no other
+/// reader.
+fn large_and_broken() -> Vec<Case> {
+    let sizes = [
+        ("sensor_frame", 70_000_usize),
+        ("command_frame", 300_000),
+        ("close_session", 1_000_000),
+        ("observation_frame", 2 * MIB),
+    ];
+    // Behind a long string: the rest of it, and of the frame.
+    let table: [(&str, &[u8], &'static str, &str); 11] = [
+        ("ff", b"\xff\"}", "NCP-WIRE-001", "the byte FF in a string"),
+        ("overlong-slash", b"\xc0\xaf\"}", "NCP-WIRE-001", "a slash in two bytes"),
+        ("truncated-3", b"\xe2\x82\"}", "NCP-WIRE-001", "two of three bytes of a character"),
+        ("raw-line-feed", b"\n\"}", "NCP-WIRE-002", "a line feed as it is in a string"),
+        ("bad-escape", br#"\x41"}"#, "NCP-WIRE-002", "an escape that is none"),
+        ("trailing-comma", br#"",}"#, "NCP-WIRE-002", "a trailing comma"),
+        ("comment", br#""/* end */}"#, "NCP-WIRE-002", "a comment"),
+        ("nan", br#"","novel":NaN}"#, "NCP-WIRE-002", "NaN"),
+        ("cut-off", br#"""#, "NCP-WIRE-002", "its last brace missing"),
+        ("second-object", br#""}{}"#, "NCP-WIRE-004", "a second object behind it"),
+        ("nul-behind", b"\"}\0", "NCP-WIRE-004", "U+0000 behind it"),
+    ];
+    let mut cases = Vec::new();
+    for (kind, size) in sizes {
+        // A sample for the larger ones.
+        let is_whole = size < 100_000;
+        let sample = table.into_iter().filter(|(what, ..)| is_whole || matches!(*what, "ff" | "raw-line-feed"));
+        for (what, end, rule, says) in sample {
+            let frame = minimal(kind).text();
+            let mut before = format!("{},\"pad\":\"", frame.strip_suffix('}').unwrap_or(&frame));
+            // In base64, three bytes are four characters.
+            before.push_str(&"x".repeat(before.len().next_multiple_of(3) - before.len()));
+            let bytes = Text::concat([
+                Text::base64_of(before.as_bytes()),
+                Text::repeat("eHh4", (size - before.len()) / 3),
+                Text::base64_of(end),
+            ]);
+            cases.push(
+                Case::new(format!("{kind}/large/{what}"), &[rule], readers(kind))
+                    .title(format!("{} of about {size} bytes with {says} is rejected.", a(kind)))
+                    .flags(&[if rule == "NCP-WIRE-001" { "invalid-utf8" } else { "lenient-grammar" }])
+                    .call("decode", object! { "kind" => kind, "base64" => bytes })
+                    .rejects("malformed")
+                    .because("Whether a frame is read does not depend on its length."),
+            );
         }
     }
     cases
@@ -312,13 +381,52 @@ fn depths() -> Vec<Case> {
     cases
 }
 
+/// A member name that repeats so far down, and names that do not.
+fn deep_names() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for kind in ["command_frame", "close_session"] {
+        for (what, open, close) in [("arrays", "[", "]"), ("objects", "{\"a\":", "}")] {
+            // The frame is a level, and the object within is the last one.
+            let levels = LEVELS - 2;
+            let around = |frame: &str, inner: &str| {
+                Text::concat([
+                    format!("{},\"novel\":", frame.strip_suffix('}').unwrap_or(frame)).into(),
+                    Text::repeat(open, levels),
+                    inner.into(),
+                    Text::repeat(close, levels),
+                    "}".into(),
+                ])
+            };
+            cases.push(
+                Case::new(format!("{kind}/depth/repeated-in-{levels}-{what}"), &["NCP-WIRE-007"], readers(kind))
+                    .title(format!("{} with a member twice within {levels} unknown {what} is rejected.", a(kind)))
+                    .flags(&["duplicate-members"])
+                    .decode(kind, around(&minimal(kind).text(), r#"{"a":1,"a":2}"#))
+                    .rejects("malformed")
+                    .because("One object has one member name twice, at whatever depth it stands."),
+            );
+            cases.push(
+                Case::new(format!("{kind}/depth/two-names-in-{levels}-{what}"), &["NCP-WIRE-065"], readers(kind))
+                    .title(format!("{} with two members within {levels} unknown {what} is read.", a(kind)))
+                    .flags(&["low-limits"])
+                    .decode(kind, around(&explicit(kind).text(), r#"{"a":1,"b":2}"#))
+                    .means(meaning(kind, &explicit(kind)).text())
+                    .because("The names differ, and the frame has 64 levels at most."),
+            );
+        }
+    }
+    cases
+}
+
 /// Maps of 4,096 entries and of one more.
 fn maps() -> Vec<Case> {
-    let places: [(&str, &[&str], &str); 10] = [
+    let places: [(&str, &[&str], &str); 12] = [
         ("sensor_frame", &["channels"], "{}"),
         ("command_frame", &["channels"], "{}"),
         ("command_frame", &["horizon", "0"], "{}"),
         ("stimulus_frame", &["values"], "{}"),
+        ("step_request", &["stimulus", "values"], "{}"),
+        ("run_request", &["stimulus", "values"], "{}"),
         ("observation_frame", &["records"], "{}"),
         ("session_opened", &["resolved"], "1"),
         ("open_session", &["network", "population_sizes"], "1"),
@@ -337,19 +445,24 @@ fn maps() -> Vec<Case> {
         let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
         let member = path.join(".").replace(".0", "[0]");
         let frame = set(minimal(kind), path, entries(ENTRIES + 1));
-        cases.push(
+        // What stands in a request is one, whichever it is.
+        cases.extend((kind != "run_request").then(|| {
             Case::new(format!("{kind}/map/{place}-beyond-limit"), &["NCP-WIRE-066"], readers(kind))
                 .title(format!("{} with 4,097 entries in `{member}` is rejected.", a(kind)))
                 .flags(&["missing-limits"])
                 .decode(kind, frame.text())
                 .rejects("limit")
-                .because("A map of the tables may have 4,096 entries."),
-        );
+                .because("A map of the tables may have 4,096 entries.")
+        }));
         let (count, says, name) = match READ.contains(&format!("{kind}/{place}").as_str()) {
             true => (ENTRIES, "4,096".to_owned(), "at-limit"),
             false => (MANY, MANY.to_string(), "of-many"),
         };
-        let text = set(explicit(kind), path, entries(count)).text();
+        let frame = match path {
+            ["stimulus", "values"] => explicit(kind).with("stimulus", explicit("stimulus_frame")),
+            _ => explicit(kind),
+        };
+        let text = set(frame, path, entries(count)).text();
         cases.push(
             Case::new(format!("{kind}/map/{place}-{name}"), &["NCP-WIRE-068"], readers(kind))
                 .title(format!("{} with {says} entries in `{member}` is read.", a(kind)))
@@ -417,18 +530,50 @@ fn sums() -> Vec<Case> {
         ("open_session", &["record", "targets"], &record),
         ("open_session", &["stimulus", "targets"], &stimulus),
     ];
-    places
+    let mut cases: Vec<Case> = places
         .into_iter()
         .map(|(kind, path, item)| {
             let text = list(&set(explicit(kind), path, Json::literal(MARK)).text(), item, 1_500);
-            Case::new(format!("{kind}/sum/{}", path.join("-")), &["NCP-WIRE-068"], readers(kind))
-                .title(format!("{} with 1,500 items of 3 entries each in `{}` is read.", a(kind), path.join(".")))
-                .flags(&["low-limits"])
-                .decode(kind, text.clone())
-                .means(text)
-                .because("One map may have 4,096 entries, and one array as many items, whatever others have.")
+            sum(kind, &path.join("-"), text).title(format!(
+                "{} with 1,500 items of 3 entries each in `{}` is read.",
+                a(kind),
+                path.join(".")
+            ))
         })
-        .collect()
+        .collect();
+    // Tens of thousands of values in all, within 1 MiB.
+    let numbered = |count: usize, value: &str| {
+        let entries = (0..count).map(|nth| (base_36(nth), Json::literal(value))).collect();
+        Json::Object(entries).text()
+    };
+    let names: Json = (0..40).map(base_36).collect::<Vec<_>>().iter().map(String::as_str).collect();
+    let horizon = r#"{"a":{},"b":{},"c":{},"d":{}}"#.to_owned();
+    let binding = item("EntityBinding", &["entity", "meta"], &numbered(16, "\"\""));
+    let record = item("RecordTarget", &["recordables"], &names.text());
+    let stimulus = item("StimulusTarget", &["params"], &numbered(60, "1.0"));
+    let places: [(&str, &[&str], &str, usize, usize); 4] = [
+        ("command_frame", &["horizon"], &horizon, ENTRIES, 4),
+        ("open_session", &["bindings"], &binding, 2_000, 16),
+        ("open_session", &["record", "targets"], &record, 1_500, 40),
+        ("open_session", &["stimulus", "targets"], &stimulus, 1_000, 60),
+    ];
+    cases.extend(places.map(|(kind, path, item, count, entries)| {
+        let text = list(&set(explicit(kind), path, Json::literal(MARK)).text(), item, count);
+        sum(kind, &format!("{}-of-many", path.join("-")), text).title(format!(
+            "{} with {count} items of {entries} entries each in `{}` is read.",
+            a(kind),
+            path.join(".")
+        ))
+    }));
+    cases
+}
+
+fn sum(kind: &str, path: &str, text: Text) -> Case {
+    Case::new(format!("{kind}/sum/{path}"), &["NCP-WIRE-068"], readers(kind))
+        .flags(&["low-limits"])
+        .decode(kind, text.clone())
+        .means(text)
+        .because("One map may have 4,096 entries, and one array as many items, whatever others have.")
 }
 
 /// Numeric arrays, which only the bytes of the frame limit.
@@ -578,6 +723,84 @@ fn long_strings() -> Vec<Case> {
     cases
 }
 
+/// Names that agree in thousands of characters, and one that repeats.
+fn long_names() -> Vec<Case> {
+    let value = explicit_message("ChannelValue").text();
+    let mut cases = Vec::new();
+    for (kind, length) in [("sensor_frame", 70_000), ("command_frame", 2_000)] {
+        let name = |last: &str| [Text::from("\""), Text::repeat("n", length), format!("{last}\":").into()];
+        // Two names with a value each, within the frame with the mark in it.
+        let of_two = |frame: &Json, value: &str, lasts: [&str; 2]| {
+            let frame = frame.text();
+            let (before, after) = frame.split_once(MARK).unwrap_or((&frame, ""));
+            let [one, other] = lasts.map(name);
+            let parts = [vec![before.into()], one.into(), vec![format!("{value},").into()], other.into()];
+            Text::Concat([parts.concat(), vec![format!("{value}{after}").into()]].concat())
+        };
+        let in_channels = |ground: Json| ground.with("channels", Json::literal(format!("{{{MARK}}}")));
+        let read = of_two(&in_channels(explicit(kind)), &value, ["a", "b"]);
+        cases.push(
+            Case::new(format!("{kind}/strings/alike-{length}/channels"), &["NCP-WIRE-068"], readers(kind))
+                .title(format!("{} with two channels whose names agree in {length} characters has both.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, read.clone())
+                .means(read)
+                .because("Two names that differ in their last letter are two names, however long they are."),
+        );
+        cases.push(
+            Case::new(format!("{kind}/strings/alike-{length}/repeated"), &["NCP-WIRE-007"], readers(kind))
+                .title(format!("{} with a channel twice whose name has {length} characters is rejected.", a(kind)))
+                .flags(&["duplicate-members"])
+                .decode(kind, of_two(&in_channels(minimal(kind)), "{}", ["a", "a"]))
+                .rejects("malformed")
+                .because("One object has the same member name twice, however long it is."),
+        );
+        let beside = |ground: Json| Json::literal(with_raw(&ground.text(), MARK));
+        cases.push(
+            Case::new(format!("{kind}/strings/alike-{length}/unknown"), &["NCP-WIRE-026"], readers(kind))
+                .title(format!(
+                    "{} with two unknown members whose names agree in {length} characters is read.",
+                    a(kind)
+                ))
+                .flags(&["closed-objects"])
+                .decode(kind, of_two(&beside(explicit(kind)), "1", ["a", "b"]))
+                .means(meaning(kind, &explicit(kind)).text())
+                .because("Two names that differ in their last letter are two names, and both are ignored."),
+        );
+    }
+    cases
+}
+
+/// Strings of descriptive enums that are none of theirs and long.
+fn long_enums() -> Vec<Case> {
+    let places: [(&str, &[&str]); 3] = [
+        ("open_session", &["network", "kind"]),
+        ("open_session", &["record", "targets", "0", "observable"]),
+        ("capabilities", &["sensor_channels", "0", "kind"]),
+    ];
+    let case = |(kind, path): (&str, &[&str])| {
+        let frame = set(explicit(kind), path, MARK.into()).text();
+        let (before, after) = frame.split_once(MARK).unwrap_or((&frame, ""));
+        let text = Text::concat([before.into(), Text::repeat("novel", 60), after.into()]);
+        let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
+        Case::new(
+            format!("{kind}/strings/enum-{place}"),
+            &["NCP-WIRE-043", "NCP-WIRE-042", "NCP-WIRE-045"],
+            readers(kind),
+        )
+        .title(format!(
+            "{} whose `{}` is an unknown string of 300 characters keeps it.",
+            a(kind),
+            path.join(".").replace(".0", "[0]")
+        ))
+        .flags(&["invented-sentinel"])
+        .decode(kind, text.clone())
+        .means(text)
+        .because("An unknown string of a descriptive enum is kept as it is, however long it is.")
+    };
+    places.map(case).into()
+}
+
 /// Stands for an array or a string that is written as a template.
 const MARK: &str = "%ITEMS%";
 
@@ -649,6 +872,7 @@ fn set(frame: Json, path: &[&str], value: Json) -> Json {
 fn ground(name: &str, rest: &[&str]) -> Json {
     match (name, rest) {
         ("bindings", _) => explicit_message("EntityBinding"),
+        ("sensor_channels", _) => explicit_message("ChannelSpec"),
         ("targets", ["params", ..]) => explicit_message("StimulusTarget"),
         ("targets", [_, ..]) => explicit_message("RecordTarget"),
         ("a", ["times" | "values" | "senders"]) => explicit_message("Observation"),

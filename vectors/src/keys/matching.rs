@@ -34,6 +34,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.rest(invalid)?);
     cases.extend(large().iter().map(Large::case));
     cases.extend(controls());
+    cases.extend(hidden());
     let about = "Which keys a key expression covers, wildcard by wildcard, and the chunks that wildcards do not see.";
     Ok(File::new("keys", "matching", about, cases))
 }
@@ -82,6 +83,28 @@ fn controls() -> Vec<Case> {
     cases
 }
 
+/// Chunks of a pattern that begin with `@` and hold what is a wildcard elsewhere: they cover the equal chunk alone,
+/// which no key has.
+const HIDDEN: [(&str, &str, &[&str]); 5] = [
+    ("run-behind", "@a$*", &["@a", "@ab", "ab"]),
+    ("run-alone", "@$*", &["@", "@a"]),
+    ("run-before", "@$*a", &["@a", "@ba"]),
+    ("within", "x/@$*/y", &["x/@a/y"]),
+    ("behind-any", "**/@a$*", &["@ab", "b/@ab"]),
+];
+
+fn hidden() -> Vec<Case> {
+    let case = |name: &str, pattern: &str, key: &str| {
+        Case::new(format!("hidden/{name}/{}", slug(key)), &["NCP-KEY-035"], &[Observer])
+            .title(format!("`{pattern}` does not cover `{key}`."))
+            .flags(&["hidden-segment"])
+            .call("key.match", object! { "pattern" => pattern, "key" => key })
+            .gives(object! { "matches" => false })
+            .because("A chunk that begins with `@` has no wildcards: it covers the equal chunk alone.")
+    };
+    HIDDEN.into_iter().flat_map(|(name, pattern, keys)| keys.iter().map(move |key| case(name, pattern, key))).collect()
+}
+
 /// A pattern and a key of which one is large.
 struct Large {
     name: &'static str,
@@ -109,7 +132,29 @@ fn large() -> Vec<Large> {
     let chunk = |count: usize, last: &str| Text::concat(["ncp/x".into(), Text::repeat("a", count), last.into()]);
     let row = |name, rule, pattern: Text, key, matches, says| Large { name, rule, pattern, key, matches, says };
     let (any, one, run) = ("NCP-KEY-032", "NCP-KEY-031", "NCP-KEY-033");
+    // Twenty chunks that differ, as many `**` before them, and so many others before each in a key.
+    let twenty = |before: &str, last: &str| {
+        let chunks: String = ('a'..='t').map(|letter| format!("{before}{letter}/")).collect();
+        Text::from(chunks + last)
+    };
+    // Letters that differ, with a wildcard between them.
+    let letters = |between: &str, last: &str| {
+        Text::from(('a'..='t').fold(String::new(), |all, c| all + between + &c.to_string()) + last)
+    };
     vec![
+        row("many-any", any, twenty("**/", "z"), twenty("", "z"), true, "A pattern of twenty `**` for no chunk each"),
+        row("many-any-of-two", any, twenty("**/", "z"), twenty("x/y/", "z"), true, "A pattern of twenty `**` for two"),
+        row("many-any-not", any, twenty("**/", "z"), twenty("", "y"), false, "A pattern of twenty `**` of another end"),
+        row("many-runs", run, letters("$*", "z"), letters("", "z"), true, "A pattern of twenty `$*` for nothing each"),
+        row("many-runs-of-two", run, letters("$*", "z"), letters("xy", "z"), true, "A pattern of twenty `$*` for two"),
+        row(
+            "many-runs-not",
+            run,
+            letters("$*", "z"),
+            letters("", "y"),
+            false,
+            "A pattern of twenty `$*` of another end",
+        ),
         row(
             "any-of-300",
             any,

@@ -7,6 +7,8 @@ use crate::model::{explicit, meaning, minimal};
 use crate::patch::patched;
 use crate::roles::{a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
+use crate::template::Text;
+use crate::wire::VERSIONS_OF_ERRORS;
 use ncp_text::WIRE_VERSION;
 use ncp_text::tables::tables;
 
@@ -20,6 +22,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
             cases.extend(versions(kind));
         }
     }
+    cases.extend(late_versions());
     cases.extend(Scenarios::read(source!("strict/frames"))?.rest(row_case)?);
     let about = "Frames of every kind at a strict receiver: with a version, without one, with another, and commands \
                  without a stamp.";
@@ -98,14 +101,63 @@ fn versions(kind: &str) -> Vec<Case> {
 fn errors() -> Vec<Case> {
     let frame = minimal("error");
     let about = frame.clone().with("session_id", "s1".into());
-    [("bare", frame), ("with-session", about)]
+    let mut cases: Vec<Case> = [("bare", frame.clone()), ("with-session", about)]
         .map(|(what, frame)| {
             accepts(case("error", what, &["NCP-STRICT-012"]), "error", &frame)
                 .title(format!("An error frame ({what}) is read by a strict receiver without a version."))
                 .flags(&["over-strict"])
                 .because("The error frame has no version, so these rules let it through.")
         })
-        .into()
+        .into();
+    cases.extend(VERSIONS_OF_ERRORS.map(|(what, version)| {
+        let frame = frame.clone().and("ncp_version", Json::literal(version));
+        accepts(case("error", &format!("version-{what}"), &["NCP-STRICT-012", "NCP-WIRE-026"]), "error", &frame)
+            .rests_on(format!("wire/members/error/unknown-name/version-{what}"))
+            .title(format!("An error frame with the member `ncp_version` of {version} is read by a strict receiver."))
+            .flags(&["over-strict"])
+            .because("A member `ncp_version` of an error frame is none of its own, and is ignored.")
+    }));
+    cases
+}
+
+/// A version that stands behind many members, or behind a long one.
+fn late_versions() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (kind, lengths) in [("sensor_frame", &[70_000, 1_000_000][..]), ("command_frame", &[70_000])] {
+        let bare = good(kind).without("ncp_version");
+        let many = (0..100).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into()));
+        let many = many.and("ncp_version", WIRE_VERSION.into());
+        cases.push(
+            accepts(case(kind, "version/behind-100", &["NCP-STRICT-012"]), kind, &many)
+                .title(format!(
+                    "{} whose version stands behind a hundred members is read by a strict receiver.",
+                    a(kind)
+                ))
+                .flags(&["over-strict"])
+                .because("The order of members does not count, nor does their number."),
+        );
+        let bare_text = bare.text();
+        for length in lengths.iter().copied() {
+            let text = Text::concat([
+                format!("{},\"pad\":\"", bare_text.strip_suffix('}').unwrap_or(&bare_text)).into(),
+                Text::repeat("x", length),
+                format!("\",\"ncp_version\":\"{WIRE_VERSION}\"}}").into(),
+            ]);
+            cases.push(
+                case(kind, &format!("version/behind-{length}-letters"), &["NCP-STRICT-012"])
+                    .decode(kind, text)
+                    .means(meaning(kind, &good(kind)).text())
+                    .strictly()
+                    .title(format!(
+                        "{} whose version stands behind a string of {length} letters is read by a strict receiver.",
+                        a(kind)
+                    ))
+                    .flags(&["over-strict"])
+                    .because("The order of members does not count, nor does their length."),
+            );
+        }
+    }
+    cases
 }
 
 /// A case of a row, as `frames.txt` says how they are written.

@@ -3,6 +3,7 @@
 use crate::case::Role::{Commander, Server};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
+use crate::keys::segments::{self, Segment};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::template::Text;
 
@@ -17,12 +18,68 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         Ok(case(row, realm, &verb).gives(object! { "key" => format!("{within}/rpc/{verb}") }))
     })?;
     cases.extend(long());
+    cases.extend(accepted());
     cases.extend(text.cases("refused", |row| {
         Ok(case(row, Some("lab"), Json::read(row.cell("verb")?).as_str().unwrap_or_default()).rejects("key"))
     })?);
     cases.extend(text.rest(|row| Ok(case(row, Some(row.cell("realm")?), "step_request").rejects("key")))?);
+    cases.extend(refused());
     let about = "The control keys of the strict profile: one for each kind of request, and none for anything else.";
     Ok(File::new("strict", "keys", about, cases))
+}
+
+/// In realms of segments that look wrong and are not: each is in the key as it is.
+fn accepted() -> Vec<Case> {
+    const NAMES: [&str; 8] = [
+        "latin",
+        "decomposed",
+        "punctuation",
+        "brackets",
+        "percent-escape",
+        "quotes",
+        "at-inside",
+        "bytes-256-of-64-characters",
+    ];
+    let segments = segments::accepted().into_iter().filter(|segment| NAMES.contains(&segment.name.as_str()));
+    let case = |(nth, segment): (usize, Segment)| {
+        let verb = VERBS[nth % VERBS.len()];
+        let realm = format!("lab/{}", segment.text);
+        Case::new(format!("{verb}/accepted/{}", segment.name), &["NCP-STRICT-001", "NCP-KEY-007"], &[Commander, Server])
+            .rests_on(format!("keys/realms/rpc/realm/accepted/{}", segment.name))
+            .title(format!(
+                "The strict control key of `{verb}` is built in a realm with a segment that {}, unchanged.",
+                segment.says
+            ))
+            .flags(&["L04", segment.flag])
+            .call("key.build", object! { "key" => "rpc", "realm" => realm.as_str(), "verb" => verb })
+            .gives(object! { "key" => format!("{realm}/rpc/{verb}") })
+            .because("All other rules stay: a valid realm is put into the key without escaping or changing it.")
+    };
+    segments.enumerate().map(case).collect()
+}
+
+/// In realms with a second segment that no builder accepts.
+fn refused() -> Vec<Case> {
+    let segments = segments::refused_sample().into_iter().filter(|segment| !segment.text.contains('/'));
+    let case = |(nth, segment): (usize, Segment)| {
+        let verb = VERBS[nth % VERBS.len()];
+        let realm = format!("lab/{}", segment.text);
+        Case::new(
+            format!("realm/{verb}/{}", segment.name),
+            &["NCP-STRICT-001", "NCP-KEY-018", segment.rule],
+            &[Commander, Server],
+        )
+        .rests_on(format!("keys/segments/sensor/session/refused/{}", segment.name))
+        .title(format!(
+            "The strict control key of `{verb}` is not built in a realm with a second segment that {}.",
+            segment.says
+        ))
+        .flags(&["L04", segment.flag])
+        .call("key.build", object! { "key" => "rpc", "realm" => realm, "verb" => verb })
+        .rejects("key")
+        .because("All other rules stay: the realm is checked segment by segment.")
+    };
+    segments.enumerate().map(case).collect()
 }
 
 /// In realms that are long as a whole.

@@ -16,6 +16,7 @@ pub(super) fn file() -> File {
     cases.extend(unversioned());
     cases.extend(doors());
     cases.extend(stimulated());
+    cases.extend(remembered());
     let about =
         "A strict server: requests without a compatible version, and requests at the control key of another kind.";
     File::new("strict", "server", about, cases)
@@ -250,6 +251,39 @@ fn doors() -> Vec<Case> {
                     ),
             );
         }
+    }
+    cases
+}
+
+/// Requests that are rejected after others of their kind were carried out: each is judged by itself.
+fn remembered() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (what, version) in unfit_versions().into_iter().skip(1).take(1) {
+        let (good, _) = step_after(0.0);
+        let bad = with_version(&good, version.as_deref());
+        let trace = vec![open(), step_after(0.0), (bad, error()), step_after(10.0)];
+        cases.push(
+            case(format!("remembered/{what}"), &["NCP-STRICT-009", against_version(version.as_deref())], trace)
+                .strictly()
+                .title(format!(
+                    "A strict server does not carry out a step whose version is {what} after one with its own."
+                ))
+                .flags(&["L07"])
+                .because("It answers with an error frame, and does not carry it out, whatever came before."),
+        );
+    }
+    for verb in ["run_request"] {
+        let (good, _) = step_after(0.0);
+        let trace = vec![open(), step_after(0.0), (good, error()), step_after(10.0)];
+        cases.push(
+            at(
+                case(format!("remembered/at-{verb}"), &["NCP-STRICT-007"], trace),
+                &["open_session", "step_request", verb, "step_request"],
+            )
+            .title(format!("A strict server does not carry out a step at the key of `{verb}` after one at its own."))
+            .flags(&["L04"])
+            .because("The request comes at another control key than that of its kind, whatever came before."),
+        );
     }
     cases
 }

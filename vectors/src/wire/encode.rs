@@ -35,7 +35,50 @@ impl Encoder {
         cases.extend(self.leaves());
         cases.extend(self.special());
         cases.extend(self.refused_ids());
+        cases.extend(self.large());
         cases
+    }
+
+    /// Messages that are large and that every receiver has to read, however their numbers are spelled.
+    fn large(&self) -> Vec<Case> {
+        // A member, the values that lead there from it, what is repeated, how often, and what it is in words.
+        let number = || Json::literal("0.125");
+        let value = |name: &str| explicit_message(name);
+        let data = |items: Json| object! { "a" => value("ChannelValue").with("data", items) };
+        let values = |items: Json| object! { "a" => value("Observation").with("values", items) };
+        let itself = |items: Json| items;
+        let targets = |items: Json| object! { "targets" => items };
+        let step = || object! { "a" => value("ChannelValue") };
+        type Around<'a> = &'a dyn Fn(Json) -> Json;
+        let table: [(&str, &str, Around<'_>, Json, usize, &str); 6] = [
+            ("observation_frame", "records", &values, number(), 300_000, "numbers in a record"),
+            ("sensor_frame", "channels", &data, number(), 30_000, "numbers in a channel"),
+            ("command_frame", "horizon", &itself, step(), 4_096, "steps of a horizon"),
+            ("open_session", "bindings", &itself, value("EntityBinding"), 2_000, "bindings"),
+            ("open_session", "record", &targets, value("RecordTarget"), 2_000, "record targets"),
+            ("capabilities", "sensor_channels", &itself, value("ChannelSpec"), 2_000, "channels"),
+        ];
+        let of_kind = table.into_iter().filter(|(kind, ..)| *kind == self.kind);
+        of_kind
+            .map(|(kind, member, around, item, times, says)| {
+                let items = object! { "$item" => item.clone(), "times" => Json::literal(times.to_string()) };
+                let ground = self.fields(explicit(kind));
+                let frame = explicit(kind).with(member, around(Json::literal(LONG))).text();
+                let (before, after) = frame.split_once(LONG).unwrap_or((&frame, ""));
+                let item = item.text();
+                let text = Text::concat([
+                    format!("{before}[").into(),
+                    Text::repeat(format!("{item},"), times - 1),
+                    format!("{item}]{after}").into(),
+                ]);
+                self.case(&format!("large/{member}-{times}"), &[WRITE, "NCP-WIRE-081"])
+                    .title(format!("{} with {times} {says} is written with all of them.", a(kind)))
+                    .flags(&["low-limits"])
+                    .encode(kind, ground.with(member, around(Json::Array(vec![items]))))
+                    .means(text)
+                    .because("An encoder writes every message that a receiver has to read.")
+            })
+            .collect()
     }
 
     /// Only what must be set, everything, everything but what is optional.
@@ -159,6 +202,28 @@ impl Encoder {
                     .means(Text::concat([before.into(), long(), after.into()]))
                     .because("The field is written; nothing but the bytes of the frame limits a string."),
             );
+            // Behind a letter or two, so that no border of a buffer is always one of a character.
+            let wide = if self.kind == "sensor_frame" { WIDE } else { &WIDE[..1] };
+            for (name, character, times, says) in wide {
+                for first in ["n", "nn"] {
+                    let long = || Text::concat([first.into(), Text::repeat(*character, *times)]);
+                    let fields = self.fields(explicit(self.kind)).with(field, long().json());
+                    cases.push(
+                        self.case(&format!("long-string/{name}-behind-{}", first.len()), &[WRITE, "NCP-WIRE-092"])
+                            .title(format!(
+                                "{} whose `{field}` has `{first}` and {times} characters of {says} is written with all \
+                                 of them.",
+                                a(self.kind)
+                            ))
+                            .flags(&["string-escapes"])
+                            .encode(self.kind, fields)
+                            .means(Text::concat([before.into(), long(), after.into()]))
+                            .because(
+                                "A string is written as it is: no character of it is left out, and none is another.",
+                            ),
+                    );
+                }
+            }
         }
         cases
     }
@@ -348,6 +413,20 @@ impl Encoder {
                                 "Code points decide: not the order of insertion, not UTF-16 units, not letter \
                                       case, not numbers.",
                             ),
+                    );
+                }
+                // Where an entry is small, and where it is not.
+                if ["resolved", "network/params"].contains(&name.as_str()) {
+                    let entries = NULS.iter().map(|key| ((*key).to_owned(), sample.clone())).collect();
+                    cases.push(
+                        self.at(&name, "order-of-nuls", &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
+                            .title(format!(
+                                "{} has the entries of `{shown}` sorted by the code points of their keys, also behind \
+                                 U+0000.",
+                                a(self.kind)
+                            ))
+                            .flags(&["map-order"])
+                            .because("U+0000 is a code point like every other: it ends no key, and is less than each."),
                     );
                 }
                 let is_message = matches!(**value, Shape::Message(_));
@@ -604,6 +683,16 @@ fn error_frames() -> Vec<Case> {
             .encode("error", object! { "error" => "\"\\\n\0\u{1f}\u{e9}\u{1f681}" })
             .means(object! { "kind" => "error", "error" => "\"\\\n\0\u{1f}\u{e9}\u{1f681}" }.text())
             .because("JSON has an escape for what may not stand in a string."),
+        Case::new("long-string", &[WRITE, "NCP-WIRE-102"], roles)
+            .title("An error frame whose text has 40,000 characters of four bytes is written with all of them.")
+            .flags(&["string-escapes"])
+            .encode("error", object! { "error" => Text::concat(["n".into(), Text::repeat("\u{1f600}", 40_000)]) })
+            .means(Text::concat([
+                "{\"kind\":\"error\",\"error\":\"n".into(),
+                Text::repeat("\u{1f600}", 40_000),
+                "\"}".into(),
+            ]))
+            .because("A string is written as it is: no character of it is left out, and none is another."),
     ]
 }
 
@@ -688,7 +777,7 @@ fn without_pins(message: Json) -> Json {
 }
 
 /// The members of an object from the last to the first, at every level.
-fn reversed(value: Json) -> Json {
+pub(super) fn reversed(value: Json) -> Json {
     match value {
         Json::Object(members) => {
             Json::Object(members.into_iter().rev().map(|(name, value)| (name, reversed(value))).collect())
@@ -737,6 +826,13 @@ const DOUBLES: &[(&str, &str)] = &[
     ("a-third", "0.3333333333333333"),
 ];
 
+/// Characters of several bytes, and so many of them that no usual buffer holds them.
+const WIDE: &[(&str, &str, usize, &str)] = &[
+    ("pairs", "\u{1f600}", 40_000, "four bytes"),
+    ("three-bytes", "\u{20ac}", 40_000, "three bytes"),
+    ("two-bytes", "\u{e9}", 70_000, "two bytes"),
+];
+
 /// Stands for a string that is written as a template.
 const LONG: &str = "%LONG%";
 
@@ -762,6 +858,9 @@ const ORDERS: &[(&str, &[&str], &str)] = &[
     ("digits", &["9", "10", "1", "2"], "`10` before `2`"),
     ("escapes", &["a]", "aB", "a\"", "a\n", "a\\"], "a line feed, a quote, `B`, a backslash, a bracket"),
 ];
+
+/// Keys of a map with U+0000 in them, as a program inserts them.
+const NULS: [&str; 7] = ["a\0b", "a\u{1}", "a", "a\0", "\0", "a\0\0", "a\0a"];
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,7 @@
 //! are not.
 
 use super::READ;
+use super::encode::reversed;
 use super::place::{Ground, Place};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -23,6 +24,9 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.rest(not_repeated)?);
     cases.push(escaped_kind());
     cases.extend(not_wrapped());
+    cases.extend(far_apart());
+    cases.extend(version_of_an_error());
+    cases.extend(backwards());
     let about = "Unknown members, which every receiver ignores, and repeated ones, which every receiver rejects.";
     Ok(File::new("wire", "members", about, cases))
 }
@@ -236,6 +240,56 @@ fn not_repeated(row: &Row) -> Result<Case, ScenarioError> {
         changes => patched(explicit(kind), changes, row.place)?,
     };
     Ok(row.case(readers(kind)).decode(kind, frame.text()).means(meaning(kind, &frame).text()))
+}
+
+/// A member twice, with hundreds of others between.
+fn far_apart() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for kind in ["sensor_frame", "close_session"] {
+        let between = |frame: Json| (0..300).fold(frame, |frame, nth| frame.and(&format!("n{nth}"), 1_u32.into()));
+        let repeated = between(minimal(kind).and("n", 1_u32.into())).and("n", 1_u32.into());
+        cases.push(
+            Case::new(format!("{kind}/repeated/farther-apart"), &["NCP-WIRE-007"], readers(kind))
+                .title(format!("{} with a member twice with three hundred others between is rejected.", a(kind)))
+                .flags(&["duplicate-members"])
+                .decode(kind, repeated.text())
+                .rejects("malformed")
+                .because("One object has one member name twice, however far apart."),
+        );
+    }
+    cases
+}
+
+/// A version in an error frame, which has none: it is ignored.
+fn version_of_an_error() -> Vec<Case> {
+    VERSIONS_OF_ERRORS
+        .into_iter()
+        .map(|(what, version)| {
+            let frame = minimal("error").and("ncp_version", Json::literal(version));
+            ignored(&format!("unknown-name/version-{what}"), "error", &frame)
+                .title(format!("An error frame with the member `ncp_version` of {version} is read as one without it."))
+        })
+        .collect()
+}
+
+/// What may stand in a member `ncp_version` of an error frame, and what it is called.
+pub(crate) const VERSIONS_OF_ERRORS: [(&str, &str); 4] =
+    [("older", "\"0.4\""), ("malformed", "\"latest\""), ("number", "5"), ("null", "null")];
+
+/// Frames with all of their members in reverse, at every level.
+fn backwards() -> Vec<Case> {
+    ["command_frame", "step_request", "observation_frame", "session_opened"]
+        .into_iter()
+        .map(|kind| {
+            let frame = full(kind);
+            Case::new(format!("{kind}/backwards"), &[READ], readers(kind))
+                .title(format!("{} whose members stand in reverse, at every level, is read as in any order.", a(kind)))
+                .flags(&["lost-fields"])
+                .decode(kind, reversed(frame.clone()).text())
+                .means(meaning(kind, &frame).text())
+                .because("Every field has the value that the frame gives it, wherever it stands in its object.")
+        })
+        .collect()
 }
 
 fn escaped_kind() -> Case {

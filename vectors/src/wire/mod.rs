@@ -3,6 +3,7 @@
 mod encode;
 mod fields;
 mod kinds;
+mod late;
 mod members;
 mod numbers;
 mod pins;
@@ -14,6 +15,7 @@ mod stimulus;
 
 use crate::case::File;
 use crate::scenario::ScenarioError;
+pub(crate) use members::VERSIONS_OF_ERRORS;
 pub(crate) use reply::reply;
 
 /// The rule that a plain value is read as the frame gives it.
@@ -27,6 +29,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     files.extend([
         spellings::file(),
         members::file()?,
+        late::file(),
         kinds::file(),
         session_id::file(),
         stimulus::file()?,

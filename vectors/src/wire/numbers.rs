@@ -127,6 +127,10 @@ pub(super) fn more_doubles() -> Vec<Double> {
         all.push(spelled(names[1], format!("1{many}e-{zeros}"), "1.0", "many-digits"));
         all.push(spelled(names[2], format!("2.{many}e2"), "200.0", "many-digits"));
     }
+    let zeros = "0".repeat(20);
+    all.push(spelled("exponent-of-twenty-zeros", format!("1e{zeros}1"), "10.0", "exponents"));
+    all.push(spelled("exponent-of-twenty-zeros-negative", format!("5e-{zeros}1"), "0.5", "exponents"));
+    all.push(spelled("exponent-of-twenty-zeros-of-zero", format!("-0E+{zeros}999"), "-0.0", "exponents"));
     all.extend(rounded_once());
     all
 }
@@ -179,6 +183,7 @@ pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
         ("overflow-by-one-digit", format!("1{}", "0".repeat(309))),
         ("overflow-by-digits-and-a-fraction", format!("1{}.5", "0".repeat(349))),
         ("overflow-exponent-leading-zeros", "1e00309".to_owned()),
+        ("overflow-exponent-twenty-zeros", format!("1e{}309", "0".repeat(20))),
         ("overflow-huge-exponent", "1e99999999999999999999".to_owned()),
     ];
     alone.into_iter().chain(split).collect()

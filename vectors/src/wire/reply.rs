@@ -17,6 +17,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     text.end()?;
     cases.extend(sizes());
     cases.extend(alike());
+    cases.extend(long_sessions());
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
 }
 
@@ -30,6 +31,9 @@ fn sizes() -> Vec<Case> {
         ("close_session", "session_closed", MIB + 1, false),
         ("step_request", "observation_frame", MIB + 1, true),
         ("run_request", "observation_frame", 2 * MIB, true),
+        ("step_request", "observation_frame", 5 * MIB, true),
+        ("step_request", "observation_frame", 64 * MIB, true),
+        ("step_request", "observation_frame", 64 * MIB + 1, false),
     ];
     let case = |(request, kind, size, is_read): (&str, &str, usize, bool)| {
         let frame = explicit(kind).text();
@@ -39,11 +43,13 @@ fn sizes() -> Vec<Case> {
         let rules: &[&'static str] = match (is_read, kind) {
             (true, "observation_frame") => &["NCP-SESS-007", "NCP-WIRE-063"],
             (true, _) => &["NCP-SESS-007", "NCP-WIRE-061"],
+            (false, "observation_frame") => &["NCP-WIRE-062"],
             (false, _) => &["NCP-WIRE-060"],
         };
         let case = Case::new(format!("{request}/size/{size}-bytes"), rules, &[Commander])
             .call("reply.check", object! { "request" => minimal(request).text(), "reply" => reply.json() })
             .flags(&[if is_read { "low-limits" } else { "missing-limits" }])
+            .flags(if size > 32 * MIB { &["slow"] } else { &[] })
             .because("An `observation_frame` may have 64 MiB, and every other reply 1 MiB.");
         if is_read {
             case.accepts()
@@ -53,6 +59,38 @@ fn sizes() -> Vec<Case> {
         }
     };
     table.into_iter().map(case).collect()
+}
+
+/// Sessions of long ids, of which one differs at its end, or none.
+fn long_sessions() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (request, kind) in [("open_session", "session_opened"), ("step_request", "observation_frame")] {
+        let of = |kind: &str, id: &str| minimal(kind).with("session_id", id.into()).text();
+        for bytes in [129, 256] {
+            let id = |last: &str| "a".repeat(bytes - 1) + last;
+            let case = |path: &str, rule: &'static str, other: &str| {
+                Case::new(format!("{request}/session/{path}-of-{bytes}-bytes"), &[rule], &[Commander]).call(
+                    "reply.check",
+                    object! { "request" => of(request, &id("b")), "reply" => of(kind, &id(other)) },
+                )
+            };
+            cases.push(
+                case("other", "NCP-SESS-002", "c")
+                    .title(format!("A client rejects a `{kind}` whose session differs in its last byte of {bytes}."))
+                    .flags(&["unchecked-replies"])
+                    .because("The reply is another session's.")
+                    .rejects("reply"),
+            );
+            cases.extend((bytes == 256).then(|| {
+                case("own", "NCP-SESS-007", "b")
+                    .title(format!("A client accepts a `{kind}` of its session of {bytes} bytes."))
+                    .flags(&["over-strict"])
+                    .because("The reply's session is the request's.")
+                    .accepts()
+            }));
+        }
+    }
+    cases
 }
 
 /// Replies of another version that is letter for letter the request's.

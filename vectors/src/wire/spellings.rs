@@ -3,7 +3,7 @@
 use super::fields;
 use super::place::Place;
 use crate::case::{Case, File};
-use crate::json::Json;
+use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, minimal};
 use crate::roles::{a, readers};
 use crate::template::Text;
@@ -28,6 +28,7 @@ pub(super) fn file() -> File {
     cases.extend(beside_white_space());
     cases.extend(late_items());
     cases.extend(equal_items());
+    cases.extend(long_spellings());
     let about = "Numbers in every spelling: rounding, subnormals, signed zeros, overflow, and integers that are none.";
     File::new("wire", "numbers", about, cases)
 }
@@ -175,6 +176,104 @@ fn equal_items() -> Vec<Case> {
     }
     cases
 }
+
+/// Numbers of thousands of characters, as templates: what is written before them, what is repeated, and what is written
+/// behind them.
+fn long_spellings() -> Vec<Case> {
+    let read = [
+        ("halfway-and-a-bit", "9007199254740993.", "1", "9007199254740994.0"),
+        ("halfway", "9007199254740993.", "0", "9007199254740992.0"),
+        ("exponent", "1e", "1", "10.0"),
+        ("exponent-negative", "5E-", "1", "0.5"),
+    ];
+    let rejected = [
+        ("overflow-by-zeros", "1", "0", ""),
+        ("overflow-by-zeros-negative", "-1", "0", ""),
+        ("overflow-by-exponent", "1e", "0", "309"),
+    ];
+    // The number stands in the place of the mark.
+    let frames = |ground: fn(&str) -> Json| {
+        let number = || Json::literal(MARK);
+        let channel = match ground(SENSOR).get("t") {
+            Some(_) => explicit_message("ChannelValue"),
+            None => Json::object(),
+        };
+        let channel = channel.with("data", Json::Array(vec![number()]));
+        [
+            ("t", ground(SENSOR).with("t", number())),
+            ("data", ground(SENSOR).with("channels", object! { "a" => channel })),
+        ]
+    };
+    let spell = |frame: &Json, before: &str, repeated: &str, times: usize, behind: &str| {
+        let frame = frame.text();
+        let (front, back) = frame.split_once(MARK).unwrap_or((&frame, ""));
+        Text::concat([
+            format!("{front}{before}").into(),
+            Text::repeat(repeated, times),
+            format!("{behind}{back}").into(),
+        ])
+    };
+    let mut cases = Vec::new();
+    for times in [1_500, 5_000, 70_000] {
+        // A length for the one field, and others for the other.
+        let fields = |ground| frames(ground).into_iter().filter(|(field, _)| (*field == "t") != (times == 5_000));
+        for (field, frame) in fields(explicit) {
+            for (name, before, last, is) in read {
+                cases.push(
+                    Case::new(format!("{SENSOR}/long/{field}/{name}-of-{times}"), &["NCP-WIRE-012"], readers(SENSOR))
+                        .title(format!(
+                            "A `{SENSOR}` whose `{field}` is {before} with {times} zeros and {last} behind is {is}."
+                        ))
+                        .flags(&["many-digits"])
+                        .decode(SENSOR, spell(&frame, before, "0", times, last))
+                        .means(frame.text().replace(MARK, is))
+                        .because("A number is the nearest double, ties to even, however many digits it has."),
+                );
+            }
+        }
+        for (field, frame) in fields(minimal).filter(|_| times > 1_500) {
+            for (name, before, repeated, behind) in rejected {
+                cases.push(
+                    Case::new(format!("{SENSOR}/long/{field}/{name}-of-{times}"), &["NCP-WIRE-013"], readers(SENSOR))
+                        .title(format!(
+                            "A `{SENSOR}` whose `{field}` is {before} and {times} times {repeated}{} is rejected.",
+                            if behind.is_empty() { String::new() } else { format!(" and {behind}") }
+                        ))
+                        .flags(&["overflow"])
+                        .decode(SENSOR, spell(&frame, before, repeated, times, behind))
+                        .rejects("malformed")
+                        .because("The nearest double of these digits is infinite, however many there are."),
+                );
+            }
+        }
+    }
+    for (kind, times) in [(SENSOR, 5_000), ("command_frame", 70_000)] {
+        let frame = minimal(kind).with("seq", Json::literal(MARK));
+        for (name, before) in [("positive", "1"), ("negative", "-9")] {
+            cases.push(
+                Case::new(format!("{kind}/long/seq/{name}-of-{times}"), &["NCP-WIRE-011"], readers(kind))
+                    .title(format!("{} whose `seq` is {before} and {times} zeros is rejected.", a(kind)))
+                    .flags(&["integer-precision"])
+                    .decode(kind, spell(&frame, before, "0", times, ""))
+                    .rejects("value")
+                    .because("It lies beyond 9007199254740991 either way."),
+            );
+        }
+        let ignored = minimal(kind).and("novel", Json::literal(MARK));
+        cases.push(
+            Case::new(format!("{kind}/long/unknown/overflow-of-{times}"), &["NCP-WIRE-014"], readers(kind))
+                .title(format!("{} with an unknown member of 1 and {times} zeros should be rejected.", a(kind)))
+                .flags(&["overflow"])
+                .decode(kind, spell(&ignored, "1", "0", times, ""))
+                .rejects("malformed")
+                .because("The nearest double is infinite, also where nobody looks."),
+        );
+    }
+    cases
+}
+
+/// Stands for a number that is written as a template.
+const MARK: &str = "%NUMBER%";
 
 const SENSOR: &str = "sensor_frame";
 
