@@ -121,11 +121,8 @@ const EXTREMELY: &str =
     "A range is degenerate when its length is 0 or not finite: neither a short one is, nor a long one.";
 
 /// Names of a channel and of a population, of which one is empty, in a path and in words.
-const NAMELESS: [(&str, &str, &str, &str); 3] = [
-    ("channel", "", "p", "a channel"),
-    ("population", "x", "", "a population"),
-    ("both", "", "", "a channel and a population"),
-];
+const NAMELESS: [(&str, &str, &str, &str); 2] =
+    [("channel", "", "p", "a channel"), ("population", "x", "", "a population")];
 const NAMELESSLY: &str = "An empty name is a name of a population or a channel like every other.";
 
 /// So many mappings that an index of a byte ends before the last.

@@ -59,11 +59,11 @@ fn long_strings() -> Vec<Case> {
             .because("What a string may hold does not depend on how long it is.")
     };
     let mut cases = Vec::new();
+    cases.extend(WHOLE.map(|bad| of("close_session", "novel", 100, bad)));
     for kind in CARRIERS {
-        cases.extend(WHOLE.map(|bad| of(kind, "novel", 100, bad)));
         cases.push(of(kind, "name", 100, WHOLE[0]));
     }
-    for behind in [7, 15, 16, 31, 32, 63, 64, 256, 4096, 70_000] {
+    for behind in [15, 16, 31, 32, 64, 256, 70_000] {
         cases.push(of("close_session", "novel", behind, WHOLE[0]));
     }
     for kind in ["sensor_frame", "command_frame"] {

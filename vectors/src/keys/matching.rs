@@ -86,11 +86,11 @@ fn controls() -> Vec<Case> {
 /// Chunks of a pattern that begin with `@` and hold what is a wildcard elsewhere: they cover the equal chunk alone,
 /// which no key has.
 const HIDDEN: [(&str, &str, &[&str]); 5] = [
-    ("run-behind", "@a$*", &["@a", "@ab", "ab"]),
-    ("run-alone", "@$*", &["@", "@a"]),
-    ("run-before", "@$*a", &["@a", "@ba"]),
+    ("run-behind", "@a$*", &["@a", "@ab"]),
+    ("run-alone", "@$*", &["@a"]),
+    ("run-before", "@$*a", &["@ba"]),
     ("within", "x/@$*/y", &["x/@a/y"]),
-    ("behind-any", "**/@a$*", &["@ab", "b/@ab"]),
+    ("behind-any", "**/@a$*", &["b/@ab"]),
 ];
 
 fn hidden() -> Vec<Case> {
@@ -143,10 +143,8 @@ fn large() -> Vec<Large> {
     };
     vec![
         row("many-any", any, twenty("**/", "z"), twenty("", "z"), true, "A pattern of twenty `**` for no chunk each"),
-        row("many-any-of-two", any, twenty("**/", "z"), twenty("x/y/", "z"), true, "A pattern of twenty `**` for two"),
         row("many-any-not", any, twenty("**/", "z"), twenty("", "y"), false, "A pattern of twenty `**` of another end"),
         row("many-runs", run, letters("$*", "z"), letters("", "z"), true, "A pattern of twenty `$*` for nothing each"),
-        row("many-runs-of-two", run, letters("$*", "z"), letters("xy", "z"), true, "A pattern of twenty `$*` for two"),
         row(
             "many-runs-not",
             run,

@@ -123,39 +123,34 @@ fn errors() -> Vec<Case> {
 /// A version that stands behind many members, or behind a long one.
 fn late_versions() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (kind, lengths) in [("sensor_frame", &[70_000, 1_000_000][..]), ("command_frame", &[70_000])] {
+    for (kind, length) in [("sensor_frame", 70_000), ("command_frame", 1_000_000)] {
         let bare = good(kind).without("ncp_version");
-        let many = (0..100).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into()));
+        let many = (0..70).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into()));
         let many = many.and("ncp_version", WIRE_VERSION.into());
         cases.push(
-            accepts(case(kind, "version/behind-100", &["NCP-STRICT-012"]), kind, &many)
-                .title(format!(
-                    "{} whose version stands behind a hundred members is read by a strict receiver.",
-                    a(kind)
-                ))
+            accepts(case(kind, "version/behind-70", &["NCP-STRICT-012"]), kind, &many)
+                .title(format!("{} whose version stands behind seventy members is read by a strict receiver.", a(kind)))
                 .flags(&["over-strict"])
                 .because("The order of members does not count, nor does their number."),
         );
         let bare_text = bare.text();
-        for length in lengths.iter().copied() {
-            let text = Text::concat([
-                format!("{},\"pad\":\"", bare_text.strip_suffix('}').unwrap_or(&bare_text)).into(),
-                Text::repeat("x", length),
-                format!("\",\"ncp_version\":\"{WIRE_VERSION}\"}}").into(),
-            ]);
-            cases.push(
-                case(kind, &format!("version/behind-{length}-letters"), &["NCP-STRICT-012"])
-                    .decode(kind, text)
-                    .means(meaning(kind, &good(kind)).text())
-                    .strictly()
-                    .title(format!(
-                        "{} whose version stands behind a string of {length} letters is read by a strict receiver.",
-                        a(kind)
-                    ))
-                    .flags(&["over-strict"])
-                    .because("The order of members does not count, nor does their length."),
-            );
-        }
+        let text = Text::concat([
+            format!("{},\"pad\":\"", bare_text.strip_suffix('}').unwrap_or(&bare_text)).into(),
+            Text::repeat("x", length),
+            format!("\",\"ncp_version\":\"{WIRE_VERSION}\"}}").into(),
+        ]);
+        cases.push(
+            case(kind, &format!("version/behind-{length}-letters"), &["NCP-STRICT-012"])
+                .decode(kind, text)
+                .means(meaning(kind, &good(kind)).text())
+                .strictly()
+                .title(format!(
+                    "{} whose version stands behind a string of {length} letters is read by a strict receiver.",
+                    a(kind)
+                ))
+                .flags(&["over-strict"])
+                .because("The order of members does not count, nor does their length."),
+        );
     }
     cases
 }

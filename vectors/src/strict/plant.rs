@@ -59,7 +59,7 @@ fn rejected(row: &Row) -> Result<Case, ScenarioError> {
 fn late_version() -> Case {
     let (args, pattern, decided) = buffer(&[go(1, 1.0), Event::Ask(1.125), go(2, 1.25), Event::Ask(1.25)], true);
     let own = format!("\"ncp_version\":\"{WIRE_VERSION}\"");
-    let members: String = (0..100).map(|nth| format!(",\"n{nth}\":0")).collect();
+    let members: String = (0..70).map(|nth| format!(",\"n{nth}\":0")).collect();
     let late = |step: Json| match step.get("text").and_then(Json::as_str) {
         Some(text) => {
             let text = text.replacen(&format!("{own},"), "", 1);
@@ -72,8 +72,8 @@ fn late_version() -> Case {
         Json::Array(steps) => steps.into_iter().map(late).collect(),
         other => other,
     });
-    Case::new("followed/versions-behind-100", &["NCP-STRICT-012", "NCP-RES-026"], &[Role::Body])
-        .title("A strict plant follows commands whose versions stand behind a hundred members.")
+    Case::new("followed/versions-behind-70", &["NCP-STRICT-012", "NCP-RES-026"], &[Role::Body])
+        .title("A strict plant follows commands whose versions stand behind seventy members.")
         .flags(&["over-strict"])
         .call("buffer.run", args)
         .strictly()

@@ -22,12 +22,12 @@ fn late_versions() -> Vec<Case> {
     let mut cases = Vec::new();
     for (request, kind) in [("step_request", "observation_frame")] {
         let bare = explicit(kind).without("ncp_version");
-        let many = (0..100).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into())).text();
+        let many = (0..70).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into())).text();
         let bare = bare.text();
         let open = |frame: &str| frame.strip_suffix('}').unwrap_or(frame).to_owned();
         let long = Text::concat([format!("{},\"pad\":\"", open(&bare)).into(), Text::repeat("x", 70_000), "\"".into()]);
         for (name, before, words) in [
-            ("behind-100", Text::from(open(&many)), "a hundred members"),
+            ("behind-70", Text::from(open(&many)), "seventy members"),
             ("behind-70000-letters", long, "a string of 70,000 letters"),
         ] {
             let reply = Text::concat([before, format!(",\"ncp_version\":\"{WIRE_VERSION}\"}}").into()]);

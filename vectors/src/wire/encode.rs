@@ -205,7 +205,8 @@ impl Encoder {
             // Behind a letter or two, so that no border of a buffer is always one of a character.
             let wide = if self.kind == "sensor_frame" { WIDE } else { &WIDE[..1] };
             for (name, character, times, says) in wide {
-                for first in ["n", "nn"] {
+                let firsts = if self.kind == "sensor_frame" { &["n", "nn"][..] } else { &["n"] };
+                for first in firsts.iter().copied() {
                     let long = || Text::concat([first.into(), Text::repeat(*character, *times)]);
                     let fields = self.fields(explicit(self.kind)).with(field, long().json());
                     cases.push(
@@ -415,8 +416,8 @@ impl Encoder {
                             ),
                     );
                 }
-                // Where an entry is small, and where it is not.
-                if ["resolved", "network/params"].contains(&name.as_str()) {
+                // One map is enough.
+                if name == "resolved" {
                     let entries = NULS.iter().map(|key| ((*key).to_owned(), sample.clone())).collect();
                     cases.push(
                         self.at(&name, "order-of-nuls", &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
