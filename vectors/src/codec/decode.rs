@@ -1,9 +1,9 @@
 //! From rates to a command.
 
 use super::{
-    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY, POINTS,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, SUBNORMAL, SUBNORMALLY, WIDE, WIDELY, codec, map, maps,
-    narrow, pairs, precisely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY,
+    POINTS, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps, narrow, pairs,
+    precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -149,7 +149,7 @@ const AROUND_ZERO: [(&str, [f64; 2]); 5] = [
 /// Ranges at either end of the doubles.
 fn extreme() -> Vec<Case> {
     let value = [0.0, 100.0];
-    let mut cases: Vec<Case> = EXTREME
+    EXTREME
         .into_iter()
         .map(|(name, r, rate)| {
             let mapping = Mapping { value, rate, ..PLAIN };
@@ -167,15 +167,7 @@ fn extreme() -> Vec<Case> {
             .flags(&["degenerate-range"])
             .because(EXTREMELY)
         })
-        .collect();
-    cases.extend(SUBNORMAL.map(|(name, value, middle)| {
-        let mapping = Mapping { value, ..PLAIN };
-        case(format!("extreme/middle/{name}"), &["NCP-CODEC-006"], codec(&[], &[mapping]), &[])
-            .shows_exactly(channels(vec![("x", vec![middle])]))
-            .title(format!("Without a rate the value is the middle of subnormal ends ({name})."))
-            .because(SUBNORMALLY)
-    }));
-    cases
+        .collect()
 }
 
 /// Value ranges of length 0.

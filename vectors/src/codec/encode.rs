@@ -1,9 +1,9 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY, POINTS,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, SUBNORMAL, SUBNORMALLY, WIDE, WIDELY, codec, map, maps,
-    narrow, pairs, precisely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY,
+    POINTS, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps, narrow, pairs,
+    precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -389,7 +389,7 @@ fn mappings() -> Vec<Case> {
 /// Ranges at either end of the doubles.
 fn extreme() -> Vec<Case> {
     let rate = [0.0, 100.0];
-    let mut cases: Vec<Case> = EXTREME
+    EXTREME
         .into_iter()
         .map(|(name, x, value)| {
             let mapping = Mapping { value, rate, ..PLAIN };
@@ -407,15 +407,7 @@ fn extreme() -> Vec<Case> {
             .flags(&["degenerate-range"])
             .because(EXTREMELY)
         })
-        .collect();
-    cases.extend(SUBNORMAL.map(|(name, rate, middle)| {
-        let mapping = Mapping { rate, ..PLAIN };
-        case(format!("extreme/middle/{name}"), &["NCP-CODEC-005"], codec(&[mapping], &[]), Json::Null)
-            .shows_exactly(rates(&[("p", middle)]))
-            .title(format!("Without a sensor frame the rate is the middle of subnormal ends ({name})."))
-            .because(SUBNORMALLY)
-    }));
-    cases
+        .collect()
 }
 
 /// Rate ranges of length 0.

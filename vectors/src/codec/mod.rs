@@ -129,11 +129,6 @@ const NAMELESSLY: &str = "An empty name is a name of a population or a channel l
 const MANY: u32 = 258;
 const MANIFOLD: &str = "Each mapping is followed; there is no limit to their number.";
 
-/// Ranges whose ends are subnormal, and their middle.
-const SUBNORMAL: [(&str, [f64; 2], f64); 2] =
-    [("smallest", [5e-324, 5e-324], 5e-324), ("three-times-the-smallest", [1.5e-323, 1.5e-323], 1.5e-323)];
-const SUBNORMALLY: &str = "The middle of a range is that of its ends as real numbers, and no other double.";
-
 /// Target ranges of length 0, and a source place that is so far off that a step on the way overflows.
 const POINTS: [(&str, f64); 1] = [("five", 5.0)];
 const FAR_OFF: [(&str, f64); 2] = [("above", 1e300), ("below", -1e300)];
@@ -257,12 +252,7 @@ const WIDE: [(&str, f64); 7] = [
     ("near-the-end", 0.999),
 ];
 /// What overflows when it is divided by the length of a source range of 1e-300, and into which range it is mapped.
-const OVERFLOWING: [(&str, f64, [f64; 2]); 4] = [
-    ("into-a-point", 1e300, [5.0, 5.0]),
-    ("below-into-a-point", -1e300, [5.0, 5.0]),
-    ("into-a-range", 1e300, [0.0, 200.0]),
-    ("below-into-a-range", -1e300, [0.0, 200.0]),
-];
+const OVERFLOWING: [(&str, f64, [f64; 2]); 2] = [("above", 1e300, [0.0, 200.0]), ("below", -1e300, [0.0, 200.0])];
 
 const WIDELY: &str = "By how much a result is off where a step on the way overflows is left open; its clamp holds \
                       there, too, and what is no number is within no range.";
