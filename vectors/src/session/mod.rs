@@ -1,5 +1,6 @@
 //! Area `session`: a server's life, and the numbers of the reference networks.
 
+mod frames;
 mod life;
 mod numbers;
 
@@ -10,7 +11,7 @@ use crate::trace::{any, num, text_of};
 use ncp_text::WIRE_VERSION;
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
-    Ok(vec![life::file()?, numbers::file()])
+    Ok(vec![life::file()?, frames::file(), numbers::file()])
 }
 
 /// A session of the reference networks.

@@ -37,8 +37,8 @@ const WHY: &str =
     "Section 4.4: exact propagation on the grid of `dt_ms`; asked of servers that claim the reference networks.";
 
 /// A leaky integrate-and-fire neuron, as section 4.4 writes it.
-struct Lif {
-    v: f64,
+pub(super) struct Lif {
+    pub(super) v: f64,
     resting: u32,
     propagator: f64,
     gain: f64,
@@ -49,7 +49,7 @@ struct Lif {
 }
 
 impl Lif {
-    fn new(params: &[(&str, f64)], dt: f64) -> Self {
+    pub(super) fn new(params: &[(&str, f64)], dt: f64) -> Self {
         let param = |name: &str, default: f64| {
             params.iter().find(|(known, _)| *known == name).map_or(default, |(_, value)| *value)
         };
@@ -69,7 +69,7 @@ impl Lif {
     }
 
     /// One step under a current; whether it spikes.
-    fn step(&mut self, current: f64) -> bool {
+    pub(super) fn step(&mut self, current: f64) -> bool {
         if self.resting > 0 {
             self.resting -= 1;
             self.v = self.v_reset;
@@ -96,7 +96,7 @@ fn sent(times: &[f64], senders: &[u32]) -> Json {
 }
 
 /// A neuron run by the model: times and potentials at each step, and the times of its spikes.
-fn simulate(params: &[(&str, f64)], dt: f64, steps: u32, current: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+pub(super) fn simulate(params: &[(&str, f64)], dt: f64, steps: u32, current: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let mut neuron = Lif::new(params, dt);
     let (mut times, mut values, mut spikes) = (Vec::new(), Vec::new(), Vec::new());
     for nth in 1..=steps {
