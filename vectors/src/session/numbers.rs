@@ -3,7 +3,7 @@
 use super::{Open, error, not_opened, observation, observed, opened, record, recorded, reference, run, step, stimulus};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::trace::{any, nums};
+use crate::trace::{any, nums, within};
 
 pub(super) fn file() -> File {
     let mut cases = potentials();
@@ -29,6 +29,18 @@ pub(super) fn file() -> File {
     cases.extend(slow());
     cases.extend(alike());
     cases.extend(reopened());
+    cases.extend(beyond_32_bits());
+    cases.extend(much_at_once());
+    cases.extend(no_neurons());
+    cases.extend(empty_names());
+    cases.extend(many_named());
+    cases.extend(failures_behind_many_steps());
+    cases.extend(failures_at_rest());
+    cases.extend(large_together());
+    cases.extend(exact_times());
+    cases.extend(own_ports());
+    cases.extend(announced());
+    cases.extend(rounded_rests());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
 }
@@ -900,6 +912,11 @@ fn refusals() -> Vec<Case> {
             "a record of the potential of rate neurons",
             Open { records: vec![v()], ..Open::rate("a") },
         ),
+        (
+            "potential-of-rate-by-default",
+            "a record of rate neurons without an observable",
+            Open { records: vec![v().without("observable")], ..Open::rate("a") },
+        ),
     ];
     table
         .into_iter()
@@ -1650,4 +1667,586 @@ fn alike() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Rests and cadences of more steps than 32 bits count.
+fn beyond_32_bits() -> Vec<Case> {
+    let table = [("2-to-31", 2_147_483_648.0), ("2-to-32-and-2", 4_294_967_298.0), ("1e300", 1e300)];
+    let mut cases = Vec::new();
+    for (name, steps) in table {
+        let params = vec![("t_ref", steps), ("I_e", 2000.0)];
+        let (_, _, spikes) = simulate(&params, 1.0, 20, 2000.0);
+        let open = Open { params, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
+        let expected = recorded("a", object! { "s" => samples(&spikes, None) });
+        cases.push(
+            reference(
+                format!("far/rest/{name}"),
+                &["NCP-SESS-050"],
+                vec![(open.text(), opened("a")), (step("a", Some(20.0), None), expected)],
+            )
+            .title(format!("A neuron that rests for {name} steps spikes once in 20."))
+            .because(WHY),
+        );
+        let open = Open { records: vec![record("v", "V_m", steps)], ..Open::lif("a") };
+        let expected = recorded("a", object! { "v" => samples(&[], None) });
+        cases.push(
+            reference(
+                format!("far/cadence/{name}"),
+                &["NCP-SESS-053"],
+                vec![(open.text(), opened("a")), (step("a", Some(20.0), None), expected)],
+            )
+            .title(format!("A port of a cadence of {name} steps is not sampled in 20."))
+            .because("A port is sampled at the end of every step whose number is a multiple of its cadence."),
+        );
+    }
+    cases
+}
+
+/// An observation of the session at a time, with these records.
+fn recorded_at(id: &str, time: f64, records: Json) -> Json {
+    observed(id, time).edit(&["$json"], |reply| reply.with("records", records))
+}
+
+/// What a server bears in one request, and what it may refuse.
+fn much_at_once() -> Vec<Case> {
+    let mut cases = Vec::new();
+    // Few samples, although many ports might have had one at each of many steps.
+    let names: Vec<String> = (0..10).map(|nth| format!("p{nth}")).collect();
+    for (network, observable, size, steps, every) in
+        [("lif", "V_m", 10, 12_000_u32, 4_000_u32), ("rate", "rate", 200, 1_000, 500)]
+    {
+        let ground = if network == "rate" { Open::rate("a") } else { Open::lif("a") };
+        let records = names.iter().map(|name| record(name, observable, f64::from(every))).collect();
+        let open = Open { size, records, ..ground };
+        let times: Vec<f64> =
+            (1..=steps / every).flat_map(|nth| std::iter::repeat_n(f64::from(nth * every), size as usize)).collect();
+        let of = |name: &String| (name.clone(), object! { "times" => nums(&times) });
+        let records = Json::Object(names.iter().take(1).chain(names.last()).map(of).collect());
+        let trace =
+            vec![(open.text(), opened("a")), (run("a", f64::from(steps)), recorded_at("a", f64::from(steps), records))];
+        cases.push(
+            reference(format!("far/samples/of-rare-ports/{network}"), &["NCP-SESS-027", "NCP-SESS-053"], trace)
+                .by("/replies/1/records", "NCP-SESS-053")
+                .title(format!(
+                    "A run of {steps} steps in which ten ports of {size} neurons are sampled every {every} steps is \
+                     answered ({network})."
+                ))
+                .because("A server bears a million samples in each request, and a sample is one by the cadence."),
+        );
+    }
+    // A reply of more than 1 MiB, which is what an observation may have.
+    let open =
+        Open { size: 1_000, params: vec![("I_e", 123.4)], records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
+    let times: Vec<f64> = (1..=60).flat_map(|nth| std::iter::repeat_n(f64::from(nth), 1_000)).collect();
+    let trace = vec![
+        (open.text(), opened("a")),
+        (step("a", Some(60.0), None), recorded_at("a", 60.0, object! { "v" => object! { "times" => nums(&times) } })),
+        (step("a", Some(1.0), None), observed("a", 61.0)),
+    ];
+    cases.push(
+        reference("far/samples/of-more-than-1-mib".to_owned(), &["NCP-SESS-027", "NCP-SESS-053"], trace)
+            .by("/replies/1/records", "NCP-SESS-053")
+            .title("A step of 60,000 samples, whose reply is longer than 1 MiB, is answered with all of them.")
+            .because("A server bears a million samples in each request, and an `observation_frame` has up to 64 MiB."),
+    );
+    // More than a server has to bear: of neurons that spike at every step, and of those that never do.
+    for (name, words, params) in [
+        ("spiking", "spike at every step", vec![("E_L", 0.0), ("V_th", 0.0), ("V_reset", 0.0), ("t_ref", 0.0)]),
+        ("silent", "never spike", Vec::new()),
+    ] {
+        let records = names.iter().map(|name| record(name, "spikes", 1.0)).collect();
+        let open = Open { size: 100, params, records, ..Open::lif("a") };
+        let of = |first: Json, time: f64| {
+            vec![
+                (open.text(), opened("a")),
+                (step("a", Some(1_100.0), None), first),
+                (step("a", Some(1.0), None), observed("a", time)),
+            ]
+        };
+        let answers = |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
+        let (refused, served) = (of(error(), 1.0), of(observed("a", 1_100.0), 1_101.0));
+        let expected = any(vec![answers(refused.clone()), answers(served)]);
+        let mut case = reference(format!("far/samples/too-many/{name}"), &["NCP-SESS-037", "NCP-SESS-033"], refused);
+        case.by.remove("/replies/*/sim_time_ms");
+        cases.push(
+            case.shows(expected)
+                .title(format!(
+                    "A step of more samples than a server has to bear, of neurons that {words}, is answered, or \
+                     refused and leaves the session as it was."
+                ))
+                .because("A server may refuse what is larger, with an error frame that leaves the session as it was."),
+        );
+    }
+    cases
+}
+
+/// Populations of no neuron, and sessions without neurons.
+fn no_neurons() -> Vec<Case> {
+    const WHY: &str = "A population of 0 neurons is one; only a negative size is left open.";
+    let of = |open: Open, observable: &str, kind: &str, first: f64| {
+        let target = |of: Json| of.with("target", "other".into());
+        let open = Open {
+            other: Some(0),
+            records: vec![record("v", observable, 1.0), target(record("w", observable, 1.0))],
+            stimuli: vec![target(stimulus("in", kind))],
+            ..open
+        };
+        let none = || object! { "times" => nums(&[]), "values" => nums(&[]), "senders" => nums(&[]) };
+        let records = object! { "v" => samples(&[1.0], Some(&[first])), "w" => none() };
+        vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", records))]
+    };
+    let empty = |open: Open, sizes: Json| {
+        let open = open.json().edit(&["network", "population_sizes"], |_| sizes);
+        vec![
+            (open.text(), opened("a")),
+            (step("a", None, None), observed("a", 10.0)),
+            (run("a", 5.0), observed("a", 15.0)),
+        ]
+    };
+    let zero = || object! { "pop" => 0_u32 };
+    let table: [(&str, &str, Vec<(String, Json)>, &'static str); 5] = [
+        ("beside/lif", "one neuron and one", of(Open::lif("a"), "V_m", "current_pA", -70.0), "NCP-SESS-050"),
+        ("beside/rate", "one rate neuron and one", of(Open::rate("a"), "rate", "rate_inject", 0.0), "NCP-SESS-051"),
+        ("alone/lif", "one population", empty(Open::lif("a"), zero()), "NCP-SESS-050"),
+        ("alone/rate", "one population of rate neurons", empty(Open::rate("a"), zero()), "NCP-SESS-051"),
+        ("no-population", "no population", empty(Open::lif("a"), Json::object()), "NCP-SESS-050"),
+    ];
+    table
+        .into_iter()
+        .map(|(name, words, trace, rule)| {
+            let title = if name == "no-population" { String::new() } else { " without neurons".to_owned() };
+            reference(format!("no-neurons/{name}"), &[rule, "NCP-SESS-033"], trace)
+                .title(format!("A session of {words}{title} is opened, and runs."))
+                .because(WHY)
+        })
+        .collect()
+}
+
+/// Ports and populations whose name is the empty string, as it is where none is given.
+fn empty_names() -> Vec<Case> {
+    let after = simulate(&[], 1.0, 1, 300.0).1;
+    let value = |of: &[f64]| object! { "values" => nums(of) };
+    let drive = |port: &str| step("a", Some(1.0), Some((port, 300.0)));
+    let named = |name: &str, of: Json| Json::Object(vec![(name.to_owned(), of)]);
+    let nameless = |member: &str, target: Json| [target.clone().with(member, "".into()), target.without(member)];
+    let v = || record("v", "V_m", 1.0);
+    let i = || stimulus("in", "current_pA");
+    let mut cases = Vec::new();
+    let mut add = |name: String, rule: &'static str, title: String, open: String, port: &str, records: Json| {
+        let trace = vec![(open, opened("a")), (drive(port), recorded("a", crate::trace::exactly(records)))];
+        cases.push(
+            reference(format!("empty-name/{name}"), &[rule], trace)
+                .title(title)
+                .because("The empty string is a name as every other, and the default of `port` and `target`."),
+        );
+    };
+    for (how, nth) in [("given", 0), ("left-out", 1)] {
+        let recorded = Open { records: vec![nameless("port", v())[nth].clone()], stimuli: vec![i()], ..Open::lif("a") };
+        let title = format!("A port that is recorded under the empty name ({how}) comes back.");
+        add(format!("recorded/{how}"), "NCP-SESS-038", title, recorded.text(), "in", named("", value(&after)));
+        let driven = Open { records: vec![v()], stimuli: vec![nameless("port", i())[nth].clone()], ..Open::lif("a") };
+        let title = format!("A stimulus reaches the port of the empty name ({how}).");
+        add(format!("driven/{how}"), "NCP-SESS-054", title, driven.text(), "", named("v", value(&after)));
+        let of = Open {
+            records: vec![nameless("target", v())[nth].clone()],
+            stimuli: vec![nameless("target", i())[nth].clone()],
+            ..Open::lif("a")
+        };
+        let sizes = object! { "" => 1_u32, "pop" => 2_u32 };
+        let of = of.json().edit(&["network", "population_sizes"], |_| sizes).text();
+        let title = format!("The population of the empty name ({how}) is driven and recorded.");
+        add(format!("population/{how}"), "NCP-SESS-055", title, of, "in", named("v", value(&after)));
+    }
+    cases
+}
+
+/// Ports that name many neurons, and a network of many populations.
+fn many_named() -> Vec<Case> {
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let driven = simulate(&[], 1.0, 1, 300.0).1[0];
+    let mut cases = Vec::new();
+    let fallen: Vec<u32> = (1..=300).rev().collect();
+    let open = Open { size: 400, records: vec![record("v", "V_m", 1.0).with("ids", ids(&fallen))], ..Open::lif("a") };
+    let records = object! { "v" => sent(&vec![1.0; fallen.len()], &fallen) };
+    let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), None), recorded("a", records))];
+    cases.push(
+        reference("id/300-of-400".to_owned(), &["NCP-SESS-052", "NCP-SESS-059"], trace)
+            .by("/replies/1/records/v/times", "NCP-SESS-059")
+            .title("Of 400 neurons the 300 are recorded that the port names, in its order.")
+            .because("A neuron's id is its position within its population; a list of numbers has no limit of its own."),
+    );
+    for (count, size) in [(300_u32, 400_u32), (1_100, 1_200)] {
+        let named: Vec<u32> = (1..=count).collect();
+        let open = Open {
+            size,
+            records: vec![record("v", "V_m", 1.0)],
+            stimuli: vec![stimulus("in", "current_pA").with("ids", ids(&named))],
+            ..Open::lif("a")
+        };
+        let values: Vec<f64> = (1..=size).map(|id| if id <= count { driven } else { -70.0 }).collect();
+        let records = object! { "v" => object! { "values" => nums(&values) } };
+        let trace =
+            vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", records))];
+        cases.push(
+            reference(format!("reach/{count}-of-{size}"), &["NCP-SESS-055"], trace)
+                .title(format!("Of {size} neurons a stimulus reaches the {count} that it names, and no others."))
+                .because("A stimulus reaches each of the neurons of its target that its `ids` name."),
+        );
+    }
+    // Populations that one byte counts to the same number.
+    let sizes = (0..300).map(|nth| (format!("p{nth}"), 1_u32.into())).collect();
+    let of = |of: Json, nth: u32| of.with("target", format!("p{nth}").into());
+    let open = Open {
+        records: vec![
+            of(record("x", "V_m", 1.0), 0),
+            of(record("y", "V_m", 1.0), 256),
+            of(record("z", "V_m", 1.0), 299),
+        ],
+        stimuli: vec![of(stimulus("in", "current_pA"), 256), of(stimulus("also", "current_pA"), 43)],
+        ..Open::lif("a")
+    };
+    let text = open.json().edit(&["network", "population_sizes"], |_| Json::Object(sizes)).text();
+    let value = |value: f64| object! { "values" => nums(&[value]) };
+    let records = object! { "x" => value(-70.0), "y" => value(driven), "z" => value(-70.0) };
+    let trace =
+        vec![(text, opened("a")), (driven_step("a", 1.0, &[("in", 300.0), ("also", 200.0)]), recorded("a", records))];
+    cases.push(
+        reference("reach/population-257-of-300".to_owned(), &["NCP-SESS-055"], trace)
+            .title("Of 300 populations a stimulus reaches the one that it names, and no other.")
+            .because("A stimulus reaches the neurons of its target, the population of that name."),
+    );
+    cases
+}
+
+/// A membrane that leaves the doubles only behind many steps of its request.
+fn failures_behind_many_steps() -> Vec<Case> {
+    let mut cases = Vec::new();
+    // By a falling exponential, the potential passes the largest double behind three tenths of the time constant.
+    for (name, tau, advance) in [("300", 1e3, 400.0), ("3000", 1e4, 4_000.0), ("75000", 2.5e5, 80_000.0)] {
+        let current = -(f64::MAX - 1.6e308) / -(-0.3_f64).exp_m1() / tau;
+        let open = Open {
+            params: vec![("E_L", -1.6e308), ("V_reset", -1.6e308), ("V_th", 0.0), ("C_m", 1.0), ("tau_m", tau)],
+            records: vec![record("v", "V_m", advance)],
+            stimuli: vec![stimulus("in", "current_pA")],
+            ..Open::lif("a")
+        };
+        let stays = recorded_at("a", advance, object! { "v" => samples(&[advance], Some(&[-1.6e308])) });
+        let drives = |request: String| {
+            let values = object! { "in" => object! { "data" => nums(&[current]) } };
+            Json::read(&request).with("stimulus", object! { "values" => values }).text()
+        };
+        for (way, fails) in [("step", step("a", Some(advance), None)), ("run", run("a", advance))] {
+            if way == "step" && name == "3000" {
+                continue;
+            }
+            let trace = vec![
+                (open.text(), opened("a")),
+                (drives(fails), error()),
+                (step("a", Some(advance), Some(("in", 0.0))), stays.clone()),
+            ];
+            let mut case =
+                reference(format!("fails/behind-{name}-steps/{way}"), &["NCP-SESS-057", "NCP-SESS-037"], trace);
+            case.by.remove("/replies/*/sim_time_ms");
+            cases.push(
+                case.title(format!(
+                    "After a {way} in which the potential leaves the doubles behind {name} steps, none of them is left."
+                ))
+                .flags(&["session-lifecycle", "non-finite-numbers"])
+                .because("A request that fails leaves the network and the time of its session as they were before it."),
+            );
+        }
+    }
+    cases
+}
+
+/// Neurons that rest while a request fails, for what is asked of another population.
+fn failures_at_rest() -> Vec<Case> {
+    let mut cases = Vec::new();
+    // How long the neuron has run before the request that fails: it rests from its first spike on.
+    for (before, after) in [(4_u32, 9_u32), (6, 9), (9, 6)] {
+        let params = vec![("t_ref", 5.0), ("I_e", 2000.0)];
+        let (times, values, spikes) = simulate(&params, 1.0, before + after, 2000.0);
+        for (observable, what) in [("spikes", "spikes"), ("V_m", "potential")] {
+            let of = |from: u32, to: u32| {
+                let is_within = |time: f64| time > f64::from(from) && time <= f64::from(to);
+                let within: Vec<f64> = spikes.iter().copied().filter(|time| is_within(*time)).collect();
+                let (from, to) = (from as usize, to as usize);
+                let out = match observable {
+                    "spikes" => samples(&within, None),
+                    _ => samples(&times[from..to], Some(&values[from..to])),
+                };
+                recorded("a", object! { "out" => out })
+            };
+            if observable == "V_m" && before == 9 {
+                continue;
+            }
+            let open = Open {
+                other: Some(1),
+                params: params.clone(),
+                records: vec![record("out", observable, 1.0)],
+                stimuli: vec![stimulus("in", "current_pA").with("target", "other".into())],
+                ..Open::lif("a")
+            };
+            let trace = vec![
+                (open.text(), opened("a")),
+                (step("a", Some(f64::from(before)), None), of(0, before)),
+                // So much leaves the doubles in whatever order it is computed.
+                (step("a", Some(300.0), Some(("in", -1.7e308))), error()),
+                (step("a", Some(f64::from(after)), Some(("in", 0.0))), of(before, before + after)),
+            ];
+            cases.push(
+                reference(format!("fails/at-rest/{what}-after-{before}"), &["NCP-SESS-057", "NCP-SESS-050"], trace)
+                    .title(format!(
+                        "A neuron that has run for {before} ms goes on with its rest after a request that failed \
+                         ({what})."
+                    ))
+                    .flags(&["session-lifecycle", "non-finite-numbers"])
+                    .because(
+                        "A request that fails leaves the network as it was before it, and so what is left of a rest.",
+                    ),
+            );
+        }
+    }
+    cases
+}
+
+/// Numbers near the end of the doubles, each of which is within: what their sum is, matters to none.
+fn large_together() -> Vec<Case> {
+    let p = (-10.0_f64).exp();
+    let rates: Vec<f64> = (0..2).scan(0.0, |r, _| Some(next_rate(r, p, 1e308))).collect();
+    let lif = vec![("E_L", -1.6e308), ("V_th", 0.0), ("V_reset", -1.6e308)];
+    let rate = vec![("mu", 1e308), ("tau", 0.1)];
+    let mut cases = Vec::new();
+    for (name, words, size, other) in
+        [("population", "three neurons of one population", 3, None), ("populations", "two populations", 1, Some(1))]
+    {
+        for (network, rule, observable, ground, params, values) in [
+            ("lif", "NCP-SESS-050", "V_m", Open::lif("a"), &lif, vec![-1.6e308; 2]),
+            ("rate", "NCP-SESS-051", "rate", Open::rate("a"), &rate, rates.clone()),
+        ] {
+            let open =
+                Open { size, other, params: params.clone(), records: vec![record("out", observable, 1.0)], ..ground };
+            let all = |of: &[f64]| -> Vec<f64> {
+                of.iter().flat_map(|value| std::iter::repeat_n(*value, size as usize)).collect()
+            };
+            let records = object! { "out" => samples(&all(&[1.0, 2.0]), Some(&all(&values))) };
+            let trace = vec![(open.text(), opened("a")), (step("a", Some(2.0), None), recorded("a", records))];
+            cases.push(
+                reference(format!("large/{name}/{network}"), &[rule, "NCP-SESS-057"], trace)
+                    .title(format!("The numbers of {words} may be so large that their sum is no double ({network})."))
+                    .flags(&["reference-numbers", "non-finite-numbers"])
+                    .because("The numbers of a network are V and r of its neurons, each by itself."),
+            );
+        }
+    }
+    // One of three neurons alone leaves the doubles.
+    let open = Open {
+        size: 3,
+        params: vec![("mu", 40.0)],
+        records: vec![record("out", "rate", 1.0)],
+        stimuli: ["in", "also"]
+            .map(|port| stimulus(port, "rate_inject").with("ids", std::iter::once(2_u32).collect()))
+            .into(),
+        ..Open::rate("a")
+    };
+    let p = (-0.1_f64).exp();
+    let rates: Vec<f64> = (0..3).scan(0.0, |r, _| Some(next_rate(r, p, 40.0))).collect();
+    let three = |of: &[f64]| -> Vec<f64> { of.iter().flat_map(|value| [*value; 3]).collect() };
+    let of = |times: &[f64], values: &[f64]| {
+        recorded("a", object! { "out" => samples(&three(times), Some(&three(values))) })
+    };
+    let trace = vec![
+        (open.text(), opened("a")),
+        (step("a", Some(2.0), None), of(&[1.0, 2.0], &rates[..2])),
+        (driven_step("a", 40.0, &[("in", 1.7e308), ("also", 1.7e308)]), error()),
+        (driven_step("a", 1.0, &[("in", 0.0), ("also", 0.0)]), of(&[3.0], &rates[2..])),
+    ];
+    cases.push(
+        reference("large/one-of-three".to_owned(), &["NCP-SESS-057", "NCP-SESS-051"], trace)
+            .title("A request in which one of three neurons leaves the doubles fails, and leaves all three as before.")
+            .flags(&["session-lifecycle", "non-finite-numbers"])
+            .because("A request in which a number of the network leaves the doubles fails, and leaves the network as it was."),
+    );
+    cases
+}
+
+/// One step of a rate neuron under its input.
+fn next_rate(r: &mut f64, propagator: f64, input: f64) -> f64 {
+    *r = *r * propagator + input * (1.0 - propagator);
+    *r
+}
+
+/// The time of a session to the last bit: it is one product.
+fn exact_times() -> Vec<Case> {
+    let table: [(&str, f64, &[u32]); 6] = [
+        ("tenths-one-by-one", 0.1, &[1; 10]),
+        ("tenths", 0.1, &[3, 3, 4, 7, 50]),
+        ("ten-tenths-twice", 0.1, &[10, 10]),
+        ("sevenths", 0.7, &[1, 1, 1, 1, 1, 1]),
+        ("thirds", 1.0 / 3.0, &[1, 2, 4, 8, 16]),
+        ("many-tenths", 0.1, &[200_000]),
+    ];
+    table
+        .into_iter()
+        .map(|(name, dt, requests)| {
+            let mut trace = vec![(Open { dt, ..Open::lif("a") }.text(), opened("a"))];
+            let mut steps = 0;
+            for more in requests {
+                steps += more;
+                let time = f64::from(steps) * dt;
+                let reply = observed("a", 0.0).edit(&["$json", "sim_time_ms"], |_| within(time, time));
+                trace.push((run("a", f64::from(*more) * dt), reply));
+            }
+            reference(format!("duration/exact/{name}"), &["NCP-SESS-058"], trace)
+                .title(format!(
+                    "The time of a session is the number of its steps times {dt:?}, to the last bit ({}).",
+                    name.replace('-', " ")
+                ))
+                .because("The time of rule 58 is one product, the double nearest to it, and no running sum.")
+        })
+        .collect()
+}
+
+/// Sessions of one network that record and are driven by other ports.
+fn own_ports() -> Vec<Case> {
+    let ids = |of: u32| std::iter::once(of).collect::<Json>();
+    let open = |id: &str, port: &str, neuron: u32, cadence: f64| Open {
+        size: 3,
+        records: vec![record(port, "V_m", cadence).with("ids", ids(neuron))],
+        ..Open::lif(id)
+    };
+    let of = |port: &str, times: &[f64], sender: u32| {
+        let senders = vec![sender; times.len()];
+        crate::trace::exactly(Json::Object(vec![(port.to_owned(), sent(times, &senders))]))
+    };
+    let (a, b) = (open("a", "v", 1, 1.0), open("b", "w", 3, 2.0));
+    let a_anew = Open { id: "a".to_owned(), ..b.clone() };
+    let step = |id: &str| step(id, Some(2.0), None);
+    let from_a = || recorded("a", of("v", &[1.0, 2.0], 1));
+    let table: [(&str, &str, Vec<(String, Json)>); 3] = [
+        (
+            "apart",
+            "side by side",
+            vec![
+                (a.text(), opened("a")),
+                (b.text(), opened("b")),
+                (step("b"), recorded("b", of("w", &[2.0], 3))),
+                (step("a"), from_a()),
+            ],
+        ),
+        (
+            "anew",
+            "one behind the other",
+            vec![
+                (a.text(), opened("a")),
+                (step("a"), from_a()),
+                (super::close("a"), crate::trace::anything()),
+                (a_anew.text(), opened("a")),
+                (step("a"), recorded("a", of("w", &[2.0], 3))),
+            ],
+        ),
+        (
+            "none",
+            "of which one records nothing",
+            vec![
+                (a.text(), opened("a")),
+                (Open { records: Vec::new(), ..b }.text(), opened("b")),
+                (step("b"), recorded("b", crate::trace::exactly(Json::object()))),
+                (step("a"), from_a()),
+            ],
+        ),
+    ];
+    let mut cases: Vec<Case> = table
+        .into_iter()
+        .map(|(name, words, trace)| {
+            let mut case = reference(format!("ports/{name}"), &["NCP-SESS-035", "NCP-SESS-038"], trace);
+            case.by.remove("/replies/*/records/*/senders");
+            case.title(format!("Two sessions of one network {words} record each its own ports."))
+                .because("What is done to one session changes no other; each returns the ports that it records.")
+        })
+        .collect();
+    // The same of what drives them.
+    let driven = |id: &str, neuron: u32| Open {
+        size: 3,
+        records: vec![record("v", "V_m", 1.0)],
+        stimuli: vec![stimulus("in", "current_pA").with("ids", ids(neuron))],
+        ..Open::lif(id)
+    };
+    let after = |current: f64| simulate(&[], 1.0, 1, current).1[0];
+    let of = |values: [f64; 3]| object! { "v" => object! { "values" => nums(&values.map(after)) } };
+    let steps = |id: &str, values: [f64; 3]| (self::step(id, Some(1.0), Some(("in", 300.0))), recorded(id, of(values)));
+    let trace = vec![
+        (driven("a", 1).text(), opened("a")),
+        (driven("b", 3).text(), opened("b")),
+        steps("b", [0.0, 0.0, 300.0]),
+        steps("a", [300.0, 0.0, 0.0]),
+    ];
+    cases.push(
+        reference("ports/driven".to_owned(), &["NCP-SESS-035", "NCP-SESS-055"], trace)
+            .title("Two sessions of one network are driven each by its own port.")
+            .because("What is done to one session changes no other."),
+    );
+    cases
+}
+
+/// Sessions of a mode and a length that say what the client is about to do.
+fn announced() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (network, rule, ground) in [("lif", "NCP-SESS-050", Open::lif("a")), ("rate", "NCP-SESS-051", Open::rate("a"))]
+    {
+        for (name, mode, duration) in
+            [("batch", "batch", Some(50.0)), ("batch-of-no-length", "batch", None), ("stream", "stream", Some(12.0))]
+        {
+            if network == "rate" && name != "batch" {
+                continue;
+            }
+            let open = Open { chunk: 5.0, ..ground.clone() }.json().edit(&["sim"], |sim| {
+                let sim = sim.with("mode", mode.into());
+                duration.into_iter().fold(sim, |sim, ms| sim.with("duration_ms", crate::trace::num(ms)))
+            });
+            let mut trace = vec![(open.text(), opened("a"))];
+            trace.extend([5.0, 10.0, 15.0].map(|time| (step("a", None, None), observed("a", time))));
+            cases.push(
+                reference(format!("announced/{name}/{network}"), &[rule, "NCP-SESS-031"], trace)
+                    .by("/replies/*/sim_time_ms", "NCP-SESS-031")
+                    .title(format!(
+                        "A server that claims the reference networks opens them in the mode `{mode}`, too ({}, \
+                         {network}).",
+                        name.replace('-', " ")
+                    ))
+                    .because("The `mode` and the `duration_ms` of a `SimConfig` change no answer."),
+            );
+        }
+    }
+    cases
+}
+
+/// Rests of nearly half a step, of half, and of one and a half.
+fn rounded_rests() -> Vec<Case> {
+    let table = [
+        ("next-below-half", 0.5_f64.next_down(), 1.0),
+        ("half", 0.5, 1.0),
+        ("next-below-half-of-a-quarter", 0.125_f64.next_down(), 0.25),
+        ("one-and-a-half", 1.5, 1.0),
+        ("next-below-one-and-a-half", 1.5_f64.next_down(), 1.0),
+    ];
+    table
+        .into_iter()
+        .map(|(name, rest, dt)| {
+            let params = vec![("t_ref", rest), ("I_e", 2000.0)];
+            let (_, _, spikes) = simulate(&params, dt, 20, 2000.0);
+            let open = Open { params, records: vec![record("s", "spikes", 1.0)], dt, ..Open::lif("a") };
+            let expected = recorded("a", object! { "s" => samples(&spikes, None) });
+            reference(
+                format!("spikes/rest-of-{name}"),
+                &["NCP-SESS-050"],
+                vec![(open.text(), opened("a")), (step("a", Some(20.0 * dt), None), expected)],
+            )
+            .title(format!(
+                "A neuron whose `t_ref` is {rest:?} ms spikes {} times in 20 steps of {dt} ms.",
+                spikes.len()
+            ))
+            .because("A time of x ms is round(x / dt) steps: the whole number nearest to it, the greater of two.")
+        })
+        .collect()
 }
