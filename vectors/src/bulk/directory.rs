@@ -118,6 +118,11 @@ fn names() -> Vec<Case> {
     for (what, name, says) in [
         ("of-300-bytes", "n".repeat(300), "a name of 300 bytes"),
         ("with-nul", "a\0b".to_owned(), "a name that holds U+0000"),
+        ("nul-last", "ab\0".to_owned(), "a name that ends with U+0000"),
+        ("nul-alone", "\0".to_owned(), "a name that is U+0000"),
+        ("space-first", " ab".to_owned(), "a name that begins with a space"),
+        ("space-last", "ab ".to_owned(), "a name that ends with a space"),
+        ("line-feed-last", "ab\n".to_owned(), "a name that ends with a line feed"),
     ] {
         cases.push(
             read(format!("name/{what}"), &["NCP-BULK-021"], &Block::new([f64s(&name, [1.5])]))
@@ -126,8 +131,27 @@ fn names() -> Vec<Case> {
                 .because("A name is its name_len bytes of UTF-8, whichever they are."),
         );
     }
+    for (what, [one, other], says) in ALIKE {
+        let block = Block::new([f64s(one, [1.5]), f64s(other, [2.5])]);
+        cases.push(
+            read(format!("name/alike/{what}"), &["NCP-BULK-021"], &block)
+                .title(format!("Two columns whose names differ {says} are read each with its own."))
+                .flags(&["changed-segments"])
+                .because("Names are the same when their bytes are: a decoder gives each column with its name."),
+        );
+    }
     cases
 }
+
+/// Names that are two, though they look alike or are one to who compares them otherwise than letter for letter.
+pub(super) const ALIKE: [(&str, [&str; 2], &str); 6] = [
+    ("cases", ["V_m", "v_m"], "by the case of a letter"),
+    ("composed", ["\u{e9}", "e\u{301}"], "by their composition"),
+    ("space-last", ["a", "a "], "by a space at the end"),
+    ("nul-last", ["ab", "ab\0"], "by U+0000 at the end"),
+    ("sharp-s", ["ss", "\u{df}"], "by a letter that is folded into two"),
+    ("full-width", ["k", "\u{ff4b}"], "by the width of a letter"),
+];
 
 /// The block with another place for the name of its first column.
 fn with_name(block: &Block, offset: usize, length: usize) -> Vec<u8> {

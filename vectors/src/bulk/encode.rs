@@ -2,6 +2,7 @@
 
 use super::build::{Block, Column, f32s, f64s, golden, i32s, i64s};
 use super::columns_json;
+use super::directory::ALIKE;
 use super::values::extreme_columns;
 use crate::case::Role::Server;
 use crate::case::{Case, File};
@@ -113,6 +114,14 @@ fn round_trips() -> Vec<Case> {
             "Columns of which no part ends at a multiple of eight".to_owned(),
         ),
     ]);
+    table.extend(ALIKE.map(|(what, [one, other], says)| {
+        let columns = vec![f64s(one, [1.5]), f64s(other, [2.5])];
+        (format!("names-alike/{what}"), columns, format!("Two columns whose names differ {says}"))
+    }));
+    table.extend(["ab\0", " a\n"].into_iter().enumerate().map(|(nth, name)| {
+        let says = "A column whose name begins or ends with U+0000, a space or a line feed";
+        (format!("name-of-white-space/{nth}"), vec![f64s(name, [1.5])], format!("{says} ({nth})"))
+    }));
     let mut cases: Vec<Case> = table
         .into_iter()
         .map(|(what, columns, says)| {

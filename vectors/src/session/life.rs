@@ -23,6 +23,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(refused_anew());
     cases.extend(text.rest(malformed)?);
     cases.extend(versions());
+    cases.extend(versions_beside());
     cases.extend(times());
     cases.extend(failures());
     cases.extend(failures_of_one());
@@ -312,6 +313,32 @@ fn versions() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Openings of another version that a server has one more reason to refuse.
+fn versions_beside() -> Vec<Case> {
+    let network = |kind: &str, reference: &str| object! { "kind" => kind, "ref" => reference };
+    let of = |version: &str, network: Option<Json>| {
+        let open = Open::lif("a").json().with("ncp_version", version.into());
+        network.into_iter().fold(open, |open, network| open.with("network", network)).text()
+    };
+    let table = [
+        ("unknown-network", "of an unknown network", beside(-1), Some(network("builtin", "ncp.no.such.network"))),
+        ("unknown-handle", "of an unknown handle", "1.0".to_owned(), Some(network("handle", "no-such-handle"))),
+        ("open-already", "for a session that is open", beside(-1), None),
+    ];
+    let case = |(name, words, version, network): (&str, &str, String, Option<Json>)| {
+        let opens = network.is_none().then(|| open("a"));
+        let trace = opens.into_iter().chain([(of(&version, network), not_opened("a"))]).collect();
+        case(format!("version/beside/{name}"), &["NCP-SESS-023"], trace)
+            .title(format!("An `open_session` of the version {version} {words} is answered with a `session_opened`."))
+            .flags(&["lenient-versions"])
+            .because(
+                "A server answers an `open_session` of an incompatible `ncp_version` with a `session_opened` in which \
+                 `ok` is false, whatever else there is to refuse.",
+            )
+    };
+    table.into_iter().map(case).collect()
 }
 
 /// Times that cannot be run.

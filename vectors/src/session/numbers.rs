@@ -1669,37 +1669,22 @@ fn alike() -> Vec<Case> {
     cases
 }
 
-/// Rests and cadences of more steps than 32 bits count.
+/// Cadences of more steps than 32 bits count.
 fn beyond_32_bits() -> Vec<Case> {
-    let table = [("2-to-31", 2_147_483_648.0), ("2-to-32-and-2", 4_294_967_298.0), ("1e300", 1e300)];
-    let mut cases = Vec::new();
-    for (name, steps) in table {
-        let params = vec![("t_ref", steps), ("I_e", 2000.0)];
-        let (_, _, spikes) = simulate(&params, 1.0, 20, 2000.0);
-        let open = Open { params, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
-        let expected = recorded("a", object! { "s" => samples(&spikes, None) });
-        cases.push(
-            reference(
-                format!("far/rest/{name}"),
-                &["NCP-SESS-050"],
-                vec![(open.text(), opened("a")), (step("a", Some(20.0), None), expected)],
-            )
-            .title(format!("A neuron that rests for {name} steps spikes once in 20."))
-            .because(WHY),
-        );
-        let open = Open { records: vec![record("v", "V_m", steps)], ..Open::lif("a") };
-        let expected = recorded("a", object! { "v" => samples(&[], None) });
-        cases.push(
+    [("2-to-32-and-2", 4_294_967_298.0), ("1e300", 1e300)]
+        .into_iter()
+        .map(|(name, steps)| {
+            let open = Open { records: vec![record("v", "V_m", steps)], ..Open::lif("a") };
+            let expected = recorded("a", object! { "v" => samples(&[], None) });
             reference(
                 format!("far/cadence/{name}"),
                 &["NCP-SESS-053"],
                 vec![(open.text(), opened("a")), (step("a", Some(20.0), None), expected)],
             )
-            .title(format!("A port of a cadence of {name} steps is not sampled in 20."))
-            .because("A port is sampled at the end of every step whose number is a multiple of its cadence."),
-        );
-    }
-    cases
+            .title(format!("A port of a cadence of {} steps is not sampled in 20.", name.replace('-', " ")))
+            .because("A port is sampled at the end of every step whose number is a multiple of its cadence.")
+        })
+        .collect()
 }
 
 /// An observation of the session at a time, with these records.
@@ -1712,28 +1697,23 @@ fn much_at_once() -> Vec<Case> {
     let mut cases = Vec::new();
     // Few samples, although many ports might have had one at each of many steps.
     let names: Vec<String> = (0..10).map(|nth| format!("p{nth}")).collect();
-    for (network, observable, size, steps, every) in
-        [("lif", "V_m", 10, 12_000_u32, 4_000_u32), ("rate", "rate", 200, 1_000, 500)]
-    {
-        let ground = if network == "rate" { Open::rate("a") } else { Open::lif("a") };
-        let records = names.iter().map(|name| record(name, observable, f64::from(every))).collect();
-        let open = Open { size, records, ..ground };
-        let times: Vec<f64> =
-            (1..=steps / every).flat_map(|nth| std::iter::repeat_n(f64::from(nth * every), size as usize)).collect();
-        let of = |name: &String| (name.clone(), object! { "times" => nums(&times) });
-        let records = Json::Object(names.iter().take(1).chain(names.last()).map(of).collect());
-        let trace =
-            vec![(open.text(), opened("a")), (run("a", f64::from(steps)), recorded_at("a", f64::from(steps), records))];
-        cases.push(
-            reference(format!("far/samples/of-rare-ports/{network}"), &["NCP-SESS-027", "NCP-SESS-053"], trace)
-                .by("/replies/1/records", "NCP-SESS-053")
-                .title(format!(
-                    "A run of {steps} steps in which ten ports of {size} neurons are sampled every {every} steps is \
-                     answered ({network})."
-                ))
-                .because("A server bears a million samples in each request, and a sample is one by the cadence."),
-        );
-    }
+    let (size, steps, every) = (10_u32, 12_000_u32, 4_000_u32);
+    let records = names.iter().map(|name| record(name, "V_m", f64::from(every))).collect();
+    let open = Open { size, records, ..Open::lif("a") };
+    let times: Vec<f64> =
+        (1..=steps / every).flat_map(|nth| std::iter::repeat_n(f64::from(nth * every), size as usize)).collect();
+    let records = object! { "p9" => object! { "times" => nums(&times) } };
+    let trace =
+        vec![(open.text(), opened("a")), (run("a", f64::from(steps)), recorded_at("a", f64::from(steps), records))];
+    cases.push(
+        reference("far/samples/of-rare-ports".to_owned(), &["NCP-SESS-027", "NCP-SESS-053"], trace)
+            .by("/replies/1/records", "NCP-SESS-053")
+            .title(format!(
+                "A run of {steps} steps in which ten ports of {size} neurons are sampled every {every} steps is \
+                 answered."
+            ))
+            .because("A server bears a million samples in each request, and a sample is one by the cadence."),
+    );
     // A reply of more than 1 MiB, which is what an observation may have.
     let open =
         Open { size: 1_000, params: vec![("I_e", 123.4)], records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
@@ -1749,34 +1729,30 @@ fn much_at_once() -> Vec<Case> {
             .title("A step of 60,000 samples, whose reply is longer than 1 MiB, is answered with all of them.")
             .because("A server bears a million samples in each request, and an `observation_frame` has up to 64 MiB."),
     );
-    // More than a server has to bear: of neurons that spike at every step, and of those that never do.
-    for (name, words, params) in [
-        ("spiking", "spike at every step", vec![("E_L", 0.0), ("V_th", 0.0), ("V_reset", 0.0), ("t_ref", 0.0)]),
-        ("silent", "never spike", Vec::new()),
-    ] {
-        let records = names.iter().map(|name| record(name, "spikes", 1.0)).collect();
-        let open = Open { size: 100, params, records, ..Open::lif("a") };
-        let of = |first: Json, time: f64| {
-            vec![
-                (open.text(), opened("a")),
-                (step("a", Some(1_100.0), None), first),
-                (step("a", Some(1.0), None), observed("a", time)),
-            ]
-        };
-        let answers = |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
-        let (refused, served) = (of(error(), 1.0), of(observed("a", 1_100.0), 1_101.0));
-        let expected = any(vec![answers(refused.clone()), answers(served)]);
-        let mut case = reference(format!("far/samples/too-many/{name}"), &["NCP-SESS-037", "NCP-SESS-033"], refused);
-        case.by.remove("/replies/*/sim_time_ms");
-        cases.push(
-            case.shows(expected)
-                .title(format!(
-                    "A step of more samples than a server has to bear, of neurons that {words}, is answered, or \
-                     refused and leaves the session as it was."
-                ))
-                .because("A server may refuse what is larger, with an error frame that leaves the session as it was."),
-        );
-    }
+    // More than a server has to bear: neurons that spike at every step.
+    let open = Open {
+        size: 100,
+        params: vec![("E_L", 0.0), ("V_th", 0.0), ("V_reset", 0.0), ("t_ref", 0.0)],
+        records: names.iter().map(|name| record(name, "spikes", 1.0)).collect(),
+        ..Open::lif("a")
+    };
+    let of = |first: Json, time: f64| {
+        vec![
+            (open.text(), opened("a")),
+            (step("a", Some(1_100.0), None), first),
+            (step("a", Some(1.0), None), observed("a", time)),
+        ]
+    };
+    let answers = |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
+    let (refused, served) = (of(error(), 1.0), of(observed("a", 1_100.0), 1_101.0));
+    let expected = any(vec![answers(refused.clone()), answers(served)]);
+    let mut case =
+        reference("far/samples/too-many".to_owned(), &["NCP-SESS-037", "NCP-SESS-033"], refused).shows(expected);
+    case.by.remove("/replies/*/sim_time_ms");
+    cases.push(
+        case.title("A step of more samples than a server has to bear is answered, or costs that request only.")
+            .because("A server may refuse what is larger, with an error frame that leaves the session as it was."),
+    );
     cases
 }
 
@@ -1795,21 +1771,19 @@ fn no_neurons() -> Vec<Case> {
         let records = object! { "v" => samples(&[1.0], Some(&[first])), "w" => none() };
         vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", records))]
     };
-    let empty = |open: Open, sizes: Json| {
-        let open = open.json().edit(&["network", "population_sizes"], |_| sizes);
+    let empty = |sizes: Json| {
+        let open = Open::lif("a").json().edit(&["network", "population_sizes"], |_| sizes);
         vec![
             (open.text(), opened("a")),
             (step("a", None, None), observed("a", 10.0)),
             (run("a", 5.0), observed("a", 15.0)),
         ]
     };
-    let zero = || object! { "pop" => 0_u32 };
-    let table: [(&str, &str, Vec<(String, Json)>, &'static str); 5] = [
+    let table: [(&str, &str, Vec<(String, Json)>, &'static str); 4] = [
         ("beside/lif", "one neuron and one", of(Open::lif("a"), "V_m", "current_pA", -70.0), "NCP-SESS-050"),
         ("beside/rate", "one rate neuron and one", of(Open::rate("a"), "rate", "rate_inject", 0.0), "NCP-SESS-051"),
-        ("alone/lif", "one population", empty(Open::lif("a"), zero()), "NCP-SESS-050"),
-        ("alone/rate", "one population of rate neurons", empty(Open::rate("a"), zero()), "NCP-SESS-051"),
-        ("no-population", "no population", empty(Open::lif("a"), Json::object()), "NCP-SESS-050"),
+        ("alone", "one population", empty(object! { "pop" => 0_u32 }), "NCP-SESS-050"),
+        ("no-population", "no population", empty(Json::object()), "NCP-SESS-050"),
     ];
     table
         .into_iter()
@@ -1825,38 +1799,28 @@ fn no_neurons() -> Vec<Case> {
 /// Ports and populations whose name is the empty string, as it is where none is given.
 fn empty_names() -> Vec<Case> {
     let after = simulate(&[], 1.0, 1, 300.0).1;
-    let value = |of: &[f64]| object! { "values" => nums(of) };
-    let drive = |port: &str| step("a", Some(1.0), Some((port, 300.0)));
-    let named = |name: &str, of: Json| Json::Object(vec![(name.to_owned(), of)]);
-    let nameless = |member: &str, target: Json| [target.clone().with(member, "".into()), target.without(member)];
     let v = || record("v", "V_m", 1.0);
     let i = || stimulus("in", "current_pA");
     let mut cases = Vec::new();
-    let mut add = |name: String, rule: &'static str, title: String, open: String, port: &str, records: Json| {
-        let trace = vec![(open, opened("a")), (drive(port), recorded("a", crate::trace::exactly(records)))];
+    let mut add = |name: &str, rule: &'static str, title: &str, open: Open, drives: &str, comes_as: &str| {
+        // Of two populations, one has no name.
+        let sizes = object! { "" => 1_u32, "pop" => 1_u32 };
+        let open = open.json().edit(&["network", "population_sizes"], |_| sizes);
+        let records = Json::Object(vec![(comes_as.to_owned(), object! { "values" => nums(&after) })]);
+        let request = step("a", Some(1.0), Some((drives, 300.0)));
+        let trace = vec![(open.text(), opened("a")), (request, recorded("a", crate::trace::exactly(records)))];
         cases.push(
             reference(format!("empty-name/{name}"), &[rule], trace)
                 .title(title)
                 .because("The empty string is a name as every other, and the default of `port` and `target`."),
         );
     };
-    for (how, nth) in [("given", 0), ("left-out", 1)] {
-        let recorded = Open { records: vec![nameless("port", v())[nth].clone()], stimuli: vec![i()], ..Open::lif("a") };
-        let title = format!("A port that is recorded under the empty name ({how}) comes back.");
-        add(format!("recorded/{how}"), "NCP-SESS-038", title, recorded.text(), "in", named("", value(&after)));
-        let driven = Open { records: vec![v()], stimuli: vec![nameless("port", i())[nth].clone()], ..Open::lif("a") };
-        let title = format!("A stimulus reaches the port of the empty name ({how}).");
-        add(format!("driven/{how}"), "NCP-SESS-054", title, driven.text(), "", named("v", value(&after)));
-        let of = Open {
-            records: vec![nameless("target", v())[nth].clone()],
-            stimuli: vec![nameless("target", i())[nth].clone()],
-            ..Open::lif("a")
-        };
-        let sizes = object! { "" => 1_u32, "pop" => 2_u32 };
-        let of = of.json().edit(&["network", "population_sizes"], |_| sizes).text();
-        let title = format!("The population of the empty name ({how}) is driven and recorded.");
-        add(format!("population/{how}"), "NCP-SESS-055", title, of, "in", named("v", value(&after)));
-    }
+    let recorded_only = Open { records: vec![v().without("port")], stimuli: vec![i()], ..Open::lif("a") };
+    add("recorded", "NCP-SESS-038", "A port that is recorded without a name comes back.", recorded_only, "in", "");
+    let driven = Open { records: vec![v()], stimuli: vec![i().with("port", "".into())], ..Open::lif("a") };
+    add("driven", "NCP-SESS-054", "A stimulus reaches the port of the empty name.", driven, "", "v");
+    let of = Open { records: vec![v().without("target")], stimuli: vec![i().without("target")], ..Open::lif("a") };
+    add("population", "NCP-SESS-055", "The population of the empty name is driven and recorded.", of, "in", "v");
     cases
 }
 
@@ -1865,7 +1829,7 @@ fn many_named() -> Vec<Case> {
     let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
     let driven = simulate(&[], 1.0, 1, 300.0).1[0];
     let mut cases = Vec::new();
-    let fallen: Vec<u32> = (1..=300).rev().collect();
+    let mut fallen: Vec<u32> = (1..=300).rev().collect();
     let open = Open { size: 400, records: vec![record("v", "V_m", 1.0).with("ids", ids(&fallen))], ..Open::lif("a") };
     let records = object! { "v" => sent(&vec![1.0; fallen.len()], &fallen) };
     let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), None), recorded("a", records))];
@@ -1875,24 +1839,21 @@ fn many_named() -> Vec<Case> {
             .title("Of 400 neurons the 300 are recorded that the port names, in its order.")
             .because("A neuron's id is its position within its population; a list of numbers has no limit of its own."),
     );
-    for (count, size) in [(300_u32, 400_u32), (1_100, 1_200)] {
-        let named: Vec<u32> = (1..=count).collect();
-        let open = Open {
-            size,
-            records: vec![record("v", "V_m", 1.0)],
-            stimuli: vec![stimulus("in", "current_pA").with("ids", ids(&named))],
-            ..Open::lif("a")
-        };
-        let values: Vec<f64> = (1..=size).map(|id| if id <= count { driven } else { -70.0 }).collect();
-        let records = object! { "v" => object! { "values" => nums(&values) } };
-        let trace =
-            vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", records))];
-        cases.push(
-            reference(format!("reach/{count}-of-{size}"), &["NCP-SESS-055"], trace)
-                .title(format!("Of {size} neurons a stimulus reaches the {count} that it names, and no others."))
-                .because("A stimulus reaches each of the neurons of its target that its `ids` name."),
-        );
-    }
+    fallen.truncate(270);
+    let open = Open {
+        size: 400,
+        records: vec![record("v", "V_m", 1.0)],
+        stimuli: vec![stimulus("in", "current_pA").with("ids", ids(&fallen))],
+        ..Open::lif("a")
+    };
+    let values: Vec<f64> = (1..=400).map(|id| if fallen.contains(&id) { driven } else { -70.0 }).collect();
+    let records = object! { "v" => object! { "values" => nums(&values) } };
+    let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("in", 300.0))), recorded("a", records))];
+    cases.push(
+        reference("reach/270-of-400".to_owned(), &["NCP-SESS-055"], trace)
+            .title("Of 400 neurons a stimulus reaches the 270 that it names, and no others.")
+            .because("A stimulus reaches each of the neurons of its target that its `ids` name."),
+    );
     // Populations that one byte counts to the same number.
     let sizes = (0..300).map(|nth| (format!("p{nth}"), 1_u32.into())).collect();
     let of = |of: Json, nth: u32| of.with("target", format!("p{nth}").into());
@@ -1922,7 +1883,7 @@ fn many_named() -> Vec<Case> {
 fn failures_behind_many_steps() -> Vec<Case> {
     let mut cases = Vec::new();
     // By a falling exponential, the potential passes the largest double behind three tenths of the time constant.
-    for (name, tau, advance) in [("300", 1e3, 400.0), ("3000", 1e4, 4_000.0), ("75000", 2.5e5, 80_000.0)] {
+    for (name, tau, advance) in [("300", 1e3, 400.0), ("75000", 2.5e5, 80_000.0)] {
         let current = -(f64::MAX - 1.6e308) / -(-0.3_f64).exp_m1() / tau;
         let open = Open {
             params: vec![("E_L", -1.6e308), ("V_reset", -1.6e308), ("V_th", 0.0), ("C_m", 1.0), ("tau_m", tau)],
@@ -1936,7 +1897,7 @@ fn failures_behind_many_steps() -> Vec<Case> {
             Json::read(&request).with("stimulus", object! { "values" => values }).text()
         };
         for (way, fails) in [("step", step("a", Some(advance), None)), ("run", run("a", advance))] {
-            if way == "step" && name == "3000" {
+            if (way == "step") != (name == "300") {
                 continue;
             }
             let trace = vec![
@@ -1963,9 +1924,9 @@ fn failures_behind_many_steps() -> Vec<Case> {
 fn failures_at_rest() -> Vec<Case> {
     let mut cases = Vec::new();
     // How long the neuron has run before the request that fails: it rests from its first spike on.
-    for (before, after) in [(4_u32, 9_u32), (6, 9), (9, 6)] {
-        let params = vec![("t_ref", 5.0), ("I_e", 2000.0)];
-        let (times, values, spikes) = simulate(&params, 1.0, before + after, 2000.0);
+    for (before, after) in [(4_u32, 9_u32), (6, 8)] {
+        let params = vec![("t_ref", 5.0), ("C_m", 1.0), ("I_e", 8.0)];
+        let (times, values, spikes) = simulate(&params, 1.0, before + after, 8.0);
         for (observable, what) in [("spikes", "spikes"), ("V_m", "potential")] {
             let of = |from: u32, to: u32| {
                 let is_within = |time: f64| time > f64::from(from) && time <= f64::from(to);
@@ -1977,7 +1938,7 @@ fn failures_at_rest() -> Vec<Case> {
                 };
                 recorded("a", object! { "out" => out })
             };
-            if observable == "V_m" && before == 9 {
+            if (observable == "V_m") != (before == 6) {
                 continue;
             }
             let open = Open {
@@ -2024,6 +1985,9 @@ fn large_together() -> Vec<Case> {
             ("lif", "NCP-SESS-050", "V_m", Open::lif("a"), &lif, vec![-1.6e308; 2]),
             ("rate", "NCP-SESS-051", "rate", Open::rate("a"), &rate, rates.clone()),
         ] {
+            if network == "lif" && other.is_some() {
+                continue;
+            }
             let open =
                 Open { size, other, params: params.clone(), records: vec![record("out", observable, 1.0)], ..ground };
             let all = |of: &[f64]| -> Vec<f64> {
@@ -2078,14 +2042,8 @@ fn next_rate(r: &mut f64, propagator: f64, input: f64) -> f64 {
 
 /// The time of a session to the last bit: it is one product.
 fn exact_times() -> Vec<Case> {
-    let table: [(&str, f64, &[u32]); 6] = [
-        ("tenths-one-by-one", 0.1, &[1; 10]),
-        ("tenths", 0.1, &[3, 3, 4, 7, 50]),
-        ("ten-tenths-twice", 0.1, &[10, 10]),
-        ("sevenths", 0.7, &[1, 1, 1, 1, 1, 1]),
-        ("thirds", 1.0 / 3.0, &[1, 2, 4, 8, 16]),
-        ("many-tenths", 0.1, &[200_000]),
-    ];
+    let table: [(&str, f64, &[u32]); 3] =
+        [("tenths-one-by-one", 0.1, &[1; 6]), ("tenths", 0.1, &[3, 7]), ("many-tenths", 0.1, &[200_000])];
     table
         .into_iter()
         .map(|(name, dt, requests)| {
@@ -2123,7 +2081,7 @@ fn own_ports() -> Vec<Case> {
     let a_anew = Open { id: "a".to_owned(), ..b.clone() };
     let step = |id: &str| step(id, Some(2.0), None);
     let from_a = || recorded("a", of("v", &[1.0, 2.0], 1));
-    let table: [(&str, &str, Vec<(String, Json)>); 3] = [
+    let table: [(&str, &str, Vec<(String, Json)>); 2] = [
         (
             "apart",
             "side by side",
@@ -2143,16 +2101,6 @@ fn own_ports() -> Vec<Case> {
                 (super::close("a"), crate::trace::anything()),
                 (a_anew.text(), opened("a")),
                 (step("a"), recorded("a", of("w", &[2.0], 3))),
-            ],
-        ),
-        (
-            "none",
-            "of which one records nothing",
-            vec![
-                (a.text(), opened("a")),
-                (Open { records: Vec::new(), ..b }.text(), opened("b")),
-                (step("b"), recorded("b", crate::trace::exactly(Json::object()))),
-                (step("a"), from_a()),
             ],
         ),
     ];
@@ -2194,41 +2142,29 @@ fn announced() -> Vec<Case> {
     let mut cases = Vec::new();
     for (network, rule, ground) in [("lif", "NCP-SESS-050", Open::lif("a")), ("rate", "NCP-SESS-051", Open::rate("a"))]
     {
-        for (name, mode, duration) in
-            [("batch", "batch", Some(50.0)), ("batch-of-no-length", "batch", None), ("stream", "stream", Some(12.0))]
-        {
-            if network == "rate" && name != "batch" {
-                continue;
-            }
-            let open = Open { chunk: 5.0, ..ground.clone() }.json().edit(&["sim"], |sim| {
-                let sim = sim.with("mode", mode.into());
-                duration.into_iter().fold(sim, |sim, ms| sim.with("duration_ms", crate::trace::num(ms)))
-            });
-            let mut trace = vec![(open.text(), opened("a"))];
-            trace.extend([5.0, 10.0, 15.0].map(|time| (step("a", None, None), observed("a", time))));
-            cases.push(
-                reference(format!("announced/{name}/{network}"), &[rule, "NCP-SESS-031"], trace)
-                    .by("/replies/*/sim_time_ms", "NCP-SESS-031")
-                    .title(format!(
-                        "A server that claims the reference networks opens them in the mode `{mode}`, too ({}, \
-                         {network}).",
-                        name.replace('-', " ")
-                    ))
-                    .because("The `mode` and the `duration_ms` of a `SimConfig` change no answer."),
-            );
-        }
+        let open = Open { chunk: 5.0, ..ground }
+            .json()
+            .edit(&["sim"], |sim| sim.with("mode", "batch".into()).with("duration_ms", crate::trace::num(50.0)));
+        let mut trace = vec![(open.text(), opened("a"))];
+        trace.extend([5.0, 10.0, 15.0].map(|time| (step("a", None, None), observed("a", time))));
+        cases.push(
+            reference(format!("announced/batch/{network}"), &[rule, "NCP-SESS-031"], trace)
+                .by("/replies/*/sim_time_ms", "NCP-SESS-031")
+                .title(format!(
+                    "A server that claims the reference networks opens them in the mode `batch`, too ({network})."
+                ))
+                .because("The `mode` and the `duration_ms` of a `SimConfig` change no answer."),
+        );
     }
     cases
 }
 
-/// Rests of nearly half a step, of half, and of one and a half.
+/// Rests of half a step and of nearly so much.
 fn rounded_rests() -> Vec<Case> {
     let table = [
         ("next-below-half", 0.5_f64.next_down(), 1.0),
         ("half", 0.5, 1.0),
         ("next-below-half-of-a-quarter", 0.125_f64.next_down(), 0.25),
-        ("one-and-a-half", 1.5, 1.0),
-        ("next-below-one-and-a-half", 1.5_f64.next_down(), 1.0),
     ];
     table
         .into_iter()

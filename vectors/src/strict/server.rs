@@ -15,6 +15,8 @@ pub(super) fn file() -> File {
     cases.extend(openings());
     cases.extend(unversioned());
     cases.extend(doors());
+    cases.extend(doors_of_nothing());
+    cases.extend(versions_beside());
     cases.extend(stimulated());
     cases.extend(remembered());
     let about =
@@ -227,6 +229,58 @@ fn stimulated() -> Vec<Case> {
 
 /// Kinds that are no requests, and so no control keys either.
 const NO_VERBS: [&str; 3] = ["session_opened", "observation_frame", "command_frame"];
+
+/// Requests at another key than their own that would be refused at their own as well, in another way.
+fn doors_of_nothing() -> Vec<Case> {
+    let network = object! { "kind" => "builtin", "ref" => "ncp.no.such.network" };
+    let unknown = Json::read(&Open::lif(ID).text()).with("network", network).text();
+    let mut cases = Vec::new();
+    let mut add = |path: String, words: &str, before: Option<Exchange>, text: &str, verb: &str, then: Exchange| {
+        let mut verbs: Vec<&str> = before.iter().map(|_| "open_session").collect();
+        verbs.extend([verb, if then.0.contains("step_request") { "step_request" } else { "open_session" }]);
+        let trace = before.into_iter().chain([(text.to_owned(), error()), then]).collect();
+        cases.push(
+            at(case(format!("door/{path}/{verb}"), &["NCP-STRICT-007"], trace), &verbs)
+                .title(format!("A strict server answers {words} at the key of `{verb}` with an error frame."))
+                .flags(&["L04"])
+                .because("A request at another control key than that of its kind is answered with an error frame."),
+        );
+    };
+    let open_text = Open::lif(ID).text();
+    for verb in ["step_request", "command_frame"] {
+        let words = "an `open_session` for a session that is open";
+        add("open-already".into(), words, Some(open()), &open_text, verb, step_after(0.0));
+    }
+    let words = "an `open_session` of an unknown network";
+    add("unknown-network".into(), words, None, &unknown, "run_request", open());
+    let words = "a `close_session` for no open session";
+    add("close-of-no-session".into(), words, None, &close(ID), "step_request", open());
+    cases
+}
+
+/// Openings of another version, of a network that the server lacks or for a session that is open.
+fn versions_beside() -> Vec<Case> {
+    let network = object! { "kind" => "builtin", "ref" => "ncp.no.such.network" };
+    let older = beside(-1);
+    let of = |request: Json| with_version(&request.text(), Some(&older));
+    let plain = || Json::read(&Open::lif(ID).text());
+    [
+        ("unknown-network", "of an unknown network", vec![(of(plain().with("network", network)), not_opened(ID))]),
+        ("open-already", "for a session that is open", vec![open(), (of(plain()), not_opened(ID)), step_after(0.0)]),
+    ]
+    .into_iter()
+    .map(|(name, words, trace)| {
+        case(format!("open/older/{name}"), &["NCP-STRICT-008", "NCP-SESS-023"], trace)
+            .strictly()
+            .title(format!(
+                "A strict server answers an `open_session` of an older version {words} with a `session_opened` that \
+                 refuses."
+            ))
+            .flags(&["L07"])
+            .because("It answers `session_opened` with `ok` false, and opens nothing.")
+    })
+    .collect()
+}
 
 /// Every request at the key of every other, and at keys of kinds that are no requests.
 fn doors() -> Vec<Case> {
