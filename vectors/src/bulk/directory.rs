@@ -144,13 +144,12 @@ fn names() -> Vec<Case> {
 }
 
 /// Names that are two, though they look alike or are one to who compares them otherwise than letter for letter.
-pub(super) const ALIKE: [(&str, [&str; 2], &str); 6] = [
+pub(super) const ALIKE: [(&str, [&str; 2], &str); 5] = [
     ("cases", ["V_m", "v_m"], "by the case of a letter"),
     ("composed", ["\u{e9}", "e\u{301}"], "by their composition"),
     ("space-last", ["a", "a "], "by a space at the end"),
     ("nul-last", ["ab", "ab\0"], "by U+0000 at the end"),
     ("sharp-s", ["ss", "\u{df}"], "by a letter that is folded into two"),
-    ("full-width", ["k", "\u{ff4b}"], "by the width of a letter"),
 ];
 
 /// The block with another place for the name of its first column.

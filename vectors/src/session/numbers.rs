@@ -1716,12 +1716,12 @@ fn much_at_once() -> Vec<Case> {
     );
     // A reply of more than 1 MiB, which is what an observation may have.
     let open =
-        Open { size: 1_000, params: vec![("I_e", 123.4)], records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
-    let times: Vec<f64> = (1..=60).flat_map(|nth| std::iter::repeat_n(f64::from(nth), 1_000)).collect();
+        Open { size: 10_000, params: vec![("I_e", 123.4)], records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
+    let times: Vec<f64> = (1..=6).flat_map(|nth| std::iter::repeat_n(f64::from(nth), 10_000)).collect();
     let trace = vec![
         (open.text(), opened("a")),
-        (step("a", Some(60.0), None), recorded_at("a", 60.0, object! { "v" => object! { "times" => nums(&times) } })),
-        (step("a", Some(1.0), None), observed("a", 61.0)),
+        (step("a", Some(6.0), None), recorded_at("a", 6.0, object! { "v" => object! { "times" => nums(&times) } })),
+        (step("a", Some(1.0), None), observed("a", 7.0)),
     ];
     cases.push(
         reference("far/samples/of-more-than-1-mib".to_owned(), &["NCP-SESS-027", "NCP-SESS-053"], trace)
@@ -2025,7 +2025,7 @@ fn large_together() -> Vec<Case> {
         reference("large/one-of-three".to_owned(), &["NCP-SESS-057", "NCP-SESS-051"], trace)
             .title("A request in which one of three neurons leaves the doubles fails, and leaves all three as before.")
             .flags(&["session-lifecycle", "non-finite-numbers"])
-            .because("A request in which a number of the network leaves the doubles fails, and leaves the network as it was."),
+            .because("A request in which a number leaves the doubles fails, and leaves the network as it was."),
     );
     cases
 }
@@ -2038,8 +2038,7 @@ fn next_rate(r: &mut f64, propagator: f64, input: f64) -> f64 {
 
 /// The time of a session to the last bit: it is one product.
 fn exact_times() -> Vec<Case> {
-    let table: [(&str, f64, &[u32]); 3] =
-        [("tenths-one-by-one", 0.1, &[1; 6]), ("tenths", 0.1, &[3, 7]), ("many-tenths", 0.1, &[200_000])];
+    let table: [(&str, f64, &[u32]); 2] = [("tenths-one-by-one", 0.1, &[1; 6]), ("many-tenths", 0.1, &[200_000])];
     table
         .into_iter()
         .map(|(name, dt, requests)| {
