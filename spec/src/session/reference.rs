@@ -168,11 +168,11 @@ impl Model {
         let (tau, c_m) = (positive("tau_m")?, positive("C_m")?);
         let t_ref = plain("t_ref");
         let steps = (t_ref / dt_ms).round();
-        if !(0.0..=MAX_STEPS).contains(&steps) {
+        if !(0.0..f64::INFINITY).contains(&steps) {
             return Err(refuse("t_ref", t_ref));
         }
         let (propagator, rise) = propagation(dt_ms / tau);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within 0 and 2e7
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // more than any session runs is for ever
         Ok(Self::Lif {
             propagator,
             rise,
@@ -193,7 +193,7 @@ impl Model {
     }
 
     /// For how many steps a neuron rests after a spike.
-    #[expect(clippy::cast_precision_loss)] // within 0 and 2e7
+    #[expect(clippy::cast_precision_loss)] // it bounds a count of samples
     fn rest_steps(&self) -> f64 {
         match self {
             Self::Lif { t_ref, .. } => *t_ref as f64,

@@ -1344,18 +1344,30 @@ fn far_spikes() -> Vec<Case> {
                 .because(WHY),
         );
     }
-    for (rest, steps) in [(255_u32, 600_u32), (256, 600), (257, 600), (1_000, 2_100), (70_000, 71_000)] {
-        let params = vec![("t_ref", f64::from(rest)), ("I_e", 2000.0)];
+    for (name, rest, steps) in [
+        ("255", 255.0, 600_u32),
+        ("256", 256.0, 600),
+        ("257", 257.0, 600),
+        ("1000", 1000.0, 2_100),
+        ("70000", 70_000.0, 71_000),
+        ("2-to-31", 2_147_483_648.0, 20),
+        ("2-to-32-and-2", 4_294_967_298.0, 20),
+        ("1e300", 1e300, 20),
+    ] {
+        let params = vec![("t_ref", rest), ("I_e", 2000.0)];
         let (_, _, spikes) = simulate(&params, 1.0, steps, 2000.0);
         let open = Open { params, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
         let expected = recorded("a", object! { "s" => samples(&spikes, None) });
         cases.push(
             reference(
-                format!("far/rest/{rest}"),
+                format!("far/rest/{name}"),
                 &["NCP-SESS-050"],
                 vec![(open.text(), opened("a")), (run("a", f64::from(steps)), expected)],
             )
-            .title(format!("A neuron that rests for {rest} steps spikes {} times in {steps}.", spikes.len()))
+            .title(format!(
+                "A neuron that rests for {rest:?} ms of 1 ms steps spikes {} times in {steps}.",
+                spikes.len()
+            ))
             .because(WHY),
         );
     }
