@@ -230,6 +230,16 @@ fn refused() -> Vec<Case> {
                 .because("The field name_len counts bytes."),
         );
     }
+    // The values alone are 64 MiB, to which the header and the directory come.
+    let values = object! { "$item" => Json::literal("0"), "times" => 8_388_608_u32 };
+    let long = object! { "name" => "v", "dtype" => "f64", "data" => Json::Array(vec![values]) };
+    cases.push(
+        encode("refused/more-than-64-mib", &["NCP-BULK-031"], Json::Array(vec![long]))
+            .rejects("limit")
+            .title("A column of 8,388,608 doubles is refused: no decoder accepts a block of more than 64 MiB.")
+            .flags(&["L21", "truncated-counts"])
+            .because("A block may have 64 MiB, and a length beyond a limit is an error."),
+    );
     let twice = columns_json(&[f64s("times", [1.5]), f64s("times", [2.5])]);
     cases.push(
         encode("refused/repeated-name", &["NCP-BULK-034"], twice)
