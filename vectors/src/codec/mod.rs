@@ -110,12 +110,10 @@ fn narrow() -> Vec<(String, f64, [f64; 2], [f64; 2])> {
 
 /// A source range near one end of the doubles, or near the other, with a place in it: each step of the map is still a
 /// normal double.
-const EXTREME: [(&str, f64, [f64; 2]); 5] = [
+const EXTREME: [(&str, f64, [f64; 2]); 3] = [
     ("short/1e-305", 2.5e-306, [0.0, 1e-305]),
-    ("short/1e-305-about-zero", 5e-306, [-1e-305, 1e-305]),
     ("short/3e-308", 2.3e-308, [0.0, 3e-308]),
     ("long/1.7e308", 4.25e307, [0.0, 1.7e308]),
-    ("long/1.6e308-about-zero", 4e307, [-8e307, 8e307]),
 ];
 const EXTREMELY: &str =
     "A range is degenerate when its length is 0 or not finite: neither a short one is, nor a long one.";

@@ -129,7 +129,6 @@ pub(super) fn more_doubles() -> Vec<Double> {
     }
     let zeros = "0".repeat(20);
     all.push(spelled("exponent-of-twenty-zeros", format!("1e{zeros}1"), "10.0", "exponents"));
-    all.push(spelled("exponent-of-twenty-zeros-negative", format!("5e-{zeros}1"), "0.5", "exponents"));
     all.extend(rounded_once());
     all
 }

@@ -64,7 +64,7 @@ fn sizes() -> Vec<Case> {
 /// Sessions of long ids, of which one differs at its end, or none.
 fn long_sessions() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (request, kind) in [("open_session", "session_opened"), ("step_request", "observation_frame")] {
+    for (request, kind) in [("step_request", "observation_frame")] {
         let of = |kind: &str, id: &str| minimal(kind).with("session_id", id.into()).text();
         for bytes in [129, 256] {
             let id = |last: &str| "a".repeat(bytes - 1) + last;

@@ -25,11 +25,9 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 
 /// The rows of which there is a case with all members in reverse as well: the stimulus frame before what the request
 /// says.
-const BACKWARDS: [&str; 7] = [
-    "without/kind-and-version-and-session-id",
+const BACKWARDS: [&str; 5] = [
     "fits/other-session-in-both",
     "misfit/kind-sensor_frame",
-    "misfit/kind-unknown",
     "misfit/session-other",
     "misfit/version-older",
     "misfit/version-of-absent",
