@@ -296,6 +296,16 @@ mod tests {
     }
 
     #[test]
+    fn zenoh_covers_no_key_by_a_hidden_chunk_with_a_wildcard() {
+        for (name, pattern, keys) in HIDDEN {
+            let expression = keyexpr::new(pattern).unwrap();
+            for key in keys {
+                assert!(!expression.intersects(keyexpr::new(*key).unwrap()), "{name} {key}");
+            }
+        }
+    }
+
+    #[test]
     fn zenoh_covers_the_same_large_keys() {
         for Large { name, pattern, key, matches, .. } in large() {
             let (pattern, key) = (expanded(&pattern), expanded(&key));
