@@ -133,8 +133,8 @@ fn own_openness(written: &str, of: &str, strict: bool) -> Option<&'static str> {
     why.or(is_long.then_some("what a request leaves whose reply would be longer than a frame may be"))
 }
 
-/// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another; `by_key`:
-/// a strict server has to refuse it for its key.
+/// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another;
+/// `by_key`: a strict server has to refuse it for its key.
 fn opening_openness(
     asked: Option<&Tree>,
     reply: &Tree,
