@@ -503,7 +503,7 @@ mod tests {
             r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a","bindings":[{{"port":"v",
             "direction":"record"}},{{"port":"in"}}],"network":{{"ref":"ncp.reference.lif","population_sizes":
             {{"pop":1,"none":0}}}},"record":{{"targets":[{{"port":"v","target":"pop"}}]}},"stimulus":{{"targets":
-            [{{"port":"in","target":"pop"}}]}},"sim":{{"dt_ms":1.0,"chunk_ms":0.0,"mode":"batch"}}}}"#
+            [{{"port":"in","target":"pop"}}]}},"sim":{{"dt_ms":1.0,"mode":"batch"}}}}"#
         );
         let requests = std::iter::once(open.as_str()).chain(requests.iter().copied()).map(text).collect();
         let mut args = object([("requests", list(requests))]);
@@ -523,9 +523,9 @@ mod tests {
     #[test]
     fn a_step_of_no_time_leaves_what_comes_behind_it_decided_unless_it_brings_a_stimulus() {
         let step = |rest: &str| format!(r#"{{"kind":"step_request","session_id":"a"{rest}}}"#);
-        let (none, later) = (step(""), step(r#","advance_ms":1.0"#));
+        let (none, later) = (step(r#","advance_ms":0.0"#), step(r#","advance_ms":1.0"#));
         assert_eq!(openness(&[&none, &later], ""), [false; 3]);
-        let driven = step(r#","stimulus":{"values":{"in":{"data":[300.0]}}}"#);
+        let driven = step(r#","advance_ms":0.0,"stimulus":{"values":{"in":{"data":[300.0]}}}"#);
         assert_eq!(openness(&[&driven, &later], ""), [false, true, true]);
     }
 
