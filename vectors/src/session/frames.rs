@@ -157,6 +157,7 @@ fn written() -> Vec<Case> {
     let of_opened = ["/provenance", "/error", "/contract_hash"].as_slice();
     let of_samples = ["/records/*/unit", "/records/*/recordable"].as_slice();
     let records = object! { "v" => there(), "s" => there() };
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, Vec<Exchange>, &[&str], &'static str); 3] = [
         (
             "opened",

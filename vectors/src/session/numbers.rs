@@ -1787,6 +1787,7 @@ fn no_neurons() -> Vec<Case> {
             (run("a", 5.0), observed("a", 15.0)),
         ]
     };
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, Vec<(String, Json)>, &'static str); 4] = [
         ("beside/lif", "one neuron and one", of(Open::lif("a"), "V_m", "current_pA", -70.0), "NCP-SESS-050"),
         ("beside/rate", "one rate neuron and one", of(Open::rate("a"), "rate", "rate_inject", 0.0), "NCP-SESS-051"),
@@ -2088,6 +2089,7 @@ fn own_ports() -> Vec<Case> {
     let a_anew = Open { id: "a".to_owned(), ..b.clone() };
     let step = |id: &str| step(id, Some(2.0), None);
     let from_a = || recorded("a", of("v", &[1.0, 2.0], 1));
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, Vec<(String, Json)>); 2] = [
         (
             "apart",
