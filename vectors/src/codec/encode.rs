@@ -1,9 +1,8 @@
 //! From sensor channels to rates.
 
 use super::{
-    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, OVERFLOWING, PLAIN, POINTEDLY,
-    POINTS, POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps, narrow, pairs,
-    precisely,
+    ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps, narrow, pairs, precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -182,7 +181,8 @@ fn ranges() -> Vec<Case> {
                 .because(WIDELY),
         );
     }
-    for (name, x, [low, high]) in OVERFLOWING {
+    let [low, high] = [0.0, 200.0];
+    for (name, x) in FAR_OFF {
         let mapping = Mapping { value: [0.0, 1e-300], rate: [low, high], ..PLAIN };
         let path = format!("quotient/{name}");
         cases.push(
@@ -412,24 +412,17 @@ fn extreme() -> Vec<Case> {
 
 /// Rate ranges of length 0.
 fn points() -> Vec<Case> {
-    let mut cases = Vec::new();
-    for (name, point) in POINTS {
-        for (side, x) in FAR_OFF {
-            let mapping = Mapping { value: [0.0, 1e-300], rate: [point, point], ..PLAIN };
-            cases.push(
-                case(
-                    format!("point/{name}/{side}"),
-                    &["NCP-CODEC-002"],
-                    codec(&[mapping], &[]),
-                    sensor(&[("x", &[x])]),
-                )
-                .shows_exactly(rates(&[("p", point)]))
-                .title(format!("A rate range of the one number {point} gives that number for {x:e}."))
-                .because(POINTEDLY),
-            );
-        }
-    }
-    cases
+    FAR_OFF
+        .into_iter()
+        .map(|(side, x)| {
+            let mapping = Mapping { value: [0.0, 1e-300], rate: [POINT; 2], ..PLAIN };
+            let path = format!("point/five/{side}");
+            case(path, &["NCP-CODEC-002"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+                .shows_exactly(rates(&[("p", POINT)]))
+                .title(format!("A rate range of the one number {POINT} gives that number for {x:e}."))
+                .because(POINTEDLY)
+        })
+        .collect()
 }
 
 /// Channels and populations of an empty name.

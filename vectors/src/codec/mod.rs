@@ -127,9 +127,10 @@ const NAMELESSLY: &str = "An empty name is a name of a population or a channel l
 const MANY: u32 = 258;
 const MANIFOLD: &str = "Each mapping is followed; there is no limit to their number.";
 
-/// Target ranges of length 0, and a source place that is so far off that a step on the way overflows.
-const POINTS: [(&str, f64); 1] = [("five", 5.0)];
+/// What overflows when it is divided by the length of a source range of 1e-300, on either side of it.
 const FAR_OFF: [(&str, f64); 2] = [("above", 1e300), ("below", -1e300)];
+/// The one number of a target range of length 0.
+const POINT: f64 = 5.0;
 const POINTEDLY: &str =
     "A result whose step on the way overflows is clamped all the same, and the range has one number.";
 
@@ -249,9 +250,6 @@ const WIDE: [(&str, f64); 7] = [
     ("quarter", -0.5),
     ("near-the-end", 0.999),
 ];
-/// What overflows when it is divided by the length of a source range of 1e-300, and into which range it is mapped.
-const OVERFLOWING: [(&str, f64, [f64; 2]); 2] = [("above", 1e300, [0.0, 200.0]), ("below", -1e300, [0.0, 200.0])];
-
 const WIDELY: &str = "By how much a result is off where a step on the way overflows is left open; its clamp holds \
                       there, too, and what is no number is within no range.";
 

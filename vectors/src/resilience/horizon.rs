@@ -15,9 +15,7 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
     cases.extend(hairs());
     cases.extend(lengths_of_a_tick());
-    let mut text = Scenarios::read(source!("resilience/horizon"))?;
-    cases.extend(text.cases("trace", buffer_row)?);
-    cases.extend(text.rest(buffer_row)?);
+    cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     cases.push(long_replay());
     cases.push(longest_replay());
     cases.extend(channels_of_a_tick());

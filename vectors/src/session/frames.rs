@@ -382,10 +382,10 @@ fn unversioned() -> Vec<Case> {
 fn defaults() -> Vec<Case> {
     let target = |without: &str| record("v", "V_m", 1.0).without(without);
     let params = vec![("I_e", 300.0)];
-    let (times, potentials, _) = simulate(&params, 0.5, 4, 300.0);
+    let (times, sampled, _) = simulate(&params, 0.5, 4, 300.0);
     let every = |nth: usize| -> Json {
         let at = |of: &[f64]| of.iter().copied().skip(nth - 1).step_by(nth).collect::<Vec<_>>();
-        object! { "v" => object! { "times" => nums(&at(&times)), "values" => nums(&at(&potentials)) } }
+        object! { "v" => object! { "times" => nums(&at(&times)), "values" => nums(&at(&sampled)) } }
     };
     let of = |target: Json, dt: f64| Open { params: params.clone(), records: vec![target], dt, ..Open::lif("a") };
     let by_half = |target: Json, records: Json| {
@@ -416,7 +416,7 @@ fn defaults() -> Vec<Case> {
             "the kind of a stimulus",
             vec![
                 (kind_left_out.text(), opened("a")),
-                (step("a", Some(1.0), Some(("in", 300.0))), self::potentials(&[300.0], 0)),
+                (step("a", Some(1.0), Some(("in", 300.0))), potentials(&[300.0], 0)),
             ],
             "NCP-SESS-054",
         ),

@@ -8,7 +8,7 @@ use crate::patch::patched;
 use crate::roles::{a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use crate::template::Text;
-use crate::wire::VERSIONS_OF_ERRORS;
+use crate::wire::versions_of_errors;
 use ncp_text::WIRE_VERSION;
 use ncp_text::tables::tables;
 
@@ -109,8 +109,8 @@ fn errors() -> Vec<Case> {
                 .because("The error frame has no version, so these rules let it through.")
         })
         .into();
-    cases.extend(VERSIONS_OF_ERRORS.map(|(what, version)| {
-        let frame = frame.clone().and("ncp_version", Json::literal(version));
+    cases.extend(versions_of_errors().map(|(what, version)| {
+        let frame = frame.clone().and("ncp_version", Json::literal(version.as_str()));
         accepts(case("error", &format!("version-{what}"), &["NCP-STRICT-012", "NCP-WIRE-026"]), "error", &frame)
             .rests_on(format!("wire/members/error/unknown-name/version-{what}"))
             .title(format!("An error frame with the member `ncp_version` of {version} is read by a strict receiver."))

@@ -20,27 +20,26 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 /// Replies whose version stands behind many members, or behind a long one.
 fn late_versions() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (request, kind) in [("step_request", "observation_frame")] {
-        let bare = explicit(kind).without("ncp_version");
-        let many = (0..70).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into())).text();
-        let bare = bare.text();
-        let open = |frame: &str| frame.strip_suffix('}').unwrap_or(frame).to_owned();
-        let long = Text::concat([format!("{},\"pad\":\"", open(&bare)).into(), Text::repeat("x", 70_000), "\"".into()]);
-        for (name, before, words) in [
-            ("behind-70", Text::from(open(&many)), "seventy members"),
-            ("behind-70000-letters", long, "a string of 70,000 letters"),
-        ] {
-            let reply = Text::concat([before, format!(",\"ncp_version\":\"{WIRE_VERSION}\"}}").into()]);
-            cases.push(
-                Case::new(format!("{request}/version-{name}"), &["NCP-STRICT-012"], &[Role::Commander])
-                    .title(format!("A strict client accepts a `{kind}` whose version stands behind {words}."))
-                    .flags(&["over-strict"])
-                    .call("reply.check", object! { "request" => explicit(request).text(), "reply" => reply.json() })
-                    .strictly()
-                    .accepts()
-                    .because("The order of members does not count, nor does their number or length."),
-            );
-        }
+    let (request, kind) = ("step_request", "observation_frame");
+    let bare = explicit(kind).without("ncp_version");
+    let many = (0..70).fold(bare.clone(), |frame, nth| frame.and(&format!("n{nth}"), 0_u32.into())).text();
+    let bare = bare.text();
+    let open = |frame: &str| frame.strip_suffix('}').unwrap_or(frame).to_owned();
+    let long = Text::concat([format!("{},\"pad\":\"", open(&bare)).into(), Text::repeat("x", 70_000), "\"".into()]);
+    for (name, before, words) in [
+        ("behind-70", Text::from(open(&many)), "seventy members"),
+        ("behind-70000-letters", long, "a string of 70,000 letters"),
+    ] {
+        let reply = Text::concat([before, format!(",\"ncp_version\":\"{WIRE_VERSION}\"}}").into()]);
+        cases.push(
+            Case::new(format!("{request}/version-{name}"), &["NCP-STRICT-012"], &[Role::Commander])
+                .title(format!("A strict client accepts a `{kind}` whose version stands behind {words}."))
+                .flags(&["over-strict"])
+                .call("reply.check", object! { "request" => explicit(request).text(), "reply" => reply.json() })
+                .strictly()
+                .accepts()
+                .because("The order of members does not count, nor does their number or length."),
+        );
     }
     cases
 }

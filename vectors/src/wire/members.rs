@@ -9,7 +9,7 @@ use crate::json::{Json, object};
 use crate::model::{self, explicit, full, is_pin, meaning, minimal};
 use crate::patch::patched;
 use crate::roles::{ANY, a, readers};
-use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use ncp_text::tables::Default;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -257,10 +257,10 @@ fn far_apart() -> Case {
 
 /// A version in an error frame, which has none: it is ignored.
 fn version_of_an_error() -> Vec<Case> {
-    VERSIONS_OF_ERRORS
+    versions_of_errors()
         .into_iter()
         .map(|(what, version)| {
-            let frame = minimal("error").and("ncp_version", Json::literal(version));
+            let frame = minimal("error").and("ncp_version", Json::literal(version.as_str()));
             ignored(&format!("unknown-name/version-{what}"), "error", &frame)
                 .title(format!("An error frame with the member `ncp_version` of {version} is read as one without it."))
         })
@@ -268,8 +268,9 @@ fn version_of_an_error() -> Vec<Case> {
 }
 
 /// What may stand in a member `ncp_version` of an error frame, and what it is called.
-pub(crate) const VERSIONS_OF_ERRORS: [(&str, &str); 3] =
-    [("older", "\"0.4\""), ("malformed", "\"latest\""), ("null", "null")];
+pub(crate) fn versions_of_errors() -> [(&'static str, String); 3] {
+    [("older", format!("\"{}\"", beside(-1))), ("malformed", "\"latest\"".to_owned()), ("null", "null".to_owned())]
+}
 
 /// Frames with all of their members in reverse, at every level.
 fn backwards() -> Vec<Case> {

@@ -15,7 +15,7 @@ mod stimulus;
 
 use crate::case::File;
 use crate::scenario::ScenarioError;
-pub(crate) use members::VERSIONS_OF_ERRORS;
+pub(crate) use members::versions_of_errors;
 pub(crate) use reply::reply;
 
 /// The rule that a plain value is read as the frame gives it.
