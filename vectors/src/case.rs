@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::flags;
 use crate::json::{Json, object};
+use crate::runs;
 use crate::template::Text;
 
 /// A part that a peer plays; a case is asked of the peers that claim one of its roles.
@@ -259,9 +260,9 @@ impl Case {
         if let Some(need) = self.needs {
             json = json.and("needs", [need].into_iter().collect::<Json>());
         }
-        let args = self.args.folded(&|name| LISTS_WITH_RUNS.contains(&name));
+        let args = runs::of_arguments(self.args, &LISTS_WITH_RUNS);
         let is_pattern = self.expect.get("relation").and_then(Json::as_str) == Some("pattern");
-        let expect = if is_pattern { self.expect.folded(&|_| true) } else { self.expect };
+        let expect = if is_pattern { runs::of_pattern(self.expect) } else { self.expect };
         json = json.and("call", self.call.into()).and("args", args).and("expect", expect);
         if !self.by.is_empty() {
             json = json.and("by", Json::Object(self.by.into_iter().map(|(at, rule)| (at, rule.into())).collect()));

@@ -117,44 +117,6 @@ impl Json {
         }
     }
 
-    /// The value with each long run of equal items, in lists that are members of such a name, as one
-    /// `{"$item": …, "times": …}`.
-    pub(crate) fn folded(self, is_folded: &dyn Fn(&str) -> bool) -> Self {
-        self.folded_in(false, is_folded)
-    }
-
-    fn folded_in(self, folds: bool, is_folded: &dyn Fn(&str) -> bool) -> Self {
-        match self {
-            Self::Object(members) => {
-                let folded = |(name, value): (String, Self)| {
-                    // A word of a pattern stands for the member around it; what it chooses from is no list.
-                    let folds = if name.starts_with('$') { folds && name != "$any" } else { is_folded(&name) };
-                    let value = value.folded_in(folds, is_folded);
-                    (name, value)
-                };
-                Self::Object(members.into_iter().map(folded).collect())
-            }
-            Self::Array(items) => {
-                let items: Vec<Self> = items.into_iter().map(|item| item.folded_in(folds, is_folded)).collect();
-                if !folds {
-                    return Self::Array(items);
-                }
-                let mut written = Vec::new();
-                for run in items.chunk_by(PartialEq::eq) {
-                    let [first, rest @ ..] = run else { continue };
-                    if rest.len() * first.text().len() > FOLDED {
-                        let times = Self::literal(run.len().to_string());
-                        written.push(Self::object().and("$item", first.clone()).and("times", times));
-                    } else {
-                        written.extend_from_slice(run);
-                    }
-                }
-                Self::Array(written)
-            }
-            scalar => scalar,
-        }
-    }
-
     /// The text without white space, as a frame travels; characters beyond ASCII stand as they are.
     pub(crate) fn text(&self) -> String {
         let mut out = String::new();
@@ -346,8 +308,6 @@ fn is_of_number(c: char) -> bool {
     c.is_ascii_digit() || c == '-'
 }
 
-/// Equal items that follow the first are written out as long as they have no more characters together.
-const FOLDED: usize = 200;
 /// What fits on one line of a file.
 const LINE: usize = 120;
 /// A list of more items that are all short is written on one line, however long it becomes.

@@ -40,6 +40,7 @@ mod model;
 mod patch;
 mod resilience;
 mod roles;
+mod runs;
 mod safety;
 mod scenario;
 mod second;

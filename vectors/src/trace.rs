@@ -75,6 +75,11 @@ pub(crate) fn text_of(pattern: Json) -> Json {
     object! { "$json" => pattern }
 }
 
+/// A text that is not empty.
+pub(crate) fn some_text() -> Json {
+    object! { "$text" => true }
+}
+
 /// Whatever it is.
 pub(crate) fn anything() -> Json {
     object! { "$anything" => true }

@@ -245,7 +245,8 @@ impl Network {
         if !is_duration(dt_ms) {
             return Err(BackendError::Time { name: "dt_ms", value_ms: dt_ms });
         }
-        if !is_duration(request.sim.chunk_ms) {
+        // A chunk of no time is one: its requests come to no step.
+        if !(request.sim.chunk_ms.is_finite() && request.sim.chunk_ms >= 0.0) {
             return Err(BackendError::Time { name: "chunk_ms", value_ms: request.sim.chunk_ms });
         }
         let model = Model::build(&request.network, dt_ms)?;

@@ -10,7 +10,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::patch::written;
 use crate::scenario::{Row, ScenarioError, Scenarios, Step, beside, source};
-use crate::trace::{any, anything, int, name_of, nums, text_of};
+use crate::trace::{any, anything, int, name_of, nums, some_text, text_of};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("session/life"))?;
@@ -270,6 +270,11 @@ fn malformed(row: &Row) -> Result<Case, ScenarioError> {
     Ok(described(case(row.path.clone(), &row.rules, trace), row))
 }
 
+/// The pattern of a refusal that has a reason.
+fn saying_why(refusal: Json) -> Json {
+    refusal.edit(&["$json"], |refusal| refusal.with("error", some_text()))
+}
+
 fn versions() -> Vec<Case> {
     let mut cases = Vec::new();
     let own = WIRE_VERSION;
@@ -283,13 +288,14 @@ fn versions() -> Vec<Case> {
             false => any(vec![not_opened("a"), error()]),
         };
         let request = Open::lif("a").json().with("ncp_version", version.into()).text();
+        let said = if well_formed { saying_why(not_opened("a")) } else { refusal() };
         cases.push(
-            case(format!("version/{nth:02}"), &["NCP-SESS-023"], vec![(request.clone(), refusal())])
+            case(format!("version/{nth:02}"), &["NCP-SESS-023"], vec![(request.clone(), said)])
                 .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} is refused."))
                 .flags(&["lenient-versions"])
                 .because(if well_formed {
                     "A server answers an `open_session` of an incompatible `ncp_version` with a `session_opened` in \
-                     which `ok` is false."
+                     which `ok` is false and `error` says why."
                 } else {
                     "A server answers an `open_session` of a malformed `ncp_version` with a `session_opened` in \
                      which `ok` is false, or with an error frame."

@@ -23,6 +23,7 @@ pub(super) fn file() -> File {
     cases.extend(refusals());
     cases.extend(durations());
     cases.extend(orders());
+    cases.extend(orders_of_ports());
     cases.extend(sums());
     cases.extend(far());
     cases.extend(near());
@@ -939,7 +940,7 @@ type Request = fn(f64) -> String;
 /// How many steps a time is, and that no request makes up for what another was rounded by.
 fn durations() -> Vec<Case> {
     // The length of a step, the time that each of three requests asks for, and how many steps that is.
-    let table: [(&str, f64, f64, u32); 11] = [
+    let table: [(&str, f64, f64, u32); 12] = [
         ("half-of-an-even-number", 0.25, 0.625, 3),
         ("half-of-an-odd-number", 0.25, 0.375, 2),
         ("half-of-one", 0.25, 0.125, 1),
@@ -951,6 +952,7 @@ fn durations() -> Vec<Case> {
         ("tenths-half", 0.1, 0.25, 3),
         ("tenths-whole", 0.1, 0.3, 3),
         ("tenths-next-to-half", 0.1, 0.15, 1),
+        ("nothing", 1.0, 0.0, 0),
     ];
     let mut cases = Vec::new();
     for (name, dt, x, steps) in table {
@@ -1047,6 +1049,24 @@ fn orders() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Two ports that name the same neurons, each in an order of its own.
+fn orders_of_ports() -> Vec<Case> {
+    let named = |port: &str, ids: &[u32]| record(port, "V_m", 1.0).with("ids", ids.iter().copied().collect::<Json>());
+    let orders =
+        [("apart", [1_u32, 2, 3], [3_u32, 1, 2]), ("turned", [3, 2, 1], [1, 2, 3]), ("ends", [1, 2, 3], [1, 3, 2])];
+    let of = |(name, first, second): (&str, [u32; 3], [u32; 3])| {
+        let times = [1.0, 1.0, 1.0, 2.0, 2.0, 2.0];
+        let open = Open { size: 3, records: vec![named("a", &first), named("b", &second)], ..Open::lif("a") };
+        let records = object! { "a" => sent(&times, &[first, first].concat()),
+        "b" => sent(&times, &[second, second].concat()) };
+        let trace = vec![(open.text(), opened("a")), (step("a", Some(2.0), None), recorded("a", records))];
+        reference(format!("order/of-each-port/{name}"), &["NCP-SESS-059"], trace)
+            .title(format!("Each of two ports names the same three neurons in an order of its own ({name})."))
+            .because("The samples of one time are in the order of the port's `ids`.")
+    };
+    orders.map(of).into()
 }
 
 /// When a port is sampled, whatever the samples are.

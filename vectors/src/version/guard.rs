@@ -5,6 +5,7 @@ use ncp_text::WIRE_VERSION;
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::scenario::{ScenarioError, Scenarios, source};
+use crate::template::Text;
 
 /// What a text is to the guard.
 #[derive(PartialEq, Eq)]
@@ -74,9 +75,28 @@ pub(super) fn file() -> Result<File, ScenarioError> {
             });
         }
     }
+    cases.extend(far());
     let about = format!(
         "The version guard of wire {WIRE_VERSION}: versions that are compatible, others, and texts that are no version."
     );
     text.end()?;
     Ok(File::new("version", "guard", about, cases))
+}
+
+/// Versions of more digits than some languages take for an integer.
+fn far() -> [Case; 2] {
+    const ZEROS: usize = 5_000;
+    let (major, minor) = WIRE_VERSION.split_once('.').unwrap_or((WIRE_VERSION, "0"));
+    let zeros = || Text::repeat("0", ZEROS);
+    let far = |part: &str, rules: [&'static str; 2], version: Text| {
+        Case::new(format!("strict/{part}-behind-{ZEROS}-zeros"), &rules, &Role::ALL)
+            .title(format!("A strict version guard answers a {part} that differs before {ZEROS} zeros with an error."))
+            .flags(&["version-overflow"])
+            .call("version.check", object! { "version" => version, "strict" => true })
+            .rejects("version")
+            .because("A strict guard answers what is not compatible with an error, however long it is.")
+    };
+    let of_minor = Text::concat([format!("{major}.1").into(), zeros(), minor.into()]);
+    let of_major = Text::concat(["1".into(), zeros(), WIRE_VERSION.into()]);
+    [far("minor", ["NCP-VER-006", "NCP-VER-003"], of_minor), far("major", ["NCP-VER-006", "NCP-VER-004"], of_major)]
 }

@@ -108,6 +108,13 @@ pub(super) fn more_doubles() -> Vec<Double> {
         "9007199254740994.0",
         "many-digits",
     ));
+    // Behind the half between two doubles, farther than any of them has digits.
+    all.push(spelled(
+        "halfway-decided-by-digit-1000",
+        format!("1.00000000000000011102230246251565404236316680908203125{}1", "0".repeat(946)),
+        "1.0000000000000002",
+        "many-digits",
+    ));
     all.push(spelled("largest-below-the-halfway", format!("{HALFWAY}1"), "1.7976931348623157e308", "largest-double"));
     all.push(spelled("many-digits-and-exponent", format!("1{}e-395", "0".repeat(400)), "100000.0", "many-digits"));
     // As many as overflow with one more.

@@ -26,6 +26,7 @@ impl Walk<'_> {
     fn visit(&mut self, shape: &Shape, got: Option<&Json<'_>>) {
         match (shape, got) {
             (Shape::Null, None | Some(Json::Null)) | (Shape::Anything, Some(_)) => {}
+            (Shape::SomeText, Some(Json::String(got))) if !got.is_empty() => {}
             (Shape::Bool(expected), Some(Json::Bool(got))) if expected == got => {}
             (Shape::Text(expected), Some(Json::String(got))) if expected == got => {}
             (Shape::Number(expected), Some(value))
@@ -114,6 +115,7 @@ impl Walk<'_> {
             Shape::Refused => "a refused step, and no crash".to_owned(),
             Shape::Json(_) => "a string of JSON".to_owned(),
             Shape::Range(low, high) => format!("a number from {low} to {high}"),
+            Shape::SomeText => "a text that is not empty".to_owned(),
             Shape::Anything => "a member".to_owned(),
             Shape::Beginning(items) => format!("the first of {} items, at least one", items.len()),
             Shape::Any(choices) => {
@@ -271,6 +273,7 @@ mod tests {
             (r#"{"$json":{"ok":true}}"#, r#""{\"ok\": true, \"x\": 1}""#),
             (r#"{"$range":[-1,1]}"#, "1.0"),
             (r#"{"$range":[0,"Infinity"]}"#, "\"Infinity\""),
+            (r#"{"a":{"$text":true}}"#, r#"{"a":"no"}"#),
             (r#"{"a":{"$anything":true}}"#, r#"{"a":null}"#),
         ] {
             assert!(differ(pattern, got).is_empty(), "{pattern} and {got}");
@@ -303,6 +306,9 @@ mod tests {
             (r#"{"$json":{}}"#, "{}", "expected a string of JSON, got {}"),
             (r#"{"$range":[-1,1]}"#, "1.5", "expected a number from -1 to 1, got 1.5"),
             (r#"{"$range":[-1,1]}"#, "\"NaN\"", "expected a number from -1 to 1, got \"NaN\""),
+            (r#"{"a":{"$text":true}}"#, r#"{"a":""}"#, r#"/a: expected a text that is not empty, got """#),
+            (r#"{"a":{"$text":true}}"#, r#"{"a":null}"#, "/a: expected a text that is not empty, got null"),
+            (r#"{"a":{"$text":true}}"#, "{}", "/a: expected a text that is not empty, got nothing"),
             (r#"{"a":{"$anything":true}}"#, "{}", "/a: expected a member, got nothing"),
         ] {
             assert_eq!(differ(pattern, got), [difference], "{pattern} and {got}");

@@ -1,9 +1,9 @@
 //! Patterns of results, for answers of which a case does not judge everything.
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
-//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`. In a list, `{"$item": pattern, "times": 1000}`
-//! stands for so many equal items; no other template stands in a pattern. Reading it is strict: a pattern that is
-//! misspelt would test nothing.
+//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$text`, `$anything`. In a list, `{"$item": pattern, "times":
+//! 1000}` stands for so many equal items; no other template stands in a pattern. Reading it is strict: a pattern that
+//! is misspelt would test nothing.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
@@ -12,7 +12,7 @@ use super::template;
 use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
-const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$anything`";
+const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$text`, `$anything`";
 
 /// How many items the lists of one pattern have at most, those that `$item` stands for counted.
 const MOST_ITEMS: usize = 1 << 20;
@@ -44,6 +44,8 @@ pub enum Shape {
     Json(Box<Shape>),
     /// A number from one to another, both included: `$range`.
     Range(Number, Number),
+    /// A string that is not empty: `$text`.
+    SomeText,
     /// Whatever is there: `$anything`.
     Anything,
 }
@@ -122,6 +124,8 @@ impl Shape {
                 _ => wrong("$range", "two numbers in order"),
             },
             ("$range", _) => wrong("$range", "two numbers in order"),
+            ("$text", Json::Bool(true)) => Ok(Self::SomeText),
+            ("$text", _) => wrong("$text", "true"),
             ("$anything", Json::Bool(true)) => Ok(Self::Anything),
             ("$anything", _) => wrong("$anything", "true"),
             _ => Err(PatternError::Unknown(word.to_owned())),
@@ -157,6 +161,7 @@ impl fmt::Display for Shape {
             Self::Refused => f.write_str("{\"$error\":true}"),
             Self::Json(inner) => write!(f, "{{\"$json\":{inner}}}"),
             Self::Range(low, high) => write!(f, "{{\"$range\":[{low},{high}]}}"),
+            Self::SomeText => f.write_str("{\"$text\":true}"),
             Self::Anything => f.write_str("{\"$anything\":true}"),
         }
     }
@@ -237,7 +242,7 @@ mod tests {
         for text in [
             r#"{"steps":[{"hold":true},{},{"$error":true}],"a":null}"#,
             r#"{"$any":[1.5,"a\"b",{"$exact":{"b":[null]}}]}"#,
-            r#"{"$json":{"ok":{"$anything":true},"t":{"$range":[-1,"Infinity"]}}}"#,
+            r#"{"$json":{"ok":{"$anything":true},"t":{"$range":[-1,"Infinity"]},"why":{"$text":true}}}"#,
             r#"{"$beginning":[{"a":1},[2]]}"#,
             r#"["NaN","-Infinity",-0.0,9007199254740993,1e300]"#,
         ] {
@@ -269,6 +274,7 @@ mod tests {
             (r#"{"$range":[2,1]}"#, "`$range` of a pattern is not two numbers in order"),
             (r#"{"$range":[1,"NaN"]}"#, "`$range` of a pattern is not two numbers in order"),
             (r#"{"$range":["1",2]}"#, "`$range` of a pattern is not two numbers in order"),
+            (r#"{"$text":"why"}"#, "`$text` of a pattern is not true"),
             (r#"{"$anything":false}"#, "`$anything` of a pattern is not true"),
             (r#"{"a":1,"a":2}"#, "stands twice"),
             ("{", "ends too early"),

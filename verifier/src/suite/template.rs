@@ -2,7 +2,8 @@
 //!
 //! Where a string stands in a case's arguments or expectation, an object may stand instead:
 //! `{"$repeat": "x", "times": 1000}`, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list,
-//! `{"$item": value, "times": 1000}` stands for so many equal items. Peers never see them.
+//! `{"$item": value, "times": 1000}` stands for so many equal items, and with `"plus": {"seq": 1}` for items whose
+//! integer of that name grows by so much from each to the next. Peers never see them.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -49,7 +50,8 @@ pub enum TemplateError {
     Json(#[from] JsonError),
     /// An object begins like a template but is none.
     #[error(
-        "`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`; in a list `$item` with `times`"
+        "`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`; in a list `$item` with `times`, and \
+         perhaps `plus`"
     )]
     Unknown(String),
     /// A member of a template has the wrong type.
@@ -185,6 +187,65 @@ pub(super) fn item<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize),
     }
 }
 
+/// What an entry of a list stands for: items of which each has integers that are greater than those of the one before.
+struct Run<'v, 'a> {
+    first: &'v Json<'a>,
+    times: usize,
+    /// The integers of the first, and by how much they grow.
+    plus: Vec<(&'v str, i64, i64)>,
+}
+
+impl Run<'_, '_> {
+    /// An item; its growth was judged when it was read.
+    fn nth(&self, nth: usize) -> Json<'_> {
+        let mut item = self.first.clone();
+        if let Json::Object(members) = &mut item {
+            for (name, value) in members {
+                if let Some((_, first, by)) = self.plus.iter().find(|(known, ..)| known == name) {
+                    let grown = i64::try_from(nth).ok().and_then(|nth| by.checked_mul(nth)?.checked_add(*first));
+                    *value = Json::Number(grown.unwrap_or(*first).to_string().into());
+                }
+            }
+        }
+        item
+    }
+}
+
+/// The items that an entry of a list stands for.
+fn run<'v, 'a>(value: &'v Json<'a>) -> Result<Run<'v, 'a>, TemplateError> {
+    let Json::Object(members) = value else { return Ok(Run { first: value, times: 1, plus: Vec::new() }) };
+    let [(name, first), (times_name, times), (plus_name, plus)] = members.as_slice() else {
+        let (first, times) = item(value)?;
+        return Ok(Run { first, times, plus: Vec::new() });
+    };
+    if (name.as_ref(), times_name.as_ref(), plus_name.as_ref()) != ("$item", "times", "plus") {
+        return Ok(Run { first: value, times: 1, plus: Vec::new() });
+    }
+    let integer = |value: &Json<'_>| match value {
+        Json::Number(spelling) => spelling.parse::<i64>().ok(),
+        _ => None,
+    };
+    let grown = |(name, by): &'v (Cow<'a, str>, Json<'a>)| {
+        let Json::Object(members) = first else { return None };
+        let (_, value) = members.iter().find(|(known, _)| known == name)?;
+        let (value, by) = (integer(value)?, integer(by)?);
+        let most = i64::try_from(count(times).ok()?).ok()?;
+        by.checked_mul(most)?.checked_add(value)?;
+        Some((name.as_ref(), value, by))
+    };
+    let plus = match plus {
+        Json::Object(plus) if !plus.is_empty() => plus.iter().map(grown).collect::<Option<Vec<_>>>(),
+        _ => None,
+    };
+    match (count(times)?, plus) {
+        (0, _) => Err(TemplateError::Type { name: "times", expected: "a count from 1" }),
+        (_, None) => {
+            Err(TemplateError::Type { name: "plus", expected: "an object of integers, each by the name of one" })
+        }
+        (times, Some(plus)) => Ok(Run { first, times, plus }),
+    }
+}
+
 /// The value of `times`.
 fn count(value: &Json<'_>) -> Result<usize, TemplateError> {
     let times = match value {
@@ -205,7 +266,7 @@ fn holds_template(value: &Json<'_>) -> bool {
         (Ok(Some(Form::Text(_))), _) => false,
         (Ok(Some(_)), _) => true,
         (_, Json::Array(items)) => items.iter().any(|each| {
-            let of = item(each).unwrap_or((each, 1)).0;
+            let of = run(each).map_or(each, |run| run.first);
             !std::ptr::eq(of, each) || holds_template(of)
         }),
         (_, Json::Object(members)) => members.iter().any(|(_, member)| holds_template(member)),
@@ -218,8 +279,10 @@ fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
     let total = match (form(value)?, value) {
         (Some(form), _) => text_size(&form, Spelling::Json, 0)? + 2,
         (None, Json::Array(items)) => items.iter().try_fold(2, |sum: usize, each| {
-            let (item, times) = item(each)?;
-            Ok::<_, TemplateError>(sum.saturating_add((size(item)? + 1).saturating_mul(times)))
+            let run = run(each)?;
+            // An integer has no more than twenty characters.
+            let item = size(run.first)? + 1 + 20 * run.plus.len();
+            Ok::<_, TemplateError>(sum.saturating_add(item.saturating_mul(run.times)))
         })?,
         (None, Json::Object(members)) => members.iter().try_fold(2, |sum: usize, (name, member)| {
             Ok::<_, TemplateError>(sum.saturating_add(name.len() + 4 + size(member)?))
@@ -271,12 +334,15 @@ fn write_expanded(value: &Json<'_>, out: &mut dyn Write) -> io::Result<()> {
         (_, Json::Array(items)) => {
             for (i, each) in items.iter().enumerate() {
                 out.write_all(if i > 0 { b"," } else { b"[" })?;
-                let (item, times) = item(each).unwrap_or((each, 1));
-                write_expanded(item, out)?;
-                if times > 1 {
-                    let mut once = vec![b','];
-                    write_expanded(item, &mut once)?;
-                    (1..times).try_for_each(|_| out.write_all(&once))?;
+                let run = run(each).unwrap_or(Run { first: each, times: 1, plus: Vec::new() });
+                write_expanded(run.first, out)?;
+                let mut next = Vec::new();
+                for nth in 1..run.times {
+                    if next.is_empty() || !run.plus.is_empty() {
+                        next = vec![b','];
+                        write_expanded(&run.nth(nth), &mut next)?;
+                    }
+                    out.write_all(&next)?;
                 }
             }
             out.write_all(if items.is_empty() { b"[]" } else { b"]" })
@@ -348,6 +414,8 @@ mod tests {
         assert_eq!(expand(r#"{"$repeat": {"$base64": "a"}, "times": 2}"#), r#""YQ==YQ==""#);
         assert_eq!(expand(r#"{"$repeat": "x", "times": 0}"#), r#""""#);
         assert_eq!(expand(r#"[0, {"$item": {"a": [1]}, "times": 3}]"#), r#"[0,{"a":[1]},{"a":[1]},{"a":[1]}]"#);
+        let grown = r#"[{"$item": {"a": 5, "seq": -1}, "times": 3, "plus": {"seq": -2}}]"#;
+        assert_eq!(expand(grown), r#"[{"a":5,"seq":-1},{"a":5,"seq":-3},{"a":5,"seq":-5}]"#);
         let nested = r#"[{"$item": [{"$item": {"$repeat": "x", "times": 2}, "times": 2}], "times": 1}]"#;
         assert_eq!(expand(nested), r#"[["xx","xx"]]"#);
     }
@@ -378,6 +446,11 @@ mod tests {
         assert!(fault(r#"{"$item": 1, "times": 2}"#).contains("in a list `$item`"));
         assert!(fault(r#"[{"$item": 1, "times": 0}]"#).contains("a count from 1"));
         assert!(fault(r#"[{"$item": 1}]"#).contains("no template"));
+        for plus in ["{}", "1", r#"{"b": 1}"#, r#"{"a": 0.5}"#, r#"{"a": 9223372036854775807}"#] {
+            let raw = format!(r#"[{{"$item": {{"a": 1}}, "times": 2, "plus": {plus}}}]"#);
+            assert!(fault(&raw).contains("`plus` of a template is not an object of integers"), "{plus}");
+        }
+        assert!(fault(r#"[{"$item": {"a": 1}, "times": 0, "plus": {"a": 1}}]"#).contains("a count from 1"));
         assert!(
             fault(r#"[{"$item": [{"$item": 1, "times": 99999}], "times": 99999}]"#).contains("expand to more than")
         );
