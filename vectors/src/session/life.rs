@@ -363,6 +363,22 @@ fn times() -> Vec<Case> {
             );
         }
     }
+    // The time of a request may be that of the session.
+    for chunk in [-10.0, -0.001] {
+        let trace = vec![
+            (Open { chunk, ..Open::lif("a") }.text(), opened("a")),
+            (step_of("a", None, None), error()),
+            steps("a", 10.0),
+        ];
+        cases.push(
+            case(format!("time/chunk/{}", name_of(chunk)), &["NCP-SESS-032", "NCP-SESS-033"], trace)
+                .title(format!("A step for a `chunk_ms` of {chunk} is an error, unless the session was refused."))
+                .because(
+                    "A server refuses a `chunk_ms` that is negative when the session is opened, or else each request \
+                     that is to run for it.",
+                ),
+        );
+    }
     for (name, literal) in [
         ("overflow", "1e999"),
         ("minus-overflow", "-1e999"),

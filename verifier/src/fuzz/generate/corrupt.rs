@@ -8,13 +8,19 @@ use crate::json::{Json, write_string};
 pub(super) fn wild(frame: &Tree, draw: &mut Draw<'_>) -> String {
     let mut frame = frame.clone();
     if draw.chance(20) {
-        let unknown = unknown(draw);
-        let name = draw.pick(&["future", "x", "Kind", "kind ", "ncp_versio", "s\u{e9}q", ""]).to_owned();
+        // What another kind has is unknown to this one.
+        let is_unversioned = frame.get("kind").and_then(Json::as_str) == Some("error");
+        let (name, unknown) = if is_unversioned && draw.chance(40) {
+            ("ncp_version", text(draw.pick(&["0.4", "1.0", "x", "0.5"])))
+        } else {
+            let unknown = unknown(draw);
+            (draw.pick(&["future", "x", "Kind", "kind ", "ncp_versio", "s\u{e9}q", ""]), unknown)
+        };
         let sites: Vec<_> =
             places(&frame).into_iter().filter(|place| matches!(at(&frame, place), Some(Json::Object(_)))).collect();
         // A member of a map is an entry, so only the top is sure to ignore it.
         if let Some(top) = sites.first().and_then(|place| at_mut(&mut frame, place)) {
-            set(top, &name, unknown);
+            set(top, name, unknown);
         }
     }
     let spaces = draw.one(&[0, 0, 20]);
@@ -125,7 +131,13 @@ fn recased(spelling: &str, draw: &mut Draw<'_>) -> String {
         Some("-") => "-",
         _ => draw.one(&["", "+"]),
     };
-    format!("{digits}{}{sign}{}{size}", draw.one(&['e', 'E']), draw.one(&["", "", "", "0", "00"]))
+    format!("{digits}{}{sign}{}{size}", draw.one(&['e', 'E']), zeros(draw))
+}
+
+/// Zeros that lead an exponent and change nothing, now and then more than any integer has digits.
+fn zeros(draw: &mut Draw<'_>) -> String {
+    let most = draw.one(&[0, 0, 0, 2, 2, 40]);
+    "0".repeat(draw.below(most + 1))
 }
 
 /// The same double, spelled with more digits or another exponent.
@@ -158,6 +170,7 @@ fn respelled(spelling: &str, draw: &mut Draw<'_>) -> String {
 /// A number of many digits: that overflows by them alone, or that an exponent brings back, or nearly.
 pub(super) fn digits(draw: &mut Draw<'_>) -> String {
     let count = match draw.below(3) {
+        0 if draw.chance(5) => 4250 + draw.below(1000),
         0 => draw.size(15, 1100),
         _ => draw.one(&[17, 19, 40, 307, 308, 309, 310, 320, 350, 400, 1000]) + draw.below(30),
     };
@@ -456,7 +469,14 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
     let insert = |bytes: &mut Vec<u8>, place: usize, what: &[u8]| {
         bytes.splice(place.min(bytes.len())..place.min(bytes.len()), what.iter().copied());
     };
-    match draw.below(14) {
+    match draw.below(15) {
+        // Half of a pair of surrogates, or a pair the wrong way round, in a string.
+        14 => {
+            let quotes: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at] == b'"').collect();
+            let Some(place) = quotes.get(draw.below(quotes.len())).copied() else { return bytes };
+            let half = draw.pick(&["\\ud800", "\\uDFFF", "\\udc00\\ud800", "\\ud83dx", "\\uD83D\\u0041"]);
+            insert(&mut bytes, place + draw.below(2), half.as_bytes());
+        }
         // Within an escape, or a number.
         12 | 13 => {
             let sites: Vec<usize> = bytes

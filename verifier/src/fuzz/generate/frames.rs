@@ -217,7 +217,7 @@ pub(super) fn value_of(shape: &Shape, swarm: &Swarm, draw: &mut Draw<'_>) -> Tre
             let count = draw.afford(count);
             let inner = Swarm { most: swarm.most.min(4), ..*swarm };
             // Names that are equal for long, now and then.
-            let prefix = if draw.chance(8) { draw.size(8, 300) } else { 0 };
+            let prefix = if draw.chance(8) { draw.size(8, 2500) } else { 0 };
             let prefix = "k".repeat(prefix.max(1));
             let backwards = draw.chance(30);
             let entry = |nth: usize, draw: &mut Draw<'_>| {

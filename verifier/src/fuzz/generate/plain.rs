@@ -187,6 +187,11 @@ pub(super) fn key_match(draw: &mut Draw<'_>) -> Tree {
                 pattern.push("**".to_owned());
                 pattern.push(chunk);
             }
+            4 | 5 if chunk.starts_with('@') && chunk.len() > 1 => {
+                let cut = 1 + draw.below(chunk.len() - 1);
+                let cut = if chunk.is_char_boundary(cut) { cut } else { 1 };
+                pattern.push(format!("{}$*", &chunk[..cut]));
+            }
             4 | 5 if !chunk.starts_with('@') => pattern.push(dollars(&chunk, draw)),
             6 => {
                 pattern.push(chunk);

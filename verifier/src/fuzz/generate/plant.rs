@@ -2,7 +2,7 @@
 
 use ncp_text::WIRE_VERSION;
 
-use super::corrupt::wild;
+use super::corrupt::{corrupted, wild};
 use super::frames::base64;
 use super::safety::{Shapes, command};
 use super::{Draw, Menu, Tree, steps};
@@ -175,7 +175,17 @@ fn in_wire_form(frame: &mut Tree) {
 /// A command frame that is malformed, strange, or an ESTOP in hiding.
 fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
     let mut frame = frame.clone();
-    let written = match draw.below(12) {
+    let written = match draw.below(15) {
+        // An ESTOP, or another command, that is wrong in any way that a frame can be.
+        12..=14 => {
+            if draw.chance(70) {
+                set(&mut frame, "mode", text("estop"));
+            }
+            match String::from_utf8(corrupted(&frame, draw)) {
+                Ok(written) => written,
+                Err(error) => return object([("base64", base64(error.as_bytes()))]),
+            }
+        }
         0 => {
             set(&mut frame, "seq", literal(draw.pick(&["1.0", "-0", "1e0", "9007199254740992"])));
             frame.to_string()

@@ -68,7 +68,7 @@ pub(super) fn buried(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
 
 /// With white space, or a member that nobody knows, so that the frame has just so many bytes.
 pub(super) fn fitted(frame: &str, draw: &mut Draw<'_>) -> (String, usize) {
-    let limit = draw.one(&[256, 1024, 4096, 1 << 15, 1 << 16, 1 << 16, 1 << 20, 1 << 20, 1 << 20, 1 << 21]);
+    let limit = draw.one(&[256, 1024, 4096, 1 << 15, 1 << 16, 1 << 16, 1 << 20, 1 << 20, 1 << 20, 1 << 21, 1 << 22]);
     let total = limit + draw.below(3) - 1;
     let rest = total.saturating_sub(frame.len());
     let long = match draw.below(3) {
