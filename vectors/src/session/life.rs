@@ -368,7 +368,7 @@ fn times() -> Vec<Case> {
         let trace = vec![
             (Open { chunk, ..Open::lif("a") }.text(), opened("a")),
             (step_of("a", None, None), error()),
-            steps("a", 10.0),
+            (step_of("a", Some(10.0), None), observed("a", 10.0)),
         ];
         cases.push(
             case(format!("time/chunk/{}", name_of(chunk)), &["NCP-SESS-032", "NCP-SESS-033"], trace)
