@@ -75,6 +75,11 @@ pub(crate) fn text_of(pattern: Json) -> Json {
     object! { "$json" => pattern }
 }
 
+/// A text that is JSON of this pattern as an encoder writes it: in this order, with integers spelled as such.
+pub(crate) fn frame_of(pattern: Json) -> Json {
+    object! { "$frame" => pattern }
+}
+
 /// A text that is not empty.
 pub(crate) fn some_text() -> Json {
     object! { "$text" => true }

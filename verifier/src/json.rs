@@ -110,6 +110,12 @@ impl Number {
         self.double
     }
 
+    /// Whether it is spelled as an integer.
+    #[must_use]
+    pub fn is_integer(self) -> bool {
+        self.integer.is_some()
+    }
+
     /// Whether another number is this one but for `tolerance`, which is relative, with a floor of the same size:
     /// |a − b| ≤ tolerance · max(1, |a|, |b|). 0 is −0, and two integers have to be the same.
     #[must_use]

@@ -8,11 +8,11 @@ use super::{
     Open, asking, case, close, error, not_opened, observation, observed, opened, record, recorded, reference, replies,
     run, step, stimulus,
 };
-use crate::case::{Case, File};
+use crate::case::{Case, File, REFERENCE_NETWORKS};
 use crate::json::{Json, object};
 use crate::model::meaning;
 use crate::scenario::beside;
-use crate::trace::{any, anything, exactly, nums, text_of};
+use crate::trace::{any, anything, exactly, frame_of, nums, text_of};
 
 pub(super) fn file() -> File {
     let mut cases = versions();
@@ -25,6 +25,7 @@ pub(super) fn file() -> File {
     cases.extend(nulls());
     cases.extend(opened_with_nulls());
     cases.extend(whole());
+    cases.extend(encoded());
     cases.extend(bindings());
     cases.extend(stimulus_frames());
     cases.extend(times_of_stimuli());
@@ -500,6 +501,62 @@ fn opened_with_nulls() -> Vec<Case> {
                 .because("A receiver reads null in an optional field as absent.")
         })
         .collect()
+}
+
+/// The pattern of a reply that has every field of its kind in the order of the tables, with some of them known.
+fn in_order(kind: &str, known: &[(&str, Json)]) -> Json {
+    let fields = tables().kind(kind).map_or(&[][..], |message| &message.fields);
+    let field = |name: &str| match known.iter().find(|(of, _)| *of == name) {
+        Some((_, value)) => value.clone(),
+        None if name == "kind" => kind.into(),
+        None => anything(),
+    };
+    frame_of(Json::Object(fields.iter().map(|known| (known.name.clone(), field(&known.name))).collect()))
+}
+
+/// Replies are frames as every other: what an encoder has to keep is asked of them, too.
+fn encoded() -> Vec<Case> {
+    let ports = ["w", "\u{1f600}", "v", "\u{ff5e}"];
+    let sorted = ["v", "w", "\u{ff5e}", "\u{1f600}"];
+    let open = Open {
+        records: ports.map(|port| record(port, "V_m", 1.0)).into(),
+        stimuli: Vec::new(),
+        other: Some(2),
+        ..driven()
+    };
+    let requests = || vec![open.text(), step("a", Some(1.0), None), step("b", Some(1.0), None), close("a")];
+    let resolved = || ("resolved", object! { "other" => 2, "pop" => 1 });
+    let observed = |value: &dyn Fn() -> Json| {
+        let records = Json::Object(sorted.map(|port| (port.to_owned(), value())).into());
+        in_order("observation_frame", &[("records", records)])
+    };
+    let of = |name: &str, rule: &'static str, replies: Vec<Json>, says: &str, why: &str| {
+        let case = asking(format!("encoded/{name}"), &[rule], requests());
+        case.shows(super::replies(replies)).needs(REFERENCE_NETWORKS).title(says).because(why)
+    };
+    let fields = of(
+        "fields",
+        "NCP-WIRE-080",
+        ["session_opened", "observation_frame", "error", "session_closed"].map(|kind| in_order(kind, &[])).into(),
+        "Replies have all fields of their kinds, in the order of the tables.",
+        "An encoder writes every field of a message, in the order of the tables; a reply is a frame as every other.",
+    );
+    let maps = of(
+        "maps",
+        "NCP-WIRE-083",
+        vec![in_order("session_opened", &[resolved()]), observed(&anything), anything(), anything()],
+        "The maps of replies are sorted by the code points of their keys.",
+        "An encoder writes the entries of a map sorted by the code points of their keys, also U+FF5E before U+1F600.",
+    );
+    let senders = || object! { "senders" => std::iter::once(1_u32).collect::<Json>() };
+    let integers = of(
+        "integers",
+        "NCP-WIRE-085",
+        vec![in_order("session_opened", &[resolved()]), observed(&senders), anything(), anything()],
+        "The integers of replies are spelled as integers.",
+        "An encoder writes an integer field as a plain JSON integer, without fraction or exponent.",
+    );
+    vec![fields.by("within", "NCP-WIRE-081"), maps.by("within", "NCP-SESS-038"), integers.by("order", "NCP-WIRE-083")]
 }
 
 /// Requests that are written whole, as encoders write them.

@@ -5,17 +5,19 @@ use std::borrow::Cow;
 use ncp_spec::ErrorCode;
 
 use super::{Difference, Differences, Manner, SHOWN, short};
-use crate::json::{Json, Members, Number, pointer_token};
+use crate::json::{Json, Members, Number, is_integer, pointer_token};
 use crate::peer::excerpt;
 use crate::suite::Shape;
 
 /// Notes where a result has not the shape; `tolerance` is that of its numbers.
 pub(super) fn fits(shape: &Shape, tolerance: f64, got: &Json<'_>, differences: &mut Differences) {
-    Walk { tolerance, at: String::new(), differences }.visit(shape, Some(got));
+    Walk { tolerance, is_spelled: false, at: String::new(), differences }.visit(shape, Some(got));
 }
 
 struct Walk<'d> {
     tolerance: f64,
+    /// Whether the order of members and the spelling of integers count.
+    is_spelled: bool,
     /// Where, as a JSON pointer. Into JSON that stands in a string it simply goes on.
     at: String,
     differences: &'d mut Differences,
@@ -30,7 +32,8 @@ impl Walk<'_> {
             (Shape::Bool(expected), Some(Json::Bool(got))) if expected == got => {}
             (Shape::Text(expected), Some(Json::String(got))) if expected == got => {}
             (Shape::Number(expected), Some(value))
-                if Number::of(value).is_some_and(|got| expected.is_near(got, self.tolerance)) => {}
+                if Number::of(value).is_some_and(|got| expected.is_near(got, self.tolerance))
+                    && !(self.is_spelled && expected.is_integer() && is_fraction(value)) => {}
             (Shape::Range(low, high), Some(value)) if is_within(*low, *high, value) => {}
             (Shape::Refused, Some(step)) if is_refusal(step) => {}
             (Shape::Items(expected), Some(Json::Array(got))) => self.items(expected, got),
@@ -42,10 +45,8 @@ impl Walk<'_> {
             }
             (Shape::Exact(expected), Some(Json::Object(got))) => self.members(expected, got, true),
             (Shape::Any(choices), got) => self.any(shape, choices, got),
-            (Shape::Json(inner), Some(Json::String(text))) => match Json::parse(text) {
-                Ok(value) => self.visit(inner, Some(&value)),
-                Err(error) => self.differs(shape, got, Some(error.to_string())),
-            },
+            (Shape::Json(inner), Some(Json::String(text))) => self.text(shape, inner, text, false),
+            (Shape::Frame(inner), Some(Json::String(text))) => self.text(shape, inner, text, true),
             _ => self.differs(shape, got, None),
         }
     }
@@ -60,8 +61,23 @@ impl Walk<'_> {
         }
     }
 
+    /// Compares a shape with what a string holds.
+    fn text(&mut self, shape: &Shape, inner: &Shape, text: &str, is_spelled: bool) {
+        match Json::parse(text) {
+            Ok(value) => {
+                let around = std::mem::replace(&mut self.is_spelled, is_spelled);
+                self.visit(inner, Some(&value));
+                self.is_spelled = around;
+            }
+            Err(error) => self.differs(shape, Some(&Json::String(text.into())), Some(error.to_string())),
+        }
+    }
+
     fn members(&mut self, expected: &[(String, Shape)], got: &[Member<'_>], exact: bool) {
         let there = Members::new(got);
+        if self.is_spelled {
+            self.order(expected, got);
+        }
         for (i, (name, shape)) in expected.iter().enumerate() {
             self.inside(&pointer_token(name), |walk| {
                 walk.visit(shape, there.get(name, i));
@@ -76,12 +92,28 @@ impl Walk<'_> {
         }
     }
 
+    /// Notes the first member that stands before one which has to come earlier.
+    fn order(&mut self, expected: &[(String, Shape)], got: &[Member<'_>]) {
+        let place = |name: &str| got.iter().position(|(known, _)| known == name);
+        let places: Vec<(usize, &str)> =
+            expected.iter().filter_map(|(name, _)| Some((place(name)?, name.as_str()))).collect();
+        let wrong = places.iter().zip(places.iter().skip(1)).find(|((one, _), (next, _))| one > next);
+        if let Some(((_, one), (_, next))) = wrong {
+            let is_first = self.differences.is_empty();
+            self.note(Some(format!("`{one}` before `{next}`")), Some(format!("`{next}` before `{one}`")), None);
+            if is_first {
+                self.differences.manner = Manner::Order;
+            }
+        }
+    }
+
     fn any(&mut self, shape: &Shape, choices: &[Shape], got: Option<&Json<'_>>) {
         let is_first = self.differences.is_empty();
         let mut nearest: Option<Differences> = None;
         for choice in choices {
             let mut differences = Differences::default();
-            Walk { tolerance: self.tolerance, at: self.at.clone(), differences: &mut differences }.visit(choice, got);
+            let (tolerance, is_spelled, at) = (self.tolerance, self.is_spelled, self.at.clone());
+            Walk { tolerance, is_spelled, at, differences: &mut differences }.visit(choice, got);
             if differences.is_empty() {
                 return;
             }
@@ -113,7 +145,7 @@ impl Walk<'_> {
     fn differs(&mut self, shape: &Shape, got: Option<&Json<'_>>, hint: Option<String>) {
         let expected = match shape {
             Shape::Refused => "a refused step, and no crash".to_owned(),
-            Shape::Json(_) => "a string of JSON".to_owned(),
+            Shape::Json(_) | Shape::Frame(_) => "a string of JSON".to_owned(),
             Shape::Range(low, high) => format!("a number from {low} to {high}"),
             Shape::SomeText => "a text that is not empty".to_owned(),
             Shape::Anything => "a member".to_owned(),
@@ -145,6 +177,11 @@ type Member<'v> = (Cow<'v, str>, Json<'v>);
 fn is_within(low: Number, high: Number, value: &Json<'_>) -> bool {
     let ends = low.as_double()..=high.as_double();
     Number::of(value).is_some_and(|got| ends.contains(&got.as_double()))
+}
+
+/// Whether a number is spelled otherwise than an integer is.
+fn is_fraction(value: &Json<'_>) -> bool {
+    matches!(value, Json::Number(spelling) if !is_integer(spelling))
 }
 
 /// Whether a step was refused. A crash is no refusal.
@@ -271,6 +308,8 @@ mod tests {
             (r#"{"$error":true}"#, refused),
             (r#"{"$exact":{"a":1,"b":null}}"#, r#"{"a":1}"#),
             (r#"{"$json":{"ok":true}}"#, r#""{\"ok\": true, \"x\": 1}""#),
+            (r#"{"$frame":{"b":1,"a":{"c":2.0}}}"#, r#""{\"b\":1,\"x\":0,\"a\":{\"c\":2}}""#),
+            (r#"{"$json":{"b":1,"a":2}}"#, r#""{\"a\":2.0,\"b\":1}""#),
             (r#"{"$range":[-1,1]}"#, "1.0"),
             (r#"{"$range":[0,"Infinity"]}"#, "\"Infinity\""),
             (r#"{"a":{"$text":true}}"#, r#"{"a":"no"}"#),
@@ -304,6 +343,8 @@ mod tests {
                 r#"expected a string of JSON, got "{,}" (expected a member name at byte 1)"#,
             ),
             (r#"{"$json":{}}"#, "{}", "expected a string of JSON, got {}"),
+            (r#"{"$frame":{"b":1,"a":2}}"#, r#""{\"a\":2,\"b\":1}""#, "expected `b` before `a`, got `a` before `b`"),
+            (r#"{"$frame":{"a":[1,2]}}"#, r#""{\"a\":[1,2.0]}""#, "/a/1: expected 2, got 2.0"),
             (r#"{"$range":[-1,1]}"#, "1.5", "expected a number from -1 to 1, got 1.5"),
             (r#"{"$range":[-1,1]}"#, "\"NaN\"", "expected a number from -1 to 1, got \"NaN\""),
             (r#"{"a":{"$text":true}}"#, r#"{"a":""}"#, r#"/a: expected a text that is not empty, got """#),

@@ -136,7 +136,7 @@ impl<'s> Deep<'s> {
     }
 
     /// A case of a deep set that is there, as a candidate under its own number; none where the text leaves the answer
-    /// open by now.
+    /// open by now, or PROTOCOL.md has no such request.
     #[must_use]
     pub fn kept(&self, case: &Case) -> Option<Candidate> {
         let body = format!("{{{}", case.body());
@@ -147,6 +147,9 @@ impl<'s> Deep<'s> {
 
     fn made_of(&self, input: Input, number: u64, varied: Vec<u64>, most: usize) -> Option<Candidate> {
         let call = input.call;
+        if !self.menu.has(call, &input.args) {
+            return None;
+        }
         let args = input.args.to_string();
         let spec = oracle::specification(call, &args);
         let Verdict::Expect(expect) = oracle::expectation(&input, &spec, None) else { return None };

@@ -1,9 +1,9 @@
 //! Patterns of results, for answers of which a case does not judge everything.
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
-//! `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$text`, `$anything`. In a list, `{"$item": pattern, "times":
-//! 1000}` stands for so many equal items; no other template stands in a pattern. Reading it is strict: a pattern that
-//! is misspelt would test nothing.
+//! `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$text`, `$anything`. In a list,
+//! `{"$item": pattern, "times": 1000}` stands for so many equal items; no other template stands in a pattern. Reading
+//! it is strict: a pattern that is misspelt would test nothing.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
@@ -12,7 +12,7 @@ use super::template;
 use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
-const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$range`, `$text`, `$anything`";
+const WORDS: &str = "`$any`, `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$text`, `$anything`";
 
 /// How many items the lists of one pattern have at most, those that `$item` stands for counted.
 const MOST_ITEMS: usize = 1 << 20;
@@ -42,6 +42,9 @@ pub enum Shape {
     Refused,
     /// A string that is JSON text of this: `$json`.
     Json(Box<Shape>),
+    /// A string that is JSON text of this as an encoder writes it, the members that are named in this order and each
+    /// integer spelled as one: `$frame`.
+    Frame(Box<Shape>),
     /// A number from one to another, both included: `$range`.
     Range(Number, Number),
     /// A string that is not empty: `$text`.
@@ -119,6 +122,7 @@ impl Shape {
             },
             ("$exact", _) => wrong("$exact", "an object of plain members"),
             ("$json", inner) => Self::of(inner).map(|inner| Self::Json(Box::new(inner))),
+            ("$frame", inner) => Self::of(inner).map(|inner| Self::Frame(Box::new(inner))),
             ("$range", Json::Array(ends)) => match ends.iter().map(Number::of).collect::<Vec<_>>().as_slice() {
                 [Some(low), Some(high)] if low.as_double() <= high.as_double() => Ok(Self::Range(*low, *high)),
                 _ => wrong("$range", "two numbers in order"),
@@ -160,6 +164,7 @@ impl fmt::Display for Shape {
             }
             Self::Refused => f.write_str("{\"$error\":true}"),
             Self::Json(inner) => write!(f, "{{\"$json\":{inner}}}"),
+            Self::Frame(inner) => write!(f, "{{\"$frame\":{inner}}}"),
             Self::Range(low, high) => write!(f, "{{\"$range\":[{low},{high}]}}"),
             Self::SomeText => f.write_str("{\"$text\":true}"),
             Self::Anything => f.write_str("{\"$anything\":true}"),
@@ -243,6 +248,7 @@ mod tests {
             r#"{"steps":[{"hold":true},{},{"$error":true}],"a":null}"#,
             r#"{"$any":[1.5,"a\"b",{"$exact":{"b":[null]}}]}"#,
             r#"{"$json":{"ok":{"$anything":true},"t":{"$range":[-1,"Infinity"]},"why":{"$text":true}}}"#,
+            r#"{"$frame":{"b":[1],"a":{"$exact":{}}}}"#,
             r#"{"$beginning":[{"a":1},[2]]}"#,
             r#"["NaN","-Infinity",-0.0,9007199254740993,1e300]"#,
         ] {

@@ -82,7 +82,7 @@ impl Menu {
                 let key = of("key");
                 let lacks = |name: &str| args.get(name).is_none_or(|value| matches!(value, Json::Null));
                 self.keys.contains(&key)
-                    && (lacks("session") || !matches!(key, "rpc" | "fleet_glob"))
+                    && lacks("session") == matches!(key, "rpc" | "fleet_glob")
                     && (lacks("name") || matches!(key, "sensor" | "command"))
             }
             Call::PlaneQos => self.planes.contains(&of("plane")),
@@ -204,14 +204,19 @@ pub(crate) mod tests {
         let object = |key, part| crate::fuzz::tree::object([("key", text(key)), (part, text("a"))]);
         let menu = whole_menu();
         for (key, part, is_asked) in [
+            ("rpc", "realm", true),
             ("rpc", "session", false),
             ("fleet_glob", "session", false),
             ("observation", "session", true),
+            ("observation", "realm", false),
             ("observation", "name", false),
-            ("sensor", "name", true),
+            ("sensor", "name", false),
         ] {
             assert_eq!(menu.has(Call::KeyBuild, &object(key, part)), is_asked, "{key} {part}");
         }
+        let mut named = object("sensor", "name");
+        crate::fuzz::tree::set(&mut named, "session", text("a"));
+        assert!(menu.has(Call::KeyBuild, &named));
     }
 
     #[test]
