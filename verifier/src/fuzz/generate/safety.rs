@@ -115,11 +115,13 @@ impl Shapes {
                 let width = if draw.chance(6) { draw.size(1, 300) } else { draw.one(&[0, 1, 2, 3, 4, 3, 3, 17]) };
                 let mut data: Vec<f64> =
                     (0..width).map(|_| if draw.chance(60) { draw.plain() } else { draw.finite() }).collect();
-                if let Some(speed) = self.speed
-                    && width == 3
-                    && draw.chance(12)
-                {
-                    data = near(speed, draw);
+                match self.speed {
+                    Some(speed) if width == 3 && draw.chance(12) => data = near(speed, draw),
+                    // About as fast as the limit, whatever that is.
+                    Some(speed) if draw.chance(20) => {
+                        data.fill_with(|| speed * draw.range(-24, 24) as f64 / 16.0);
+                    }
+                    _ => {}
                 }
                 if width > 0 && draw.chance(2 * self.strange) {
                     let at = draw.below(width);
@@ -347,6 +349,9 @@ pub(super) fn governor(draw: &mut Draw<'_>) -> Tree {
     let limits = Limits::draw(draw);
     let capabilities = capabilities(draw);
     let mut shapes = Shapes::draw(draw);
+    if let Some(speed) = limits.speed.filter(|speed| *speed > 0.0 && speed.is_finite() && draw.chance(60)) {
+        shapes.speed = Some(speed);
+    }
     let count = steps(draw, 2000);
     let count = if shapes.longest > 64 { count.min(12) } else { count };
     let (odd, strange) = (draw.one(&[0, 0, 10]), draw.one(&[0, 0, 0, 4]));

@@ -63,7 +63,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
     let ids = |neurons: usize, may_be_all: bool, draw: &mut Draw<'_>| {
         let count = if may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(8)) };
-        // In order and once: in what order others come back, nobody says.
+        // Once: what a neuron that is named twice gives, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
         if count > 1 && draw.chance(30) {
@@ -72,6 +72,14 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         }
         ids.sort_unstable();
         ids.dedup();
+        match draw.below(4) {
+            0 => ids.reverse(),
+            1 => {
+                let middle = draw.below(ids.len() + 1);
+                ids.rotate_left(middle);
+            }
+            _ => {}
+        }
         list(ids.into_iter().map(|id| int(i64::try_from(id).unwrap_or(1))).collect())
     };
     let ports = draw.size(0, 3);
@@ -185,6 +193,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         let long = "x".repeat(draw.size(8, 255));
         let both = [format!("{long}0"), format!("{long}1")];
         ids.extend([id.to_uppercase(), format!("{id}0"), "é".to_owned(), "e\u{301}".to_owned()]);
+        ids.extend([format!("{id}\u{3000}"), format!("\u{a0}{id}")]);
         ids.extend(both);
         ids.retain(|id| id.len() <= 256);
     }
@@ -199,6 +208,8 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let is_strict = menu.strict && draw.chance(20);
     let versions = if is_strict { draw.one(&[0, 10, 30]) } else { 0 };
     let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
+    // Sessions that fail again and again, and go on all the same.
+    let failing = draw.one(&[0, 0, 0, 0, 0, 40, 95]);
     let mut requests = Vec::new();
     let mut kinds = Vec::new();
     let mut open_now = std::collections::HashSet::new();
@@ -224,6 +235,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
             _ => {}
         }
         let time = match draw.below(20) {
+            _ if draw.chance(failing) => -script.dt,
             0 => script.dt * draw.one(&[-1.0, -1.0, 0.0, 0.0, 0.25, -0.25]),
             1 if draw.chance(15) => script.dt * draw.size(2000, 80_000) as f64,
             1 => script.dt * draw.range(50, 2000) as f64,

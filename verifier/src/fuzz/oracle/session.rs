@@ -1,6 +1,6 @@
 //! The freedoms of a server.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use ncp_peer_rust::Answer;
 use ncp_text::WIRE_VERSION;
@@ -282,7 +282,9 @@ impl Session {
             kinds.contains(&string(target, name).unwrap_or(default))
                 && of.is_some()
                 && ids.is_some_and(|ids| {
-                    ids.iter().all(|id| (1..=of.unwrap_or(0)).contains(id)) && ids.is_sorted_by(|a, b| a < b)
+                    // What a neuron that is named twice gives, the text does not say.
+                    let once: BTreeSet<&i64> = ids.iter().collect();
+                    once.len() == ids.len() && ids.iter().all(|id| (1..=of.unwrap_or(0)).contains(id))
                 })
         };
         let observables: &[&str] = if is_lif { &["V_m", "spikes"] } else { &["rate"] };
