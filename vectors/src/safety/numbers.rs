@@ -343,6 +343,7 @@ fn speeds() -> Vec<Case> {
         );
     }
     cases.extend(kept());
+    cases.extend(other_channels());
     // A horizon, each of whose steps is above, below or at the limit.
     for (name, limit, one, other) in
         [("tiny", 1e-170, 1e-165, 1e-175), ("huge", 1e170, 1e175, 1e165), ("to-a-tiny-limit", 1e-170, 1e165, 1e-180)]
@@ -402,6 +403,50 @@ fn kept() -> Vec<Case> {
             .because("Each component is the one that came times the limit over the norm, to one part in 10^9.")
     };
     table.into_iter().map(one).collect()
+}
+
+/// Channels in m/s beside the velocity, of any width.
+fn other_channels() -> Vec<Case> {
+    // A limit, a component well above it and one well below, whose squares leave the doubles.
+    let table = [("tiny", 1e-170, 1e-165, 1e-175), ("huge", 1e170, 1e175, 1e160), ("plain", 2.0, 1e170, 1e-170)];
+    let mut cases = Vec::new();
+    for (name, limit, above, below) in table {
+        for width in [1_usize, 2, 4, 7] {
+            let of = |length: f64| {
+                let mut data = vec![0.0; width];
+                data[width - 1] = length;
+                data
+            };
+            let ticks = || {
+                vec![
+                    velocity(&[0.0; 3]),
+                    channel("slow", &of(-below), Some(MPS)),
+                    channel("fast", &of(above), Some(MPS)),
+                ]
+            };
+            let mut command = Command::of(ticks()).then(50.0, &[[0.0; 3]]);
+            command.horizon = vec![ticks()];
+            let scaled = || {
+                let mut data: Vec<Json> = vec![within(-limit * 1e-9, limit * 1e-9); width];
+                data[width - 1] = within(limit * (1.0 - 1e-9), limit * (1.0 + 1e-12));
+                object! { "slow" => object! { "data" => nums(&of(-below)) }, "fast" => object! { "data" => Json::Array(data) } }
+            };
+            let frame =
+                object! { "mode" => "active", "channels" => scaled(), "horizon" => Json::Array(vec![scaled()]) };
+            let trace = Trace::new(Limits::speed(limit), vec![govern(command, near())]);
+            cases.push(
+                case(format!("range/other/{name}/{width}-wide"), &["NCP-SAFE-065", "NCP-SAFE-060"], &trace)
+                    .shows_exactly(steps(vec![object! { "frame" => frame }]))
+                    .title(format!(
+                        "Of two channels of {width} components in m/s, the one above a limit of {limit:?} m/s is scaled \
+                         to it, and the other is unchanged."
+                    ))
+                    .flags(&["overflowing-norm"])
+                    .because("Every channel in m/s is limited by its norm, whatever its width and its squares."),
+            );
+        }
+    }
+    cases
 }
 
 /// Components of so long a vector in that direction, but for the roundings that the text allows.
