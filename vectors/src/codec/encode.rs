@@ -506,6 +506,35 @@ fn alike() -> Vec<Case> {
                 .because("The encoder maps the value of the component that the mapping names, and of no other."),
             );
         }
+        cases.extend(alike_populations(name, components, words));
     }
     cases
+}
+
+/// The same names of populations, each of which is driven by a component of one channel.
+fn alike_populations(name: &str, components: &[(&'static str, u32)], words: &str) -> Option<Case> {
+    if name.starts_with("joined") {
+        return None;
+    }
+    let (mut mappings, mut data, mut expected) = (Vec::new(), Vec::new(), Vec::new());
+    for ((population, _), component) in components.iter().copied().zip(0_u32..) {
+        let value = (f64::from(component) + 1.0) / 16.0;
+        mappings.push(Mapping { component, population, ..PLAIN });
+        data.push(value);
+        expected.push((population, map(value, PLAIN.value, PLAIN.rate)));
+    }
+    let words = words.replace("of channels whose names", "that").replace("of channels whose long names", "that");
+    let case = case(
+        format!("alike/populations/{name}"),
+        &["NCP-CODEC-001", "NCP-CODEC-002"],
+        codec(&mappings, &[]),
+        sensor(&[("x", &data)]),
+    );
+    let case = case
+        .shows(rates(&expected))
+        .title(format!("Each of several populations with names {words} has a rate of its own."))
+        .because(
+            "Each mapping gives the rate of the population that it names, and names are compared letter for letter.",
+        );
+    Some(case)
 }

@@ -192,7 +192,7 @@ const SHARES: [Share; 6] = [
 /// A name, components that are easily confused with each other, by their channel and their number, and what they are.
 type Alike = (&'static str, &'static [(&'static str, u32)], &'static str);
 
-const ALIKE: [Alike; 5] = [
+const ALIKE: [Alike; 7] = [
     (
         "joined",
         &[("ray1", 0), ("ray", 10), ("ray11", 1), ("ray1", 11), ("ray", 111), ("ray1", 1), ("ray", 11)],
@@ -237,6 +237,27 @@ const ALIKE: [Alike; 5] = [
             ("a_channe", 0),
         ],
         "of channels whose long names begin alike",
+    ),
+    (
+        "letters",
+        &[
+            ("\u{c5}", 0),
+            ("A\u{30a}", 0),
+            ("\u{e5}", 0),
+            ("\u{3c3}", 0),
+            ("\u{3c2}", 0),
+            ("\u{3a3}", 0),
+            ("\u{df}", 0),
+            ("ss", 0),
+            ("\u{131}", 0),
+            ("i", 0),
+        ],
+        "of channels whose names are equal but for case and form",
+    ),
+    (
+        "nul",
+        &[("p\0a", 0), ("p", 0), ("p\0b", 0), ("p\0", 0), ("\0", 0), ("", 0)],
+        "of channels whose names are equal up to a U+0000",
     ),
 ];
 

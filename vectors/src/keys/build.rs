@@ -15,6 +15,8 @@ pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
     // Between them every role builds these.
     let some = builders.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
     let mut realms: Vec<Case> = some.flat_map(Builder::realms).collect();
+    let others = builders.iter().filter(|builder| !matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
+    realms.extend(others.enumerate().flat_map(|(road, builder)| builder.few_realms(road)));
     realms.extend(builders.iter().flat_map(Builder::long));
     realms.extend(builders.iter().filter(|builder| builder.key == "rpc").flat_map(Builder::far));
     Ok(vec![
@@ -277,6 +279,29 @@ impl Builder {
             );
         }
         cases
+    }
+
+    /// A few realms that are refused, others for each builder, alone or behind a segment that is not.
+    fn few_realms(&self, road: usize) -> Vec<Case> {
+        const ALWAYS: [&str; 2] = ["at-first", "dot-dot"];
+        let few = segments::refused_sample().into_iter().filter(|segment| ALWAYS.contains(&segment.name.as_str()));
+        let few = few.chain(segments::refused_besides(road));
+        few.enumerate()
+            .map(|(nth, segment)| {
+                let is_second = (nth + road) % 2 == 0;
+                let realm = if is_second { format!("ncp/{}", segment.text) } else { segment.text.clone() };
+                let (part, place) =
+                    if is_second { ("second", "realm whose second segment") } else { ("refused", "realm that") };
+                self.case(&format!("realm/{part}/{}", segment.name), &["NCP-KEY-018", segment.rule, "NCP-KEY-019"])
+                    .rests_on(format!("keys/segments/sensor/session/refused/{}", segment.name))
+                    .title(format!("The `{}` key is not built in a {place} {}.", self.key, segment.says))
+                    .flags(&[segment.flag, "L22"])
+                    .call("key.build", self.args(Some(&realm), "uav3", None))
+                    .rejects("key")
+                    .by("crash", "NCP-KEY-019")
+                    .because("A realm is checked segment by segment, whichever key is built.")
+            })
+            .collect()
     }
 
     /// Realms that are long as a whole, though none of their segments is: by their bytes, and by their segments.

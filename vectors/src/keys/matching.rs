@@ -35,6 +35,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(large().iter().map(Large::case));
     cases.extend(controls());
     cases.extend(hidden());
+    cases.extend(clusters());
     let about = "Which keys a key expression covers, wildcard by wildcard, and the chunks that wildcards do not see.";
     Ok(File::new("keys", "matching", about, cases))
 }
@@ -103,6 +104,27 @@ fn hidden() -> Vec<Case> {
             .because("A chunk that begins with `@` has no wildcards: it covers the equal chunk alone.")
     };
     HIDDEN.into_iter().flat_map(|(name, pattern, keys)| keys.iter().map(move |key| case(name, pattern, key))).collect()
+}
+
+/// Runs that begin or end within what is seen as one character.
+const CLUSTERS: [(&str, &str, &str); 6] = [
+    ("accent-behind", "ncp/e$*", "ncp/e\u{301}x"),
+    ("accent-last", "ncp/$*\u{301}", "ncp/e\u{301}"),
+    ("accent-between", "ncp/a$*\u{301}$*b", "ncp/ae\u{301}b"),
+    ("joined", "ncp/\u{1f469}$*", "ncp/\u{1f469}\u{200d}\u{1f680}"),
+    ("flag", "ncp/$*\u{1f1ea}", "ncp/\u{1f1e9}\u{1f1ea}"),
+    ("syllable", "ncp/\u{1100}$*", "ncp/\u{1100}\u{1161}\u{11a8}"),
+];
+
+fn clusters() -> [Case; 6] {
+    CLUSTERS.map(|(name, pattern, key)| {
+        Case::new(format!("cluster/{name}"), &["NCP-KEY-033"], &[Observer])
+            .title(format!("`{pattern}` covers `{key}`, though the run is a part of what is seen as one character."))
+            .flags(&["partial-wildcards"])
+            .call("key.match", object! { "pattern" => pattern, "key" => key })
+            .gives(object! { "matches" => true })
+            .because("A `$*` covers any run of characters, and a character is a code point.")
+    })
 }
 
 /// A pattern and a key of which one is large.
@@ -302,6 +324,13 @@ mod tests {
             for key in keys {
                 assert!(!expression.intersects(keyexpr::new(*key).unwrap()), "{name} {key}");
             }
+        }
+    }
+
+    #[test]
+    fn zenoh_covers_a_run_within_a_cluster() {
+        for (name, pattern, key) in CLUSTERS {
+            assert!(keyexpr::new(pattern).unwrap().intersects(keyexpr::new(key).unwrap()), "{name}");
         }
     }
 

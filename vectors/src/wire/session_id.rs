@@ -14,11 +14,12 @@ pub(super) fn file() -> File {
         let required = message.field("session_id")?.default == Default::Required;
         message.kind.as_deref().filter(|_| required)
     });
-    for kind in with_session {
+    for (road, kind) in with_session.enumerate() {
         // The whole grammar for one kind; the builders of area `keys` show it to the other roles.
         let all = kind == "close_session";
         let refused = if all { segments::refused() } else { segments::refused_sample() };
-        cases.extend(refused.iter().map(|segment| rejected(kind, segment)));
+        let besides = if all { Vec::new() } else { segments::refused_besides(road) };
+        cases.extend(refused.iter().chain(&besides).map(|segment| rejected(kind, segment)));
         let accepted = if all { segments::accepted() } else { segments::accepted_sample() };
         cases.extend(accepted.iter().map(|segment| read(kind, segment)));
         if all {
