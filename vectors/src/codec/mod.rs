@@ -240,18 +240,7 @@ const ALIKE: [Alike; 7] = [
     ),
     (
         "letters",
-        &[
-            ("\u{c5}", 0),
-            ("A\u{30a}", 0),
-            ("\u{e5}", 0),
-            ("\u{3c3}", 0),
-            ("\u{3c2}", 0),
-            ("\u{3a3}", 0),
-            ("\u{df}", 0),
-            ("ss", 0),
-            ("\u{131}", 0),
-            ("i", 0),
-        ],
+        &[("\u{c5}", 0), ("A\u{30a}", 0), ("\u{e5}", 0), ("\u{3c3}", 0), ("\u{3c2}", 0), ("\u{df}", 0), ("ss", 0)],
         "of channels whose names are equal but for case and form",
     ),
     (

@@ -6,6 +6,7 @@ use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, meaning, minimal};
 use crate::roles::{ANY, a, readers};
 use crate::template::Text;
+use crate::trace::text_of;
 use ncp_text::tables::tables;
 
 const MIB: usize = 1 << 20;
@@ -21,9 +22,11 @@ pub(super) fn file() -> File {
     cases.extend(observation_sizes());
     cases.extend(large());
     cases.extend(large_and_broken());
+    cases.extend(larger_and_broken());
     cases.extend(depths());
     cases.extend(deep_names());
     cases.extend(maps());
+    cases.push(members());
     cases.extend(arrays());
     cases.extend(sums());
     cases.extend(numeric_arrays());
@@ -159,7 +162,7 @@ fn large() -> Vec<Case> {
     let sizes: [(&str, &[usize]); 3] = [
         ("sensor_frame", &[(64 << 10) + 1, (256 << 10) + 1, MIB]),
         ("command_frame", &[(512 << 10) + 1]),
-        ("observation_frame", &[(256 << 10) + 1, 2 * MIB]),
+        ("observation_frame", &[(256 << 10) + 1, 2 * MIB, 5 * MIB]),
     ];
     let mut cases = Vec::new();
     for (kind, sizes) in sizes {
@@ -169,6 +172,10 @@ fn large() -> Vec<Case> {
             for (what, member, value, rule, says) in table.into_iter().take(shown) {
                 let frame = |ground: Json| ground.with(member, Json::literal(value));
                 let is_read = matches!(rule, "NCP-WIRE-015" | "NCP-WIRE-012" | "NCP-WIRE-034");
+                // A sample of what is read for the largest.
+                if is_read && *size > 4 * MIB && what != "minus-zero" {
+                    continue;
+                }
                 let whole = if is_read { frame(explicit(kind)) } else { frame(minimal(kind)) };
                 // Behind what matters, and before it.
                 let text = match nth % 2 {
@@ -237,6 +244,44 @@ fn large_and_broken() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// What shows only by both ends of a frame of 5 MiB, or behind all of it.
+fn larger_and_broken() -> Vec<Case> {
+    let kind = "observation_frame";
+    let frame = minimal(kind).text();
+    let open = frame.strip_suffix('}').unwrap_or(&frame);
+    let nested = format!("{}0{}", "[".repeat(LEVELS), "]".repeat(LEVELS));
+    // What stands around the letters, behind the frame's first members.
+    let table: [(&str, &str, &str, &'static str, &str); 6] = [
+        ("repeated-around", r#""seq":1,"pad":""#, r#"","seq":1}"#, "NCP-WIRE-007", "a member on both sides of them"),
+        (
+            "repeated-record-around",
+            r#""records":{"a":{},"b":{"port":""#,
+            r#""},"a":{}}}"#,
+            "NCP-WIRE-007",
+            "a record on both sides of them",
+        ),
+        ("pin", r#""pad":""#, r#"","is_simulation_output":false}"#, "NCP-PROV-002", "a broken pin behind them"),
+        ("line-feed", r#""pad":""#, "\n\"}", "NCP-WIRE-002", "a line feed as it is at their end"),
+        ("second-object", r#""pad":""#, r#""}{}"#, "NCP-WIRE-004", "a second object behind them"),
+        ("levels", r#""pad":""#, &format!("\",\"novel\":{nested}}}"), "NCP-WIRE-064", "65 levels behind them"),
+    ];
+    let case = |(what, before, after, rule, says): (&str, &str, &str, &'static str, &str)| {
+        let text = Text::concat([format!("{open},{before}").into(), Text::repeat("x", 5 * MIB), after.into()]);
+        Case::new(format!("{kind}/larger/{what}"), &[rule], readers(kind))
+            .title(format!("{} of 5 MiB of letters with {says} is rejected.", a(kind)))
+            .flags(&[match rule {
+                "NCP-WIRE-007" => "duplicate-members",
+                "NCP-WIRE-064" => "missing-limits",
+                "NCP-PROV-002" => "unchecked-pins",
+                _ => "lenient-grammar",
+            }])
+            .decode(kind, text)
+            .rejects("malformed")
+            .because("Whether a frame is read does not depend on its length.")
+    };
+    table.map(case).into()
 }
 
 fn too_large(kind: &str, what: &str, text: Text) -> Case {
@@ -431,11 +476,19 @@ fn maps() -> Vec<Case> {
     // At the limit, one for each role is enough: the entries have to be written out.
     const READ: [&str; 4] =
         ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
+    const READ_IN_PART: [(&str, usize, &str); 3] = [
+        ("session_opened/resolved", ENTRIES, "at-limit"),
+        ("open_session/bindings-entity-meta", 1_100, "of-1100"),
+        ("command_frame/horizon", 1_100, "of-1100"),
+    ];
     // The others have more than a byte counts.
     const MANY: usize = 260;
     let mut cases = Vec::new();
     for (kind, path, value) in places {
-        let entries = |count: usize| Json::Object((0..count).map(|nth| (base_36(nth), Json::literal(value))).collect());
+        let named = |names: &mut dyn Iterator<Item = String>| -> Json {
+            Json::Object(names.map(|name| (name, Json::literal(value))).collect())
+        };
+        let entries = |count: usize| named(&mut (0..count).map(base_64));
         let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
         let member = path.join(".").replace(".0", "[0]");
         let frame = set(minimal(kind), path, entries(ENTRIES + 1));
@@ -464,8 +517,36 @@ fn maps() -> Vec<Case> {
                 .means(text)
                 .because("A map may have 4,096 entries; what each leaves out has its default."),
         );
+        // Of each type of values, one map at the limit, or of more than a power of ten or of two has.
+        let Some((_, count, name)) = READ_IN_PART.into_iter().find(|(of, ..)| *of == format!("{kind}/{place}")) else {
+            continue;
+        };
+        let few = [0, count / 4, count / 2, count - 1].map(base_64);
+        let shown = set(Json::object(), path, named(&mut few.into_iter()));
+        cases.push(
+            Case::new(format!("{kind}/map/{place}-{name}"), &["NCP-WIRE-068"], readers(kind))
+                .title(format!("{} with {count} entries in `{member}` is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, set(explicit(kind), path, entries(count)).text())
+                .shows_exactly(object! { "text" => text_of(shown) })
+                .because("A map may have 4,096 entries, whatever the type of its values."),
+        );
     }
     cases
+}
+
+/// A message of more members than a map may have entries.
+fn members() -> Case {
+    const MEMBERS: usize = 4_200;
+    let kind = "sensor_frame";
+    // None of two characters is listed, and none of three that begins with a 1.
+    let members: Vec<String> = (64..64 + MEMBERS).map(|nth| format!("\"{}\":0", base_64(nth))).collect();
+    Case::new(format!("{kind}/members/{MEMBERS}"), &["NCP-WIRE-026", "NCP-WIRE-061"], readers(kind))
+        .title(format!("{} with {MEMBERS} unknown members is read.", a(kind)))
+        .flags(&["low-limits"])
+        .decode(kind, with_raw(&explicit(kind).text(), &members.join(",")))
+        .means(meaning(kind, &explicit(kind)).text())
+        .because("A message is no map: nothing but the bytes of the frame limits the number of its members.")
 }
 
 /// Arrays of 4,096 items that are no numbers, and of one more.
@@ -565,7 +646,7 @@ fn sum(kind: &str, path: &str, text: Text) -> Case {
 
 /// Numeric arrays, which only the bytes of the frame limit.
 fn numeric_arrays() -> Vec<Case> {
-    let places: [(&str, &[&str], &str, usize); 9] = [
+    let places: [(&str, &[&str], &str, usize); 11] = [
         ("sensor_frame", &["channels", "a", "data"], "0.25", 5_000),
         ("sensor_frame", &["channels", "b", "data"], "0.25", 200_000),
         ("command_frame", &["channels", "a", "data"], "-1.5", 5_000),
@@ -574,6 +655,9 @@ fn numeric_arrays() -> Vec<Case> {
         ("observation_frame", &["records", "a", "times"], "0.1", 400_000),
         ("observation_frame", &["records", "a", "values"], "-65.0", 5_000),
         ("observation_frame", &["records", "a", "senders"], "7", 5_000),
+        // More than 1 MiB has room for.
+        ("observation_frame", &["records", "a", "times"], "0.5", MIB + 1),
+        ("observation_frame", &["records", "a", "senders"], "7", MIB + 1),
         ("open_session", &["record", "targets", "0", "ids"], "7", 5_000),
     ];
     places
@@ -862,11 +946,13 @@ fn ground(name: &str, rest: &[&str]) -> Json {
     }
 }
 
-fn base_36(mut number: usize) -> String {
+/// A number in two digits, as long as it is less than 4,096.
+fn base_64(mut number: usize) -> String {
+    const DIGITS: &[u8; 64] = b"0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ-_";
     let mut digits = Vec::new();
     loop {
-        digits.push(char::from_digit((number % 36) as u32, 36).unwrap_or('0'));
-        number /= 36;
+        digits.push(DIGITS.get(number % 64).copied().map_or('0', char::from));
+        number /= 64;
         if number == 0 {
             return digits.into_iter().rev().collect();
         }
@@ -913,8 +999,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_is_a_number_in_base_36() {
-        assert_eq!(base_36(0), "0");
-        assert_eq!(base_36(4096), "35s");
+    fn a_name_is_a_number_in_base_64() {
+        assert_eq!([0, 63, 64, 4095, 4096].map(base_64), ["0", "_", "10", "__", "100"]);
     }
 }

@@ -11,6 +11,7 @@ use crate::json::{Json, object};
 use crate::patch::written;
 use crate::scenario::{Row, ScenarioError, Scenarios, Step, beside, source};
 use crate::trace::{any, anything, int, name_of, nums, some_text, text_of};
+use crate::version::{self, MALFORMED};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("session/life"))?;
@@ -22,7 +23,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(refused());
     cases.extend(refused_anew());
     cases.extend(text.rest(malformed)?);
-    cases.extend(versions());
+    cases.extend(versions()?);
+    cases.extend(misfits());
     cases.extend(versions_beside());
     cases.extend(times());
     cases.extend(failures());
@@ -275,12 +277,14 @@ fn saying_why(refusal: Json) -> Json {
     refusal.edit(&["$json"], |refusal| refusal.with("error", some_text()))
 }
 
-fn versions() -> Vec<Case> {
+fn versions() -> Result<Vec<Case>, ScenarioError> {
     let mut cases = Vec::new();
     let own = WIRE_VERSION;
     let well_formed = [beside(-1), beside(1), "1.0".into(), "0".into(), "5.0".into(), format!("{own}0")];
     let others = ["", "latest", &format!("{own}.0"), &format!("v{own}"), &format!("{own} "), &format!("+{own}"), "0.x"];
-    for (nth, version) in well_formed.iter().map(String::as_str).chain(others).enumerate() {
+    let further = version::malformed(&MALFORMED[..2])?;
+    let further = further.iter().filter_map(|(_, version)| version.as_str());
+    for (nth, version) in well_formed.iter().map(String::as_str).chain(others).chain(further).enumerate() {
         // One that is no version at all, a server may take for a frame that is broken.
         let well_formed = nth < well_formed.len();
         let refusal = || match well_formed {
@@ -291,7 +295,7 @@ fn versions() -> Vec<Case> {
         let said = if well_formed { saying_why(not_opened("a")) } else { refusal() };
         cases.push(
             case(format!("version/{nth:02}"), &["NCP-SESS-023"], vec![(request.clone(), said)])
-                .title(format!("An `open_session` of the version \u{ab}{version}\u{bb} is refused."))
+                .title(format!("An `open_session` of the version \u{ab}{}\u{bb} is refused.", version.escape_debug()))
                 .flags(&["lenient-versions"])
                 .because(if well_formed {
                     "A server answers an `open_session` of an incompatible `ncp_version` with a `session_opened` in \
@@ -318,7 +322,27 @@ fn versions() -> Vec<Case> {
                 .because("A server does not open a session that it answered with `ok` false."),
         );
     }
-    cases
+    Ok(cases)
+}
+
+/// A step whose stimulus frame is of another session, though of one that looks the same or nearly so.
+fn misfits() -> [Case; 2] {
+    [("other-form", "caf\u{e9}", "cafe\u{301}"), ("other-case", "uav\u{e9}", "uav\u{c9}")].map(|(name, id, other)| {
+        let stimulus = object! { "session_id" => other };
+        let request = Json::read(&step_of(id, None, None)).with("stimulus", stimulus).text();
+        case(
+            format!("misfit/{name}"),
+            &["NCP-WIRE-037", "NCP-SESS-021"],
+            vec![open(id), (request, error()), steps(id, 10.0)],
+        )
+        .title(format!(
+            "A step whose stimulus frame has the request's session in another spelling ({}) is an error, and time \
+             stands still.",
+            name.replace('-', " ")
+        ))
+        .flags(&["nested-stimulus"])
+        .because("A stimulus frame has the `session_id` of its request, code point by code point.")
+    })
 }
 
 /// Openings of another version that a server has one more reason to refuse.

@@ -5,9 +5,10 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{explicit, meaning, minimal};
 use crate::patch::patched;
-use crate::roles::{a, readers};
+use crate::roles::{ANY, a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use crate::template::Text;
+use crate::version::{MALFORMED, malformed};
 use crate::wire::versions_of_errors;
 use ncp_text::WIRE_VERSION;
 use ncp_text::tables::tables;
@@ -22,6 +23,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
             cases.extend(versions(kind));
         }
     }
+    cases.extend(malformed_versions()?);
     cases.extend(late_versions());
     cases.extend(Scenarios::read(source!("strict/frames"))?.rest(row_case)?);
     let about = "Frames of every kind at a strict receiver: with a version, without one, with another, and commands \
@@ -95,6 +97,22 @@ fn versions(kind: &str) -> Vec<Case> {
             ))
     }));
     cases
+}
+
+/// Frames whose version is none, by characters that are easily lost or taken for others.
+fn malformed_versions() -> Result<Vec<Case>, ScenarioError> {
+    let mut cases = Vec::new();
+    for kind in ANY {
+        cases.extend(malformed(&MALFORMED[..3])?.into_iter().map(|(name, version)| {
+            let frame = good(kind).with("ncp_version", version.clone());
+            rejects(case(kind, &format!("version/{name}"), &["NCP-STRICT-003", "NCP-VER-001"]), kind, &frame, "version")
+                .rests_on(format!("version/guard/strict/{name}"))
+                .title(format!("{} of the version {} is rejected by a strict receiver.", a(kind), version.text()))
+                .flags(&["L07", "lenient-versions"])
+                .because("The version guard of chapter 2 answers what is no version with an error.")
+        }));
+    }
+    Ok(cases)
 }
 
 /// The error frame has no version that could be missing.

@@ -3,18 +3,42 @@
 use ncp_text::WIRE_VERSION;
 
 use crate::case::{Case, File, Role};
-use crate::json::object;
+use crate::json::{Json, object};
 use crate::model::explicit;
+use crate::roles::a;
 use crate::scenario::{ScenarioError, Scenarios, source};
 use crate::template::Text;
+use crate::version::{MALFORMED, malformed};
 use crate::wire::reply;
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let text = Scenarios::read(source!("strict/replies"))?;
     let mut cases = text.rest(|row| Ok(reply(row, explicit(&row.fill("{pair.name}")?))?.strictly()))?;
+    cases.extend(malformed_versions()?);
     cases.extend(late_versions());
     let about = "What a strict client accepts as the reply to its request.";
     Ok(File::new("strict", "replies", about, cases))
+}
+
+/// Replies whose version is none, by characters that are easily lost or taken for others.
+fn malformed_versions() -> Result<Vec<Case>, ScenarioError> {
+    let (request, kind) = ("step_request", "observation_frame");
+    let case = |(name, version): (&str, Json)| {
+        let reply = explicit(kind).with("ncp_version", version.clone()).text();
+        Case::new(format!("{request}/{name}"), &["NCP-STRICT-003", "NCP-VER-001"], &[Role::Commander])
+            .rests_on(format!("version/guard/strict/{name}"))
+            .title(format!(
+                "A strict client rejects {} of the version {} as the reply to a `{request}`.",
+                a(kind).to_lowercase(),
+                version.text()
+            ))
+            .flags(&["L07", "lenient-versions"])
+            .call("reply.check", object! { "request" => explicit(request).text(), "reply" => reply })
+            .strictly()
+            .rejects("version")
+            .because("The version guard of chapter 2 answers what is no version with an error.")
+    };
+    Ok(malformed(&MALFORMED[..2])?.into_iter().map(case).collect())
 }
 
 /// Replies whose version stands behind many members, or behind a long one.

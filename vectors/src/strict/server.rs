@@ -6,14 +6,16 @@ use super::keys::VERBS;
 use super::{against_version, unfit_versions};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
-use crate::scenario::beside;
+use crate::scenario::{ScenarioError, beside};
 use crate::session::{Open, case, close, closed, error, not_opened, observed, opened, run, step};
 use crate::trace::{any, num, nums};
+use crate::version::{MALFORMED, malformed};
 
-pub(super) fn file() -> File {
+pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = lives();
     cases.extend(openings());
     cases.extend(unversioned());
+    cases.extend(malformed_versions()?);
     cases.extend(doors());
     cases.extend(doors_of_nothing());
     cases.extend(versions_beside());
@@ -21,7 +23,7 @@ pub(super) fn file() -> File {
     cases.extend(remembered());
     let about =
         "A strict server: requests without a compatible version, and requests at the control key of another kind.";
-    File::new("strict", "server", about, cases)
+    Ok(File::new("strict", "server", about, cases))
 }
 
 /// The session of all cases.
@@ -152,6 +154,36 @@ fn unversioned() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Requests whose version is none, by characters that are easily lost or taken for others.
+fn malformed_versions() -> Result<Vec<Case>, ScenarioError> {
+    let mut cases = Vec::new();
+    for (name, version) in malformed(&MALFORMED[..1])? {
+        let with = |request: &str| Json::read(request).with("ncp_version", version.clone()).text();
+        let opening = vec![
+            (with(&Open::lif(ID).text()), any(vec![not_opened(ID), error()])),
+            (step(ID, Some(10.0), None), error()),
+            open(),
+            step_after(0.0),
+        ];
+        let (text, answer) = step_after(0.0);
+        let stepping = vec![open(), (with(&text), error()), (text, answer)];
+        for (kind, rule, trace) in [("open", "NCP-STRICT-008", opening), ("step_request", "NCP-STRICT-009", stepping)] {
+            cases.push(
+                case(format!("{kind}/{name}"), &[rule, "NCP-STRICT-003", "NCP-VER-001"], trace)
+                    .strictly()
+                    .rests_on(format!("version/guard/strict/{name}"))
+                    .title(format!(
+                        "A strict server does not carry out a request ({kind}) whose version is {}.",
+                        version.text()
+                    ))
+                    .flags(&["L07", "lenient-versions"])
+                    .because("The version guard answers what is no version with an error, and nothing is carried out."),
+            );
+        }
+    }
+    Ok(cases)
 }
 
 /// Requests that carry a stimulus frame: without a version, with another, and with a stimulus frame of another.

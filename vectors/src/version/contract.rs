@@ -1,5 +1,6 @@
 //! The contract hash: its status, its verification, and negotiation.
 
+use super::{MALFORMED, malformed};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
 use crate::model::{CONTRACT_HASH, WIRE_VERSION};
@@ -51,6 +52,7 @@ pub(super) fn files() -> Result<[File; 2], ScenarioError> {
     let contract = File::new("version", "contract", about, cases);
     let mut cases = text.cases("negotiated", negotiated)?;
     cases.extend(text.rest(not_negotiated)?);
+    cases.extend(malformed(&MALFORMED)?.into_iter().map(not_negotiable));
     let about = "Negotiation: the strict version guard, then the status of the contract hash.";
     Ok([contract, File::new("version", "negotiate", about, cases)])
 }
@@ -85,6 +87,17 @@ fn not_negotiated(row: &Row) -> Result<Case, ScenarioError> {
     let read = |text: &str| Ok(Json::read(&row.fill(text)?));
     let args = object! { "version" => read("{sent}")?, "contract_hash" => read("{peer.first}")? };
     Ok(row.case(&Role::ALL).call("negotiate", args).rejects("version"))
+}
+
+/// A text that is no version.
+fn not_negotiable((name, version): (&str, Json)) -> Case {
+    Case::new(format!("incompatible/{name}/no-hash"), &["NCP-VER-030", "NCP-VER-001"], &Role::ALL)
+        .rests_on(format!("version/guard/strict/{name}"))
+        .title(format!("Negotiation of version {} and no hash is an error.", version.text()))
+        .flags(&["lenient-versions"])
+        .call("negotiate", object! { "version" => version, "contract_hash" => None::<&str> })
+        .rejects("version")
+        .because("The version guard is strict here, and it answers what is no version with an error.")
 }
 
 fn status(name: &str, hash: Option<&str>, status: &'static str, rules: &[&'static str], says: &str) -> Case {

@@ -4,7 +4,7 @@ use ncp_text::WIRE_VERSION;
 
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::scenario::{ScenarioError, Scenarios, source};
+use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::template::Text;
 
 /// What a text is to the guard.
@@ -83,6 +83,17 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     Ok(File::new("version", "guard", about, cases))
 }
 
+/// Texts that are no version, as the names of their rows: what a guard sees on whichever road it is asked.
+pub(crate) const MALFORMED: [&str; 5] =
+    ["nul-last", "full-width-digits", "nul-hides-the-rest", "arabic-indic-digits", "underscore"];
+
+/// The texts of these rows, by name, as JSON strings.
+pub(crate) fn malformed(names: &[&str]) -> Result<Vec<(&'static str, Json)>, ScenarioError> {
+    let rows = Scenarios::read(source!("version/guard"))?.rows("versions")?;
+    let read = |row: &Row| Ok((row.name, Json::read(&row.text("sent")?)));
+    rows.iter().filter(|row| names.contains(&row.name)).map(read).collect()
+}
+
 /// Versions of more digits than some languages take for an integer.
 fn far() -> [Case; 2] {
     const ZEROS: usize = 5_000;
@@ -99,4 +110,14 @@ fn far() -> [Case; 2] {
     let of_minor = Text::concat([format!("{major}.1").into(), zeros(), minor.into()]);
     let of_major = Text::concat(["1".into(), zeros(), WIRE_VERSION.into()]);
     [far("minor", ["NCP-VER-006", "NCP-VER-003"], of_minor), far("major", ["NCP-VER-006", "NCP-VER-004"], of_major)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_of_a_malformed_version_is_the_name_of_a_row() {
+        assert_eq!(malformed(&MALFORMED).unwrap().len(), MALFORMED.len());
+    }
 }

@@ -5,6 +5,7 @@ mod guard;
 
 use crate::case::File;
 use crate::scenario::ScenarioError;
+pub(crate) use guard::{MALFORMED, malformed};
 
 pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut files = vec![guard::file()?];

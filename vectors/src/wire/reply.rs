@@ -7,6 +7,7 @@ use crate::model::{explicit, minimal};
 use crate::patch::patched;
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use crate::template::Text;
+use crate::version::{MALFORMED, malformed};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("wire/reply"))?;
@@ -17,6 +18,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     text.end()?;
     cases.extend(sizes());
     cases.extend(alike());
+    cases.extend(malformed_versions()?);
     cases.extend(long_sessions());
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
 }
@@ -112,6 +114,24 @@ fn alike() -> Vec<Case> {
     };
     let versions = [("older", beside(-1)), ("newer", beside(1)), ("next-major", "1.0".to_owned())];
     pairs.into_iter().flat_map(|pair| versions.iter().map(move |version| case((pair, version)))).collect()
+}
+
+/// Replies whose version is none, by characters that are easily lost or taken for others.
+fn malformed_versions() -> Result<Vec<Case>, ScenarioError> {
+    let mut cases = Vec::new();
+    for (request, kind) in [("step_request", "observation_frame"), ("close_session", "session_closed")] {
+        cases.extend(malformed(&MALFORMED[..3])?.into_iter().map(|(name, version)| {
+            let reply = minimal(kind).with("ncp_version", version.clone()).text();
+            Case::new(format!("{request}/version/{name}"), &["NCP-SESS-003", "NCP-VER-001"], &[Commander])
+                .rests_on(format!("version/guard/strict/{name}"))
+                .title(format!("A client rejects a reply of version {} to its `{request}`.", version.text()))
+                .flags(&["unchecked-reply-version"])
+                .call("reply.check", object! { "request" => minimal(request).text(), "reply" => reply })
+                .rejects("version")
+                .because("The version guard holds what is no version compatible with none.")
+        }));
+    }
+    Ok(cases)
 }
 
 /// A failure whose error says what the row says.
