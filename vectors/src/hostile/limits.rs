@@ -517,7 +517,7 @@ fn maps() -> Vec<Case> {
                 .means(text)
                 .because("A map may have 4,096 entries; what each leaves out has its default."),
         );
-        // Of each type of values, one map at the limit, or of more than a power of ten or of two has.
+        // Of each type of values one map: at the limit, or of more entries than a likely lower limit lets in.
         let Some((_, count, name)) = READ_IN_PART.into_iter().find(|(of, ..)| *of == format!("{kind}/{place}")) else {
             continue;
         };

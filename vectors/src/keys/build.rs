@@ -288,7 +288,7 @@ impl Builder {
         let few = few.chain(segments::refused_besides(road));
         few.enumerate()
             .map(|(nth, segment)| {
-                let is_second = (nth + road) % 2 == 0;
+                let is_second = (nth + road).is_multiple_of(2);
                 let realm = if is_second { format!("ncp/{}", segment.text) } else { segment.text.clone() };
                 let (part, place) =
                     if is_second { ("second", "realm whose second segment") } else { ("refused", "realm that") };
