@@ -68,6 +68,22 @@ fn near(what: &str) -> String {
                 letter.make_ascii_uppercase();
             }
         }
+        // What a reader of numbers takes for the same.
+        ("full-width-digit", digits) => swap(digits, |digit| char::from_u32(0xff10 + digit.to_digit(10)?)),
+        ("full-width-letter", digits) => {
+            swap(digits, |digit| char::from_u32(0xff41 + digit.to_digit(16)?.checked_sub(10)?));
+        }
+        ("arabic-indic-digit", digits) => swap(digits, |digit| char::from_u32(0x660 + digit.to_digit(10)?)),
+        ("underscore", digits) => {
+            return digits
+                .iter()
+                .enumerate()
+                .flat_map(|(nth, digit)| {
+                    let underscore = (nth == 8).then_some('_');
+                    underscore.into_iter().chain([*digit])
+                })
+                .collect();
+        }
         ("byte-swapped", digits) => {
             digits.reverse();
             digits.chunks_exact_mut(2).for_each(<[char]>::reverse);
@@ -76,6 +92,13 @@ fn near(what: &str) -> String {
         (_, digits) => return digits[..digits.len().saturating_sub(1)].iter().collect(),
     }
     digits.into_iter().collect()
+}
+
+/// Puts another character in the place of the first that has one.
+fn swap(digits: &mut [char], other: impl Fn(char) -> Option<char>) {
+    if let Some((digit, other)) = digits.iter_mut().find_map(|digit| other(*digit).map(|other| (digit, other))) {
+        *digit = other;
+    }
 }
 
 fn negotiated(row: &Row) -> Result<Case, ScenarioError> {
