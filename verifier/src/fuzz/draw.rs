@@ -376,18 +376,41 @@ impl<'h> Draw<'h> {
         self.nearly(&word)
     }
 
-    /// A word, but for its case, for what stands about it, for its end, or for how its letters are written.
+    /// A word, but for its case, for what stands about it or within, for its end, or for how its letters are written:
+    /// what some readers take for the same.
     pub(crate) fn nearly(&mut self, word: &str) -> String {
-        match self.below(10) {
+        const AROUND: [&str; 12] =
+            [" ", "\t", "\n", "\r\n", "\0", "\u{a0}", "\u{3000}", "\u{2028}", "\u{feff}", "\u{200b}", "0", "+"];
+        let at = |draw: &mut Self| draw.below(word.chars().count().max(1));
+        match self.below(14) {
             0 => word.to_uppercase(),
-            1 => format!("{word} "),
-            2 => format!(" {word}"),
-            3 => format!("{word}\u{0}"),
-            4 => word.chars().map(|c| if c.is_ascii_lowercase() { wide(c) } else { c }).collect(),
-            5 => word.chars().rev().skip(1).collect::<Vec<_>>().into_iter().rev().collect(),
-            6 => format!("{word}2"),
-            7 => format!("{word}\t"),
-            8 => word.chars().enumerate().map(|(at, c)| if at == 0 { c.to_ascii_uppercase() } else { c }).collect(),
+            1 | 2 => format!("{word}{}", self.pick(&AROUND)),
+            3 | 4 => format!("{}{word}", self.pick(&AROUND)),
+            // Where some texts end.
+            5 => format!("{word}\0{}", self.pick(&["x", "2", "/a"])),
+            6 => word.chars().map(|c| if c.is_ascii_graphic() { wide(c) } else { c }).collect(),
+            7 => {
+                let (place, script) = (at(self), self.one(&[0xff10, 0x660, 0x966, 0x1d7ce]));
+                let other = |c: char| match c.to_digit(10) {
+                    Some(digit) => char::from_u32(script + digit).unwrap_or(c),
+                    None => wide(c),
+                };
+                word.chars().enumerate().map(|(nth, c)| if nth == place { other(c) } else { c }).collect()
+            }
+            8 => word.chars().take(word.chars().count().saturating_sub(1)).collect(),
+            9 => format!("{word}{}", self.one(&['2', '_', '.', '\u{301}', '\u{fe0f}'])),
+            10 => {
+                let place = at(self);
+                let turned =
+                    |c: char| if c.is_ascii_lowercase() { c.to_ascii_uppercase() } else { c.to_ascii_lowercase() };
+                word.chars().enumerate().map(|(nth, c)| if nth == place { turned(c) } else { c }).collect()
+            }
+            11 => {
+                let (place, within) = (at(self), self.one(&['_', '\u{200d}', '\u{ad}', ' ', '\\']));
+                let each = |(nth, c)| std::iter::once(within).filter(move |_| nth == place).chain([c]);
+                word.chars().enumerate().flat_map(each).collect()
+            }
+            12 => word.chars().rev().collect(),
             _ => word.to_owned(),
         }
     }
@@ -452,7 +475,7 @@ impl<'h> Draw<'h> {
 
 /// A letter as wide as an ideograph, which compatible normalisation makes the plain one.
 fn wide(c: char) -> char {
-    char::from_u32(u32::from(c) - u32::from('a') + 0xff41).unwrap_or(c)
+    if c.is_ascii_graphic() { char::from_u32(u32::from(c) + 0xfee0).unwrap_or(c) } else { c }
 }
 
 #[cfg(test)]

@@ -337,7 +337,7 @@ pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         0 => segment(draw),
         // Equal for long, or after normalisation.
         1 => format!("{id}x"),
-        2 => id.to_uppercase(),
+        2 => draw.nearly(&id),
         3 => id.replace('é', "e\u{301}"),
         _ => id,
     };

@@ -92,7 +92,18 @@ impl Menu {
         // How strictly two versions are compared is asked of every peer.
         let is_of_strict =
             call != Call::VersionCheck && ["strict", "verb", "verbs"].iter().any(|name| args.get(name).is_some());
-        fits && (self.strict || !is_of_strict)
+        fits && (self.strict || !is_of_strict) && has_usual_numbers(args)
+    }
+}
+
+/// Whether each number of a request, those within its texts aside, has no more digits than any JSON library reads:
+/// PROTOCOL.md has no longer ones, and what a library makes of them is no answer of the peer.
+fn has_usual_numbers(args: &Tree) -> bool {
+    match args {
+        Json::Number(spelling) => spelling.len() <= 1200,
+        Json::Array(items) => items.iter().all(has_usual_numbers),
+        Json::Object(members) => members.iter().all(|(_, value)| has_usual_numbers(value)),
+        _ => true,
     }
 }
 
@@ -180,7 +191,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::fuzz::harvest::Harvest;
     use crate::fuzz::menu;
-    use crate::fuzz::tree::text;
+    use crate::fuzz::tree::{list, literal, text};
     use ncp_peer_rust::Answer;
     use ncp_text::catalogue::{Level, Role};
 
@@ -197,6 +208,14 @@ pub(crate) mod tests {
         }
         assert!(other.has(Call::KeyBuild, &object("realm")));
         assert!(other.has(Call::VersionCheck, &object("strict")));
+    }
+
+    #[test]
+    fn only_texts_have_numbers_of_thousands_of_digits() {
+        let (menu, digits) = (whole_menu(), "1".repeat(5000));
+        let written = |value: Tree| crate::fuzz::tree::object([("kind", text("error")), ("fields", value)]);
+        assert!(!menu.has(Call::Encode, &written(list(vec![literal(digits.clone())]))));
+        assert!(menu.has(Call::Encode, &written(text(digits))));
     }
 
     #[test]

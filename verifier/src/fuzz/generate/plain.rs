@@ -34,6 +34,7 @@ fn version_string(draw: &mut Draw<'_>) -> String {
             }
             version.into_iter().collect()
         }
+        _ if draw.chance(60) => draw.nearly(WIRE_VERSION),
         _ => draw.string(),
     }
 }
@@ -61,6 +62,7 @@ fn hash(draw: &mut Draw<'_>) -> Option<String> {
             }
             Some(hash)
         }
+        _ if draw.chance(50) => Some(draw.nearly(CONTRACT_HASH)),
         _ => Some(draw.string()),
     }
 }

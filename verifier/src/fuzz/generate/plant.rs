@@ -191,7 +191,15 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
             frame.to_string()
         }
         1 => {
-            set(&mut frame, "kind", text(draw.pick(&["sensor_frame", "Command_frame", "command_frame ", "estop"])));
+            set(
+                &mut frame,
+                "kind",
+                text(if draw.chance(60) {
+                    draw.nearly("command_frame")
+                } else {
+                    draw.pick(&["sensor_frame", "estop"]).to_owned()
+                }),
+            );
             set(&mut frame, "mode", text("estop"));
             frame.to_string()
         }
@@ -231,7 +239,7 @@ fn odd_frame(frame: &Tree, draw: &mut Draw<'_>) -> Tree {
             set(
                 &mut frame,
                 "mode",
-                text(draw.pick(&["Estop", "ESTOP", "estop ", " estop", "stop", "e\u{301}stop", ""])),
+                text(if draw.chance(80) { draw.nearly("estop") } else { draw.pick(&["e\u{301}stop", ""]).to_owned() }),
             );
             frame.to_string()
         }

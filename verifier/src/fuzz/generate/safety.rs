@@ -93,7 +93,7 @@ impl Shapes {
             let unit = if draw.chance(self.unitless) {
                 Json::Null
             } else if draw.chance(self.odd) {
-                text(draw.pick(&["m", "km/h", "M/S", "", "m/s "]))
+                text(if draw.chance(50) { draw.nearly("m/s") } else { draw.pick(&["m", "km/h", ""]).to_owned() })
             } else {
                 text("m/s")
             };

@@ -62,7 +62,8 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let size_of: Vec<(&str, usize)> = sizes.clone();
     let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
     let ids = |neurons: usize, may_be_all: bool, draw: &mut Draw<'_>| {
-        let count = if may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(8)) };
+        let most = if draw.chance(10) { 80 } else { 8 };
+        let count = if may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(most)) };
         // Once: what a neuron that is named twice gives, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
@@ -193,7 +194,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         let long = "x".repeat(draw.size(8, 255));
         let both = [format!("{long}0"), format!("{long}1")];
         ids.extend([id.to_uppercase(), format!("{id}0"), "é".to_owned(), "e\u{301}".to_owned()]);
-        ids.extend([format!("{id}\u{3000}"), format!("\u{a0}{id}")]);
+        ids.extend([format!("{id}\u{3000}"), draw.nearly(&id), draw.nearly(&id)]);
         ids.extend(both);
         ids.retain(|id| id.len() <= 256);
     }
