@@ -3,7 +3,7 @@
 use super::model::{Event, command};
 use super::{buffer_case, buffer_row, go};
 use crate::case::{Case, File};
-use crate::patch::{patched, template, written};
+use crate::patch::{self, patched, template};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::template::Text;
 
@@ -24,7 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 /// The frame between active commands, and, if it is short, before them.
 fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioError> {
     let text = text_of(row)?.json();
-    let words = row.cell("words")?;
+    let (words, written) = (row.cell("words")?, row.cell("frame")?);
     let frame = |now| Event::Text { text: text.clone(), now, stops };
     let moving = [go(50, 1.0), Event::Ask(1.0), frame(1.0625), go(51, 1.125), Event::Ask(1.125)];
     let first = [frame(1.0), go(51, 1.0), Event::Ask(1.0)];
@@ -54,8 +54,17 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioErro
     };
     let mut cases = vec![case("moving", &moving, "moves")];
     // What makes a frame long does so whatever came before it.
-    if !row.cell("frame")?.starts_with("template") {
+    if !["template", "numbered"].iter().any(|made| written.starts_with(made)) {
         cases.push(case("first", &first, "has seen nothing"));
+    }
+    if CLOCKS.contains(&row.name) {
+        for (name, now) in
+            [("nan", f64::NAN), ("infinity", f64::INFINITY), ("minus-infinity", -f64::INFINITY), ("back", 0.5)]
+        {
+            let events = [go(50, 1.0), frame(now), Event::Ask(1.0625), go(51, 1.125), Event::Ask(1.125)];
+            let at = format!("moves, though its clock reads {name} then");
+            cases.push(case(&format!("clock-{name}"), &events, &at));
+        }
     }
     // The same bytes again, after a reset: a latch that was cleared says nothing of the next one.
     if AGAIN.contains(&row.name) {
@@ -68,19 +77,25 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioErro
     Ok(cases)
 }
 
+/// Frames that come when the clock reads no number, or less than before.
+const CLOCKS: [&str; 3] = ["seq-fraction", "minimal", "mode-after-active"];
+
 /// Frames that come again in cases of their own: malformed in each way, and in good order.
 const AGAIN: [&str; 6] =
     ["minimal", "seq-text", "no-version", "kind-and-mode-twice", "escaped-name-malformed", "everything-wrong"];
 
-/// The text of a row: `raw` or `json` and a text, `template` and one that the runner makes, `members` and what stands
-/// behind many of them, or a command with its changes.
+/// The text of a row: `raw` or `json` and a text, `template` and one that the runner makes, `numbered` and one of
+/// [`numbered`], `members` and what stands behind many of them, or a command with its changes.
 fn text_of(row: &Row) -> Result<Text, ScenarioError> {
     let cell = row.text("frame")?;
     if cell.starts_with("raw ") || cell.starts_with("json ") {
-        return Ok(written(&cell).into());
+        return Ok(patch::written(&cell).into());
     }
     if let Some(text) = cell.strip_prefix("template ") {
         return Ok(template(text));
+    }
+    if let Some(text) = cell.strip_prefix("numbered ") {
+        return Ok(numbered(text).into());
     }
     if let Some(behind) = cell.strip_prefix("members") {
         // Numbers in a frame that is in good order, and texts in one that is not.
@@ -91,4 +106,14 @@ fn text_of(row: &Row) -> Result<Text, ScenarioError> {
     let mut steps = row.steps_of("frame")?;
     let (step, changes) = steps.swap_remove(0).halves();
     Ok(patched(command(&step)?.frame(), &changes, row.place)?.text().into())
+}
+
+/// The text in which `<s#*9>` repeats `s#`, with its number for the `#`.
+fn numbered(text: &str) -> String {
+    let Some((before, (inside, after))) = text.split_once('<').and_then(|(a, b)| Some((a, b.split_once('>')?))) else {
+        return text.to_owned();
+    };
+    let (part, times) = inside.split_once('*').unwrap_or((inside, "1"));
+    let parts: String = (0..times.parse().unwrap_or(1)).map(|at: u32| part.replace('#', &at.to_string())).collect();
+    format!("{before}{parts}{}", numbered(after))
 }
