@@ -330,6 +330,23 @@ fn ttls() -> Vec<Case> {
             .because("The loop raises `ttl_ms` to at least two periods."),
         );
     }
+    // Two periods that end in no whole microsecond.
+    for (name, hertz) in [("3-hertz", 3.0), ("6-hertz", 6.0), ("7-hertz", 7.0)] {
+        let period = 1000.0 / hertz;
+        let lasts = |mode: &str| object! { "mode" => mode, "ttl_ms" => within(2.0 * period, f64::MAX) };
+        for (what, words, rule, trace) in [
+            ("active", "a command", "NCP-CTRL-015", vec![arrives(8, 1.0), commands(1.0, lasts("active"))]),
+            ("waiting", "a HOLD without a frame", "NCP-CTRL-003", vec![commands(1.0, lasts("hold"))]),
+        ] {
+            cases.push(
+                run(format!("ttl/fraction/{name}/{what}"), &["NCP-CTRL-014"], period, Json::object(), trace)
+                    .by("/steps/*/command/mode", rule)
+                    .title(format!("At {hertz} Hz {words} has a ttl of two periods or more, to the last digit."))
+                    .flags(&["short-ttl"])
+                    .because("The loop raises `ttl_ms` to at least two periods, and no rounding takes some of it off."),
+            );
+        }
+    }
     // More than a plant enforces, which is no matter of the frame: of commands, HOLDs and ESTOPs.
     for (name, period, modes) in [
         ("a-quarter", 250.0, &["waiting", "burst"][..]),
@@ -667,14 +684,20 @@ fn counters() -> Vec<Case> {
         ("moving", "while the loop is moving", true, 4_u32),
         ("waiting", "while the loop is waiting", false, 4),
         ("long", "for 300 ticks", false, 300),
+        ("longer", "for 1,100 ticks", false, 1_100),
     ];
     for (name, words, with_sensor, ticks) in table {
         let from = |first: i64| {
             let mut trace = if with_sensor { vec![arrives(7, 1.0)] } else { Vec::new() };
-            trace.extend(
-                (0..ticks)
-                    .map(|nth| says(1.0 + f64::from(nth) / 16.0, object! { "seq" => int(first + i64::from(nth)) })),
-            );
+            trace.extend((0..ticks).map(|nth| {
+                let counted = object! { "seq" => int(first + i64::from(nth)) };
+                if ticks <= 300 {
+                    says(1.0 + f64::from(nth) / 16.0, counted)
+                } else {
+                    // Of so many, at one time, the first, the last and one between are looked at.
+                    says(1.0, if nth % 550 == 0 || nth + 1 == ticks { counted } else { Json::object() })
+                }
+            }));
             trace
         };
         let case = run(format!("status/counter/{name}"), &["NCP-CTRL-017"], 50.0, Json::object(), from(0));

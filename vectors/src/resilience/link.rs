@@ -717,6 +717,25 @@ fn extremes() -> Vec<Case> {
         "Two missing frames that come 4,300 frames late are taken back.",
         REMEMBERS,
     );
+    // As many frames as 16 bits count, and the one that is missing when they all have come.
+    at_last(
+        "extreme/received/65536",
+        &["NCP-RES-050", "NCP-RES-041"],
+        (0..65_536).collect(),
+        object! { "lost" => int(0), "received" => int(65_536) },
+        "wrong-loss",
+        "Of 65,536 frames each is counted as received.",
+        "Counts saturate at 2^53 \u{2212} 1 or above it, and do not begin again.",
+    );
+    at_last(
+        "extreme/remembers-for-65536",
+        &["NCP-RES-056", "NCP-RES-041"],
+        [0].into_iter().chain(2..=65_537).chain([1]).collect(),
+        object! { "lost" => int(0) },
+        "wrong-loss",
+        "A missing frame that comes 65,536 frames late is taken back.",
+        REMEMBERS,
+    );
     // Hardly fewer missing than may be, and far behind.
     at_last(
         "extreme/remembers-far-back",

@@ -17,6 +17,8 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(values());
     cases.extend(widths());
     cases.extend(text.rest(row_case)?);
+    cases.extend(behind_many());
+    cases.extend(likenesses());
     let about = "How limits bind to the negotiated channels: by name, in their unit, and closed when they cannot.";
     Ok(File::new("safety", "binding", about, cases))
 }
@@ -214,4 +216,119 @@ fn widths() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// A limit's channel that is declared behind a thousand declarations.
+fn behind_many() -> Vec<Case> {
+    let behind = |spec: Spec, last: Spec| -> Vec<Spec> { std::iter::repeat_n(spec, 1_000).chain([last]).collect() };
+    let grip = || scalar("gripper", None);
+    let fast = || Command::moving(&[6.0, 8.0, 0.0]);
+    let outside = || Sensor::at(&[6.0, 0.0, 0.0]);
+    let commands = |last: Spec| Capabilities { commands: behind(grip(), last), ..Capabilities::canonical(&[]) };
+    let sensors = |last: Spec| Capabilities { sensors: behind(grip(), last), ..Capabilities::canonical(&[]) };
+    let twice = || Capabilities {
+        commands: behind(vec3(VELOCITY, Some(MPS)), vec3(VELOCITY, Some("kn"))),
+        ..Capabilities::canonical(&[])
+    };
+    let own = vec3(VELOCITY, Some(MPS));
+    let place = vec3(POSITION, Some(M));
+    let one = |(name, rule, words, limits, capabilities, step): Row| {
+        let trace = Trace::negotiated(limits, capabilities, vec![step]);
+        case(format!("behind-1000/{name}"), &[rule], &trace)
+            .title(format!("Behind a thousand declarations {words}."))
+            .flags(&["first-channel"])
+            .because("The limits act on their channels by name, whatever other channels come first, and each counts.")
+    };
+    type Row = (&'static str, &'static str, &'static str, Limits, Capabilities, Step);
+    let rows: [Row; 4] = [
+        (
+            "velocity",
+            "NCP-SAFE-011",
+            "the speed limit acts on the velocity",
+            Limits::speed(5.0),
+            commands(own),
+            govern(fast(), near()),
+        ),
+        (
+            "velocity-in-knots",
+            "NCP-SAFE-015",
+            "a velocity in knots is no channel of the speed limit",
+            Limits::speed(5.0),
+            commands(vec3(VELOCITY, Some("kn"))),
+            govern(good(), near()),
+        ),
+        (
+            "velocity-again",
+            "NCP-SAFE-015",
+            "of the velocity in m/s one in knots counts as well",
+            Limits::speed(5.0),
+            twice(),
+            govern(good(), near()),
+        ),
+        (
+            "position",
+            "NCP-SAFE-010",
+            "the fence acts on the position",
+            Limits::fence(5.0),
+            sensors(place),
+            govern(good(), outside()),
+        ),
+    ];
+    rows.into_iter().map(one).collect()
+}
+
+/// Units and names that are the right ones to a reader who stops at a NUL or compares what they look like.
+fn likenesses() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let shapes: [(&str, &str, Shape); 4] = [
+        ("nul-behind", "with a NUL behind it", |text| format!("{text}\0")),
+        ("nul-within", "with a NUL and more behind it", |text| format!("{text}\0{text}")),
+        ("full-width", "in full-width letters", full_width),
+        ("zero-width", "with a space of no width", |text| format!("{text}\u{200b}")),
+    ];
+    type Shape = fn(&str) -> String;
+    for (name, words, shape) in shapes {
+        let (m, mps) = (shape(M), shape(MPS));
+        let (position, velocity) = (shape(POSITION), shape(VELOCITY));
+        let moving = |name: &str, unit: &str| Command::of(vec![channel(name, &[1.0, 0.0, 0.0], Some(unit))]);
+        let sensed = |name: &str, unit: &str| Sensor::of(vec![channel(name, &[0.0; 3], Some(unit))]);
+        let other = good().and(channel("tow", &[30.0, 40.0, 0.0], Some(&mps)));
+        let declared =
+            |sensor: Spec, command: Spec| Some(Capabilities { sensors: vec![sensor], commands: vec![command] });
+        let (own_place, own_velocity) = (|| vec3(POSITION, Some(M)), || vec3(VELOCITY, Some(MPS)));
+        let (fence, speed) = (Limits::fence(5.0), Limits::speed(5.0));
+        let mut add = |what: &str, rule: &'static str, limits, capabilities, step: Step| {
+            let trace = Trace { limits, capabilities, steps: vec![step] };
+            cases.push(
+                case(format!("likeness/{what}/{name}"), &[rule], &trace)
+                    .title(format!("A {} {words} is another than it looks like.", what.replace('-', " ")))
+                    .flags(&["L10"])
+                    .because("Wire strings are compared by their letters, and one that has another is another."),
+            );
+        };
+        add("unit-of-a-position", "NCP-SAFE-041", fence, None, govern(good(), sensed(POSITION, &m)));
+        add("unit-of-a-velocity", "NCP-SAFE-063", speed, None, govern(moving(VELOCITY, &mps), near()));
+        let step = govern(good(), near());
+        let place = declared(vec3(POSITION, Some(&m)), own_velocity());
+        add("declared-unit-of-a-position", "NCP-SAFE-015", fence, place, step.clone());
+        let way = declared(own_place(), vec3(VELOCITY, Some(&mps)));
+        add("declared-unit-of-a-velocity", "NCP-SAFE-015", speed, way, step.clone());
+        if name != "nul-behind" {
+            add("unit-of-a-projected-velocity", "NCP-SAFE-052", fence, None, govern(moving(VELOCITY, &mps), near()));
+            add("unit-of-another-channel", "NCP-SAFE-021", speed, None, govern(other, near()));
+        }
+        if name.starts_with("nul") {
+            continue;
+        }
+        add("name-of-a-position", "NCP-SAFE-040", fence, None, govern(good(), sensed(&position, M)));
+        add("name-of-a-velocity", "NCP-SAFE-063", speed, None, govern(moving(&velocity, MPS), near()));
+        let way = declared(own_place(), vec3(&velocity, Some(MPS)));
+        add("declared-name-of-a-velocity", "NCP-SAFE-014", speed, way, step);
+    }
+    cases
+}
+
+/// The letters of ASCII in their full width.
+fn full_width(text: &str) -> String {
+    text.chars().map(|c| char::from_u32(u32::from(c) + 0xFEE0).unwrap_or(c)).collect()
 }

@@ -186,9 +186,9 @@ fn most_channels() -> Vec<Case> {
     let fast = || channel("z", &[6.0, 8.0, 0.0], Some(MPS));
     let strange = || channel("z", &[f64::NAN], None);
     let limited = || object! { "z" => object! { "data" => nums(&[1.2, 1.6, 0.0]) } };
-    let step = |last: Channel| {
+    let step = |count: usize, last: Channel| {
         let mut command = Command::moving(&[1.0, 0.0, 0.0]).then(50.0, &[[1.0, 0.0, 0.0]]);
-        command.horizon.push(behind(129, last));
+        command.horizon.push(behind(count, last));
         command
     };
     let frame = |frame: Json| object! { "frame" => frame };
@@ -213,9 +213,27 @@ fn most_channels() -> Vec<Case> {
             "Behind 130 other channels a component that is not finite holds.",
         ),
         of(
+            "not-finite-behind-560",
+            &["NCP-SAFE-064"],
+            Command::of(behind(559, strange())),
+            vec![frame(object! { "mode" => "hold" }), refused()],
+            "Behind 560 other channels a component that is not finite holds.",
+        ),
+        of(
+            "step-not-finite-behind-270",
+            &["NCP-SAFE-067"],
+            step(269, strange()),
+            vec![
+                frame(object! { "mode" => "active", "horizon" => Json::Array(vec![Json::object()]) }),
+                frame(object! { "mode" => "hold" }),
+                refused(),
+            ],
+            "A step is not sent in which behind 270 other channels a component is not finite.",
+        ),
+        of(
             "step-limited",
             &["NCP-SAFE-066", "NCP-SAFE-065"],
-            step(fast()),
+            step(129, fast()),
             vec![frame(object! { "mode" => "active",
             "horizon" => Json::Array(vec![Json::object(), object! { "z" => object! {
             "data" => nums(&[1.2, 1.6, 0.0]) } }]) })],
@@ -327,6 +345,35 @@ pub(super) fn longest() -> File {
             .title("The longest horizon passes to its last step where no limit is enabled.")
             .because(LATE),
     );
+    // A component that is not finite, in a velocity and in another channel, under each limit.
+    let beside = || vec![velocity(&[0.0; 3]), channel("gripper", &[f64::NAN], None)];
+    for (name, limits, last) in [
+        ("velocity/no-limit", Limits::NONE, vec![velocity(&[0.0, f64::NAN, 0.0])]),
+        ("velocity/speed-limit", Limits::speed(2.0), vec![velocity(&[0.0, f64::INFINITY, 0.0])]),
+        ("velocity/fence", Limits::fence(5.0), vec![velocity(&[0.0, 0.0, f64::NEG_INFINITY])]),
+        ("other/no-limit", Limits::NONE, beside()),
+        ("other/fence", Limits::fence(5.0), beside()),
+    ] {
+        let mut command = Command::moving(&[0.0; 3]).ttl(60_000.0).then(1.0, &[[0.0; 3]; STEPS - 1]);
+        command.horizon.push(last);
+        let trace = Trace::new(limits, vec![govern(command, Sensor::at(&[4.0, 0.0, 0.0]))]);
+        let horizon = before().collect::<Json>();
+        // Within a fence a governor may look further ahead than it has to.
+        let horizon =
+            if limits.fence.is_some() { any(vec![beginning(horizon), Json::Array(Vec::new())]) } else { horizon };
+        let sent = object! { "frame" => object! { "mode" => "active", "horizon" => horizon } };
+        let held = object! { "frame" => object! { "mode" => "hold" } };
+        cases.push(
+            case(format!("not-finite/{name}"), &["NCP-SAFE-067"], &trace)
+                .shows(steps(vec![any(vec![sent, held, refused()])]))
+                .flags(&["long-horizon", "non-finite-command"])
+                .title(format!(
+                    "The last step of the longest horizon is not sent with a component that is not finite ({}).",
+                    name.replace('-', " ").replace('/', ", ")
+                ))
+                .because(LATE),
+        );
+    }
     let about = "The longest horizon that a frame may have, of which the last step is judged.";
     File::new("safety", "longest", about, cases)
 }

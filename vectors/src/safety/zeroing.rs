@@ -22,6 +22,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(declared(way));
         cases.extend(kept(way));
         cases.extend(wide(way));
+        cases.extend(nameless(way));
     }
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
     Ok(File::new("safety", "zeroing", about, cases))
@@ -293,7 +294,60 @@ fn wide(way: &Way) -> Vec<Case> {
                 .because("The union of the command's channels and the negotiated ones is zeroed."),
         );
     }
+    // More of them than a table of 256, or of 512, has room for: only some are looked at.
+    let count = match way.name {
+        "hold-command" => 560,
+        "breach" => 270,
+        _ => 0,
+    };
+    if count > 0 {
+        let name = |nth: usize| format!("a{nth:03}");
+        let many = (0..count).map(|nth| channel(&name(nth), &[1.0], None));
+        let looked_at = [0, 127, 128, 255, 256, 257, 511, 512, 513, count - 1];
+        let looked_at = looked_at.into_iter().enumerate().filter(|(at, nth)| *at == 9 || *nth + 1 < count);
+        let zeros = looked_at.map(|(_, nth)| (name(nth), object! { "data" => nums(&[0.0]) })).collect();
+        let part = object! { "channels" => Json::Object(zeros) };
+        let path = format!("wide/{count}-channels/{}", way.name);
+        cases.push(
+            case(path, "NCP-SAFE-071", way, None, Command::of(many.collect()), part)
+                .title(format!(
+                    "The {} frame ({}) of a command with {count} channels zeroes the last as the first.",
+                    way.frame, way.name
+                ))
+                .flags(&["moving-hold"])
+                .because("The union of the command's channels and the negotiated ones is zeroed."),
+        );
+    }
     cases
+}
+
+/// A channel whose name is empty, of the command and among the negotiated ones.
+fn nameless(way: &Way) -> Vec<Case> {
+    if !matches!(way.name, "hold-command" | "breach") {
+        return Vec::new();
+    }
+    let zeros = |data: &[f64]| object! { "channels" => object! { "" => object! { "data" => nums(data) } } };
+    let own = Command::moving(&[1.0, 2.0, 3.0]).and(channel("", &[1.0, 2.0], None));
+    let lacks = Command::moving(&[1.0, 2.0, 3.0]);
+    let capabilities = Capabilities::canonical(&[scalar("", None)]);
+    let title = |words: &str| format!("The {} frame ({}) {words} whose name is empty.", way.frame, way.name);
+    vec![
+        case(format!("channels/nameless/own/{}", way.name), "NCP-SAFE-071", way, None, own, zeros(&[0.0; 2]))
+            .title(title("zeroes a channel of the command"))
+            .flags(&["moving-hold"])
+            .because("The union of the command's channels and the negotiated ones is zeroed, whatever their names."),
+        case(
+            format!("channels/nameless/negotiated/{}", way.name),
+            "NCP-SAFE-073",
+            way,
+            Some(capabilities),
+            lacks,
+            zeros(&[0.0]),
+        )
+        .title(title("adds a negotiated channel"))
+        .flags(&["moving-hold"])
+        .because(Part::Added.why()),
+    ]
 }
 
 /// Without Capabilities the velocity is the one negotiated command channel.
