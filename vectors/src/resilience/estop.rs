@@ -75,14 +75,14 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioErro
     Ok(cases)
 }
 
-/// What the clock reads when one of these frames comes: of the first each, of the others no number.
+/// What the clock reads when one of these frames comes: of the first each, of the other no number.
 const CLOCKS: [(&str, f64); 4] = [
     ("nan", f64::NAN),
     ("infinity", f64::INFINITY),
     ("minus-infinity", f64::NEG_INFINITY),
     ("half-a-second-less", 0.5),
 ];
-const WITHOUT_A_CLOCK: [&str; 3] = ["seq-fraction", "minimal", "mode-after-active"];
+const WITHOUT_A_CLOCK: [&str; 2] = ["seq-fraction", "minimal"];
 
 /// Frames that come again in cases of their own: malformed in each way, and in good order.
 const AGAIN: [&str; 6] =
