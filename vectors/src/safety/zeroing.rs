@@ -315,7 +315,7 @@ fn wide(way: &Way) -> Vec<Case> {
 
 /// A channel whose name is empty, of the command and among the negotiated ones.
 fn nameless(way: &Way) -> Vec<Case> {
-    if !matches!(way.name, "hold-command" | "breach") {
+    if way.name != "hold-command" {
         return Vec::new();
     }
     let zeros = |data: &[f64]| object! { "channels" => object! { "" => object! { "data" => nums(data) } } };
