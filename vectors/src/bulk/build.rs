@@ -3,6 +3,7 @@
 use super::columns_json;
 use crate::json::Json;
 use crate::model::double;
+use crate::template::Text;
 
 /// The bytes of the header.
 pub(super) const HEADER: usize = 12;
@@ -219,6 +220,32 @@ impl Part {
 /// The golden block of section 5.1.
 pub(super) fn golden() -> Block {
     Block::new([f64s("times", [1.5, 2.5, 9.0]), i64s("senders", [7, 7, 9])])
+}
+
+/// A block of columns, each a name, a dtype and a number of rows of 0, as a template. No byte of
+/// what it writes out is above 127, so that it is a text.
+pub(super) fn of_zeros(columns: &[(&str, u8, usize)]) -> Text {
+    let columns: Vec<_> = columns.iter().filter(|(.., rows)| *rows > 0).collect();
+    let names: String = columns.iter().map(|(name, ..)| *name).collect();
+    let mut name_at = HEADER + ENTRY * columns.len();
+    let begin = (name_at + names.len()).next_multiple_of(8);
+    let mut data_at = begin;
+    let mut directory = Vec::new();
+    for (name, dtype, rows) in &columns {
+        directory.extend(le32(name_at));
+        directory.extend(le16(name.len()));
+        directory.extend([*dtype, 0]);
+        directory.extend(le32(*rows));
+        directory.extend(le32(data_at));
+        name_at += name.len();
+        // The dtypes of 4 bytes are the odd ones.
+        data_at += rows * if dtype % 2 == 1 { 4 } else { 8 };
+    }
+    let header = [b"NCPB", &[1, 0][..], &le16(columns.len()), &le32(data_at), &directory, names.as_bytes()].concat();
+    debug_assert!(header.is_ascii(), "{columns:?}");
+    let padding = "\0".repeat(begin - header.len());
+    let header = String::from_utf8_lossy(&header).into_owned() + &padding;
+    Text::Base64(Box::new(Text::concat([header.into(), Text::repeat("\0", data_at - begin)])))
 }
 
 pub(super) fn le32(value: usize) -> [u8; 4] {

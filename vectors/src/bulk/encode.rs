@@ -1,13 +1,14 @@
 //! What encoders of blocks write, and what they refuse.
 
-use super::build::{Block, Column, f32s, f64s, golden, i32s, i64s};
-use super::columns_json;
+use super::build::{Block, Column, f32s, f64s, golden, i32s, i64s, number};
 use super::directory::ALIKE;
 use super::values::extreme_columns;
+use super::{columns_json, many};
 use crate::case::Role::Server;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::template::Text;
+use crate::trace::any;
 
 pub(super) fn file() -> File {
     let mut cases = vec![
@@ -19,6 +20,8 @@ pub(super) fn file() -> File {
     ];
     cases.extend(round_trips());
     cases.extend(alignment());
+    cases.extend(rounded());
+    cases.extend(long());
     cases.extend(refused());
     File::new("bulk", "encode", "What an encoder of BulkBlocks writes, and what it refuses.", cases)
 }
@@ -187,11 +190,57 @@ fn alignment() -> Vec<Case> {
         .collect()
 }
 
+/// Numbers that are no f32.
+fn rounded() -> Vec<Case> {
+    let table: [(&str, &[f64], &str); 4] = [
+        ("tenths", &[0.7, 0.1, -0.1, 1e10, -65.3], "numbers of few digits"),
+        ("ties", &[16_777_217.0, 16_777_219.0, -16_777_217.0, 1.0 + 2.0_f64.powi(-24)], "numbers halfway between two"),
+        (
+            "next-to-ties",
+            &[1.000_000_059_604_645, 1.000_000_059_604_644_5, 16_777_219.000_000_004],
+            "numbers next to halfway between two",
+        ),
+        ("small", &[1e-46, -1e-46, 7.1e-46, 1e-40, 1.175_494_3e-38], "numbers below the least normal one"),
+    ];
+    let one = |(what, values, says): (&str, &[f64], &str)| {
+        #[expect(clippy::cast_possible_truncation, reason = "it rounds to the nearest, ties to even")]
+        let nearest: Vec<f32> = values.iter().map(|value| *value as f32).collect();
+        // Its name ends where data may begin for all who align it by up to 32 bytes.
+        let block = Block::new([f32s("data", nearest)]);
+        let further = [64, 128].map(|at| block.clone().laid_out(&block.names, &[at], at + 4 * values.len()));
+        let bytes = std::iter::once(&block).chain(&further).map(|block| Text::base64_of(&block.bytes()).json());
+        let column = object! { "name" => "data", "dtype" => "f32",
+        "data" => values.iter().copied().map(number).collect::<Json>() };
+        encode(format!("rounded/{what}"), &["NCP-BULK-030"], Json::Array(vec![column]))
+            .shows_or_refuses(object! { "block" => any(bytes.collect()) })
+            .title(format!("A column of f32 that is given {says} is refused, or holds the nearest f32, ties to even."))
+            .flags(&["lossy-doubles"])
+            .because("A number that is none of the dtype's may be refused, or be written as the nearest one.")
+    };
+    table.map(one).into()
+}
+
+/// Columns of many rows.
+fn long() -> Vec<Case> {
+    [("i32", 262_145), ("f64", 262_145)]
+        .into_iter()
+        .map(|(dtype, rows)| {
+            let column = object! { "name" => "v", "dtype" => dtype, "data" => many(Json::literal("0"), rows) };
+            let columns = Json::Array(vec![column]);
+            encode(format!("round-trip/long/{dtype}"), &["NCP-BULK-030"], columns.clone())
+                .gives_columns(columns)
+                .title(format!("A column of {rows} rows of {dtype} is written as a block that holds just that."))
+                .flags(&["low-limits"])
+                .because("A block may have 64 MiB; a column has no limit of its own.")
+        })
+        .collect()
+}
+
 fn refused() -> Vec<Case> {
     let column = |name: String| object! { "name" => name, "dtype" => "f32", "data" => Json::Array(Vec::new()) };
-    let many: Json = (0..4097).map(|nth| column(format!("{nth:x}"))).collect();
+    let columns: Json = (0..4097).map(|nth| column(format!("{nth:x}"))).collect();
     let mut cases = vec![
-        encode("refused/4097-columns", &["NCP-BULK-031"], many)
+        encode("refused/4097-columns", &["NCP-BULK-031"], columns)
             .rejects("limit")
             .title("4,097 columns are refused.")
             .flags(&["L21", "truncated-counts"])
@@ -231,8 +280,8 @@ fn refused() -> Vec<Case> {
         );
     }
     // The values alone are 64 MiB, to which the header and the directory come.
-    let values = object! { "$item" => Json::literal("0"), "times" => 8_388_608_u32 };
-    let long = object! { "name" => "v", "dtype" => "f64", "data" => Json::Array(vec![values]) };
+    let values = many(Json::literal("0"), 8_388_608);
+    let long = object! { "name" => "v", "dtype" => "f64", "data" => values };
     cases.push(
         encode("refused/more-than-64-mib", &["NCP-BULK-031"], Json::Array(vec![long]))
             .rejects("limit")

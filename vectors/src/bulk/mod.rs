@@ -94,3 +94,8 @@ fn columns_json(columns: &[build::Column]) -> Json {
         })
         .collect()
 }
+
+/// A list of so many equal items.
+fn many(item: Json, times: usize) -> Json {
+    Json::Array(vec![object! { "$item" => item, "times" => Json::literal(times.to_string()) }])
+}

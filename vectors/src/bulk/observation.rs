@@ -1,8 +1,7 @@
 //! Observations packed in blocks, and taken out of them.
 
-use super::READERS;
-use super::build::{Block, Column, ENTRY, HEADER, Part, Values, f32s, f64s, golden, i32s, i64s, le16, le32};
-use super::columns_json;
+use super::build::{Block, Column, Part, Values, f32s, f64s, golden, i32s, i64s, of_zeros};
+use super::{READERS, columns_json, many};
 use crate::case::Role::Server;
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -317,6 +316,27 @@ fn wrapped() -> Vec<Case> {
                 .because("The columns that are not empty differ in length, though not in their lowest bits."),
         );
     }
+    // Of many rows, the times alone, which a block has room for anyway.
+    let rows = 524_289;
+    cases.push(
+        Case::new("unpack/many/times-alone", &["NCP-BULK-025", "NCP-OBS-005"], READERS)
+            .call("observation.unpack", object! { "block" => of_zeros(&[("times", 2, rows)]) })
+            .accepts()
+            .title(format!("A block with {rows} times alone is unpacked."))
+            .flags(&["low-limits"])
+            .because("A decoder accepts a block of up to 64 MiB; a column has no limit of its own."),
+    );
+    let arrays = object! { "times" => many(Json::literal("0"), 262_145), "values" => Json::Array(Vec::new()),
+    "senders" => Json::Array(Vec::new()) };
+    let times = object! { "name" => "times", "dtype" => "f64", "data" => many(Json::literal("0"), 262_145) };
+    cases.push(
+        Case::new("pack/many-times", &["NCP-OBS-001", "NCP-BULK-030"], &[Server])
+            .call("observation.pack", arrays)
+            .gives_columns(Json::Array(vec![times]))
+            .title("An observation of 262,145 times is packed.")
+            .flags(&["low-limits"])
+            .because("A block may have 64 MiB; a column has no limit of its own."),
+    );
     for rows in [257, 65_537] {
         let block = of_zeros(&[("times", 2, rows), ("values", 2, rows), ("senders", 4, rows)]);
         cases.push(
@@ -329,31 +349,6 @@ fn wrapped() -> Vec<Case> {
         );
     }
     cases
-}
-
-/// A block of columns of eight bytes a value, each a name, a dtype and a number of rows of 0, as a template. No byte of
-/// what it writes out is above 127, so that it is a text.
-fn of_zeros(columns: &[(&str, u8, usize)]) -> Text {
-    let columns: Vec<_> = columns.iter().filter(|(.., rows)| *rows > 0).collect();
-    let names: String = columns.iter().map(|(name, ..)| *name).collect();
-    let mut name_at = HEADER + ENTRY * columns.len();
-    let begin = (name_at + names.len()).next_multiple_of(8);
-    let mut data_at = begin;
-    let mut directory = Vec::new();
-    for (name, dtype, rows) in &columns {
-        directory.extend(le32(name_at));
-        directory.extend(le16(name.len()));
-        directory.extend([*dtype, 0]);
-        directory.extend(le32(*rows));
-        directory.extend(le32(data_at));
-        name_at += name.len();
-        data_at += 8 * rows;
-    }
-    let header = [b"NCPB", &[1, 0][..], &le16(columns.len()), &le32(data_at), &directory, names.as_bytes()].concat();
-    debug_assert!(header.is_ascii(), "{columns:?}");
-    let padding = "\0".repeat(begin - header.len());
-    let header = String::from_utf8_lossy(&header).into_owned() + &padding;
-    Text::Base64(Box::new(Text::concat([header.into(), Text::repeat("\0", data_at - begin)])))
 }
 
 fn not_unpacked() -> Vec<Case> {

@@ -1,7 +1,7 @@
 //! Values of every dtype, wherever they lie.
 
-use super::build::{Block, Column, f32s, f64s, i32s, i64s};
-use super::{decode, read, read_if_at_all};
+use super::build::{Block, Column, f32s, f64s, i32s, i64s, of_zeros};
+use super::{READERS, decode, many, read, read_if_at_all};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 
@@ -12,6 +12,7 @@ pub(super) fn file() -> File {
     cases.extend(layouts());
     cases.extend(names());
     cases.extend(empty());
+    cases.extend(long());
     File::new("bulk", "values", "The values of a BulkBlock: every dtype, every place, every order.", cases)
 }
 
@@ -255,4 +256,21 @@ fn empty() -> Vec<Case> {
             .because("A column may have no rows."),
     );
     cases
+}
+
+/// Columns of more rows than anything but the bytes of the block limits.
+fn long() -> Vec<Case> {
+    [("i32", 3, 262_145), ("f32", 1, 524_289), ("f64", 2, 262_145), ("i64", 4, 131_073)]
+        .into_iter()
+        .map(|(dtype, code, rows)| {
+            let zero = if dtype == "i64" { "0".into() } else { Json::literal("0") };
+            let column = object! { "name" => "v", "dtype" => dtype, "data" => many(zero, rows) };
+            Case::new(format!("long/{dtype}"), &["NCP-BULK-025", "NCP-BULK-022"], READERS)
+                .call("bulk.decode", object! { "block" => of_zeros(&[("v", code, rows)]) })
+                .shows_exactly(object! { "columns" => Json::Array(vec![column]) })
+                .title(format!("A block with a column of {rows} rows of {dtype} is read."))
+                .flags(&["low-limits"])
+                .because("A decoder accepts a block of up to 64 MiB; a column has no limit of its own.")
+        })
+        .collect()
 }

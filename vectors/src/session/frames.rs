@@ -30,6 +30,7 @@ pub(super) fn file() -> File {
     cases.extend(stimulus_frames());
     cases.extend(times_of_stimuli());
     cases.extend(units_of_values());
+    cases.extend(odd_names());
     let about = "The frames of the control plane: how requests may be written, and what the replies to them say.";
     File::new("session", "frames", about, cases)
 }
@@ -744,4 +745,39 @@ fn units_of_values() -> Vec<Case> {
             .title("A current that says its unit, `pA`, acts as one that does not.")
             .because("A value of a port of `current_pA` is a direct current in pA, whether it says so or not."),
     ]
+}
+
+/// Names that stand in a frame as escapes, or that are easily taken for something else.
+fn odd_names() -> Vec<Case> {
+    const WHY: &str = "An encoder writes a frame that a receiver reads as the message, whatever its names are.";
+    let names = ["t\t", "n\n", "one\u{1}", "\u{1f}", "q\"", "b\\", "del\u{7f}", "\u{2028}", "\u{e000}", "\u{1f680}"];
+    let after = super::numbers::simulate(&[], 1.0, 1, 300.0).1;
+    let mut cases = Vec::new();
+    let mut add = |title: &str, case: Case| {
+        cases.push(
+            case.title(title).because(WHY).flags(&["session-lifecycle"]).by("/replies/1/records", "NCP-SESS-038"),
+        );
+    };
+    let open = Open {
+        records: names.iter().map(|name| record(name, "V_m", 1.0)).collect(),
+        stimuli: vec![stimulus("i\t", "current_pA")],
+        ..Open::lif("a")
+    };
+    let v = || object! { "times" => nums(&[1.0]), "values" => nums(&after) };
+    let records = exactly(Json::Object(names.iter().map(|name| ((*name).to_owned(), v())).collect()));
+    let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), Some(("i\t", 300.0))), recorded("a", records))];
+    add(
+        "Ports whose names have control characters, quotation marks or rare letters come back under their names.",
+        reference("names/ports".to_owned(), &["NCP-WIRE-093", "NCP-SESS-038"], trace),
+    );
+    let sizes = Json::Object(names.iter().map(|name| ((*name).to_owned(), 1_u32.into())).collect());
+    let open = Open { records: vec![record("v", "V_m", 1.0).with("target", names[2].into())], ..Open::lif("a") };
+    let text = open.json().edit(&["network", "population_sizes"], |_| sizes).text();
+    let records = object! { "v" => object! { "target" => names[2], "times" => nums(&[1.0]) } };
+    let trace = vec![(text, opened("a")), (step("a", Some(1.0), None), recorded("a", records))];
+    add(
+        "Populations whose names have control characters, quotation marks or rare letters are opened and recorded.",
+        about_all(reference("names/populations".to_owned(), &["NCP-WIRE-093", "NCP-SESS-050"], trace), &[]),
+    );
+    cases
 }

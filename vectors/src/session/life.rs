@@ -2,6 +2,7 @@
 
 use ncp_text::WIRE_VERSION;
 
+use super::numbers::{driven_step, simulate};
 use super::{
     Open, case, close, closed, error, id_of, not_closed, not_opened, observation, observed, opened, record, recorded,
     run, step as step_of, stimulus, without_session,
@@ -10,25 +11,32 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::patch::written;
 use crate::scenario::{Row, ScenarioError, Scenarios, Step, beside, source};
-use crate::trace::{any, anything, int, name_of, nums, some_text, text_of};
+use crate::template::Text;
+use crate::trace::{any, anything, exactly, int, name_of, nums, some_text, text_of};
 use crate::version::{self, MALFORMED};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("session/life"))?;
     let mut cases = Vec::new();
-    for group in ["life", "durations", "announced", "zero", "hash", "opened-anew", "alike"] {
+    for group in ["life", "durations", "announced", "zero", "hash", "opened-anew", "opened-anew-chunk", "alike"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(open_questions());
     cases.extend(refused());
     cases.extend(refused_anew());
+    cases.extend(refused_beside());
     cases.extend(text.rest(malformed)?);
     cases.extend(versions()?);
     cases.extend(misfits());
     cases.extend(versions_beside());
+    cases.extend(long_requests());
     cases.extend(times());
     cases.extend(failures());
     cases.extend(failures_of_one());
+    cases.extend(failures_by_road());
+    cases.push(failures_of_two());
+    cases.extend(failures_beside_a_current());
+    cases.extend(failures_without_number());
     cases.extend(endless());
     cases.extend(crowds());
     cases.extend(abandoned());
@@ -265,6 +273,128 @@ fn refused_anew() -> Vec<Case> {
     .collect()
 }
 
+/// An `open_session` of an open id that is refused: nothing of what it says comes to the session that is open.
+fn refused_beside() -> Vec<Case> {
+    let driven = || Open {
+        params: vec![("I_e", 300.0)],
+        records: vec![record("v", "V_m", 5.0)],
+        stimuli: vec![stimulus("in", "current_pA")],
+        chunk: 5.0,
+        ..Open::lif("a")
+    };
+    let table = [
+        ("chunk", "chunk", "NCP-SESS-031", Open { chunk: 2.0, ..driven() }),
+        ("records", "ports to record", "NCP-SESS-038", Open { records: vec![record("w", "V_m", 2.0)], ..driven() }),
+        ("stimuli", "ports to drive", "NCP-SESS-054", Open { stimuli: vec![stimulus("x", "current_pA")], ..driven() }),
+        ("step", "length of a step", "NCP-SESS-058", Open { dt: 0.5, ..driven() }),
+        ("params", "current", "NCP-SESS-050", Open { params: vec![("I_e", 100.0)], ..driven() }),
+    ];
+    let (_, potentials, _) = simulate(&[], 1.0, 10, 350.0);
+    let mut cases = Vec::new();
+    for (name, words, rule, other) in table {
+        for (road, version) in [("own-version", WIRE_VERSION.to_owned()), ("older-version", beside(-1))] {
+            if road == "older-version" && name != "records" {
+                continue;
+            }
+            let steps = |value| {
+                let advance = if name == "chunk" { None } else { Some(5.0) };
+                step_of("a", advance, value)
+            };
+            let observed = |time: f64, at: usize| {
+                let values = potentials.get(at - 1).copied().into_iter().collect::<Vec<_>>();
+                let senders = std::iter::once(1_u32).collect::<Json>();
+                let v = object! { "times" => nums(&[time]), "values" => nums(&values), "senders" => senders };
+                observed("a", time).edit(&["$json"], |of| of.with("records", exactly(object! { "v" => v })))
+            };
+            let trace = |third: Json, fourth: Json| {
+                vec![
+                    (driven().text(), opened("a")),
+                    (steps(Some(("in", 50.0))), observed(5.0, 5)),
+                    (other.json().with("ncp_version", version.as_str().into()).text(), third),
+                    (steps((name == "stimuli").then_some(("in", 50.0))), fourth),
+                ]
+            };
+            let answers =
+                |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
+            let refused = || trace(any(vec![not_opened("a"), error()]), observed(10.0, 10));
+            let opens = answers(trace(opened("a"), anything()));
+            let rules = [rule, "NCP-SESS-030"];
+            let case = super::reference(format!("opened-anew/{road}/other-{name}"), &rules, refused());
+            let mut case = case.shows(any(vec![answers(refused()), opens]));
+            case.by.retain(|place, _| place == "/replies/0");
+            cases.push(
+                case.title(format!(
+                    "An `open_session` of another {words} that is refused for a session that is open leaves it as it \
+                     is ({}).",
+                    road.replace('-', " ")
+                ))
+                .flags(&["session-lifecycle"])
+                .because("An `open_session` that is refused ends no session, and changes none."),
+            );
+        }
+    }
+    cases
+}
+
+/// Requests of just so many bytes as a frame may have: what refuses them may not quote them whole.
+fn long_requests() -> Vec<Case> {
+    const FRAME: usize = 1 << 20;
+    let frame = |kind: &str| object! { "ncp_version" => WIRE_VERSION, "kind" => kind, "session_id" => "a" };
+    let network = |reference: &str| frame("open_session").with("network", object! { "ref" => reference });
+    let port = object! { "values" => object! { "~" => object! { "data" => nums(&[1.0]) } } };
+    let port = frame("step_request").with("advance_ms", crate::trace::num(5.0)).with("stimulus", port);
+    let opening = || text_of(object! { "kind" => "session_opened" });
+    // A frame with a tilde where the long text stands, and of what that is.
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: [(&str, &str, Json, &str, Json, &'static str); 6] = [
+        ("kind", "kind", frame("~"), "x", error(), "NCP-SESS-022"),
+        ("kind-of-escapes", "kind", frame("~"), "\\u0001", error(), "NCP-SESS-022"),
+        ("session", "session", frame("step_request").with("session_id", "~".into()), "x", error(), "NCP-SESS-026"),
+        ("network", "network", network("~"), "x", any(vec![opening(), error()]), "NCP-SESS-021"),
+        (
+            "version",
+            "version",
+            network("ncp.reference.lif").with("ncp_version", "~".into()),
+            "x",
+            any(vec![not_opened("a"), error()]),
+            "NCP-SESS-023",
+        ),
+        ("port", "port", port, "x", any(vec![observation("a"), error()]), "NCP-SESS-037"),
+    ];
+    let mut cases = Vec::new();
+    for (name, words, frame, of, reply, rule) in table {
+        let frame = frame.text();
+        let (before, behind) = frame.split_once('~').unwrap_or((&frame, ""));
+        let times = (FRAME - before.len() - behind.len()) / of.len();
+        let padding = FRAME - before.len() - behind.len() - times * of.len();
+        let behind = format!("{behind}{}", " ".repeat(padding));
+        let long = Text::concat([before.into(), Text::repeat(of, times), behind.into()]);
+        // A network that is opened after all would keep its session open.
+        let id = if name == "network" { "b" } else { "a" };
+        let goes_on = |time: f64| (step_of(id, Some(5.0), None), observed(id, time));
+        let trace = match name {
+            "port" => vec![open(id), goes_on(5.0), (frame.clone(), reply), (step_of(id, None, None), observation(id))],
+            _ => vec![(frame.clone(), reply), open(id), goes_on(5.0)],
+        };
+        let requests = trace.iter().map(|(request, _)| match *request == frame {
+            true => long.json(),
+            false => request.as_str().into(),
+        });
+        let args = object! { "requests" => requests.collect::<Json>() };
+        cases.push(
+            case(format!("long/{name}"), &["NCP-SESS-020", rule], trace)
+                .call("session.run", args)
+                .title(format!(
+                    "A request of 1 MiB with a long {words} is answered with one reply, and the server goes on ({}).",
+                    name.replace('-', " ")
+                ))
+                .flags(&["unanswered-requests"])
+                .because("A server answers every request with exactly one reply, whatever its bytes."),
+        );
+    }
+    cases
+}
+
 /// Bytes that are no request, before and after the session is opened.
 fn malformed(row: &Row) -> Result<Case, ScenarioError> {
     let request = written(&row.text("request")?);
@@ -388,10 +518,11 @@ fn times() -> Vec<Case> {
         }
     }
     // The time of a request may be that of the session.
-    for chunk in [-10.0, -0.001] {
+    for chunk in [-10.0, -0.001, -1e308] {
         let trace = vec![
             (Open { chunk, ..Open::lif("a") }.text(), opened("a")),
             (step_of("a", None, None), error()),
+            // It says its own time, and does not run for the chunk.
             (step_of("a", Some(10.0), None), observed("a", 10.0)),
         ];
         cases.push(
@@ -598,8 +729,6 @@ fn late_failures() -> Vec<Case> {
 fn late_failures_sampled(every: u32) -> Vec<Case> {
     // From E_L the potential falls by 1e308 mV times 1 - P^n, which is too much at the third step.
     let params = vec![("E_L", -1.6e308), ("C_m", 1.0), ("tau_m", 10.0), ("V_th", 0.0)];
-    let gain = 10.0;
-    let p = (-0.1_f64).exp();
     let drive = |port: &str, target: &str| stimulus(port, "current_pA").with("target", target.into());
     let open = |id: &str| Open {
         other: Some(1),
@@ -616,12 +745,11 @@ fn late_failures_sampled(every: u32) -> Vec<Case> {
         let request = Json::read(&step_of(id, Some(time), None));
         request.with("stimulus", object! { "values" => object! { "x" => value(x), "y" => value(y) } }).text()
     };
-    let fall = |v: f64, i: f64| -1.6e308 + (v + 1.6e308) * p + i * gain * (1.0 - p);
     let run = |id: &str, from: u32, steps: u32, x: f64, y: f64, state: &mut [f64; 2]| {
         let mut values = [Vec::new(), Vec::new()];
         let mut times = Vec::new();
         for step in from + 1..=from + steps {
-            *state = [fall(state[0], x), fall(state[1], y)];
+            *state = [fallen(state[0], x), fallen(state[1], y)];
             if step % every == 0 {
                 times.push(f64::from(step));
                 values[0].push(state[0]);
@@ -668,14 +796,231 @@ fn late_failures_sampled(every: u32) -> Vec<Case> {
     cases
 }
 
+/// The potential after a step of 1 ms under a current, where it rests at -1.6e308 mV, of 1 pF and 10 ms.
+fn fallen(v: f64, current: f64) -> f64 {
+    let p = (-0.1_f64).exp();
+    -1.6e308 + (v + 1.6e308) * p + current * 10.0 * (1.0 - p)
+}
+
+/// A membrane that leaves the doubles by each kind of request, and under a current that it has already as well.
+fn failures_by_road() -> Vec<Case> {
+    // So much falls too far at the third step.
+    let (much, little) = (-1e307, -1e306);
+    let open = |own: f64| Open {
+        params: vec![
+            ("E_L", -1.6e308),
+            ("V_reset", -1.6e308),
+            ("C_m", 1.0),
+            ("tau_m", 10.0),
+            ("V_th", 0.0),
+            ("I_e", own),
+        ],
+        records: vec![record("v", "V_m", 1.0)],
+        stimuli: vec![stimulus("in", "current_pA")],
+        ..Open::lif("a")
+    };
+    let roads = [
+        ("chunk", "a step of the session's chunk", step_of("a", None, None)),
+        ("step", "a step", step_of("a", Some(10.0), None)),
+        ("run", "a run", run("a", 10.0)),
+    ];
+    // The neuron's own current, and what the requests bring before, in and behind the one that fails.
+    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
+    let table: [(&str, &str, f64, [Option<f64>; 3]); 3] = [
+        ("own", "the neuron's own current", much, [None; 3]),
+        ("kept", "a current that a request before brought", 0.0, [Some(much), None, Some(0.0)]),
+        ("brought", "the current that it brings", 0.0, [Some(little), Some(much), Some(0.0)]),
+    ];
+    let mut cases = Vec::new();
+    for (way, words, fails) in roads {
+        for (how, by, own, [before, within, behind]) in table {
+            // The cases of a later step have one that brings it.
+            if matches!((way, how), ("step", "brought" | "kept") | ("run", "own" | "kept")) {
+                continue;
+            }
+            let driven = |request: &str, value: Option<f64>| match value {
+                Some(value) => {
+                    let values = object! { "in" => object! { "data" => nums(&[value]) } };
+                    Json::read(request).with("stimulus", object! { "values" => values }).text()
+                }
+                None => request.to_owned(),
+            };
+            let one = step_of("a", Some(1.0), None);
+            let mut v = -1.6e308;
+            let mut steps = |time: f64, value: Option<f64>| {
+                v = fallen(v, value.unwrap_or(own));
+                let samples = object! { "times" => nums(&[time]), "values" => nums(&[v]) };
+                (driven(&one, value), recorded("a", object! { "v" => samples }))
+            };
+            let trace = vec![
+                (open(own).text(), opened("a")),
+                steps(1.0, before),
+                (driven(&fails, within), error()),
+                steps(2.0, behind),
+            ];
+            cases.push(
+                super::reference(format!("fails/by-{way}/{how}"), &["NCP-SESS-057", "NCP-SESS-037"], trace)
+                    .title(format!(
+                        "After {words} in which the potential leaves the doubles by {by}, the session goes on from \
+                         where it was."
+                    ))
+                    .flags(&["session-lifecycle", "non-finite-numbers"])
+                    .because("A request that fails leaves the network and the time of its session as they were."),
+            );
+        }
+    }
+    cases
+}
+
+/// A network whose numbers leave the doubles when two ports give it so much for 40 ms.
+struct Overdriven {
+    what: &'static str,
+    observable: &'static str,
+    kind: &'static str,
+    ground: Open,
+    much: f64,
+    /// A value that does no harm.
+    little: f64,
+    /// Where it begins, and by how much the input is multiplied.
+    rest: f64,
+    gain: f64,
+}
+
+impl Overdriven {
+    fn both() -> [Self; 2] {
+        let membrane = Open { params: vec![("C_m", 1.0)], ..Open::lif("a") };
+        let of = |what, [observable, kind]: [&'static str; 2], ground, [much, little, rest, gain]: [f64; 4]| Self {
+            what,
+            observable,
+            kind,
+            ground,
+            much,
+            little,
+            rest,
+            gain,
+        };
+        [
+            of("rate", ["rate", "rate_inject"], Open::rate("a"), [1.7e308, 40.0, 0.0, 1.0]),
+            of("membrane", ["V_m", "current_pA"], membrane, [-1.7e308, 0.5, -70.0, 10.0]),
+        ]
+    }
+
+    /// A session of it, with an output and these inputs.
+    fn open(&self, id: &str, stimuli: Vec<Json>) -> Open {
+        let records = vec![record("out", self.observable, 1.0)];
+        Open { id: id.to_owned(), records, stimuli, ..self.ground.clone() }
+    }
+
+    /// Where it is after each of so many steps of 1 ms under an input.
+    fn after(&self, steps: usize, input: f64) -> Vec<f64> {
+        let p = (-0.1_f64).exp();
+        let next = |x: &mut f64, _| {
+            *x = self.rest + (*x - self.rest) * p + input * self.gain * (1.0 - p);
+            Some(*x)
+        };
+        (0..steps).scan(self.rest, next).collect()
+    }
+}
+
+/// Two sessions of one network that both fail before anything else: they stay two.
+fn failures_of_two() -> Case {
+    let [of, _] = Overdriven::both();
+    let what = of.what;
+    let stimuli = || ["x", "y"].map(|port| stimulus(port, of.kind)).into();
+    let open = |id: &str| (of.open(id, stimuli()).text(), opened(id));
+    let fails = |id: &str| (driven_step(id, 40.0, &[("x", of.much), ("y", of.much)]), error());
+    let steps = |id: &str, x: f64| {
+        let out = object! { "times" => nums(&[1.0]), "values" => nums(&of.after(1, x)) };
+        (driven_step(id, 1.0, &[("x", x), ("y", 0.0)]), recorded(id, object! { "out" => out }))
+    };
+    let trace = vec![open("a"), open("b"), fails("a"), fails("b"), steps("a", of.little), steps("b", 0.0)];
+    super::reference(format!("fails/{what}/of-two-sessions"), &["NCP-SESS-035", "NCP-SESS-057"], trace)
+        .title(format!("Two sessions whose {what} left the doubles go on each by itself."))
+        .flags(&["session-lifecycle", "non-finite-numbers"])
+        .because("What is done to one session changes no other; a request that fails leaves the network as it was.")
+}
+
+/// The values of ports to which a request that fails brings nothing.
+fn failures_beside_a_current() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for of in Overdriven::both() {
+        let what = of.what;
+        let (name, words, target) = match what {
+            "rate" => ("same", "the same population", "pop"),
+            _ => ("other", "another population", "other"),
+        };
+        let drive = |port: &str| stimulus(port, of.kind).with("target", target.into());
+        let stimuli = vec![stimulus("in", of.kind), drive("x"), drive("y")];
+        let open = Open { other: Some(1), ..of.open("a", stimuli) };
+        let values = of.after(3, of.little);
+        let steps = |request: String, from: usize, to: usize| {
+            let times: Vec<f64> = (1_u32..).map(f64::from).skip(from).take(to - from).collect();
+            let out = object! { "times" => nums(&times), "values" => nums(&values[from..to]) };
+            (request, recorded("a", object! { "out" => out }))
+        };
+        let trace = vec![
+            (open.text(), opened("a")),
+            steps(driven_step("a", 1.0, &[("in", of.little)]), 0, 1),
+            (driven_step("a", 40.0, &[("x", of.much), ("y", of.much)]), error()),
+            steps(driven_step("a", 2.0, &[("x", 0.0), ("y", 0.0)]), 1, 3),
+        ];
+        let path = format!("fails/{what}/beside-a-stimulus/{name}");
+        cases.push(
+            super::reference(path, &["NCP-SESS-054", "NCP-SESS-057"], trace)
+                .title(format!(
+                    "A stimulus stays when a request fails that brings values for other ports, of {words} ({what})."
+                ))
+                .flags(&["session-lifecycle", "non-finite-numbers"])
+                .because("A stimulus stays until another value for its port comes, which the one that fails lacks."),
+        );
+    }
+    cases
+}
+
+/// Many requests that fail: none ends the session, and all of them together neither.
+fn failures_without_number() -> Vec<Case> {
+    const MANY: usize = 12;
+    let too_much = Open { params: vec![("C_m", 1.0)], stimuli: vec![stimulus("in", "current_pA")], ..Open::lif("a") };
+    let at_rest = || step_of("a", Some(1.0), Some(("in", 0.0)));
+    let plain = || step_of("a", Some(1.0), None);
+    type Row = (&'static str, &'static str, String, String, String);
+    let table: [Row; 3] = [
+        ("below-0", "steps of a time below 0", Open::lif("a").text(), step_of("a", Some(-1.0), None), plain()),
+        ("nonsense", "texts that are no request", Open::lif("a").text(), "hello".to_owned(), plain()),
+        (
+            "overflow",
+            "steps whose membrane leaves the doubles",
+            too_much.text(),
+            step_of("a", Some(10.0), Some(("in", -1.7e308))),
+            at_rest(),
+        ),
+    ];
+    let one = |(name, words, open, fails, then): Row| {
+        let mut trace = vec![(open, opened("a")), (then.clone(), observed("a", 1.0))];
+        trace.extend(std::iter::repeat_n((fails, error()), MANY));
+        trace.extend([(then, observed("a", 2.0)), (close("a"), closed("a"))]);
+        let (path, rules) = (format!("fails/many/{name}"), ["NCP-SESS-037", "NCP-SESS-027"]);
+        match name {
+            "overflow" => super::reference(path, &rules, trace),
+            _ => case(path, &rules, trace),
+        }
+        .title(format!("A session goes on after {MANY} {words}, and is closed."))
+        .flags(&["session-lifecycle"])
+        .because("A request that fails costs that request only, however many fail.")
+    };
+    table.map(one).into()
+}
+
 /// A session that is left alone for long, while much is asked of others.
 fn abandoned() -> Vec<Case> {
     const MANY: usize = 300;
     const WHY: &str = "What is done to one session changes no other; only a `close_session` ends one.";
-    let repeated = |request: String, reply: Json| std::iter::repeat_n((request, reply), MANY);
+    // There are many, so that each is as short as it may be.
+    let steps = |id: &str| object! { "kind" => "step_request", "session_id" => id }.text();
+    let repeated = |id: &str, reply: Json| std::iter::repeat_n((steps(id), reply), MANY);
     let of_another = std::iter::once((Open::lif("b").text(), anything()));
-    let of_another = of_another.chain(repeated(step_of("b", None, None), anything())).collect();
-    let failing = repeated(step_of("c", None, None), error()).collect();
+    let of_another = of_another.chain(repeated("b", anything())).collect();
+    let failing = repeated("c", error()).collect();
     vec![
         goes_on("abandoned/steps-of-another", "a", of_another)
             .title(format!("A session goes on after {MANY} steps of another session."))
@@ -688,13 +1033,18 @@ fn abandoned() -> Vec<Case> {
 
 /// The first of many sessions. Whether the server has room for the others is its own affair; the first stays open.
 fn crowds() -> Vec<Case> {
+    // There are many, so that each is as short as it may be.
+    let brief = |nth: usize| {
+        let network = object! { "ref" => "ncp.reference.lif" };
+        object! { "kind" => "open_session", "session_id" => format!("s{nth}"), "network" => network }.text()
+    };
     let of = |others: usize| {
-        let opened = (1..=others).map(|nth| (Open::lif(&format!("s{nth}")).text(), anything())).collect();
+        let opened = (1..=others).map(|nth| (brief(nth), anything())).collect();
         goes_on(&format!("crowd/{others}-opened"), "s0", opened)
             .title(format!("A session goes on after {others} others were opened, or refused."))
             .because("A server keeps sessions apart: what is done to one, such as opening it, changes no other.")
     };
-    [33, 130, 257].map(of).into()
+    [33, 130, 257, 520].map(of).into()
 }
 
 /// A session that is stepped before and behind other requests, and closed; or was not opened by a server without such

@@ -42,6 +42,12 @@ pub(super) fn file() -> File {
     cases.extend(own_ports());
     cases.extend(announced());
     cases.extend(rounded_rests());
+    cases.extend(of_no_step());
+    cases.extend(own_neurons());
+    cases.extend(tiny());
+    cases.extend(short_steps());
+    cases.extend(opened_otherwise());
+    cases.extend(room());
     let about = "The numbers of the reference networks: membrane potentials, spikes and rates by exact propagation.";
     File::new("session", "reference", about, cases)
 }
@@ -1191,7 +1197,7 @@ fn sums() -> Vec<Case> {
 }
 
 /// A step with values for several ports.
-fn driven_step(id: &str, advance: f64, values: &[(&str, f64)]) -> String {
+pub(super) fn driven_step(id: &str, advance: f64, values: &[(&str, f64)]) -> String {
     let request = Json::read(&step(id, Some(advance), None));
     if values.is_empty() {
         return request.text();
@@ -1207,6 +1213,7 @@ fn far() -> Vec<Case> {
     cases.push(many_samples());
     cases.extend(far_samples());
     cases.extend(far_spikes());
+    cases.push(many_spikes());
     cases.extend(far_neurons());
     cases
 }
@@ -1392,6 +1399,20 @@ fn far_spikes() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Spikes of thousands of neurons in one request, at each of its steps.
+fn many_spikes() -> Case {
+    let (size, steps) = (10_000_u32, 3);
+    let params = vec![("t_ref", 0.0), ("I_e", 50_000.0)];
+    let (_, _, spikes) = simulate(&params, 1.0, steps, 50_000.0);
+    let open = Open { size, params, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
+    let times: Vec<f64> = spikes.iter().flat_map(|time| std::iter::repeat_n(*time, size as usize)).collect();
+    let records = object! { "s" => samples(&times, None) };
+    let trace = vec![(open.text(), opened("a")), (run("a", f64::from(steps)), recorded("a", records))];
+    reference(format!("far/spikes/{}-of-{size}", times.len()), &["NCP-SESS-050", "NCP-SESS-038"], trace)
+        .title(format!("All {} spikes of {size} neurons in {steps} steps of one request are recorded.", times.len()))
+        .because("A spike is recorded when it occurs; a server bears a million samples in each request.")
 }
 
 /// Neurons whose ids do not fit a small integer: none stands for another.
@@ -1746,6 +1767,23 @@ fn much_at_once() -> Vec<Case> {
             ))
             .because("A server bears a million samples in each request, and a sample is one by the cadence."),
     );
+    // Many steps of many neurons, and a port of spikes that counts as one that samples at each of them.
+    let quiet = vec![record("s", "spikes", 1.0)];
+    let table: [(&str, u32, u32, Vec<Json>, &str); 3] = [
+        ("neuron-steps/of-100000", 100_000, 11, Vec::new(), "20,000,000 neurons times steps"),
+        ("neuron-steps/of-1000", 1_000, 1_100, Vec::new(), "20,000,000 neurons times steps"),
+        ("samples/of-quiet-neurons", 100, 9_900, quiet, "1,000,000 samples, of spikes one a neuron and step,"),
+    ];
+    for (name, size, steps, records, what) in table {
+        let open = Open { size, records, ..Open::lif("a") };
+        let time = f64::from(steps);
+        let trace = vec![(open.text(), opened("a")), (run("a", time), observed("a", time))];
+        cases.push(
+            reference(format!("far/{name}"), &["NCP-SESS-027", "NCP-SESS-033"], trace)
+                .title(format!("A run of {steps} steps of {size} neurons is answered ({}).", name.replace('/', ", ")))
+                .because(format!("A server bears up to {what} in each request.")),
+        );
+    }
     // A reply of more than 1 MiB, which is what an observation may have.
     let open =
         Open { size: 10_000, params: vec![("I_e", 123.4)], records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
@@ -1882,6 +1920,17 @@ fn many_named() -> Vec<Case> {
         reference("reach/270-of-400".to_owned(), &["NCP-SESS-055"], trace)
             .title("Of 400 neurons a stimulus reaches the 270 that it names, and no others.")
             .because("A stimulus reaches each of the neurons of its target that its `ids` name."),
+    );
+    // More than a map may have entries, and than 12 bits count.
+    let many: Vec<u32> = (1..=4_097).rev().collect();
+    let open = Open { size: 4_100, records: vec![record("v", "V_m", 1.0).with("ids", ids(&many))], ..Open::lif("a") };
+    let of_all = |value: f64| nums(&vec![value; many.len()]);
+    let records = object! { "v" => object! { "times" => of_all(1.0), "values" => of_all(-70.0) } };
+    let trace = vec![(open.text(), opened("a")), (step("a", Some(1.0), None), recorded("a", records))];
+    cases.push(
+        reference("id/4097-of-4100".to_owned(), &["NCP-SESS-050", "NCP-WIRE-069"], trace)
+            .title("Of 4,100 neurons the 4,097 are recorded that the port names.")
+            .because("A receiver limits the items of a numeric array by the bytes of the frame alone."),
     );
     // Populations that one byte counts to the same number.
     let sizes = (0..300).map(|nth| (format!("p{nth}"), 1_u32.into())).collect();
@@ -2214,4 +2263,308 @@ fn rounded_rests() -> Vec<Case> {
             .because("A time of x ms is round(x / dt) steps: the whole number nearest to it, the greater of two.")
         })
         .collect()
+}
+
+/// Requests that come to no step: each port comes back, and has no sample.
+fn of_no_step() -> Vec<Case> {
+    let ways = [
+        ("lif", "step", 10.0, step("a", Some(0.25), None), Open::lif("a")),
+        ("rate", "chunk", 0.25, step("a", None, None), Open::rate("a")),
+    ];
+    let mut cases = Vec::new();
+    for (network, way, chunk, request, ground) in ways {
+        let of_lif = network == "lif";
+        let (records, value) = match of_lif {
+            true => (vec![record("v", "V_m", 1.0), record("s", "spikes", 1.0)], -70.0),
+            false => (vec![record("v", "rate", 1.0)], 0.0),
+        };
+        let none = || object! { "times" => nums(&[]), "values" => nums(&[]), "senders" => nums(&[]) };
+        let with = |v: Json| match of_lif {
+            true => crate::trace::exactly(object! { "v" => v, "s" => none() }),
+            false => crate::trace::exactly(object! { "v" => v }),
+        };
+        let open = Open { records, chunk, ..ground };
+        let trace = vec![
+            (open.text(), opened("a")),
+            (request.clone(), recorded_at("a", 0.0, with(none()))),
+            (step("a", Some(1.0), None), recorded_at("a", 1.0, with(samples(&[1.0], Some(&[value]))))),
+            (request.clone(), recorded_at("a", 1.0, with(none()))),
+        ];
+        let case = reference(format!("no-step/{way}/{network}"), &["NCP-SESS-038", "NCP-SESS-058"], trace);
+        let case = ["times", "values", "senders"]
+            .into_iter()
+            .fold(case, |case, member| case.by(format!("/replies/*/records/*/{member}"), "NCP-SESS-058"));
+        cases.push(
+            case.title(format!(
+                "A {way} of a quarter of a step is answered with observations without samples ({network})."
+            ))
+            .because("A request that comes to no step is answered as every other, with observations of no samples."),
+        );
+    }
+    cases
+}
+
+/// Ports of one population that name other neurons, as many of them: each has the samples of its own.
+fn own_neurons() -> Vec<Case> {
+    let ids = |of: &[u32]| of.iter().copied().collect::<Json>();
+    let named: [(&str, &[u32]); 4] = [("v", &[1]), ("w", &[2]), ("x", &[1, 3]), ("y", &[3, 1])];
+    let mut cases = Vec::new();
+    for (observable, current, steps) in [("V_m", 300.0, 2_u32), ("spikes", 5_000.0, 4)] {
+        // Neurons 2 and 3 are driven, and the third by two ports.
+        let drive = |port: &str, of: &[u32]| stimulus(port, "current_pA").with("ids", ids(of));
+        let open = Open {
+            size: 3,
+            records: named.iter().map(|(port, of)| record(port, observable, 1.0).with("ids", ids(of))).collect(),
+            stimuli: vec![drive("in", &[2, 3]), drive("more", &[3])],
+            ..Open::lif("a")
+        };
+        let inputs = [0.0, current, 2.0 * current];
+        let runs = inputs.map(|input| simulate(&[], 1.0, steps, input));
+        let observation = |of: &[u32]| {
+            let (mut times, mut values, mut senders) = (Vec::new(), Vec::new(), Vec::new());
+            for nth in 0..steps as usize {
+                for id in of {
+                    let at = *id as usize - 1;
+                    let (time, potential) = (runs[at].0[nth], runs[at].1[nth]);
+                    if observable == "spikes" && !runs[at].2.contains(&time) {
+                        continue;
+                    }
+                    times.push(time);
+                    senders.push(*id);
+                    if observable == "V_m" {
+                        values.push(potential);
+                    }
+                }
+            }
+            sent(&times, &senders).with("values", nums(&values))
+        };
+        let records = Json::Object(named.iter().map(|(port, of)| ((*port).to_owned(), observation(of))).collect());
+        let request = driven_step("a", f64::from(steps), &[("in", current), ("more", current)]);
+        let trace = vec![(open.text(), opened("a")), (request, recorded("a", records))];
+        let what = if observable == "V_m" { "potential" } else { observable };
+        let case = reference(format!("id/of-each-port/{what}"), &["NCP-SESS-052", "NCP-SESS-059"], trace);
+        let case = if observable == "spikes" { case } else { case.by("/replies/*/records/*/times", "NCP-SESS-053") };
+        cases.push(
+            case.rests_on("session/reference/reach/two")
+                .title(format!("Each of four ports has the samples of the neurons that it names ({what})."))
+                .because("A neuron's id is its position within its population; a port records those that it names."),
+        );
+    }
+    cases
+}
+
+/// A number that is right to a relative error of 1e-9, also where it is next to 0.
+fn near_to(value: f64) -> Json {
+    let error = value.abs() * 1e-9;
+    within(value - error, value + error)
+}
+
+/// The samples of one neuron whose times and values are told from 0 however small they are.
+fn small_samples(times: &[f64], values: &[f64]) -> Json {
+    let all = |of: &[f64]| of.iter().copied().map(near_to).collect::<Json>();
+    object! { "times" => all(times), "values" => all(values) }
+}
+
+/// Numbers next to 0: the error is relative to them.
+fn tiny() -> Vec<Case> {
+    const WHY: &str = "The error of rules 50 and 51 is relative to the value, and nothing cancels here.";
+    let p = (-0.1_f64).exp();
+    let mut cases = Vec::new();
+    let rest = [("E_L", 0.0), ("V_reset", 0.0), ("V_th", 1.0), ("C_m", 10.0)];
+    // By what it has of its own, or by what a port gives it: then V and r follow one law.
+    for (name, value, is_given) in [("1e-12", 1e-12, true), ("1e-15", -1e-15, false), ("1e-40", 1e-40, false)] {
+        let (how, own, given) = match is_given {
+            true => ("that a port gives it", 0.0, Some(value)),
+            false => ("of its own", value, None),
+        };
+        let lif = Open {
+            params: rest.into_iter().chain([("I_e", own)]).collect(),
+            records: vec![record("out", "V_m", 1.0)],
+            stimuli: vec![stimulus("in", "current_pA")],
+            ..Open::lif("a")
+        };
+        let rate = Open {
+            params: vec![("mu", own)],
+            records: vec![record("out", "rate", 1.0)],
+            stimuli: vec![stimulus("in", "rate_inject")],
+            ..Open::rate("a")
+        };
+        for (network, rule, open) in [("lif", "NCP-SESS-050", lif), ("rate", "NCP-SESS-051", rate)] {
+            // The least of them for both, and of the others one each.
+            if matches!((name, network), ("1e-12", "rate") | ("1e-15", "lif")) {
+                continue;
+            }
+            let values: Vec<f64> = (0..2).scan(0.0, |r, _| Some(next_rate(r, p, value))).collect();
+            let records = object! { "out" => small_samples(&[1.0, 2.0], &values) };
+            let request = step("a", Some(2.0), given.map(|value| ("in", value)));
+            let trace = vec![(open.text(), opened("a")), (request, recorded("a", records))];
+            cases.push(
+                reference(format!("tiny/{name}/{network}"), &[rule], trace)
+                    .title(format!("A neuron ({network}) is integrated under an input of {value:e} {how}."))
+                    .because(WHY),
+            );
+        }
+    }
+    // From a step under an input it falls towards 0, and never is 0.
+    for (network, rule, open) in [
+        (
+            "lif",
+            "NCP-SESS-050",
+            Open {
+                params: rest.to_vec(),
+                records: vec![record("out", "V_m", 300.0)],
+                stimuli: vec![stimulus("in", "current_pA")],
+                ..Open::lif("a")
+            },
+        ),
+        (
+            "rate",
+            "NCP-SESS-051",
+            Open {
+                records: vec![record("out", "rate", 300.0)],
+                stimuli: vec![stimulus("in", "rate_inject")],
+                ..Open::rate("a")
+            },
+        ),
+    ] {
+        let first = 4.0 * (1.0 - p);
+        let at = |step: f64| first * (-(step - 1.0) / 10.0).exp();
+        let times = [300.0, 600.0, 900.0];
+        let trace = vec![
+            (open.text(), opened("a")),
+            (step("a", Some(1.0), Some(("in", 4.0))), observation("a")),
+            (
+                step("a", Some(899.0), Some(("in", 0.0))),
+                recorded("a", object! { "out" => small_samples(&times, &times.map(at)) }),
+            ),
+        ];
+        cases.push(
+            reference(format!("tiny/falling/{network}"), &[rule], trace)
+                .title(format!("A neuron ({network}) falls towards 0 by the same factor in each of 900 steps."))
+                .because(WHY),
+        );
+    }
+    cases
+}
+
+/// Steps that are far shorter than any time constant.
+fn short_steps() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let dt = 1e-9;
+    let lif = Open {
+        params: vec![("C_m", 10.0), ("E_L", 0.0), ("V_reset", 0.0), ("V_th", 1e300), ("t_ref", 0.0), ("I_e", 3e18)],
+        records: vec![record("out", "V_m", 5.0 * dt)],
+        dt,
+        chunk: 10.0 * dt,
+        ..Open::lif("a")
+    };
+    let rate = Open {
+        params: vec![("mu", 3e18)],
+        records: vec![record("out", "rate", 5.0 * dt)],
+        dt,
+        chunk: 10.0 * dt,
+        ..Open::rate("a")
+    };
+    for (network, rule, open) in [("lif", "NCP-SESS-050", lif), ("rate", "NCP-SESS-051", rate)] {
+        let at = |steps: f64| 3e18 * -(-steps * (dt / 10.0)).exp_m1();
+        let records = object! { "out" => small_samples(&[5.0 * dt, 10.0 * dt], &[at(5.0), at(10.0)]) };
+        let reply = recorded_at("a", 0.0, records).edit(&["$json", "sim_time_ms"], |_| near_to(10.0 * dt));
+        let trace = vec![(open.text(), opened("a")), (step("a", None, None), reply)];
+        cases.push(
+            reference(format!("short/{network}"), &[rule, "NCP-SESS-058"], trace)
+                .title(format!("A session ({network}) of steps of 1e-9 ms is opened, and runs ten of them."))
+                .because("A `dt_ms` that is positive is none to refuse, however short it is."),
+        );
+    }
+    cases
+}
+
+/// A session that is opened under the id of one that has ended, and otherwise than it.
+fn opened_otherwise() -> Vec<Case> {
+    let lif = || Open { params: vec![("I_e", 300.0)], records: vec![record("v", "V_m", 1.0)], ..Open::lif("a") };
+    let rate = || Open { params: vec![("mu", 40.0)], records: vec![record("v", "rate", 1.0)], ..Open::rate("a") };
+    let records = |times: &[f64], values: &[f64], senders: &[u32]| {
+        object! { "v" => sent(times, senders).with("values", nums(values)) }
+    };
+    let of_lif = |dt: f64, steps: u32| {
+        let (times, values, _) = simulate(&[], dt, steps, 300.0);
+        records(&times, &values, &vec![1; times.len()])
+    };
+    let (_, one, _) = simulate(&[], 1.0, 1, 300.0);
+    let r = 40.0 * (1.0 - (-0.1_f64).exp());
+    let half = Open { dt: 0.5, records: vec![record("v", "V_m", 0.5)], ..lif() };
+    let steps = |ms: f64| step("a", Some(ms), None);
+    type Row = (&'static str, &'static str, &'static str, Open, Open, String, Json);
+    let table: Vec<Row> = vec![
+        ("step", "steps", "NCP-SESS-058", lif(), half, steps(1.5), recorded_at("a", 1.5, of_lif(0.5, 3))),
+        ("lif", "network", "NCP-SESS-050", rate(), lif(), steps(1.0), recorded_at("a", 1.0, of_lif(1.0, 1))),
+        (
+            "rate",
+            "network",
+            "NCP-SESS-051",
+            lif(),
+            rate(),
+            steps(1.0),
+            recorded_at("a", 1.0, records(&[1.0], &[r], &[1])),
+        ),
+        (
+            "size",
+            "size",
+            "NCP-SESS-052",
+            lif(),
+            Open { size: 3, ..lif() },
+            steps(1.0),
+            recorded_at("a", 1.0, records(&[1.0; 3], &[one[0]; 3], &[1, 2, 3])),
+        ),
+        (
+            "chunk",
+            "chunk",
+            "NCP-SESS-031",
+            lif(),
+            Open { chunk: 2.0, ..lif() },
+            step("a", None, None),
+            recorded_at("a", 2.0, of_lif(1.0, 2)),
+        ),
+    ];
+    let case = |(name, words, rule, first, second, request, reply): Row| {
+        let trace = vec![
+            (first.text(), opened("a")),
+            (step("a", Some(1.0), None), observation("a")),
+            (super::close("a"), crate::trace::anything()),
+            (second.text(), opened("a")),
+            (request, reply),
+        ];
+        let mut case = reference(format!("reopened/otherwise/{name}"), &[rule, "NCP-SESS-035"], trace);
+        case.by.retain(|place, _| place == "/replies/0");
+        case.by("/replies/3", if name == "rate" { "NCP-SESS-051" } else { "NCP-SESS-050" })
+            .title(format!("A session that is opened under the id of one of other {words} runs by its own ({name})."))
+            .because("What was done to a session that has ended changes no other, nor what it was opened with.")
+    };
+    table.into_iter().map(case).collect()
+}
+
+/// What sessions that have ended, and openings that were refused, leave to others: all of the room.
+fn room() -> Vec<Case> {
+    const WHY: &str = "A server bears up to 100,000 neurons in a session; what a session took is free when it ends.";
+    let large = |id: &str| Open { size: 60_000, ..Open::lif(id) };
+    let opens = |id: &str| (large(id).text(), opened(id));
+    let runs = |id: &str| (step(id, Some(1.0), None), observed(id, 1.0));
+    let closes = |id: &str| (super::close(id), crate::trace::anything());
+    // The second has the id of the first.
+    let one_by_one = ["a", "a", "b"].iter().flat_map(|id| [opens(id), runs(id), closes(id)]).collect();
+    // Two ports of one name, for which it should be refused.
+    let twice = Open { records: vec![record("v", "V_m", 1.0), record("v", "V_m", 1.0)], ..large("a") };
+    let refused = || [(twice.text(), crate::trace::anything()), closes("a")];
+    let behind_refused = [refused(), refused()].into_iter().flatten().chain([opens("a"), runs("a")]).collect();
+    [
+        ("ended", "behind two others that have ended", one_by_one),
+        ("refused", "behind two that were refused", behind_refused),
+    ]
+    .into_iter()
+    .map(|(name, words, trace)| {
+        reference(format!("far/room/{name}"), &["NCP-SESS-050", "NCP-SESS-028"], trace)
+            .title(format!("A session of 60,000 neurons is opened {words}."))
+            .because(WHY)
+    })
+    .collect()
 }
