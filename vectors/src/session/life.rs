@@ -318,7 +318,7 @@ fn refused_beside() -> Vec<Case> {
                 |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
             let refused = || trace(any(vec![not_opened("a"), error()]), observed(10.0, 10));
             let opens = answers(trace(opened("a"), anything()));
-            let rules = [rule, "NCP-SESS-030"];
+            let rules = [rule, "NCP-SESS-027"];
             let case = super::reference(format!("opened-anew/{road}/other-{name}"), &rules, refused());
             let mut case = case.shows(any(vec![answers(refused()), opens]));
             case.by.retain(|place, _| place == "/replies/0");
