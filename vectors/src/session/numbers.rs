@@ -638,7 +638,7 @@ fn neurons_by_bits() -> Vec<Case> {
     let after = |current: f64| simulate(&[], 1.0, 5, current).1.last().copied().unwrap_or_default();
     let list = |ids: &[u32]| ids.iter().copied().collect::<Json>();
     let mut cases = Vec::new();
-    for bits in [8_u32, 9, 10, 12] {
+    for bits in [8_u32, 9, 10, 12, 16] {
         let whole = 1_u32 << bits;
         let ids = [1, 2, whole, whole + 1, whole + 2];
         let record = record("v", "V_m", 5.0).with("ids", list(&ids));
@@ -1023,6 +1023,14 @@ fn orders() -> Vec<Case> {
             let request = step("a", Some(advance), None);
             add(format!("{what}/{name}"), words, driven(of(observable, ids)), request, times, senders);
         }
+    }
+    // More than one looks through for each sample.
+    let many: Vec<u32> = (1..=70).rev().collect();
+    for (what, observable, time) in [("potential", "V_m", Some(1.0)), ("spikes", "spikes", beats.first().copied())] {
+        let Some(time) = time else { continue };
+        let open = Open { size: 70, ..driven(of(observable, &many)) };
+        let words = "as the port names its neurons";
+        add(format!("{what}/70-to-1"), words, open, step("a", Some(time), None), vec![time; 70], many.clone());
     }
     // By id, as a number: the tenth comes behind the second.
     let all: Vec<u32> = (1..=12).collect();
