@@ -21,6 +21,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     for group in ["life", "durations", "announced", "zero", "hash", "opened-anew", "opened-anew-chunk", "alike"] {
         cases.extend(text.cases(group, row_case)?);
     }
+    cases.extend(alike_but_for_space());
     cases.extend(open_questions());
     cases.extend(refused());
     cases.extend(refused_anew());
@@ -125,6 +126,25 @@ fn open(id: &str) -> (String, Json) {
 
 fn steps(id: &str, time: f64) -> (String, Json) {
     (step_of(id, None, None), observed(id, time))
+}
+
+/// Ids with white space of Unicode about them, which scenario text has no words for.
+fn alike_but_for_space() -> Vec<Case> {
+    [("ideographic-space", '\u{3000}'), ("no-break-space", '\u{a0}'), ("line-separator", '\u{2028}')]
+        .into_iter()
+        .flat_map(|(name, space)| {
+            [("before", format!("{space}a")), ("behind", format!("a{space}"))].map(|(where_, other)| {
+                let trace = vec![open("a"), (close(&other), anything()), steps("a", 10.0)];
+                case(format!("alike/close-no-other/{name}-{where_}"), &["NCP-SESS-035"], trace)
+                    .title(format!(
+                        "To close a session that is not open leaves a session open whose id has no {} {where_} it.",
+                        name.replace('-', " ")
+                    ))
+                    .flags(&["session-lifecycle"])
+                    .because("A server keeps sessions apart, and the id of a session is its letters.")
+            })
+        })
+        .collect()
 }
 
 /// The seq of the observation frames, and what is the server's affair.
