@@ -60,7 +60,7 @@ pub struct Case {
     pub roles: Vec<Role>,
     /// What a peer has to have beside a role; mostly nothing.
     pub needs: Vec<Need>,
-    /// The highest level among its rules.
+    /// The highest level among its rules; strict where it asks by the strict profile.
     pub level: Level,
     /// Whether a failure decides the verdict: one of its rules is a MUST or MUST NOT.
     pub binding: bool,
@@ -162,7 +162,8 @@ impl Case {
     /// Puts a case together.
     pub(super) fn new(parts: Parts) -> Self {
         let Parts { id, title, requirements, flags, roles, needs, call, args, expect, by, rests_on, why, file } = parts;
-        let level = requirements.iter().map(|rule| rule.level).max().unwrap_or(Level::Wire);
+        let of_rules = requirements.iter().map(|rule| rule.level).max().unwrap_or(Level::Wire);
+        let level = if asks_strictly(call, &args) { Level::Strict } else { of_rules };
         let binding = requirements.iter().any(|rule| rule.keyword.is_binding());
         Self {
             id,
@@ -267,4 +268,34 @@ pub(super) struct Parts {
     pub(super) rests_on: Vec<String>,
     pub(super) why: String,
     pub(super) file: Arc<str>,
+}
+/// Whether a question is one of the strict profile, which a peer of another level is not to be asked.
+fn asks_strictly(call: Call, args: &Template) -> bool {
+    // Within a string, the quotation marks would be escaped.
+    let words: &[&str] = match call {
+        Call::Decode | Call::ReplyCheck | Call::BufferRun => &["\"strict\":true"],
+        Call::SessionRun => &["\"strict\":true", "\"verbs\":"],
+        Call::KeyBuild => &["\"strict\":true", "\"verb\":"],
+        _ => &[],
+    };
+    words.iter().any(|word| args.unexpanded().contains(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_asks_by_the_strict_profile_is_of_its_level() {
+        for (call, args, is_strict) in [
+            (Call::Decode, r#"{"kind": "error", "text": "{}", "strict": true}"#, true),
+            (Call::Decode, r#"{"kind": "error", "text": "{\"strict\":true}"}"#, false),
+            (Call::Decode, r#"{"kind": "error", "text": "{}", "strict": false}"#, false),
+            (Call::KeyBuild, r#"{"key": "rpc", "verb": "open_session"}"#, true),
+            (Call::SessionRun, r#"{"requests": [], "verbs": []}"#, true),
+            (Call::VersionCheck, r#"{"version": "0.5", "strict": true}"#, false),
+        ] {
+            assert_eq!(asks_strictly(call, &Template::new(args).unwrap()), is_strict, "{args}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Codecs, and what is put through them.
 
 use super::{Draw, Tree};
-use crate::fuzz::tree::{int, list, map, num, nums, object, or_null, set, text};
+use crate::fuzz::tree::{int, items, list, map, members, num, nums, object, or_null, set, string, text};
 
 fn range(draw: &mut Draw<'_>) -> [f64; 2] {
     let end = |draw: &mut Draw<'_>| if draw.chance(75) { draw.plain() } else { draw.double() };
@@ -137,4 +137,32 @@ pub(super) fn decode(draw: &mut Draw<'_>) -> Tree {
         ("frame_id", text(draw.string())),
         ("mode", text(draw.pick(&["init", "active", "hold", "estop"]))),
     ])
+}
+
+/// Whether the arguments are such as PROTOCOL.md has, without a text that ends at U+0000 in C.
+pub(super) fn is_said_by_all(args: &Tree) -> bool {
+    const KNOWN: [&str; 6] = ["channel", "component", "population", "value_range", "rate_range", "unit"];
+    let of = |name| items(args.get("codec").and_then(|codec| codec.get(name)));
+    let mut mappings = of("encoders").iter().chain(of("decoders"));
+    let is_whole =
+        mappings.all(|mapping| members(Some(mapping)).iter().all(|(name, _)| KNOWN.contains(&name.as_ref())));
+    is_whole && !string(args, "frame_id").unwrap_or_default().contains('\0')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mapping_has_no_member_that_the_protocol_lacks_and_a_frame_id_no_end_within() {
+        let asked = |member: &'static str, frame_id: &str| {
+            let mapping = object([("channel", text("x")), (member, int(1))]);
+            let codec = object([("encoders", list(vec![mapping])), ("decoders", list(Vec::new()))]);
+            object([("codec", codec), ("frame_id", text(frame_id.to_owned()))])
+        };
+        assert!(is_said_by_all(&asked("component", "world")));
+        assert!(!is_said_by_all(&asked("k0", "world")));
+        assert!(!is_said_by_all(&asked("component", "wor\0ld")));
+        assert!(is_said_by_all(&object([("codec", text("uav"))])));
+    }
 }

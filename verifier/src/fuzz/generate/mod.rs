@@ -86,6 +86,7 @@ impl Menu {
                     && (lacks("name") || matches!(key, "sensor" | "command"))
             }
             Call::PlaneQos => self.planes.contains(&of("plane")),
+            Call::CodecEncode | Call::CodecDecode => codec::is_said_by_all(args),
             Call::SessionRun => session::is_bearable(args),
             _ => true,
         };
