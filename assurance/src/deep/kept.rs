@@ -75,7 +75,7 @@ pub(super) fn keep(project: &Project, out: &Path, stop: &Stop) -> Result<bool, E
         note(&root)?;
     }
     println!(
-        "{} of {} in {}; {open} whose answer the text leaves open by now; {}",
+        "{} of {} in {}; {open} whose answer the text leaves open, or that PROTOCOL.md has no request for; {}",
         pool.len(),
         counted(cases.cases().len(), "case"),
         counted(files, "file"),

@@ -142,10 +142,13 @@ pub(super) fn decode(draw: &mut Draw<'_>) -> Tree {
 /// Whether the arguments are such as PROTOCOL.md has, without a text that ends at U+0000 in C.
 pub(super) fn is_said_by_all(args: &Tree) -> bool {
     const KNOWN: [&str; 6] = ["channel", "component", "population", "value_range", "rate_range", "unit"];
+    const LISTS: [&str; 2] = ["encoders", "decoders"];
     let of = |name| items(args.get("codec").and_then(|codec| codec.get(name)));
-    let mut mappings = of("encoders").iter().chain(of("decoders"));
+    let lists = members(args.get("codec"));
+    let mut mappings = LISTS.into_iter().flat_map(of);
     let is_whole =
         mappings.all(|mapping| members(Some(mapping)).iter().all(|(name, _)| KNOWN.contains(&name.as_ref())));
+    let is_whole = is_whole && lists.iter().all(|(name, _)| LISTS.contains(&name.as_ref()));
     is_whole && !string(args, "frame_id").unwrap_or_default().contains('\0')
 }
 
@@ -164,5 +167,6 @@ mod tests {
         assert!(!is_said_by_all(&asked("k0", "world")));
         assert!(!is_said_by_all(&asked("component", "wor\0ld")));
         assert!(is_said_by_all(&object([("codec", text("uav"))])));
+        assert!(!is_said_by_all(&object([("codec", object([("z0", list(Vec::new()))]))])));
     }
 }
