@@ -429,7 +429,10 @@ fn other_channels() -> Vec<Case> {
             let scaled = || {
                 let mut data: Vec<Json> = vec![within(-limit * 1e-9, limit * 1e-9); width];
                 data[width - 1] = within(limit * (1.0 - 1e-9), limit * (1.0 + 1e-12));
-                object! { "slow" => object! { "data" => nums(&of(-below)) }, "fast" => object! { "data" => Json::Array(data) } }
+                object! {
+                    "slow" => object! { "data" => nums(&of(-below)) },
+                    "fast" => object! { "data" => Json::Array(data) },
+                }
             };
             let frame =
                 object! { "mode" => "active", "channels" => scaled(), "horizon" => Json::Array(vec![scaled()]) };
@@ -438,8 +441,8 @@ fn other_channels() -> Vec<Case> {
                 case(format!("range/other/{name}/{width}-wide"), &["NCP-SAFE-065", "NCP-SAFE-060"], &trace)
                     .shows_exactly(steps(vec![object! { "frame" => frame }]))
                     .title(format!(
-                        "Of two channels of {width} components in m/s, the one above a limit of {limit:?} m/s is scaled \
-                         to it, and the other is unchanged."
+                        "Of two channels of {width} components in m/s, the one above a limit of {limit:?} m/s is \
+                         scaled to it, and the other is unchanged."
                     ))
                     .flags(&["overflowing-norm"])
                     .because("Every channel in m/s is limited by its norm, whatever its width and its squares."),

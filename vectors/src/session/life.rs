@@ -365,7 +365,6 @@ fn long_requests() -> Vec<Case> {
     let port = frame("step_request").with("advance_ms", crate::trace::num(5.0)).with("stimulus", port);
     let opening = || text_of(object! { "kind" => "session_opened" });
     // A frame with a tilde where the long text stands, and of what that is.
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, Json, &str, Json, &'static str); 6] = [
         ("kind", "kind", frame("~"), "x", error(), "NCP-SESS-022"),
         ("kind-of-escapes", "kind", frame("~"), "\\u0001", error(), "NCP-SESS-022"),
@@ -845,7 +844,6 @@ fn failures_by_road() -> Vec<Case> {
         ("run", "a run", run("a", 10.0)),
     ];
     // The neuron's own current, and what the requests bring before, in and behind the one that fails.
-    #[expect(clippy::type_complexity, reason = "a table is read by its rows")]
     let table: [(&str, &str, f64, [Option<f64>; 3]); 3] = [
         ("own", "the neuron's own current", much, [None; 3]),
         ("kept", "a current that a request before brought", 0.0, [Some(much), None, Some(0.0)]),

@@ -50,8 +50,8 @@ pub enum TemplateError {
     Json(#[from] JsonError),
     /// An object begins like a template but is none.
     #[error(
-        "`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`; in a list `$item` with `times`, and \
-         perhaps `plus`"
+        "`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`; in a list `$item` with `times`, \
+         and perhaps `plus`"
     )]
     Unknown(String),
     /// A member of a template has the wrong type.
