@@ -532,7 +532,7 @@ fn encoded() -> Vec<Case> {
         in_order("observation_frame", &[("records", records)])
     };
     let of = |name: &str, rule: &'static str, replies: Vec<Json>, says: &str, why: &str| {
-        let case = asking(format!("encoded/{name}"), &[rule], requests());
+        let case = asking(format!("encoded/{name}"), &[rule, "NCP-SESS-027"], requests());
         case.shows(super::replies(replies)).needs(REFERENCE_NETWORKS).title(says).because(why)
     };
     let fields = of(
