@@ -9,10 +9,7 @@ const WRITTEN_OUT: usize = 200;
 /// `{"$item": …, "times": …}`, and those in which integers grow by the same from each to the next as
 /// `{"$item": …, "times": …, "plus": {…}}`.
 pub(crate) fn of_arguments(value: Json, lists: &[&str]) -> Json {
-    written(value, false, &|name| lists.contains(&name), &|items| match growing(items) {
-        Some(run) => Some(run),
-        None => equal(items),
-    })
+    written(value, false, &|name| lists.contains(&name), &|items| growing(items).or_else(|| equal(items)))
 }
 
 /// The pattern with each long run of equal items as one `{"$item": …, "times": …}`.

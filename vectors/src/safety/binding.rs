@@ -5,7 +5,7 @@ use super::{case, good, near, row_case};
 use crate::case::{Case, File};
 use crate::command::{Command, M, MPS, POSITION, VELOCITY, channel, velocity};
 use crate::json::object;
-use crate::scenario::{ScenarioError, Scenarios, source};
+use crate::scenario::{ScenarioError, Scenarios, full_width, source};
 use crate::trace::{anything, steps};
 
 pub(super) fn file() -> Result<File, ScenarioError> {
@@ -294,9 +294,4 @@ fn likenesses() -> Vec<Case> {
         add("declared-unit-of-a-velocity", "NCP-SAFE-015", speed, Some(way), govern(good(), near()));
     }
     cases
-}
-
-/// The letters of ASCII in their full width.
-fn full_width(text: &str) -> String {
-    text.chars().map(|c| char::from_u32(u32::from(c) + 0xFEE0).unwrap_or(c)).collect()
 }

@@ -526,8 +526,13 @@ pub(crate) fn beside(by: i64) -> String {
     format!("{major}.{}", minor.parse::<i64>().unwrap_or_default() + by)
 }
 
+/// A text of ASCII in full-width letters, which some readers take for the same.
+pub(crate) fn full_width(text: &str) -> String {
+    text.chars().map(|c| char::from_u32(u32::from(c) + 0xfee0).unwrap_or(c)).collect()
+}
+
 /// The major and the minor of a version.
-fn parts(version: &str) -> (&str, &str) {
+pub(crate) fn parts(version: &str) -> (&str, &str) {
     version.split_once('.').unwrap_or((version, "0"))
 }
 

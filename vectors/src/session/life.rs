@@ -133,11 +133,11 @@ fn alike_but_for_space() -> Vec<Case> {
     [("ideographic-space", '\u{3000}'), ("no-break-space", '\u{a0}'), ("line-separator", '\u{2028}')]
         .into_iter()
         .flat_map(|(name, space)| {
-            [("before", format!("{space}a")), ("behind", format!("a{space}"))].map(|(where_, other)| {
+            [("before", format!("{space}a")), ("behind", format!("a{space}"))].map(|(place, other)| {
                 let trace = vec![open("a"), (close(&other), anything()), steps("a", 10.0)];
-                case(format!("alike/close-no-other/{name}-{where_}"), &["NCP-SESS-035"], trace)
+                case(format!("alike/close-no-other/{name}-{place}"), &["NCP-SESS-035"], trace)
                     .title(format!(
-                        "To close a session that is not open leaves a session open whose id has no {} {where_} it.",
+                        "To close a session that is not open leaves a session open whose id has no {} {place} it.",
                         name.replace('-', " ")
                     ))
                     .flags(&["session-lifecycle"])

@@ -4,7 +4,7 @@ use ncp_text::WIRE_VERSION;
 
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::scenario::{Row, ScenarioError, Scenarios, source};
+use crate::scenario::{Row, ScenarioError, Scenarios, parts, source};
 use crate::template::Text;
 
 /// What a text is to the guard.
@@ -97,7 +97,7 @@ pub(crate) fn malformed(names: &[&str]) -> Result<Vec<(&'static str, Json)>, Sce
 /// Versions of more digits than some languages take for an integer.
 fn far() -> [Case; 2] {
     const ZEROS: usize = 5_000;
-    let (major, minor) = WIRE_VERSION.split_once('.').unwrap_or((WIRE_VERSION, "0"));
+    let (major, minor) = parts(WIRE_VERSION);
     let zeros = || Text::repeat("0", ZEROS);
     let far = |part: &str, rules: [&'static str; 2], version: Text| {
         Case::new(format!("strict/{part}-behind-{ZEROS}-zeros"), &rules, &Role::ALL)

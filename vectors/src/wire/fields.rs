@@ -6,6 +6,7 @@ use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{self, default_of, is_pin};
 use crate::roles::{a, readers};
+use crate::scenario::full_width;
 use ncp_text::tables::{Default, Enum, Field, Shape, Unknown, tables};
 
 /// A file for each kind and for each message that stands within others.
@@ -469,7 +470,7 @@ impl Probe<'_> {
             ("line-feed", format!("{first}\n")),
             ("nul", format!("{first}\0")),
             ("empty", String::new()),
-            ("full-width", first.bytes().filter_map(|b| char::from_u32(0xfee0 + u32::from(b))).collect()),
+            ("full-width", full_width(&first)),
             ("soft-hyphen", first.replacen('t', "\u{ad}t", 1)),
             ("sentinel", "unknown".to_owned()),
         ];
