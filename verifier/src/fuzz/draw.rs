@@ -495,6 +495,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_nearly_a_word_differs_in_its_case_its_letters_or_what_stands_about_it() {
+        let harvest = Harvest::default();
+        let drawn: std::collections::HashSet<String> =
+            (0..3000).map(|number| Draw::new(5, number, &harvest).nearly("m0")).collect();
+        for word in ["M0", "m0", "m0\0x", "\u{ff4d}\u{ff10}", "m\u{660}", "\u{3000}m0", "m", "m_0", "0m"] {
+            assert!(drawn.contains(word), "{word:?}");
+        }
+        assert!(drawn.len() > 40, "{}", drawn.len());
+        assert_eq!([wide('z'), wide('0'), wide('/'), wide('\u{e9}')], ['\u{ff5a}', '\u{ff10}', '\u{ff0f}', '\u{e9}']);
+    }
+
+    #[test]
     fn sizes_reach_the_ends_the_powers_of_two_and_what_lies_between() {
         let harvest = Harvest::default();
         let mut draw = Draw::new(1, 1, &harvest);

@@ -469,9 +469,9 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
     let insert = |bytes: &mut Vec<u8>, place: usize, what: &[u8]| {
         bytes.splice(place.min(bytes.len())..place.min(bytes.len()), what.iter().copied());
     };
-    match draw.below(15) {
+    match draw.below(17) {
         // Half of a pair of surrogates, or a pair the wrong way round, in a string.
-        14 => {
+        14..=16 => {
             let quotes: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at] == b'"').collect();
             let Some(place) = quotes.get(draw.below(quotes.len())).copied() else { return bytes };
             let half = draw.pick(&["\\ud800", "\\uDFFF", "\\udc00\\ud800", "\\ud83dx", "\\uD83D\\u0041"]);

@@ -327,6 +327,24 @@ mod tests {
     use crate::fuzz::harvest::Harvest;
 
     #[test]
+    fn an_estop_is_wrong_in_its_grammar_in_its_members_and_in_its_bytes() {
+        let harvest = Harvest::default();
+        let frame = object([("kind", text("command_frame")), ("seq", int(7)), ("mode", text("active"))]);
+        let (mut cut, mut bytes, mut halves) = (0, 0, 0);
+        for number in 0..4000 {
+            let odd = odd_frame(&frame, &mut Draw::new(3, number, &harvest));
+            let Some(written) = odd.as_str() else {
+                bytes += 1;
+                continue;
+            };
+            let is_estop = written.contains("estop");
+            cut += usize::from(is_estop && Json::parse(written).is_err());
+            halves += usize::from(is_estop && written.contains("\\ud800"));
+        }
+        assert!(cut > 100 && bytes > 100 && halves > 5, "{cut} {bytes} {halves}");
+    }
+
+    #[test]
     fn a_patient_clock_reads_often_before_the_moment_and_then_meets_it() {
         let harvest = Harvest::default();
         let (mut met, mut most) = (0, 0);

@@ -499,6 +499,20 @@ mod tests {
         assert!(!open("{}", "0.001"));
     }
 
+    #[test]
+    fn a_port_may_name_its_neurons_in_any_order_and_none_of_them_twice() {
+        let open = |ids: &str| {
+            let asked = format!(
+                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
+                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"pop":3}}}},"sim":{{"dt_ms":1.0}},
+                "record":{{"targets":[{{"port":"v","target":"pop","ids":{ids}}}]}}}}"#
+            );
+            Session::read(&own(&Json::parse(&asked).unwrap())).is_some()
+        };
+        assert!(open("[1,2,3]") && open("[3,1,2]"));
+        assert!(!open("[2,2]") && !open("[1,2,1]") && !open("[4]"));
+    }
+
     /// Of each reply of a trace, whether it is open.
     fn openness(requests: &[&str], rest: &str) -> Vec<bool> {
         let open = format!(
