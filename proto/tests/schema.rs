@@ -352,6 +352,7 @@ fn a_vector_file_is_accepted_with_every_relation_and_template() {
     let texts = [
         json!("{}"),
         json!({"$repeat": "[", "times": 65}),
+        json!({"$count": ["\"k", "\":1,"], "times": 5000}),
         json!({"$concat": ["{\"a\":\"", {"$repeat": "x", "times": 10}, "\"}"]}),
         json!({"$base64": {"$concat": ["a", {"$repeat": "b", "times": 0}]}}),
     ];
@@ -479,6 +480,7 @@ fn a_vector_file_with_a_mistake_is_rejected() {
         case("decode", json!({"kind": "error", "text": "{}", "base64": ""}), accept()),
         case("decode", json!({"kind": "nonsense", "text": "{}"}), accept()),
         case("decode", json!({"kind": "error", "text": {"$repeat": "x"}}), accept()),
+        case("decode", json!({"kind": "error", "text": {"$count": ["x"], "times": 3}}), accept()),
         case("decode", json!({"kind": "error", "text": {"$reapet": "x", "times": 3}}), accept()),
         case("decode", decode(), json!({"accept": false})),
         case("decode", decode(), json!({"reject": "internal"})),

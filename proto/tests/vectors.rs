@@ -110,6 +110,13 @@ fn expand(text: &Value) -> Option<String> {
             return None;
         }
         part.repeat(times)
+    } else if let Some(around) = text.get("$count") {
+        let [before, after] = [0, 1].map(|place| around[place].as_str().unwrap());
+        let times = usize::try_from(text["times"].as_u64().unwrap()).unwrap();
+        if (before.len() + after.len() + 20).checked_mul(times)? > MOST_BYTES {
+            return None;
+        }
+        (0..times).map(|nth| format!("{before}{nth}{after}")).collect()
     } else if let Some(parts) = text.get("$concat") {
         parts.as_array().unwrap().iter().map(expand).collect::<Option<String>>()?
     } else {

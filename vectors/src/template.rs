@@ -12,6 +12,8 @@ pub(crate) enum Text {
     Plain(String),
     /// A text so many times.
     Repeat(String, usize),
+    /// The numbers from 0, so many, each between these two.
+    Count(String, String, usize),
     /// Texts one after the other.
     Concat(Vec<Text>),
     /// The base64 of the text's UTF-8 bytes.
@@ -20,7 +22,7 @@ pub(crate) enum Text {
 
 impl Text {
     /// Texts one after the other.
-    pub(crate) fn concat<const N: usize>(parts: [Text; N]) -> Self {
+    pub(crate) fn concat(parts: impl Into<Vec<Text>>) -> Self {
         Self::Concat(parts.into())
     }
 
@@ -29,9 +31,26 @@ impl Text {
         Self::Repeat(text.into(), times)
     }
 
+    /// The numbers from 0, so many, each between these two.
+    pub(crate) fn count(before: &str, after: &str, times: usize) -> Self {
+        Self::Count(before.to_owned(), after.to_owned(), times)
+    }
+
     /// The base64 of bytes, written out.
     pub(crate) fn base64_of(bytes: &[u8]) -> Self {
         Self::Plain(STANDARD.encode(bytes))
+    }
+
+    /// What the runner makes of it.
+    #[cfg(test)]
+    pub(crate) fn expanded(&self) -> String {
+        match self {
+            Self::Plain(text) => text.clone(),
+            Self::Repeat(text, times) => text.repeat(*times),
+            Self::Count(before, after, times) => (0..*times).map(|nth| format!("{before}{nth}{after}")).collect(),
+            Self::Concat(parts) => parts.iter().map(Self::expanded).collect(),
+            Self::Base64(text) => STANDARD.encode(text.expanded()),
+        }
     }
 
     /// As the vector file writes it.
@@ -41,6 +60,10 @@ impl Text {
             Self::Repeat(text, times) => {
                 object! { "$repeat" => text.as_str(), "times" => Json::literal(times.to_string()) }
             }
+            Self::Count(before, after, times) => object! {
+                "$count" => [before, after].into_iter().map(|text| Json::string(text)).collect::<Json>(),
+                "times" => Json::literal(times.to_string()),
+            },
             Self::Concat(parts) => {
                 object! { "$concat" => parts.iter().map(Self::json).collect::<Json>() }
             }

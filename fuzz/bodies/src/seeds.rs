@@ -263,6 +263,12 @@ fn text(value: &Value) -> String {
         let fits = part.len().checked_mul(times).is_some_and(|len| len <= MOST_BYTES);
         return if fits { part.repeat(times) } else { "-".repeat(MOST_BYTES + 1) };
     }
+    if let Some([before, after]) = value["$count"].as_array().map(Vec::as_slice) {
+        let [before, after] = [before, after].map(|text| text.as_str().unwrap_or_default());
+        let fits = (before.len() + after.len() + 20).checked_mul(times).is_some_and(|len| len <= MOST_BYTES);
+        let counted = || (0..times).map(|nth| format!("{before}{nth}{after}")).collect();
+        return if fits { counted() } else { "-".repeat(MOST_BYTES + 1) };
+    }
     if let Some(parts) = value["$concat"].as_array() {
         return parts.iter().map(text).collect();
     }

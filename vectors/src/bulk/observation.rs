@@ -221,21 +221,39 @@ fn unpacked() -> Vec<Case> {
                 .because("A column that is not there is an empty array, and columns are known by their whole names."),
         );
     }
-    for (name, alike) in [("values", "value"), ("senders", "sender_types")] {
+    let others = [
+        ("values", "value"),
+        ("senders", "sender_types"),
+        // Of the same length, with the same ends, or of the same letters.
+        ("times", "trace"),
+        ("times", "tames"),
+        ("times", "mites"),
+        ("values", "vector"),
+        ("values", "velues"),
+        ("senders", "sources"),
+        ("senders", "renders"),
+    ];
+    for (nth, (name, alike)) in others.into_iter().enumerate() {
         let columns = match name {
+            "times" => [f64s(alike, [1.0, 2.0]), values(), senders()],
             "values" => [times(), f64s(alike, [1.0, 2.0]), senders()],
             _ => [times(), values(), i64s(alike, [1, 2])],
         };
         let given = match name {
+            "times" => samples(&[], &[-65.0, -64.5], &[7, 9]),
             "values" => samples(&[0.1, 0.2], &[], &[7, 9]),
             _ => samples(&[0.1, 0.2], &[-65.0, -64.5], &[]),
         };
         cases.push(
-            unpack(format!("alike/{name}"), &["NCP-OBS-005"], &Block::new(columns).bytes())
-                .shows_or_refuses(given.json())
-                .title(format!("A column named `{alike}` is not taken for the {name}."))
-                .flags(&["lossy-blocks"])
-                .because("A column that is not there is an empty array, and columns are known by their whole names."),
+            unpack(
+                if nth < 2 { format!("alike/{name}") } else { format!("alike/{name}/{alike}") },
+                &["NCP-OBS-005"],
+                &Block::new(columns).bytes(),
+            )
+            .shows_or_refuses(given.json())
+            .title(format!("A column named `{alike}` is not taken for the {name}."))
+            .flags(&["lossy-blocks"])
+            .because("A column that is not there is an empty array, and columns are known by their whole names."),
         );
     }
     let capital = Block::new([times(), f64s("Values", [1.0, 2.0])]);

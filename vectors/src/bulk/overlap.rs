@@ -35,6 +35,7 @@ fn shared() -> Vec<Case> {
     let ends =
         |name: &str, at| Block::new([f64s("abc", [1.5]), f64s(name, [2.5])]).laid_out(&[44, at], &[48, 56], 64).bytes();
     let three = Block::new([f64s("ab", [1.5]), f64s("cd", [2.5]), f64s("ef", [3.5])]);
+    let apart = Block::new([f64s("ab", [1.5, 2.5]), i32s("no", []), f64s("cd", [3.5])]);
     let table: Vec<(&str, Vec<u8>, &str)> = vec![
         (
             "data-data/first-and-third",
@@ -45,6 +46,16 @@ fn shared() -> Vec<Case> {
             "name-name/first-and-third",
             three.laid_out(&[60, 62, 60], &[72, 80, 88], 96).bytes(),
             "the names of the first of three columns and of the third",
+        ),
+        (
+            "data-data/behind-an-empty-column",
+            apart.clone().laid_out(&[60, 62, 64], &[72, 80, 80], 96).bytes(),
+            "the data of two columns, with an empty column where the second begins,",
+        ),
+        (
+            "data-data/around-an-empty-column",
+            apart.laid_out(&[60, 62, 64], &[72, 76, 80], 96).bytes(),
+            "the data of two columns, with an empty column within the first,",
         ),
         ("data-data/same", at([48, 56], [64, 64]), "the data of two columns at the same place"),
         (

@@ -337,6 +337,23 @@ fn mappings() -> Vec<Case> {
             ),
         );
     }
+    for component in [4096_u32, 4097] {
+        // As wide as the component asks for.
+        let far = Mapping { component, population: "far", ..PLAIN };
+        let near = Mapping { component: 1, population: "near", ..PLAIN };
+        let middle = rates(&[("near", 150.0), ("far", 100.0)]);
+        cases.push(
+            case(
+                format!("ignored/{component}-of-4100"),
+                &["NCP-CODEC-008"],
+                codec(&[far, near], &[]),
+                sensor(&[("x", &[0.5; 4_100])]),
+            )
+            .shows(any(vec![rates(&[("near", 150.0)]), middle]))
+            .title(format!("A mapping of component {component} is ignored, also where the channel has it."))
+            .because("A mapping with a component of 4,096 or more is ignored, however wide its channel is."),
+        );
+    }
     let last = Mapping { component: 4095, ..PLAIN };
     cases.push(
         case("ignored/not-4095".to_owned(), &["NCP-CODEC-005"], codec(&[last], &[]), sensor(&[("x", &[0.0])]))

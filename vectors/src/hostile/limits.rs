@@ -6,7 +6,6 @@ use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, meaning, minimal};
 use crate::roles::{ANY, a, readers};
 use crate::template::Text;
-use crate::trace::text_of;
 use ncp_text::tables::tables;
 
 const MIB: usize = 1 << 20;
@@ -473,63 +472,34 @@ fn maps() -> Vec<Case> {
         ("open_session", &["bindings", "0", "entity", "meta"], "\"\""),
         ("open_session", &["stimulus", "targets", "0", "params"], "1"),
     ];
-    // At the limit, one for each role is enough: the entries have to be written out.
-    const READ: [&str; 4] =
-        ["sensor_frame/channels", "command_frame/channels", "open_session/network-params", "observation_frame/records"];
-    const READ_IN_PART: [(&str, usize, &str); 3] = [
-        ("session_opened/resolved", ENTRIES, "at-limit"),
-        ("open_session/bindings-entity-meta", 1_100, "of-1100"),
-        ("command_frame/horizon", 1_100, "of-1100"),
-    ];
-    // The others have more than a byte counts.
-    const MANY: usize = 260;
     let mut cases = Vec::new();
     for (kind, path, value) in places {
-        let named = |names: &mut dyn Iterator<Item = String>| -> Json {
-            Json::Object(names.map(|name| (name, Json::literal(value))).collect())
-        };
-        let entries = |count: usize| named(&mut (0..count).map(base_64));
         let place = path.iter().filter(|part| **part != "0").copied().collect::<Vec<_>>().join("-");
         let member = path.join(".").replace(".0", "[0]");
-        let frame = set(minimal(kind), path, entries(ENTRIES + 1));
-        cases.push(
-            Case::new(format!("{kind}/map/{place}-beyond-limit"), &["NCP-WIRE-066"], readers(kind))
-                .title(format!("{} with 4,097 entries in `{member}` is rejected.", a(kind)))
-                .flags(&["missing-limits"])
-                .decode(kind, frame.text())
-                .rejects("limit")
-                .because("A map of the tables may have 4,096 entries."),
-        );
+        let marked = |frame: Json| set(frame, path, Json::literal(MARK)).text();
+        // One too many, and as many as 16 bits count as few.
+        for (name, count, says) in [("limit", ENTRIES + 1, "4,097"), ("2-to-16", (1 << 16) + 1, "65,537")] {
+            cases.push(
+                Case::new(format!("{kind}/map/{place}-beyond-{name}"), &["NCP-WIRE-066"], readers(kind))
+                    .title(format!("{} with {says} entries in `{member}` is rejected.", a(kind)))
+                    .flags(&["missing-limits"])
+                    .decode(kind, entries_of(&marked(minimal(kind)), value, count))
+                    .rejects("limit")
+                    .because("A map of the tables may have 4,096 entries."),
+            );
+        }
         // What a stimulus frame may have, it may have in a request.
         if path == ["stimulus", "values"] {
             continue;
         }
-        let (count, says, name) = match READ.contains(&format!("{kind}/{place}").as_str()) {
-            true => (ENTRIES, "4,096".to_owned(), "at-limit"),
-            false => (MANY, MANY.to_string(), "of-many"),
-        };
-        let text = set(explicit(kind), path, entries(count)).text();
+        let text = entries_of(&marked(explicit(kind)), value, ENTRIES);
         cases.push(
-            Case::new(format!("{kind}/map/{place}-{name}"), &["NCP-WIRE-068"], readers(kind))
-                .title(format!("{} with {says} entries in `{member}` is read.", a(kind)))
+            Case::new(format!("{kind}/map/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
+                .title(format!("{} with 4,096 entries in `{member}` is read.", a(kind)))
                 .flags(&["low-limits"])
                 .decode(kind, text.clone())
                 .means(text)
                 .because("A map may have 4,096 entries; what each leaves out has its default."),
-        );
-        // Of each type of values one map: at the limit, or of more entries than a likely lower limit lets in.
-        let Some((_, count, name)) = READ_IN_PART.into_iter().find(|(of, ..)| *of == format!("{kind}/{place}")) else {
-            continue;
-        };
-        let few = [0, count / 4, count / 2, count - 1].map(base_64);
-        let shown = set(Json::object(), path, named(&mut few.into_iter()));
-        cases.push(
-            Case::new(format!("{kind}/map/{place}-{name}"), &["NCP-WIRE-068"], readers(kind))
-                .title(format!("{} with {count} entries in `{member}` is read.", a(kind)))
-                .flags(&["low-limits"])
-                .decode(kind, set(explicit(kind), path, entries(count)).text())
-                .shows_exactly(object! { "text" => text_of(shown) })
-                .because("A map may have 4,096 entries, whatever the type of its values."),
         );
     }
     cases
@@ -576,6 +546,16 @@ fn arrays() -> Vec<Case> {
                 .rejects("limit")
                 .because("An array of the tables whose items are no numbers may have 4,096 items."),
         );
+        if matches!(item, "{}" | "\"x\"") {
+            cases.push(
+                Case::new(format!("{kind}/array/{place}-beyond-2-to-16"), &["NCP-WIRE-067"], readers(kind))
+                    .title(format!("{} with 65,537 items in `{member}` is rejected.", a(kind)))
+                    .flags(&["missing-limits"])
+                    .decode(kind, list(&set(minimal(kind), path, Json::literal(MARK)).text(), item, (1 << 16) + 1))
+                    .rejects("limit")
+                    .because("An array of the tables whose items are no numbers may have 4,096 items."),
+            );
+        }
         let text = list(&set(explicit(kind), path, Json::literal(MARK)).text(), item, ENTRIES);
         cases.push(
             Case::new(format!("{kind}/array/{place}-at-limit"), &["NCP-WIRE-068"], readers(kind))
@@ -881,6 +861,16 @@ fn list(text: &str, item: &str, count: usize) -> Text {
     ])
 }
 
+/// The text with an object of so many members in the place of the mark.
+fn entries_of(text: &str, value: &str, count: usize) -> Text {
+    let (before, after) = text.split_once(MARK).unwrap_or((text, ""));
+    Text::concat([
+        format!("{before}{{").into(),
+        Text::count("\"k", &format!("\":{value},"), count - 1),
+        format!("\"k\":{value}}}{after}").into(),
+    ])
+}
+
 /// The frame with an unknown string of such a length that the whole has `total` bytes.
 fn padded(frame: &str, total: usize, unit: &str) -> Text {
     let open = frame.strip_suffix('}').unwrap_or(frame);
@@ -963,32 +953,23 @@ fn base_64(mut number: usize) -> String {
 mod tests {
     use super::*;
 
-    fn expanded(text: &Text) -> String {
-        match text {
-            Text::Plain(text) => text.clone(),
-            Text::Repeat(text, times) => text.repeat(*times),
-            Text::Concat(parts) => parts.iter().map(expanded).collect(),
-            Text::Base64(_) => unreachable!("no frame is base64"),
-        }
-    }
-
     #[test]
     fn a_padded_frame_has_the_bytes_that_it_should_have() {
         let frame = minimal("sensor_frame").text();
         for unit in ["x", "\u{e9}"] {
-            assert_eq!(expanded(&padded(&frame, MIB + 1, unit)).len(), MIB + 1);
+            assert_eq!(padded(&frame, MIB + 1, unit).expanded().len(), MIB + 1);
         }
-        assert_eq!(expanded(&padded_before(&frame, MIB)).len(), MIB);
-        assert_eq!(expanded(&spaced(&frame, MIB)).len(), MIB);
+        assert_eq!(padded_before(&frame, MIB).expanded().len(), MIB);
+        assert_eq!(spaced(&frame, MIB).expanded().len(), MIB);
         for side in [Side::Before, Side::After] {
-            let text = expanded(&outside(&frame, MIB, side));
+            let text = outside(&frame, MIB, side).expanded();
             assert_eq!((text.len(), text.trim()), (MIB, frame.as_str()));
         }
     }
 
     #[test]
     fn a_list_has_the_items_that_it_should_have() {
-        assert_eq!(expanded(&list("{\"a\":%ITEMS%}", "0", 3)), "{\"a\":[0,0,0]}");
+        assert_eq!(list("{\"a\":%ITEMS%}", "0", 3).expanded(), "{\"a\":[0,0,0]}");
     }
 
     #[test]

@@ -98,8 +98,9 @@ fn deadlines() -> Vec<Case> {
 
 /// Commands that do not advance, however many of them come.
 fn long_streams() -> Vec<Case> {
-    let table: [(&str, &[&'static str], &str, Vec<i64>); 3] = [
+    let table: [(&str, &[&'static str], &str, Vec<i64>); 4] = [
         ("rising", &["NCP-RES-032", "NCP-RES-020"], "a rising seq below the last", (1..=50).collect()),
+        ("rising-long", &["NCP-RES-032", "NCP-RES-020"], "a rising seq below the last", (1..=140).collect()),
         ("same", &["NCP-RES-020", "NCP-RES-009"], "the last seq", vec![1000; 26]),
         ("unstamped", &["NCP-RES-020", "NCP-RES-009"], "no stamp", vec![0; 26]),
     ];

@@ -15,9 +15,11 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     let mut cases = ticks();
     cases.extend(hairs());
     cases.extend(lengths_of_a_tick());
+    cases.extend(lengths_of_a_tick_before());
     cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     cases.push(long_replay());
     cases.push(longest_replay());
+    cases.push(replay_in_blocks());
     cases.extend(channels_of_a_tick());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
     Ok(File::new("resilience", "horizon", about, cases))
@@ -150,6 +152,71 @@ fn longest_replay() -> Case {
         .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and none past the end of the horizon.")
 }
 
+/// Early steps of the longest horizon, behind which many others stand: who keeps them in less room overwrites them.
+fn replay_in_blocks() -> Case {
+    let tick = |x: usize| format!(r#"{{"velocity_setpoint":{{"data":[{x}.0,0.0,0.0],"unit":"m/s"}}}}"#);
+    // Up to which step each block reaches, and a moment within it, ms.
+    const BLOCKS: [(usize, f64); 8] = [
+        (40, 3.5),
+        (100, 60.5),
+        (200, 150.5),
+        (400, 300.5),
+        (900, 700.5),
+        (1_800, 1_500.5),
+        (3_500, 3_000.5),
+        (4_096, 4_000.5),
+    ];
+    let mut frame = vec![
+        format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":1,"mode":"active","ttl_ms":60000.0,"#)
+            .into(),
+        format!(r#""horizon_dt_ms":1.0,"channels":{},"horizon":["#, tick(1)).into(),
+    ];
+    let mut last = 0;
+    for (nth, (until, _)) in BLOCKS.iter().enumerate() {
+        let is_last = nth + 1 == BLOCKS.len();
+        frame.push(Text::repeat(format!("{},", tick(nth + 2)), until - last - usize::from(is_last)));
+        last = *until;
+    }
+    frame.push(format!("{}]}}", tick(BLOCKS.len() + 1)).into());
+    let command = object! { "op" => "command", "text" => Text::concat(frame).json(), "now_s" => num(0.0) };
+    let asked = BLOCKS.iter().map(|(_, ms)| object! { "op" => "active", "now_s" => num(ms / 1000.0) });
+    let moves = |x: u32| {
+        object! { "channels" => object! {
+        "velocity_setpoint" => object! { "data" => nums(&[f64::from(x), 0.0, 0.0]), "unit" => "m/s" } } }
+    };
+    let shown = (2..).take(BLOCKS.len()).map(moves);
+    Case::new("long/4096-steps-in-blocks", &["NCP-RES-028"], &[Role::Body])
+        .call("buffer.run", object! { "steps" => std::iter::once(command).chain(asked).collect::<Json>() })
+        .shows(steps(std::iter::once(no_result()).chain(shown).collect()))
+        .title("Of a horizon of 4,096 steps the plant follows each in its time, the early ones as well.")
+        .flags(&["wrong-tick"])
+        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, whatever stands behind it.")
+}
+
+/// A horizon without a usable tick, behind a command that had one: nothing of the former command is left.
+fn lengths_of_a_tick_before() -> Vec<Case> {
+    [("absent", None), ("zero", Some(0.0)), ("minus-one", Some(-1.0))]
+        .into_iter()
+        .map(|(name, dt)| {
+            let before = active(1).along_x(50.0, &[10.0, 20.0, 30.0]).ttl(1000.0);
+            let command = Command { dt, ..active(2).along_x(50.0, &[11.0, 22.0, 33.0]).ttl(1000.0) };
+            let asks = [4.25, 4.3125, 4.375, 4.4375].map(Event::Ask);
+            let events: Vec<Event> =
+                [Event::Command(before, 4.0), Event::Ask(4.0625), Event::Command(command, 4.25)]
+                    .into_iter()
+                    .chain(asks)
+                    .collect();
+            case(format!("no-length/{name}/behind-a-length"), &["NCP-RES-027"], &events)
+                .title(format!(
+                    "With a tick of length {name}, behind a command whose ticks had a length, nothing of the horizon is \
+                     replayed."
+                ))
+                .flags(&["wrong-tick"])
+                .because("What a command does not say, no command before it says for it.")
+        })
+        .collect()
+}
+
 /// Ticks that have other channels than tick 0: each is what it says, and nothing of another.
 fn channels_of_a_tick() -> Vec<Case> {
     let (v, grip, tow) = (
@@ -271,7 +338,7 @@ pub(super) fn lengths() -> File {
         Case::new(path, rules, &[Role::Commander, Role::Body])
             .call("horizon.max_len", object! { "ttl_ms" => num(ttl), "dt_ms" => num(dt) })
     };
-    let exact: [(f64, f64, i64); 22] = [
+    let exact: [(f64, f64, i64); 26] = [
         (1000.0, 100.0, 10),
         (1000.0, 250.0, 4),
         (999.0, 100.0, 9),
@@ -294,6 +361,11 @@ pub(super) fn lengths() -> File {
         (5e-324, 1.0, 0),
         (1.0, 1e308, 0),
         (1e-300, 1e-300, 1),
+        // Below a whole number by less than a single shows.
+        (1000.0_f64.next_down(), 100.0, 9),
+        (999.999_999, 100.0, 9),
+        (4_095.999_999_9, 1.0, 4095),
+        (59_999.999_9, 1000.0, 59),
     ];
     for (ttl, dt, len) in exact {
         cases.push(

@@ -17,6 +17,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.push(at_the_threshold());
     cases.extend(text.rest(row_case)?);
     cases.extend(relapses());
+    cases.extend(small_losses());
     cases.extend(lasting());
     cases.extend(alike());
     cases.extend(bounded());
@@ -344,6 +345,31 @@ fn relapses() -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Reference losses so small that few deliveries take off less than most arithmetic in fixed point holds.
+fn small_losses() -> Vec<Case> {
+    // One loss, and so many deliveries until it is below the threshold.
+    let table = [(1e-3, 9), (1e-5, 9), (5e-6, 20), (1e-7, 9), (2_f64.powi(-17), 9), (2_f64.powi(-33), 9)];
+    table
+        .into_iter()
+        .map(|(ref_loss, falls)| {
+            let threshold = 1.0 - ref_loss * (f64::from(falls) + 0.5);
+            let seqs: Vec<i64> = [0, 2].into_iter().chain(3..i64::from(falls) + 6).collect();
+            case(
+                format!("burst/small-loss/{}", name_of(ref_loss)),
+                &["NCP-RES-046"],
+                (Some(ref_loss), Some(threshold)),
+                (ref_loss, threshold),
+                &seqs,
+            )
+            .title(format!(
+                "A burst by one loss is over after {falls} deliveries under a reference loss of {ref_loss}."
+            ))
+            .flags(&["burst-detector"])
+            .because("Each delivery takes the reference loss off the sum, however small it is.")
+        })
+        .collect()
 }
 
 /// Bursts over hundreds of frames without a gap, which end when the sum says so and not before.

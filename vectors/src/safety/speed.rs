@@ -448,6 +448,35 @@ fn horizons() -> Vec<Case> {
             );
         }
     }
+    // Also when its first step cannot be clamped, or says nothing of the velocity.
+    let unusable: [(&str, Vec<Channel>); 3] = [
+        ("two-wide", vec![velocity(&[1.0, 0.0])]),
+        ("knots", vec![channel(VELOCITY, &[1.0, 0.0, 0.0], Some("kn"))]),
+        ("other-channels", vec![channel("gripper", &[1.0], None)]),
+    ];
+    for (name, step) in unusable {
+        for (limits, with) in [(Limits::speed(2.0), "speed-limit"), (Limits::NONE, "no-limit")] {
+            let mut command = Command::moving(&slow).then(50.0, &[slow]);
+            command.horizon[0].clone_from(&step);
+            command.dt = None;
+            cases.push(
+                one(format!("horizon/dt-absent/{name}/{with}"), &["NCP-SAFE-068"], limits, command)
+                    .title(format!(
+                        "A horizon whose tick has no length is held, though its first step is {}, with {}.",
+                        if name == "other-channels" {
+                            "of another channel".to_owned()
+                        } else {
+                            format!("odd ({name})")
+                        },
+                        with.replace('-', " ")
+                    ))
+                    .because(
+                        "The governor holds on a command with a horizon whose `horizon_dt_ms` is absent, whatever its \
+                         steps are.",
+                    ),
+            );
+        }
+    }
     // Without a horizon, its tick does not count.
     for dt in [0.0, -50.0, 50.0] {
         let mut command = Command::moving(&slow);

@@ -24,7 +24,9 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(alike_but_for_space());
     cases.extend(open_questions());
     cases.extend(refused());
+    cases.push(refused_often());
     cases.extend(refused_anew());
+    cases.push(opened_equally());
     cases.extend(refused_beside());
     cases.extend(text.rest(malformed)?);
     cases.extend(versions()?);
@@ -33,6 +35,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(long_requests());
     cases.extend(times());
     cases.extend(failures());
+    cases.push(refused_requests());
     cases.extend(failures_of_one());
     cases.extend(failures_by_road());
     cases.push(failures_of_two());
@@ -248,6 +251,20 @@ fn refused() -> Vec<Case> {
                 )
         })
         .collect()
+}
+
+/// An opening behind many that were refused: what is refused takes no room.
+fn refused_often() -> Case {
+    const MANY: usize = 140;
+    let network = object! { "ref" => "ncp.no.such.network" };
+    let request = object! { "kind" => "open_session", "session_id" => "b", "network" => network }.text();
+    let mut trace: Vec<(String, Json)> =
+        std::iter::repeat_n((request, any(vec![not_opened("b"), error()])), MANY).collect();
+    trace.extend([open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
+    super::reference("refused/often".to_owned(), &["NCP-SESS-050"], trace)
+        .title(format!("A session is opened behind {MANY} openings that were refused."))
+        .flags(&["session-lifecycle"])
+        .because("An opening that is refused takes nothing of what a server bears.")
 }
 
 /// An `open_session` of an open id that a server refuses for its network ends nothing.
@@ -641,8 +658,60 @@ fn failures() -> Vec<Case> {
             vec![open(), fails(), (by(5.0, rest), observed("a", 5.0))],
             "A request that fails leaves the time of the session as it was.",
         );
+        // So long that the samples of all of them are more than a server bears in one.
+        let long = || (by(300_000.0, too_much), error());
+        push(
+            "/of-many-samples",
+            &["NCP-SESS-037"],
+            format!("After four long steps whose {what} leaves the doubles, the session goes on from where it was."),
+            vec![open(), long(), long(), long(), long(), (by(5.0, rest), after(0, 5))],
+            "A request that fails costs that request only: what it took is free again.",
+        );
+        let mut trace = vec![open()];
+        for nth in 0..4 {
+            trace.extend(std::iter::repeat_with(fails).take(6));
+            trace.push((by(5.0, rest), after(5 * nth, 5 * nth + 5)));
+        }
+        push(
+            "/often",
+            &["NCP-SESS-037"],
+            format!("After 24 steps whose {what} leaves the doubles, and others between them, the session goes on."),
+            trace,
+            "A request that fails costs that request only, however many of them do.",
+        );
     }
     cases
+}
+
+/// Requests for no time, many of them, between such that are carried out: they close nothing.
+fn refused_requests() -> Case {
+    let mut trace = vec![open("a")];
+    for nth in 1..=5 {
+        let refused = || (step_of("a", Some(-1.0), None), error());
+        trace.extend(std::iter::repeat_with(refused).take(28));
+        trace.push(steps("a", 10.0 * f64::from(nth)));
+    }
+    super::reference("fails/refused-often".to_owned(), &["NCP-SESS-037"], trace)
+        .title("A session goes on between 140 steps that are refused for their time.")
+        .flags(&["session-lifecycle"])
+        .because("However many of its requests fail, a session stays open.")
+}
+
+/// The same opening again: the session goes on, or begins anew, and nothing between the two.
+fn opened_equally() -> Case {
+    let trace = |again: Json, time: f64| {
+        let five = |time| (step_of("a", Some(5.0), None), observed("a", time));
+        vec![open("a"), five(5.0), (open("a").0, again), five(time), (close("a"), closed("a"))]
+    };
+    let replies = |trace: Vec<(String, Json)>| super::replies(trace.into_iter().map(|(_, reply)| reply).collect());
+    let goes_on = trace(any(vec![not_opened("a"), error()]), 10.0);
+    super::reference("opened-anew/equally".to_owned(), &["NCP-SESS-033"], goes_on.clone())
+        .shows(any(vec![replies(goes_on), replies(trace(opened("a"), 5.0))]))
+        .title(
+            "A session that is opened again as it was, with `ok` true, begins anew, or goes on where that is refused.",
+        )
+        .flags(&["session-lifecycle"])
+        .because("Where the opening is answered with `ok` true, the simulation time is that since then.")
 }
 
 /// A time that leaves the doubles.

@@ -671,12 +671,12 @@ fn neurons_by_bits() -> Vec<Case> {
             stimuli: vec![drive],
             ..Open::lif("a")
         };
-        let (_, _, spikes) = simulate(&[], 1.0, 20, 900.0);
+        let (_, _, spikes) = simulate(&[], 1.0, 15, 900.0);
         let times: Vec<f64> = spikes.iter().flat_map(|time| [*time, *time]).collect();
         let senders: Vec<u32> = spikes.iter().flat_map(|_| [2, whole + 1]).collect();
         let trace = vec![
             (open.text(), opened("a")),
-            (step("a", Some(20.0), Some(("in", 900.0))), recorded("a", object! { "s" => sent(&times, &senders) })),
+            (step("a", Some(15.0), Some(("in", 900.0))), recorded("a", object! { "s" => sent(&times, &senders) })),
         ];
         cases.push(
             reference(format!("id/spikes-beyond-2-to-{bits}"), &["NCP-SESS-052", "NCP-SESS-055"], trace)
@@ -1098,6 +1098,19 @@ fn cadences() -> Vec<Case> {
         (open.text(), opened("a"))
     };
     let mut cases = Vec::new();
+    // Half-way between two numbers of steps, which doubles hold: the greater one.
+    for (dt, cadence, rounded) in [(1.0, 0.5, 1.0), (1.0, 2.5, 3.0), (1.0, 4.5, 5.0), (2.0, 5.0, 6.0), (0.5, 0.25, 0.5)]
+    {
+        cases.push(
+            reference(
+                format!("cadence/half/{cadence}-by-{dt}"),
+                &["NCP-SESS-053"],
+                vec![open(dt, cadence), (step("a", Some(20.0), None), at(&multiples(rounded, 0.0, 20.0)))],
+            )
+            .title(format!("In steps of {dt} ms a port of a cadence of {cadence} ms is sampled every {rounded} ms."))
+            .because("*round* gives the greater of two whole numbers that are equally near."),
+        );
+    }
     for (dt, cadence) in [(1.0, 1.0), (1.0, 2.0), (0.5, 1.0), (0.25, 5.0), (1.0, 5.0), (1.0, 7.0)] {
         cases.push(
             reference(
@@ -1189,8 +1202,12 @@ fn sums() -> Vec<Case> {
                 let records = object! { "out" => samples(&times, Some(&samples_of)) };
                 trace.push((driven_step("a", 8.0, &given), recorded("a", records)));
             }
-            let rules =
-                if name.contains("late") || name.contains("turn") { vec![rule, "NCP-SESS-054"] } else { vec![rule] };
+            let rules = match name {
+                // The value that ends leaves nothing of itself behind.
+                "a-huge-current-that-ends" => vec!["NCP-SESS-054", rule],
+                _ if name.contains("late") || name.contains("turn") => vec![rule, "NCP-SESS-054"],
+                _ => vec![rule],
+            };
             cases.push(
                 reference(format!("sum/{name}/{network}"), &rules, trace)
                     .title(format!(

@@ -1,6 +1,7 @@
 //! What encoders write: order, defaults, nulls, numbers, enums, maps, strings.
 
 use super::WRITE;
+use super::numbers::of_every_size;
 use super::place::{Ground, put};
 use crate::case::Role::{self, Server};
 use crate::case::{Case, File};
@@ -8,6 +9,7 @@ use crate::json::{Json, object};
 use crate::model::{CONTRACT_HASH, WIRE_VERSION, explicit, explicit_message, full, meaning, minimal};
 use crate::roles::{a, writers};
 use crate::template::Text;
+use crate::trace::num;
 use ncp_text::tables::{Default, Message, Shape, Unknown, tables};
 
 /// A file a kind.
@@ -333,6 +335,32 @@ impl Encoder {
                             .encode(self.kind, fields)
                             .means(expected.text())
                             .because("Each number is finite, whatever their sum."),
+                    );
+                }
+                let many = || of_every_size().into_iter().map(num);
+                let all = leaf.path.split_last().and_then(|(last, within)| match last.as_str() {
+                    "0" => Some((within, many().collect())),
+                    "a" => {
+                        let entries = (0..).map(|nth: usize| format!("k{nth}")).zip(many());
+                        Some((within, Json::Object(entries.collect())))
+                    }
+                    _ => None,
+                });
+                if let Some((within, all)) = all {
+                    let fields = self.fields(put(self.message, explicit(self.kind), within, all, Ground::Explicit));
+                    let expected = meaning(self.kind, &fields);
+                    cases.push(
+                        Case::new(format!("{name}/of-every-size"), &["NCP-WIRE-084", "NCP-WIRE-015"], roles)
+                            .title(format!(
+                                "{} with 234 doubles of full precision in `{}`, of every size from a millionth to \
+                                 10^13, is written so that they read back.",
+                                a(self.kind),
+                                within.join(".")
+                            ))
+                            .flags(&["lossy-doubles"])
+                            .encode(self.kind, fields)
+                            .means(expected.text())
+                            .because("Whatever the digits, the nearest double of them has the same bits."),
                     );
                 }
             }
@@ -681,6 +709,12 @@ fn error_frames() -> Vec<Case> {
             .writes(object! { "kind" => "error", "error" => "no such model", "session_id" => "s1" }.text())
             .by("order", "NCP-WIRE-080")
             .because("The members of the table, and no others."),
+        Case::new("with-empty-session", &[WRITE, "NCP-WIRE-102"], roles)
+            .title("An error frame whose `session_id` is the empty string has it.")
+            .flags(&["lost-fields"])
+            .encode("error", object! { "error" => "no such model", "session_id" => "" })
+            .means(object! { "kind" => "error", "error" => "no such model", "session_id" => "" }.text())
+            .because("The empty string is a value, and no absence of one."),
         Case::new("string", &[WRITE, "NCP-WIRE-102"], roles)
             .title("An error frame whose text holds quotes and control characters is JSON that says the same.")
             .flags(&["string-escapes"])

@@ -21,6 +21,7 @@ const NUMBER: Bad = ("number", "5", "NCP-WIRE-020");
 const TRUE: Bad = ("boolean", "true", "NCP-WIRE-020");
 const FRACTION: Bad = ("fraction", "1.0", "NCP-WIRE-010");
 const BEYOND: Bad = ("two-to-53", "9007199254740992", "NCP-WIRE-011");
+const BELOW: Bad = ("minus-two-to-53", "-9007199254740992", "NCP-WIRE-011");
 const INFINITE: Bad = ("infinite", "1e309", "NCP-WIRE-013");
 /// Values that hold what is wrong.
 const TEXT_IN_DATA: Bad = ("data-string", r#"{"a":{"data":["x"]}}"#, "NCP-WIRE-020");
@@ -36,7 +37,7 @@ const NUMBER_AS_UNIT: Bad = ("unit-number", r#"{"unit":5}"#, "NCP-WIRE-020");
 /// Kind, the member as a reader finds it, what stands around the items, a good item, and bad ones.
 type Items = (&'static str, &'static str, [&'static str; 2], &'static str, &'static [Bad]);
 
-const ITEMS: [Items; 10] = [
+const ITEMS: [Items; 12] = [
     ("command_frame", "horizon", ["\"horizon\":[", "]"], "{}", &[NULL, TEXT_IN_DATA, INFINITE_IN_DATA]),
     ("open_session", "bindings", ["\"bindings\":[", "]"], "{}", &[NUMBER_IN_META]),
     ("open_session", "record.targets", ["\"record\":{\"targets\":[", "]}"], "{}", &[FRACTION_IN_IDS]),
@@ -52,7 +53,15 @@ const ITEMS: [Items; 10] = [
     ("command_frame", "channels.a.data", ["\"channels\":{\"a\":{\"data\":[", "]}}"], "0.5", &[TEXT]),
     ("command_frame", "horizon[0].a.data", ["\"horizon\":[{\"a\":{\"data\":[", "]}}]"], "0.5", &[TRUE]),
     ("observation_frame", "records.a.values", ["\"records\":{\"a\":{\"values\":[", "]}}"], "-65.0", &[TRUE, INFINITE]),
-    ("observation_frame", "records.a.senders", ["\"records\":{\"a\":{\"senders\":[", "]}}"], "7", &[BEYOND]),
+    ("observation_frame", "records.a.senders", ["\"records\":{\"a\":{\"senders\":[", "]}}"], "7", &[BEYOND, BELOW]),
+    (
+        "open_session",
+        "record.targets[0].ids",
+        ["\"record\":{\"targets\":[{\"ids\":[", "]}]}"],
+        "7",
+        &[FRACTION, BEYOND, BELOW],
+    ),
+    ("open_session", "stimulus.targets[0].ids", ["\"stimulus\":{\"targets\":[{\"ids\":[", "]}]}"], "7", &[BELOW]),
 ];
 
 fn items() -> Vec<Case> {
@@ -83,7 +92,13 @@ fn entries() -> Vec<Case> {
         ("stimulus_frame", "values", ["\"values\":{", "}"], "{}", &[TRUE_IN_DATA]),
         ("session_opened", "resolved", ["\"resolved\":{", "}"], "1", &[FRACTION]),
         ("open_session", "network.params", ["\"network\":{\"params\":{", "}}"], "1", &[TEXT]),
-        ("open_session", "network.population_sizes", ["\"network\":{\"population_sizes\":{", "}}"], "1", &[BEYOND]),
+        (
+            "open_session",
+            "network.population_sizes",
+            ["\"network\":{\"population_sizes\":{", "}}"],
+            "1",
+            &[BEYOND, BELOW],
+        ),
     ];
     let mut cases = Vec::new();
     for (kind, member, [before, after], good, bad) in places {

@@ -161,6 +161,31 @@ fn rounded_once() -> [Double; 14] {
     ]
 }
 
+/// Doubles of full precision over the sizes at which quantities are measured, and such that come back as a neighbour
+/// from so many decimals as nearly hold them: what a writer makes shorter, or reckons with, changes one of so many.
+pub(super) fn of_every_size() -> Vec<f64> {
+    let mut state: u64 = 0x9e37_79b9_7f4a_7c15;
+    let mut between_1_and_2 = || {
+        // Knuth's multiplier; the high bits are the good ones.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from_bits((1023 << 52) | (state >> 12))
+    };
+    // From 2^-20, a millionth, to 2^44.
+    let mut doubles: Vec<f64> = (0..130).map(|nth| 2_f64.powi(nth % 65 - 20) * between_1_and_2()).collect();
+    for places in 0_u8..=12 {
+        let nearly = 2_f64.powi(52) / 10_f64.powi(places.into());
+        let is_changed = |double: &f64| {
+            let written = format!("{double:.*}", usize::from(places));
+            written.parse() != Ok(*double)
+        };
+        // Half of the doubles below 2^52 have a half behind the point, which no decimals hold.
+        let candidates = std::iter::repeat_with(|| nearly * between_1_and_2() * if places == 0 { 0.5 } else { 1.0 });
+        doubles.extend(candidates.take(10_000).filter(is_changed).take(8));
+    }
+    let signed = |(nth, double): (usize, f64)| if nth % 3 == 0 { -double } else { double };
+    doubles.into_iter().enumerate().map(signed).collect()
+}
+
 /// A number that is no finite double, for every field of type number.
 pub(super) fn few_infinite() -> Vec<(&'static str, String)> {
     vec![("overflow", "1e309".to_owned())]
@@ -268,6 +293,16 @@ mod tests {
             let read: f64 = double.literal.parse().unwrap();
             let is: f64 = double.is.parse().unwrap();
             assert_eq!(read.to_bits(), is.to_bits(), "{}", double.name);
+        }
+    }
+
+    #[test]
+    fn of_every_number_of_decimals_some_doubles_are_changed() {
+        let doubles = of_every_size();
+        assert_eq!(doubles.len(), 130 + 13 * 8);
+        for places in 0..=12 {
+            let is_changed = |double: &&f64| format!("{double:.places$}").parse() != Ok(**double);
+            assert!(doubles.iter().filter(|double| double.abs() > 1e3).filter(is_changed).count() >= 8, "{places}");
         }
     }
 

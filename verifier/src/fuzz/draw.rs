@@ -55,8 +55,8 @@ const CONSTANTS: [f64; 42] = [
 ];
 
 /// The classes from which doubles are drawn, by name.
-pub(crate) const DOUBLES: [&str; 9] =
-    ["plain", "constant", "neighbour", "tiny", "huge", "large-integer", "half", "any-bits", "dictionary"];
+pub(crate) const DOUBLES: [&str; 10] =
+    ["plain", "constant", "neighbour", "tiny", "huge", "large-integer", "half", "any-bits", "measured", "dictionary"];
 
 /// A source of random choices.
 #[derive(Debug, Clone)]
@@ -232,6 +232,12 @@ impl<'h> Draw<'h> {
             Some("large-integer") => self.integer() as f64,
             Some("half") => self.range(-64, 64) as f64 + 0.5,
             Some("any-bits") => f64::from_bits(self.next()),
+            // Of full precision, and of a size at which quantities are measured.
+            Some("measured") => {
+                let exponent = self.range(-20, 44);
+                let value = (1.0 + self.share()) * 2_f64.powi(i32::try_from(exponent).unwrap_or(0));
+                if self.chance(30) { -value } else { value }
+            }
             _ => match self.harvest.numbers.as_slice() {
                 [] => self.plain(),
                 numbers => {

@@ -1,8 +1,8 @@
 //! Templates, which keep vector files small.
 //!
 //! Where a string stands in a case's arguments or expectation, an object may stand instead:
-//! `{"$repeat": "x", "times": 1000}`, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list,
-//! `{"$item": value, "times": 1000}` stands for so many equal items, and with `"plus": {"seq": 1}` for items whose
+//! `{"$repeat": "x", "times": 1000}`, `{"$count": ["before", "after"], "times": 1000}`, which writes 0, 1, 2, … between
+//! the two, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list, `{"$item": value, "times": 1000}` stands for so many equal items, and with `"plus": {"seq": 1}` for items whose
 //! integer of that name grows by so much from each to the next. Peers never see them.
 
 use std::borrow::Cow;
@@ -50,8 +50,8 @@ pub enum TemplateError {
     Json(#[from] JsonError),
     /// An object begins like a template but is none.
     #[error(
-        "`{0}` is no template: one of `$repeat` with `times`, `$concat`, `$base64`; in a list `$item` with `times`, \
-         and perhaps `plus`"
+        "`{0}` is no template: one of `$repeat` with `times`, `$count` with `times`, `$concat`, `$base64`; in a list \
+         `$item` with `times`, and perhaps `plus`"
     )]
     Unknown(String),
     /// A member of a template has the wrong type.
@@ -151,6 +151,8 @@ impl Template {
 enum Form<'v, 'a> {
     Text(&'v str),
     Repeat(&'v Json<'a>, usize),
+    /// Two texts, and how many numbers stand between such.
+    Count(&'v str, &'v str, usize),
     Concat(&'v [Json<'a>]),
     Base64(&'v Json<'a>),
 }
@@ -168,6 +170,10 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
     };
     match (names.as_slice(), members.as_slice()) {
         (["$repeat", "times"], [(_, part), (_, times)]) => Ok(Some(Form::Repeat(part, count(times)?))),
+        (["$count", "times"], [(_, Json::Array(around)), (_, times)]) => match around.as_slice() {
+            [Json::String(before), Json::String(after)] => Ok(Some(Form::Count(before, after, count(times)?))),
+            _ => Err(TemplateError::Type { name: "$count", expected: "an array of two strings" }),
+        },
         (["$concat"], [(_, Json::Array(parts))]) => Ok(Some(Form::Concat(parts))),
         (["$concat"], _) => Err(TemplateError::Type { name: "$concat", expected: "an array" }),
         (["$base64"], [(_, part)]) => Ok(Some(Form::Base64(part))),
@@ -195,7 +201,12 @@ struct Run<'v, 'a> {
     plus: Vec<(&'v str, i64, i64)>,
 }
 
-impl Run<'_, '_> {
+impl<'v, 'a> Run<'v, 'a> {
+    /// So many equal items.
+    fn of(first: &'v Json<'a>, times: usize) -> Self {
+        Self { first, times, plus: Vec::new() }
+    }
+
     /// An item; its growth was judged when it was read.
     fn nth(&self, nth: usize) -> Json<'_> {
         let mut item = self.first.clone();
@@ -213,13 +224,13 @@ impl Run<'_, '_> {
 
 /// The items that an entry of a list stands for.
 fn run<'v, 'a>(value: &'v Json<'a>) -> Result<Run<'v, 'a>, TemplateError> {
-    let Json::Object(members) = value else { return Ok(Run { first: value, times: 1, plus: Vec::new() }) };
+    let Json::Object(members) = value else { return Ok(Run::of(value, 1)) };
     let [(name, first), (times_name, times), (plus_name, plus)] = members.as_slice() else {
         let (first, times) = item(value)?;
-        return Ok(Run { first, times, plus: Vec::new() });
+        return Ok(Run::of(first, times));
     };
     if (name.as_ref(), times_name.as_ref(), plus_name.as_ref()) != ("$item", "times", "plus") {
-        return Ok(Run { first: value, times: 1, plus: Vec::new() });
+        return Ok(Run::of(value, 1));
     }
     let integer = |value: &Json<'_>| match value {
         Json::Number(spelling) => spelling.parse::<i64>().ok(),
@@ -308,6 +319,12 @@ fn text_size(form: &Form<'_, '_>, spelling: Spelling, depth: usize) -> Result<us
             }
         },
         Form::Repeat(repeated, times) => inner(repeated, spelling)?.saturating_mul(*times),
+        Form::Count(before, after, times) => {
+            let around = [before, after].map(|text| text_size(&Form::Text(text), spelling, depth));
+            let [before, after] = around;
+            // A count has no more than twenty digits.
+            (before? + after? + 20).saturating_mul(*times)
+        }
         Form::Concat(parts) => parts
             .iter()
             .try_fold(0_usize, |sum, each| Ok::<_, TemplateError>(sum.saturating_add(inner(each, spelling)?)))?,
@@ -334,7 +351,7 @@ fn write_expanded(value: &Json<'_>, out: &mut dyn Write) -> io::Result<()> {
         (_, Json::Array(items)) => {
             for (i, each) in items.iter().enumerate() {
                 out.write_all(if i > 0 { b"," } else { b"[" })?;
-                let run = run(each).unwrap_or(Run { first: each, times: 1, plus: Vec::new() });
+                let run = run(each).unwrap_or(Run::of(each, 1));
                 write_expanded(run.first, out)?;
                 let mut next = Vec::new();
                 for nth in 1..run.times {
@@ -382,6 +399,11 @@ fn write_form(form: &Form<'_, '_>, spelling: Spelling, out: &mut dyn Write) -> i
             }
             out.write_all(&once.repeat(times % many))
         }
+        Form::Count(before, after, times) => (0..*times).try_for_each(|nth| {
+            write_form(&Form::Text(before), spelling, out)?;
+            write!(out, "{nth}")?;
+            write_form(&Form::Text(after), spelling, out)
+        }),
         Form::Concat(parts) => parts.iter().try_for_each(|each| write_part(each, spelling, out)),
         // Base64 has nothing to escape.
         Form::Base64(encoded) => {
@@ -413,6 +435,7 @@ mod tests {
         assert_eq!(expand(r#"{"$base64": {"$concat": ["any", " carnal"]}}"#), r#""YW55IGNhcm5hbA==""#);
         assert_eq!(expand(r#"{"$repeat": {"$base64": "a"}, "times": 2}"#), r#""YQ==YQ==""#);
         assert_eq!(expand(r#"{"$repeat": "x", "times": 0}"#), r#""""#);
+        assert_eq!(expand(r#"{"$count": ["\"k", "\","], "times": 3}"#), r#""\"k0\",\"k1\",\"k2\",""#);
         assert_eq!(expand(r#"[0, {"$item": {"a": [1]}, "times": 3}]"#), r#"[0,{"a":[1]},{"a":[1]},{"a":[1]}]"#);
         let grown = r#"[{"$item": {"a": 5, "seq": -1}, "times": 3, "plus": {"seq": -2}}]"#;
         assert_eq!(expand(grown), r#"[{"a":5,"seq":-1},{"a":5,"seq":-3},{"a":5,"seq":-5}]"#);
@@ -455,6 +478,8 @@ mod tests {
             fault(r#"[{"$item": [{"$item": 1, "times": 99999}], "times": 99999}]"#).contains("expand to more than")
         );
         assert!(fault(r#"{"$concat": "x"}"#).contains("not an array"));
+        assert!(fault(r#"{"$count": ["x"], "times": 2}"#).contains("not an array of two strings"));
+        assert!(fault(r#"{"$count": ["x", "y"], "times": 99999999999}"#).contains("expand to more than"));
         assert!(fault(r#"{"a": {"$concat": [[]]}}"#).contains("not a string or a template"));
     }
 

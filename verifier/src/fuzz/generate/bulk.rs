@@ -19,6 +19,7 @@ fn columns(draw: &mut Draw<'_>) -> Vec<(String, usize, usize)> {
                     format!("{nth}{}", "n".repeat(length - nth.to_string().len().min(length)))
                 }
                 1 => format!("{}{nth}", draw.spiced()),
+                2 if draw.chance(30) => format!("{nth}{}", draw.spiced()),
                 _ => format!("c{nth}"),
             };
             let rows = if count > 100 { draw.below(4) } else { draw.size(0, most) };
@@ -218,11 +219,37 @@ pub(super) fn unpack(draw: &mut Draw<'_>) -> Tree {
         let other = draw.below(columns.len());
         columns[other].2 = draw.one(&[0, 0, rows + 1]);
     }
+    if draw.chance(15) {
+        // A name that is nearly one of the three, which a column of it may even have.
+        let (one, alike) = (draw.below(columns.len()), draw.chance(70));
+        columns[one].0 = if alike { unlike(&columns[one].0, draw) } else { draw.string() };
+    }
     let mut bytes = block(&columns, draw);
     if draw.chance(20) {
         broken(&mut bytes, columns.len(), draw);
     }
     object([("block", base64(&bytes))])
+}
+
+/// Another name than this one, of the same length and beginning, of the same letters, or nearly the same.
+fn unlike(name: &str, draw: &mut Draw<'_>) -> String {
+    let mut letters: Vec<char> = name.chars().collect();
+    match draw.below(4) {
+        0 => draw.nearly(name),
+        1 => {
+            let end = letters.len().saturating_sub(1);
+            letters.swap(0, end);
+            letters.into_iter().collect()
+        }
+        2 => {
+            let kept = 1 + draw.below(letters.len().max(2) - 1);
+            letters.into_iter().enumerate().map(|(nth, c)| if nth < kept { c } else { 'x' }).collect()
+        }
+        _ => {
+            let kept = draw.below(letters.len().max(1));
+            letters.into_iter().enumerate().map(|(nth, c)| if nth >= kept { c } else { 'x' }).collect()
+        }
+    }
 }
 
 #[cfg(test)]

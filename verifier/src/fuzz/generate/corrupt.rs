@@ -420,6 +420,8 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
             }
             let place = sites[draw.below(sites.len())].clone();
             let count = draw.one(&[64, 65, 256, 1000, 4095, 4096, 4097]);
+            // As many as a count of 16 bits takes for few.
+            let count = if draw.chance(4) { 65_536 + draw.below(4096) } else { count };
             if let Some(target) = at_mut(frame, &place) {
                 grow(target, count);
             }

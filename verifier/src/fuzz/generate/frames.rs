@@ -355,6 +355,7 @@ pub(super) fn reply(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         _ => set(&mut answer, "ok", Json::Bool(true)),
     }
     if !matches!(kind, "session_opened" | "session_closed")
+        && draw.chance(85)
         && let Json::Object(members) = &mut answer
     {
         members.retain(|(name, _)| name != "ok");

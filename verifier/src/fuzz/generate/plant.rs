@@ -296,19 +296,39 @@ pub(super) fn link(draw: &mut Draw<'_>) -> Tree {
         if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.share() } else { draw.double() }) };
     let threshold =
         if draw.chance(50) { Json::Null } else { num(if draw.chance(60) { draw.positive() } else { draw.double() }) };
+    // Or so that one loss makes a burst, which few deliveries of a small usual loss end.
+    let is_small = draw.chance(10);
+    let (ref_loss, threshold) = if is_small {
+        let small = 10_f64.powf(-8.0 * draw.share());
+        (num(small), num(1.0 - small * (draw.range(1, 20) as f64 + 0.5)))
+    } else {
+        (ref_loss, threshold)
+    };
     let (gaps, late, wide) = (draw.one(&[0, 5, 40]), draw.one(&[0, 5, 40]), draw.one(&[0, 0, 10]));
+    let (gaps, late, wide) = if is_small { (1, 0, 0) } else { (gaps, late, wide) };
     let mut next = if draw.chance(80) { draw.range(0, 3) } else { draw.integer() };
     let most = draw.one(&[16, 5000, 5000, 1 << 20]);
     let largest = crate::fuzz::draw::LARGEST;
-    let steps = (0..count).map(|_| {
-        let seq = if draw.chance(late) {
+    // A gap as wide as what a monitor has to remember, out of which some come late, in any order.
+    let gap = if !is_small && draw.chance(10) { draw.range(4000, 4100) } else { 0 };
+    let first = next.clamp(1, 1 << 50);
+    let steps = (0..count).map(|nth| {
+        let seq = if gap > 0 && nth > 1 && draw.chance(60) {
+            let far = if draw.chance(50) { gap } else { 8 };
+            let back = draw.range(0, far);
+            first + if draw.chance(50) { back } else { gap - back }
+        } else if gap > 0 && nth < 2 {
+            first + if nth == 0 { 0 } else { gap }
+        } else if draw.chance(late) {
             // Late, or what a narrow count takes for late.
             let power = if draw.chance(8) { 1_i64 << draw.one(&[8, 12, 15, 16, 24, 31, 32]) } else { 0 };
             next - draw.range(1, 12) + if draw.chance(50) { power } else { -power }
         } else if draw.chance(wide) {
             draw.integer()
         } else {
-            if draw.chance(gaps) {
+            if is_small && nth == 1 {
+                next = next.saturating_add(1);
+            } else if draw.chance(gaps) {
                 next = next.saturating_add(i64::try_from(draw.size(1, most)).unwrap_or(1));
             }
             next

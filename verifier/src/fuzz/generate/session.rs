@@ -29,7 +29,9 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     };
     let mut params = Vec::new();
     let known: &[(&str, [f64; 4])] = if rate {
-        &[("tau", [10.0, 20.0, 5.0, 100.0]), ("mu", [0.0, 25.0, -10.0, 0.5])]
+        // So large that the sum over neurons overflows, though none of them does.
+        let mu = if draw.chance(5) { draw.one(&[8e307, -8e307]) } else { 0.5 };
+        &[("tau", [10.0, 20.0, 5.0, 100.0]), ("mu", [0.0, 25.0, -10.0, mu])]
     } else {
         &[
             ("C_m", [250.0, 100.0, 500.0, 1.0]),
@@ -57,13 +59,14 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         0..=1 => vec![("pop", neurons), ("other", 2)],
         2 => vec![("other", 2), ("pop", neurons)],
         3 => vec![("po", 2), ("pop", neurons), ("other", 2)],
+        4 if draw.chance(50) => vec![("none", 0), ("pop", neurons)],
         _ => vec![("pop", neurons)],
     };
     let size_of: Vec<(&str, usize)> = sizes.clone();
     let targets: Vec<&str> = sizes.iter().map(|(name, _)| *name).collect();
     let ids = |neurons: usize, may_be_all: bool, draw: &mut Draw<'_>| {
         let most = if draw.chance(10) { 80 } else { 8 };
-        let count = if may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(most)) };
+        let count = if neurons == 0 || may_be_all && draw.chance(60) { 0 } else { draw.size(1, neurons.min(most)) };
         // Once: what a neuron that is named twice gives, nobody says.
         let mut ids: Vec<usize> =
             (0..count).map(|_| if draw.chance(20) { neurons } else { 1 + draw.below(neurons) }).collect();
@@ -157,8 +160,12 @@ fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
         let port = draw.pick(&["in", "in", "in2"]);
         let value = if draw.chance(3) { draw.one(&[1e300, 1e308, -1e308]) } else { draw.range(-8, 40) as f64 * 50.0 };
         let value = spelled(value);
-        let values = object([(port, object([("data", list(vec![value]))]))]);
-        set(request, "stimulus", object([("values", values)]));
+        let mut stimulus = object([("values", object([(port, object([("data", list(vec![value]))]))]))]);
+        if draw.chance(15) {
+            // On the clock of the sender, which says nothing to a server.
+            set(&mut stimulus, "t", spelled(draw.range(-3, 9) as f64));
+        }
+        set(request, "stimulus", stimulus);
     }
 }
 
@@ -208,6 +215,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let count = steps(draw, most).min(most).max(if script.ids.len() > 20 { script.ids.len() + 4 } else { 0 });
     let is_strict = menu.strict && draw.chance(20);
     let versions = if is_strict { draw.one(&[0, 10, 30]) } else { 0 };
+    let has_verbs = is_strict && draw.chance(50);
     let (odd, closes) = (draw.one(&[0, 0, 10, 30]), draw.one(&[3, 10, 30]));
     // Sessions that fail again and again, and go on all the same.
     let failing = draw.one(&[0, 0, 0, 0, 0, 40, 95]);
@@ -222,8 +230,8 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         let among = if nth >= script.ids.len() && draw.chance(20) { 1 } else { script.ids.len() };
         let id = script.ids[draw.below(among)].clone();
         let kind = match draw.below(100) {
-            // What a second opening of a session does is advice, so it is rare.
-            0..=9 if !open_now.contains(&id) || draw.chance(3) => "open_session",
+            // What a second opening of a session does is advice, so it is rare, but at the key of another request.
+            0..=9 if !open_now.contains(&id) || draw.chance(if has_verbs { 40 } else { 3 }) => "open_session",
             _ if nth < script.ids.len() => "open_session",
             roll if roll < 10 + usize::try_from(closes).unwrap_or(0) => "close_session",
             roll if roll < 75 => "step_request",
@@ -294,7 +302,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     let mut args = object([("requests", list(requests))]);
     if is_strict {
         set(&mut args, "strict", crate::json::Json::Bool(true));
-        if draw.chance(50) {
+        if has_verbs {
             let verbs = kinds.iter().map(|kind| {
                 let other = draw.one(&[
                     "open_session",

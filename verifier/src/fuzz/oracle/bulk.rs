@@ -4,7 +4,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use ncp_peer_rust::Answer;
 
-use super::{Outcome, Verdict, by_result, equal, reject, specification};
+use super::{Outcome, Verdict, by_result, equal, fits_or_refused, reject, specification};
 use crate::fuzz::tree::{Tree, double, items, list, members, object, own, string, text};
 use crate::json::Json;
 use crate::peer::Call;
@@ -57,9 +57,11 @@ fn advice(call: Call, block: &[u8]) -> Option<&'static str> {
 
 pub(super) fn decode(call: Call, args: &Tree, result: Outcome<'_>) -> Verdict {
     let block = string(args, "block").and_then(|block| STANDARD.decode(block).ok()).unwrap_or_default();
-    match advice(call, &block) {
-        Some(why) => Verdict::Open(why),
-        None => by_result(result),
+    match (advice(call, &block), result) {
+        (None, result) => by_result(result),
+        // Who takes it takes it so.
+        (Some(_), Ok(result)) => fits_or_refused(result.clone()),
+        (Some(why), Err(_)) => Verdict::Open(why),
     }
 }
 

@@ -6,7 +6,7 @@ use ncp_spec::version::check_version;
 use ncp_text::WIRE_VERSION;
 use ncp_text::tables::{Default, Message, Shape, tables};
 
-use super::open::{Freedom, freedom, is_advice};
+use super::open::{Freedom, freedom, is_advice, is_of_no_meaning};
 use super::{Outcome, Verdict, accept, reject};
 use crate::fuzz::tree::{Tree, items, members, object, set, string, text};
 use crate::json::Json;
@@ -27,6 +27,8 @@ pub(super) fn is_strict(args: &Json<'_>) -> bool {
 pub(super) fn decode(args: &Tree, result: Outcome<'_>) -> Verdict {
     let frame = bytes(args);
     let may_reject = match freedom(string(args, "kind").unwrap_or_default(), &frame, is_strict(args)) {
+        // What nobody reads changes nothing of what is read.
+        Freedom::Open(why) if result.is_ok() && is_of_no_meaning(why) => true,
         Freedom::Open(why) => return Verdict::Open(why),
         freedom => freedom == Freedom::MayReject,
     };
@@ -113,7 +115,12 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
     }
     // [NCP-SESS-003] A reply of another version is none, in whichever the client asked.
     let is_of_another = version.is_some_and(|version| check_version(version, false) != Ok(true));
-    if asked != Some(WIRE_VERSION) && !(is_of_another && result.is_err()) {
+    let is_own = match asked {
+        Some(version) => version == WIRE_VERSION,
+        // Who names none has the wire version, but to the strict.
+        None => !is_strict(args) && request.is_some_and(|request| request.get("ncp_version").is_none()),
+    };
+    if !is_own && !(is_of_another && result.is_err()) {
         return Verdict::Open("the request is none of this version");
     }
     result.map_or_else(reject, |_| accept())

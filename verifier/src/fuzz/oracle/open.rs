@@ -85,13 +85,23 @@ fn of_shape(shape: &Shape, value: &Json<'_>) -> Option<&'static str> {
     }
 }
 
+const IGNORED: [&str; 3] = [
+    "a number beyond a double that nobody reads, WIRE-014",
+    "an array of many items that nobody reads, WIRE-071",
+    "an object of many members that nobody reads, WIRE-071",
+];
+
+/// Whether it is open for what stands in a member that is ignored, so that the frame is rejected or means what it means
+/// without it.
+pub(super) fn is_of_no_meaning(why: &str) -> bool {
+    IGNORED.contains(&why)
+}
+
 fn ignored(value: &Json<'_>) -> Option<&'static str> {
     match value {
-        Json::Number(spelling) if spelling.parse().is_ok_and(f64::is_infinite) => {
-            Some("a number beyond a double that nobody reads, WIRE-014")
-        }
-        Json::Array(items) if items.len() > 4096 => Some("an array of many items that nobody reads, WIRE-071"),
-        Json::Object(members) if members.len() > 4096 => Some("an object of many members that nobody reads, WIRE-071"),
+        Json::Number(spelling) if spelling.parse().is_ok_and(f64::is_infinite) => Some(IGNORED[0]),
+        Json::Array(items) if items.len() > 4096 => Some(IGNORED[1]),
+        Json::Object(members) if members.len() > 4096 => Some(IGNORED[2]),
         Json::Array(items) => items.iter().find_map(ignored),
         Json::Object(members) => members.iter().find_map(|(_, value)| ignored(value)),
         _ => None,
