@@ -61,7 +61,7 @@ impl Text {
                 object! { "$repeat" => text.as_str(), "times" => Json::literal(times.to_string()) }
             }
             Self::Count(before, after, times) => object! {
-                "$count" => [before, after].into_iter().map(|text| Json::string(text)).collect::<Json>(),
+                "$count" => [before, after].into_iter().map(Json::string).collect::<Json>(),
                 "times" => Json::literal(times.to_string()),
             },
             Self::Concat(parts) => {

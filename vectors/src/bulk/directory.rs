@@ -11,6 +11,7 @@ pub(super) fn file() -> File {
     cases.extend(data());
     cases.extend(empty_regions());
     cases.extend(name_bytes());
+    cases.push(divided_name());
     cases.extend(last_of_many());
     File::new("bulk", "directory", "The directory of a BulkBlock: types, names, and where the data lies.", cases)
 }
@@ -265,6 +266,17 @@ fn name_bytes() -> Vec<Case> {
                 .because("The name is not well-formed UTF-8.")
         })
         .collect()
+}
+
+/// A character of two bytes, of which each of two names that lie side by side has one.
+fn divided_name() -> Case {
+    let block = Block::new([f64s("ab", [1.5]), f64s("cd", [2.5])]);
+    // The names lie one behind the other.
+    let first = block.names.first().copied().unwrap_or_default();
+    rejected("utf-8/divided", &["NCP-BULK-010"], &block.patched(first + 1, b"\xc3\xa9"))
+        .title("A block in which two names have a byte each of one character is rejected.")
+        .flags(&["invalid-utf8"])
+        .because("Neither name is well-formed UTF-8, though the two in a row are.")
 }
 
 /// What is wrong with the last of many columns.

@@ -33,7 +33,7 @@ fn damps_nothing(data: &[f64]) -> Json {
 
 fn laws() -> Vec<Case> {
     let mut cases = Vec::new();
-    let places: [(&str, [f64; 3], [f64; 3]); 12] = [
+    let places: [(&str, [f64; 3], [f64; 3]); 13] = [
         ("at-target", [0.0; 3], [0.0; 3]),
         ("x", [0.5, 0.0, 0.0], [0.0; 3]),
         ("y", [0.0, -0.5, 0.0], [0.0; 3]),
@@ -45,6 +45,7 @@ fn laws() -> Vec<Case> {
         ("at-the-clamp", [1.5, -1.5, 0.0], [0.0; 3]),
         ("fast", [0.0; 3], [100.0, 0.0, -100.0]),
         ("huge", [1e308, -1e308, 0.0], [0.0; 3]),
+        ("huge-together", [1e308, 1.5e308, 0.25], [0.0; 3]),
         ("subnormal", [5e-324, -5e-324, -0.0], [5e-324, -0.0, 0.0]),
     ];
     let gains: [(&str, Gains); 5] = [

@@ -13,6 +13,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = Scenarios::read(source!("safety/together"))?.rest(row_case)?;
     cases.extend(at_the_limit());
     cases.extend(many_channels());
+    cases.extend(wide_speeds());
     cases.extend(widest());
     cases.extend(most_channels());
     cases.extend(long_horizons());
@@ -98,6 +99,18 @@ fn many_channels() -> Vec<Case> {
         of("velocity-259-wide", &["NCP-SAFE-063"], Limits::speed(2.0), vec![velocity(&[0.0; 259])])
             .title("A velocity of 259 components, which are 3 in eight bits, is held."),
     ]
+}
+
+/// Channels of more components than a vector has, of which each is far below the limit, and their norm is not.
+fn wide_speeds() -> Vec<Case> {
+    let one_of = |width: usize, x: f64| {
+        let command = Command::of(vec![velocity(&[1.0, 0.0, 0.0]), channel("motors", &vec![x; width], Some("m/s"))]);
+        one(&format!("wide/{width}"), &["NCP-SAFE-065"], Limits::speed(5.0), vec![govern(command, near())])
+            .title(format!("The norm of a channel of {width} components of {x} m/s each is above 5 m/s."))
+            .flags(&["first-channel"])
+            .because("A channel in `m/s` has one norm, that of all its values.")
+    };
+    [(4, 2.75), (5, 2.5), (16, 1.375), (64, 0.75)].map(|(width, x)| one_of(width, x)).into()
 }
 
 /// Components behind a thousand others, and behind as many as 16 bits count.

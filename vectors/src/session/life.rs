@@ -35,6 +35,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(long_requests());
     cases.extend(times());
     cases.extend(failures());
+    cases.push(failure_of_many_steps());
     cases.push(refused_requests());
     cases.extend(failures_of_one());
     cases.extend(failures_by_road());
@@ -257,7 +258,9 @@ fn refused() -> Vec<Case> {
 fn refused_often() -> Case {
     const MANY: usize = 140;
     let network = object! { "ref" => "ncp.no.such.network" };
-    let request = object! { "kind" => "open_session", "session_id" => "b", "network" => network }.text();
+    let request = object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "b",
+    "network" => network }
+    .text();
     let mut trace: Vec<(String, Json)> =
         std::iter::repeat_n((request, any(vec![not_opened("b"), error()])), MANY).collect();
     trace.extend([open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
@@ -659,12 +662,13 @@ fn failures() -> Vec<Case> {
             "A request that fails leaves the time of the session as it was.",
         );
         // So long that the samples of all of them are more than a server bears in one.
-        let long = || (by(300_000.0, too_much), error());
+        let long = |steps: f64| (by(steps, too_much), error());
+        let most = [300_000.0, 300_000.0, 300_000.0, 99_998.0].map(long);
         push(
             "/of-many-samples",
             &["NCP-SESS-037"],
             format!("After four long steps whose {what} leaves the doubles, the session goes on from where it was."),
-            vec![open(), long(), long(), long(), long(), (by(5.0, rest), after(0, 5))],
+            [open()].into_iter().chain(most).chain([(by(5.0, rest), after(0, 5))]).collect(),
             "A request that fails costs that request only: what it took is free again.",
         );
         let mut trace = vec![open()];
@@ -681,6 +685,22 @@ fn failures() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// A step that fails in its first step, of nearly as many as a server bears, and one behind it.
+fn failure_of_many_steps() -> Case {
+    let stimuli = vec![stimulus("in", "rate_inject")];
+    let open = Open { params: vec![("mu", 1.7e308)], stimuli, records: Vec::new(), ..Open::rate("a") };
+    let by = |time: f64, value: f64| step_of("a", Some(time), Some(("in", value)));
+    let trace = vec![
+        (open.text(), opened("a")),
+        (by(19_999_990.0, 1.7e308), error()),
+        (by(20.0, -1.7e308), observed("a", 20.0)),
+    ];
+    super::reference("fails/rate/of-many-steps".to_owned(), &["NCP-SESS-037"], trace)
+        .title("After a step of 19,999,990 ms whose rate leaves the doubles, the session goes on.")
+        .flags(&["session-lifecycle", "non-finite-numbers"])
+        .because("A request that fails costs that request only: what it took is free again.")
 }
 
 /// Requests for no time, many of them, between such that are carried out: they close nothing.

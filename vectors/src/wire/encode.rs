@@ -332,6 +332,7 @@ impl Encoder {
                                 array.join(".")
                             ))
                             .flags(&["lossy-doubles"])
+                            .by("refusal", "NCP-WIRE-093")
                             .encode(self.kind, fields)
                             .means(expected.text())
                             .because("Each number is finite, whatever their sum."),

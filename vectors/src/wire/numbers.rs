@@ -136,8 +136,21 @@ pub(super) fn more_doubles() -> Vec<Double> {
     }
     let zeros = "0".repeat(20);
     all.push(spelled("exponent-of-twenty-zeros", format!("1e{zeros}1"), "10.0", "exponents"));
+    all.extend(by_powers());
     all.extend(rounded_once());
     all
+}
+
+/// Few digits with the first powers of ten that are no doubles: who multiplies or divides by one rounds twice.
+fn by_powers() -> Vec<Double> {
+    [
+        ("three-times-ten-to-23", "3e23", "3e+23"),
+        ("seven-times-ten-to-23", "7e23", "7e+23"),
+        ("one-by-ten-to-23", "1e-23", "1e-23"),
+        ("seven-by-ten-to-23", "7e-23", "7e-23"),
+    ]
+    .map(|(name, literal, is)| spelled(name, literal, is, "rounding"))
+    .into()
 }
 
 /// Digits of more than 53 bits with a power of ten: who rounds the digits first, and what the power makes of them

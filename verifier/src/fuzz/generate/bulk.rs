@@ -259,6 +259,16 @@ mod tests {
     use ncp_spec::bulk::Block;
 
     #[test]
+    fn a_name_that_is_unlike_another_keeps_its_length_its_ends_or_its_letters() {
+        let harvest = Harvest::default();
+        let drawn: std::collections::HashSet<String> =
+            (0..300).map(|number| unlike("times", &mut Draw::new(3, number, &harvest))).collect();
+        for name in ["txxxx", "simet", "xxxxs", "TIMES"] {
+            assert!(drawn.contains(name), "{name}: {drawn:?}");
+        }
+    }
+
+    #[test]
     fn a_block_that_is_drawn_as_valid_is_read_with_its_columns() {
         let harvest = Harvest::default();
         for number in 0..200 {

@@ -170,7 +170,7 @@ fn respelled(spelling: &str, draw: &mut Draw<'_>) -> String {
 /// A number of many digits: that overflows by them alone, or that an exponent brings back, or nearly.
 pub(super) fn digits(draw: &mut Draw<'_>) -> String {
     let count = match draw.below(3) {
-        0 if draw.chance(5) => 4250 + draw.below(1000),
+        0 if draw.chance(20) => 4250 + draw.below(1000),
         0 => draw.size(15, 1100),
         _ => draw.one(&[17, 19, 40, 307, 308, 309, 310, 320, 350, 400, 1000]) + draw.below(30),
     };

@@ -365,6 +365,23 @@ mod tests {
     }
 
     #[test]
+    fn a_burst_by_one_loss_ends_by_deliveries_and_wide_gaps_are_filled_late() {
+        let harvest = Harvest::default();
+        let (mut small, mut filled) = (0, 0);
+        for number in 0..600 {
+            let args = link(&mut Draw::new(3, number, &harvest));
+            let of = |name: &str| crate::fuzz::tree::double(args.get(name)).unwrap_or(0.0);
+            let (ref_loss, threshold) = (of("ref_loss"), of("threshold"));
+            small += usize::from(ref_loss < 1e-4 && (1.0 - 21.0 * ref_loss..1.0).contains(&threshold));
+            let seqs = crate::fuzz::tree::items(args.get("steps")).iter();
+            let seqs: Vec<i64> = seqs.filter_map(|step| crate::fuzz::tree::integer(step.get("seq"))).collect();
+            let is_wide = |pair: &[i64]| (4000..=4100).contains(&pair[1].saturating_sub(pair[0]));
+            filled += usize::from(seqs.len() > 3 && is_wide(&seqs[..2]) && seqs[2..].iter().any(|seq| *seq < seqs[1]));
+        }
+        assert!(small > 5 && filled > 10, "{small} {filled}");
+    }
+
+    #[test]
     fn a_patient_clock_reads_often_before_the_moment_and_then_meets_it() {
         let harvest = Harvest::default();
         let (mut met, mut most) = (0, 0);

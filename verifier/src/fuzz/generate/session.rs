@@ -30,7 +30,7 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
     let mut params = Vec::new();
     let known: &[(&str, [f64; 4])] = if rate {
         // So large that the sum over neurons overflows, though none of them does.
-        let mu = if draw.chance(5) { draw.one(&[8e307, -8e307]) } else { 0.5 };
+        let mu = if draw.chance(20) { draw.one(&[8e307, -8e307]) } else { 0.5 };
         &[("tau", [10.0, 20.0, 5.0, 100.0]), ("mu", [0.0, 25.0, -10.0, mu])]
     } else {
         &[
@@ -394,5 +394,20 @@ mod tests {
             largest = largest.max(requests.iter().take_while(|request| request.contains("open_session")).count());
         }
         assert!(stimulated > 20 && largest > 30, "{stimulated} {largest}");
+    }
+
+    #[test]
+    fn a_population_may_be_empty_a_stimulus_may_have_a_time_and_a_rate_may_be_near_the_largest() {
+        let (menu, harvest) = (whole_menu(), Harvest::default());
+        let mut found = [0; 3];
+        for number in 0..1500 {
+            let args = run(&menu, &mut Draw::new(3, number, &harvest)).to_string();
+            let says = |what: &str| usize::from(args.contains(what));
+            let said = [says("\\\"none\\\":0"), says("\\\"t\\\":"), says("8e307")];
+            for (all, one) in found.iter_mut().zip(said) {
+                *all += one;
+            }
+        }
+        assert!(found.iter().all(|found| *found > 10), "{found:?}");
     }
 }

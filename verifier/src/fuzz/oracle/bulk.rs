@@ -109,3 +109,22 @@ fn column(asked: &Tree) -> Tree {
 fn holds(columns: Tree) -> Verdict {
     Verdict::Expect(object([("relation", text("columns")), ("columns", columns)]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::Input;
+    use crate::fuzz::oracle::expectation;
+
+    #[test]
+    fn who_takes_a_block_with_a_column_of_another_name_takes_that_column_for_none_of_the_three() {
+        let columns = r#"{"columns":[{"name":"trace","dtype":"f64","data":[1.5]}]}"#;
+        let Answer::Result(block) = specification(Call::BulkEncode, columns) else { panic!("it is encoded") };
+        let (call, args) = (Call::ObservationUnpack, own(&Json::parse(&block).unwrap()));
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &block), None) else {
+            panic!("who takes it takes it in one way");
+        };
+        assert_eq!(expect.get("or_reject"), Some(&Json::Bool(true)));
+        assert_eq!(items(expect.get("value").and_then(|value| value.get("times"))).len(), 0);
+    }
+}

@@ -120,7 +120,7 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
         // Who names none has the wire version, but to the strict.
         None => !is_strict(args) && request.is_some_and(|request| request.get("ncp_version").is_none()),
     };
-    if !is_own && !(is_of_another && result.is_err()) {
+    if !(is_own || is_of_another && result.is_err()) {
         return Verdict::Open("the request is none of this version");
     }
     result.map_or_else(reject, |_| accept())
@@ -129,6 +129,20 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_long_array_in_a_member_that_is_ignored_changes_nothing_of_the_frame() {
+        let long = format!("[{}0]", "0,".repeat(5000));
+        let frame = format!(r#"{{"ncp_version":"{WIRE_VERSION}","kind":"command_frame","seq":7,"novel":{long}}}"#);
+        let args = object([("kind", text("command_frame")), ("text", text(frame))]);
+        let spec = specification(Call::Decode, &args.to_string());
+        let Verdict::Expect(expect) = expectation(&Input { call: Call::Decode, args }, &spec, None) else {
+            panic!("it is rejected, or read without that member");
+        };
+        assert_eq!(expect.get("or_reject"), Some(&Json::Bool(true)));
+        assert!(string(&expect, "text").is_some_and(|text| text.contains("\"seq\":7")));
+    }
+
     use crate::fuzz::Input;
     use crate::fuzz::oracle::{expectation, specification};
     use crate::fuzz::tree::own;
@@ -150,5 +164,13 @@ mod tests {
         assert!(rejects(verdict(WIRE_VERSION, "0.4")));
         assert!(!rejects(verdict(WIRE_VERSION, WIRE_VERSION)));
         assert!(matches!(verdict("0.4", WIRE_VERSION), Verdict::Open(_)));
+        // A request that names no version is one of this version.
+        let args = object([
+            ("request", text(r#"{"kind":"close_session","session_id":"a"}"#)),
+            ("reply", text(r#"{"kind":"session_closed","session_id":"a"}"#)),
+        ]);
+        let spec = specification(Call::ReplyCheck, &args.to_string());
+        let unversioned = expectation(&Input { call: Call::ReplyCheck, args }, &spec, None);
+        assert!(matches!(unversioned, Verdict::Expect(_)) && !rejects(unversioned));
     }
 }
