@@ -208,8 +208,8 @@ fn lengths_of_a_tick_before() -> Vec<Case> {
                     .collect();
             case(format!("no-length/{name}/behind-a-length"), &["NCP-RES-027"], &events)
                 .title(format!(
-                    "With a tick of length {name}, behind a command whose ticks had a length, nothing of the horizon is \
-                     replayed."
+                    "With a tick of length {name}, behind a command whose ticks had a length, nothing of the horizon \
+                     is replayed."
                 ))
                 .flags(&["wrong-tick"])
                 .because("What a command does not say, no command before it says for it.")
