@@ -201,11 +201,10 @@ fn lengths_of_a_tick_before() -> Vec<Case> {
             let before = active(1).along_x(50.0, &[10.0, 20.0, 30.0]).ttl(1000.0);
             let command = Command { dt, ..active(2).along_x(50.0, &[11.0, 22.0, 33.0]).ttl(1000.0) };
             let asks = [4.25, 4.3125, 4.375, 4.4375].map(Event::Ask);
-            let events: Vec<Event> =
-                [Event::Command(before, 4.0), Event::Ask(4.0625), Event::Command(command, 4.25)]
-                    .into_iter()
-                    .chain(asks)
-                    .collect();
+            let events: Vec<Event> = [Event::Command(before, 4.0), Event::Ask(4.0625), Event::Command(command, 4.25)]
+                .into_iter()
+                .chain(asks)
+                .collect();
             case(format!("no-length/{name}/behind-a-length"), &["NCP-RES-027"], &events)
                 .title(format!(
                     "With a tick of length {name}, behind a command whose ticks had a length, nothing of the horizon \
