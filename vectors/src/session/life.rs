@@ -128,6 +128,11 @@ fn open(id: &str) -> (String, Json) {
     (Open::lif(id).text(), opened(id))
 }
 
+/// A request to open a session of some network.
+fn opening(id: &str, network: Json) -> String {
+    object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => id, "network" => network }.text()
+}
+
 fn steps(id: &str, time: f64) -> (String, Json) {
     (step_of(id, None, None), observed(id, time))
 }
@@ -223,11 +228,7 @@ fn open_questions() -> Vec<Case> {
 
 /// Networks that hardly anybody has; that they are refused, the text does not say.
 fn refused() -> Vec<Case> {
-    let network = |kind: &str, reference: &str| {
-        object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "a",
-        "network" => object! { "kind" => kind, "ref" => reference } }
-        .text()
-    };
+    let network = |kind: &str, reference: &str| opening("a", object! { "kind" => kind, "ref" => reference });
     [("builtin", "ncp.no.such.network"), ("handle", "no-such-handle"), ("builtin", "")]
         .into_iter()
         .enumerate()
@@ -257,10 +258,7 @@ fn refused() -> Vec<Case> {
 /// An opening behind many that were refused: what is refused takes no room.
 fn refused_often() -> Case {
     const MANY: usize = 140;
-    let network = object! { "ref" => "ncp.no.such.network" };
-    let request = object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "b",
-    "network" => network }
-    .text();
+    let request = opening("b", object! { "ref" => "ncp.no.such.network" });
     let mut trace: Vec<(String, Json)> =
         std::iter::repeat_n((request, any(vec![not_opened("b"), error()])), MANY).collect();
     trace.extend([open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
@@ -272,11 +270,6 @@ fn refused_often() -> Case {
 
 /// An `open_session` of an open id that a server refuses for its network ends nothing.
 fn refused_anew() -> Vec<Case> {
-    let changed = |network: Json| {
-        object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => "a",
-        "network" => network }
-        .text()
-    };
     [
         ("unknown-network", object! { "kind" => "builtin", "ref" => "ncp.no.such.network" }),
         ("unknown-handle", object! { "kind" => "handle", "ref" => "no-such-handle" }),
@@ -289,7 +282,7 @@ fn refused_anew() -> Vec<Case> {
             vec![
                 open("a"),
                 steps("a", 10.0),
-                (changed(network.clone()), second),
+                (opening("a", network.clone()), second),
                 (step_of("a", None, None), third),
                 (close("a"), fourth),
             ]

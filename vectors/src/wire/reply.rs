@@ -18,30 +18,9 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     text.end()?;
     cases.extend(sizes());
     cases.extend(alike());
-    cases.extend(unlisted());
     cases.extend(malformed_versions()?);
     cases.extend(long_sessions());
     Ok(File::new("wire", "reply", "What a client accepts as the reply to its request.", cases))
-}
-
-/// Observations with a member that other replies have, and theirs does not.
-fn unlisted() -> Vec<Case> {
-    let members = [("ok", false.into()), ("ok", Json::Null)];
-    let pairs = ["step_request", "run_request"]
-        .into_iter()
-        .flat_map(|request| members.clone().map(|(name, value): (&str, Json)| (request, name, value)));
-    pairs
-        .map(|(request, name, value)| {
-            let said = value.text();
-            let reply = minimal("observation_frame").with(name, value);
-            Case::new(format!("{request}/unlisted/{name}-{said}"), &["NCP-SESS-007", "NCP-WIRE-026"], &[Commander])
-                .call("reply.check", object! { "request" => minimal(request).text(), "reply" => reply.text() })
-                .accepts()
-                .title(format!("A client ignores a member `{name}` of an observation, which its table lacks."))
-                .flags(&["closed-objects"])
-                .because("`ok` says that a request failed in the replies whose tables have it alone.")
-        })
-        .collect()
 }
 
 /// Replies as long as their kind may be, and longer: a reply is a frame like every other.
