@@ -321,10 +321,9 @@ fn text_size(form: &Form<'_, '_>, spelling: Spelling, depth: usize) -> Result<us
         },
         Form::Repeat(repeated, times) => inner(repeated, spelling)?.saturating_mul(*times),
         Form::Count(before, after, times) => {
-            let around = [before, after].map(|text| text_size(&Form::Text(text), spelling, depth));
-            let [before, after] = around;
+            let around = |text| text_size(&Form::Text(text), spelling, depth);
             // A count has no more than twenty digits.
-            (before? + after? + 20).saturating_mul(*times)
+            (around(before)? + around(after)? + 20).saturating_mul(*times)
         }
         Form::Concat(parts) => parts
             .iter()

@@ -6,7 +6,7 @@ use ncp_spec::version::check_version;
 use ncp_text::WIRE_VERSION;
 use ncp_text::tables::{Default, Message, Shape, tables};
 
-use super::open::{Freedom, freedom, is_advice, is_of_no_meaning};
+use super::open::{Freedom, freedom, is_advice};
 use super::{Outcome, Verdict, accept, reject};
 use crate::fuzz::tree::{Tree, items, members, object, set, string, text};
 use crate::json::Json;
@@ -27,10 +27,9 @@ pub(super) fn is_strict(args: &Json<'_>) -> bool {
 pub(super) fn decode(args: &Tree, result: Outcome<'_>) -> Verdict {
     let frame = bytes(args);
     let may_reject = match freedom(string(args, "kind").unwrap_or_default(), &frame, is_strict(args)) {
-        // What nobody reads changes nothing of what is read.
-        Freedom::Open(why) if result.is_ok() && is_of_no_meaning(why) => true,
         Freedom::Open(why) => return Verdict::Open(why),
-        freedom => freedom == Freedom::MayReject,
+        Freedom::MayRejectFor(why) if result.is_err() => return Verdict::Open(why),
+        freedom => freedom != Freedom::None,
     };
     match result {
         Err(_) if may_reject => Verdict::Open("a version that may be rejected, WIRE-039"),
@@ -106,7 +105,7 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
         // It is an error whether it can be read or not.
         return result.map_or_else(reject, |_| Verdict::Open("the specification takes an error frame for none"));
     }
-    if let Freedom::Open(why) = freedom(kind, reply.as_bytes(), is_strict(args)) {
+    if let Freedom::Open(why) | Freedom::MayRejectFor(why) = freedom(kind, reply.as_bytes(), is_strict(args)) {
         return Verdict::Open(why);
     }
     let version = parsed.as_ref().and_then(|reply| reply.get("ncp_version")).and_then(Json::as_str);

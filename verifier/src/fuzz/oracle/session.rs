@@ -77,7 +77,7 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         };
         if let Some(why) = why {
             why_open.get_or_insert(why);
-            patterns.push(object([("$anything", Json::Bool(true))]));
+            patterns.push(anything());
             match known {
                 // [NCP-SESS-027] An opening that is refused ends no session.
                 Some(session) if why == OPEN_ALREADY && refused => drop(open.insert(id, session)),
@@ -125,7 +125,7 @@ fn version_of(asked: Option<&Tree>) -> &str {
 /// What the text leaves open of a request, whatever came before it.
 fn own_openness(written: &str, of: &str, strict: bool) -> Option<&'static str> {
     let why = match freedom(of, written.as_bytes(), strict) {
-        Freedom::Open(why) => Some(why),
+        Freedom::Open(why) | Freedom::MayRejectFor(why) => Some(why),
         Freedom::MayReject if of != "open_session" => Some("a version that may be rejected, WIRE-039"),
         _ => None,
     };
