@@ -533,6 +533,7 @@ mod tests {
             }
             assert!(draw.of_class(6).fract().abs() == 0.5);
             assert!(draw.of_class(3).abs() <= 1.0);
+            assert!((2_f64.powi(-20)..2_f64.powi(45)).contains(&draw.of_class(8).abs()));
             assert!(draw.integer().abs() <= LARGEST);
         }
     }

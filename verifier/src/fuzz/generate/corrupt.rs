@@ -419,9 +419,7 @@ fn wrong_value(frame: &mut Tree, draw: &mut Draw<'_>) {
                 return set(frame, &name, Json::Null);
             }
             let place = sites[draw.below(sites.len())].clone();
-            let count = draw.one(&[64, 65, 256, 1000, 4095, 4096, 4097]);
-            // As many as a count of 16 bits takes for few.
-            let count = if draw.chance(4) { 65_536 + draw.below(4096) } else { count };
+            let count = crowd(draw);
             if let Some(target) = at_mut(frame, &place) {
                 grow(target, count);
             }
@@ -437,6 +435,12 @@ fn replace(frame: &mut Tree, place: &[Step], draw: &mut Draw<'_>, by: impl FnOnc
     if let Some(target) = at_mut(frame, place) {
         *target = value;
     }
+}
+
+/// As many as are near a limit, or as many as a count of 16 bits takes for few.
+fn crowd(draw: &mut Draw<'_>) -> usize {
+    let near = draw.one(&[64, 65, 256, 1000, 4095, 4096, 4097]);
+    if draw.chance(4) { 65_536 + draw.below(4096) } else { near }
 }
 
 /// Repeats what is there until there is so much of it.
@@ -548,4 +552,19 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
         }
     }
     bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::harvest::Harvest;
+
+    #[test]
+    fn a_crowd_is_as_large_as_a_limit_one_larger_or_more_than_sixteen_bits_count() {
+        let harvest = Harvest::default();
+        let drawn: std::collections::HashSet<usize> =
+            (0..2000).map(|number| crowd(&mut Draw::new(3, number, &harvest))).collect();
+        assert!([4096, 4097].iter().all(|count| drawn.contains(count)), "{drawn:?}");
+        assert!(drawn.iter().filter(|count| (65_536..69_632).contains(*count)).count() > 10, "{drawn:?}");
+    }
 }

@@ -381,6 +381,20 @@ mod tests {
     use crate::fuzz::harvest::Harvest;
 
     #[test]
+    fn an_observation_has_a_member_ok_now_and_then_which_its_table_lacks() {
+        let (menu, harvest) = (crate::fuzz::generate::tests::whole_menu(), Harvest::default());
+        let has_ok = |number: &u64| {
+            let args = reply(&menu, &mut Draw::new(3, *number, &harvest));
+            let said = |name: &str| crate::fuzz::tree::string(&args, name).and_then(|text| Json::parse(text).ok());
+            said("reply").is_some_and(|reply| {
+                reply.get("kind").and_then(Json::as_str) == Some("observation_frame") && reply.get("ok").is_some()
+            })
+        };
+        let found = (0..1000).filter(has_ok).count();
+        assert!((10..200).contains(&found), "{found}");
+    }
+
+    #[test]
     fn a_frame_that_is_drawn_as_valid_is_read() {
         let harvest = Harvest::default();
         let (mut read, mut drawn_in_all) = (0, 0);

@@ -397,6 +397,25 @@ mod tests {
     }
 
     #[test]
+    fn a_session_that_is_open_is_opened_again_at_the_key_of_another_request() {
+        let (menu, harvest) = (whole_menu(), Harvest::default());
+        let is_found = |number: &u64| {
+            let args = run(&menu, &mut Draw::new(3, *number, &harvest));
+            let requests = items(args.get("requests")).iter();
+            let parsed = requests.map(|request| request.as_str().and_then(|written| Json::parse(written).ok()));
+            let mut opened = std::collections::HashSet::new();
+            parsed.zip(items(args.get("verbs"))).any(|(request, verb)| {
+                let of = |name: &str| request.as_ref().and_then(|request| string(request, name)).map(str::to_owned);
+                of("kind").as_deref() == Some("open_session")
+                    && !opened.insert(of("session_id"))
+                    && verb.as_str() != Some("open_session")
+            })
+        };
+        let found = (0..1500).filter(is_found).count();
+        assert!(found > 5, "{found}");
+    }
+
+    #[test]
     fn a_population_may_be_empty_a_stimulus_may_have_a_time_and_a_rate_may_be_near_the_largest() {
         let (menu, harvest) = (whole_menu(), Harvest::default());
         let mut found = [0; 3];
