@@ -231,7 +231,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
         let id = script.ids[draw.below(among)].clone();
         let kind = match draw.below(100) {
             // What a second opening of a session does is advice, so it is rare, but at the key of another request.
-            0..=9 if !open_now.contains(&id) || draw.chance(if has_verbs { 40 } else { 3 }) => "open_session",
+            0..=9 if !open_now.contains(&id) || draw.chance(if has_verbs { 60 } else { 3 }) => "open_session",
             _ if nth < script.ids.len() => "open_session",
             roll if roll < 10 + usize::try_from(closes).unwrap_or(0) => "close_session",
             roll if roll < 75 => "step_request",
@@ -303,6 +303,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
     if is_strict {
         set(&mut args, "strict", crate::json::Json::Bool(true));
         if has_verbs {
+            let right = draw.one(&[85, 85, 40]);
             let verbs = kinds.iter().map(|kind| {
                 let other = draw.one(&[
                     "open_session",
@@ -313,7 +314,7 @@ pub(super) fn run(menu: &Menu, draw: &mut Draw<'_>) -> Tree {
                     "observation_frame",
                     "command_frame",
                 ]);
-                text(if draw.chance(85) { kind } else { other })
+                text(if draw.chance(right) { kind } else { other })
             });
             set(&mut args, "verbs", list(verbs.collect()));
         }
@@ -403,16 +404,29 @@ mod tests {
             let args = run(&menu, &mut Draw::new(3, *number, &harvest));
             let requests = items(args.get("requests")).iter();
             let parsed = requests.map(|request| request.as_str().and_then(|written| Json::parse(written).ok()));
-            let mut opened = std::collections::HashSet::new();
+            let mut open = std::collections::HashSet::new();
+            // Behind the first of each session, which may share their ids.
+            let mut is_behind = false;
             parsed.zip(items(args.get("verbs"))).any(|(request, verb)| {
                 let of = |name: &str| request.as_ref().and_then(|request| string(request, name)).map(str::to_owned);
-                of("kind").as_deref() == Some("open_session")
-                    && !opened.insert(of("session_id"))
-                    && verb.as_str() != Some("open_session")
+                let (kind, id) = (of("kind"), of("session_id"));
+                match kind.as_deref() {
+                    Some("open_session") => {
+                        let is_new = open.insert(id);
+                        !is_new && is_behind && verb.as_str() != Some("open_session")
+                    }
+                    kind => {
+                        is_behind = true;
+                        if kind == Some("close_session") {
+                            open.remove(&id);
+                        }
+                        false
+                    }
+                }
             })
         };
         let found = (0..1500).filter(is_found).count();
-        assert!(found > 5, "{found}");
+        assert!(found > 8, "{found}");
     }
 
     #[test]
