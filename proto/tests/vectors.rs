@@ -92,6 +92,16 @@ fn vector_files() -> Vec<(PathBuf, Value)> {
         .collect()
 }
 
+#[test]
+fn a_template_stands_for_the_text_that_the_runner_makes_of_it() {
+    let template = serde_json::json!({"$concat": [
+        {"$repeat": "ab", "times": 2},
+        {"$count": ["<", ">"], "times": 3},
+        {"$base64": "any"},
+    ]});
+    assert_eq!(expand(&template).unwrap(), "abab<0><1><2>YW55");
+}
+
 /// The bytes of a decode call, unless there are too many.
 fn frame(args: &Value) -> Option<Vec<u8>> {
     if let Some(text) = args.get("text") {

@@ -454,3 +454,15 @@ fn codec_run(args: &Value) -> codec::Run {
         rates: rates.filter_map(|(name, rate)| Some((name, double(&rate)?))).collect(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_template_stands_for_the_text_that_the_runner_makes_of_it() {
+        let parts = r#"[{"$repeat":"ab","times":2},{"$count":["<",">"],"times":3},{"$base64":"any"}]"#;
+        let template: Value = serde_json::from_str(&format!("{{\"$concat\":{parts}}}")).unwrap();
+        assert_eq!(text(&template), "abab<0><1><2>YW55");
+    }
+}
