@@ -2,9 +2,9 @@
 //!
 //! Where a string stands in a case's arguments or expectation, an object may stand instead:
 //! `{"$repeat": "x", "times": 1000}`, `{"$count": ["before", "after"], "times": 1000}`, which writes 0, 1, 2, … between
-//! the two, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list, `{"$item": value, "times": 1000}` stands for so
-//! many equal items, and with `"plus": {"seq": 1}` for items whose integer of that name grows by so much from each to
-//! the next. Peers never see them.
+//! the two, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list, `{"$item": value, "times": 1000}` stands for
+//! so many equal items, and with `"plus": {"seq": 1}` for items whose integer of that name grows by so much from each
+//! to the next. Peers never see them.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
