@@ -22,7 +22,8 @@ def is_estop(frame):
     return CommandFrame.KIND in found["kind"] and "estop" in found["mode"]
 
 
-_TOKEN = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"|[{}\[\]:,]', re.DOTALL)
+# A string that breaks off is one to the end: to look for its end from each of its quotation marks takes for ever.
+_TOKEN = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[{}\[\]:,]', re.DOTALL)
 _STEPS = {b"{": 1, b"[": 1, b"}": -1, b"]": -1}
 
 

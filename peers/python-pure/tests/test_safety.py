@@ -190,8 +190,9 @@ class Estop(unittest.TestCase):
             b'{"kind":"command_frame","mode":["estop"]}',
             b'{"kind":"command_frame","estop":"mode"}',
             b'["command_frame","mode","estop"]',
+            b'{"kind":"command_frame","a":"' + b'\\"' * (1 << 19),
         ):
-            self.assertFalse(ncp.is_estop(frame), frame)
+            self.assertFalse(ncp.is_estop(frame), frame[:60])
 
 
 class Link(unittest.TestCase):

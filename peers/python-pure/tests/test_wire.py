@@ -94,6 +94,10 @@ class Reading(unittest.TestCase):
         with self.assertRaisesRegex(ncp.DecodeError, "levels"):
             jsontext.read_object(b'{"b":' + b"[" * 64 + b"]" * 64 + b"}")
 
+    def test_a_string_that_breaks_off_is_looked_at_once(self):
+        with self.assertRaisesRegex(ncp.DecodeError, "Unterminated"):
+            jsontext.read_object(b'{"a":"' + b"[" * 100 + b'\\"' * (1 << 19))
+
     def test_a_million_levels_are_an_error_and_no_overflow(self):
         with self.assertRaisesRegex(ncp.DecodeError, "levels"):
             jsontext.read_object(b'{"a":' * 1_000_000)
