@@ -463,6 +463,15 @@ fn grow(target: &mut Tree, count: usize) {
     }
 }
 
+/// Lets a frame that is cut off go on for long with what has no end: who looks for it again and again hangs.
+fn break_off(bytes: &mut Vec<u8>, draw: &mut Draw<'_>) {
+    let opening = draw.pick(&["", "\"", "\"", "[", "-0."]);
+    let brackets = if draw.chance(50) { "[".repeat(70) } else { String::new() };
+    let unit = draw.pick(&["\\\"", "\\\"", "\\\\", "x", " ", "1", "\"", "\u{20ac}"]);
+    let times = draw.size(20_000, 300_000);
+    bytes.extend_from_slice(format!("{opening}{brackets}{}", unit.repeat(times)).as_bytes());
+}
+
 /// Breaks the grammar, most likely.
 fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
     let tokens: Vec<usize> = bytes
@@ -502,7 +511,12 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
         0 => {
             bytes.remove(place.min(bytes.len().saturating_sub(1)));
         }
-        1 => bytes.truncate(place),
+        1 => {
+            bytes.truncate(place);
+            if draw.chance(8) {
+                break_off(&mut bytes, draw);
+            }
+        }
         2 => {
             let what =
                 draw.pick(&[",", ":", "}", "]", "{", "[", "\"", "0", "-", "+", ".", "\\", "/**/", "\u{0}", "\u{b}"]);
@@ -558,6 +572,19 @@ fn wrong_text(mut bytes: Vec<u8>, draw: &mut Draw<'_>) -> Vec<u8> {
 mod tests {
     use super::*;
     use crate::fuzz::harvest::Harvest;
+
+    #[test]
+    fn a_frame_may_break_off_behind_a_long_string_of_escaped_quotation_marks() {
+        let (frame, harvest) = (object([("kind", text("close_session"))]), Harvest::default());
+        let is_drawn = |number: &u64| {
+            let bytes = corrupted(&frame, &mut Draw::new(3, *number, &harvest));
+            bytes.len() > 20_000
+                && bytes.ends_with(b"\\\"\\\"\\\"")
+                && Json::parse(&String::from_utf8_lossy(&bytes)).is_err()
+        };
+        let drawn = (0..4000).filter(is_drawn).count();
+        assert!((1..40).contains(&drawn), "{drawn}");
+    }
 
     #[test]
     fn a_crowd_is_as_large_as_a_limit_one_larger_or_more_than_sixteen_bits_count() {

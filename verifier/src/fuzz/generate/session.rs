@@ -34,13 +34,13 @@ fn open(script: &Script, id: &str, draw: &mut Draw<'_>) -> Tree {
         &[("tau", [10.0, 20.0, 5.0, 100.0]), ("mu", [0.0, 25.0, -10.0, mu])]
     } else {
         &[
-            ("C_m", [250.0, 100.0, 500.0, 1.0]),
+            ("C_m", [250.0, 100.0, draw.one(&[500.0, 500.0, 0.001]), 1.0]),
             ("tau_m", [10.0, 20.0, 5.0, draw.one(&[50.0, 1000.0, 20_000.0])]),
             ("E_L", [-70.0, -65.0, 0.0, draw.one(&[-60.0, -55.0, -50.0])]),
             ("V_th", [-55.0, -50.0, 20.0, -45.0]),
             ("V_reset", [-70.0, -75.0, -80.0, -72.0]),
             ("t_ref", [2.0, 0.0, draw.one(&[5.0, 0.7, 2.3, 2.55, 1.6, 1.25]), draw.one(&[10.0, 40.0, 300.0])]),
-            ("I_e", [0.0, 400.0, 500.0, draw.one(&[1000.0, 1000.0, 1e300, 1e308])]),
+            ("I_e", [0.0, 400.0, 500.0, draw.one(&[1000.0, 1000.0, 1e290, 1e308])]),
         ]
     };
     // Of one value under different names, in one session or in two.
@@ -158,7 +158,7 @@ fn stimulus(request: &mut Tree, draw: &mut Draw<'_>) {
     }
     if draw.chance(40) {
         let port = draw.pick(&["in", "in", "in2"]);
-        let value = if draw.chance(3) { draw.one(&[1e300, 1e308, -1e308]) } else { draw.range(-8, 40) as f64 * 50.0 };
+        let value = if draw.chance(3) { draw.one(&[1e290, 1e308, -1e308]) } else { draw.range(-8, 40) as f64 * 50.0 };
         let value = spelled(value);
         let mut stimulus = object([("values", object([(port, object([("data", list(vec![value]))]))]))]);
         if draw.chance(15) {

@@ -92,7 +92,10 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         {
             open.insert(id.clone(), session);
         }
-        let level = open.get(&id).map_or(0.0, |session| session.level);
+        let level = match (open.get_mut(&id), &asked) {
+            (Some(session), Some(asked)) if kind == "observation_frame" => session.level_of(asked),
+            _ => 0.0,
+        };
         // Which of the two is a server's own affair, and leaves everything as it was.
         let runs_nothing = kind == "observation_frame"
             && open.get(&id).zip(asked.as_ref()).is_some_and(|(session, asked)| session.time_of(asked) == 0.0);
@@ -113,6 +116,9 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
     }
     if differs_by_rounding(args, result) {
         return Verdict::Open("a potential so near its threshold that a rounding decides");
+    }
+    if differs_by_order(args, result) {
+        return Verdict::Open("numbers that leave the doubles or not by the order of the operations");
     }
     fits(object([("replies", list(patterns))]))
 }
@@ -262,7 +268,13 @@ struct Session {
     samples: f64,
     ports: Vec<String>,
     /// The magnitude of the potential at rest, in mV.
-    level: f64,
+    rest: f64,
+    /// What a current of 1 pA, or an input of 1 Hz, adds in a step.
+    gain: f64,
+    /// The magnitude of the constant current or input, in pA or Hz.
+    constant: f64,
+    /// The magnitude of the current or input of each port, in pA or Hz.
+    driven: HashMap<String, f64>,
     is_lif: bool,
 }
 
@@ -343,9 +355,8 @@ impl Session {
             (1e-3..1e12).contains(&param("tau_m", 10.0))
                 && (1e-3..1e6).contains(&param("C_m", 250.0))
                 && (0.0..1e6).contains(&refractory)
-                && ["E_L", "V_th", "V_reset", "I_e"].iter().all(|name| param(name, 0.0).abs() < 1e6)
         } else {
-            (1e-3..1e12).contains(&param("tau", 10.0)) && param("mu", 0.0).abs() < 1e308
+            (1e-3..1e12).contains(&param("tau", 10.0))
         };
         let ports = targets("stimulus").iter().map(|t| string(t, "port").unwrap_or_default().to_owned());
         let sampled = targets("record").iter().map(|target| {
@@ -361,9 +372,27 @@ impl Session {
             neurons: sizes.iter().filter_map(|(_, size)| integer(Some(size))).sum::<i64>() as f64,
             samples: sampled.sum(),
             ports: ports.collect(),
-            level: if is_lif { param("E_L", -70.0).abs() } else { 0.0 },
+            rest: if is_lif { param("E_L", -70.0).abs() } else { 0.0 },
+            gain: if is_lif {
+                let tau = param("tau_m", 10.0);
+                tau / param("C_m", 250.0) * -(-dt / tau).exp_m1()
+            } else {
+                -(-dt / param("tau", 10.0)).exp_m1()
+            },
+            constant: param(if is_lif { "I_e" } else { "mu" }, 0.0).abs(),
+            driven: HashMap::new(),
             is_lif,
         })
+    }
+
+    /// The greatest of the terms that the samples of a step or a run do not show; its stimuli act from now on.
+    fn level_of(&mut self, asked: &Tree) -> f64 {
+        for (port, value) in members(asked.get("stimulus").and_then(|stimulus| stimulus.get("values"))) {
+            if let Some(value) = double(items(value.get("data")).first()) {
+                self.driven.insert(port.to_string(), value.abs());
+            }
+        }
+        self.rest.max(self.gain * self.driven.values().fold(self.constant, |sum, value| sum + value)).min(f64::MAX)
     }
 
     /// What the text leaves open of a request for this session.
@@ -394,7 +423,7 @@ impl Session {
         }
         members(values).iter().find_map(|(port, value)| {
             let data = items(value.get("data"));
-            let fits = data.len() == 1 && double(data.first()).is_some_and(|value| value.abs() < 1e9);
+            let fits = data.len() == 1 && double(data.first()).is_some_and(f64::is_finite);
             let unit = value.get("unit").filter(|unit| !unit.is_null());
             let is_plain = fits && unit.is_none_or(|unit| self.is_lif && unit.as_str() == Some("pA"));
             let is_port = self.ports.iter().filter(|known| *known == port).count() == 1;
@@ -405,34 +434,139 @@ impl Session {
 
 /// Whether other thresholds, by less than the tolerance, give other replies.
 fn differs_by_rounding(args: &Tree, result: &Tree) -> bool {
-    [1.0 - 1e-12, 1.0 + 1e-12].into_iter().any(|by| {
-        let mut other = args.clone();
-        let requests = items(args.get("requests")).iter().map(|request| moved(request, by)).collect();
-        set(&mut other, "requests", list(requests));
-        match specification(Call::SessionRun, &other.to_string()) {
-            Answer::Result(moved) => Json::parse(&moved).is_ok_and(|moved| shape(&moved) != shape(result)),
-            _ => true,
-        }
-    })
+    [1.0 - 1e-12, 1.0 + 1e-12].into_iter().any(|by| differs(args, result, &|request| moved(request, by)))
 }
 
-/// A request whose network has another threshold.
-fn moved(request: &Tree, by: f64) -> Tree {
-    let parsed = request.as_str().and_then(|text| Json::parse(text).ok());
-    let Some(asked) = parsed.filter(|asked| asked.get("kind").and_then(Json::as_str) == Some("open_session")) else {
-        return request.clone();
+/// Potentials, currents and rates of less than this leave the doubles by no product with a time.
+const MODEST: f64 = 1e200;
+
+/// Whether a product or a sum on the way may leave the doubles where the number itself does not. A server may fail
+/// then, and need not. Without one, all potentials and currents times a power of two give the same replies times that.
+/// Section 4.4.
+fn differs_by_order(args: &Tree, result: &Tree) -> bool {
+    let requests = || items(args.get("requests")).iter().filter_map(|request| Json::parse(request.as_str()?).ok());
+    if requests().all(|request| lengths(&own(&request)).iter().all(|length| length.abs() < MODEST)) {
+        return false;
+    }
+    // A quotient by a small capacity, before the product with a short time.
+    if requests().any(|request| network_of(&own(&request)).is_some() && is_short(&own(&request))) {
+        return true;
+    }
+    let slack = requests().map(|request| slack(&own(&request))).fold(1.0, f64::max).log2().ceil().exp2();
+    // So large that it cannot be scaled: what it comes to is known of a request that fails, and of no other.
+    let mut replied = items(args.get("requests")).iter().zip(items(result.get("replies")));
+    let is_beyond = replied.any(|(request, reply)| {
+        let request = request.as_str().and_then(|text| Json::parse(text).ok()).map(|request| own(&request));
+        request.is_some_and(|request| lengths(&request).iter().any(|length| length.abs() > f64::MAX / slack))
+            && !reply.as_str().is_some_and(refuses)
+    });
+    is_beyond || [1.0 / slack, slack].into_iter().any(|by| differs(args, result, &|request| scaled(request, by)))
+}
+
+/// How far what is computed on the way to a number may be above the number after one step of an opened session.
+fn slack(asked: &Tree) -> f64 {
+    let of = |name: &str, default: f64| {
+        let params = asked.get("network").and_then(|network| network.get("params"));
+        params.and_then(|params| double(params.get(name))).unwrap_or(default)
     };
-    let mut asked = own(&asked);
-    let Some(mut network) = asked.get("network").filter(|n| string(n, "ref") == Some("ncp.reference.lif")).cloned()
-    else {
-        return request.clone();
+    let dt = asked.get("sim").and_then(|sim| double(sim.get("dt_ms"))).unwrap_or(0.1);
+    match network_of(asked) {
+        Some("ncp.reference.lif") => {
+            let (tau, capacity) = (of("tau_m", 10.0), of("C_m", 250.0));
+            16.0 * (tau * capacity).max(tau).max(capacity).max(1.0) / dt.min(tau)
+        }
+        Some("ncp.reference.rate") => 16.0 * of("tau", 10.0).max(1.0) / dt.min(of("tau", 10.0)),
+        _ => 1.0,
+    }
+}
+
+/// Whether the time constant of an opened network is below 1 ms.
+fn is_short(asked: &Tree) -> bool {
+    let params = asked.get("network").and_then(|network| network.get("params"));
+    ["tau_m", "tau"].iter().any(|name| params.and_then(|params| double(params.get(name))).is_some_and(|tau| tau < 1.0))
+}
+
+/// Whether requests that are changed so are answered otherwise.
+fn differs(args: &Tree, result: &Tree, change: &dyn Fn(&mut Tree)) -> bool {
+    let changed = |request: &Tree| {
+        let parsed = request.as_str().and_then(|text| Json::parse(text).ok());
+        parsed.map_or_else(
+            || request.clone(),
+            |asked| {
+                let mut asked = own(&asked);
+                let before = asked.clone();
+                change(&mut asked);
+                if asked == before { request.clone() } else { text(asked.to_string()) }
+            },
+        )
     };
+    let mut other = args.clone();
+    set(&mut other, "requests", list(items(args.get("requests")).iter().map(changed).collect()));
+    match specification(Call::SessionRun, &other.to_string()) {
+        Answer::Result(moved) => Json::parse(&moved).is_ok_and(|moved| shape(&moved) != shape(result)),
+        _ => true,
+    }
+}
+
+fn network_of(asked: &Tree) -> Option<&str> {
+    if string(asked, "kind") != Some("open_session") {
+        return None;
+    }
+    asked.get("network").and_then(|network| string(network, "ref"))
+}
+
+/// The params of a network that are potentials, currents or rates, and what each is where none is named.
+fn lengths_of(network: Option<&str>) -> &'static [(&'static str, f64)] {
+    match network {
+        Some("ncp.reference.lif") => &[("E_L", -70.0), ("V_th", -55.0), ("V_reset", -70.0), ("I_e", 0.0)],
+        Some("ncp.reference.rate") => &[("mu", 0.0)],
+        _ => &[],
+    }
+}
+
+/// The potentials, currents and rates of a request.
+fn lengths(asked: &Tree) -> Vec<f64> {
+    let params = asked.get("network").and_then(|network| network.get("params"));
+    let of_network = lengths_of(network_of(asked)).iter().filter_map(|(name, _)| double(params?.get(name)));
+    let values = members(asked.get("stimulus").and_then(|stimulus| stimulus.get("values")));
+    of_network
+        .chain(values.iter().flat_map(|(_, value)| items(value.get("data"))).filter_map(|v| double(Some(v))))
+        .collect()
+}
+
+/// Changes params of the network that a request opens.
+fn change_params(asked: &mut Tree, names: &[(&str, f64)], change: impl Fn(f64) -> f64) {
+    let Some(mut network) = asked.get("network").filter(|_| !names.is_empty()).cloned() else { return };
     let mut params = network.get("params").cloned().unwrap_or_else(|| object([]));
-    let threshold = double(params.get("V_th")).unwrap_or(-55.0);
-    set(&mut params, "V_th", spelled(threshold * by));
+    for (name, default) in names {
+        let value = double(params.get(name)).unwrap_or(*default);
+        set(&mut params, name, spelled(change(value)));
+    }
     set(&mut network, "params", params);
-    set(&mut asked, "network", network);
-    text(asked.to_string())
+    set(asked, "network", network);
+}
+
+/// Gives a request whose network has another threshold.
+fn moved(asked: &mut Tree, by: f64) {
+    if network_of(asked) == Some("ncp.reference.lif") {
+        change_params(asked, &[("V_th", -55.0)], |threshold| threshold * by);
+    }
+}
+
+/// Gives a request all of whose potentials, currents and rates are so many times what they were.
+fn scaled(asked: &mut Tree, by: f64) {
+    let scale = |value: f64| (value * by).clamp(-f64::MAX, f64::MAX);
+    change_params(asked, lengths_of(network_of(asked)), scale);
+    let Some(mut stimulus) = asked.get("stimulus").cloned() else { return };
+    let Some(Json::Object(mut values)) = stimulus.get("values").cloned() else { return };
+    for (_, value) in &mut values {
+        let data = items(value.get("data")).iter();
+        let data = data.map(|item| double(Some(item)).map_or_else(|| item.clone(), |item| spelled(scale(item))));
+        let data = list(data.collect());
+        set(value, "data", data);
+    }
+    set(&mut stimulus, "values", Json::Object(values));
+    set(asked, "stimulus", stimulus);
 }
 
 /// Of replies, what roundings of numbers do not touch: how long each is in lines of its JSON.
@@ -681,6 +815,67 @@ mod tests {
         };
         assert_eq!(is_open(Some(&refusing)), [false, true, false]);
         assert_eq!(is_open(None), [false, true, true], "another server may have opened it anew");
+    }
+
+    /// What is expected of a network with these params, that two requests with these stimuli are for.
+    fn of_params(reference: &str, params: &str, values: [&str; 2]) -> Verdict {
+        let kind = if reference.ends_with("lif") { "current_pA" } else { "rate_inject" };
+        let open = format!(
+            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
+            "network":{{"ref":"{reference}","population_sizes":{{"pop":1}},"params":{params}}},"sim":{{"dt_ms":1.0}},
+            "stimulus":{{"targets":[{{"port":"in","target":"pop","kind":"{kind}"}}]}}}}"#
+        );
+        let step = |value: &str| {
+            let values = format!(r#"{{"values":{{"in":{{"data":[{value}]}}}}}}"#);
+            format!(r#"{{"kind":"step_request","session_id":"a","advance_ms":2.0,"stimulus":{values}}}"#)
+        };
+        let requests = [open, step(values[0]), step(values[1])].map(text);
+        let args = object([("requests", list(requests.into()))]);
+        let (call, written) = (Call::SessionRun, args.to_string());
+        expectation(&Input { call, args }, &specification(call, &written), None)
+    }
+
+    #[test]
+    fn a_number_that_leaves_the_doubles_is_decided_unless_only_a_product_on_the_way_does() {
+        let fails = |verdict: Verdict| match verdict {
+            Verdict::Expect(expect) => {
+                let replies = items(expect.get("value").and_then(|value| value.get("replies"))).to_vec();
+                Some(replies.iter().map(|reply| reply.to_string().contains(r#""kind":"error""#)).collect::<Vec<_>>())
+            }
+            Verdict::Open(_) => None,
+        };
+        let lif = |params: &str, values| fails(of_params("ncp.reference.lif", params, values));
+        // A V beyond the largest double by three powers of ten, and behind it one that is not.
+        assert_eq!(lif(r#"{"C_m":0.001}"#, ["1e308", "1.0"]), Some(vec![false, true, false]));
+        // Far from it.
+        assert_eq!(lif("{}", ["1e290", "-1e290"]), Some(vec![false, false, false]));
+        // I·tau_m overflows, and V does not.
+        assert_eq!(lif("{}", ["1e308", "1.0"]), None);
+        // I·tau_m / C_m is within a power of ten of the largest.
+        assert_eq!(lif(r#"{"C_m":1.0}"#, ["1e307", "1.0"]), None);
+        assert_eq!(lif(r#"{"C_m":0.001,"tau_m":0.01}"#, ["1e305", "1.0"]), None);
+        let rate = |values| fails(of_params("ncp.reference.rate", r#"{"mu":8e307}"#, values));
+        // mu + x overflows, and r does not.
+        assert_eq!(rate(["1.7e308", "1.0"]), None);
+    }
+
+    #[test]
+    fn a_value_may_be_off_by_a_part_of_the_current_that_cancels_it_while_that_acts() {
+        let asked = |value: f64| {
+            let values = object([("in", object([("data", list(vec![spelled(value)]))]))]);
+            object([("stimulus", object([("values", values)]))])
+        };
+        let open = format!(
+            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
+            "network":{{"ref":"ncp.reference.lif","population_sizes":{{"pop":1}},"params":{{"I_e":250.0}}}},
+            "sim":{{"dt_ms":10.0}}}}"#
+        );
+        let mut session = Session::read(&own(&Json::parse(&open).unwrap())).unwrap();
+        // 10 ms / 250 pF · (1 − e⁻¹) · 250 pA, below the 70 mV of rest.
+        assert_eq!(session.level_of(&object([])), 70.0);
+        let level = session.level_of(&asked(-24_750.0));
+        assert!((level - 1000.0 * (1.0 - (-1_f64).exp())).abs() < 1e-9, "{level}");
+        assert_eq!(session.level_of(&asked(0.0)), 70.0);
     }
 
     #[test]
