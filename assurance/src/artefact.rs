@@ -187,46 +187,11 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         command: &["assure", "prove", "--engine", "symbolic", "--engine", "enumeration", "--engine", "kani-stand-in"],
         nightly: false,
     },
-    Artefact {
-        name: "proofs-machine",
-        makes: &[],
-        sources: PROOFS[1].sources,
-        freshness: Freshness::Locked,
-        command: &["assure", "prove", "--engine", "machine"],
-        nightly: false,
-    },
-    Artefact {
-        name: "proofs-model",
-        makes: &[],
-        sources: PROOFS[2].sources,
-        freshness: Freshness::Locked,
-        command: &["assure", "prove", "--engine", "model"],
-        nightly: false,
-    },
-    Artefact {
-        name: "proofs-readers",
-        makes: &[],
-        sources: PROOFS[3].sources,
-        freshness: Freshness::Locked,
-        command: &["assure", "prove", "--engine", "readers"],
-        nightly: false,
-    },
-    Artefact {
-        name: "proofs-path",
-        makes: &[],
-        sources: PROOFS[4].sources,
-        freshness: Freshness::Locked,
-        command: &["assure", "prove", "--engine", "path"],
-        nightly: false,
-    },
-    Artefact {
-        name: "proofs-theorem",
-        makes: &[],
-        sources: PROOFS[5].sources,
-        freshness: Freshness::Locked,
-        command: &["assure", "prove", "--engine", "theorem"],
-        nightly: false,
-    },
+    proof("proofs-machine", 1, &["assure", "prove", "--engine", "machine"]),
+    proof("proofs-model", 2, &["assure", "prove", "--engine", "model"]),
+    proof("proofs-readers", 3, &["assure", "prove", "--engine", "readers"]),
+    proof("proofs-path", 4, &["assure", "prove", "--engine", "path"]),
+    proof("proofs-theorem", 5, &["assure", "prove", "--engine", "theorem"]),
     Artefact {
         name: "proofs-page",
         makes: &["reports/proofs.md"],
@@ -343,6 +308,11 @@ pub(crate) const ARTEFACTS: &[Artefact] = &[
         nightly: false,
     },
 ];
+
+/// What an engine of the proofs makes, the one of this place in the table of proofs, but for the kernel's.
+const fn proof(name: &'static str, place: usize, command: &'static [&'static str]) -> Artefact {
+    Artefact { name, makes: &[], sources: PROOFS[place].sources, freshness: Freshness::Locked, command, nightly: false }
+}
 
 /// The mutants of a module of the specification.
 const fn spec_module(
