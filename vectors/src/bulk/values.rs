@@ -12,6 +12,7 @@ pub(super) fn file() -> File {
     cases.extend(layouts());
     cases.extend(names());
     cases.extend(empty());
+    cases.extend(beside());
     cases.extend(long());
     File::new("bulk", "values", "The values of a BulkBlock: every dtype, every place, every order.", cases)
 }
@@ -256,6 +257,36 @@ fn empty() -> Vec<Case> {
             .because("A column may have no rows."),
     );
     cases
+}
+
+/// Columns of one dtype and of several lengths: what is read of one does not stand where another's values stood.
+fn beside() -> [Case; 4] {
+    let block = |column: fn(&str, &[i16]) -> Column| {
+        let lengths = [("a", 5), ("b", 2), ("c", 4), ("d", 5), ("e", 1)];
+        let of = |(name, length): (&str, i16)| {
+            let first = 10 * length + i16::from(name.as_bytes().first().copied().unwrap_or_default());
+            column(name, &(first..first + length).collect::<Vec<_>>())
+        };
+        Block::new(lengths.map(of))
+    };
+    let blocks: [(&str, Block); 4] = [
+        (
+            "f32",
+            block(|name, values| f32s(name, values.iter().map(|value| f32::from(*value) + 0.5).collect::<Vec<_>>())),
+        ),
+        (
+            "f64",
+            block(|name, values| f64s(name, values.iter().map(|value| f64::from(*value) + 0.5).collect::<Vec<_>>())),
+        ),
+        ("i32", block(|name, values| i32s(name, values.iter().map(|value| i32::from(*value)).collect::<Vec<_>>()))),
+        ("i64", block(|name, values| i64s(name, values.iter().map(|value| i64::from(*value)).collect::<Vec<_>>()))),
+    ];
+    blocks.map(|(dtype, block)| {
+        read(format!("beside/{dtype}"), &["NCP-BULK-023", "NCP-BULK-021"], &block)
+            .title(format!("Five columns of {dtype}, of 5, 2, 4, 5 and 1 rows, have each its own values."))
+            .flags(&["column-order"])
+            .because("A decoder gives every value exactly.")
+    })
 }
 
 /// Columns of more rows than anything but the bytes of the block limits.

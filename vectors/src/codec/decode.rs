@@ -538,18 +538,44 @@ fn in_pairs() -> Vec<Case> {
 
 /// The unit of a channel of several mappings.
 fn units() -> Vec<Case> {
-    let table: [(&str, &str, &[Option<&str>], &str); 5] = [
-        ("first", "the first names", &[Some("rad/s"), None], "rad/s"),
-        ("second", "the second alone names", &[None, Some("rad/s")], "rad/s"),
-        ("same", "both name", &[Some("rad/s"), Some("rad/s")], "rad/s"),
-        ("two", "the first of two names", &[Some("rad/s"), Some("deg/s")], "rad/s"),
-        ("three", "the first of two after one without names", &[None, Some("deg/s"), Some("rad/s")], "deg/s"),
+    type Row = (&'static str, &'static str, &'static str, &'static [(u32, Option<&'static str>)], usize, &'static str);
+    let (first, ignored) = ("NCP-CODEC-011", "NCP-CODEC-008");
+    let table: [Row; 8] = [
+        ("first", first, "the first names", &[(0, Some("rad/s")), (1, None)], 2, "rad/s"),
+        ("second", first, "the second alone names", &[(0, None), (1, Some("rad/s"))], 2, "rad/s"),
+        ("same", first, "both name", &[(0, Some("rad/s")), (1, Some("rad/s"))], 2, "rad/s"),
+        ("two", first, "the first of two names", &[(0, Some("rad/s")), (1, Some("deg/s"))], 2, "rad/s"),
+        (
+            "three",
+            first,
+            "the first of two after one without names",
+            &[(0, None), (1, Some("deg/s")), (2, Some("rad/s"))],
+            3,
+            "deg/s",
+        ),
+        ("downwards", first, "the first in the list names", &[(1, Some("deg/s")), (0, Some("rad/s"))], 2, "deg/s"),
+        (
+            "ignored-first",
+            ignored,
+            "the first names whose component is below 4,096",
+            &[(4096, Some("rad/s")), (0, Some("deg/s"))],
+            1,
+            "deg/s",
+        ),
+        (
+            "ignored-large-first",
+            ignored,
+            "the first names whose component is below 4,096",
+            &[(4_294_967_295, Some("rad/s")), (0, None), (1, Some("deg/s"))],
+            2,
+            "deg/s",
+        ),
     ];
-    let one = |(name, words, units, expected): (&str, &str, &[Option<&str>], &str)| {
-        let decoders: Json = (0_u32..)
-            .zip(units)
+    let one = |(name, rule, words, mappings, width, expected): Row| {
+        let decoders: Json = mappings
+            .iter()
             .map(|(component, unit)| {
-                let mapping = Mapping { component, ..PLAIN }.json();
+                let mapping = Mapping { component: *component, ..PLAIN }.json();
                 match unit {
                     Some(unit) => mapping.with("unit", (*unit).into()),
                     None => mapping,
@@ -557,12 +583,16 @@ fn units() -> Vec<Case> {
             })
             .collect();
         let united = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
-        let data = vec![0.5; units.len()];
-        case(format!("mapping/unit-of/{name}"), &["NCP-CODEC-011"], united, &[("p", 150.0)])
+        let data = vec![0.5; width];
+        case(format!("mapping/unit-of/{name}"), &[rule], united, &[("p", 150.0)])
             .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => nums(&data),
             "unit" => expected } } } })
             .title(format!("The unit of a decoded channel is the one that {words}."))
-            .because("The unit of a decoded channel is that of the first of its mappings that names one.")
+            .because(if rule == ignored {
+                "A mapping of a component of 4,096 or more is ignored, its unit as well."
+            } else {
+                "The unit of a decoded channel is that of the first of its mappings that names one."
+            })
     };
     table.into_iter().map(one).collect()
 }

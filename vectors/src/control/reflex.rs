@@ -127,6 +127,31 @@ fn laws() -> Vec<Case> {
                 .because("It is right to one part in 10^9 before it is clamped, and the clamp is exactly max_speed."),
         );
     }
+    // As small as a dead band may be, under a gain that shows it.
+    for (name, kp, kd, position, moving) in [
+        ("position", 1e9, 0.0, [1e-6, -1e-7, 1e-9], still),
+        ("position-further", 1e30, 0.0, [1e-20, -1e-28, 1e-30], still),
+        ("velocity", 0.0, 1e9, still, [1e-6, -1e-7, 1e-9]),
+        ("both", 1e12, 1e12, [1e-9, 0.0, -1e-12], [0.0, -1e-10, 1e-9]),
+    ] {
+        let gains = Gains { kp, kd, max_speed: 1e6, target: still };
+        let expected = commands(&law(gains, position, moving));
+        let case = case(
+            format!("law/small/{name}"),
+            &["NCP-CTRL-001"],
+            gains.json(),
+            sensor(1, 0.0, &position, Some(&moving)),
+        );
+        // A gain of 0 may be refused.
+        let case = if kp * kd == 0.0 { case.shows_or_refuses(expected) } else { case.shows(expected) };
+        cases.push(
+            case.title(format!(
+                "The reflex controller answers the smallest of errors by its law ({}).",
+                name.replace('-', " ")
+            ))
+            .because("The law has no dead band: it is a product, however small one factor is."),
+        );
+    }
     // None given, where only one counts.
     for (name, position, moving) in [
         ("kp", [0.5, -0.75, 1.25], [0.0; 3]),

@@ -22,10 +22,13 @@ pub(super) fn file() -> File {
     cases.extend(large());
     cases.extend(large_and_broken());
     cases.extend(larger_and_broken());
+    cases.extend(endless());
     cases.extend(depths());
     cases.extend(deep_names());
     cases.extend(maps());
     cases.push(members());
+    cases.extend(repeated_of_many());
+    cases.extend(repeated_as_it_grows());
     cases.extend(arrays());
     cases.extend(sums());
     cases.extend(numeric_arrays());
@@ -33,6 +36,7 @@ pub(super) fn file() -> File {
     cases.extend(small_values());
     cases.extend(long_strings());
     cases.extend(long_names());
+    cases.extend(alike_in_all_places());
     cases.extend(long_enums());
 
     let about = "Frames at a limit, which are read, and frames beyond it, which are rejected.";
@@ -239,6 +243,37 @@ fn large_and_broken() -> Vec<Case> {
                     .call("decode", object! { "kind" => kind, "base64" => bytes })
                     .rejects("malformed")
                     .because("Whether a frame is read does not depend on its length."),
+            );
+        }
+    }
+    cases
+}
+
+/// Frames of a megabyte that break off: who looks again from each place at what is missing takes hours for one.
+fn endless() -> Vec<Case> {
+    let brackets = format!("\"pad\":\"{}", "[".repeat(LEVELS + 1));
+    let table: [(&str, &str, &str, &str); 7] = [
+        ("quotes-behind-brackets", &brackets, r#"\""#, "a string of brackets and escaped quotation marks"),
+        ("quotes", r#""pad":""#, r#"\""#, "a string of escaped quotation marks"),
+        ("backslashes", r#""pad":""#, r"\\", "a string of escaped backslashes"),
+        ("letters", r#""pad":""#, "xx", "a string of letters"),
+        ("spaces", r#""pad":"#, "  ", "spaces"),
+        ("digits", r#""pad":"#, "11", "digits"),
+        ("points", r#""pad":0."#, "00", "zeros behind a decimal point"),
+    ];
+    let mut cases = Vec::new();
+    for kind in ["close_session", "command_frame", "sensor_frame"] {
+        let frame = minimal(kind).text();
+        let open = frame.strip_suffix('}').unwrap_or(&frame);
+        for (what, before, unit, says) in table {
+            let text = Text::concat([format!("{open},{before}").into(), Text::repeat(unit, 500_000)]);
+            cases.push(
+                Case::new(format!("{kind}/endless/{what}"), &["NCP-WIRE-002"], readers(kind))
+                    .title(format!("{} that breaks off behind a megabyte of {says} is rejected.", a(kind)))
+                    .flags(&["lenient-grammar"])
+                    .decode(kind, text)
+                    .rejects("malformed")
+                    .because("What is no JSON is rejected however long it is, and a receiver reads it once."),
             );
         }
     }
@@ -519,6 +554,65 @@ fn members() -> Case {
         .because("A message is no map: nothing but the bytes of the frame limits the number of its members.")
 }
 
+/// A member that repeats in a message of more members than a map may have entries.
+fn repeated_of_many() -> [Case; 2] {
+    const MEMBERS: usize = 4_200;
+    let kind = "sensor_frame";
+    [("first", 64), ("last", 64 + MEMBERS - 1)].map(|(which, nth)| {
+        let members = (64..64 + MEMBERS).chain([nth]).map(|nth| format!("\"{}\":0", base_64(nth)));
+        let members: Vec<String> = members.collect();
+        Case::new(format!("{kind}/members/{MEMBERS}/{which}-repeated"), &["NCP-WIRE-007"], readers(kind))
+            .title(format!("{} with {MEMBERS} unknown members and the {which} of them again is rejected.", a(kind)))
+            .flags(&["duplicate-members"])
+            .decode(kind, with_raw(&minimal(kind).text(), &members.join(",")))
+            .rejects("malformed")
+            .because("One object has one member name twice, however many others it has.")
+    })
+}
+
+/// A name that repeats as the last of so many, where tables of names of the usual sizes are full, and just beyond.
+fn repeated_as_it_grows() -> Vec<Case> {
+    const COUNTS: [usize; 20] = [3, 4, 7, 8, 9, 14, 15, 16, 17, 28, 29, 32, 33, 56, 57, 64, 65, 113, 257, 1025];
+    let kind = "sensor_frame";
+    let mut cases = Vec::new();
+    for count in COUNTS {
+        for (name, which, nth) in [("first", "the first", 0), ("one-before", "the one before it", count - 2)] {
+            for (place, members, value, frame) in [
+                ("unknown", "unknown members", "0", with_raw(&minimal(kind).text(), MARK)),
+                (
+                    "channels",
+                    "channels",
+                    "{}",
+                    set(minimal(kind), &["channels"], Json::literal(format!("{{{MARK}}}"))).text(),
+                ),
+            ] {
+                let (before, after) = frame.split_once(MARK).unwrap_or((&frame, ""));
+                let text = Text::concat([
+                    before.into(),
+                    Text::count("\"k", &format!("\":{value},"), count - 1),
+                    format!("\"k{nth}\":{value}{after}").into(),
+                ]);
+                cases.push(
+                    Case::new(
+                        format!("{kind}/members/{count}/{name}-repeated-in-{place}"),
+                        &["NCP-WIRE-007"],
+                        readers(kind),
+                    )
+                    .title(format!(
+                        "{} with {count} {members} of which the last has the name of {which} is rejected.",
+                        a(kind)
+                    ))
+                    .flags(&["duplicate-members"])
+                    .decode(kind, text)
+                    .rejects("malformed")
+                    .because("One object has one member name twice, however many others it has."),
+                );
+            }
+        }
+    }
+    cases
+}
+
 /// Arrays of 4,096 items that are no numbers, and of one more.
 fn arrays() -> Vec<Case> {
     let spec = explicit_message("ChannelSpec").text();
@@ -626,7 +720,7 @@ fn sum(kind: &str, path: &str, text: Text) -> Case {
 
 /// Numeric arrays, which only the bytes of the frame limit.
 fn numeric_arrays() -> Vec<Case> {
-    let places: [(&str, &[&str], &str, usize); 11] = [
+    let places: [(&str, &[&str], &str, usize); 12] = [
         ("sensor_frame", &["channels", "a", "data"], "0.25", 5_000),
         ("sensor_frame", &["channels", "b", "data"], "0.25", 200_000),
         ("command_frame", &["channels", "a", "data"], "-1.5", 5_000),
@@ -639,13 +733,21 @@ fn numeric_arrays() -> Vec<Case> {
         ("observation_frame", &["records", "a", "times"], "0.5", MIB + 1),
         ("observation_frame", &["records", "a", "senders"], "7", MIB + 1),
         ("open_session", &["record", "targets", "0", "ids"], "7", 5_000),
+        ("open_session", &["stimulus", "targets", "0", "ids"], "7", 5_000),
     ];
     places
         .into_iter()
         .map(|(kind, path, item, count)| {
             let place = path.iter().filter(|part| !matches!(**part, "0" | "a")).copied().collect::<Vec<_>>().join("-");
             let member = path.join(".").replace(".0", "[0]");
-            let frame = set(explicit(kind), path, Json::literal(MARK));
+            let items = Json::literal(MARK);
+            let frame = match path {
+                ["stimulus", ..] => {
+                    let target = explicit_message("StimulusTarget").with("ids", items);
+                    explicit(kind).with("stimulus", object! { "targets" => Json::Array(vec![target]) })
+                }
+                path => set(explicit(kind), path, items),
+            };
             let text = list(&frame.text(), item, count);
             let rules: &[_] = if count > 300_000 { &["NCP-WIRE-069", "NCP-WIRE-063"] } else { &["NCP-WIRE-069"] };
             Case::new(format!("{kind}/numbers/{place}-{count}"), rules, readers(kind))
@@ -744,7 +846,8 @@ fn long_strings() -> Vec<Case> {
     ];
     let mut cases = Vec::new();
     for (kind, path, says) in places {
-        for length in [257, 65_537] {
+        // A text that is read in pieces is cut within a character, if it has three bytes.
+        for (length, letter) in [(257, "n"), (65_537, "n"), (100_000, "\u{20ac}")] {
             let entry = |value: Json| object! { MARK => value };
             let frame = match path {
                 ["channels", "{}"] => explicit(kind).with("channels", entry(explicit_message("ChannelValue"))),
@@ -760,14 +863,19 @@ fn long_strings() -> Vec<Case> {
             let place = path.iter().filter(|part| !matches!(**part, "{}" | "a")).copied().collect::<Vec<_>>().join("-");
             let frame = frame.text();
             let (before, after) = frame.split_once(MARK).unwrap_or((&frame, ""));
-            let text = Text::concat([before.into(), Text::repeat("n", length), after.into()]);
+            let text = Text::concat([before.into(), Text::repeat(letter, length), after.into()]);
+            let of_bytes = if letter == "n" { "" } else { " of three bytes each" };
             cases.push(
-                Case::new(format!("{kind}/strings/{place}-{length}"), &["NCP-WIRE-034", "NCP-WIRE-061"], readers(kind))
-                    .title(format!("{} with a {says} of {length} characters is read.", a(kind)))
-                    .flags(&["low-limits"])
-                    .decode(kind, text.clone())
-                    .means(text)
-                    .because("Nothing but the bytes of the frame limits a string that is no id."),
+                Case::new(
+                    format!("{kind}/strings/{place}-{length}{}", of_bytes.replace(' ', "-")),
+                    &["NCP-WIRE-034", "NCP-WIRE-061"],
+                    readers(kind),
+                )
+                .title(format!("{} with a {says} of {length} characters{of_bytes} is read.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, text.clone())
+                .means(text)
+                .because("Nothing but the bytes of the frame limits a string that is no id."),
             );
         }
     }
@@ -818,6 +926,47 @@ fn long_names() -> Vec<Case> {
                 .means(meaning(kind, &explicit(kind)).text())
                 .because("Two names that differ in their last letter are two names, and both are ignored."),
         );
+    }
+    cases
+}
+
+/// As many names as a name has letters, and one, each of which differs from all others in one place or in two.
+fn alike_in_all_places() -> Vec<Case> {
+    let value = explicit_message("ChannelValue").text();
+    let table: [(&str, &[&str], &str); 4] = [
+        ("sensor_frame", &["channels"], &value),
+        ("command_frame", &["horizon", "0"], &value),
+        ("open_session", &["network", "population_sizes"], "1"),
+        ("close_session", &["novel"], "1"),
+    ];
+    let mut cases = Vec::new();
+    for (kind, path, value) in table {
+        for base in ["arm_joint_01_position_setpoint", &"left_arm_upper_joint_".repeat(4)] {
+            let with_mark = |place| {
+                let marked = |(at, letter)| if at == place { '~' } else { letter };
+                format!("\"{}\":{value}", base.char_indices().map(marked).collect::<String>())
+            };
+            let entries: Vec<String> = (0..=base.len()).map(with_mark).collect();
+            let count = entries.len();
+            let with_all = Json::literal(format!("{{{}}}", entries.join(",")));
+            let is_listed = path != ["novel"];
+            let frame =
+                if is_listed { set(explicit(kind), path, with_all) } else { explicit(kind).with("novel", with_all) };
+            let means = if is_listed { frame.text() } else { meaning(kind, &explicit(kind)).text() };
+            let member = path.join(".").replace(".0", "[0]");
+            cases.push(
+                Case::new(
+                    format!("{kind}/strings/alike-in-all-{}-places/{}", base.len(), path.join("-")),
+                    &[if is_listed { "NCP-WIRE-068" } else { "NCP-WIRE-026" }, "NCP-WIRE-007"],
+                    readers(kind),
+                )
+                .title(format!("{} is read whose `{member}` has {count} names that differ in a place or two.", a(kind)))
+                .flags(&["low-limits"])
+                .decode(kind, frame.text())
+                .means(means)
+                .because("Two names that differ in a letter are two names, wherever it stands."),
+            );
+        }
     }
     cases
 }

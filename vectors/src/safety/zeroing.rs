@@ -24,6 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(wide(way));
         cases.extend(nameless(way));
     }
+    cases.extend(one_after_another());
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
     Ok(File::new("safety", "zeroing", about, cases))
 }
@@ -297,6 +298,23 @@ fn wide(way: &Way) -> Vec<Case> {
     // More of them than a table of 256 has room for: only some are looked at.
     if way.name == "hold-command" {
         let name = |nth: usize| format!("a{nth:03}");
+        let many: Vec<Spec> = (0..600).map(|nth| scalar(&name(nth), None)).collect();
+        let zeros = [0, 1, 88, 127, 255, 256, 343, 599].map(|nth| (name(nth), object! { "data" => nums(&[0.0]) }));
+        let part = object! { "channels" => Json::Object(zeros.into()) };
+        let path = format!("wide/600-negotiated/{}", way.name);
+        let capabilities = Some(Capabilities::canonical(&many));
+        let case = case(path, "NCP-SAFE-071", way, capabilities, Command::moving(&[1.0, 2.0, 3.0]), part);
+        cases.push(
+            case.title(format!(
+                "The {} frame ({}) of a plant with 600 negotiated channels has the last as the first.",
+                way.frame, way.name
+            ))
+            .flags(&["moving-hold"])
+            .because("The union of the command's channels and the negotiated ones is zeroed."),
+        );
+    }
+    if way.name == "hold-command" {
+        let name = |nth: usize| format!("a{nth:03}");
         let many = (0..270).map(|nth| channel(&name(nth), &[1.0], None)).collect();
         let zeros = [0, 127, 128, 255, 256, 257, 269].map(|nth| (name(nth), object! { "data" => nums(&[0.0]) }));
         let part = object! { "channels" => Json::Object(zeros.into()) };
@@ -313,7 +331,55 @@ fn wide(way: &Way) -> Vec<Case> {
     cases
 }
 
-/// A channel whose name is empty, of the command and among the negotiated ones.
+/// Commands one after the other, of the same channels in other widths and units, and of others.
+fn one_after_another() -> [Case; 3] {
+    [("hold", "HOLD"), ("init", "HOLD"), ("estop", "ESTOP")].map(|(mode, frame)| {
+        let gripper = |width: usize, unit| channel("gripper", &vec![1.0; width], unit);
+        let commands = [
+            vec![gripper(1, Some("N")), velocity(&[1.0, 0.0, 0.0])],
+            vec![gripper(2, Some("mm")), velocity(&[1.0, 0.0, 0.0])],
+            vec![velocity(&[1.0, 0.0, 0.0]), gripper(3, None)],
+            vec![velocity(&[1.0, 0.0, 0.0])],
+            vec![channel("gimbal", &[1.0, 2.0, 3.0], Some("rad"))],
+            vec![gripper(1, None), velocity(&[1.0, 0.0])],
+            vec![],
+        ];
+        let zeros = |channels: &[Channel]| {
+            let mut all: Vec<(String, Json)> = channels
+                .iter()
+                .map(|channel| {
+                    let zero = object! { "data" => nums(&vec![0.0; channel.data.len()]),
+                    "unit" => channel.unit.as_deref() };
+                    (channel.name.to_string(), zero)
+                })
+                .collect();
+            if !all.iter().any(|(name, _)| name == VELOCITY) {
+                all.push((VELOCITY.to_owned(), object! { "data" => nums(&[0.0; 3]), "unit" => MPS }));
+            }
+            object! { "frame" => object! { "channels" => object! { "$exact" => Json::Object(all) } } }
+        };
+        let entries = commands.iter().map(|channels| zeros(channels)).collect();
+        let commands = (1..).zip(commands);
+        let commands = commands.map(|(seq, channels)| govern(Command::of(channels).seq(seq).mode(mode), near()));
+        let trace = Trace { limits: Limits::NONE, capabilities: None, steps: commands.collect() };
+        Case::new(format!("one-after-another/{mode}"), &["NCP-SAFE-071", "NCP-SAFE-072"], &[Role::Commander])
+            .by("/steps/*/frame/channels/*/data", "NCP-SAFE-072")
+            .by("/steps/*/frame/channels/*/unit", "NCP-SAFE-072")
+            .rests_on(format!("safety/gates/nothing/{mode}"))
+            .call("governor.run", trace.args())
+            .shows(steps(entries))
+            .title(format!(
+                "The {frame} frames of seven commands in mode `{mode}` have each the channels of their own."
+            ))
+            .flags(&["moving-hold"])
+            .because(
+                "A frame has the union of its own command's channels and the negotiated ones and no other, and each \
+                 of the command's keeps its width and its unit.",
+            )
+    })
+}
+
+/// A channel whose name is empty, of the command and among the negotiated ones; and names that only look the same.
 fn nameless(way: &Way) -> Vec<Case> {
     if way.name != "hold-command" {
         return Vec::new();
@@ -323,7 +389,27 @@ fn nameless(way: &Way) -> Vec<Case> {
     let lacks = Command::moving(&[1.0, 2.0, 3.0]);
     let capabilities = Capabilities::canonical(&[scalar("", None)]);
     let title = |words: &str| format!("The {} frame ({}) {words} whose name is empty.", way.frame, way.name);
+    // Names of the same letters, composed in one and not in the other.
+    let composed = Capabilities::canonical(&[scalar("\u{e9}", None)]);
+    let decomposed = Command::moving(&[1.0, 2.0, 3.0]).and(channel("e\u{301}", &[1.0, 2.0], None));
+    let zero = |data: &[f64]| object! { "data" => nums(data) };
+    let both = object! { "\u{e9}" => zero(&[0.0]), "e\u{301}" => zero(&[0.0; 2]) };
     vec![
+        case(
+            format!("channels/composed/{}", way.name),
+            "NCP-SAFE-071",
+            way,
+            Some(composed),
+            decomposed,
+            object! { "channels" => both },
+        )
+        .title(format!(
+            "The {} frame ({}) has a channel of the command and a negotiated one whose names differ in their normal \
+             form.",
+            way.frame, way.name
+        ))
+        .flags(&["moving-hold"])
+        .because("Names are compared letter for letter, and the union has both."),
         case(format!("channels/nameless/own/{}", way.name), "NCP-SAFE-071", way, None, own, zeros(&[0.0; 2]))
             .title(title("zeroes a channel of the command"))
             .flags(&["moving-hold"])

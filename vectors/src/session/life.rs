@@ -27,12 +27,14 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.push(refused_often());
     cases.extend(refused_anew());
     cases.push(opened_equally());
+    cases.push(opened_over_and_over());
     cases.extend(refused_beside());
     cases.extend(text.rest(malformed)?);
     cases.extend(versions()?);
     cases.extend(misfits());
     cases.extend(versions_beside());
     cases.extend(long_requests());
+    cases.extend(requests_beyond());
     cases.extend(times());
     cases.extend(failures());
     cases.push(failure_of_many_steps());
@@ -374,11 +376,14 @@ fn long_requests() -> Vec<Case> {
     const FRAME: usize = 1 << 20;
     let frame = |kind: &str| object! { "ncp_version" => WIRE_VERSION, "kind" => kind, "session_id" => "a" };
     let network = |reference: &str| frame("open_session").with("network", object! { "ref" => reference });
-    let port = object! { "values" => object! { "~" => object! { "data" => nums(&[1.0]) } } };
-    let port = frame("step_request").with("advance_ms", crate::trace::num(5.0)).with("stimulus", port);
+    let stimulus = |name: &str, value: Json| {
+        let stimulus = object! { "values" => Json::Object(vec![(name.to_owned(), value)]) };
+        frame("step_request").with("advance_ms", crate::trace::num(5.0)).with("stimulus", stimulus)
+    };
+    let port = stimulus("~", object! { "data" => nums(&[1.0]) });
     let opening = || text_of(object! { "kind" => "session_opened" });
     // A frame with a tilde where the long text stands, and of what that is.
-    let table: [(&str, &str, Json, &str, Json, &'static str); 6] = [
+    let table: [(&str, &str, Json, &str, Json, &'static str); 10] = [
         ("kind", "kind", frame("~"), "x", error(), "NCP-SESS-022"),
         ("kind-of-escapes", "kind", frame("~"), "\\u0001", error(), "NCP-SESS-022"),
         ("session", "session", frame("step_request").with("session_id", "~".into()), "x", error(), "NCP-SESS-026"),
@@ -392,6 +397,11 @@ fn long_requests() -> Vec<Case> {
             "NCP-SESS-023",
         ),
         ("port", "port", port, "x", any(vec![observation("a"), error()]), "NCP-SESS-037"),
+        // Who quotes so many bytes of it cuts a character in one of two.
+        ("kind-of-three-bytes", "kind", frame("~"), "\u{20ac}", error(), "NCP-SESS-022"),
+        ("kind-of-three-bytes-and-one", "kind", frame("x~"), "\u{20ac}", error(), "NCP-SESS-022"),
+        ("name-of-three-bytes", "name", stimulus("~", 5.into()), "\u{20ac}", error(), "NCP-SESS-021"),
+        ("name-of-three-bytes-and-one", "name", stimulus("x~", 5.into()), "\u{20ac}", error(), "NCP-SESS-021"),
     ];
     let mut cases = Vec::new();
     for (name, words, frame, of, reply, rule) in table {
@@ -425,6 +435,27 @@ fn long_requests() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Requests of more bytes than a frame may have, in one of fewer characters: they close nothing.
+fn requests_beyond() -> [Case; 2] {
+    let frame = object! { "ncp_version" => WIRE_VERSION, "kind" => "close_session", "session_id" => "a", "pad" => "~" };
+    let frame = frame.text();
+    let (before, behind) = frame.split_once('~').unwrap_or((&frame, ""));
+    [("letters", "x", 1 << 20), ("characters-of-three-bytes", "\u{20ac}", 500_000)].map(|(name, letter, times)| {
+        let long = Text::concat([before.into(), Text::repeat(letter, times), behind.into()]);
+        let trace = vec![open("a"), steps("a", 10.0), (frame.clone(), error()), steps("a", 20.0)];
+        let requests = trace.iter().map(|(request, _)| match *request == frame {
+            true => long.json(),
+            false => request.as_str().into(),
+        });
+        let args = object! { "requests" => requests.collect::<Json>() };
+        case(format!("beyond/{name}"), &["NCP-WIRE-060", "NCP-SESS-021"], trace)
+            .call("session.run", args)
+            .title(format!("A `close_session` with {times} {} closes nothing.", name.replace('-', " ")))
+            .flags(&["missing-limits"])
+            .because("A frame of more than 1 MiB is rejected, and a limit counts bytes.")
+    })
 }
 
 /// Bytes that are no request, before and after the session is opened.
@@ -725,6 +756,24 @@ fn opened_equally() -> Case {
         )
         .flags(&["session-lifecycle"])
         .because("Where the opening is answered with `ok` true, the simulation time is that since then.")
+}
+
+/// Large openings of an id that is open, however a server answers them: when it is closed, none of them takes room.
+fn opened_over_and_over() -> Case {
+    const LARGEST: u32 = 100_000;
+    const AGAIN: u32 = LARGEST / 10;
+    let sized = |id: &str, size| Open { size, ..Open::lif(id) }.text();
+    let mut trace = vec![open("a")];
+    let either = any(vec![opened("a"), not_opened("a"), error()]);
+    trace.extend(std::iter::repeat_n((sized("a", AGAIN), either), 9));
+    trace.push((close("a"), closed("a")));
+    trace.push((sized("b", LARGEST), opened("b")));
+    super::reference("opened-anew/over-and-over".to_owned(), &["NCP-SESS-050"], trace)
+        .title(format!(
+            "A session of {LARGEST} neurons is opened behind nine openings of one that was open and is closed."
+        ))
+        .flags(&["session-lifecycle"])
+        .because("An opening that is refused, or that ends the session before, takes nothing of what a server bears.")
 }
 
 /// A time that leaves the doubles.
@@ -1079,7 +1128,7 @@ fn failures_beside_a_current() -> Vec<Case> {
 
 /// Many requests that fail: none ends the session, and all of them together neither.
 fn failures_without_number() -> Vec<Case> {
-    const MANY: usize = 12;
+    const MANY: usize = 300;
     let too_much = Open { params: vec![("C_m", 1.0)], stimuli: vec![stimulus("in", "current_pA")], ..Open::lif("a") };
     let at_rest = || step_of("a", Some(1.0), Some(("in", 0.0)));
     let plain = || step_of("a", Some(1.0), None);

@@ -76,6 +76,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         }
     }
     cases.extend(far());
+    cases.extend(cut());
     let about = format!(
         "The version guard of wire {WIRE_VERSION}: versions that are compatible, others, and texts that are no version."
     );
@@ -110,6 +111,27 @@ fn far() -> [Case; 2] {
     let of_minor = Text::concat([format!("{major}.1").into(), zeros(), minor.into()]);
     let of_major = Text::concat(["1".into(), zeros(), WIRE_VERSION.into()]);
     [far("minor", ["NCP-VER-006", "NCP-VER-003"], of_minor), far("major", ["NCP-VER-006", "NCP-VER-004"], of_major)]
+}
+
+/// Versions that are one's own up to so many digits of a part, and another with the next.
+fn cut() -> Vec<Case> {
+    const WIDTHS: [usize; 13] = [8, 10, 15, 16, 19, 20, 31, 32, 63, 64, 127, 255, 256];
+    let (major, minor) = parts(WIRE_VERSION);
+    let one = |width: usize, part: &str, rule: &'static str, version: String| {
+        Case::new(format!("strict/{part}-other-behind-{width}-digits"), &["NCP-VER-006", rule], &Role::ALL)
+            .title(format!("A strict version guard answers a {part} that differs behind {width} digits with an error."))
+            .flags(&["version-overflow"])
+            .call("version.check", object! { "version" => version, "strict" => true })
+            .rejects("version")
+            .because("A strict guard answers what is not compatible with an error, however long it is.")
+    };
+    let both = |width: usize| {
+        let zeros = |least: &str| "0".repeat(width.saturating_sub(least.len()));
+        let of_minor = format!("{major}.{}{minor}0", zeros(minor));
+        let of_major = format!("{}{major}1.{minor}", zeros(major));
+        [one(width, "minor", "NCP-VER-003", of_minor), one(width, "major", "NCP-VER-004", of_major)]
+    };
+    WIDTHS.into_iter().flat_map(both).collect()
 }
 
 #[cfg(test)]

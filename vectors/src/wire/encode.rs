@@ -462,6 +462,22 @@ impl Encoder {
                             .because("U+0000 is a code point like every other: it ends no key, and is less than each."),
                     );
                 }
+                if name == "resolved" || name == "channels" && self.kind == "sensor_frame" {
+                    // Alike in just so many letters, and the later one first.
+                    let lengths = [7, 8, 15, 16, 31, 32, 63, 64, 127, 128, 255, 256];
+                    let keys = lengths.iter().rev().flat_map(|length| ["b", "a"].map(|end| "k".repeat(*length) + end));
+                    let entries = keys.map(|key| (key, sample.clone())).collect();
+                    cases.push(
+                        self.at(&name, "order-of-alike", &["NCP-WIRE-083"], &in_full(Json::Object(entries)))
+                            .title(format!(
+                                "{} has the entries of `{shown}` sorted by the code points of their keys, of which \
+                                 many agree in up to 256.",
+                                a(self.kind)
+                            ))
+                            .flags(&["map-order"])
+                            .because("Code points decide, also those far behind."),
+                    );
+                }
                 let is_message = matches!(**value, Shape::Message(_));
                 let most = many(self.kind);
                 let entry = |nth: usize| {

@@ -78,6 +78,15 @@ fn items() -> Vec<Case> {
                 format!("{item}{after}}}").into(),
             ]);
             cases.push(case(kind, member, name, count, rule, text, "items"));
+            // And before as many: not the last either.
+            let text = Text::concat([
+                format!("{open},{before}").into(),
+                Text::repeat(format!("{good},"), count),
+                (*item).into(),
+                Text::repeat(format!(",{good}"), count),
+                format!("{after}}}").into(),
+            ]);
+            cases.push(case(kind, member, name, count, rule, text, "items-on-both-sides"));
         }
     }
     cases
@@ -120,9 +129,10 @@ fn case(kind: &str, member: &str, name: &str, count: usize, rule: &'static str, 
     let path = format!("{kind}/{place}/{name}-behind-{count}-{of}");
     Case::new(path, &[rule, "NCP-WIRE-050"], readers(kind))
         .title(format!(
-            "{} whose `{member}` has one of another sort ({}) behind {count} good {of} is rejected.",
+            "{} whose `{member}` has one of another sort ({}) behind {count} good {} is rejected.",
             a(kind),
-            name.replace('-', " ")
+            name.replace('-', " "),
+            of.replace('-', " ")
         ))
         .flags(&[if rule == "NCP-WIRE-021" { "null-as-default" } else { "unchecked-types" }])
         .decode(kind, text)

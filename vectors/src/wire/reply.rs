@@ -27,37 +27,46 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 fn sizes() -> Vec<Case> {
     const MIB: usize = 1 << 20;
     let table = [
-        ("open_session", "session_opened", MIB, true),
-        ("open_session", "session_opened", MIB + 1, false),
-        ("close_session", "session_closed", MIB, true),
-        ("close_session", "session_closed", MIB + 1, false),
-        ("step_request", "observation_frame", MIB + 1, true),
-        ("run_request", "observation_frame", 2 * MIB, true),
-        ("step_request", "observation_frame", 5 * MIB, true),
-        ("step_request", "observation_frame", 64 * MIB, true),
-        ("step_request", "observation_frame", 64 * MIB + 1, false),
+        ("open_session", "session_opened", MIB, "x", true),
+        ("open_session", "session_opened", MIB + 1, "x", false),
+        ("close_session", "session_closed", MIB, "x", true),
+        ("close_session", "session_closed", MIB + 1, "x", false),
+        // Of fewer characters than 1 MiB.
+        ("open_session", "session_opened", MIB, "\u{20ac}", true),
+        ("open_session", "session_opened", MIB + 3, "\u{20ac}", false),
+        ("close_session", "session_closed", 2 * MIB, "\u{20ac}", false),
+        ("step_request", "observation_frame", MIB + 1, "x", true),
+        ("run_request", "observation_frame", 2 * MIB, "x", true),
+        ("step_request", "observation_frame", 5 * MIB, "x", true),
+        ("step_request", "observation_frame", 64 * MIB, "x", true),
+        ("step_request", "observation_frame", 64 * MIB + 1, "x", false),
     ];
-    let case = |(request, kind, size, is_read): (&str, &str, usize, bool)| {
+    let case = |(request, kind, size, letter, is_read): (&str, &str, usize, &str, bool)| {
         let frame = explicit(kind).text();
         let open = format!("{},\"novel\":\"", frame.strip_suffix('}').unwrap_or(&frame));
         let pad = size - open.len() - 2;
-        let reply = Text::concat([open.into(), Text::repeat("x", pad), "\"}".into()]);
+        let rest = "x".repeat(pad % letter.len());
+        let reply = Text::concat([open.into(), Text::repeat(letter, pad / letter.len()), (rest + "\"}").into()]);
+        let (path, words) = match letter {
+            "x" => ("", ""),
+            _ => ("-of-three-each", ", most of them three to a character,"),
+        };
         let rules: &[&'static str] = match (is_read, kind) {
             (true, "observation_frame") => &["NCP-SESS-007", "NCP-WIRE-063"],
             (true, _) => &["NCP-SESS-007", "NCP-WIRE-061"],
             (false, "observation_frame") => &["NCP-WIRE-062"],
             (false, _) => &["NCP-WIRE-060"],
         };
-        let case = Case::new(format!("{request}/size/{size}-bytes"), rules, &[Commander])
+        let case = Case::new(format!("{request}/size/{size}-bytes{path}"), rules, &[Commander])
             .call("reply.check", object! { "request" => minimal(request).text(), "reply" => reply.json() })
             .flags(&[if is_read { "low-limits" } else { "missing-limits" }])
             .flags(if size > 32 * MIB { &["slow"] } else { &[] })
             .because("An `observation_frame` may have 64 MiB, and every other reply 1 MiB.");
         if is_read {
             case.accepts()
-                .title(format!("A client accepts a `{kind}` of {size} bytes as the reply to its `{request}`."))
+                .title(format!("A client accepts a `{kind}` of {size} bytes{words} as the reply to its `{request}`."))
         } else {
-            case.rejects("limit").title(format!("A client reports a `{kind}` of {size} bytes as an error."))
+            case.rejects("limit").title(format!("A client reports a `{kind}` of {size} bytes{words} as an error."))
         }
     };
     table.into_iter().map(case).collect()
