@@ -17,6 +17,11 @@ fn case(path: String, rules: &[&'static str], config: Json, sensor: Json) -> Cas
     Case::new(path, rules, &[Role::Commander]).call("reflex.step", object! { "config" => config, "sensor" => sensor })
 }
 
+/// A case of the law, for a body that is here and moves so.
+fn of_law(path: String, gains: Gains, position: [f64; 3], moving: [f64; 3]) -> Case {
+    case(path, &["NCP-CTRL-001"], gains.json(), sensor(1, 0.0, &position, Some(&moving)))
+}
+
 fn commands(data: &[f64]) -> Json {
     object! { "command" => object! { "mode" => "active", "channels" => velocity(data) } }
 }
@@ -113,12 +118,7 @@ fn laws() -> Vec<Case> {
         ("all", Gains { kp: 0.7, kd: 0.1, max_speed: 0.9, target: [0.1, 0.2, 0.3] }, [0.6, 0.1, 3.3], [0.3, -0.6, 0.7]),
     ] {
         let expected = commands(&law(gains, position, moving));
-        let case = case(
-            format!("law/finer-than-24-bits/{name}"),
-            &["NCP-CTRL-001"],
-            gains.json(),
-            sensor(1, 0.0, &position, Some(&moving)),
-        );
+        let case = of_law(format!("law/finer-than-24-bits/{name}"), gains, position, moving);
         // A clamp rounds nothing.
         let is_clamped = name.starts_with("max-speed");
         let case = if is_clamped { case.shows_exactly(expected) } else { case.shows(expected) };
@@ -136,12 +136,7 @@ fn laws() -> Vec<Case> {
     ] {
         let gains = Gains { kp, kd, max_speed: 1e6, target: still };
         let expected = commands(&law(gains, position, moving));
-        let case = case(
-            format!("law/small/{name}"),
-            &["NCP-CTRL-001"],
-            gains.json(),
-            sensor(1, 0.0, &position, Some(&moving)),
-        );
+        let case = of_law(format!("law/small/{name}"), gains, position, moving);
         // A gain of 0 may be refused.
         let case = if kp * kd == 0.0 { case.shows_or_refuses(expected) } else { case.shows(expected) };
         cases.push(

@@ -22,7 +22,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(declared(way));
         cases.extend(kept(way));
         cases.extend(wide(way));
-        cases.extend(nameless(way));
+        cases.extend(rare_names(way));
     }
     cases.extend(one_after_another());
     let about = "HOLD and ESTOP frames: what of the command is zeroed, what is kept and what is added.";
@@ -380,7 +380,7 @@ fn one_after_another() -> [Case; 3] {
 }
 
 /// A channel whose name is empty, of the command and among the negotiated ones; and names that only look the same.
-fn nameless(way: &Way) -> Vec<Case> {
+fn rare_names(way: &Way) -> Vec<Case> {
     if way.name != "hold-command" {
         return Vec::new();
     }

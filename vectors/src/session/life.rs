@@ -418,11 +418,7 @@ fn long_requests() -> Vec<Case> {
             "port" => vec![open(id), goes_on(5.0), (frame.clone(), reply), (step_of(id, None, None), observation(id))],
             _ => vec![(frame.clone(), reply), open(id), goes_on(5.0)],
         };
-        let requests = trace.iter().map(|(request, _)| match *request == frame {
-            true => long.json(),
-            false => request.as_str().into(),
-        });
-        let args = object! { "requests" => requests.collect::<Json>() };
+        let args = with_long(&trace, &frame, &long);
         cases.push(
             case(format!("long/{name}"), &["NCP-SESS-020", rule], trace)
                 .call("session.run", args)
@@ -437,6 +433,13 @@ fn long_requests() -> Vec<Case> {
     cases
 }
 
+/// The requests of a trace, with a template in the place of one.
+fn with_long(trace: &[(String, Json)], short: &str, long: &Text) -> Json {
+    let requests =
+        trace.iter().map(|(request, _)| if request == short { long.json() } else { request.as_str().into() });
+    object! { "requests" => requests.collect::<Json>() }
+}
+
 /// Requests of more bytes than a frame may have, in one of fewer characters: they close nothing.
 fn requests_beyond() -> [Case; 2] {
     let frame = object! { "ncp_version" => WIRE_VERSION, "kind" => "close_session", "session_id" => "a", "pad" => "~" };
@@ -445,11 +448,7 @@ fn requests_beyond() -> [Case; 2] {
     [("letters", "x", 1 << 20), ("characters-of-three-bytes", "\u{20ac}", 500_000)].map(|(name, letter, times)| {
         let long = Text::concat([before.into(), Text::repeat(letter, times), behind.into()]);
         let trace = vec![open("a"), steps("a", 10.0), (frame.clone(), error()), steps("a", 20.0)];
-        let requests = trace.iter().map(|(request, _)| match *request == frame {
-            true => long.json(),
-            false => request.as_str().into(),
-        });
-        let args = object! { "requests" => requests.collect::<Json>() };
+        let args = with_long(&trace, &frame, &long);
         case(format!("beyond/{name}"), &["NCP-WIRE-060", "NCP-SESS-021"], trace)
             .call("session.run", args)
             .title(format!("A `close_session` with {times} {} closes nothing.", name.replace('-', " ")))
