@@ -6,6 +6,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use ncp_verifier::fuzz::contradictions;
+use ncp_verifier::suite::Suite;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -74,6 +76,13 @@ fn a_conforming_peer_differs_nowhere() {
     let output = verify(&args);
     assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
     assert!(stdout(&output).contains("no disagreement"));
+}
+
+#[test]
+fn the_specification_answers_what_is_asked_of_it() {
+    let suite = Suite::embedded().unwrap();
+    let found = contradictions(9, 2_000, &suite, &[]).unwrap();
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]

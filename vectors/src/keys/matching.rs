@@ -35,6 +35,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(large().iter().map(Large::case));
     cases.extend(controls());
     cases.extend(hidden());
+    cases.extend(weightless());
     cases.extend(clusters());
     let about = "Which keys a key expression covers, wildcard by wildcard, and the chunks that wildcards do not see.";
     Ok(File::new("keys", "matching", about, cases))
@@ -104,6 +105,23 @@ fn hidden() -> Vec<Case> {
             .because("A chunk that begins with `@` has no wildcards: it covers the equal chunk alone.")
     };
     HIDDEN.into_iter().flat_map(|(name, pattern, keys)| keys.iter().map(move |key| case(name, pattern, key))).collect()
+}
+
+/// Chunks that begin with a character without weight, which a comparison by a language's customs passes over, and
+/// go on with `@`.
+fn weightless() -> Vec<Case> {
+    let characters = [("soft-hyphen", '\u{ad}'), ("zero-width-joiner", '\u{200d}'), ("word-joiner", '\u{2060}')];
+    let patterns =
+        [("one", "NCP-KEY-031", "ncp/*"), ("any", "NCP-KEY-032", "ncp/**"), ("run", "NCP-KEY-033", "ncp/$*a")];
+    let case = |(word, character): (&str, char), (name, rule, pattern): (&str, &'static str, &str)| {
+        Case::new(format!("weightless/{word}/{name}"), &[rule], &[Observer])
+            .title(format!("`{pattern}` covers a chunk that begins with a {} and then an @.", word.replace('-', " ")))
+            .flags(&["hidden-segment"])
+            .call("key.match", object! { "pattern" => pattern, "key" => format!("ncp/{character}@a") })
+            .gives(object! { "matches" => true })
+            .because("The chunk does not begin with `@`: keys are compared character by character.")
+    };
+    characters.into_iter().flat_map(|character| patterns.map(|pattern| case(character, pattern))).collect()
 }
 
 /// Runs that begin or end within what is seen as one character.

@@ -18,6 +18,7 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     cases.extend(lengths_of_a_tick_before());
     cases.extend(Scenarios::read(source!("resilience/horizon"))?.rest(buffer_row)?);
     cases.push(long_replay());
+    cases.push(long_replay_of_thirds());
     cases.push(longest_replay());
     cases.push(replay_in_blocks());
     cases.extend(channels_of_a_tick());
@@ -119,6 +120,19 @@ fn long_replay() -> Case {
         .title("Of a horizon of 300 steps the plant follows each in its time, and none behind the end.")
         .flags(&["wrong-tick"])
         .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, and none past the end of the horizon.")
+}
+
+/// Ticks of a third of 100 ms, of which each late one begins a little off where the length is kept in whole
+/// microseconds.
+fn long_replay_of_thirds() -> Case {
+    let values: Vec<f64> = (1..=300).map(f64::from).collect();
+    let mut events = vec![Event::Command(active(1).ttl(60_000.0).along_x(100.0 / 3.0, &values), 0.0)];
+    // Half a tenth of a millisecond before the tick and behind it.
+    events.extend([150.0, 240.0, 300.0].iter().flat_map(|tick| [-5e-5, 5e-5].map(|by| Event::Ask(tick / 30.0 + by))));
+    case("long/300-thirds", &["NCP-RES-028"], &events)
+        .title("Of a horizon of 300 steps of 100/3 ms each begins in its time.")
+        .flags(&["wrong-tick"])
+        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, of the length that the command says.")
 }
 
 /// The last step of the longest horizon is replayed until its tick is over.

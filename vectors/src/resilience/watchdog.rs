@@ -16,6 +16,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(steps_back());
+    cases.push(rising_below());
     cases.extend(text.rest(row_case)?);
     let about =
         "The watchdog: ttls up to exactly their end, ttls and clocks that are none, and seqs that do not advance.";
@@ -34,6 +35,17 @@ fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
 
 fn command(seq: i64, ttl: f64, now: f64) -> Event {
     Event::Command(active(seq).ttl(ttl), now)
+}
+
+/// Commands that advance among themselves and do not advance what the plant follows.
+fn rising_below() -> Case {
+    let mut events = vec![command(5_000, 250.0, 1.0)];
+    events.extend((1..=1_200).map(|seq| command(seq, 250.0, 2.0)));
+    events.extend([Event::Ask(2.0), command(5_001, 250.0, 2.0), Event::Ask(2.0)]);
+    case("sequence/rising-below".to_owned(), &["NCP-RES-009"], &events)
+        .title("Commands that rise from 1 to 1,200 behind seq 5,000 move nothing without a reset.")
+        .flags(&["revived-command"])
+        .because("Only a reset lets the seq begin anew, however like a sender that restarts the commands look.")
 }
 
 const DEADLINE: &str =

@@ -564,6 +564,23 @@ fn other_channels_of_steps() -> Vec<Case> {
             .because("A channel without a unit is in the negotiated one, here m/s, in every step of the horizon."),
         );
     }
+    // Tick 0 says another unit of the channel, and the step says none.
+    let command = Command::moving(&[1.0, 0.0, 0.0]).and(channel("arm", &[0.0, 30.0, 40.0], Some("rad")));
+    let step = vec![velocity(&[1.0, 0.0, 0.0]), channel("arm", &[0.0, 30.0, 40.0], None)];
+    let capabilities = Capabilities::canonical(&[vec3("arm", Some(MPS))]);
+    let mut command = command.along_x(125.0, &[1.0]);
+    command.horizon = vec![step];
+    let steps = vec![govern(command, near())];
+    cases.push(
+        case(
+            "horizon/negotiated-unit-behind-another".to_owned(),
+            &["NCP-SAFE-042", "NCP-SAFE-066"],
+            &Trace::negotiated(Limits::speed(2.0), capabilities, steps),
+        )
+        .title("A channel without a unit in a step is in the negotiated one, whatever unit tick 0 says of it.")
+        .flags(&["unclamped-horizon", "L10"])
+        .because("The unit of a channel without one is the negotiated one, and not that of another step."),
+    );
     cases
 }
 

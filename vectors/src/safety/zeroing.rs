@@ -259,7 +259,7 @@ fn channels(way: &Way, rows: &[Row]) -> Result<Vec<Case>, ScenarioError> {
 fn wide(way: &Way) -> Vec<Case> {
     // Every width on the plainest way to either frame, one on each other.
     let widths: &[usize] = match way.name {
-        "hold-command" => &[65, 300, 1025],
+        "hold-command" => &[65, 300, 1025, 8193],
         "breach" => &[65, 300],
         _ => &[65],
     };

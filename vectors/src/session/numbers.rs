@@ -663,6 +663,23 @@ fn neurons_by_bits() -> Vec<Case> {
                     ),
             );
         }
+        // A stimulus without ids reaches each.
+        let open = Open {
+            size: whole + 2,
+            records: vec![record.clone()],
+            stimuli: vec![stimulus("in", "current_pA")],
+            ..Open::lif("a")
+        };
+        let v = object! { "values" => nums(&ids.map(|_| after(300.0))), "senders" => list(&ids) };
+        let trace = vec![
+            (open.text(), opened("a")),
+            (step("a", Some(5.0), Some(("in", 300.0))), recorded("a", object! { "v" => v })),
+        ];
+        cases.push(
+            reference(format!("reach/every-of-2-to-{bits}"), &["NCP-SESS-055", "NCP-SESS-052"], trace)
+                .title(format!("A stimulus without ids reaches the last of {} neurons as the first.", whole + 2))
+                .because("A stimulus without `ids` reaches every neuron of its target."),
+        );
         // Who sent a spike, of two that are driven and lie so far apart.
         let drive = stimulus("in", "current_pA").with("ids", list(&[2, whole + 1]));
         let open = Open {

@@ -26,6 +26,7 @@ pub(super) fn file() -> File {
         }
     }
     cases.extend(beside_white_space());
+    cases.extend(beside_its_like());
     cases.extend(late_items());
     cases.extend(equal_items());
     cases.extend(long_spellings());
@@ -68,6 +69,25 @@ fn beside_white_space() -> Vec<Case> {
         [integer, number("t", "-0", Json::literal("-0.0")), number("channels", &item, channels)]
     };
     ["behind", "before"].into_iter().flat_map(|side| spaces.map(|space| (side, space))).flat_map(case).collect()
+}
+
+/// Two channels that are equal but for the sign of a zero.
+fn beside_its_like() -> [Case; 2] {
+    [("positive-first", "[0.0,1.0]", "[-0.0,1.0]"), ("negative-first", "[-0.0,1.0]", "[0.0,1.0]")].map(
+        |(name, first, second)| {
+            let channel = |data| explicit_message("ChannelValue").with("data", Json::literal(data));
+            let channels = Json::object().and("a", channel(first)).and("b", channel(second));
+            let frame = minimal(SENSOR).text();
+            let front = frame.strip_suffix('}').unwrap_or(&frame);
+            let text = format!("{front},\"channels\":{{\"a\":{{\"data\":{first}}},\"b\":{{\"data\":{second}}}}}}}");
+            Case::new(format!("{SENSOR}/beside-its-like/{name}"), &["NCP-WIRE-015"], readers(SENSOR))
+                .title("Of two channels that are equal but for the sign of a zero each keeps its own.")
+                .flags(&["signed-zero"])
+                .decode(SENSOR, text)
+                .means(explicit(SENSOR).with("channels", channels).text())
+                .because("The two zeros are equal as numbers, and not as what was sent.")
+        },
+    )
 }
 
 /// A bad item behind many good ones: every item of an array has its type.

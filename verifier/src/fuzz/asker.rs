@@ -8,8 +8,10 @@ use crate::stop::Stop;
 
 /// How many bytes of requests may be in flight.
 const WINDOW_BYTES: usize = 1 << 20;
-/// How long an answer may be, beside eight times the largest request.
+/// How long an answer may be, beside what its request explains ([`longest_answer`]).
 const ANSWER_BYTES: usize = 16 << 20;
+/// How long any answer may be.
+const LONGEST_ANSWER: usize = 512 << 20;
 /// How often we look up from waiting.
 const TICK: Duration = Duration::from_millis(20);
 /// How long a process may take to end after the end of its input.
@@ -169,7 +171,7 @@ impl Flight {
                 break;
             }
             bytes += body.len();
-            connection.allow_line(ANSWER_BYTES + 8 * body.len());
+            connection.allow_line(longest_answer(body));
             write_request(&mut lines, asker.next, body);
             asker.next += 1;
             self.sent += 1;
@@ -222,6 +224,12 @@ impl Flight {
     }
 }
 
+/// How many bytes the answer to a request may have: each time that a plant is asked it may answer with its command.
+fn longest_answer(body: &str) -> usize {
+    let asked = body.matches(r#""op":"active""#).count();
+    ANSWER_BYTES.saturating_add(body.len().saturating_mul(8 + asked)).min(LONGEST_ANSWER)
+}
+
 fn in_words(bytes: u64) -> String {
     format!("held {} MiB of memory", bytes >> 20)
 }
@@ -265,5 +273,20 @@ fn wait(asker: &mut Asker<'_>, first: u64, sent: usize, said: &mut HashMap<u64, 
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_may_have_the_command_of_a_request_as_often_as_it_is_asked_for() {
+        let command = "x".repeat(300_000);
+        let ask = r#"{"op":"active","now_s":1.0},"#;
+        let body = format!("{command}{}", ask.repeat(100));
+        assert!(longest_answer(&body) > 100 * command.len());
+        assert!(longest_answer("{}") < 17 << 20);
+        assert_eq!(longest_answer(&format!("{command}{}", ask.repeat(10_000))), LONGEST_ANSWER);
     }
 }

@@ -94,6 +94,19 @@ impl Drop for Court {
     }
 }
 
+/// The line in which the specification would answer, were it a peer.
+pub(crate) fn line(answer: &ncp_peer_rust::Answer) -> Option<String> {
+    use ncp_peer_rust::Answer;
+    match answer {
+        Answer::Result(result) => Some(format!("{{\"id\":1,\"result\":{result}}}")),
+        Answer::Error { code, message } => {
+            let error = object([("code", text(code.to_string())), ("message", text(message.to_string()))]);
+            Some(format!("{{\"id\":1,\"error\":{error}}}"))
+        }
+        Answer::Unsupported => None,
+    }
+}
+
 /// An answer that is none is as good as a crash.
 fn faulty() -> Answer<'static> {
     Answer::Error { code: "internal".to_owned(), message: "the answer is none".to_owned() }

@@ -13,7 +13,7 @@ use ncp_text::catalogue::{Level, Role};
 use super::FuzzError;
 use super::about::About;
 use super::asker::{Asker, Patience, Said};
-use super::court::{Court, CourtError, Question};
+use super::court::{Court, CourtError, Question, line};
 use super::coverage::reached;
 use super::draw::Draw;
 use super::generate::{self, Input, Menu, Seeds};
@@ -231,14 +231,7 @@ impl<'s> Deep<'s> {
 
     /// What is wrong with the specification's answer by this expectation.
     fn fault(&self, candidate: &Candidate, expect: &Tree) -> Result<Option<String>, CourtError> {
-        let line = match &candidate.spec {
-            Answer::Result(result) => format!("{{\"id\":1,\"result\":{result}}}"),
-            Answer::Error { code, message } => {
-                let error = object([("code", text(code.to_string())), ("message", text(message.to_string()))]);
-                format!("{{\"id\":1,\"error\":{error}}}")
-            }
-            Answer::Unsupported => return Ok(Some("it is not supported".to_owned())),
-        };
+        let Some(line) = line(&candidate.spec) else { return Ok(Some("it is not supported".to_owned())) };
         let rules = Rules::new(self.suite);
         let Some((rule, role)) = rules.any(candidate.input.call, &Role::ALL, Level::Strict) else {
             return Ok(Some("no case has such a call".to_owned()));

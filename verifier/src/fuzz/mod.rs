@@ -41,7 +41,9 @@ pub use court::CourtError;
 pub use generate::Input;
 pub use harvest::{Harvest, HarvestError};
 pub use rules::Decided;
-pub use search::{Extent, Finding, Found, FuzzError, Listener, Settings, Tested, fuzz, in_process, save};
+pub use search::{
+    Extent, Finding, Found, FuzzError, Listener, Settings, Tested, contradictions, fuzz, in_process, save,
+};
 
 use ncp_text::catalogue::{Level, Role};
 

@@ -868,7 +868,51 @@ pub fn save(folder: &Path, peer: &str, seed: u64, findings: &[Finding]) -> Resul
 #[must_use]
 pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern], length: Option<usize>) -> u64 {
     let menu = super::menu(&Role::ALL, Level::Strict, true, filter);
-    let settings = Settings {
+    let settings = alone(seed, count, length);
+    let (seeds, kept) = (Seeds::default(), BTreeMap::new());
+    let agrees = |number: u64| {
+        let Some(input) = draw_input(&menu, &seeds, &kept, &settings, number) else { return false };
+        let args = input.args.to_string();
+        oracle::specification(input.call, &args) == oracle::specification(input.call, &args)
+    };
+    (from..from + count).filter(|number| agrees(*number)).count() as u64
+}
+
+/// Of so many inputs those of which the specification's own answer is not what is asked for, each with its
+/// differences: there a correct peer would be blamed.
+///
+/// # Errors
+/// The cases cannot be written or read.
+pub fn contradictions(seed: u64, count: u64, suite: &Suite, filter: &[Pattern]) -> Result<Vec<String>, FuzzError> {
+    let menu = super::menu(&Role::ALL, Level::Strict, true, filter);
+    let settings = alone(seed, count, None);
+    let (seeds, kept) = (Seeds::default(), BTreeMap::new());
+    let (court, rules) = (Court::open()?, Rules::new(suite));
+    let mut found = Vec::new();
+    for number in 0..count {
+        let Some(input) = draw_input(&menu, &seeds, &kept, &settings, number) else { continue };
+        let spec = oracle::specification(input.call, &input.args.to_string());
+        let (Some(line), Some((rule, role))) = (court::line(&spec), rules.any(input.call, &Role::ALL, Level::Strict))
+        else {
+            continue;
+        };
+        let said = Reply::parse(line.as_bytes());
+        let said = said.as_ref().ok().map(|reply| &reply.answer);
+        let Verdict::Expect(expect) = oracle::expectation(&input, &spec, said) else { continue };
+        let question = Question { call: input.call, args: &input.args, expect: &expect, rules: vec![rule], role };
+        // An input that no file can hold is none that a search would show.
+        let judged = court.judge(&[(question, line.as_bytes())]).ok().and_then(|judged| judged.into_iter().next());
+        if let Some(Judgement::Fail(differences)) = judged {
+            let asked = excerpt(input.args.to_string().as_bytes(), SHOWN);
+            found.push(format!("{} {number}: {asked}: {differences:?}", input.call.as_str()));
+        }
+    }
+    Ok(found)
+}
+
+/// The settings of a search without a peer.
+fn alone(seed: u64, count: u64, length: Option<usize>) -> Settings {
+    Settings {
         extent: Extent::Cases(count),
         seed,
         jobs: 1,
@@ -881,12 +925,5 @@ pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern], length: 
         tries: 0,
         harvest: Harvest::default(),
         length,
-    };
-    let (seeds, kept) = (Seeds::default(), BTreeMap::new());
-    let agrees = |number: u64| {
-        let Some(input) = draw_input(&menu, &seeds, &kept, &settings, number) else { return false };
-        let args = input.args.to_string();
-        oracle::specification(input.call, &args) == oracle::specification(input.call, &args)
-    };
-    (from..from + count).filter(|number| agrees(*number)).count() as u64
+    }
 }

@@ -356,6 +356,15 @@ mod tests {
     }
 
     #[test]
+    fn a_velocity_whose_subnormal_length_rounds_to_the_limit_may_be_scaled() {
+        let command = r#"{"channels":{"velocity_setpoint":{"data":[0.0,5e-324,5e-324]}}}"#;
+        let step = format!(r#"{{"op":"govern","command":{command},"now_s":1.0,"last_sensor_s":1.0}}"#);
+        let args = format!(r#"{{"limits":{{"max_speed_mps":5e-324}},"steps":[{step}]}}"#);
+        let Verdict::Expect(expect) = expected(Call::GovernorRun, &args) else { panic!() };
+        assert!(!expect.to_string().contains("5e-324,5e-324"), "{}", expect.to_string());
+    }
+
+    #[test]
     fn only_a_strict_server_is_asked_at_which_key_a_request_comes() {
         let run = |strict: bool| {
             let version = ncp_text::WIRE_VERSION;

@@ -345,7 +345,9 @@ impl Setup {
             let before = was.get(name);
             let unit = self.unit(name, before.and_then(|before| before.unit.as_deref()));
             let length = before.map_or(0.0, |before| norm(&before.data));
-            let limited = unit == Some(MPS) && enabled(self.speed).is_some_and(|most| length > most * (1.0 - 1e-12));
+            // A length that is subnormal may have been rounded to the limit.
+            let reaches = |most: f64| length > most * (1.0 - 1e-12) || length == most && most < f64::MIN_POSITIVE;
+            let limited = unit == Some(MPS) && enabled(self.speed).is_some_and(reaches);
             let data = match before {
                 Some(_) if limited => list(after.data.iter().map(|x| near(*x, SUBNORMAL)).collect()),
                 Some(before) => nums(&before.data),
