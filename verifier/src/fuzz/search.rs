@@ -879,16 +879,21 @@ pub fn in_process(seed: u64, from: u64, count: u64, filter: &[Pattern], length: 
 }
 
 /// Of so many inputs those of which the specification's own answer is not what is asked for, each with its
-/// differences: there a correct peer would be blamed.
+/// differences: there a correct peer would be blamed. Before them stands how many were judged.
 ///
 /// # Errors
 /// The cases cannot be written or read.
-pub fn contradictions(seed: u64, count: u64, suite: &Suite, filter: &[Pattern]) -> Result<Vec<String>, FuzzError> {
+pub fn contradictions(
+    seed: u64,
+    count: u64,
+    suite: &Suite,
+    filter: &[Pattern],
+) -> Result<(u64, Vec<String>), FuzzError> {
     let menu = super::menu(&Role::ALL, Level::Strict, true, filter);
     let settings = alone(seed, count, None);
     let (seeds, kept) = (Seeds::default(), BTreeMap::new());
     let (court, rules) = (Court::open()?, Rules::new(suite));
-    let mut found = Vec::new();
+    let (mut asked, mut found) = (0, Vec::new());
     for number in 0..count {
         let Some(input) = draw_input(&menu, &seeds, &kept, &settings, number) else { continue };
         let spec = oracle::specification(input.call, &input.args.to_string());
@@ -902,12 +907,13 @@ pub fn contradictions(seed: u64, count: u64, suite: &Suite, filter: &[Pattern]) 
         let question = Question { call: input.call, args: &input.args, expect: &expect, rules: vec![rule], role };
         // An input that no file can hold is none that a search would show.
         let judged = court.judge(&[(question, line.as_bytes())]).ok().and_then(|judged| judged.into_iter().next());
+        asked += u64::from(judged.is_some());
         if let Some(Judgement::Fail(differences)) = judged {
-            let asked = excerpt(input.args.to_string().as_bytes(), SHOWN);
-            found.push(format!("{} {number}: {asked}: {differences:?}", input.call.as_str()));
+            let shown = excerpt(input.args.to_string().as_bytes(), SHOWN);
+            found.push(format!("{} {number}: {shown}: {differences:?}", input.call.as_str()));
         }
     }
-    Ok(found)
+    Ok((asked, found))
 }
 
 /// The settings of a search without a peer.
