@@ -32,8 +32,16 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(deadlines());
-    for group in ["replace-ttl", "clock", "clock-back", "clock-back-and-on", "clock-far", "begun-anew", "senders-clock"]
-    {
+    for group in [
+        "replace-ttl",
+        "clock",
+        "clock-back",
+        "clock-back-and-on",
+        "asked-often",
+        "clock-far",
+        "begun-anew",
+        "senders-clock",
+    ] {
         cases.extend(text.cases(group, row_case)?);
     }
     for row in text.rows("malformed")? {

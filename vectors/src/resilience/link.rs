@@ -641,6 +641,12 @@ fn spans() -> Vec<Case> {
     cases
 }
 
+/// The frame behind the `nth` gap of 4,000, the first of which follows seq 2, and then what was missing.
+fn came_late(nth: i64) -> impl Iterator<Item = i64> {
+    let before = 2 + nth * 4_001;
+    [before + 4_001].into_iter().chain(before + 1..=before + 4_000)
+}
+
 /// Seqs from end to end: the count of what is lost is exact up to where it may saturate.
 fn extremes() -> Vec<Case> {
     let most = 9_007_199_254_740_991_i64;
@@ -804,6 +810,12 @@ fn extremes() -> Vec<Case> {
             [0, 2_049].into_iter().chain((2_019..2_049).rev()).chain([4_127, 1, 2, 4_126]).collect(),
             4_092,
             "thirty came late before the next gap",
+        ),
+        (
+            "five-times-as-many-came",
+            [0, 2].into_iter().chain((0..5).flat_map(came_late)).chain([1]).collect(),
+            0,
+            "five gaps of 4,000 came late, one behind the other",
         ),
     ] {
         let received = i64::try_from(seqs.len()).unwrap_or_default();

@@ -481,6 +481,19 @@ fn reopened() -> Vec<Case> {
         let driven = |id: &str| (step(id, Some(7.0), Some(("in", current))), recorded(id, after(7, current)));
         let at_rest = |id: &str| (step(id, Some(10.0), None), recorded(id, after(10, 0.0)));
         let closes = |id: &str| (super::close(id), crate::trace::anything());
+        let by_other_port = |id: &str| (step(id, Some(6.0), Some(("more", 90.0))), recorded(id, after(6, 90.0)));
+        for (id, which) in [("a", "with its id"), ("b", "with another id")] {
+            let trace = vec![opens("a"), driven("a"), closes("a"), opens(id), by_other_port(id)];
+            let path = format!("reopened/{name}/by-other-port/{}", if id == "a" { "same-id" } else { "other-id" });
+            cases.push(
+                reference(path, &["NCP-SESS-035", "NCP-SESS-050"], trace)
+                    .title(format!(
+                        "A session that is opened {which} just as one that was {words} and closed is driven by its \
+                         own port alone."
+                    ))
+                    .because("What another session was given at a port acts in that session and in no other."),
+            );
+        }
         for (how, which, trace) in [
             ("same-id", "with its id", vec![opens("a"), driven("a"), closes("a"), opens("a"), at_rest("a")]),
             ("other-id", "with another id", vec![opens("a"), driven("a"), closes("a"), opens("b"), at_rest("b")]),

@@ -7,6 +7,7 @@ use crate::json::{Json, object};
 use crate::model::{explicit, explicit_message, minimal};
 use crate::roles::{a, readers};
 use crate::template::Text;
+use crate::trace::num;
 
 pub(super) fn file() -> File {
     let mut cases = Vec::new();
@@ -30,6 +31,7 @@ pub(super) fn file() -> File {
     cases.extend(late_items());
     cases.extend(equal_items());
     cases.extend(long_spellings());
+    cases.extend([15, 16, 17, 19].map(of_every_power));
     let about = "Numbers in every spelling: rounding, subnormals, signed zeros, overflow, and integers that are none.";
     File::new("wire", "numbers", about, cases)
 }
@@ -292,6 +294,44 @@ fn long_spellings() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Numbers of so many digits with every fourth power of ten, of which most come out as a neighbour where the digits
+/// are read as a double and then multiplied or divided by that of the power.
+fn of_every_power(digits: u32) -> Case {
+    let mut state = u64::from(digits);
+    let least = 10_u64.pow(digits - 1);
+    let mut number_of = |power: i32| {
+        // Knuth's multiplier; the high bits are the good ones.
+        let candidates = std::iter::repeat_with(|| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            least + (state >> 1) % (9 * least)
+        });
+        let written = |digits: u64| format!("{digits}e{power}");
+        let is_changed = |digits: &u64| {
+            let by = (0..power.unsigned_abs()).fold(1.0, |power, _| power * 10.0);
+            let twice = if power < 0 { *digits as f64 / by } else { *digits as f64 * by };
+            written(*digits).parse() != Ok(twice)
+        };
+        let mut candidates = candidates.take(60).peekable();
+        let first = candidates.peek().copied().unwrap_or(least);
+        written(candidates.find(is_changed).unwrap_or(first))
+    };
+    let first = i32::try_from(digits % 4).unwrap_or_default() - 300;
+    let spelled: Vec<String> = (first..=285).step_by(4).map(&mut number_of).collect();
+    let nearest = spelled.iter().filter_map(|spelled| spelled.parse().ok());
+    let frame = |numbers: Vec<Json>| {
+        let channel = explicit_message("ChannelValue").with("data", Json::Array(numbers));
+        explicit(SENSOR).with("channels", object! { "a" => channel })
+    };
+    Case::new(format!("{SENSOR}/of-every-power/{digits}-digits"), &["NCP-WIRE-012"], readers(SENSOR))
+        .title(format!(
+            "Numbers of {digits} digits with powers of ten from -300 to 285 are read as the doubles nearest to them."
+        ))
+        .flags(&["rounding"])
+        .decode(SENSOR, frame(spelled.iter().map(|spelled| Json::literal(spelled.as_str())).collect()).text())
+        .means(frame(nearest.map(num).collect()).text())
+        .because("A number is the nearest double, and is rounded once, whatever its digits and its power.")
 }
 
 /// Stands for a number that is written as a template.

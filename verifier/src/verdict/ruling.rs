@@ -17,7 +17,8 @@ use crate::suite::Case;
 /// case is inconclusive for its own, as in TTCN-3.
 ///
 /// A case of the corpus asks one thing, a case of the deep set many at once. So where cases of the corpus show that a
-/// call breaks some rules, those of the deep set with that call add no other: they wait for one of these.
+/// call breaks some rules, those of the deep set with that call add no other: they wait for one of these. And where
+/// none show anything of a call, they wait for what any cases show of the calls on which it is built.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Ruling {
     /// The peer keeps it, here.
@@ -116,21 +117,22 @@ pub(super) fn rulings(runs: &[(&Case, CaseRun)]) -> Vec<Ruling> {
         }
     };
     let settled: Vec<Ruling> = alone.iter().enumerate().map(settle).collect();
-    let shown = Shown::of(runs, &settled);
-    let wait = |((case, _), ruling): (&(&Case, CaseRun), Ruling)| match shown.instead(case, &ruling) {
+    let by_corpus = Shown::of(runs, &settled, |case| !case.is_deep());
+    let by_all = Shown::of(runs, &settled, |_| true);
+    let wait = |((case, _), ruling): (&(&Case, CaseRun), Ruling)| match instead(&by_corpus, &by_all, case, &ruling) {
         Some(rule) => Ruling::charging(case, Some(rule)),
         None => ruling,
     };
     runs.iter().zip(settled).map(wait).collect()
 }
 
-/// What cases of the corpus show of each call: the rules that it breaks, with how many cases are charged to each.
+/// What cases show of each call: the rules that it breaks, with how many cases are charged to each.
 struct Shown(HashMap<Call, Vec<(Arc<Requirement>, usize)>>);
 
 impl Shown {
-    fn of(runs: &[(&Case, CaseRun)], rulings: &[Ruling]) -> Self {
+    fn of(runs: &[(&Case, CaseRun)], rulings: &[Ruling], counts: impl Fn(&Case) -> bool) -> Self {
         let mut shown: HashMap<Call, Vec<(Arc<Requirement>, usize)>> = HashMap::new();
-        for ((case, _), ruling) in runs.iter().zip(rulings).filter(|((case, _), _)| !case.is_deep()) {
+        for ((case, _), ruling) in runs.iter().zip(rulings).filter(|((case, _), _)| counts(case)) {
             let Some(rule) = ruling.charged() else { continue };
             let of_call = shown.entry(case.call).or_default();
             match of_call.iter_mut().find(|(known, _)| known == rule) {
@@ -141,17 +143,34 @@ impl Shown {
         Self(shown)
     }
 
-    /// The rule that a case of the deep set waits for: of those that its call is shown to break, one that it cites, and
-    /// of these one with most cases. None where its own charge is shown, or nothing of its call is.
-    fn instead(&self, case: &Case, ruling: &Ruling) -> Option<&Arc<Requirement>> {
-        let charged = ruling.charged().filter(|_| case.is_deep())?;
-        let shown = self.0.get(&case.call)?;
-        if shown.iter().any(|(rule, _)| rule == charged) {
-            return None;
-        }
-        // Of equals the first.
-        let worth = |(rule, count): &&(Arc<Requirement>, usize)| (case.requirements.contains(rule), *count);
-        shown.iter().rev().max_by_key(worth).map(|(rule, _)| rule)
+    fn by(&self, call: Call) -> &[(Arc<Requirement>, usize)] {
+        self.0.get(&call).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The rule that a case of the deep set waits for: of those that its call, or one on which that is built, is shown to
+/// break, one that it cites, and of these one with most cases. None where its own charge is shown, or nothing is.
+fn instead<'s>(by_corpus: &'s Shown, by_all: &'s Shown, case: &Case, ruling: &Ruling) -> Option<&'s Arc<Requirement>> {
+    let charged = ruling.charged().filter(|_| case.is_deep())?;
+    let mut shown: Vec<&(Arc<Requirement>, usize)> = by_corpus.by(case.call).iter().collect();
+    if shown.is_empty() {
+        shown = built_on(case.call).iter().flat_map(|call| by_all.by(*call)).collect();
+    }
+    if shown.iter().any(|(rule, _)| rule == charged) {
+        return None;
+    }
+    // Of equals the first.
+    let worth = |(rule, count): &&&(Arc<Requirement>, usize)| (case.requirements.contains(rule), *count);
+    shown.iter().rev().max_by_key(worth).map(|(rule, _)| rule)
+}
+
+/// The calls whose work a call shows within its own.
+const fn built_on(call: Call) -> &'static [Call] {
+    match call {
+        Call::LoopRun => &[Call::ReflexStep, Call::GovernorRun, Call::LinkRun],
+        Call::Negotiate => &[Call::VersionCheck],
+        Call::ObservationUnpack => &[Call::BulkDecode],
+        _ => &[],
     }
 }
 
@@ -294,6 +313,7 @@ mod tests {
         // What passes shows that it can be judged, so that nothing above it waits for what lies below.
         assert_eq!(rulings_of([wrong(), Outcome::Pass, wrong()]), [failed(OWN), Ruling::Passed, failed(OTHER)]);
     }
+
     #[test]
     fn where_the_corpus_shows_what_a_call_breaks_the_deep_set_adds_no_other_rule() {
         let corpus = [case("one", OWN), case("other", OTHER), case("more", OTHER)];
@@ -314,5 +334,33 @@ mod tests {
         let failed = |id| Ruling::Failed { rule: rule(id) };
         assert_eq!(rulings_of(true), [waits_for(OTHER), waits_for(OWN), failed(OWN), failed(THIRD)]);
         assert_eq!(rulings_of(false), [failed(THIRD), failed(THIRD), failed(OWN), failed(THIRD)]);
+    }
+    #[test]
+    fn a_deep_case_of_a_call_waits_for_what_is_shown_of_the_calls_within_it() {
+        let of = |id: &str, own: &str, call: Call| {
+            let mut case = case(id, own);
+            case.call = call;
+            case
+        };
+        let cases = [
+            of("one", OWN, Call::LoopRun),
+            of("deep/a", OTHER, Call::ReflexStep),
+            of("deep/b", THIRD, Call::LoopRun),
+            of("deep/c", OWN, Call::ReflexStep),
+        ];
+        let rulings_of = |fails: [bool; 4]| {
+            let run = |fails: bool| {
+                let outcome = if fails { fail("", Manner::Value) } else { Outcome::Pass };
+                CaseRun { outcome, answer: None, note: None }
+            };
+            let runs: Vec<_> = cases.iter().zip(fails).map(|(case, fails)| (case, run(fails))).collect();
+            rulings(&runs).swap_remove(2)
+        };
+        let own = Ruling::Failed { rule: rule(THIRD) };
+        assert_eq!(rulings_of([false, true, true, false]), waits_for(OTHER));
+        // What the corpus shows of the call itself comes first, and nothing waits for what passes.
+        assert_eq!(rulings_of([true, true, true, false]), waits_for(OWN));
+        assert_eq!(rulings_of([false, false, true, false]), own);
+        assert_eq!(rulings_of([false, true, false, true]), Ruling::Passed);
     }
 }
