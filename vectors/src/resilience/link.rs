@@ -453,6 +453,7 @@ fn bounded() -> Vec<Case> {
             Case::new(format!("burst/bounded-{gap}"), &["NCP-RES-047"], &BOTH)
                 .call("link.run", args(Some(0.99), Some(4.0), &seqs))
                 .shows(steps(entries))
+                .by("/steps/*/lost", "NCP-RES-040")
                 .title(format!("One gap of {gap} makes at most 256 updates."))
                 .flags(&["unbounded-work"])
                 .because("256 updates of 0.01 are 2.56, which is not above a threshold of 4."),
@@ -465,6 +466,7 @@ fn bounded() -> Vec<Case> {
             Case::new(format!("burst/as-many-{gap}"), &["NCP-RES-047"], &BOTH)
                 .call("link.run", args(Some(0.99), Some(1.565), &[1, 2 + gap]))
                 .shows(steps(entries))
+                .by("/steps/*/lost", "NCP-RES-040")
                 .title(format!("One gap of {gap} makes 256 updates."))
                 .flags(&["burst-detector"])
                 .because("256 updates of 0.01 less the delivery's 0.99 are 1.57, which is above a threshold of 1.565."),

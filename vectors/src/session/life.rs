@@ -260,11 +260,14 @@ fn refused() -> Vec<Case> {
 /// An opening behind many that were refused: what is refused takes no room.
 fn refused_often() -> Case {
     const MANY: usize = 140;
-    let request = opening("b", object! { "ref" => "ncp.no.such.network" });
+    // For its version: whether a server refuses a network is its own affair.
+    let network = object! { "kind" => "builtin", "ref" => "ncp.reference.lif" };
+    let request = opening("b", network).replacen(WIRE_VERSION, "9000.1", 1);
     let mut trace: Vec<(String, Json)> =
         std::iter::repeat_n((request, any(vec![not_opened("b"), error()])), MANY).collect();
     trace.extend([open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
     super::reference("refused/often".to_owned(), &["NCP-SESS-050"], trace)
+        .by("/replies/0", "NCP-SESS-023")
         .title(format!("A session is opened behind {MANY} openings that were refused."))
         .flags(&["session-lifecycle"])
         .because("An opening that is refused takes nothing of what a server bears.")

@@ -18,7 +18,7 @@ use crate::suite::Case;
 ///
 /// A case of the corpus asks one thing, a case of the deep set many at once. So where cases of the corpus show that a
 /// call breaks some rules, those of the deep set with that call add no other: they wait for one of these. And where
-/// none show anything of a call, they wait for what any cases show of the calls on which it is built.
+/// they show nothing of a call, it is what they show of the calls that are its parts, or of the frames that it reads.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Ruling {
     /// The peer keeps it, here.
@@ -148,14 +148,17 @@ impl Shown {
     }
 }
 
-/// The rule that a case of the deep set waits for: of those that its call, or one on which that is built, is shown to
-/// break, one that it cites, and of these one with most cases. None where its own charge is shown, or nothing is.
+/// The rule that a case of the deep set waits for: of those that are shown to be broken, one that it cites, and of
+/// these one with most cases. What the corpus shows of its call counts first, then what it shows of the calls on which that
+/// is built, then what the deep set shows of those. None where its own charge is shown, or nothing is.
 fn instead<'s>(by_corpus: &'s Shown, by_all: &'s Shown, case: &Case, ruling: &Ruling) -> Option<&'s Arc<Requirement>> {
     let charged = ruling.charged().filter(|_| case.is_deep())?;
-    let mut shown: Vec<&(Arc<Requirement>, usize)> = by_corpus.by(case.call).iter().collect();
-    if shown.is_empty() {
-        shown = built_on(case.call).iter().flat_map(|call| by_all.by(*call)).collect();
-    }
+    let of = |shown: &'s Shown, calls: &[Call]| -> Vec<&'s (Arc<Requirement>, usize)> {
+        calls.iter().flat_map(|call| shown.by(*call)).collect()
+    };
+    let (parts, frames) = (parts(case.call), frames(case.call));
+    let shown = [of(by_corpus, &[case.call]), of(by_corpus, parts), of(by_corpus, frames), of(by_all, parts)];
+    let shown = shown.into_iter().find(|shown| !shown.is_empty())?;
     if shown.iter().any(|(rule, _)| rule == charged) {
         return None;
     }
@@ -165,11 +168,29 @@ fn instead<'s>(by_corpus: &'s Shown, by_all: &'s Shown, case: &Case, ruling: &Ru
 }
 
 /// The calls whose work a call shows within its own.
-const fn built_on(call: Call) -> &'static [Call] {
+const fn parts(call: Call) -> &'static [Call] {
     match call {
         Call::LoopRun => &[Call::ReflexStep, Call::GovernorRun, Call::LinkRun],
         Call::Negotiate => &[Call::VersionCheck],
         Call::ObservationUnpack => &[Call::BulkDecode],
+        Call::ReplyCheck | Call::SessionRun => &[Call::Decode, Call::VersionCheck, Call::KeyBuild],
+        Call::BufferRun => &[Call::Decode, Call::WatchdogRun],
+        _ => &[],
+    }
+}
+
+/// The calls that show how frames are read and written, for one that reads or writes any.
+const fn frames(call: Call) -> &'static [Call] {
+    match call {
+        Call::Decode => &[Call::Encode],
+        Call::Encode => &[Call::Decode],
+        Call::GovernorRun
+        | Call::ReflexStep
+        | Call::LoopRun
+        | Call::CodecEncode
+        | Call::CodecDecode
+        | Call::BufferRun
+        | Call::SessionRun => &[Call::Decode, Call::Encode],
         _ => &[],
     }
 }
@@ -347,20 +368,29 @@ mod tests {
             of("deep/a", OTHER, Call::ReflexStep),
             of("deep/b", THIRD, Call::LoopRun),
             of("deep/c", OWN, Call::ReflexStep),
+            of("frames", OWN, Call::Encode),
+            of("deep/d", THIRD, Call::Decode),
+            of("deep/e", OTHER, Call::Encode),
         ];
-        let rulings_of = |fails: [bool; 4]| {
+        let all = |fails: [bool; 7]| {
             let run = |fails: bool| {
                 let outcome = if fails { fail("", Manner::Value) } else { Outcome::Pass };
                 CaseRun { outcome, answer: None, note: None }
             };
             let runs: Vec<_> = cases.iter().zip(fails).map(|(case, fails)| (case, run(fails))).collect();
-            rulings(&runs).swap_remove(2)
+            rulings(&runs)
         };
+        let rulings_of = |[a, b, c, d]: [bool; 4]| all([a, b, c, d, false, false, false]).swap_remove(2);
         let own = Ruling::Failed { rule: rule(THIRD) };
         assert_eq!(rulings_of([false, true, true, false]), waits_for(OTHER));
         // What the corpus shows of the call itself comes first, and nothing waits for what passes.
         assert_eq!(rulings_of([true, true, true, false]), waits_for(OWN));
         assert_eq!(rulings_of([false, false, true, false]), own);
         assert_eq!(rulings_of([false, true, false, true]), Ruling::Passed);
+        // Frames that are written wrongly show in what is read, by the corpus; of two finds of the deep set neither
+        // waits for the other.
+        let of_frames = |corpus| all([false, false, false, false, corpus, true, true]).split_off(5);
+        assert_eq!(of_frames(true), [waits_for(OWN), waits_for(OWN)]);
+        assert_eq!(of_frames(false), [own, Ruling::Failed { rule: rule(OTHER) }]);
     }
 }

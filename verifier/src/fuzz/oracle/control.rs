@@ -234,6 +234,8 @@ fn is_in_another_unit(newest: Option<&Tree>) -> bool {
 
 /// What a tick may send; none where it is open.
 fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits: Option<&Tree>) -> Option<Tree> {
+    let limit = |name: &str| double(limits.and_then(|limits| limits.get(name)).filter(|limit| !limit.is_null()));
+    let may_be_outside = limit("geofence_radius_m").is_some_and(|fence| fence > 0.0);
     let command = answer.get("command")?;
     let mode = string(command, "mode")?;
     let (position, velocity) = (data(newest, "pose_position").0, data(newest, "pose_velocity").0);
@@ -242,17 +244,22 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
     let is_damped = is_usable(velocity.as_ref());
     let velocity = velocity.filter(|_| is_damped).unwrap_or_else(|| vec![0.0; 3]);
     let may_hold_instead = has_place && !is_damped && mode == "active";
+    if has_place && !is_damped && mode == "estop" && may_be_outside {
+        // A controller that holds gives the governor no active command: from outside the fence it may hold, too.
+        return None;
+    }
     let mut pattern = object([("mode", text(mode))]);
     if let Some(seq) = newest.and_then(|newest| newest.get("seq")) {
         set(&mut pattern, "seq", seq.clone());
     }
     let mut status = object([("mode", text(mode))]);
-    let most = double(limits.and_then(|limits| limits.get("max_speed_mps")).filter(|limit| !limit.is_null()));
+    let most = limit("max_speed_mps");
     if mode == "active" {
         let given = command.get("channels").and_then(|channels| channels.get("velocity_setpoint"));
         let given = doubles(given.and_then(|channel| channel.get("data")));
         let about = gains.about(&given, &position?, &velocity)?;
-        let limited = most.is_some_and(|most| most > 0.0 && norm(&given) > most * (1.0 - 1e-6));
+        // What is scaled to a limit near the smallest doubles may have any norm below it.
+        let limited = most.is_some_and(|most| most > 0.0 && (most < 1e-300 || norm(&given) > most * (1.0 - 1e-6)));
         let about = if limited { list(given.iter().map(|x| super::near(*x, 1e-12)).collect()) } else { about };
         set(
             &mut pattern,
@@ -267,7 +274,7 @@ fn tick(answer: &Tree, newest: Option<&Tree>, gains: &Gains, period: f64, limits
         let zeros = list(vec![num(0.0), num(0.0), num(0.0)]);
         let still = object([("data", zeros), ("unit", text("m/s"))]);
         set(&mut pattern, "channels", object([("velocity_setpoint", still)]));
-        if mode == "estop" && has_place {
+        if mode == "estop" && has_place && is_damped {
             set(&mut status, "safety_ok", Json::Bool(false));
         }
     }
@@ -330,6 +337,34 @@ mod tests {
         assert!(undamped.starts_with("{\"$any\"") && undamped.contains("\"hold\""), "{undamped}");
         assert!(undamped.contains("-0.50000000") || undamped.contains("-0.5,"), "{undamped}");
         assert!(answers[5].to_string().contains("velocity_setpoint"), "{}", answers[5]);
+    }
+
+    #[test]
+    fn what_a_controller_may_hold_on_says_nothing_of_safety_ok() {
+        let asks = |limits: &str, velocity: &str| {
+            let channels = format!(r#"{{"pose_position":{{"data":[5.0,0.0,0.0],"unit":"m"}}{velocity}}}"#);
+            let sensor = |seq: u32, now: f64| {
+                format!(r#"{{"op":"sensor","sensor":{{"seq":{seq},"channels":{channels}}},"now_s":{now:?}}}"#)
+            };
+            let (first, burst) = (sensor(1, 0.0), sensor(400, 0.125));
+            let tick = |now: f64| format!(r#"{{"op":"tick","now_s":{now:?}}}"#);
+            let (one, two) = (tick(0.0625), tick(0.125));
+            let written = format!(
+                r#"{{"period_ms":100.0,"limits":{limits},"config":{{}},"steps":[{first},{one},{burst},{two}]}}"#
+            );
+            let args = Json::parse(&written).map(|args| own(&args)).unwrap();
+            let answer = specification(Call::LoopRun, &written);
+            let Verdict::Expect(expect) = expectation(&Input { call: Call::LoopRun, args }, &answer, None) else {
+                panic!("the trace is decided");
+            };
+            let answers = items(expect.get("value").and_then(|value| value.get("steps"))).to_vec();
+            [1, 3].map(|tick: usize| answers[tick].to_string().contains("safety_ok"))
+        };
+        let still = r#","pose_velocity":{"data":[0.0,0.0,0.0],"unit":"m/s"}"#;
+        assert_eq!(asks("{}", still), [true, true]);
+        assert_eq!(asks("{}", ""), [true, false]);
+        assert_eq!(asks(r#"{"geofence_radius_m":1.0}"#, ""), [false, false]);
+        assert_eq!(asks(r#"{"max_speed_mps":5e-324}"#, still), [false, true]);
     }
 
     #[test]

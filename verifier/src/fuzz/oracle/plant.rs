@@ -330,7 +330,8 @@ pub(super) fn link(args: &Tree, result: Outcome<'_>) -> Verdict {
                 older += i64::from(seq < from);
                 // Which of so many it remembers, nobody says.
                 is_known &= lost_before <= REMEMBERED || seq < from;
-                if lost < lost_before {
+                // [NCP-RES-042] One from before the first may be a delivery to the detector, as a late one may.
+                if lost < lost_before || seq < from {
                     detector.frame(0, true);
                 }
             }
@@ -368,6 +369,10 @@ pub(super) fn link(args: &Tree, result: Outcome<'_>) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fuzz::generate::Input;
+    use crate::fuzz::oracle;
+    use crate::fuzz::tree::{list, num, text};
+    use crate::peer::Call;
 
     #[test]
     fn a_detector_that_every_reading_agrees_on_is_asked_for() {
@@ -376,5 +381,25 @@ mod tests {
         assert_eq!(detector.burst(), Some(false));
         detector.frame(300, false);
         assert_eq!(detector.burst(), Some(true));
+    }
+
+    #[test]
+    fn what_a_frame_from_before_the_first_makes_of_a_burst_is_left_open() {
+        let frames = |seqs: &[i64]| {
+            let steps = list(seqs.iter().map(|seq| object([("op", text("frame")), ("seq", int(*seq))])).collect());
+            object([("ref_loss", num(0.5)), ("threshold", num(1.7)), ("steps", steps)])
+        };
+        let asks = |seqs: &[i64]| {
+            let args = frames(seqs);
+            let answer = oracle::specification(Call::LinkRun, &args.to_string());
+            let Verdict::Expect(expect) = oracle::expectation(&Input { call: Call::LinkRun, args }, &answer, None)
+            else {
+                panic!("nothing is asked for");
+            };
+            expect.to_string().matches("\"burst\"").count()
+        };
+        // Three missing make 1.5, a delivery takes 0.5 off, and the threshold is 1.7.
+        assert_eq!(asks(&[10, 14, 18]), 3);
+        assert_eq!(asks(&[10, 14, 3, 18]), 3);
     }
 }

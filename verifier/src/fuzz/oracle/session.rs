@@ -25,7 +25,26 @@ const OPEN_ALREADY: &str = "a session that is open already, SESS-030";
 /// How long a request is whose reply may be too long, though it is not itself.
 const LONG: std::ops::RangeInclusive<usize> = 1_000_000..=1 << 20;
 
+/// Why it is open what becomes of an opening while another session is open.
+const FULL: &str = "a server may refuse a session while it holds another, SESS-041";
+
 pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>) -> Verdict {
+    let several = judge(args, result, said, false);
+    // What is written down before a peer answers is for servers with room for one session, too.
+    match (&several, said) {
+        (Verdict::Expect(of_several), None) => match judge(args, result, None, true) {
+            Verdict::Expect(of_one) if of_one != *of_several => {
+                let values = [of_several, &of_one].map(|expect| expect.get("value").cloned().unwrap_or(Json::Null));
+                fits(any(values.into()))
+            }
+            _ => several,
+        },
+        _ => several,
+    }
+}
+
+/// What is asked of a server; with room for one session it refuses a second while it holds another.
+fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_room_for_one: bool) -> Verdict {
     let result = match result {
         Ok(result) => result,
         Err(code) => return reject(code),
@@ -59,7 +78,8 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         let verb = items(args.get("verbs")).get(nth).and_then(Json::as_str);
         let by_key = strict && verb.is_some_and(|verb| verb != of);
         let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
-        let is_full = refused && (!open.is_empty() || !unknown.is_empty());
+        let is_full = (refused || has_room_for_one) && (!open.is_empty() || !unknown.is_empty());
+        let is_surely_full = has_room_for_one && !open.is_empty();
         let may_be_refused = own_openness(request.as_str().unwrap_or_default(), &of, strict);
         if let (None, Some(why)) = (&asked, may_be_refused) {
             return Verdict::Open(why);
@@ -77,7 +97,9 @@ pub(super) fn run(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'
         };
         if let Some(why) = why {
             why_open.get_or_insert(why);
-            patterns.push(anything());
+            let refusal = || written("session_opened", vec![("ok", Json::Bool(false))]);
+            let is_refused = why == FULL && is_surely_full;
+            patterns.push(if is_refused { any(vec![refusal(), error_frame()]) } else { anything() });
             match known {
                 // [NCP-SESS-027] An opening that is refused ends no session.
                 Some(session) if why == OPEN_ALREADY && refused => drop(open.insert(id, session)),
@@ -156,7 +178,7 @@ fn opening_openness(
             if asked.and_then(Session::read).is_none() {
                 return Some("which networks a server has is its own affair");
             }
-            is_full.then_some("a server may refuse a session while it holds another, SESS-041")
+            is_full.then_some(FULL)
         }
         "session_opened" if is_open && version_of(asked) == WIRE_VERSION => Some(OPEN_ALREADY),
         "error" | "session_opened"
@@ -164,8 +186,17 @@ fn opening_openness(
         {
             Some("whether a server opens such a network is its own affair")
         }
+        // Only for its version does every server refuse it.
+        "session_opened" if of == "open_session" && !by_key && asked.is_some_and(has_own_version) => {
+            Some("which networks a server has is its own affair")
+        }
         _ => None,
     }
+}
+
+/// Whether a request has the wire version of the text, said or not.
+fn has_own_version(asked: &Tree) -> bool {
+    string(asked, "ncp_version") == Some(WIRE_VERSION)
 }
 
 fn refuses(reply: &str) -> bool {
@@ -789,9 +820,27 @@ mod tests {
         let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
             panic!("what a server answers is decided for both");
         };
-        let replies = items(expect.get("value").and_then(|value| value.get("replies")));
-        let is_open: Vec<bool> = replies.iter().map(|reply| reply.get("$anything").is_some()).collect();
-        assert_eq!(is_open, [false, false, true, true, false, true, false, true, true]);
+        let [several, one] = items(expect.get("value").and_then(|value| value.get("$any"))) else {
+            panic!("a server may have room for one session");
+        };
+        let openness = |replies: &Tree| -> Vec<bool> {
+            items(replies.get("replies")).iter().map(|reply| reply.get("$anything").is_some()).collect()
+        };
+        assert_eq!(openness(several), [false, false, true, true, false, true, false, true, true]);
+        assert_eq!(openness(one), [false, false, true, true, true, true, false, true, true]);
+        let refusal = items(one.get("replies"))[1].to_string();
+        assert!(refusal.contains(r#""kind":"error""#) && refusal.contains(r#""ok":false"#), "{refusal}");
+    }
+
+    #[test]
+    fn whether_a_server_has_another_network_is_its_own_affair_and_a_version_is_not() {
+        let open = |version: &str| {
+            format!(
+                r#"{{"ncp_version":"{version}","kind":"open_session","session_id":"b","network":{{"ref":"another"}}}}"#
+            )
+        };
+        assert!(openness(&[&open(WIRE_VERSION)], "")[1]);
+        assert!(!openness(&[&open("7.0")], "")[1]);
     }
 
     #[test]
