@@ -149,8 +149,8 @@ impl Shown {
 }
 
 /// The rule that a case of the deep set waits for: of those that are shown to be broken, one that it cites, and of
-/// these one with most cases. What the corpus shows of its call counts first, then what it shows of the calls on which that
-/// is built, then what the deep set shows of those. None where its own charge is shown, or nothing is.
+/// these one with most cases. What the corpus shows of its call counts first, then what it shows of the calls on
+/// which that is built, then what the deep set shows of those. None where its own charge is shown, or nothing is.
 fn instead<'s>(by_corpus: &'s Shown, by_all: &'s Shown, case: &Case, ruling: &Ruling) -> Option<&'s Arc<Requirement>> {
     let charged = ruling.charged().filter(|_| case.is_deep())?;
     let of = |shown: &'s Shown, calls: &[Call]| -> Vec<&'s (Arc<Requirement>, usize)> {

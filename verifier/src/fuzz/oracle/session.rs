@@ -98,7 +98,7 @@ fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_
         if let Some(why) = why {
             why_open.get_or_insert(why);
             let refusal = || written("session_opened", vec![("ok", Json::Bool(false))]);
-            let is_refused = why == FULL && is_surely_full;
+            let is_refused = why == FULL && is_surely_full && kind == "session_opened";
             patterns.push(if is_refused { any(vec![refusal(), error_frame()]) } else { anything() });
             match known {
                 // [NCP-SESS-027] An opening that is refused ends no session.
@@ -830,6 +830,29 @@ mod tests {
         assert_eq!(openness(one), [false, false, true, true, true, true, false, true, true]);
         let refusal = items(one.get("replies"))[1].to_string();
         assert!(refusal.contains(r#""kind":"error""#) && refusal.contains(r#""ok":false"#), "{refusal}");
+    }
+
+    #[test]
+    fn a_server_with_room_for_one_session_refuses_the_second_and_what_is_asked_of_it() {
+        let open = |id: &str| {
+            format!(
+                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"{id}",
+                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
+            )
+        };
+        let of = |kind: &str, id: &str| format!(r#"{{"kind":"{kind}","session_id":"{id}"}}"#);
+        let requests = [open("a"), open("b"), of("close_session", "b"), open("b"), of("close_session", "a")].map(text);
+        let written = object([("requests", list(requests.into()))]).to_string();
+        let args = own(&Json::parse(&written).unwrap());
+        let call = Call::SessionRun;
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
+            panic!("what a server answers is decided");
+        };
+        let one = &items(expect.get("value").and_then(|value| value.get("$any")))[1];
+        let refused: Vec<bool> =
+            items(one.get("replies")).iter().map(|reply| reply.to_string().contains(r#""ok":false"#)).collect();
+        assert_eq!(refused, [false, true, false, true, false]);
+        assert!(items(one.get("replies"))[2].get("$anything").is_some());
     }
 
     #[test]
