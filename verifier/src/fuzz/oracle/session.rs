@@ -194,7 +194,7 @@ fn opening_openness(
     }
 }
 
-/// Whether a request has the wire version of the text, said or not.
+/// Whether a request says the wire version of the text.
 fn has_own_version(asked: &Tree) -> bool {
     string(asked, "ncp_version") == Some(WIRE_VERSION)
 }
