@@ -77,6 +77,9 @@ fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_
         // [NCP-STRICT-007]
         let verb = items(args.get("verbs")).get(nth).and_then(Json::as_str);
         let by_key = strict && verb.is_some_and(|verb| verb != of);
+        let is_refused_for_version = version_of(asked.as_ref()) != WIRE_VERSION
+            || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
+        let may_open = of == "open_session" && !by_key && !is_refused_for_version;
         let refused = theirs.get(nth).and_then(|reply| reply.as_str()).is_some_and(refuses);
         let is_full = (refused || has_room_for_one) && (!open.is_empty() || !unknown.is_empty());
         let is_surely_full = has_room_for_one && !open.is_empty();
@@ -86,7 +89,7 @@ fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_
         }
         let why = may_be_refused
             .or_else(|| unknown.get(&id).copied())
-            .or_else(|| opening_openness(asked.as_ref(), &reply, &kind, &of, is_open, is_full, by_key))
+            .or_else(|| opening_openness(asked.as_ref(), &reply, &kind, is_open, is_full, may_open))
             .or_else(|| open.get(&id)?.step_openness(asked.as_ref()?, &of));
         let is_closed = kind == "session_closed" && may_be_refused.is_none();
         let known = if is_closed || why.is_some() {
@@ -121,8 +124,6 @@ fn judge(args: &Tree, result: Outcome<'_>, said: Option<&peer::Answer<'_>>, has_
         // Which of the two is a server's own affair, and leaves everything as it was.
         let runs_nothing = kind == "observation_frame"
             && open.get(&id).zip(asked.as_ref()).is_some_and(|(session, asked)| session.time_of(asked) == 0.0);
-        let is_refused_for_version = version_of(asked.as_ref()) != WIRE_VERSION
-            || strict && asked.as_ref().is_some_and(|asked| asked.get("ncp_version").is_none());
         let by_strictness = by_key || strict && is_refused_for_version;
         patterns.push(match of.as_str() {
             // [NCP-STRICT-007] [NCP-STRICT-009] An error frame, and not what else a session that is not open may get.
@@ -163,15 +164,14 @@ fn own_openness(written: &str, of: &str, strict: bool) -> Option<&'static str> {
 }
 
 /// What the text leaves open of the opening of a session; `is_full`: the peer refuses it and may hold another;
-/// `by_key`: a strict server has to refuse it for its key.
+/// `may_open`: no server has to refuse it for its version or, a strict one, for its key.
 fn opening_openness(
     asked: Option<&Tree>,
     reply: &Tree,
     kind: &str,
-    of: &str,
     is_open: bool,
     is_full: bool,
-    by_key: bool,
+    may_open: bool,
 ) -> Option<&'static str> {
     match kind {
         "session_opened" if reply.get("ok") != Some(&Json::Bool(false)) => {
@@ -180,23 +180,13 @@ fn opening_openness(
             }
             is_full.then_some(FULL)
         }
-        "session_opened" if is_open && version_of(asked) == WIRE_VERSION => Some(OPEN_ALREADY),
-        "error" | "session_opened"
-            if of == "open_session" && !by_key && Session::is_network(asked) && version_of(asked) == WIRE_VERSION =>
-        {
+        "session_opened" if may_open && is_open => Some(OPEN_ALREADY),
+        "error" | "session_opened" if may_open && Session::is_network(asked) => {
             Some("whether a server opens such a network is its own affair")
         }
-        // Only for its version does every server refuse it.
-        "session_opened" if of == "open_session" && !by_key && asked.is_some_and(has_own_version) => {
-            Some("which networks a server has is its own affair")
-        }
+        "session_opened" if may_open => Some("which networks a server has is its own affair"),
         _ => None,
     }
-}
-
-/// Whether a request says the wire version of the text.
-fn has_own_version(asked: &Tree) -> bool {
-    string(asked, "ncp_version") == Some(WIRE_VERSION)
 }
 
 fn refuses(reply: &str) -> bool {
@@ -792,14 +782,30 @@ mod tests {
         assert!(!openness(&[&again], verbs)[1]);
     }
 
+    /// A request for a session of one neuron.
+    fn open(id: &str) -> String {
+        format!(
+            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"{id}",
+            "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
+        )
+    }
+
+    /// What is asked, without a look at its answers, of a server that holds several sessions, and of one with room
+    /// for one.
+    fn with_room_for_several_and_one(requests: &[String]) -> [Tree; 2] {
+        let args = object([("requests", list(requests.iter().map(text).collect()))]);
+        let (call, written) = (Call::SessionRun, args.to_string());
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
+            panic!("what a server answers is decided");
+        };
+        let [several, one] = items(expect.get("value").and_then(|value| value.get("$any"))) else {
+            panic!("a server may have room for one session");
+        };
+        [several.clone(), one.clone()]
+    }
+
     #[test]
     fn what_is_open_of_one_session_leaves_nothing_open_of_another() {
-        let open = |id: &str| {
-            format!(
-                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"{id}",
-                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
-            )
-        };
         let of = |kind: &str, id: &str, rest: &str| format!(r#"{{"kind":"{kind}","session_id":"{id}"{rest}}}"#);
         let odd = r#","stimulus":{"values":{"no-port":{"data":[1.0]}}}"#;
         let requests = [
@@ -813,42 +819,21 @@ mod tests {
             of("close_session", "b", r#","ncp_version":"7.0""#),
             of("step_request", "b", ""),
         ];
-        let requests = requests.map(text);
-        let written = object([("requests", list(requests.into()))]).to_string();
-        let args = own(&Json::parse(&written).unwrap());
-        let call = Call::SessionRun;
-        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
-            panic!("what a server answers is decided for both");
-        };
-        let [several, one] = items(expect.get("value").and_then(|value| value.get("$any"))) else {
-            panic!("a server may have room for one session");
-        };
+        let [several, one] = with_room_for_several_and_one(&requests);
         let openness = |replies: &Tree| -> Vec<bool> {
             items(replies.get("replies")).iter().map(|reply| reply.get("$anything").is_some()).collect()
         };
-        assert_eq!(openness(several), [false, false, true, true, false, true, false, true, true]);
-        assert_eq!(openness(one), [false, false, true, true, true, true, false, true, true]);
+        assert_eq!(openness(&several), [false, false, true, true, false, true, false, true, true]);
+        assert_eq!(openness(&one), [false, false, true, true, true, true, false, true, true]);
         let refusal = items(one.get("replies"))[1].to_string();
         assert!(refusal.contains(r#""kind":"error""#) && refusal.contains(r#""ok":false"#), "{refusal}");
     }
 
     #[test]
     fn a_server_with_room_for_one_session_refuses_the_second_and_what_is_asked_of_it() {
-        let open = |id: &str| {
-            format!(
-                r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"{id}",
-                "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
-            )
-        };
         let of = |kind: &str, id: &str| format!(r#"{{"kind":"{kind}","session_id":"{id}"}}"#);
-        let requests = [open("a"), open("b"), of("close_session", "b"), open("b"), of("close_session", "a")].map(text);
-        let written = object([("requests", list(requests.into()))]).to_string();
-        let args = own(&Json::parse(&written).unwrap());
-        let call = Call::SessionRun;
-        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None) else {
-            panic!("what a server answers is decided");
-        };
-        let one = &items(expect.get("value").and_then(|value| value.get("$any")))[1];
+        let requests = [open("a"), open("b"), of("close_session", "b"), open("b"), of("close_session", "a")];
+        let [_, one] = with_room_for_several_and_one(&requests);
         let refused: Vec<bool> =
             items(one.get("replies")).iter().map(|reply| reply.to_string().contains(r#""ok":false"#)).collect();
         assert_eq!(refused, [false, true, false, true, false]);
@@ -858,20 +843,17 @@ mod tests {
     #[test]
     fn whether_a_server_has_another_network_is_its_own_affair_and_a_version_is_not() {
         let open = |version: &str| {
-            format!(
-                r#"{{"ncp_version":"{version}","kind":"open_session","session_id":"b","network":{{"ref":"another"}}}}"#
-            )
+            format!(r#"{{{version}"kind":"open_session","session_id":"b","network":{{"ref":"another"}}}}"#)
         };
-        assert!(openness(&[&open(WIRE_VERSION)], "")[1]);
-        assert!(!openness(&[&open("7.0")], "")[1]);
+        assert!(openness(&[&open(&format!(r#""ncp_version":"{WIRE_VERSION}","#))], "")[1]);
+        assert!(!openness(&[&open(r#""ncp_version":"7.0","#)], "")[1]);
+        assert!(openness(&[&open("")], "")[1], "the version of the server is meant");
+        assert!(!openness(&[&open("")], r#""strict":true"#)[1], "a strict server asks for a version");
     }
 
     #[test]
     fn an_opening_that_the_peer_refuses_leaves_its_session_decided() {
-        let open = format!(
-            r#"{{"ncp_version":"{WIRE_VERSION}","kind":"open_session","session_id":"a",
-            "network":{{"ref":"ncp.reference.lif","population_sizes":{{"n":1}}}}}}"#
-        );
+        let open = open("a");
         let step = r#"{"kind":"step_request","session_id":"a"}"#.to_owned();
         let written = object([("requests", list([open.clone(), open, step].map(text).into()))]).to_string();
         let spec = specification(Call::SessionRun, &written);
