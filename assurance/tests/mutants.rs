@@ -28,14 +28,17 @@ static HOSTILE: LazyLock<PathBuf> = LazyLock::new(|| {
     Path::new(env!("CARGO_BIN_EXE_ncp-assurance")).parent().unwrap().join("examples/hostile-peer")
 });
 
-/// Runs the command on a program whose defects are modes of the hostile peer, each with the rule that it breaks.
+/// Runs the command on a program whose defects are modes of the hostile peer, each with the rule that it breaks, and
+/// behind a space those that it breaks as directly.
 fn hunt_in(healthy: &str, mutants: &[(&str, &str)], args: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
-    let table = |(name, rule): &(&str, &str)| {
+    let table = |(name, rules): &(&str, &str)| {
+        let rules: Vec<&str> = rules.split(' ').collect();
         let edit = "edit = [{ file = \"\", code = \"\", with = \"()\" }]";
         format!(
             "[[defect]]\nname = \"{name}\"\nabout = \"It is {name}.\"\nfinding = \"L24\"\n\
-             rules = [\"{rule}\"]\n{edit}\n"
+             rules = {rules:?}\nequal = {:?}\n{edit}\n",
+            &rules[1..]
         )
     };
     let table: String = mutants.iter().map(table).collect();
@@ -113,6 +116,15 @@ fn a_mutant_that_fails_by_another_rule_is_misnamed_and_fails_the_run() {
     assert_eq!(run.exit, 1);
     let said = "wrong-answer breaks NCP-VER-001, but the verdict names NCP-VER-004";
     assert!(run.stdout.contains(said), "{}", run.stdout);
+}
+
+#[test]
+fn a_mutant_is_killed_too_where_the_verdict_begins_with_a_rule_that_it_breaks_as_directly() {
+    let run = hunt(&[("wrong-answer", "NCP-VER-001 NCP-VER-004")]);
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    let totals = &run.json.unwrap()["totals"];
+    let of = |name: &str| totals[name].as_u64().unwrap();
+    assert_eq!([of("killed"), of("led_rightly"), of("named_first"), of("misnamed")], [1, 1, 0, 0]);
 }
 
 #[test]

@@ -22,7 +22,8 @@ use ncp_verifier::verdict::{Baseline, Status, judge, judge_description};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Fate {
-    /// The suite fails it and names its rule. A mutant that only breaks a SHOULD is told so.
+    /// The suite fails it and names its rule, or begins with one that it breaks as directly. A mutant that only breaks
+    /// a SHOULD is told so.
     Killed,
     /// The suite fails it, but for other rules.
     Misnamed,
@@ -116,7 +117,11 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
         (true, true, _) => Fate::Survived,
     };
     let all: Vec<&CaseReport> = failing.iter().collect();
-    let fate = fate_by(&all);
+    let is_led = named.first().is_some_and(|named| mutant.is_led_by(&named.rule));
+    let fate = match fate_by(&all) {
+        Fate::Misnamed if is_led => Fate::Killed,
+        fate => fate,
+    };
     let has_deep = hunt.suite.cases().iter().any(Case::is_deep);
     let by_corpus = has_deep.then(|| fate_by(&all.iter().filter(of_corpus).copied().collect::<Vec<_>>()));
     let shortest =

@@ -299,6 +299,7 @@ fn long() -> Vec<Case> {
             Case::new(format!("long/{dtype}"), &["NCP-BULK-025", "NCP-BULK-022"], READERS)
                 .call("bulk.decode", object! { "block" => of_zeros(&[("v", code, rows)]) })
                 .shows_exactly(object! { "columns" => Json::Array(vec![column]) })
+                .by("/columns/0/data", "NCP-BULK-023")
                 .title(format!("A block with a column of {rows} rows of {dtype} is read."))
                 .flags(&["low-limits"])
                 .because("A decoder accepts a block of up to 64 MiB; a column has no limit of its own.")

@@ -49,6 +49,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.cases("clock-of-the-dropped", row_case)?);
     cases.extend(text.cases("channels", channels)?);
+    cases.extend(text.cases("channels-in-turn", channels_in_turn)?);
     cases.extend(text.cases("asked", row_case)?);
     cases.extend(text.cases("waits", row_case)?);
     cases.extend(text.cases("behind-many", row_case)?);
@@ -198,6 +199,19 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
              next command moves.",
         ),
     ])
+}
+
+/// Commands of other channels, one after the other: of each nothing is left in the next.
+fn channels_in_turn(row: &Row) -> Result<Case, ScenarioError> {
+    let (mut events, mut replies) = (Vec::new(), Vec::new());
+    for (seq, now, cell) in [(1, 1.0, "before"), (2, 1.0625, "then"), (3, 1.125, "before")] {
+        let channels = Json::read(row.cell(cell)?);
+        let frame = active(seq).frame().with("channels", channels.clone());
+        events.extend([Event::Text { text: Json::string(frame.text()), now, stops: false }, Event::Ask(now)]);
+        replies.extend([no_result(), object! { "channels" => exactly(channels) }]);
+    }
+    let (args, ..) = buffer(&events, false);
+    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(steps(replies)))
 }
 
 fn channels(row: &Row) -> Result<Case, ScenarioError> {

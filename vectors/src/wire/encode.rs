@@ -879,6 +879,7 @@ const DOUBLES: &[(&str, &str)] = &[
     ("ten-to-23", "1e23"),
     ("two-to-53", "9007199254740992.0"),
     ("a-third", "0.3333333333333333"),
+    ("beside-a-thousandth", "1234.5670000000002"),
 ];
 
 /// Characters of several bytes, and so many of them that no usual buffer holds them.

@@ -117,7 +117,7 @@ impl Walk<'_> {
             if differences.is_empty() {
                 return;
             }
-            if nearest.as_ref().is_none_or(|nearest| differences.count() < nearest.count()) {
+            if nearest.as_ref().is_none_or(|nearest| is_nearer(&differences, nearest)) {
                 nearest = Some(differences);
             }
         }
@@ -169,6 +169,17 @@ impl Walk<'_> {
             got,
             hint,
         });
+    }
+}
+
+/// Whether an answer that differs so from one choice is nearer to it than to another. Of steps one after the other
+/// that is the choice with which it goes longer; elsewhere the one from which it differs in fewer places.
+fn is_nearer(differences: &Differences, other: &Differences) -> bool {
+    let mut tokens = differences.place.split('/').zip(other.place.split('/'));
+    let parting = tokens.find(|(here, there)| here != there);
+    match parting.map(|(here, there)| (here.parse::<usize>(), there.parse::<usize>())) {
+        Some((Ok(here), Ok(there))) => here > there,
+        _ => differences.count() < other.count(),
     }
 }
 
@@ -243,6 +254,10 @@ mod tests {
             found(choices, r#"{"steps":[{"hold":true},{"hold":false}]}"#),
             ("/steps/1/hold".into(), Manner::Value)
         );
+        // With the second choice it goes longer, though more of it differs there.
+        let choices = r#"{"$any":[[1,2,3,4,5],[2,2,9,9,9]]}"#;
+        assert_eq!(found(choices, "[2,2,3,4,5]").0, "/2");
+        assert_eq!(found(r#"{"$any":[{"a":1,"b":1},{"a":2,"b":2}]}"#, r#"{"a":3,"b":2}"#).0, "/a");
         let step = |code: &str| format!(r#"{{"steps":[{{"hold":true}},{{"error":{{"code":"{code}"}}}}]}}"#);
         let steps = r#"{"steps":[{"hold":true},5]}"#;
         assert_eq!(found(steps, &step("internal")), ("/steps/1".into(), Manner::Crash));

@@ -19,6 +19,8 @@ use crate::suite::Case;
 /// A case of the corpus asks one thing, a case of the deep set many at once. So where cases of the corpus show that a
 /// call breaks some rules, those of the deep set with that call add no other: they wait for one of these. And where
 /// they show nothing of a call, it is what they show of the calls that are its parts, or of the frames that it reads.
+/// Where they show nothing of those either, a case of the deep set waits for the rule to which most of its call are
+/// charged, if it cites that.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Ruling {
     /// The peer keeps it, here.
@@ -150,7 +152,8 @@ impl Shown {
 
 /// The rule that a case of the deep set waits for: of those that are shown to be broken, one that it cites, and of
 /// these one with most cases. What the corpus shows of its call counts first, then what it shows of the calls on
-/// which that is built, then what the deep set shows of those. None where its own charge is shown, or nothing is.
+/// which that is built, then what the deep set shows of those, and at last what it shows of the call, where that is
+/// more than of its own charge. None where its own charge is shown, or nothing is.
 fn instead<'s>(by_corpus: &'s Shown, by_all: &'s Shown, case: &Case, ruling: &Ruling) -> Option<&'s Arc<Requirement>> {
     let charged = ruling.charged().filter(|_| case.is_deep())?;
     let of = |shown: &'s Shown, calls: &[Call]| -> Vec<&'s (Arc<Requirement>, usize)> {
@@ -158,7 +161,12 @@ fn instead<'s>(by_corpus: &'s Shown, by_all: &'s Shown, case: &Case, ruling: &Ru
     };
     let (parts, frames) = (parts(case.call), frames(case.call));
     let shown = [of(by_corpus, &[case.call]), of(by_corpus, parts), of(by_corpus, frames), of(by_all, parts)];
-    let shown = shown.into_iter().find(|shown| !shown.is_empty())?;
+    let Some(shown) = shown.into_iter().find(|shown| !shown.is_empty()) else {
+        let of_call = by_all.by(case.call);
+        let own = of_call.iter().find(|(rule, _)| rule == charged).map_or(0, |(_, count)| *count);
+        let cited = of_call.iter().rev().filter(|(rule, count)| *count > own && case.requirements.contains(rule));
+        return cited.max_by_key(|(_, count)| *count).map(|(rule, _)| rule);
+    };
     if shown.iter().any(|(rule, _)| rule == charged) {
         return None;
     }
@@ -340,7 +348,9 @@ mod tests {
         let corpus = [case("one", OWN), case("other", OTHER), case("more", OTHER)];
         let mut cites = case("deep/cites", THIRD);
         cites.requirements.push(rule(OWN));
-        let deep = [case("deep/new", THIRD), cites, case("deep/known", OWN)];
+        let mut known = case("deep/known", OWN);
+        known.requirements.push(rule(OTHER));
+        let deep = [case("deep/new", THIRD), cites, known];
         let mut elsewhere = case("deep/elsewhere", THIRD);
         elsewhere.call = Call::KeyBuild;
         let rulings_of = |corpus_fails: bool| {
@@ -356,6 +366,7 @@ mod tests {
         assert_eq!(rulings_of(true), [waits_for(OTHER), waits_for(OWN), failed(OWN), failed(THIRD)]);
         assert_eq!(rulings_of(false), [failed(THIRD), failed(THIRD), failed(OWN), failed(THIRD)]);
     }
+
     #[test]
     fn a_deep_case_of_a_call_waits_for_what_is_shown_of_the_calls_within_it() {
         let of = |id: &str, own: &str, call: Call| {
@@ -371,8 +382,9 @@ mod tests {
             of("frames", OWN, Call::Encode),
             of("deep/d", THIRD, Call::Decode),
             of("deep/e", OTHER, Call::Encode),
+            of("reads", OWN, Call::Decode),
         ];
-        let all = |fails: [bool; 7]| {
+        let all = |fails: [bool; 8]| {
             let run = |fails: bool| {
                 let outcome = if fails { fail("", Manner::Value) } else { Outcome::Pass };
                 CaseRun { outcome, answer: None, note: None }
@@ -380,17 +392,40 @@ mod tests {
             let runs: Vec<_> = cases.iter().zip(fails).map(|(case, fails)| (case, run(fails))).collect();
             rulings(&runs)
         };
-        let rulings_of = |[a, b, c, d]: [bool; 4]| all([a, b, c, d, false, false, false]).swap_remove(2);
+        let rulings_of = |[a, b, c, d]: [bool; 4]| all([a, b, c, d, false, false, false, false]).swap_remove(2);
         let own = Ruling::Failed { rule: rule(THIRD) };
         assert_eq!(rulings_of([false, true, true, false]), waits_for(OTHER));
         // What the corpus shows of the call itself comes first, and nothing waits for what passes.
         assert_eq!(rulings_of([true, true, true, false]), waits_for(OWN));
         assert_eq!(rulings_of([false, false, true, false]), own);
         assert_eq!(rulings_of([false, true, false, true]), Ruling::Passed);
-        // Frames that are written wrongly show in what is read, by the corpus; of two finds of the deep set neither
-        // waits for the other.
-        let of_frames = |corpus| all([false, false, false, false, corpus, true, true]).split_off(5);
-        assert_eq!(of_frames(true), [waits_for(OWN), waits_for(OWN)]);
-        assert_eq!(of_frames(false), [own, Ruling::Failed { rule: rule(OTHER) }]);
+        // Frames that are written wrongly show in what is read, and the other way round, by the corpus; of two finds of
+        // the deep set neither waits for the other.
+        let of_frames = |encode, decode| {
+            all([false, false, false, false, encode, true, true, decode]).get(5..7).map(<[_]>::to_vec).unwrap()
+        };
+        assert_eq!(of_frames(true, false), [waits_for(OWN), waits_for(OWN)]);
+        assert_eq!(of_frames(false, true), [waits_for(OWN), waits_for(OWN)]);
+        assert_eq!(of_frames(false, false), [own, Ruling::Failed { rule: rule(OTHER) }]);
+    }
+
+    #[test]
+    fn where_the_deep_set_alone_shows_what_a_call_breaks_a_case_waits_for_the_rule_of_most_that_it_cites() {
+        let citing = |id: &str, own: &str, others: &[&str]| {
+            let mut case = case(id, own);
+            case.requirements.extend(others.iter().map(|other| rule(other)));
+            case
+        };
+        let cases = [
+            citing("deep/a", OWN, &[THIRD]),
+            citing("deep/b", OWN, &[THIRD, OTHER]),
+            citing("deep/c", OTHER, &[OWN]),
+            citing("deep/d", THIRD, &[OTHER]),
+        ];
+        let wrong = || CaseRun { outcome: fail("", Manner::Value), answer: None, note: None };
+        let runs: Vec<_> = cases.iter().map(|case| (case, wrong())).collect();
+        let failed = |id| Ruling::Failed { rule: rule(id) };
+        // The last cites another of as few cases as its own.
+        assert_eq!(rulings(&runs), [failed(OWN), failed(OWN), waits_for(OWN), failed(THIRD)]);
     }
 }

@@ -110,7 +110,7 @@ pub(super) fn reply(args: &Tree, result: Outcome<'_>) -> Verdict {
     }
     let version = parsed.as_ref().and_then(|reply| reply.get("ncp_version")).and_then(Json::as_str);
     if version.is_some_and(is_advice) {
-        return Verdict::Open("a version with leading zeros or many digits, VER-009");
+        return Verdict::Open("a version with leading zeros or a large part, VER-009");
     }
     // [NCP-SESS-003] A reply of another version is none, in whichever the client asked.
     let is_of_another = version.is_some_and(|version| check_version(version, false) != Ok(true));

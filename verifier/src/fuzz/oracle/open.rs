@@ -50,7 +50,7 @@ pub(super) fn freedom(kind: &str, frame: &[u8], strict: bool) -> Freedom {
     match version {
         None => Freedom::None,
         Some(version) if version == WIRE_VERSION => Freedom::None,
-        Some(version) if is_advice(version) => Freedom::Open("a version with leading zeros or many digits, VER-009"),
+        Some(version) if is_advice(version) => Freedom::Open("a version with leading zeros or a large part, VER-009"),
         Some(version) if !strict && ncp_spec::version::check_version(version, false) != Ok(true) => Freedom::MayReject,
         Some(_) => Freedom::None,
     }
@@ -62,7 +62,7 @@ pub(super) fn is_advice(version: &str) -> bool {
     let parts: Vec<&str> = version.split('.').collect();
     parts.len() <= 2
         && parts.iter().all(|part| digits(part))
-        && parts.iter().any(|part| part.len() > 9 || part.len() > 1 && part.starts_with('0'))
+        && parts.iter().any(|part| part.parse::<u16>().is_err() || part.len() > 1 && part.starts_with('0'))
 }
 
 fn plain_version(version: &str) -> String {

@@ -10,7 +10,7 @@ use crate::json::Json;
 /// `version.check`, `negotiate`, `contract.status` and `contract.verify`.
 pub(super) fn version(args: &Tree, result: Outcome<'_>) -> Verdict {
     if string(args, "version").is_some_and(is_advice) {
-        return Verdict::Open("a version with leading zeros or many digits, VER-009");
+        return Verdict::Open("a version with leading zeros or a large part, VER-009");
     }
     let is_absent = |name: &str| args.get(name).is_none_or(Json::is_null);
     if args.get("version").is_none() && is_absent("peer_hash") && result.is_err() {

@@ -374,7 +374,14 @@ impl Setup {
                     Some(unit) => text(unit.to_string()),
                     None => any(std::iter::once(Json::Null).chain(self.unit(name, None).map(text)).collect()),
                 };
-                (name.to_string(), object([("data", nums(&vec![0.0; channel.data.len()])), ("unit", unit)]))
+                let zeros = |width, unit| object([("data", nums(&vec![0.0; width])), ("unit", unit)]);
+                let zeroed = if name == VELOCITY && channel.data.is_empty() {
+                    // [NCP-SAFE-072] [NCP-SAFE-073] One that came without values may stay so.
+                    any(vec![zeros(0, unit.clone()), zeros(3, any(vec![unit, text(MPS)]))])
+                } else {
+                    zeros(channel.data.len(), unit)
+                };
+                (name.to_string(), zeroed)
             })
             .collect();
         let negotiated: Vec<&str> = if self.negotiated {
@@ -440,5 +447,28 @@ impl Govern {
 
     fn position(&self) -> Option<Vec<f64>> {
         self.sensor.as_ref().and_then(|sensor| sensor.channels.get(POSITION)).map(|channel| channel.data.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::Input;
+    use crate::fuzz::oracle::{expectation, specification};
+    use crate::fuzz::tree::own;
+    use crate::peer::Call;
+
+    #[test]
+    fn a_velocity_that_came_without_values_stays_so_in_a_hold_or_becomes_three_zeros() {
+        let written = r#"{"limits":{"command_timeout_ms":500.0},"steps":[{"op":"govern","command":{"seq":1,"mode":"hold",
+            "ttl_ms":250.0,"channels":{"velocity_setpoint":{"data":[],"unit":"m/s"},"a":{"data":[]}}},
+            "now_s":1.0,"last_sensor_s":1.0}]}"#;
+        let (call, args) = (Call::GovernorRun, own(&Json::parse(written).unwrap()));
+        let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, written), None) else {
+            panic!("the frame is decided");
+        };
+        let expect = expect.to_string();
+        assert!(expect.contains(r#""velocity_setpoint":{"$any":[{"data":[]"#), "{expect}");
+        assert!(expect.contains(r#"{"data":[0.0,0.0,0.0]"#) && expect.contains(r#""a":{"data":[]"#), "{expect}");
     }
 }
