@@ -460,8 +460,8 @@ mod tests {
 
     #[test]
     fn a_velocity_that_came_without_values_stays_so_in_a_hold_or_becomes_three_zeros() {
-        let written = r#"{"limits":{"command_timeout_ms":500.0},"steps":[{"op":"govern","command":{"seq":1,"mode":"hold",
-            "ttl_ms":250.0,"channels":{"velocity_setpoint":{"data":[],"unit":"m/s"},"a":{"data":[]}}},
+        let written = r#"{"limits":{"command_timeout_ms":500.0},"steps":[{"op":"govern","command":{"seq":1,
+            "mode":"hold","ttl_ms":250.0,"channels":{"velocity_setpoint":{"data":[],"unit":"m/s"},"a":{"data":[]}}},
             "now_s":1.0,"last_sensor_s":1.0}]}"#;
         let (call, args) = (Call::GovernorRun, own(&Json::parse(written).unwrap()));
         let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, written), None) else {
