@@ -219,6 +219,16 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_version_with_a_part_beyond_65535_or_with_leading_zeros_is_advice() {
+        for advice in ["0.65536", "65536", "0.00", "00.5", "0.99999999999999999999"] {
+            assert!(is_advice(advice), "{advice}");
+        }
+        for binding in ["0.65535", "65535.0", "0", "0.5", "0.5.1", "0.", "0.x", ""] {
+            assert!(!is_advice(binding), "{binding}");
+        }
+    }
+
+    #[test]
     fn an_object_is_told_by_its_grammar_alone() {
         for good in ["{}", r#" {"a":1,"a":[{"b":"\ud800"}],"c":{"d":null}} "#, r#"{"a":[],"b":{},"c":-1e400}"#] {
             assert!(is_object(good.as_bytes()), "{good}");
