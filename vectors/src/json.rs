@@ -124,7 +124,7 @@ impl Json {
         out
     }
 
-    /// The text for a file: ASCII, two spaces a level, whatever fits on a line on one line.
+    /// The text for a file: ASCII, one space a level, whatever fits on a line on one line.
     pub(crate) fn pretty(&self) -> String {
         let mut out = String::new();
         self.write_pretty(&mut out, 0);
@@ -187,8 +187,8 @@ impl Json {
                 out.push('[');
                 for (nth, item) in items.iter().enumerate() {
                     out.push_str(if nth == 0 { "" } else { "," });
-                    new_line(out, indent + 2);
-                    item.write_pretty(out, indent + 2);
+                    new_line(out, indent + 1);
+                    item.write_pretty(out, indent + 1);
                 }
                 new_line(out, indent);
                 out.push(']');
@@ -197,10 +197,10 @@ impl Json {
                 out.push('{');
                 for (nth, (name, value)) in members.iter().enumerate() {
                     out.push_str(if nth == 0 { "" } else { "," });
-                    new_line(out, indent + 2);
+                    new_line(out, indent + 1);
                     write_string(out, name, true);
                     out.push_str(": ");
-                    value.write_pretty(out, indent + 2);
+                    value.write_pretty(out, indent + 1);
                 }
                 new_line(out, indent);
                 out.push('}');

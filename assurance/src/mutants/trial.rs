@@ -117,9 +117,10 @@ pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, Muta
         (true, true, _) => Fate::Survived,
     };
     let all: Vec<&CaseReport> = failing.iter().collect();
-    let is_led = named.first().is_some_and(|named| mutant.is_led_by(&named.rule));
+    // A rule that the defect breaks as directly stands for the one that is owed, but never for those of two defects.
+    let stands_for_it = |named: &Named| mutant.owed().len() == 1 && mutant.is_led_by(&named.rule);
     let fate = match fate_by(&all) {
-        Fate::Misnamed if is_led => Fate::Killed,
+        Fate::Misnamed if named.first().is_some_and(stands_for_it) => Fate::Killed,
         fate => fate,
     };
     let has_deep = hunt.suite.cases().iter().any(Case::is_deep);

@@ -1,6 +1,7 @@
 //! The link monitor: losses by seq, and a detector of bursts.
 
-use std::collections::BTreeSet;
+use std::collections::VecDeque;
+use std::ops::Range;
 
 /// The most updates of the detector that one gap makes. `[NCP-RES-047]`
 const MAX_UPDATES: u64 = 256;
@@ -21,7 +22,7 @@ pub struct LinkMonitor {
     seen: Option<(i64, i64)>,
     received: u64,
     lost: u64,
-    missing: BTreeSet<i64>,
+    missing: Missing,
     cusum: f64,
 }
 
@@ -59,7 +60,7 @@ impl LinkMonitor {
             seen: None,
             received: 0,
             lost: 0,
-            missing: BTreeSet::new(),
+            missing: Missing::default(),
             cusum: 0.0,
         }
     }
@@ -134,11 +135,32 @@ impl LinkMonitor {
     fn remember(&mut self, last: i64, seq: i64) {
         let newest = i64::try_from(MAX_MISSING).unwrap_or(i64::MAX);
         let from = last.saturating_add(1).max(seq.saturating_sub(newest));
-        for missing in from..seq {
-            self.missing.insert(missing);
-        }
+        self.missing.append(from..seq);
         while self.missing.len() > MAX_MISSING {
             self.missing.pop_first();
         }
+    }
+}
+
+/// Seqs that are missing, in their order: those of a gap are higher than all that were missing before it.
+#[derive(Debug, Clone, Default)]
+struct Missing(VecDeque<i64>);
+
+impl Missing {
+    fn append(&mut self, gap: Range<i64>) {
+        self.0.extend(gap);
+    }
+
+    /// Whether it was missing.
+    fn remove(&mut self, seq: &i64) -> bool {
+        self.0.binary_search(seq).is_ok_and(|at| self.0.remove(at).is_some())
+    }
+
+    fn pop_first(&mut self) {
+        self.0.pop_front();
+    }
+
+    fn len(&self) -> usize {
+        self.0.len()
     }
 }

@@ -113,6 +113,11 @@ fn shared() -> Vec<Case> {
             one_row(0, &at([52, 56], [43, 88])),
             "a column's data from the directory's last byte on",
         ),
+        (
+            "data-name/same",
+            Block::new([f64s("position", [1.5])]).laid_out(&[28], &[28], 36).bytes(),
+            "a column's data and its own name, which is as long and lies at the same place,",
+        ),
         ("data-name/before", one_row(0, &at([48, 56], [45, 88])), "a column's data around its own name"),
         ("data-name/other-column", one_row(0, &at([48, 56], [50, 88])), "a column's data and another column's name"),
     ];

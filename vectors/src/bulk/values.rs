@@ -229,7 +229,7 @@ fn names() -> Vec<Case> {
     table
         .into_iter()
         .map(|(what, name, says)| {
-            read(format!("name/{what}"), &["NCP-BULK-010"], &Block::new([f64s(name, [1.5])]))
+            read(format!("name/{what}"), &["NCP-BULK-021", "NCP-BULK-010"], &Block::new([f64s(name, [1.5])]))
                 .title(format!("A column whose name {says} is read under that name."))
                 .flags(&["changed-segments"])
                 .because("A name is well-formed UTF-8, and nothing more is asked of it.")

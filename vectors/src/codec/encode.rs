@@ -274,17 +274,24 @@ fn missing() -> Vec<Case> {
         ("asymmetric", [0.0, 10.0], [10.0, 30.0]),
         ("negative", [-8.0, -4.0], [-50.0, 0.0]),
         ("inverted", [1.0, -1.0], [0.0, 80.0]),
+        ("huge", [0.0, 1.0], [1e308, 1.5e308]),
     ] {
-        let mapping = Mapping { value, rate, ..PLAIN };
-        cases.push(
-            case(format!("missing/{name}"), &["NCP-CODEC-005"], codec(&[mapping], &[]), sensor(&[]))
-                .shows(rates(&[("p", f64::midpoint(rate[0], rate[1]))]))
-                .title(format!("An absent channel gives the middle of the rate range, also of one that is {name}."))
+        let nothing: [(&str, &str, Json); 5] = [
+            ("", "An absent channel", sensor(&[])),
+            ("/no-frame", "A missing sensor frame", Json::Null),
+            ("/other-channel", "A frame without the channel", sensor(&[("y", &[0.5])])),
+            ("/empty", "An empty channel", sensor(&[("x", &[])])),
+            ("/nan", "A sample that is no number", sensor(&[("x", &[f64::NAN])])),
+        ];
+        for (with, words, sensor) in nothing {
+            let mapping = Mapping { value, rate, ..PLAIN };
+            let case = case(format!("missing/{name}{with}"), &["NCP-CODEC-005"], codec(&[mapping], &[]), sensor)
+                .title(format!("{words} gives the middle of the rate range, also of one that is {name}."))
                 .flags(&["L06"])
-                .because(
-                    "An absent channel gives the middle of the rate range, neither 0 nor the rate of the value 0.",
-                ),
-        );
+                .because("What is absent gives the middle of the rate range, not 0 and not the rate of the value 0.");
+            let middle = rates(&[("p", f64::midpoint(rate[0], rate[1]))]);
+            cases.push(if with == "/nan" { case.shows_or_refuses(middle) } else { case.shows(middle) });
+        }
     }
     cases
 }

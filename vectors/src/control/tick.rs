@@ -685,6 +685,7 @@ fn counters() -> Vec<Case> {
         ("waiting", "while the loop is waiting", false, 4),
         ("long", "for 300 ticks", false, 300),
         ("longer", "for 1,100 ticks", false, 1_100),
+        ("longest", "for 17,000 ticks", false, 17_000),
     ];
     for (name, words, with_sensor, ticks) in table {
         let from = |first: i64| {

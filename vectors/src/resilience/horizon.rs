@@ -1,9 +1,11 @@
 //! Replaying a horizon, and how long one may be.
 
-use super::model::Event;
-use super::{buffer_case as case, buffer_row};
+use std::collections::BTreeSet;
+
 use ncp_text::WIRE_VERSION;
 
+use super::model::Event;
+use super::{buffer_case as case, buffer_row};
 use crate::case::{Case, File, Role};
 use crate::command::{Channel, Command, active, channel, channels_json, velocity};
 use crate::json::{Json, object};
@@ -20,6 +22,7 @@ pub(super) fn replay() -> Result<File, ScenarioError> {
     cases.push(long_replay());
     cases.push(long_replay_of_thirds());
     cases.push(longest_replay());
+    cases.push(counted());
     cases.push(replay_in_blocks());
     cases.extend(channels_of_a_tick());
     let about = "The replay of a horizon: its ticks, its end, the end of the ttl, and ticks without a length.";
@@ -133,6 +136,40 @@ fn long_replay_of_thirds() -> Case {
         .title("Of a horizon of 300 steps of 100/3 ms each begins in its time.")
         .flags(&["wrong-tick"])
         .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, of the length that the command says.")
+}
+
+/// Each step of the longest horizon says its own number: the plant is asked for many of them.
+fn counted() -> Case {
+    let head = format!(
+        r#"{{"kind":"command_frame","seq":1,"mode":"active","ttl_ms":60000.0,"horizon_dt_ms":1.0,"channels":{{}},"#
+    );
+    let frame = Text::concat([
+        Text::from(format!(r#"{head}"horizon":["#)),
+        // Tick k is `horizon[k - 1]`, and says k - 1.
+        Text::count(r#"{"velocity_setpoint":{"data":["#, r#".0,0.0,0.0],"unit":"m/s"}},"#, 4095),
+        Text::from(r#"{"velocity_setpoint":{"data":[4095.0,0.0,0.0],"unit":"m/s"}}]}"#),
+    ]);
+    let near = [1000, 1500, 2000, 2500, 3000, 3500, 4000].into_iter().chain((0..=12).map(|power| 1 << power));
+    let asked: BTreeSet<u32> = (1..=85)
+        .map(|nth| nth * 48)
+        .chain(near.flat_map(|tick| [tick - 1, tick, tick + 1]))
+        .filter(|tick| (1..=4096).contains(tick))
+        .collect();
+    let ask = |tick: &u32| object! { "op" => "active", "now_s" => num((f64::from(*tick) + 0.5) / 1000.0) };
+    let shown = |tick: &u32| {
+        let data = nums(&[f64::from(tick - 1), 0.0, 0.0]);
+        object! { "channels" => object! { "velocity_setpoint" => object! { "data" => data, "unit" => "m/s" } } }
+    };
+    let command = object! { "op" => "command", "text" => frame.json(), "now_s" => num(0.0) };
+    Case::new("long/4096-steps-in-turn", &["NCP-RES-028", "NCP-RES-029"], &[Role::Body])
+        .call(
+            "buffer.run",
+            object! { "steps" => std::iter::once(command).chain(asked.iter().map(ask)).collect::<Json>() },
+        )
+        .shows(steps(std::iter::once(no_result()).chain(asked.iter().map(shown)).collect()))
+        .title(format!("Of a horizon of 4,096 steps, the plant follows each of {} in its time.", asked.len()))
+        .flags(&["wrong-tick"])
+        .because("`active` is tick \u{230a}(now \u{2212} received) / dt\u{230b}, however many steps there are.")
 }
 
 /// The last step of the longest horizon is replayed until its tick is over.

@@ -16,7 +16,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(steps_back());
-    cases.push(rising_below());
+    cases.extend([rising_below(), rising_for_long(), recovers(), goes_back(), without_a_ttl()]);
     cases.extend(text.rest(row_case)?);
     let about =
         "The watchdog: ttls up to exactly their end, ttls and clocks that are none, and seqs that do not advance.";
@@ -35,6 +35,54 @@ fn case(path: String, rules: &[&'static str], events: &[Event]) -> Case {
 
 fn command(seq: i64, ttl: f64, now: f64) -> Event {
     Event::Command(active(seq).ttl(ttl), now)
+}
+
+/// Commands that advance, thousands of them, and those that do not behind them.
+fn rising_for_long() -> Case {
+    let mut events: Vec<Event> = (1..=10_000).map(|seq| command(seq, 250.0, 1.0)).collect();
+    events.extend([Event::Ask(1.125), command(9_999, 250.0, 1.25), Event::Ask(1.25), Event::Ask(1.257_812_5)]);
+    events.extend([command(10_000, 250.0, 1.5), Event::Ask(1.5), command(10_001, 250.0, 1.5), Event::Ask(1.75)]);
+    case("sequence/rising-for-long".to_owned(), &["NCP-RES-009", "NCP-RES-003"], &events)
+        .title("Behind 10,000 commands that advanced, one that does not advance refreshes nothing, and the next does.")
+        .flags(&["revived-command"])
+        .because("A plant goes by the last command that it accepted, however many came before.")
+}
+
+/// What a plant does behind hundreds of holds that ended.
+fn recovers() -> Case {
+    const MANY: u16 = 300;
+    let mut events: Vec<Event> = (1..=MANY)
+        .flat_map(|nth| [command(i64::from(nth), 250.0, f64::from(nth)), Event::Ask(f64::from(nth) + 0.5)])
+        .collect();
+    let now = f64::from(MANY) + 1.0;
+    events.push(command(i64::from(MANY) + 1, 250.0, now));
+    events.extend([0.0, 0.25, 0.257_812_5].map(|age| Event::Ask(now + age)));
+    case("sequence/recovers-for-long".to_owned(), &["NCP-RES-003", "NCP-RES-010"], &events)
+        .title(format!("Behind {MANY} holds, each ended by a command, the next command moves the plant for its ttl."))
+        .flags(&["over-strict"])
+        .because("The next command that advances ends a hold, however many there were.")
+}
+
+/// A clock that goes back and on again, over and over.
+fn goes_back() -> Case {
+    const MANY: i64 = 130;
+    let mut events: Vec<Event> =
+        (1..=MANY).flat_map(|nth| [command(nth, 250.0, 100.0), Event::Ask(50.0), Event::Ask(100.0)]).collect();
+    events.extend([command(MANY + 1, 250.0, 200.0), Event::Ask(200.25), Event::Ask(200.257_812_5)]);
+    case("sequence/goes-back-for-long".to_owned(), &["NCP-RES-008", "NCP-RES-003"], &events)
+        .title(format!("A clock that went back {MANY} times holds the plant each time, and the next command moves it."))
+        .flags(&["over-strict"])
+        .because("A time before the receipt holds until the next command that advances.")
+}
+
+/// Commands whose ttl is none, hundreds of them.
+fn without_a_ttl() -> Case {
+    let mut events: Vec<Event> = (1..=300).map(|seq| command(seq, 0.0, 1.0)).collect();
+    events.extend([Event::Ask(1.0), command(301, 250.0, 1.0), Event::Ask(1.25), Event::Ask(1.257_812_5)]);
+    case("sequence/no-ttl-for-long".to_owned(), &["NCP-RES-003"], &events)
+        .title("Behind 300 commands with a ttl of 0, one with a ttl of 250 ms moves the plant for as long.")
+        .flags(&["over-strict"])
+        .because("Each command that advances has its own ttl.")
 }
 
 /// Commands that advance among themselves and do not advance what the plant follows.

@@ -13,6 +13,7 @@ pub(super) fn file() -> File {
     cases.extend(beside());
     cases.extend(speeds());
     cases.extend(fences());
+    cases.extend(whole());
     cases.extend(ways());
     let about = "NaN, infinities, negative zero, subnormal and huge numbers in every numeric position of a command \
                  and a sensor frame.";
@@ -281,7 +282,7 @@ fn moving(ticks: &[Json]) -> Json {
 /// Velocities and limits whose squares, products or quotients leave the doubles.
 fn speeds() -> Vec<Case> {
     let mut cases = Vec::new();
-    let passes: [(&str, f64, [f64; 3]); 14] = [
+    let passes: [(&str, f64, [f64; 3]); 18] = [
         ("huge", 1e170, [1e160, 0.0, 0.0]),
         ("huge-on-three-axes", 1e170, [1e160, -1e160, 1e160]),
         ("far-below-a-huge-limit", 1e170, [0.5, 0.25, 0.125]),
@@ -294,6 +295,11 @@ fn speeds() -> Vec<Case> {
         ("below-the-largest-limit", f64::MAX, [1e308, 0.0, -1e308]),
         ("at-the-least-limit", 5e-324, [0.0, 0.0, -5e-324]),
         ("subnormal", 1e-160, [5e-324, -5e-324, 5e-324]),
+        // The squares of these are subnormal, and have few digits.
+        ("few-digits/e-162", 5.501_375_460_7e-162, [2.89e-162, 1.83e-162, 4.17e-162]),
+        ("few-digits/e-161", 2.613_777_326_622e-161, [1.47e-161, 1.21e-161, 1.79e-161]),
+        ("few-digits/e-160", 3.364_007_322_531e-160, [2.6e-160, 1.39e-160, 1.62e-160]),
+        ("few-digits/e-159", 3.797_749_409_442e-159, [2.73e-159, 2.1e-159, 1.6e-159]),
         ("of-very-different-size", 2e170, [1e170, 1e-170, -1.0]),
         ("next-to-nothing-beside-the-limit", 1e-150, [9e-151, 1e-170, 5e-324]),
     ];
@@ -311,11 +317,35 @@ fn speeds() -> Vec<Case> {
         );
     }
     let third = (1.0_f64 / 3.0).sqrt();
-    let scaled: [(&str, f64, [f64; 3], [f64; 3]); 16] = [
+    let scaled: [(&str, f64, [f64; 3], [f64; 3]); 20] = [
         ("tiny", 1e-170, [1e-165, 0.0, 0.0], [1.0, 0.0, 0.0]),
         ("tiny-on-three-axes", 1e-170, [1e-165, 1e-165, 1e-165], [third; 3]),
         ("tiny-on-two-axes", 1e-165, [0.0, -3e-160, 4e-160], [0.0, -0.6, 0.8]),
         ("tiny-just-above", size(5.0, -600) * (1.0 - 1e-9), [0.0, size(3.0, -600), size(4.0, -600)], [0.0, 0.6, 0.8]),
+        (
+            "few-digits/e-162",
+            3.979_005_167_1e-162,
+            [2.38e-162, 1.85e-162, 2.72e-162],
+            [0.586_176_670_307_218_2, 0.455_641_529_440_484_75, 0.669_916_194_636_820_8],
+        ),
+        (
+            "few-digits/e-161",
+            4.690_564_656_884e-161,
+            [2.85e-161, 2.66e-161, 2.61e-161],
+            [0.607_481_232_737_765_3, 0.566_982_483_888_581, 0.556_324_918_401_953_4],
+        ),
+        (
+            "few-digits/e-160",
+            3.664_934_688_757e-160,
+            [1.95e-160, 1.18e-160, 2.87e-160],
+            [0.532_068_444_761_673_9, 0.321_969_622_983_987_35, 0.783_095_608_444_104_8],
+        ),
+        (
+            "few-digits/e-159",
+            4.488_830_492_903e-159,
+            [2.82e-159, 2.14e-159, 2.76e-159],
+            [0.628_225_981_813_860_9, 0.476_738_865_631_795_2, 0.614_859_471_562_502_2],
+        ),
         ("beside-the-subnormal", 1e-300, [3e-299, 0.0, 4e-299], [0.6, 0.0, 0.8]),
         ("to-a-tiny-limit", 1e-170, [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]),
         ("quotient-vanishes", 1e-170, [0.0, 0.0, -1e200], [0.0, 0.0, -1.0]),
@@ -510,6 +540,76 @@ fn fences() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Whole numbers of metres whose norm is one, so that it is exact where nothing is divided.
+const WHOLE: [(f64, [[f64; 3]; 8]); 3] = [
+    (
+        13.0,
+        [
+            [5.0, 12.0, 0.0],
+            [0.0, -5.0, 12.0],
+            [12.0, 0.0, 5.0],
+            [3.0, 4.0, 12.0],
+            [-4.0, 12.0, 3.0],
+            [12.0, 3.0, -4.0],
+            [0.0, 13.0, 0.0],
+            [4.0, 3.0, 12.0],
+        ],
+    ),
+    (
+        15.0,
+        [
+            [2.0, 10.0, 11.0],
+            [10.0, 11.0, 2.0],
+            [-11.0, 2.0, 10.0],
+            [2.0, 5.0, 14.0],
+            [14.0, -5.0, 2.0],
+            [5.0, 10.0, 10.0],
+            [9.0, 12.0, 0.0],
+            [0.0, 9.0, 12.0],
+        ],
+    ),
+    (
+        65.0,
+        [
+            [16.0, 63.0, 0.0],
+            [0.0, 33.0, 56.0],
+            [39.0, 0.0, 52.0],
+            [60.0, 25.0, 0.0],
+            [15.0, 36.0, 52.0],
+            [20.0, -48.0, 39.0],
+            [36.0, 52.0, 15.0],
+            [25.0, 36.0, 48.0],
+        ],
+    ),
+];
+
+/// Positions exactly on a fence, velocities of exactly the limit, and ways that end exactly on the fence.
+fn whole() -> Vec<Case> {
+    const WHY: &str = "What is not more than the limit passes, and these norms are exactly it.";
+    let of = |(radius, vectors): &(f64, [[f64; 3]; 8])| {
+        let on_it = vectors.iter().map(|at| govern(Command::moving(&[0.0; 3]), Sensor::at(at))).collect();
+        let as_fast = vectors.iter().map(|v| govern(Command::moving(v), near())).collect();
+        let to_it = vectors.iter().map(|v| govern(Command::moving(v).ttl(1000.0), Sensor::at(&[0.0; 3]))).collect();
+        let passes = steps(vectors.iter().map(|v| moving(&[nums(v)])).collect());
+        [
+            case(format!("whole/fence/{radius}"), &["NCP-SAFE-045"], &Trace::new(Limits::fence(*radius), on_it))
+                .title(format!("Positions exactly {radius} m from the origin are inside a fence of {radius} m."))
+                .flags(&["off-by-a-boundary"])
+                .because(WHY),
+            case(format!("whole/speed/{radius}"), &["NCP-SAFE-062"], &Trace::new(Limits::speed(*radius), as_fast))
+                .shows_exactly(passes)
+                .title(format!("Velocities of exactly {radius} m/s pass a limit of {radius} m/s to the last digit."))
+                .flags(&["off-by-a-boundary"])
+                .because(WHY),
+            case(format!("whole/way/{radius}"), &["NCP-SAFE-021"], &Trace::new(Limits::fence(*radius), to_it))
+                .title(format!("Commands that lead to exactly {radius} m from the origin pass a fence of {radius} m."))
+                .flags(&["off-by-a-boundary"])
+                .because(WHY),
+        ]
+    };
+    WHOLE.iter().flat_map(of).collect()
 }
 
 /// Ways that end where squares leave the doubles.

@@ -12,6 +12,7 @@ use crate::trace::{any, beginning, int, nums, refused, steps};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut cases = Scenarios::read(source!("safety/together"))?.rest(row_case)?;
     cases.extend(at_the_limit());
+    cases.extend(kept_fields());
     cases.extend(many_channels());
     cases.extend(wide_speeds());
     cases.extend(widest());
@@ -39,6 +40,37 @@ fn at_the_limit() -> Vec<Case> {
             .because("The governor leaves a velocity unchanged whose norm is not above the limit.")
     };
     [("three-four", [3.0, 4.0, 0.0]), ("four-three", [0.0, -4.0, 3.0]), ("x", [5.0, 0.0, 0.0])].map(exact).into()
+}
+
+/// Every field of a command that passes, under each limit and with a horizon or without.
+fn kept_fields() -> Vec<Case> {
+    let limits = [
+        ("no-limit", Limits::NONE),
+        ("speed", Limits::speed(2.0)),
+        ("fence", Limits::fence(5.0)),
+        ("both", Limits { speed: Some(2.0), ..Limits::fence(5.0) }),
+    ];
+    let ways: [(&str, &str, &[[f64; 3]]); 2] =
+        [("alone", "without a horizon", &[]), ("horizon", "with a horizon", &[[0.5, 0.0, 0.0], [0.0, 0.25, 0.0]])];
+    let mut cases = Vec::new();
+    for (with, limits) in limits {
+        for (name, words, ways) in ways {
+            let mut steps = Vec::new();
+            for (frame_id, seq, t, ttl) in
+                [("front", 7, -2.25, 333.5), ("", 0, 0.0, 125.0), ("map/odom \u{e9}", -5, 1e9, 62.5)]
+            {
+                let command = Command { frame_id, t, ..Command::moving(&[0.25, -0.5, 0.0]).seq(seq).ttl(ttl) };
+                steps.push(govern(if ways.is_empty() { command } else { command.then(12.5, ways) }, near()));
+            }
+            cases.push(
+                case(format!("fields/{with}/{name}"), &["NCP-SAFE-021"], &Trace::new(limits, steps))
+                    .title(format!("A command {words} that passes under {} keeps every field.", with.replace('-', " ")))
+                    .flags(&["over-strict"])
+                    .because("A command at which no gate closes passes as it is, but for what a limit changes."),
+            );
+        }
+    }
+    cases
 }
 
 fn many_channels() -> Vec<Case> {
@@ -110,7 +142,8 @@ fn wide_speeds() -> Vec<Case> {
             .flags(&["first-channel"])
             .because("A channel in `m/s` has one norm, that of all its values.")
     };
-    [(4, 2.75), (5, 2.5), (16, 1.375), (64, 0.75)].map(|(width, x)| one_of(width, x)).into()
+    let widths = [(4, 2.75), (5, 2.5), (16, 1.375), (64, 0.75), (300, 0.375), (1025, 0.1875), (4097, 0.093_75)];
+    widths.map(|(width, x)| one_of(width, x)).into()
 }
 
 /// Components behind a thousand others, and behind as many as 16 bits count.

@@ -295,6 +295,20 @@ fn wide(way: &Way) -> Vec<Case> {
                 .because("The union of the command's channels and the negotiated ones is zeroed."),
         );
     }
+    // A sensor may have a channel of the name, too.
+    let commands = negotiated().commands;
+    let sensors = negotiated().sensors.into_iter().chain(commands.clone()).collect();
+    let capabilities = Some(Capabilities { sensors, commands });
+    let none = Part::Added.pattern(&[]);
+    cases.push(
+        case(format!("both-sides/{}", way.name), Part::Added.rule(), way, capabilities, Command::of(Vec::new()), none)
+            .title(format!(
+                "The {} frame ({}) of no channels has all negotiated ones, also those that a sensor has.",
+                way.frame, way.name
+            ))
+            .flags(&["moving-hold"])
+            .because(Part::Added.why()),
+    );
     // More of them than a table of 256 has room for: only some are looked at.
     if way.name == "hold-command" {
         let name = |nth: usize| format!("a{nth:03}");

@@ -249,7 +249,22 @@ fn rests() -> Vec<Case> {
             .title(format!("A neuron rests for 5 ms after a spike, whatever requests of {length} ms begin meanwhile."))
             .because(WHY)
     };
-    [1, 2, 3].map(one).into()
+    // Rests of more steps than a byte, twelve bits or sixteen count.
+    let long = |rest: f64, duration: f64| {
+        let params = vec![("t_ref", rest), ("I_e", 600.0)];
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number of steps")]
+        let (_, _, spikes) = simulate(&params, 0.125, (duration * 8.0) as u32, 600.0);
+        let open = Open { params, dt: 0.125, records: vec![record("s", "spikes", 1.0)], ..Open::lif("a") };
+        let trace = vec![
+            (open.text(), opened("a")),
+            (step("a", Some(duration), None), recorded("a", object! { "s" => samples(&spikes, None) })),
+        ];
+        reference(format!("spikes/rests/of-{rest}-ms"), &["NCP-SESS-050"], trace)
+            .title(format!("A neuron rests for {rest} ms after a spike, in steps of 0.125 ms."))
+            .because(WHY)
+    };
+    let longer = [(40.0, 100.0), (600.0, 1_300.0), (8_500.0, 9_000.0)].map(|(rest, run)| long(rest, run));
+    [1, 2, 3].map(one).into_iter().chain(longer).collect()
 }
 
 fn rates() -> Vec<Case> {
@@ -302,6 +317,19 @@ fn rates() -> Vec<Case> {
                 .because(WHY),
             );
         }
+    }
+    // So long that it is next to its limit.
+    for dt in [0.125, 1.0] {
+        let open = Open { params: vec![("mu", 5.0)], records: vec![record("r", "rate", 100.0)], dt, ..Open::rate("a") };
+        let times = [100.0, 200.0, 300.0];
+        let values = times.map(|time: f64| -5.0 * (-time / 10.0).exp_m1());
+        let observed = recorded("a", object! { "r" => samples(&times, Some(&values)) });
+        let trace = vec![(open.text(), opened("a")), (step("a", Some(300.0), None), observed)];
+        cases.push(
+            reference(format!("rate/settles/dt-{dt}"), &["NCP-SESS-051"], trace)
+                .title(format!("A rate neuron comes to its limit in steps of {dt} ms, and stops nowhere short of it."))
+                .because(WHY),
+        );
     }
     cases
 }
@@ -365,6 +393,69 @@ fn stimuli() -> Vec<Case> {
             .title("A current that comes with a request of no step acts from the next step.")
             .because(WHY),
     );
+    // Values that add up as before, and drive other neurons.
+    for (name, second) in [("swapped", [-100.0, 300.0]), ("turned", [100.0, 100.0]), ("to-nothing", [200.0, 0.0])] {
+        let ids = |id: u32| std::iter::once(id).collect::<Json>();
+        let drive = |port: &str, id| stimulus(port, "current_pA").with("ids", ids(id));
+        let record = |port: &str, id| record(port, "V_m", 1.0).with("ids", ids(id));
+        let open = Open {
+            size: 2,
+            records: vec![record("v", 1), record("w", 2)],
+            stimuli: vec![drive("x", 1), drive("y", 2)],
+            ..Open::lif("a")
+        };
+        let mut neurons = [Lif::new(&[], 1.0), Lif::new(&[], 1.0)];
+        let mut trace = vec![(open.text(), opened("a"))];
+        for (time, currents) in (1_u32..).zip([[300.0, -100.0], second]) {
+            let mut potential = |nth: usize| {
+                neurons[nth].step(currents[nth]);
+                samples(&[f64::from(time)], Some(&[neurons[nth].v]))
+            };
+            let records = object! { "v" => potential(0), "w" => potential(1).without("senders") };
+            trace.push((driven_step("a", 1.0, &[("x", currents[0]), ("y", currents[1])]), recorded("a", records)));
+        }
+        cases.push(
+            reference(format!("stimulus/of-one-sum/{name}"), &["NCP-SESS-054", "NCP-SESS-050"], trace)
+                .title(format!("Two ports whose values are {} drive their own neurons.", name.replace('-', " ")))
+                .because(
+                    "The last value of each port drives the neurons of its target, whatever all of them add up to.",
+                ),
+        );
+    }
+    // A stimulus frame that names no port changes none.
+    for (name, empty) in [
+        ("empty", object! {}),
+        ("without-values", object! { "values" => object! {} }),
+        ("of-another-port", object! { "values" => object! { "other" => object! { "data" => nums(&[0.0]) } } }),
+    ] {
+        let mut neuron = Lif::new(&[], 1.0);
+        let open = Open {
+            records: vec![record("v", "V_m", 1.0)],
+            stimuli: vec![stimulus("in", "current_pA"), stimulus("other", "current_pA")],
+            ..Open::lif("a")
+        };
+        let mut trace = vec![(open.text(), opened("a"))];
+        for chunk in 0..4 {
+            let (mut times, mut potentials) = (Vec::new(), Vec::new());
+            for nth in 1..=5 {
+                neuron.step(300.0);
+                times.push(f64::from(5 * chunk + nth));
+                potentials.push(neuron.v);
+            }
+            let request = match chunk {
+                0 => step("a", Some(5.0), Some(("in", 300.0))),
+                1 => Json::read(&run("a", 5.0)).with("stimulus", empty.clone()).text(),
+                2 => step("a", Some(5.0), None),
+                _ => Json::read(&step("a", Some(5.0), None)).with("stimulus", empty.clone()).text(),
+            };
+            trace.push((request, recorded("a", object! { "v" => samples(&times, Some(&potentials)) })));
+        }
+        cases.push(
+            reference(format!("stimulus/stays/{name}"), &["NCP-SESS-054"], trace)
+                .title(format!("A current stays under a stimulus frame that is {}.", name.replace('-', " ")))
+                .because("A stimulus stays until another value for its port comes."),
+        );
+    }
     // Networks whose parameters have the same values under other names are others.
     let named = |id, name| Open {
         params: vec![(name, 20.0)],
@@ -610,6 +701,20 @@ fn lasting() -> Vec<Case> {
         "over sixty requests that bring none",
         steps(driven(&["in"]), 60, &|nth| (nth == 1).then_some(("in", 300.0)), &|_| 300.0),
     );
+    add("over-requests/for-long", "over a thousand requests that bring none", {
+        const MANY: u16 = 1_000;
+        let mut neuron = Lif::new(&[], 1.0);
+        for _ in 0..MANY {
+            neuron.step(300.0);
+        }
+        let last = recorded("a", object! { "v" => samples(&[f64::from(MANY)], Some(&[neuron.v])) });
+        let without = || step("a", Some(1.0), None);
+        let mut trace = vec![(driven(&["in"]).text(), opened("a"))];
+        trace.push((step("a", Some(1.0), Some(("in", 300.0))), observation("a")));
+        trace.extend(std::iter::repeat_n((without(), observation("a")), usize::from(MANY) - 2));
+        trace.push((without(), last));
+        trace
+    });
     add(
         "over-requests/of-another-port",
         "over twenty-four requests that drive another port of the same neuron",

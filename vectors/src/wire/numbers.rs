@@ -123,6 +123,8 @@ pub(super) fn more_doubles() -> Vec<Double> {
     {
         all.push(spelled(name, format!("1{}e{}", "0".repeat(zeros), 308 - zeros), "1e308", "many-digits"));
     }
+    // A sign is no digit.
+    all.push(spelled("minus-and-309-digits", format!("-1{}", "0".repeat(308)), "-1e308", "many-digits"));
     all.push(spelled("many-zeros-and-exponent", format!("0.{}1e401", "0".repeat(399)), "10.0", "many-digits"));
     // What stands at the end decides, beyond any buffer of a kibibyte or a few.
     for (zeros, names) in [
@@ -226,6 +228,8 @@ pub(super) fn more_infinite() -> Vec<(&'static str, String)> {
         ("overflow-by-one-digit", format!("1{}", "0".repeat(309))),
         ("overflow-by-digits-and-a-fraction", format!("1{}.5", "0".repeat(349))),
         ("overflow-exponent-leading-zeros", "1e00309".to_owned()),
+        ("overflow-exponent-leading-zero", "1e0400".to_owned()),
+        ("overflow-exponent-plus-and-zero", "-1E+0309".to_owned()),
         ("overflow-exponent-twenty-zeros", format!("1e{}309", "0".repeat(20))),
         ("overflow-huge-exponent", "1e99999999999999999999".to_owned()),
     ];
