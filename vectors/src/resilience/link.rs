@@ -389,7 +389,8 @@ fn small_beside_the_sum() -> Vec<Case> {
                 .call("link.run", args(Some(ref_loss), Some(threshold), &seqs))
                 .shows(steps(entries))
                 .title(format!(
-                    "Under a reference loss of {ref_loss}, {frames} deliveries take as many times that off a sum of 256."
+                    "Under a reference loss of {ref_loss}, {frames} deliveries take as many times that off a sum of \
+                     256."
                 ))
                 .flags(&["burst-detector"])
                 .because("Each delivery takes the reference loss off the sum, however small it is beside it.")
