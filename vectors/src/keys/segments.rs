@@ -163,12 +163,6 @@ pub(crate) fn accepted() -> Vec<Segment> {
         ("selector-first", "\u{fe0f}a", "begins with a variation selector", "over-strict"),
         ("direction-first", "\u{202e}a", "begins with U+202E, which turns the direction", "over-strict"),
         ("unassigned", "\u{378}", "is a code point that is not assigned", "over-strict"),
-        (
-            "control-of-latin-1",
-            "\u{85}a",
-            "begins with U+0085, a control character beyond ASCII",
-            "white-space-segment",
-        ),
         ("cyrillic", "\u{434}\u{440}\u{43e}\u{43d}", "is Cyrillic", "changed-segments"),
         ("han", "\u{65e0}\u{4eba}\u{673a}", "is Han", "changed-segments"),
         ("right-to-left", "\u{5e2}\u{5d1}", "is Hebrew", "changed-segments"),
