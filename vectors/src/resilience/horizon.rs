@@ -140,11 +140,11 @@ fn long_replay_of_thirds() -> Case {
 
 /// Each step of the longest horizon says its own number: the plant is asked for many of them.
 fn counted() -> Case {
-    let head = format!(
-        r#"{{"kind":"command_frame","seq":1,"mode":"active","ttl_ms":60000.0,"horizon_dt_ms":1.0,"channels":{{}},"#
-    );
     let frame = Text::concat([
-        Text::from(format!(r#"{head}"horizon":["#)),
+        Text::from(concat!(
+            r#"{"kind":"command_frame","seq":1,"mode":"active","ttl_ms":60000.0,"horizon_dt_ms":1.0,"#,
+            r#""channels":{},"horizon":["#
+        )),
         // Tick k is `horizon[k - 1]`, and says k - 1.
         Text::count(r#"{"velocity_setpoint":{"data":["#, r#".0,0.0,0.0],"unit":"m/s"}},"#, 4095),
         Text::from(r#"{"velocity_setpoint":{"data":[4095.0,0.0,0.0],"unit":"m/s"}}]}"#),

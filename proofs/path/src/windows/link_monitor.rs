@@ -2,10 +2,12 @@
 impl crate::subject::Link for LinkMonitor {
     fn of(state: crate::subject::LinkState) -> Self {
         let crate::subject::LinkState { ref_loss, threshold, seen, received, lost, missing, cusum } = state;
+        let missing = Missing(missing.into_iter().collect());
         Self { ref_loss, threshold, seen, received, lost, missing, cusum }
     }
     fn state(&self) -> crate::subject::LinkState {
         let Self { ref_loss, threshold, seen, received, lost, missing, cusum } = self.clone();
+        let missing = missing.0.into_iter().collect();
         crate::subject::LinkState { ref_loss, threshold, seen, received, lost, missing, cusum }
     }
     fn new(ref_loss: f64, threshold: f64) -> Self {
@@ -31,7 +33,7 @@ impl crate::number::Detector<f64> for LinkMonitor {
         LinkMonitor::new(ref_loss, threshold)
     }
     fn of(ref_loss: f64, threshold: f64, cusum: f64) -> Self {
-        Self { ref_loss, threshold, seen: None, received: 0, lost: 0, missing: BTreeSet::new(), cusum }
+        Self { ref_loss, threshold, seen: None, received: 0, lost: 0, missing: Missing::default(), cusum }
     }
     fn numbers(&self) -> [f64; 3] {
         [self.ref_loss, self.threshold, self.cusum]

@@ -9,7 +9,7 @@ impl crate::number::Detector<Term> for LinkMonitor {
     }
     fn of(ref_loss: Term, threshold: Term, cusum: Term) -> Self {
         let [ref_loss, threshold, cusum] = [ref_loss, threshold, cusum].map(Number::Term);
-        Self { ref_loss, threshold, seen: None, received: 0, lost: 0, missing: BTreeSet::new(), cusum }
+        Self { ref_loss, threshold, seen: None, received: 0, lost: 0, missing: Missing::default(), cusum }
     }
     fn numbers(&self) -> [Term; 3] {
         let Self { ref_loss, threshold, seen: _, received: _, lost: _, missing: _, cusum } = self;
