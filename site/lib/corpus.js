@@ -77,22 +77,24 @@ function shortened(text) {
   return { text: shown, more: text.length - shown.length };
 }
 
-/** The members of each case as they are written: the generator begins each on a line of its own, by six spaces. */
+/** The members of each case as they are written: each begins on a line of its own, at the third level. */
 function writtenMembers(text) {
+  const level = /^ */.exec(text.split("\n")[1])[0];
+  const [brace, begin] = [level.repeat(2), new RegExp(`^${level.repeat(3)}"(\\w+)": ([^]*)$`)];
   const cases = [];
   let member;
   for (const line of text.split("\n")) {
-    if (line === "    {") {
+    if (line === `${brace}{`) {
       cases.push({});
-    } else if (/^ {4}\},?$/.test(line)) {
+    } else if (line === `${brace}}` || line === `${brace}},`) {
       member = undefined;
     } else if (cases.length > 0) {
-      const begins = /^ {6}"(\w+)": ([^]*)$/.exec(line);
+      const begins = begin.exec(line);
       if (begins !== null) {
         member = begins[1];
         cases.at(-1)[member] = begins[2];
       } else if (member !== undefined) {
-        cases.at(-1)[member] += `\n${line.slice(6)}`;
+        cases.at(-1)[member] += `\n${line.slice(3 * level.length)}`;
       }
     }
   }
