@@ -109,27 +109,28 @@ fn deadlines() -> Vec<Case> {
 /// What a plant does behind many holds that ended, and behind many stops.
 fn cycles() -> Vec<Case> {
     const MANY: u16 = 130;
-    let ends = |event: &str| match event {
-        "recovers" => vec![0.0, 0.25, 0.257_812_5],
-        _ => vec![0.0, 0.25],
-    };
-    let one = |name: &str, rules: &[&'static str], words: &str, cycle: &dyn Fn(i64, f64) -> Vec<Event>| {
-        let mut events: Vec<Event> = (1..=MANY).flat_map(|nth| cycle(i64::from(nth), f64::from(nth))).collect();
-        let now = f64::from(MANY) + 1.0;
-        events.push(go(i64::from(MANY) + 1, now));
-        events.extend(ends(name).into_iter().map(|age| Event::Ask(now + age)));
-        super::buffer_case(format!("waits/{name}-for-long"), rules, &events)
-            .title(format!("Behind {MANY} {words}, the next command moves the plant for its ttl."))
-            .flags(&["over-strict"])
-            .because(
-                "A hold ends with the next command that advances, and ESTOP with a reset, however many there were.",
-            )
-    };
+    let one =
+        |name: &str, rules: &[&'static str], words: &str, ages: &[f64], cycle: &dyn Fn(i64, f64) -> Vec<Event>| {
+            let mut events: Vec<Event> = (1..=MANY).flat_map(|nth| cycle(i64::from(nth), f64::from(nth))).collect();
+            let now = f64::from(MANY) + 1.0;
+            events.push(go(i64::from(MANY) + 1, now));
+            events.extend(ages.iter().map(|age| Event::Ask(now + age)));
+            super::buffer_case(format!("waits/{name}-for-long"), rules, &events)
+                .title(format!("Behind {MANY} {words}, the next command moves the plant for its ttl."))
+                .flags(&["over-strict"])
+                .because(
+                    "A hold ends with the next command that advances, and ESTOP with a reset, however many there were.",
+                )
+        };
     vec![
-        one("recovers", &["NCP-RES-010", "NCP-RES-026"], "holds, each ended by a command", &|seq, now| {
-            vec![go(seq, now), Event::Ask(now + 0.5)]
-        }),
-        one("stops", &["NCP-RES-030", "NCP-RES-026"], "stops, each ended by a reset", &|seq, now| {
+        one(
+            "recovers",
+            &["NCP-RES-010", "NCP-RES-026"],
+            "holds, each ended by a command",
+            &[0.0, 0.25, 0.257_812_5],
+            &|seq, now| vec![go(seq, now), Event::Ask(now + 0.5)],
+        ),
+        one("stops", &["NCP-RES-030", "NCP-RES-026"], "stops, each ended by a reset", &[0.0, 0.25], &|seq, now| {
             vec![Event::Command(active(seq).mode("estop"), now), Event::Reset]
         }),
     ]
