@@ -128,6 +128,21 @@ fn a_mutant_is_killed_too_where_the_verdict_begins_with_a_rule_that_it_breaks_as
 }
 
 #[test]
+fn a_mutant_in_which_a_rule_that_it_keeps_is_blamed_fails_the_run() {
+    let run = hunt(&[("panics", "NCP-VER-001")]);
+    assert_eq!(run.exit, 1);
+    let json = run.json.unwrap();
+    assert_eq!(json["mutants"][0]["fate"], "killed");
+    let named = json["mutants"][0]["named"].as_array().unwrap().iter();
+    let named: Vec<&str> = named.map(|named| named["rule"].as_str().unwrap()).collect();
+    let (kept, own): (Vec<&str>, Vec<&str>) = named.into_iter().partition(|rule| *rule != "NCP-VER-001");
+    assert_eq!((own.len(), &json["totals"]["blamed"]), (1, &1.into()));
+    assert!(!kept.is_empty());
+    let said = format!("panics keeps {}, but the verdict names them", kept.join(", "));
+    assert!(run.stdout.contains(&said), "{}", run.stdout);
+}
+
+#[test]
 fn a_mutant_that_crashes_is_named_so() {
     let run = hunt(&[("die-on-target", "NCP-VER-004")]);
     assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);

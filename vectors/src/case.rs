@@ -275,7 +275,8 @@ impl Case {
 }
 
 /// The lists of arguments that are written as what repeats itself, once, and how often.
-const LISTS_WITH_RUNS: [&str; 6] = ["horizon", "data", "steps", "requests", "sensor_channels", "command_channels"];
+const LISTS_WITH_RUNS: [&str; 8] =
+    ["horizon", "data", "steps", "requests", "sensor_channels", "command_channels", "encoders", "decoders"];
 
 /// The text with an exponent in each double that is written out in more than [`FIGURES`] figures, as
 /// `Display` does with the largest and the smallest.

@@ -7,7 +7,7 @@ const WRITTEN_OUT: usize = 200;
 
 /// The value with each long run in the lists of its members of these names as one item: equal ones as
 /// `{"$item": …, "times": …}`, and those in which integers grow by the same from each to the next as
-/// `{"$item": …, "times": …, "plus": {…}}`.
+/// `{"$item": …, "times": …, "plus": {…}}`; so do those in whose JSON texts one grows.
 pub(crate) fn of_arguments(value: Json, lists: &[&str]) -> Json {
     written(value, false, &|name| lists.contains(&name), &|items| growing(items).or_else(|| equal(items)))
 }
@@ -61,8 +61,8 @@ fn growing(items: &[Json]) -> Option<Run> {
     let plus = growth(first, second)?;
     let pairs = items.iter().zip(items.iter().skip(1));
     let count = 1 + pairs.take_while(|(one, next)| growth(one, next).as_ref() == Some(&plus)).count();
-    let plus = plus.into_iter().map(|(name, by)| (name.to_owned(), Json::literal(by.to_string())));
-    is_long(first, count).then(|| (count, times(first, count).with("plus", Json::Object(plus.collect()))))
+    let plus = plus.into_iter().map(|(name, by)| (name.to_owned(), by)).collect();
+    is_long(first, count).then(|| (count, times(first, count).with("plus", Json::Object(plus))))
 }
 
 fn is_long(first: &Json, count: usize) -> bool {
@@ -74,7 +74,7 @@ fn times(first: &Json, count: usize) -> Json {
 }
 
 /// By how much which members grow from one object to the next, if nothing else tells them apart.
-fn growth<'j>(one: &'j Json, next: &Json) -> Option<Vec<(&'j str, i64)>> {
+fn growth<'j>(one: &'j Json, next: &Json) -> Option<Vec<(&'j str, Json)>> {
     let (Json::Object(one), Json::Object(next)) = (one, next) else { return None };
     let mut plus = Vec::new();
     if one.len() != next.len() || one.iter().any(|(name, _)| name.starts_with('$')) {
@@ -85,10 +85,34 @@ fn growth<'j>(one: &'j Json, next: &Json) -> Option<Vec<(&'j str, i64)>> {
             return None;
         }
         if value != next_value {
-            plus.push((name.as_str(), integer(next_value)?.checked_sub(integer(value)?)?));
+            plus.push((name.as_str(), growth_of(value, next_value)?));
         }
     }
     (!plus.is_empty()).then_some(plus)
+}
+
+/// By how much an integer grows, or the first integer that differs in a JSON text, by its name.
+fn growth_of(value: &Json, next: &Json) -> Option<Json> {
+    let by = |one: i64, next: i64| Some(Json::literal(next.checked_sub(one)?.to_string()));
+    let (Json::String(text), Json::String(next)) = (value, next) else { return by(integer(value)?, integer(next)?) };
+    // What has the same bytes before the name has it in the same place.
+    let alike = text.bytes().zip(next.bytes()).take_while(|(one, other)| one == other).count();
+    let named = text.get(..alike)?.rfind("\":")?;
+    let name = text.get(..named)?.rsplit('"').next()?;
+    let begins = named + 2;
+    let is_first = text.find(&format!("\"{name}\":")) == Some(begins.checked_sub(name.len() + 3)?);
+    let (one, behind) = integer_at(text, begins)?;
+    let (other, next_behind) = integer_at(next, begins)?;
+    let grown = by(one, other).filter(|_| is_first && behind == next_behind)?;
+    Some(object! { name => grown })
+}
+
+/// The integer that begins at a place of a text, spelled as one, and what stands behind it.
+fn integer_at(text: &str, begins: usize) -> Option<(i64, &str)> {
+    let rest = text.get(begins..)?;
+    let (spelled, behind) = rest.split_at(rest.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(rest.len()));
+    let integer = integer(&Json::literal(spelled.to_owned()))?;
+    (!behind.starts_with(['.', 'e', 'E'])).then_some((integer, behind))
 }
 
 /// An integer that is spelled as one.
@@ -124,12 +148,23 @@ mod tests {
     }
 
     #[test]
+    fn an_integer_that_grows_in_a_text_is_written_once() {
+        let frame = |seq: i64| format!(r#"{{"text":"{{\"a\":0,\"seq\":{seq},\"b\":{{\"seq\":7}}}}","now_s":1.5}}"#);
+        let text = list((0..60).map(|nth| frame(8 + 3 * nth)));
+        let run = format!(r#"{{"$item":{},"times":60,"plus":{{"text":{{"seq":3}}}}}}"#, frame(8));
+        assert_eq!(arguments(&text), format!(r#"{{"steps":[{run}]}}"#));
+    }
+
+    #[test]
     fn what_is_short_or_grows_otherwise_stands_as_it_is() {
         for text in [
             list((0..5).map(|nth| format!(r#"{{"seq":{nth}}}"#))),
             list((0..60).map(|nth| format!(r#"{{"seq":{}}}"#, nth * nth))),
             list((0..60).map(|nth| format!(r#"{{"seq":{nth}.0}}"#))),
             list((0..60).map(|nth| format!(r#"{{"seq":"{nth}"}}"#))),
+            list((0..60).map(|nth| format!(r#"{{"text":"{{\"seq\":0,\"a\":{{\"seq\":{nth}}}}}"}}"#))),
+            list((0..60).map(|nth| format!(r#"{{"text":"{{\"seq\":{nth},\"t\":{nth}}}"}}"#))),
+            list((0..60).map(|nth| format!(r#"{{"text":"{{\"seq\":{nth}.0}}"}}"#))),
             list((0..60).map(|nth| format!("{nth}"))).replace("steps", "others"),
         ] {
             assert_eq!(arguments(&text), text);

@@ -67,7 +67,7 @@ pub(crate) const TABLES: &str = "defects/peer";
 /// The artefact that this command makes.
 const ARTEFACT: &str = "mutants";
 
-/// Holds the suite against every mutant; `false` if one is not killed.
+/// Holds the suite against every mutant; `false` if one is not killed, or has a rule blamed that it keeps.
 pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Error> {
     let (styles, stop) = (Styles::detect(), console::stop().map_err(Error::Signals)?);
     let built_in = if args.deep { Suite::with_deep } else { Suite::embedded };
@@ -108,7 +108,7 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
         }
     }
     print!("{}", summary(&report, styles));
-    Ok(report.totals.all_killed())
+    Ok(report.totals.all_rightly_judged())
 }
 
 /// Brings the copy with the defects up to date and builds it.
@@ -164,7 +164,7 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
     } else {
         line
     };
-    let line = if totals.all_killed() { styles.out.green(&line) } else { styles.out.red(&line) };
+    let line = if totals.all_rightly_judged() { styles.out.green(&line) } else { styles.out.red(&line) };
     format!("{}{line}\n", remarks.collect::<String>())
 }
 

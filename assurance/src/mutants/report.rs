@@ -51,9 +51,9 @@ pub(crate) struct Totals {
 }
 
 impl Totals {
-    /// Whether every mutant was killed.
-    pub(crate) fn all_killed(self) -> bool {
-        self.misnamed + self.survived + self.unfinished == 0
+    /// Whether every mutant was killed, and none of the rules that it keeps was blamed.
+    pub(crate) fn all_rightly_judged(self) -> bool {
+        self.misnamed + self.survived + self.unfinished + self.blamed == 0
     }
 }
 
@@ -79,13 +79,17 @@ impl MutantsReport {
         Self { format: FORMAT, cases: suite.cases().len(), corpus_sha256: suite.digest().to_owned(), totals, mutants }
     }
 
-    /// The mutants that were not killed, a line each.
+    /// The mutants that were not killed, or in which a rule that they keep is blamed, a line each.
     pub(crate) fn remarks(&self) -> Vec<String> {
         let remark = |trial: &Trial| {
             let Trial { mutant, fate, named, .. } = trial;
             let (name, rule) = (&mutant.name, mutant.owed().join(", "));
             match fate {
-                Fate::Killed => None,
+                Fate::Killed => match &trial.blamed()[..] {
+                    [] => None,
+                    [one] => Some(format!("{name} keeps {one}, but the verdict names it")),
+                    blamed => Some(format!("{name} keeps {}, but the verdict names them", blamed.join(", "))),
+                },
                 Fate::Misnamed => {
                     let named: Vec<&str> = named.iter().map(|named| named.rule.as_str()).collect();
                     Some(format!("{name} breaks {rule}, but the verdict names {}", few(&named)))

@@ -160,6 +160,24 @@ fn layouts() -> Vec<Case> {
             "with gaps between the columns",
         ),
         (
+            "gap-of-5000-before-names",
+            "NCP-BULK-020",
+            Block::new(columns()).laid_out(&[5060, 5061, 5062], &[5064, 5072, 5076], 5080),
+            "with 5,000 bytes between directory and names",
+        ),
+        (
+            "gap-of-70000-before-data",
+            "NCP-BULK-020",
+            Block::new(columns()).laid_out(&names, &[70_064, 70_072, 70_076], 70_080),
+            "with 70,000 bytes between names and data",
+        ),
+        (
+            "gap-of-5000-between-data",
+            "NCP-BULK-020",
+            Block::new(columns()).laid_out(&names, &[64, 72, 5_080], 5_084),
+            "with 5,000 bytes before the last column",
+        ),
+        (
             "gap-of-ff",
             "NCP-BULK-020",
             Block::new(columns()).laid_out(&[61, 64, 70], &[72, 96, 120], 124).filled(0xff),

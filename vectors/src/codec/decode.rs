@@ -2,7 +2,8 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps, narrow, pairs, precisely,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, manifold, map, maps, narrow, pairs,
+    precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -18,7 +19,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
-    cases.push(many());
+    cases.extend([many(MANY), many(1_100), many(4_000)]);
     let about = "The decoder of the rate codec: the default UAV codec, ranges, clamps, and the command that is built.";
     File::new("codec", "decode", about, cases)
 }
@@ -205,18 +206,18 @@ fn nameless() -> Vec<Case> {
     cases
 }
 
-/// More mappings than a byte counts.
-fn many() -> Case {
+/// So many mappings, of which the last two have a population of their own.
+fn many(count: u32) -> Case {
     let mapping = |nth: u32| {
-        let population = if nth < 256 { "p" } else { "q" };
+        let population = if nth < count - 2 { "p" } else { "q" };
         object! { "channel" => "x", "component" => nth, "population" => population }
     };
-    let decoders: Json = (0..MANY).map(mapping).collect();
+    let decoders: Json = (0..count).map(mapping).collect();
     let codec = object! { "encoders" => Json::Array(Vec::new()), "decoders" => decoders };
-    let data = [vec![0.5; 256], vec![-0.5; 2]].concat();
-    case("many".to_owned(), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
+    let data = [vec![0.5; count as usize - 2], vec![-0.5; 2]].concat();
+    case(manifold(count), &["NCP-CODEC-003"], codec, &[("p", 150.0), ("q", 50.0)])
         .shows(channels(vec![("x", data)]))
-        .title(format!("A codec of {MANY} mappings decodes by each of them."))
+        .title(format!("A codec of {count} mappings decodes by each of them."))
         .because(MANIFOLD)
 }
 

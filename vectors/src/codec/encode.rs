@@ -2,7 +2,8 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, map, maps, narrow, pairs, precisely,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDELY, codec, manifold, map, maps, narrow, pairs,
+    precisely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -17,7 +18,7 @@ pub(super) fn file() -> File {
     cases.extend(extreme());
     cases.extend(points());
     cases.extend(nameless());
-    cases.push(many());
+    cases.extend([many(MANY), many(1_100), many(4_000)]);
     let about = "The encoder of the rate codec: the default UAV codec, ranges, clamps, and what gives the middle of \
                  the rate range.";
     File::new("codec", "encode", about, cases)
@@ -471,18 +472,18 @@ fn nameless() -> Vec<Case> {
     cases
 }
 
-/// More mappings than a byte counts.
-fn many() -> Case {
+/// So many mappings, of which the last two have a population of their own.
+fn many(count: u32) -> Case {
     // Of one target the last should count, so all that have one say the same.
     let mapping = |nth: u32| {
-        object! { "channel" => "x", "component" => nth, "population" => if nth < 256 { "p" } else { "q" } }
+        object! { "channel" => "x", "component" => nth, "population" => if nth < count - 2 { "p" } else { "q" } }
     };
-    let mappings: Json = (0..MANY).map(mapping).collect();
-    let data = [vec![0.5; 256], vec![-0.5; 2]].concat();
+    let mappings: Json = (0..count).map(mapping).collect();
+    let data = [vec![0.5; count as usize - 2], vec![-0.5; 2]].concat();
     let codec = object! { "encoders" => mappings, "decoders" => Json::Array(Vec::new()) };
-    case("many".to_owned(), &["NCP-CODEC-001"], codec, sensor(&[("x", &data)]))
+    case(manifold(count), &["NCP-CODEC-001"], codec, sensor(&[("x", &data)]))
         .shows(rates(&[("p", 150.0), ("q", 50.0)]))
-        .title(format!("A codec of {MANY} mappings encodes by each of them."))
+        .title(format!("A codec of {count} mappings encodes by each of them."))
         .because(MANIFOLD)
 }
 

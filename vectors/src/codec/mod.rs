@@ -127,6 +127,11 @@ const NAMELESSLY: &str = "An empty name is a name of a population or a channel l
 const MANY: u32 = 258;
 const MANIFOLD: &str = "Each mapping is followed; there is no limit to their number.";
 
+/// The path of a case of so many mappings.
+fn manifold(count: u32) -> String {
+    if count == MANY { "many".to_owned() } else { format!("many/{count}") }
+}
+
 /// What overflows when it is divided by the length of a source range of 1e-300, on either side of it.
 const FAR_OFF: [(&str, f64); 2] = [("above", 1e300), ("below", -1e300)];
 /// The one number of a target range of length 0.

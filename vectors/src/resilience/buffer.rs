@@ -55,6 +55,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("waits", row_case)?);
     cases.extend(text.cases("behind-many", row_case)?);
     cases.extend(text.cases("resets", row_case)?);
+    cases.extend(text.cases("stream", row_case)?);
     text.end()?;
     cases.extend(long_streams());
     cases.extend(far_deadlines());

@@ -1201,10 +1201,28 @@ fn endures() -> Vec<Case> {
             .because("The time of a session is the sum of what it was advanced by; a `close_session` ends it.")
     };
     vec![
+        refusals(),
         one("steps", "steps", step_of("a", Some(1.0), None), 1.0, anything()),
         one("runs", "runs", super::run("a", 1.0), 1.0, anything()),
         one("errors", "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
     ]
+}
+
+/// A session that is opened behind a thousand openings of each kind that a server may refuse. Whether it refuses them
+/// is not asked.
+fn refusals() -> Case {
+    const MANY: usize = 1_100;
+    let unknown = |id: &str| opening(id, object! { "kind" => "builtin", "ref" => "ncp.no.such.network" });
+    let repeated = |request: String| std::iter::repeat_n((request, anything()), MANY);
+    let trace = repeated(unknown("b"))
+        .chain([(close("b"), anything()), open("a")])
+        .chain(repeated(opening("a", object! { "kind" => "builtin", "ref" => "ncp.reference.lif" })))
+        .chain(repeated(unknown("a")))
+        .chain([(close("a"), closed("a")), open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
+    super::reference("endures/refusals".to_owned(), &["NCP-SESS-050", "NCP-SESS-028"], trace.collect())
+        .title(format!("A session is opened behind {MANY} openings of each kind that may be refused."))
+        .flags(&["session-lifecycle"])
+        .because("An `open_session` that is refused takes no room: it changes nothing, and leaves nothing behind.")
 }
 
 /// A session that is left alone for long, while much is asked of others.

@@ -11,25 +11,21 @@ use crate::scenario::{Row, ScenarioError, Scenarios, source};
 pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("strict/plant"))?;
     let mut cases = Vec::new();
-    for group in [
-        "followed",
-        "first-seq",
-        "first-version",
-        "dropped",
-        "fallen",
-        "kept-seq",
-        "kept-version",
-        "version",
-        "hold",
-        "estop",
-    ] {
-        // Of what is kept the whole trace is about: the commands differ in nothing that a plant could show besides.
-        let about = |case: Case| if group.starts_with("kept") { case.about_from(0) } else { case };
-        cases.extend(text.cases(group, |row| Ok(about(case(row, &events(row)?))))?);
+    for group in ["followed", "first-seq", "first-version", "dropped", "fallen"] {
+        cases.extend(text.cases(group, plain)?);
+    }
+    cases.extend(text.cases("kept-seq", of_what_is_kept)?);
+    cases.extend(text.cases("kept-version", of_what_is_kept)?);
+    for group in ["version", "hold", "estop"] {
+        cases.extend(text.cases(group, plain)?);
     }
     cases.extend(text.cases("estop-broken", broken_stop)?);
     cases.extend(text.cases("rejected", rejected)?);
-    cases.extend(text.rest(|row| Ok(case(row, &events(row)?)))?);
+    for group in ["reset", "reset-seq", "stream"] {
+        cases.extend(text.cases(group, plain)?);
+    }
+    cases.extend(text.cases("kept-stream", of_what_is_kept)?);
+    cases.extend(text.rest(plain)?);
     cases.push(late_version());
     let about = "A strict plant: commands that advance, and those that are rejected or dropped and change nothing, \
                  ESTOP \
@@ -40,6 +36,15 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 fn case(row: &Row, events: &[Event]) -> Case {
     let (args, pattern, decided) = buffer(events, true);
     row.case(&[Role::Body]).call("buffer.run", args).strictly().shows(pattern).decided_by(&decided)
+}
+
+fn plain(row: &Row) -> Result<Case, ScenarioError> {
+    Ok(case(row, &events(row)?))
+}
+
+/// A case that is about the whole trace: its commands differ in nothing that a plant could show besides.
+fn of_what_is_kept(row: &Row) -> Result<Case, ScenarioError> {
+    Ok(plain(row)?.about_from(0))
 }
 
 /// An ESTOP in a frame that no receiver reads, between commands that move.

@@ -4,7 +4,8 @@
 //! `{"$repeat": "x", "times": 1000}`, `{"$count": ["before", "after"], "times": 1000}`, which writes 0, 1, 2, … between
 //! the two, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list, `{"$item": value, "times": 1000}` stands for
 //! so many equal items, and with `"plus": {"seq": 1}` for items whose integer of that name grows by so much from each
-//! to the next. Peers never see them.
+//! to the next, or with `"plus": {"text": {"seq": 1}}` the integer behind `"seq":` in their string of the name `text`.
+//! Peers never see them.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -20,6 +21,8 @@ use crate::peer::MAX_REQUEST_BYTES;
 pub(super) const KEPT_BYTES: usize = 64 << 10;
 /// What is repeated is written in pieces of about this size.
 const PIECE: usize = 64 << 10;
+/// What `plus` has to be.
+const GROWING: &str = "an object of integers, each by the name of one, or of one within a string";
 /// How deep templates may stand within each other.
 const MAX_DEPTH: usize = 8;
 
@@ -198,8 +201,57 @@ pub(super) fn item<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize),
 struct Run<'v, 'a> {
     first: &'v Json<'a>,
     times: usize,
-    /// The integers of the first, and by how much they grow.
-    plus: Vec<(&'v str, i64, i64)>,
+    /// The members of the first that grow.
+    plus: Vec<Growth<'v>>,
+}
+
+/// A member that grows from each item to the next.
+struct Growth<'v> {
+    member: &'v str,
+    /// The string about the integer, where it stands in one.
+    around: Option<(&'v str, &'v str)>,
+    first: i64,
+    by: i64,
+}
+
+impl<'v> Growth<'v> {
+    /// A member of an object, if it grows so in as many items.
+    fn of(object: &'v Json<'_>, (member, by): &'v (Cow<'_, str>, Json<'_>), times: usize) -> Option<Self> {
+        let Json::Object(members) = object else { return None };
+        let (_, value) = members.iter().find(|(known, _)| known == member)?;
+        let (around, first, by) = match (value, by) {
+            (Json::Number(first), Json::Number(by)) => (None, first.parse().ok()?, by.parse::<i64>().ok()?),
+            (Json::String(text), Json::Object(within)) => {
+                let [(name, Json::Number(by))] = within.as_slice() else { return None };
+                let (before, first, after) = integer_within(text, name)?;
+                (Some((before, after)), first, by.parse().ok()?)
+            }
+            _ => return None,
+        };
+        by.checked_mul(i64::try_from(times).ok()?)?.checked_add(first)?;
+        Some(Self { member, around, first, by })
+    }
+
+    /// The member of an item; that none of them overflows was seen when it was read.
+    fn nth(&self, nth: usize) -> Json<'static> {
+        let grown = i64::try_from(nth).ok().and_then(|nth| self.by.checked_mul(nth)?.checked_add(self.first));
+        let grown = grown.unwrap_or(self.first);
+        match self.around {
+            None => Json::Number(grown.to_string().into()),
+            Some((before, after)) => Json::String(format!("{before}{grown}{after}").into()),
+        }
+    }
+}
+
+/// The integer behind the first `"name":` of a JSON text, and what stands before and behind it.
+fn integer_within<'t>(text: &'t str, name: &str) -> Option<(&'t str, i64, &'t str)> {
+    let named = format!("\"{name}\":");
+    let begins = text.find(&named)? + named.len();
+    let (before, rest) = text.split_at_checked(begins)?;
+    let ends = rest.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(rest.len());
+    let (integer, after) = rest.split_at_checked(ends)?;
+    let is_whole = !after.starts_with(['.', 'e', 'E']);
+    integer.parse().ok().filter(|_| is_whole).map(|integer| (before, integer, after))
 }
 
 impl<'v, 'a> Run<'v, 'a> {
@@ -213,9 +265,8 @@ impl<'v, 'a> Run<'v, 'a> {
         let mut item = self.first.clone();
         if let Json::Object(members) = &mut item {
             for (name, value) in members {
-                if let Some((_, first, by)) = self.plus.iter().find(|(known, ..)| known == name) {
-                    let grown = i64::try_from(nth).ok().and_then(|nth| by.checked_mul(nth)?.checked_add(*first));
-                    *value = Json::Number(grown.unwrap_or(*first).to_string().into());
+                if let Some(growth) = self.plus.iter().find(|growth| growth.member == name) {
+                    *value = growth.nth(nth);
                 }
             }
         }
@@ -233,27 +284,16 @@ fn run<'v, 'a>(value: &'v Json<'a>) -> Result<Run<'v, 'a>, TemplateError> {
     if (name.as_ref(), times_name.as_ref(), plus_name.as_ref()) != ("$item", "times", "plus") {
         return Ok(Run::of(value, 1));
     }
-    let integer = |value: &Json<'_>| match value {
-        Json::Number(spelling) => spelling.parse::<i64>().ok(),
-        _ => None,
-    };
-    let grown = |(name, by): &'v (Cow<'a, str>, Json<'a>)| {
-        let Json::Object(members) = first else { return None };
-        let (_, value) = members.iter().find(|(known, _)| known == name)?;
-        let (value, by) = (integer(value)?, integer(by)?);
-        let most = i64::try_from(count(times).ok()?).ok()?;
-        by.checked_mul(most)?.checked_add(value)?;
-        Some((name.as_ref(), value, by))
-    };
+    let most = count(times)?;
     let plus = match plus {
-        Json::Object(plus) if !plus.is_empty() => plus.iter().map(grown).collect::<Option<Vec<_>>>(),
+        Json::Object(plus) if !plus.is_empty() => {
+            plus.iter().map(|grown| Growth::of(first, grown, most)).collect::<Option<Vec<_>>>()
+        }
         _ => None,
     };
-    match (count(times)?, plus) {
+    match (most, plus) {
         (0, _) => Err(TemplateError::Type { name: "times", expected: "a count from 1" }),
-        (_, None) => {
-            Err(TemplateError::Type { name: "plus", expected: "an object of integers, each by the name of one" })
-        }
+        (_, None) => Err(TemplateError::Type { name: "plus", expected: GROWING }),
         (times, Some(plus)) => Ok(Run { first, times, plus }),
     }
 }
@@ -439,6 +479,10 @@ mod tests {
         assert_eq!(expand(r#"[0, {"$item": {"a": [1]}, "times": 3}]"#), r#"[0,{"a":[1]},{"a":[1]},{"a":[1]}]"#);
         let grown = r#"[{"$item": {"a": 5, "seq": -1}, "times": 3, "plus": {"seq": -2}}]"#;
         assert_eq!(expand(grown), r#"[{"a":5,"seq":-1},{"a":5,"seq":-3},{"a":5,"seq":-5}]"#);
+        let within =
+            r#"[{"$item": {"text": "{\"seq\":-1,\"a\":{\"seq\":7}}"}, "times": 3, "plus": {"text": {"seq": 2}}}]"#;
+        let text = |seq: i64| format!(r#"{{"text":"{{\"seq\":{seq},\"a\":{{\"seq\":7}}}}"}}"#);
+        assert_eq!(expand(within), format!("[{},{},{}]", text(-1), text(1), text(3)));
         let nested = r#"[{"$item": [{"$item": {"$repeat": "x", "times": 2}, "times": 2}], "times": 1}]"#;
         assert_eq!(expand(nested), r#"[["xx","xx"]]"#);
     }
@@ -472,6 +516,11 @@ mod tests {
         for plus in ["{}", "1", r#"{"b": 1}"#, r#"{"a": 0.5}"#, r#"{"a": 9223372036854775807}"#] {
             let raw = format!(r#"[{{"$item": {{"a": 1}}, "times": 2, "plus": {plus}}}]"#);
             assert!(fault(&raw).contains("`plus` of a template is not an object of integers"), "{plus}");
+        }
+        for plus in ["1", "{}", r#"{"x": 1}"#, r#"{"seq": 1, "n": 1}"#, r#"{"seq": 0.5}"#, r#"{"n": 1}"#] {
+            let raw =
+                format!(r#"[{{"$item": {{"a": "{{\"seq\":5,\"n\":5.5}}"}}, "times": 2, "plus": {{"a": {plus}}}}}]"#);
+            assert!(fault(&raw).contains("or of one within a string"), "{plus}");
         }
         assert!(fault(r#"[{"$item": {"a": 1}, "times": 0, "plus": {"a": 1}}]"#).contains("a count from 1"));
         assert!(
