@@ -3,6 +3,7 @@
 use super::model::{Event, command};
 use super::{buffer_case, buffer_row, go};
 use crate::case::{Case, File};
+use crate::json::Json;
 use crate::patch::{self, patched, template};
 use crate::scenario::{Row, ScenarioError, Scenarios, source};
 use crate::template::Text;
@@ -16,6 +17,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
         }
     }
     cases.extend(text.rest(buffer_row)?);
+    cases.extend(escapes());
     let about = "ESTOP at the plant: frames that latch however malformed they are, frames that only look alike, and \
                  what a latch outlives.";
     Ok(File::new("resilience", "estop", about, cases))
@@ -73,6 +75,35 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioErro
         cases.push(case("repeated", &unmoved, "was reset after the same bytes and has not moved since"));
     }
     Ok(cases)
+}
+
+/// Malformed ESTOPs of which one letter is an escape: each of those that they are known by.
+fn escapes() -> Vec<Case> {
+    const WORDS: [&str; 4] = ["kind", "command_frame", "mode", "estop"];
+    let escaped = |word: &str, nth: usize| -> String {
+        let letter = |(at, letter)| match at == nth {
+            true => format!("\\u{:04x}", u32::from(letter)),
+            false => String::from(letter),
+        };
+        word.chars().enumerate().map(letter).collect()
+    };
+    let one = |word: &'static str, nth: usize| {
+        let of = |own: &str| if own == word { escaped(own, nth) } else { own.to_owned() };
+        let [kind, command, mode, estop] = WORDS.map(of);
+        let text = Json::from(format!(r#"{{"{kind}":"{command}","{mode}":"{estop}","seq":1.5}}"#));
+        let stop = Event::Text { text, now: 1.0625, stops: true };
+        let moving = [go(50, 1.0), Event::Ask(1.0), stop, go(51, 1.125), Event::Ask(1.125)];
+        let path = format!("latches/escaped-letter/{}-{}", word.replace('_', "-"), nth + 1);
+        buffer_case(path, &["NCP-RES-022", "NCP-RES-021"], &moving)
+            .title(format!("A malformed ESTOP in which letter {} of `{word}` is an escape latches.", nth + 1))
+            .flags(&["lost-estop"])
+            .because("Names and values are what their escapes stand for.")
+    };
+    WORDS
+        .into_iter()
+        .flat_map(|word| (0..word.len()).map(move |nth| (word, nth)))
+        .map(|(word, nth)| one(word, nth))
+        .collect()
 }
 
 /// A malformed frame that comes whatever the clock reads, and what that is.

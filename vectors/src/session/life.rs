@@ -57,8 +57,13 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 
 /// A case of the requests of a row and what they are answered.
 fn row_case(row: &Row) -> Result<Case, ScenarioError> {
-    let trace = row.steps().iter().map(exchange).collect::<Result<_, _>>()?;
-    Ok(described(case(row.path.clone(), &row.rules, trace), row))
+    let steps = row.steps();
+    let trace = steps.iter().map(exchange).collect::<Result<_, _>>()?;
+    let case = described(case(row.path.clone(), &row.rules, trace), row);
+    // To close what is not open is refused, whatever else the case is about.
+    let refused =
+        steps.iter().enumerate().filter(|(_, step)| step.verb() == "close" && step.words().last() == Some("refused"));
+    Ok(refused.fold(case, |case, (nth, _)| case.by(format!("/replies/{nth}"), "NCP-SESS-029")))
 }
 
 fn described(case: Case, row: &Row) -> Case {
@@ -249,6 +254,7 @@ fn refused() -> Vec<Case> {
             let opens = super::replies(vec![opened("a"), observation("a"), closed("a")]);
             case(format!("refused/{nth}"), &["NCP-SESS-024", "NCP-SESS-026"], trace)
                 .shows(any(vec![refuses, opens]))
+                .by("/replies/2", "NCP-SESS-029")
                 .title(format!(
                     "A session of an unusual network ({kind} `{reference}`) is open only if the server \
                                 said so."
@@ -530,6 +536,7 @@ fn versions() -> Result<Vec<Case>, ScenarioError> {
                 .title(format!(
                     "An `open_session` of the version \u{ab}{version}\u{bb} that is refused leaves no session."
                 ))
+                .by("/replies/2", "NCP-SESS-029")
                 .flags(&["lenient-versions"])
                 .because("A server does not open a session that it answered with `ok` false."),
         );

@@ -734,6 +734,20 @@ fn lasting() -> Vec<Case> {
         trace.push((step("a", Some(3.0), None), observed));
         trace
     });
+    add("over-requests/of-a-run", "behind the run that brought it", {
+        let brought = step("a", Some(5.0), Some(("in", 300.0)));
+        let brought = brought.replace("step_request", "run_request").replace("advance_ms", "duration_ms");
+        let (times, values, _) = simulate(&[], 1.0, 15, 300.0);
+        let five = |from: usize| {
+            recorded("a", object! { "v" => samples(&times[from..from + 5], Some(&values[from..from + 5])) })
+        };
+        vec![
+            (driven(&["in"]).text(), opened("a")),
+            (brought, five(0)),
+            (step("a", Some(5.0), None), five(5)),
+            (run("a", 5.0), five(10)),
+        ]
+    });
     // Long runs, of which a neuron that never spikes is at rest at the end.
     let long = Open { records: vec![record("v", "V_m", 500.0)], ..driven(&["in"]) };
     let (times, values, _) = simulate(&[], 1.0, 3000, 300.0);

@@ -17,7 +17,7 @@ pub(super) fn file() -> File {
     File::new("wire", "kinds", about, cases)
 }
 
-fn kinds() -> impl Iterator<Item = &'static str> {
+pub(super) fn kinds() -> impl Iterator<Item = &'static str> {
     tables().messages.iter().filter_map(|message| message.kind.as_deref())
 }
 

@@ -3,6 +3,7 @@
 
 use super::READ;
 use super::encode::reversed;
+use super::kinds::kinds;
 use super::place::{Ground, Place};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
@@ -23,6 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(text.cases("repeated-within", repeated)?);
     cases.extend(text.rest(not_repeated)?);
     cases.push(escaped_kind());
+    cases.extend(escaped());
     cases.extend(not_wrapped());
     cases.push(far_apart());
     cases.extend(version_of_an_error());
@@ -296,6 +298,43 @@ fn escaped_kind() -> Case {
         .decode("close_session", frame)
         .means(explicit("close_session").text())
         .because("Member names are equal when they are so after their escapes are resolved.")
+}
+
+/// Frames whose every name and every string has an escape: for its first letter, for its last, or for all.
+fn escaped() -> Vec<Case> {
+    type Is = fn(usize, usize) -> bool;
+    let letters: [(&str, &str, Is); 2] =
+        [("first", "first letter", |nth, _| nth == 0), ("last", "last letter", |nth, count| nth + 1 == count)];
+    let throughout: (&str, &str, Is) = ("throughout", "every letter", |_, _| true);
+    let each = kinds().flat_map(|kind| letters.map(|letter| (kind, letter)));
+    let all = each.chain(["sensor_frame", "command_frame", "open_session"].map(|kind| (kind, throughout)));
+    let one = |(kind, (path, words, is)): (&'static str, (&str, &str, Is))| {
+        let frame = full(kind);
+        Case::new(format!("{kind}/escaped/{path}"), &[READ], readers(kind))
+            .title(format!("{} is read in which the {words} of every name and string is an escape.", a(kind)))
+            .flags(&["raw-names"])
+            .decode(kind, with_escapes(&frame.text(), is))
+            .means(meaning(kind, &frame).text())
+            .because("A string is what its escapes stand for, and so is a name.")
+    };
+    all.map(one).collect()
+}
+
+/// The text with those letters of its strings as escapes that a function chooses by their number and how many there
+/// are.
+fn with_escapes(text: &str, is: fn(usize, usize) -> bool) -> String {
+    // Every second part stands between quotation marks; the frames have none within their strings.
+    let escaped = |part: &str| -> String {
+        let count = part.chars().count();
+        let letter = |(nth, letter)| match is(nth, count) {
+            true => format!("\\u{:04x}", u32::from(letter)),
+            false => String::from(letter),
+        };
+        part.chars().enumerate().map(letter).collect()
+    };
+    let parts = text.split('"').enumerate();
+    let parts = parts.map(|(nth, part)| if nth % 2 == 1 { escaped(part) } else { part.to_owned() });
+    parts.collect::<Vec<_>>().join("\"")
 }
 
 /// Steps of a horizon that look like the proto's `SetpointStep`, whose one member is `channels`.

@@ -21,8 +21,9 @@ const OTHER_VALUE: [i64; 2] = [3, 1];
 const ELSEWHERE: [i64; 2] = [8, 5];
 /// A case passes that a named defect breaks, or that several do: one can undo the other.
 const PASSES: [i64; 2] = [15, 4];
-/// For every case that contradicts a defect, so many have to end exactly as with it.
-const ALIKE_A_CONTRADICTION: usize = 100;
+/// For every case that contradicts a defect, so many have to end exactly as with it: more where the case is of a file
+/// in which no other defect that is named shows, as beside another it may be this that ends it otherwise.
+const ALIKE_A_CONTRADICTION: [usize; 2] = [100, 10];
 /// So many times the cases that stay unexplained beside those that a defect breaks must not exceed those.
 const UNEXPLAINED_BESIDE: usize = 3;
 
@@ -192,13 +193,24 @@ impl<'s> Search<'s> {
         for key in self.unlike() {
             *unlike.entry(self.observed.file(key)).or_default() += 1;
         }
+        let is_alike = |(key, symptom): &(CaseKey, Symptom)| self.observed.symptom(*key) == Some(*symptom);
+        let files = |suspect: &usize| -> BTreeSet<u16> {
+            self.predictions(*suspect).filter(is_alike).map(|(key, _)| self.observed.file(key)).collect()
+        };
+        let of_others = |suspect: &usize| -> BTreeSet<u16> {
+            self.named.iter().filter(|named| *named != suspect).flat_map(files).collect()
+        };
         let against = |suspect: &usize| {
-            let is_alike = |(key, symptom): &(CaseKey, Symptom)| self.observed.symptom(*key) == Some(*symptom);
             let (alike, other): (Vec<_>, Vec<_>) = self.predictions(*suspect).partition(is_alike);
-            let contradictions = other.iter().filter(|(key, _)| self.predicted(*key).len() == 1).count();
-            let files: BTreeSet<u16> = alike.iter().map(|(key, _)| self.observed.file(*key)).collect();
-            let beside: usize = files.iter().filter_map(|file| unlike.get(file)).sum();
-            let is_refuted = contradictions * ALIKE_A_CONTRADICTION > alike.len();
+            let shared = of_others(suspect);
+            let contradictions = other.iter().filter(|(key, _)| self.predicted(*key).len() == 1);
+            let [alone, beside_others] = ALIKE_A_CONTRADICTION;
+            let weight = |(key, _): &(CaseKey, Symptom)| {
+                if shared.contains(&self.observed.file(*key)) { beside_others } else { alone }
+            };
+            let contradictions: usize = contradictions.map(weight).sum();
+            let beside: usize = files(suspect).iter().filter_map(|file| unlike.get(file)).sum();
+            let is_refuted = contradictions > alike.len();
             let is_part = beside * UNEXPLAINED_BESIDE > alike.len();
             // The share of what speaks against it, in thousandths.
             let share = |count: usize| count * 1000 / alike.len().max(1);
@@ -328,6 +340,23 @@ mod tests {
         // The two cases that pass would speak less against both together than against the whole alone.
         let found = known.explain(&observed(&whole[..18]));
         assert_eq!(named(&known, &found), ["whole"]);
+    }
+
+    #[test]
+    fn a_case_that_ends_otherwise_where_another_defect_shows_too_speaks_less_against_one() {
+        let symptoms = |keys: &[std::ops::Range<u32>]| -> Vec<(u32, Symptom)> {
+            keys.iter().cloned().flatten().map(|key| (key, PLACE)).collect()
+        };
+        let (near, far) = (symptoms(&[0..16]), symptoms(&[0..15, 95..96]));
+        let other = symptoms(&[16..30]);
+        let seen = observed(&symptoms(&[0..15, 16..30]));
+        let names = |one: &[(u32, Symptom)]| {
+            let known = dictionary(&[("one", one), ("other", &other)]);
+            named(&known, &known.explain(&seen))
+        };
+        assert_eq!(names(&near), ["one", "other"]);
+        // In the file of the case that passes nothing else is wrong.
+        assert_eq!(names(&far), ["other"]);
     }
 
     #[test]
