@@ -129,6 +129,7 @@ fn timeouts() -> Vec<Case> {
             &["NCP-SAFE-033"],
             &Trace::new(limits(5e-324), vec![ask(10.0, Some(10.0)), ask(10.001, Some(10.0))]),
         )
+        .by("/steps/0", "NCP-SAFE-021")
         .title("A governor with the smallest timeout takes only a sensor of age 0.")
         .because("An age of 0 is not more than any positive timeout; an age of 1 ms is more than this one."),
     );
