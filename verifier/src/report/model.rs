@@ -15,7 +15,7 @@ use super::named::{by_name, by_name_or_null, by_names};
 use super::shared;
 use crate::check::{Difference, Differences, Manner, in_words};
 use crate::diagnosis::{self, Suspect};
-use crate::dictionary::{CaseKey, Dictionary, Explained, Explanation, Observed};
+use crate::dictionary::{CaseKey, Dictionary, Explained, Explanation, Observed, Seen, Symptom};
 use crate::peer::{Call, Description, ExpectedFailure, excerpt};
 use crate::run::{CaseRun, CrashLog, Outcome, OutcomeKind, RunRecord};
 use crate::severity::Severity;
@@ -752,7 +752,7 @@ impl PeerReport {
 
     /// Explains the failing cases by the fewest known defects; none if the dictionary knows none of the cases.
     pub fn diagnose(&mut self, dictionary: &Dictionary, verdict: &Verdict<'_>) {
-        let observed = Observed::of(verdict.cases.iter().map(|judged| (judged.case, &judged.run.outcome)));
+        let mut observed = Observed::of(verdict.cases.iter().map(|judged| (judged.case, &judged.run.outcome)));
         if !dictionary.knows(&observed) {
             return;
         }
@@ -765,19 +765,28 @@ impl PeerReport {
             verdict.cases.iter().filter(fails).map(|judged| (CaseKey::of(&judged.case.id), judged.case)).collect();
         let cases = |keys: &[CaseKey]| keys.iter().filter_map(|key| failing.get(key).copied()).collect::<Vec<_>>();
         let ids = |cases: &[&Case]| cases.iter().map(|case| case.id.clone()).collect::<Vec<_>>();
-        let Explanation { mut defects, mut unexplained } = dictionary.explain(&observed);
-        // Large cases are asked of a mutant only where no other fails, so few entries of the dictionary know
-        // them: such a case belongs to the defect that breaks its rule.
-        let rule = |key: &CaseKey| failing.get(key)?.requirements.first().map(|rule| rule.id.as_str());
-        unexplained.retain(|key| {
+        // Large cases are asked of a mutant only where no other fails, so few entries of the dictionary know them:
+        // that no entry explains such a case speaks against none, and it belongs to the defect that breaks its rule.
+        let unasked = |(key, seen): (&CaseKey, &Seen)| {
             let is_large = failing.get(key).is_some_and(|case| case.is_large());
-            let found = defects.iter_mut().find(|found| found.cases.iter().any(|other| rule(other) == rule(key)));
-            match found.filter(|_| is_large) {
-                Some(found) => found.cases.push(*key),
-                None => return true,
-            }
-            false
+            let known =
+                |symptom: Symptom| dictionary.entries.iter().any(|entry| entry.symptoms.get(key) == Some(&symptom));
+            (is_large && !seen.symptom.is_some_and(known)).then_some(*key)
+        };
+        let unasked: Vec<CaseKey> = observed.cases.iter().filter_map(unasked).collect();
+        observed.cases.retain(|key, _| !unasked.contains(key));
+        let Explanation { mut defects, mut unexplained } = dictionary.explain(&observed);
+        let charged = verdict.cases.iter().filter_map(|judged| {
+            let rule = judged.ruling.charged().or(judged.case.requirements.first())?;
+            Some((CaseKey::of(&judged.case.id), rule.id.as_str()))
         });
+        let charged: HashMap<CaseKey, &str> = charged.collect();
+        for key in unasked {
+            let found = defects.iter_mut().find(|found| {
+                found.cases.iter().any(|other| charged.get(other).is_some_and(|rule| charged.get(&key) == Some(rule)))
+            });
+            found.map_or(&mut unexplained, |found| &mut found.cases).push(key);
+        }
         let report = |found: &Explained| {
             let explained = cases(&found.cases);
             let shortest = explained.iter().min_by_key(|case| (case.request_bytes(), &case.id))?;
