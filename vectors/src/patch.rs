@@ -74,3 +74,11 @@ fn patch(frame: Json, change: &str, place: Place) -> Result<Json, ScenarioError>
         _ => frame.with(&name, value),
     })
 }
+/// The text with those of its letters as escapes that are chosen by their number, from 0.
+pub(crate) fn escaped(text: &str, is: impl Fn(usize) -> bool) -> String {
+    let letter = |(nth, letter)| match is(nth) {
+        true => format!("\\u{:04x}", u32::from(letter)),
+        false => String::from(letter),
+    };
+    text.chars().enumerate().map(letter).collect()
+}

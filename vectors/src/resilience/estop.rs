@@ -80,15 +80,8 @@ fn traces(group: &str, row: &Row, stops: bool) -> Result<Vec<Case>, ScenarioErro
 /// Malformed ESTOPs of which one letter is an escape: each of those that they are known by.
 fn escapes() -> Vec<Case> {
     const WORDS: [&str; 4] = ["kind", "command_frame", "mode", "estop"];
-    let escaped = |word: &str, nth: usize| -> String {
-        let letter = |(at, letter)| match at == nth {
-            true => format!("\\u{:04x}", u32::from(letter)),
-            false => String::from(letter),
-        };
-        word.chars().enumerate().map(letter).collect()
-    };
     let one = |word: &'static str, nth: usize| {
-        let of = |own: &str| if own == word { escaped(own, nth) } else { own.to_owned() };
+        let of = |own: &str| if own == word { patch::escaped(own, |at| at == nth) } else { own.to_owned() };
         let [kind, command, mode, estop] = WORDS.map(of);
         let text = Json::from(format!(r#"{{"{kind}":"{command}","{mode}":"{estop}","seq":1.5}}"#));
         let stop = Event::Text { text, now: 1.0625, stops: true };

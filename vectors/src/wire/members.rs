@@ -8,7 +8,7 @@ use super::place::{Ground, Place};
 use crate::case::{Case, File};
 use crate::json::{Json, object};
 use crate::model::{self, explicit, full, is_pin, meaning, minimal};
-use crate::patch::patched;
+use crate::patch::{self, patched};
 use crate::roles::{ANY, a, readers};
 use crate::scenario::{Row, ScenarioError, Scenarios, beside, source};
 use ncp_text::tables::Default;
@@ -324,14 +324,7 @@ fn escaped() -> Vec<Case> {
 /// are.
 fn with_escapes(text: &str, is: fn(usize, usize) -> bool) -> String {
     // Every second part stands between quotation marks; the frames have none within their strings.
-    let escaped = |part: &str| -> String {
-        let count = part.chars().count();
-        let letter = |(nth, letter)| match is(nth, count) {
-            true => format!("\\u{:04x}", u32::from(letter)),
-            false => String::from(letter),
-        };
-        part.chars().enumerate().map(letter).collect()
-    };
+    let escaped = |part: &str| patch::escaped(part, |nth| is(nth, part.chars().count()));
     let parts = text.split('"').enumerate();
     let parts = parts.map(|(nth, part)| if nth % 2 == 1 { escaped(part) } else { part.to_owned() });
     parts.collect::<Vec<_>>().join("\"")
