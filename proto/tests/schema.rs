@@ -411,11 +411,12 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         {"hold": true, "note": null}, {}, {"$error": true}, {"$any": [1, {"$exact": {"a": []}}]},
         {"$json": {"a": {"$range": [0, "Infinity"]}}}, {"$anything": true},
         {"$beginning": [{"a": 1}, {"$item": {"a": [{"$item": 0, "times": 9}]}, "times": 300}]},
-        {"$item": {"hold": true}, "times": 1},
+        {"$item": {"hold": true}, "times": 1}, {"$items": [{"hold": true}, {}], "times": 9},
     ]});
     let limits = || json!({"max_speed_mps": "-Infinity"});
     for case in [
         run(json!([hold, {"op": "reset"}]), pattern),
+        run(json!([{"$items": [hold, {"op": "reset"}], "times": 9, "plus": [{}, {"now_s": 0.5}]}]), json!(1)),
         case(
             "governor.run",
             json!({"limits": limits(), "capabilities": null, "steps": [
@@ -460,6 +461,10 @@ fn a_trace_and_its_pattern_are_checked_to_their_leaves() {
         run(json!([hold]), json!({"$item": 1, "times": 3})),
         run(json!([hold]), json!({"$any": [{"$item": 1, "times": 3}]})),
         run(json!([hold]), json!([{"$item": 1, "times": 0}])),
+        run(json!([hold]), json!([{"$items": 1, "times": 2}])),
+        run(json!([hold]), json!([{"$items": [], "times": 2}])),
+        run(json!([{"$items": [hold], "times": 2, "plus": {"now_s": 1}}]), json!(1)),
+        run(json!([{"$items": [hold], "times": 2, "plus": [{}]}]), json!(1)),
         case("horizon.max_len", json!({"ttl_ms": 1}), json!({"accept": true})),
         case("codec.encode", json!({"codec": "usv", "sensor": null}), json!({"accept": true})),
         case("link.run", json!({"steps": []}), json!({"accept": true})),

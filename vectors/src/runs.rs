@@ -5,20 +5,35 @@ use crate::json::{Json, object};
 /// What follows the first item of a run is written out as long as it has no more characters together.
 const WRITTEN_OUT: usize = 200;
 
+/// How many items a round has at most, and how many rounds are written out.
+const ROUND: usize = 8;
+const FEW: usize = 8;
+/// Doubles that are multiples of this and below [`FAR`] add up without rounding.
+const FINE: f64 = 1.0 / 1024.0;
+const FAR: f64 = 1_048_576.0;
+
 /// The value with each long run in the lists of its members of these names as one item: equal ones as
-/// `{"$item": …, "times": …}`, and those in which integers grow by the same from each to the next as
-/// `{"$item": …, "times": …, "plus": {…}}`; so do those in whose JSON texts one grows.
+/// `{"$item": …, "times": …}`, and those in which numbers grow by the same from each to the next as
+/// `{"$item": …, "times": …, "plus": {…}}`; so do those in whose JSON texts one grows. Rounds of several items are
+/// `{"$items": […], "times": …, "plus": [{…}, …]}`.
 pub(crate) fn of_arguments(value: Json, lists: &[&str]) -> Json {
-    written(value, false, &|name| lists.contains(&name), &|items| growing(items).or_else(|| equal(items)))
+    let run = |items: &[Json]| longest([rounds(items, true), equal(items), growing(items)]);
+    written(value, false, &|name| lists.contains(&name), &run)
 }
 
-/// The pattern with each long run of equal items as one `{"$item": …, "times": …}`.
+/// The pattern with each long run of equal items as one `{"$item": …, "times": …}`, and equal rounds of several as one
+/// `{"$items": […], "times": …}`.
 pub(crate) fn of_pattern(value: Json) -> Json {
-    written(value, false, &|_| true, &equal)
+    written(value, false, &|_| true, &|items| longest([rounds(items, false), equal(items)]))
 }
 
 /// How many items a run has, and what stands for it.
 type Run = (usize, Json);
+
+/// The run of the most items, of several the last.
+fn longest<const N: usize>(runs: [Option<Run>; N]) -> Option<Run> {
+    runs.into_iter().flatten().max_by_key(|(count, _)| *count)
+}
 
 fn written(value: Json, is_list: bool, lists: &dyn Fn(&str) -> bool, run: &dyn Fn(&[Json]) -> Option<Run>) -> Json {
     match value {
@@ -55,14 +70,42 @@ fn equal(items: &[Json]) -> Option<Run> {
     is_long(first, count).then(|| (count, times(first, count)))
 }
 
-/// The run at the head of a list in which integers grow by the same from each item to the next, if it is long.
+/// By how much the members of each item grow from one round to the next, if nothing else tells the rounds apart.
+fn growth_of_round<'j>(one: &'j [Json], next: &[Json]) -> Option<Vec<Vec<(&'j str, Json)>>> {
+    let both = one.iter().zip(next);
+    both.map(|(one, next)| if one == next { Some(Vec::new()) } else { growth(one, next) }).collect()
+}
+
+/// The rounds at the head of a list, equal or each growing by the same from one to the next, if they are many and long.
+fn rounds(items: &[Json], may_grow: bool) -> Option<Run> {
+    (2..=ROUND).find_map(|length| {
+        let (first, rest) = items.split_at_checked(length)?;
+        let second = rest.get(..length)?;
+        let plus = growth_of_round(first, second)?;
+        let grows = plus.iter().any(|plus| !plus.is_empty());
+        let pairs = items.chunks_exact(length).zip(rest.chunks_exact(length));
+        let count = 1 + pairs.take_while(|(one, next)| growth_of_round(one, next).as_ref() == Some(&plus)).count();
+        let written: usize = first.iter().map(|item| item.text().len()).sum();
+        if count <= FEW || (count - 1) * written <= WRITTEN_OUT || grows && !may_grow {
+            return None;
+        }
+        let run = object! { "$items" => Json::Array(first.to_vec()), "times" => Json::literal(count.to_string()) };
+        let objects = || plus.iter().map(|plus| Json::Object(named(plus.clone()))).collect();
+        Some((count * length, if grows { run.with("plus", objects()) } else { run }))
+    })
+}
+
+fn named(plus: Vec<(&str, Json)>) -> Vec<(String, Json)> {
+    plus.into_iter().map(|(name, by)| (name.to_owned(), by)).collect()
+}
+
+/// The run at the head of a list in which numbers grow by the same from each item to the next, if it is long.
 fn growing(items: &[Json]) -> Option<Run> {
     let [first, second, ..] = items else { return None };
     let plus = growth(first, second)?;
     let pairs = items.iter().zip(items.iter().skip(1));
     let count = 1 + pairs.take_while(|(one, next)| growth(one, next).as_ref() == Some(&plus)).count();
-    let plus = plus.into_iter().map(|(name, by)| (name.to_owned(), by)).collect();
-    is_long(first, count).then(|| (count, times(first, count).with("plus", Json::Object(plus))))
+    is_long(first, count).then(|| (count, times(first, count).with("plus", Json::Object(named(plus)))))
 }
 
 fn is_long(first: &Json, count: usize) -> bool {
@@ -91,10 +134,18 @@ fn growth<'j>(one: &'j Json, next: &Json) -> Option<Vec<(&'j str, Json)>> {
     (!plus.is_empty()).then_some(plus)
 }
 
-/// By how much an integer grows, or the first integer that differs in a JSON text, by its name.
+/// By how much a number grows, or those of an object, or the first integer that differs in a JSON text, by its name.
 fn growth_of(value: &Json, next: &Json) -> Option<Json> {
+    if matches!(value, Json::Object(_)) {
+        return growth(value, next).map(|plus| Json::Object(named(plus)));
+    }
     let by = |one: i64, next: i64| Some(Json::literal(next.checked_sub(one)?.to_string()));
-    let (Json::String(text), Json::String(next)) = (value, next) else { return by(integer(value)?, integer(next)?) };
+    let (Json::String(text), Json::String(next)) = (value, next) else {
+        return match (integer(value), integer(next)) {
+            (Some(one), Some(next)) => by(one, next),
+            _ => Some(Json::literal(format!("{:?}", double(next)? - double(value)?))),
+        };
+    };
     // What has the same bytes before the name has it in the same place.
     let alike = text.bytes().zip(next.bytes()).take_while(|(one, other)| one == other).count();
     let named = text.get(..alike)?.rfind("\":")?;
@@ -113,6 +164,13 @@ fn integer_at(text: &str, begins: usize) -> Option<(i64, &str)> {
     let (spelled, behind) = rest.split_at(rest.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(rest.len()));
     let integer = integer(&Json::literal(spelled.to_owned()))?;
     (!behind.starts_with(['.', 'e', 'E'])).then_some((integer, behind))
+}
+
+/// A double that is spelled as the shortest that is one, and short enough that many add up without rounding.
+fn double(value: &Json) -> Option<f64> {
+    let Json::Literal(spelling) = value else { return None };
+    let is_exact = |value: &f64| (value / FINE).fract() == 0.0 && value.abs() < FAR;
+    spelling.parse().ok().filter(|value| is_exact(value) && format!("{value:?}") == *spelling)
 }
 
 /// An integer that is spelled as one.
@@ -156,11 +214,41 @@ mod tests {
     }
 
     #[test]
+    fn a_double_that_grows_is_written_once() {
+        let text = list((0..60).map(|nth| format!(r#"{{"now_s":{:?}}}"#, 0.25 + 0.125 * f64::from(nth))));
+        assert_eq!(arguments(&text), r#"{"steps":[{"$item":{"now_s":0.25},"times":60,"plus":{"now_s":0.125}}]}"#);
+    }
+
+    #[test]
+    fn a_number_that_grows_in_an_object_is_written_once() {
+        let frame = |seq: i32| format!(r#"{{"sensor":{{"seq":{seq},"t":{seq}.5,"a":{{"seq":7}}}}}}"#);
+        let run = format!(r#"{{"$item":{},"times":60,"plus":{{"sensor":{{"seq":2,"t":2.0}}}}}}"#, frame(3));
+        assert_eq!(arguments(&list((0..60).map(|nth| frame(3 + 2 * nth)))), format!(r#"{{"steps":[{run}]}}"#));
+    }
+
+    #[test]
+    fn rounds_of_several_items_are_written_once() {
+        let round = |nth: i32| [format!(r#"{{"seq":{}}}"#, 3 + 2 * nth), "7".to_owned(), format!(r#"{{"t":{nth}.5}}"#)];
+        let text = list((0..60).flat_map(round).chain(["7".to_owned()]));
+        let run = r#"{"$items":[{"seq":3},7,{"t":0.5}],"times":60,"plus":[{"seq":2},{},{"t":1.0}]}"#;
+        assert_eq!(arguments(&text), format!(r#"{{"steps":[{run},7]}}"#));
+        let equal = list((0..120).map(|nth| format!(r#"{{"hold":{}}}"#, nth % 2 == 0)));
+        let run = r#"{"$items":[{"hold":true},{"hold":false}],"times":60}"#;
+        assert_eq!(arguments(&equal), format!(r#"{{"steps":[{run}]}}"#));
+        assert_eq!(of_pattern(Json::read(&equal)).text(), format!(r#"{{"steps":[{run}]}}"#));
+        // Two that stand side by side grow, but the rounds are longer.
+        let far = |nth: i32| format!(r#"{{"note":"{}","now_s":{}.5}}"#, "-".repeat(250), 10 + nth % 2);
+        let folded = arguments(&list((0..60).map(far)));
+        assert!(folded.starts_with(r#"{"steps":[{"$items":[{"note""#) && folded.ends_with(r#"}],"times":30}]}"#));
+    }
+
+    #[test]
     fn what_is_short_or_grows_otherwise_stands_as_it_is() {
         for text in [
             list((0..5).map(|nth| format!(r#"{{"seq":{nth}}}"#))),
             list((0..60).map(|nth| format!(r#"{{"seq":{}}}"#, nth * nth))),
-            list((0..60).map(|nth| format!(r#"{{"seq":{nth}.0}}"#))),
+            list((0..60).map(|nth| format!(r#"{{"seq":{nth}.10}}"#))),
+            list((0..60).map(|nth| format!(r#"{{"seq":{nth}.1}}"#))),
             list((0..60).map(|nth| format!(r#"{{"seq":"{nth}"}}"#))),
             list((0..60).map(|nth| format!(r#"{{"text":"{{\"seq\":0,\"a\":{{\"seq\":{nth}}}}}"}}"#))),
             list((0..60).map(|nth| format!(r#"{{"text":"{{\"seq\":{nth},\"t\":{nth}}}"}}"#))),

@@ -83,8 +83,12 @@ fn what_another_rule_decides_is_decided_by_a_rule_of_the_text_and_no_rule_from_a
             assert!(Some(rule.level) <= level, "{} is judged at {place} by {id} of a higher level", case["id"]);
             let steps = case["args"]["steps"].as_array().or(case["args"]["requests"].as_array());
             let step = place.split('/').nth(2).and_then(|step| step.parse::<u64>().ok());
-            // A run of equal steps is written once.
-            let count = |step: &Value| step["times"].as_u64().filter(|_| step.get("$item").is_some()).unwrap_or(1);
+            // A run of equal steps is written once, and so are rounds of several.
+            let round = |step: &Value| match step.get("$items") {
+                Some(items) => items.as_array().map(|items| items.len() as u64),
+                None => step.get("$item").map(|_| 1),
+            };
+            let count = |step: &Value| round(step).map_or(1, |round| round * step["times"].as_u64().unwrap_or(1));
             let steps = steps.map_or(1, |steps| steps.iter().map(count).sum());
             assert!(step.is_none_or(|step| step < steps), "{} has no {place}", case["id"]);
         }

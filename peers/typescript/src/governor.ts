@@ -18,7 +18,7 @@ import { create } from "./encode.js";
 import { isWithin, ticksWithin } from "./geofence.js";
 import type { Capabilities, ChannelSpec, ChannelValue, CommandFrame, SafetyLimits, SensorFrame } from "./messages.js";
 import { allFinite, limited } from "./vector.js";
-import { enforcedTtlMs } from "./watchdog.js";
+import { enforcedTtlMs, isPast } from "./watchdog.js";
 
 /** The channels that two peers agreed on. */
 export type NegotiatedChannels = Pick<Capabilities, "sensor_channels" | "command_channels">;
@@ -123,7 +123,7 @@ export class SafetyGovernor {
     if (!Number.isFinite(nowS) || !Number.isFinite(lastSensorS)) return true; // [NCP-SAFE-031]
     if (!Number.isFinite(this.#timeoutMs) || this.#timeoutMs <= 0) return true; // [NCP-SAFE-032]
     const ageS = nowS - lastSensorS;
-    return ageS < 0 || ageS > this.#timeoutMs / 1000; // [NCP-SAFE-035] [NCP-SAFE-033] [NCP-SAFE-034]
+    return ageS < 0 || isPast(ageS, this.#timeoutMs); // [NCP-SAFE-035] [NCP-SAFE-033] [NCP-SAFE-034]
   }
 
   /** The channels of one tick with the speed limit applied, or `null` when that cannot be. */

@@ -11,6 +11,17 @@ export function enforcedTtlMs(ttlMs: number): number {
   return Number.isFinite(ttlMs) && ttlMs > 0 ? Math.min(ttlMs, TTL_MS) : 0;
 }
 
+/** Below it a limit in ms over 1000 may lose digits, since it is next to the smallest double. */
+const TINY_MS = 1e-300;
+
+/**
+ * Whether an age is more than a limit in ms. Compared in seconds, since a whole number of ms over 1000 is the very
+ * double that a clock in seconds reads; next to 0 in ms.
+ */
+export function isPast(ageS: number, limitMs: number): boolean {
+  return limitMs < TINY_MS ? ageS * 1000 > limitMs : ageS > limitMs / 1000;
+}
+
 /**
  * Tells a plant when to hold. It holds unless a command that advanced, of a clock that can be trusted,
  * is not older than its enforced ttl.
@@ -57,13 +68,12 @@ export class CommandWatchdog {
   /** Whether the plant must hold. Once it must, it must until a command advances. [NCP-RES-010] */
   shouldHold(nowS: number): boolean {
     const ageS = nowS - this.#receivedS;
-    // Compared in seconds: a whole number of ms over 1000 is the very double that a clock in seconds reads.
     const live =
       this.#ttlMs > 0 && // [NCP-RES-005]
       Number.isFinite(nowS) && // [NCP-RES-007]
       Number.isFinite(this.#receivedS) && // [NCP-RES-007]
       ageS >= 0 && // [NCP-RES-008]
-      ageS <= this.#ttlMs / 1000; // [NCP-RES-002] [NCP-RES-003]
+      !isPast(ageS, this.#ttlMs); // [NCP-RES-002] [NCP-RES-003]
     this.#holding ||= !live;
     return this.#holding;
   }

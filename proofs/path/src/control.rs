@@ -50,10 +50,8 @@ fn sensor<L: Loop<Governor = SafetyGovernor, Link = LinkMonitor>>(c: &mut Case) 
     let after = looped.parts();
     let kept =
         |parts: &LoopParts<_, _>| parts.newest.clone().map(|(frame, at): (SensorFrame, f64)| (frame, at.to_bits()));
-    // [NCP-RES-053] The monitor sees every stamped frame, whether it is taken or not.
-    if arrives.seq != 0 {
-        c.check("the monitor sees the frame", *log.borrow() == [Asked::Arrived(arrives.seq)]);
-    }
+    // [NCP-RES-053] The monitor sees every frame, stamped or not, whether it is taken or not.
+    c.check("the monitor sees the frame", *log.borrow() == [Asked::Arrived(arrives.seq)]);
     // [NCP-CTRL-011] Streams in which stamped and unstamped frames alternate are left open.
     let is_newer = match &parts.newest {
         None => Some(true),

@@ -83,9 +83,8 @@ impl<C: Controller> ControlLoop<C> {
     /// Takes every sensor frame that arrives, at `now_s`. Keeps it if it is newer than the one that
     /// is kept; whether it was. `[NCP-RES-053] [NCP-CTRL-011] [NCP-CTRL-012]`
     pub fn on_sensor(&mut self, frame: SensorFrame, now_s: f64) -> bool {
-        if frame.seq != 0 {
-            self.link.on_frame(frame.seq);
-        }
+        // To the monitor 0 is a seq like any other. [NCP-RES-053]
+        self.link.on_frame(frame.seq);
         let is_newer = self.newest.as_ref().is_none_or(|(kept, _)| {
             if frame.seq == 0 || kept.seq == 0 { frame.t > kept.t } else { frame.seq > kept.seq }
         });

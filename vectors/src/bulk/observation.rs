@@ -256,6 +256,41 @@ fn unpacked() -> Vec<Case> {
             .because("A column that is not there is an empty array, and columns are known by their whole names."),
         );
     }
+    // Names that some folding makes one of the three.
+    for name in ["times", "values", "senders"] {
+        for (what, alike) in [
+            ("nul-behind", format!("{name}\0")),
+            ("nul-before", format!("\0{name}")),
+            ("space-before", format!(" {name}")),
+            ("line-behind", format!("{name}\n")),
+            ("mark-before", format!("\u{feff}{name}")),
+            ("joiner-behind", format!("{name}\u{200d}")),
+            ("accent-behind", format!("{name}\u{301}")),
+            ("long-s", name.replace('s', "\u{17f}")),
+            ("full-width", name.replace('e', "\u{ff45}")),
+            ("in-a-path", format!("events/{name}")),
+            ("with-a-unit", format!("{name}[ms]")),
+            ("twice", format!("{name}{name}")),
+        ] {
+            let columns = match name {
+                "times" => [f64s(&alike, [1.0, 2.0]), values(), senders()],
+                "values" => [times(), f64s(&alike, [1.0, 2.0]), senders()],
+                _ => [times(), values(), i64s(&alike, [1, 2])],
+            };
+            let given = match name {
+                "times" => samples(&[], &[-65.0, -64.5], &[7, 9]),
+                "values" => samples(&[0.1, 0.2], &[], &[7, 9]),
+                _ => samples(&[0.1, 0.2], &[-65.0, -64.5], &[]),
+            };
+            cases.push(
+                unpack(format!("alike/{name}/{what}"), &["NCP-OBS-005"], &Block::new(columns).bytes())
+                    .shows_or_refuses(given.json())
+                    .title(format!("A column named `{}` is not taken for the {name}.", alike.escape_debug()))
+                    .flags(&["lossy-blocks"])
+                    .because("A column that is not there is an empty array, and names are compared letter for letter."),
+            );
+        }
+    }
     let capital = Block::new([times(), f64s("Values", [1.0, 2.0])]);
     cases.push(
         unpack("other-case", &["NCP-OBS-007"], &capital.bytes())

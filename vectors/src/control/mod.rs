@@ -1,5 +1,6 @@
 //! Area `control`: the reflex controller and the control loop.
 
+mod endures;
 mod reflex;
 mod tick;
 

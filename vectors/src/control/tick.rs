@@ -11,6 +11,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(laws());
     cases.extend(undamped());
     cases.extend(Scenarios::read(source!("control/loop"))?.rest(row_case)?);
+    cases.extend(super::endures::cases());
     cases.extend(ttls());
     cases.extend(many_ticks());
     cases.extend(links());
@@ -23,7 +24,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
 }
 
 /// A step of a trace with what it shows.
-type Step = (Json, Json);
+pub(super) type Step = (Json, Json);
 
 /// A frame of that seq at x = seq/16, whose time runs with its seq.
 #[expect(clippy::cast_precision_loss, reason = "small seqs")]
@@ -31,11 +32,11 @@ fn arrives(seq: i64, now: f64) -> Step {
     arrives_at(seq, seq as f64 / 8.0, &[seq as f64 / 16.0, 0.0, 0.0], now)
 }
 
-fn arrives_at(seq: i64, t: f64, position: &[f64], now: f64) -> Step {
+pub(super) fn arrives_at(seq: i64, t: f64, position: &[f64], now: f64) -> Step {
     frame(seq, t, channels_at(position, Some(&[0.0; 3])), now)
 }
 
-fn frame(seq: i64, t: f64, channels: Json, now: f64) -> Step {
+pub(super) fn frame(seq: i64, t: f64, channels: Json, now: f64) -> Step {
     let sensor = object! { "seq" => int(seq), "t" => num(t), "channels" => channels };
     (object! { "op" => "sensor", "sensor" => sensor, "now_s" => num(now) }, no_result())
 }
@@ -56,28 +57,39 @@ fn moves(seq: i64, now: f64) -> Step {
     moves_by(&[-(seq as f64) / 16.0, 0.0, 0.0], now)
 }
 
-fn moves_by(data: &[f64], now: f64) -> Step {
+pub(super) fn moves_by(data: &[f64], now: f64) -> Step {
     commands(now, object! { "mode" => "active", "channels" => velocity(data) })
 }
 
 /// The governor's HOLD.
-fn holds(now: f64) -> Step {
+pub(super) fn holds(now: f64) -> Step {
     commands(now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) })
 }
 
 /// The governor's ESTOP.
-fn stops(now: f64) -> Step {
+pub(super) fn stops(now: f64) -> Step {
     commands(
         now,
         object! { "mode" => "estop", "channels" => velocity(&[0.0; 3]), "horizon" => Json::Array(Vec::new()) },
     )
 }
 
-fn reset() -> Step {
+/// A HOLD of the controller.
+pub(super) fn waits(now: f64) -> Step {
+    commands(now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) })
+}
+
+pub(super) fn reset() -> Step {
     (object! { "op" => "reset" }, no_result())
 }
 
-fn run(path: impl Into<String>, rules: &[&'static str], period: f64, limits: Json, trace: Vec<Step>) -> Case {
+pub(super) fn run(
+    path: impl Into<String>,
+    rules: &[&'static str],
+    period: f64,
+    limits: Json,
+    trace: Vec<Step>,
+) -> Case {
     run_with(path, rules, period, limits, Json::object(), trace)
 }
 
@@ -258,8 +270,9 @@ fn trace(row: &Row) -> Result<Vec<Step>, ScenarioError> {
     let mut now = 0.0;
     let mut steps = Vec::new();
     for step in row.steps() {
-        let (times, step) = step.repeated();
-        steps.extend(std::iter::repeat_n(one_step(&step, &mut now)?, times));
+        let (times, round) = step.repeated();
+        let round = round.iter().map(|step| one_step(step, &mut now)).collect::<Result<Vec<_>, _>>()?;
+        steps.extend(std::iter::repeat_n(round, times).flatten());
     }
     Ok(steps)
 }
@@ -288,7 +301,7 @@ fn one_step(step: &scenario::Step, now: &mut f64) -> Result<Step, ScenarioError>
         "echoes" => commands(*now, object! { "seq" => int(seq()?) }),
         "holds-seq" => commands(*now, object! { "mode" => "hold", "seq" => int(seq()?) }),
         "pauses" => commands(*now, object! { "mode" => "hold" }),
-        "waits" => commands(*now, object! { "mode" => "hold", "channels" => velocity(&[0.0; 3]) }),
+        "waits" => waits(*now),
         "holds" => holds(*now),
         "stops" => stops(*now),
         "idles" => (object! { "op" => "tick", "now_s" => num(*now) }, no_result()),
@@ -538,6 +551,24 @@ fn links() -> Vec<Case> {
             &["NCP-RES-053", "NCP-CTRL-016"],
             "A burst of losses from below 0 to above stops the plant.",
             of_seqs(-3, vec![9], stops),
+        ),
+        (
+            "lowest-seqs",
+            &["NCP-CTRL-011", "NCP-RES-053"],
+            "Frames of the lowest seqs of the wire move the plant, and none is lost between them.",
+            of_seqs(-9_007_199_254_740_991, vec![-9_007_199_254_740_990], goes_on),
+        ),
+        (
+            "burst-from-zero",
+            &["NCP-RES-053", "NCP-CTRL-016"],
+            "A burst of losses behind a frame of seq 0 stops the plant.",
+            of_seqs(0, vec![9], stops),
+        ),
+        (
+            "burst-up-to-zero",
+            &["NCP-RES-053", "NCP-CTRL-016"],
+            "A burst of losses that ends at seq 0 stops the plant.",
+            of_seqs(-9, vec![0], stops),
         ),
         (
             "burst-up-to-below-zero",

@@ -1,6 +1,7 @@
 //! Area `resilience`: the watchdog, the action buffer, horizons, the link monitor.
 
 mod buffer;
+mod endures;
 mod estop;
 mod horizon;
 mod link;
@@ -17,6 +18,7 @@ pub(crate) fn files() -> Result<Vec<File>, ScenarioError> {
     let mut files =
         vec![watchdog::file()?, buffer::file()?, estop::file()?, horizon::replay()?, horizon::lengths(), link::file()?];
     files.extend(liveness::files());
+    files.push(endures::file());
     Ok(files)
 }
 

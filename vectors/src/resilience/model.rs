@@ -32,8 +32,8 @@ pub(crate) enum Event {
 pub(crate) fn events(row: &Row) -> Result<Vec<Event>, ScenarioError> {
     let (mut events, mut now) = (Vec::new(), 0.0);
     for step in row.steps() {
-        let (times, step) = step.repeated();
-        let steps = step.counted()?;
+        let (times, round) = step.repeated();
+        let steps = round.into_iter().map(Step::counted).collect::<Result<Vec<_>, _>>()?.concat();
         for step in std::iter::repeat_n(&steps, times).flatten() {
             for word in step.words() {
                 if let Some(time) = word.strip_prefix('@') {

@@ -231,12 +231,15 @@ impl Trace {
     pub(super) fn of(row: &Row) -> Result<Self, ScenarioError> {
         let mut trace = Self::new(Limits::NONE, Vec::new());
         for step in row.steps() {
-            let (times, step) = step.repeated();
             match step.verb() {
                 "limits" => trace.limits = trace.limits.set(&step)?,
                 "sensors" => trace.declared().sensors = specs(&step)?,
                 "commands" => trace.declared().commands = specs(&step)?,
-                _ => trace.steps.extend(std::iter::repeat_n(Step::of(&step)?, times)),
+                _ => {
+                    let (times, round) = step.repeated();
+                    let round = round.iter().map(Step::of).collect::<Result<Vec<_>, _>>()?;
+                    trace.steps.extend(std::iter::repeat_n(round, times).flatten());
+                }
             }
         }
         Ok(trace)

@@ -10,7 +10,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     let mut text = Scenarios::read(source!("safety/stale"))?;
     let mut cases = ages();
     cases.extend(hairs());
-    for group in ["clock", "backward", "zero", "no-time", "begun-anew", "senders-clock"] {
+    for group in ["clock", "backward", "zero", "no-time", "tiny", "begun-anew", "senders-clock"] {
         cases.extend(text.cases(group, row_case)?);
     }
     cases.extend(timeouts());

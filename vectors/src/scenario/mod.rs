@@ -565,10 +565,14 @@ impl Step {
         self.words.iter().skip(1).map(String::as_str)
     }
 
-    /// How often it happens, and the step: `x9` before a step repeats it.
-    pub(crate) fn repeated(self) -> (usize, Self) {
-        let times = self.verb().strip_prefix('x').and_then(|times| times.parse().ok());
-        times.map_or((1, self.clone()), |times| (times, self.tail()))
+    /// How often it happens, and the steps of a round: `x9` before a step repeats it, and `x9 one & other` both by turns.
+    pub(crate) fn repeated(self) -> (usize, Vec<Self>) {
+        let Some(times) = self.verb().strip_prefix('x').and_then(|times| times.parse().ok()) else {
+            return (1, vec![self]);
+        };
+        let round = self.tail();
+        let steps = round.words.split(|word| word == "&");
+        (times, steps.map(|words| Self { place: self.place, words: words.to_vec() }).collect())
     }
 
     /// The steps that it stands for: `go 1..60` is one for each number, as is every first word behind a verb that is a

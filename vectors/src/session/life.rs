@@ -49,8 +49,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(endless());
     cases.extend(crowds());
     cases.extend(abandoned());
-    cases.extend(endures());
-    cases.push(opened_and_closed());
+    cases.extend(super::endures::cases());
     let about = "A server's sessions: opened, stepped, closed, kept apart, and every request answered once.";
     Ok(File::new("session", "life", about, cases))
 }
@@ -135,16 +134,16 @@ fn answer(step: &Step, id: &str, verb: &str, word: &str) -> Result<Json, Scenari
     })
 }
 
-fn open(id: &str) -> (String, Json) {
+pub(super) fn open(id: &str) -> (String, Json) {
     (Open::lif(id).text(), opened(id))
 }
 
 /// A request to open a session of some network.
-fn opening(id: &str, network: Json) -> String {
+pub(super) fn opening(id: &str, network: Json) -> String {
     object! { "ncp_version" => WIRE_VERSION, "kind" => "open_session", "session_id" => id, "network" => network }.text()
 }
 
-fn steps(id: &str, time: f64) -> (String, Json) {
+pub(super) fn steps(id: &str, time: f64) -> (String, Json) {
     (step_of(id, None, None), observed(id, time))
 }
 
@@ -281,19 +280,6 @@ fn refused_often() -> Case {
         .title(format!("A session is opened behind {MANY} openings that were refused."))
         .flags(&["session-lifecycle"])
         .because("An opening that is refused takes nothing of what a server bears.")
-}
-
-/// A session that is opened, stepped and closed over and over.
-fn opened_and_closed() -> Case {
-    const MANY: usize = 130;
-    let once = || [open("a"), steps("a", 10.0), (close("a"), closed("a"))];
-    let mut trace: Vec<(String, Json)> = std::iter::repeat_with(once).take(MANY).flatten().collect();
-    trace.extend([open("a"), steps("a", 10.0), steps("a", 20.0), (close("a"), closed("a"))]);
-    trace.push((step_of("a", None, None), error()));
-    super::reference("endures/closes".to_owned(), &["NCP-SESS-033", "NCP-SESS-028"], trace)
-        .title(format!("A session that was opened and closed {MANY} times is opened as on the first."))
-        .flags(&["session-lifecycle"])
-        .because("A session that is closed leaves nothing behind: its room and its id are free again.")
 }
 
 /// An `open_session` of an open id that a server refuses for its network ends nothing.
@@ -1186,50 +1172,6 @@ fn failures_without_number() -> Vec<Case> {
         .because("A request that fails costs that request only, however many fail.")
     };
     table.map(one).into()
-}
-
-/// A session of thousands of requests.
-fn endures() -> Vec<Case> {
-    const MANY: u16 = 3_000;
-    let one = |name: &str, words: &str, request: String, each_ms: f64, reply: Json| {
-        let after = |more_ms| observed("a", each_ms.mul_add(f64::from(MANY), more_ms));
-        let mut trace = vec![open("a")];
-        trace.extend(std::iter::repeat_n((request, reply), usize::from(MANY)));
-        trace.extend([
-            (step_of("a", Some(5.0), None), after(5.0)),
-            (super::run("a", 2.0), after(7.0)),
-            steps("a", each_ms.mul_add(f64::from(MANY), 17.0)),
-            (close("a"), closed("a")),
-            (step_of("a", None, None), error()),
-        ]);
-        super::reference(format!("endures/{name}"), &["NCP-SESS-033", "NCP-SESS-031"], trace)
-            .title(format!("After {MANY} {words}, a session goes on as it began, until it is closed."))
-            .flags(&["session-lifecycle"])
-            .because("The time of a session is the sum of what it was advanced by; a `close_session` ends it.")
-    };
-    vec![
-        refusals(),
-        one("steps", "steps", step_of("a", Some(1.0), None), 1.0, anything()),
-        one("runs", "runs", super::run("a", 1.0), 1.0, anything()),
-        one("errors", "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
-    ]
-}
-
-/// A session that is opened behind a thousand openings of each kind that a server may refuse. Whether it refuses them
-/// is not asked.
-fn refusals() -> Case {
-    const MANY: usize = 1_100;
-    let unknown = |id: &str| opening(id, object! { "kind" => "builtin", "ref" => "ncp.no.such.network" });
-    let repeated = |request: String| std::iter::repeat_n((request, anything()), MANY);
-    let trace = repeated(unknown("b"))
-        .chain([(close("b"), anything()), open("a")])
-        .chain(repeated(opening("a", object! { "kind" => "builtin", "ref" => "ncp.reference.lif" })))
-        .chain(repeated(unknown("a")))
-        .chain([(close("a"), closed("a")), open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
-    super::reference("endures/refusals".to_owned(), &["NCP-SESS-050", "NCP-SESS-028"], trace.collect())
-        .title(format!("A session is opened behind {MANY} openings of each kind that may be refused."))
-        .flags(&["session-lifecycle"])
-        .because("An `open_session` that is refused takes no room: it changes nothing, and leaves nothing behind.")
 }
 
 /// A session that is left alone for long, while much is asked of others.

@@ -1,5 +1,6 @@
 //! Area `session`: a server's life, and the numbers of the reference networks.
 
+mod endures;
 mod frames;
 mod life;
 mod numbers;

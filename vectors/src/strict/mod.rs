@@ -40,7 +40,7 @@ const fn against_version(version: Option<&str>) -> &'static str {
 
 impl Case {
     /// The same question to a peer that has agreed upon the profile.
-    fn strictly(mut self) -> Self {
+    pub(crate) fn strictly(mut self) -> Self {
         self.args = self.args.and("strict", Json::Bool(true));
         self
     }

@@ -395,7 +395,7 @@ mod tests {
             fault("{}\"}", "{}\",\"x\":{\"$repeat\":1}}"),
             format!(
                 "{of}its args: `$repeat` is no template: one of `$repeat` with `times`, `$count` with `times`, \
-                 `$concat`, `$base64`; in a list `$item` with `times`, and perhaps `plus`"
+                 `$concat`, `$base64`; in a list `$item` or `$items` with `times`, and perhaps `plus`"
             )
         );
         assert_eq!(fault("\"T.\"", "\" \""), format!("{of}its `title` is empty"));

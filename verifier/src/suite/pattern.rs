@@ -2,13 +2,14 @@
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
 //! `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$text`, `$anything`. In a list,
-//! `{"$item": pattern, "times": 1000}` stands for so many equal items; no other template stands in a pattern. Reading
-//! it is strict: a pattern that is misspelt would test nothing.
+//! `{"$item": pattern, "times": 1000}` stands for so many equal items, and `{"$items": [pattern, …], "times": 1000}` for
+//! so many equal rounds of items; no other template stands in a pattern. Reading it is strict: a pattern that is
+//! misspelt would test nothing.
 
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
-use super::template;
+use super::template::{self, TemplateError};
 use crate::json::{Json, JsonError, Number, write_string};
 
 /// The members that make an object more than an object.
@@ -180,23 +181,30 @@ fn all(items: &[Json<'_>]) -> Result<Vec<Shape>, PatternError> {
 fn listed(items: &[Json<'_>]) -> Result<Vec<Shape>, PatternError> {
     let mut shapes = Vec::with_capacity(items.len());
     for each in items {
-        let (item, times) = counted(each)?;
-        shapes.extend(std::iter::repeat_n(Shape::of(item)?, times));
+        let (items, times) = counted(each)?;
+        let round = all(items)?;
+        shapes.extend(std::iter::repeat_n(round, times).flatten());
     }
     Ok(shapes)
 }
 
-/// An item of a list, and how many of it stand there.
-fn counted<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), PatternError> {
-    template::item(value).map_err(|_| PatternError::Operand { word: "times", expected: "a count from 1" })
+/// The items that an entry of a list stands for, and how often they stand there.
+fn counted<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v [Json<'a>], usize), PatternError> {
+    template::items(value).map_err(|error| match error {
+        TemplateError::Type { name, expected } => PatternError::Operand { word: name, expected },
+        _ => PatternError::Operand { word: "times", expected: "a count from 1" },
+    })
 }
 
 /// How many items the lists within a value have, those that `$item` stands for counted.
 fn weight(value: &Json<'_>) -> Result<usize, PatternError> {
     match value {
         Json::Array(items) => items.iter().try_fold(0_usize, |sum, each| {
-            let (item, times) = counted(each)?;
-            Ok(sum.saturating_add(weight(item)?.saturating_add(1).saturating_mul(times)))
+            let (items, times) = counted(each)?;
+            let round = items
+                .iter()
+                .try_fold(items.len(), |sum, item| Ok::<_, PatternError>(sum.saturating_add(weight(item)?)))?;
+            Ok(sum.saturating_add(round.saturating_mul(times)))
         }),
         Json::Object(members) => {
             members.iter().try_fold(0_usize, |sum, (_, member)| Ok(sum.saturating_add(weight(member)?)))
@@ -254,6 +262,8 @@ mod tests {
         ] {
             assert_eq!(Shape::parse(text).unwrap().to_string(), text);
         }
+        let rounds = Shape::parse(r#"[0,{"$items":[1,{"a":2}],"times":2},{"$item":3,"times":2}]"#).unwrap();
+        assert_eq!(rounds.to_string(), r#"[0,1,{"a":2},1,{"a":2},3,3]"#);
     }
 
     #[test]
@@ -264,6 +274,8 @@ mod tests {
             (r#"{"$item":"x","times":3}"#, "`$item` of a pattern stands alone"),
             (r#"{"$any":[{"$item":1,"times":3}]}"#, "`$item` of a pattern stands alone"),
             (r#"[{"$item":1,"times":0}]"#, "`times` of a pattern is not a count from 1"),
+            (r#"[{"$items":[],"times":3}]"#, "`$items` of a pattern is not a list of one item at least"),
+            (r#"[{"$items":[1,{"$any":1}],"times":3}]"#, "`$any` of a pattern is not an array of patterns"),
             (r#"[{"$item":[{"$item":1,"times":9999}],"times":9999}]"#, "have more than 1048576 items"),
             (r#"{"$repeat":"x"}"#, "`$repeat` is no word of a pattern"),
             (r#"{"a":1,"$any":[1]}"#, "`$any` of a pattern stands alone"),

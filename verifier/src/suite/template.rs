@@ -3,9 +3,11 @@
 //! Where a string stands in a case's arguments or expectation, an object may stand instead:
 //! `{"$repeat": "x", "times": 1000}`, `{"$count": ["before", "after"], "times": 1000}`, which writes 0, 1, 2, … between
 //! the two, `{"$concat": [part, …]}`, `{"$base64": template}`. In a list, `{"$item": value, "times": 1000}` stands for
-//! so many equal items, and with `"plus": {"seq": 1}` for items whose integer of that name grows by so much from each
-//! to the next, or with `"plus": {"text": {"seq": 1}}` the integer behind `"seq":` in their string of the name `text`.
-//! Peers never see them.
+//! so many equal items, and with `"plus": {"seq": 1}` for items whose number of that name grows by so much from each
+//! to the next, or with `"plus": {"text": {"seq": 1}}` that of their object of the name `text`, or the integer behind
+//! `"seq":` in their string of that name.
+//! `{"$items": [one, two], "times": 1000}` stands for so many rounds of several items, and with `"plus": [{…}, {…}]` for
+//! rounds in which each grows from one to the next as the object at its place says. Peers never see them.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -22,7 +24,13 @@ pub(super) const KEPT_BYTES: usize = 64 << 10;
 /// What is repeated is written in pieces of about this size.
 const PIECE: usize = 64 << 10;
 /// What `plus` has to be.
-const GROWING: &str = "an object of integers, each by the name of one, or of one within a string";
+const GROWING: &str = "an object of numbers, each by the name of one, or of an integer within a string, or an object of \
+                       such; of `$items` a list of such objects, one for each";
+/// Numbers that are multiples of this and below [`FAR`] add up without rounding.
+const FINE: f64 = 1.0 / 1_048_576.0;
+const FAR: f64 = 4_294_967_296.0;
+/// How many characters a number that grows has at most.
+const NUMBER: usize = 32;
 /// How deep templates may stand within each other.
 const MAX_DEPTH: usize = 8;
 
@@ -55,7 +63,7 @@ pub enum TemplateError {
     /// An object begins like a template but is none.
     #[error(
         "`{0}` is no template: one of `$repeat` with `times`, `$count` with `times`, `$concat`, `$base64`; in a list \
-         `$item` with `times`, and perhaps `plus`"
+         `$item` or `$items` with `times`, and perhaps `plus`"
     )]
     Unknown(String),
     /// A member of a template has the wrong type.
@@ -185,116 +193,190 @@ fn form<'v, 'a>(value: &'v Json<'a>) -> Result<Option<Form<'v, 'a>>, TemplateErr
     }
 }
 
-/// An item of a list, and how many of it stand there.
-pub(super) fn item<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v Json<'a>, usize), TemplateError> {
-    let Json::Object(members) = value else { return Ok((value, 1)) };
-    match members.as_slice() {
-        [(name, item), (times_name, times)] if name == "$item" && times_name == "times" => match count(times)? {
-            0 => Err(TemplateError::Type { name: "times", expected: "a count from 1" }),
-            times => Ok((item, times)),
-        },
-        _ => Ok((value, 1)),
+/// The items that an entry of a list stands for, and how often they stand there.
+pub(super) fn items<'v, 'a>(value: &'v Json<'a>) -> Result<(&'v [Json<'a>], usize), TemplateError> {
+    let once = std::slice::from_ref(value);
+    let Json::Object(members) = value else { return Ok((once, 1)) };
+    let [(name, repeated), (times_name, times)] = members.as_slice() else { return Ok((once, 1)) };
+    match (name.as_ref(), times_name.as_ref(), repeated) {
+        ("$item", "times", item) => Ok((std::slice::from_ref(item), count_from_1(times)?)),
+        ("$items", "times", Json::Array(items)) if !items.is_empty() => Ok((items, count_from_1(times)?)),
+        ("$items", "times", _) => Err(TemplateError::Type { name: "$items", expected: "a list of one item at least" }),
+        _ => Ok((once, 1)),
     }
 }
 
-/// What an entry of a list stands for: items of which each has integers that are greater than those of the one before.
+/// What an entry of a list stands for: rounds of items, of which each may grow from one round to the next.
 struct Run<'v, 'a> {
-    first: &'v Json<'a>,
+    items: &'v [Json<'a>],
     times: usize,
-    /// The members of the first that grow.
-    plus: Vec<Growth<'v>>,
+    /// For each of the items that grow, its members that do; nothing where none grows.
+    plus: Vec<Vec<Growth<'v>>>,
 }
 
-/// A member that grows from each item to the next.
+/// A member that grows from each round to the next.
 struct Growth<'v> {
     member: &'v str,
-    /// The string about the integer, where it stands in one.
-    around: Option<(&'v str, &'v str)>,
-    first: i64,
-    by: i64,
+    what: Growing<'v>,
 }
 
-impl<'v> Growth<'v> {
-    /// A member of an object, if it grows so in as many items.
-    fn of(object: &'v Json<'_>, (member, by): &'v (Cow<'_, str>, Json<'_>), times: usize) -> Option<Self> {
-        let Json::Object(members) = object else { return None };
-        let (_, value) = members.iter().find(|(known, _)| known == member)?;
-        let (around, first, by) = match (value, by) {
-            (Json::Number(first), Json::Number(by)) => (None, first.parse().ok()?, by.parse::<i64>().ok()?),
-            (Json::String(text), Json::Object(within)) => {
-                let [(name, Json::Number(by))] = within.as_slice() else { return None };
-                let (before, first, after) = integer_within(text, name)?;
-                (Some((before, after)), first, by.parse().ok()?)
-            }
-            _ => return None,
-        };
-        by.checked_mul(i64::try_from(times).ok()?)?.checked_add(first)?;
-        Some(Self { member, around, first, by })
+/// What grows of a member.
+enum Growing<'v> {
+    /// It is a number.
+    Itself(Numbers),
+    /// The number between these, of a string.
+    Within(&'v str, Numbers, &'v str),
+    /// Members of it, an object.
+    Members(Vec<Growth<'v>>),
+}
+
+/// A number, and by how much it grows.
+enum Numbers {
+    Integers(i64, i64),
+    Doubles(f64, f64),
+}
+
+impl Numbers {
+    /// The numbers that are spelled so, if as many of them add up without rounding.
+    fn of(first: &str, by: &str, times: usize) -> Option<Self> {
+        if let (Ok(first), Ok(by)) = (first.parse::<i64>(), by.parse::<i64>()) {
+            by.checked_mul(i64::try_from(times).ok()?)?.checked_add(first)?;
+            return Some(Self::Integers(first, by));
+        }
+        let (first, by) = (first.parse::<f64>().ok()?, by.parse::<f64>().ok()?);
+        let is_exact = |number: f64| (number / FINE).fract() == 0.0 && number.abs() < FAR;
+        (is_exact(first) && is_exact(by) && is_exact(by * times as f64 + first)).then_some(Self::Doubles(first, by))
     }
 
-    /// The member of an item; that none of them overflows was seen when it was read.
-    fn nth(&self, nth: usize) -> Json<'static> {
-        let grown = i64::try_from(nth).ok().and_then(|nth| self.by.checked_mul(nth)?.checked_add(self.first));
-        let grown = grown.unwrap_or(self.first);
-        match self.around {
-            None => Json::Number(grown.to_string().into()),
-            Some((before, after)) => Json::String(format!("{before}{grown}{after}").into()),
+    /// How the one of a round is spelled; that none of them overflows was seen when they were read.
+    fn nth(&self, nth: usize) -> String {
+        match self {
+            Self::Integers(first, by) => {
+                let grown = i64::try_from(nth).ok().and_then(|nth| by.checked_mul(nth)?.checked_add(*first));
+                grown.unwrap_or(*first).to_string()
+            }
+            Self::Doubles(first, by) => format!("{:?}", by * nth as f64 + first),
         }
     }
 }
 
-/// The integer behind the first `"name":` of a JSON text, and what stands before and behind it.
-fn integer_within<'t>(text: &'t str, name: &str) -> Option<(&'t str, i64, &'t str)> {
+impl<'v> Growth<'v> {
+    /// The members of an object that grow so in as many rounds.
+    fn all(object: &'v Json<'_>, plus: &'v Json<'_>, times: usize) -> Option<Vec<Self>> {
+        let Json::Object(plus) = plus else { return None };
+        plus.iter().map(|(member, by)| Self::of(object, member, by, times)).collect()
+    }
+
+    /// A member of an object, if it grows so in as many rounds.
+    fn of(object: &'v Json<'_>, member: &'v str, by: &'v Json<'_>, times: usize) -> Option<Self> {
+        let Json::Object(members) = object else { return None };
+        let (_, value) = members.iter().find(|(known, _)| known == member)?;
+        let what = match (value, by) {
+            (Json::Number(first), Json::Number(by)) => Growing::Itself(Numbers::of(first, by, times)?),
+            (Json::String(text), Json::Object(within)) => {
+                let [(name, Json::Number(by))] = within.as_slice() else { return None };
+                let (before, first, after) = integer_within(text, name)?;
+                let numbers = Numbers::of(first, by, times)?;
+                Some(Growing::Within(before, numbers, after)).filter(|_| by.parse::<i64>().is_ok())?
+            }
+            (Json::Object(_), Json::Object(within)) if !within.is_empty() => {
+                Growing::Members(Self::all(value, by, times)?)
+            }
+            _ => return None,
+        };
+        Some(Self { member, what })
+    }
+
+    /// The member in a round.
+    fn nth<'a>(&self, value: &Json<'a>, nth: usize) -> Json<'a> {
+        match &self.what {
+            Growing::Itself(numbers) => Json::Number(numbers.nth(nth).into()),
+            Growing::Within(before, numbers, after) => {
+                Json::String(format!("{before}{}{after}", numbers.nth(nth)).into())
+            }
+            Growing::Members(members) => grown(value, members, nth),
+        }
+    }
+
+    /// How many numbers of it grow.
+    fn count(&self) -> usize {
+        match &self.what {
+            Growing::Itself(_) | Growing::Within(..) => 1,
+            Growing::Members(members) => members.iter().map(Self::count).sum(),
+        }
+    }
+}
+
+/// An object of a round, by what of it grows.
+fn grown<'a>(object: &Json<'a>, plus: &[Growth<'_>], nth: usize) -> Json<'a> {
+    let mut object = object.clone();
+    if let Json::Object(members) = &mut object {
+        for (name, value) in members {
+            if let Some(growth) = plus.iter().find(|growth| growth.member == name) {
+                *value = growth.nth(value, nth);
+            }
+        }
+    }
+    object
+}
+
+/// The spelling behind the first `"name":` of a JSON text, and what stands before and behind it, if it is an integer.
+fn integer_within<'t>(text: &'t str, name: &str) -> Option<(&'t str, &'t str, &'t str)> {
     let named = format!("\"{name}\":");
     let begins = text.find(&named)? + named.len();
     let (before, rest) = text.split_at_checked(begins)?;
     let ends = rest.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(rest.len());
     let (integer, after) = rest.split_at_checked(ends)?;
-    let is_whole = !after.starts_with(['.', 'e', 'E']);
-    integer.parse().ok().filter(|_| is_whole).map(|integer| (before, integer, after))
+    let is_whole = !after.starts_with(['.', 'e', 'E']) && integer.parse::<i64>().is_ok();
+    is_whole.then_some((before, integer, after))
 }
 
 impl<'v, 'a> Run<'v, 'a> {
-    /// So many equal items.
-    fn of(first: &'v Json<'a>, times: usize) -> Self {
-        Self { first, times, plus: Vec::new() }
+    /// Items that do not grow.
+    fn of(items: &'v [Json<'a>], times: usize) -> Self {
+        Self { items, times, plus: Vec::new() }
     }
 
-    /// An item; its growth was judged when it was read.
-    fn nth(&self, nth: usize) -> Json<'_> {
-        let mut item = self.first.clone();
-        if let Json::Object(members) = &mut item {
-            for (name, value) in members {
-                if let Some(growth) = self.plus.iter().find(|growth| growth.member == name) {
-                    *value = growth.nth(nth);
-                }
-            }
-        }
-        item
+    /// An item of a round behind the first, if it grows; its growth was judged when it was read.
+    fn grown(&self, nth: usize, place: usize) -> Option<Json<'a>> {
+        let plus = self.plus.get(place).filter(|plus| nth > 0 && !plus.is_empty())?;
+        Some(grown(self.items.get(place)?, plus, nth))
     }
 }
 
 /// The items that an entry of a list stands for.
 fn run<'v, 'a>(value: &'v Json<'a>) -> Result<Run<'v, 'a>, TemplateError> {
-    let Json::Object(members) = value else { return Ok(Run::of(value, 1)) };
-    let [(name, first), (times_name, times), (plus_name, plus)] = members.as_slice() else {
-        let (first, times) = item(value)?;
-        return Ok(Run::of(first, times));
+    let once = || Run::of(std::slice::from_ref(value), 1);
+    let Json::Object(members) = value else { return Ok(once()) };
+    let [(name, repeated), (times_name, times), (plus_name, plus)] = members.as_slice() else {
+        let (items, times) = items(value)?;
+        return Ok(Run::of(items, times));
     };
-    if (name.as_ref(), times_name.as_ref(), plus_name.as_ref()) != ("$item", "times", "plus") {
-        return Ok(Run::of(value, 1));
+    if times_name != "times" || plus_name != "plus" {
+        return Ok(once());
     }
-    let most = count(times)?;
-    let plus = match plus {
-        Json::Object(plus) if !plus.is_empty() => {
-            plus.iter().map(|grown| Growth::of(first, grown, most)).collect::<Option<Vec<_>>>()
-        }
-        _ => None,
+    let grow = |items: &'v [Json<'a>], plus: &'v [Json<'a>]| {
+        let times = count_from_1(times)?;
+        let both = items.iter().zip(plus);
+        let all = both.map(|(item, plus)| Growth::all(item, plus, times)).collect::<Option<Vec<_>>>();
+        // What grows nowhere is written without it.
+        let all = all.filter(|all| items.len() == plus.len() && all.iter().any(|plus| !plus.is_empty()));
+        all.map(|plus| Run { items, times, plus }).ok_or(TemplateError::Type { name: "plus", expected: GROWING })
     };
-    match (most, plus) {
-        (0, _) => Err(TemplateError::Type { name: "times", expected: "a count from 1" }),
-        (_, None) => Err(TemplateError::Type { name: "plus", expected: GROWING }),
-        (times, Some(plus)) => Ok(Run { first, times, plus }),
+    match (name.as_ref(), repeated, plus) {
+        ("$item", item, plus) => grow(std::slice::from_ref(item), std::slice::from_ref(plus)),
+        ("$items", Json::Array(items), Json::Array(plus)) => grow(items, plus),
+        ("$items", Json::Array(_), _) => Err(TemplateError::Type { name: "plus", expected: GROWING }),
+        ("$items", ..) => Err(TemplateError::Type { name: "$items", expected: "a list of one item at least" }),
+        _ => Ok(once()),
+    }
+}
+
+/// The value of `times` of a list.
+fn count_from_1(value: &Json<'_>) -> Result<usize, TemplateError> {
+    match count(value)? {
+        0 => Err(TemplateError::Type { name: "times", expected: "a count from 1" }),
+        times => Ok(times),
     }
 }
 
@@ -318,8 +400,8 @@ fn holds_template(value: &Json<'_>) -> bool {
         (Ok(Some(Form::Text(_))), _) => false,
         (Ok(Some(_)), _) => true,
         (_, Json::Array(items)) => items.iter().any(|each| {
-            let of = run(each).map_or(each, |run| run.first);
-            !std::ptr::eq(of, each) || holds_template(of)
+            let of = run(each).map_or(std::slice::from_ref(each), |run| run.items);
+            !std::ptr::eq(of.as_ptr(), each) || of.iter().any(holds_template)
         }),
         (_, Json::Object(members)) => members.iter().any(|(_, member)| holds_template(member)),
         _ => false,
@@ -332,9 +414,12 @@ fn size(value: &Json<'_>) -> Result<usize, TemplateError> {
         (Some(form), _) => text_size(&form, Spelling::Json, 0)? + 2,
         (None, Json::Array(items)) => items.iter().try_fold(2, |sum: usize, each| {
             let run = run(each)?;
-            // An integer has no more than twenty characters.
-            let item = size(run.first)? + 1 + 20 * run.plus.len();
-            Ok::<_, TemplateError>(sum.saturating_add(item.saturating_mul(run.times)))
+            let items = run.items.iter().try_fold(0_usize, |sum, item| {
+                Ok::<_, TemplateError>(sum.saturating_add(size(item)?.saturating_add(1)))
+            })?;
+            let growing: usize = run.plus.iter().flatten().map(Growth::count).sum();
+            let round = items.saturating_add(NUMBER * growing);
+            Ok::<_, TemplateError>(sum.saturating_add(round.saturating_mul(run.times)))
         })?,
         (None, Json::Object(members)) => members.iter().try_fold(2, |sum: usize, (name, member)| {
             Ok::<_, TemplateError>(sum.saturating_add(name.len() + 4 + size(member)?))
@@ -391,15 +476,23 @@ fn write_expanded(value: &Json<'_>, out: &mut dyn Write) -> io::Result<()> {
         (_, Json::Array(items)) => {
             for (i, each) in items.iter().enumerate() {
                 out.write_all(if i > 0 { b"," } else { b"[" })?;
-                let run = run(each).unwrap_or(Run::of(each, 1));
-                write_expanded(run.first, out)?;
-                let mut next = Vec::new();
-                for nth in 1..run.times {
-                    if next.is_empty() || !run.plus.is_empty() {
-                        next = vec![b','];
-                        write_expanded(&run.nth(nth), &mut next)?;
+                let run = run(each).unwrap_or(Run::of(std::slice::from_ref(each), 1));
+                let mut round = Vec::new();
+                for nth in 0..run.times {
+                    if round.is_empty() || !run.plus.is_empty() {
+                        round.clear();
+                        for (place, item) in run.items.iter().enumerate() {
+                            if nth + place > 0 {
+                                round.push(b',');
+                            }
+                            let grown = run.grown(nth, place);
+                            write_expanded(grown.as_ref().unwrap_or(item), &mut round)?;
+                        }
                     }
-                    out.write_all(&next)?;
+                    out.write_all(&round)?;
+                    if nth == 0 && run.plus.is_empty() {
+                        round.insert(0, b',');
+                    }
                 }
             }
             out.write_all(if items.is_empty() { b"[]" } else { b"]" })
@@ -483,6 +576,13 @@ mod tests {
             r#"[{"$item": {"text": "{\"seq\":-1,\"a\":{\"seq\":7}}"}, "times": 3, "plus": {"text": {"seq": 2}}}]"#;
         let text = |seq: i64| format!(r#"{{"text":"{{\"seq\":{seq},\"a\":{{\"seq\":7}}}}"}}"#);
         assert_eq!(expand(within), format!("[{},{},{}]", text(-1), text(1), text(3)));
+        let nested = r#"[{"$item": {"a": {"b": {"n": 5}, "n": 1}}, "times": 2, "plus": {"a": {"b": {"n": 1}}}}]"#;
+        assert_eq!(expand(nested), r#"[{"a":{"b":{"n":5},"n":1}},{"a":{"b":{"n":6},"n":1}}]"#);
+        let timed = r#"[{"$item": {"now_s": 8.0}, "times": 3, "plus": {"now_s": 0.125}}]"#;
+        assert_eq!(expand(timed), r#"[{"now_s":8.0},{"now_s":8.125},{"now_s":8.25}]"#);
+        assert_eq!(expand(r#"[0, {"$items": [1, "a"], "times": 3}, 2]"#), r#"[0,1,"a",1,"a",1,"a",2]"#);
+        let rounds = r#"[{"$items": [{"seq": 1}, {"seq": 9, "t": 0.5}], "times": 2, "plus": [{"seq": 2}, {"t": -1}]}]"#;
+        assert_eq!(expand(rounds), r#"[{"seq":1},{"seq":9,"t":0.5},{"seq":3},{"seq":9,"t":-0.5}]"#);
         let nested = r#"[{"$item": [{"$item": {"$repeat": "x", "times": 2}, "times": 2}], "times": 1}]"#;
         assert_eq!(expand(nested), r#"[["xx","xx"]]"#);
     }
@@ -511,16 +611,27 @@ mod tests {
         assert!(fault(r#"{"$repeat": "x", "times": -1}"#).contains("`times` of a template is not a count"));
         assert!(fault(r#"{"$repeat": 1, "times": 1}"#).contains("not a string or a template"));
         assert!(fault(r#"{"$item": 1, "times": 2}"#).contains("in a list `$item`"));
+        for items in ["[]", "1", "{}"] {
+            let raw = format!(r#"[{{"$items": {items}, "times": 2}}]"#);
+            assert!(fault(&raw).contains("`$items` of a template is not a list of one item at least"), "{items}");
+        }
+        assert!(fault(r#"[{"$items": [1], "times": 0}]"#).contains("a count from 1"));
+        for plus in ["[]", "[{}]", "{}", r#"[{"a": 1}, {}]"#, r#"[{"a": 1}]"#, r#"[{"a": 0.3}]"#, r#"{"a": 1}"#] {
+            let raw = format!(r#"[{{"$items": [{{"a": 1}}, 2], "times": 2, "plus": {plus}}}]"#);
+            let is_right = plus == r#"[{"a": 1}, {}]"#;
+            assert_eq!(Template::new(&raw).is_ok(), is_right, "{plus}");
+            assert!(is_right || fault(&raw).contains("of `$items` a list of such objects"), "{plus}");
+        }
         assert!(fault(r#"[{"$item": 1, "times": 0}]"#).contains("a count from 1"));
         assert!(fault(r#"[{"$item": 1}]"#).contains("no template"));
-        for plus in ["{}", "1", r#"{"b": 1}"#, r#"{"a": 0.5}"#, r#"{"a": 9223372036854775807}"#] {
+        for plus in ["{}", "1", r#"{"b": 1}"#, r#"{"a": 0.1}"#, r#"{"a": 1e300}"#, r#"{"a": 9223372036854775807}"#] {
             let raw = format!(r#"[{{"$item": {{"a": 1}}, "times": 2, "plus": {plus}}}]"#);
-            assert!(fault(&raw).contains("`plus` of a template is not an object of integers"), "{plus}");
+            assert!(fault(&raw).contains("`plus` of a template is not an object of numbers"), "{plus}");
         }
         for plus in ["1", "{}", r#"{"x": 1}"#, r#"{"seq": 1, "n": 1}"#, r#"{"seq": 0.5}"#, r#"{"n": 1}"#] {
             let raw =
                 format!(r#"[{{"$item": {{"a": "{{\"seq\":5,\"n\":5.5}}"}}, "times": 2, "plus": {{"a": {plus}}}}}]"#);
-            assert!(fault(&raw).contains("or of one within a string"), "{plus}");
+            assert!(fault(&raw).contains("or of an integer within a string"), "{plus}");
         }
         assert!(fault(r#"[{"$item": {"a": 1}, "times": 0, "plus": {"a": 1}}]"#).contains("a count from 1"));
         assert!(

@@ -1,0 +1,142 @@
+//! Sessions that go through the same thousands of times, and go on as they began.
+
+use super::life::{open, opening, steps};
+use super::numbers::{driven_step, simulate};
+use super::{
+    Open, close, closed, error, observed, opened, record, recorded, reference, run, step as step_of, stimulus,
+};
+use crate::case::Case;
+use crate::json::{Json, object};
+use crate::trace::{anything, nums};
+
+pub(super) fn cases() -> Vec<Case> {
+    let mut cases = one_kind();
+    cases.push(opened_and_closed());
+    cases.extend(rounds());
+    cases.push(driven_and_closed());
+    cases
+}
+
+/// A session of thousands of requests.
+fn one_kind() -> Vec<Case> {
+    const MANY: u16 = 3_000;
+    let one = |name: &str, words: &str, request: String, each_ms: f64, reply: Json| {
+        let after = |more_ms| observed("a", each_ms.mul_add(f64::from(MANY), more_ms));
+        let mut trace = vec![open("a")];
+        trace.extend(std::iter::repeat_n((request, reply), usize::from(MANY)));
+        trace.extend([
+            (step_of("a", Some(5.0), None), after(5.0)),
+            (super::run("a", 2.0), after(7.0)),
+            steps("a", each_ms.mul_add(f64::from(MANY), 17.0)),
+            (close("a"), closed("a")),
+            (step_of("a", None, None), error()),
+        ]);
+        super::reference(format!("endures/{name}"), &["NCP-SESS-033", "NCP-SESS-031"], trace)
+            .title(format!("After {MANY} {words}, a session goes on as it began, until it is closed."))
+            .flags(&["session-lifecycle"])
+            .because("The time of a session is the sum of what it was advanced by; a `close_session` ends it.")
+    };
+    vec![
+        refusals(),
+        one("steps", "steps", step_of("a", Some(1.0), None), 1.0, anything()),
+        one("runs", "runs", super::run("a", 1.0), 1.0, anything()),
+        one("errors", "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
+    ]
+}
+
+/// A session that is opened behind a thousand openings of each kind that a server may refuse. Whether it refuses them
+/// is not asked.
+fn refusals() -> Case {
+    const MANY: usize = 1_100;
+    let unknown = |id: &str| opening(id, object! { "kind" => "builtin", "ref" => "ncp.no.such.network" });
+    let repeated = |request: String| std::iter::repeat_n((request, anything()), MANY);
+    let trace = repeated(unknown("b"))
+        .chain([(close("b"), anything()), open("a")])
+        .chain(repeated(opening("a", object! { "kind" => "builtin", "ref" => "ncp.reference.lif" })))
+        .chain(repeated(unknown("a")))
+        .chain([(close("a"), closed("a")), open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
+    super::reference("endures/refusals".to_owned(), &["NCP-SESS-050", "NCP-SESS-028"], trace.collect())
+        .title(format!("A session is opened behind {MANY} openings of each kind that may be refused."))
+        .flags(&["session-lifecycle"])
+        .because("An `open_session` that is refused takes no room: it changes nothing, and leaves nothing behind.")
+}
+
+/// A session that is opened, stepped and closed over and over.
+fn opened_and_closed() -> Case {
+    const MANY: usize = 1_100;
+    let once = || [open("a"), steps("a", 10.0), (close("a"), closed("a"))];
+    let mut trace: Vec<(String, Json)> = std::iter::repeat_with(once).take(MANY).flatten().collect();
+    trace.extend([open("a"), steps("a", 10.0), steps("a", 20.0), (close("a"), closed("a"))]);
+    trace.push((step_of("a", None, None), error()));
+    super::reference("endures/closes".to_owned(), &["NCP-SESS-033", "NCP-SESS-028"], trace)
+        .title(format!("A session that was opened and closed {MANY} times is opened as on the first."))
+        .flags(&["session-lifecycle"])
+        .because("A session that is closed leaves nothing behind: its room and its id are free again.")
+}
+
+/// A session that goes through rounds of requests, some of them to others.
+fn rounds() -> Vec<Case> {
+    const MANY: u16 = 1_100;
+    let step = |id: &str, ms: f64| (step_of(id, Some(ms), None), anything());
+    let fails = |id: &str| (step_of(id, Some(-1.0), None), error());
+    let closes = |id: &str| (close(id), anything());
+    let table: [(&str, &str, Vec<(String, Json)>, f64); 7] = [
+        (
+            "of-another",
+            "another that is opened, stepped and closed",
+            vec![(Open::lif("b").text(), anything()), step("b", 1.0), closes("b")],
+            0.0,
+        ),
+        ("failing", "a step that fails and one that does not", vec![fails("a"), step("a", 1.0)], 1.0),
+        ("by-turns", "a step of it and one of another", vec![step("a", 1.0), step("b", 2.0)], 1.0),
+        ("closed-unknown", "a step and a close of what is not open", vec![step("a", 1.0), closes("c")], 1.0),
+        ("runs", "a step and a run", vec![step("a", 1.0), (run("a", 2.0), anything())], 3.0),
+        ("of-no-step", "a step of no time and one of some", vec![step("a", 0.25), step("a", 1.0)], 1.0),
+        ("nonsense", "a text that is no request and a step", vec![("hello".to_owned(), error()), step("a", 1.0)], 1.0),
+    ];
+    let one = |(name, words, round, each_ms): (&str, &str, Vec<(String, Json)>, f64)| {
+        let after = |more_ms| observed("a", f64::from(MANY).mul_add(each_ms, more_ms));
+        let mut trace = vec![open("a"), (Open::lif("b").text(), anything())];
+        trace.extend(std::iter::repeat_n(round, usize::from(MANY)).flatten());
+        trace.extend([
+            (step_of("a", Some(5.0), None), after(5.0)),
+            (run("a", 2.0), after(7.0)),
+            (close("a"), closed("a")),
+            (step_of("a", None, None), error()),
+            open("a"),
+            steps("a", 10.0),
+        ]);
+        reference(format!("endures/rounds/{name}"), &["NCP-SESS-033", "NCP-SESS-031", "NCP-SESS-037"], trace)
+            .title(format!("After {MANY} rounds of {words}, a session goes on as it began, until it is closed."))
+            .flags(&["session-lifecycle"])
+            .because(
+                "The time of a session is the sum of what it was advanced by, and what fails costs that request only; \
+                 a `close_session` ends it, and what is opened then is new.",
+            )
+    };
+    table.map(one).into()
+}
+
+/// A network that is driven, closed and opened anew, over and over: each time it begins at rest.
+fn driven_and_closed() -> Case {
+    const MANY: usize = 1_100;
+    let ports = vec![stimulus("in", "current_pA"), stimulus("more", "current_pA")];
+    let open = Open { records: vec![record("v", "V_m", 5.0)], stimuli: ports, ..Open::lif("a") };
+    let after = |steps, current| {
+        let potential = simulate(&[], 1.0, steps, current).1.last().copied().unwrap_or_default();
+        recorded("a", object! { "v" => object! { "values" => nums(&[potential]) } })
+    };
+    let both = driven_step("a", 5.0, &[("in", 200.0), ("more", 100.0)]);
+    let round = [(open.text(), opened("a")), (both, after(5, 300.0)), (close("a"), closed("a"))];
+    let mut trace = std::iter::repeat_n(round, MANY).flatten().collect::<Vec<_>>();
+    trace.extend([
+        (open.text(), opened("a")),
+        (step_of("a", Some(5.0), Some(("more", 100.0))), after(5, 100.0)),
+        (step_of("a", Some(5.0), None), after(10, 100.0)),
+        (close("a"), closed("a")),
+    ]);
+    reference("endures/rounds/driven-and-closed".to_owned(), &["NCP-SESS-035", "NCP-SESS-054"], trace)
+        .title(format!("A network that was driven and closed {MANY} times is opened at rest."))
+        .flags(&["session-lifecycle"])
+        .because("What was done to a session, its stimuli among it, changes no other, not the next either.")
+}
