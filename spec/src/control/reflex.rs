@@ -94,7 +94,8 @@ impl Controller for ReflexController {
             let data = &sensor?.channels.get(name)?.data;
             <[f64; 3]>::try_from(data.as_slice()).ok().filter(|vector| all_finite(vector))
         };
-        let mut command = CommandFrame::default();
+        // [NCP-PLANE-006]
+        let mut command = CommandFrame { seq: sensor.map_or(0, |frame| frame.seq), ..CommandFrame::default() };
         let mut setpoint = [0.0; 3];
         match measured(POSITION_CHANNEL) {
             // [NCP-CTRL-003]

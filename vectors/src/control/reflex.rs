@@ -3,10 +3,11 @@
 use super::{DEFAULT, Gains, law, sensor, velocity};
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
-use crate::trace::{any, name_of, num, nums};
+use crate::trace::{any, int, name_of, num, nums};
 
 pub(super) fn file() -> File {
     let mut cases = laws();
+    cases.extend(stamps());
     cases.extend(unusable());
     cases.extend(configs());
     let about = "The reflex controller: its law, its clamp, its defaults, and what it does without a position.";
@@ -186,6 +187,23 @@ fn laws() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// An active command has the stamp of the frame that it is made of, whatever that is.
+fn stamps() -> Vec<Case> {
+    let one = |seq: i64| {
+        let made = object! { "command" => object! { "mode" => "active", "seq" => int(seq) } };
+        case(
+            format!("stamp/{seq}").replace('-', "minus-"),
+            &["NCP-PLANE-006", "NCP-CTRL-001"],
+            Json::object(),
+            sensor(seq, 0.0, &[0.75, 0.5, -0.5], Some(&[0.0; 3])),
+        )
+        .shows(made)
+        .title(format!("A command that is made of a frame of seq {seq} has that seq."))
+        .because("The command's seq is that of the sensor frame from which it was computed.")
+    };
+    [-9_007_199_254_740_991, -7, -1, 0, 1, 9_007_199_254_740_991].map(one).into()
 }
 
 fn unusable() -> Vec<Case> {

@@ -848,6 +848,27 @@ fn extremes() -> Vec<Case> {
             "Rule 56 counts the seqs that are missing at that time: one that came late is missing no longer.",
         );
     }
+    // The same order again and again; of the last frame that is asked about, the oldest that is missing.
+    let rounds = |times: i64, by: i64, round: &[i64], then: &[i64]| -> Vec<i64> {
+        let seqs = (0..times).flat_map(|nth| round.iter().map(move |seq| by * nth + seq));
+        std::iter::once(0).chain(seqs).chain(then.iter().map(|seq| by * times + seq)).collect()
+    };
+    for (name, seqs, lost, words) in [
+        ("swapped", rounds(5_000, 2, &[2, 1], &[2, 1]), 0, "5,000 pairs that come in the other order"),
+        ("late-by-three", rounds(3_000, 4, &[4, 1, 2, 3], &[2, 1]), 0, "3,000 frames that overtake three others"),
+        ("gaps", rounds(3_000, 3, &[3, 1], &[2, 1, 2 - 9_000]), 2_999, "3,000 gaps of two of which one comes late"),
+    ] {
+        let received = i64::try_from(seqs.len()).unwrap_or_default();
+        at_last(
+            &format!("extreme/endures/{name}"),
+            &["NCP-RES-041", "NCP-RES-056"],
+            seqs,
+            object! { "lost" => int(lost), "received" => int(received) },
+            "wrong-loss",
+            &format!("Behind {words}, a missing frame is taken back as before."),
+            REMEMBERS,
+        );
+    }
     // More missing than may be remembered: not all of them can be taken back.
     at_last(
         "extreme/memory",

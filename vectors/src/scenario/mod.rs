@@ -565,7 +565,7 @@ impl Step {
         self.words.iter().skip(1).map(String::as_str)
     }
 
-    /// How often it happens, and the steps of a round: `x9` before a step repeats it, and `x9 one & other` both by turns.
+    /// How often it happens, and the steps of a round: `x9` before a step repeats it, `x9 one & other` both by turns.
     pub(crate) fn repeated(self) -> (usize, Vec<Self>) {
         let Some(times) = self.verb().strip_prefix('x').and_then(|times| times.parse().ok()) else {
             return (1, vec![self]);

@@ -17,6 +17,7 @@ use crate::trace::{any, anything, exactly, frame_of, nums, text_of};
 pub(super) fn file() -> File {
     let mut cases = versions();
     cases.push(of_an_older_request());
+    cases.push(of_an_older_close());
     cases.extend(written());
     cases.extend(error_frames());
     cases.extend(pins());
@@ -126,6 +127,20 @@ fn of_an_older_request() -> Case {
     of_version(case, 1, "NCP-SESS-020")
         .title("A step of an older version is refused, or its reply states the version of the server.")
         .because("Decoding may reject another version; a reply states the wire version of its sender.")
+}
+
+/// A close of an older version of what is not open: refused, or answered in the server's own version.
+fn of_an_older_close() -> Case {
+    let request = Json::read(&close("a")).with("ncp_version", beside(-1).as_str().into()).text();
+    let closed = object! { "kind" => "session_closed", "session_id" => "a", "ok" => false };
+    let reply = any(vec![stating(text_of(closed)), error()]);
+    of_version(
+        case("version/of-an-older-close".to_owned(), &["NCP-VER-021", "NCP-SESS-029"], vec![(request, reply)]),
+        0,
+        "NCP-SESS-029",
+    )
+    .title("A close of an older version is refused, or its reply states the version of the server.")
+    .because("Decoding may reject another version; a reply states the wire version of its sender.")
 }
 
 /// What stands in a field of which nothing is said, whatever it is; if it has to stand there at all.

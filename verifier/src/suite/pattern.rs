@@ -2,8 +2,8 @@
 //!
 //! A pattern is JSON of which some objects have a meaning of their own, told by their one member: `$any`,
 //! `$beginning`, `$error`, `$exact`, `$json`, `$frame`, `$range`, `$text`, `$anything`. In a list,
-//! `{"$item": pattern, "times": 1000}` stands for so many equal items, and `{"$items": [pattern, …], "times": 1000}` for
-//! so many equal rounds of items; no other template stands in a pattern. Reading it is strict: a pattern that is
+//! `{"$item": pattern, "times": 1000}` stands for so many equal items, and `{"$items": [pattern, …], "times": 1000}`
+//! for so many equal rounds of items; no other template stands in a pattern. Reading it is strict: a pattern that is
 //! misspelt would test nothing.
 
 use std::borrow::Cow;

@@ -6,8 +6,8 @@
 //! so many equal items, and with `"plus": {"seq": 1}` for items whose number of that name grows by so much from each
 //! to the next, or with `"plus": {"text": {"seq": 1}}` that of their object of the name `text`, or the integer behind
 //! `"seq":` in their string of that name.
-//! `{"$items": [one, two], "times": 1000}` stands for so many rounds of several items, and with `"plus": [{…}, {…}]` for
-//! rounds in which each grows from one to the next as the object at its place says. Peers never see them.
+//! `{"$items": [one, two], "times": 1000}` stands for so many rounds of several items, and with `"plus": [{…}, {…}]`
+//! for rounds in which each grows from one to the next as the object at its place says. Peers never see them.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -24,8 +24,8 @@ pub(super) const KEPT_BYTES: usize = 64 << 10;
 /// What is repeated is written in pieces of about this size.
 const PIECE: usize = 64 << 10;
 /// What `plus` has to be.
-const GROWING: &str = "an object of numbers, each by the name of one, or of an integer within a string, or an object of \
-                       such; of `$items` a list of such objects, one for each";
+const GROWING: &str = "an object of numbers, each by the name of one, or of an integer within a string, or an object \
+                       of such; of `$items` a list of such objects, one for each";
 /// Numbers that are multiples of this and below [`FAR`] add up without rounding.
 const FINE: f64 = 1.0 / 1_048_576.0;
 const FAR: f64 = 4_294_967_296.0;

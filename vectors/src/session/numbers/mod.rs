@@ -15,6 +15,7 @@ pub(super) fn file() -> File {
     let mut cases = neurons::potentials();
     cases.extend(neurons::thresholds());
     cases.extend(neurons::spikes());
+    cases.extend(neurons::spikes_apart());
     cases.extend(neurons::rests());
     cases.extend(neurons::rates());
     cases.extend(stimuli::stimuli());

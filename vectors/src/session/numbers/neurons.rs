@@ -107,6 +107,36 @@ pub(super) fn spikes() -> Vec<Case> {
     cases
 }
 
+/// Two populations whose neurons have the same ids, of which one spikes.
+pub(super) fn spikes_apart() -> Vec<Case> {
+    let ports = |first: &str, second: &str| {
+        let of = |port: &str, target: &str| record(port, "spikes", 1.0).with("target", target.into());
+        vec![of("s", first), of("w", second)]
+    };
+    let (_, _, spikes) = simulate(&[], 1.0, 20, 1000.0);
+    let twice: Vec<f64> = spikes.iter().flat_map(|time| [*time, *time]).collect();
+    let senders: Vec<u32> = spikes.iter().flat_map(|_| [1, 2]).collect();
+    let one = |driven: &str, first: &str, second: &str| {
+        let open = Open {
+            size: 2,
+            other: Some(2),
+            records: ports(first, second),
+            stimuli: vec![stimulus("in", "current_pA").with("target", driven.into())],
+            ..Open::lif("a")
+        };
+        let of = |target: &str| if target == driven { sent(&twice, &senders) } else { sent(&[], &[]) };
+        let records = object! { "s" => of(first), "w" => of(second) };
+        let trace =
+            vec![(open.text(), opened("a")), (step("a", Some(20.0), Some(("in", 1000.0))), recorded("a", records))];
+        reference(format!("spikes/apart/{driven}-of-{first}-{second}"), &["NCP-SESS-052", "NCP-SESS-050"], trace)
+            .title(format!("Ports of `{first}` and `{second}` have the spikes of their own, where `{driven}` spikes."))
+            .because("A port observes the neurons of its own target, whatever ids those of others have.")
+    };
+    [("pop", "pop", "other"), ("pop", "other", "pop"), ("other", "pop", "other"), ("other", "other", "pop")]
+        .map(|(driven, first, second)| one(driven, first, second))
+        .into()
+}
+
 /// Requests that begin while a neuron rests.
 pub(super) fn rests() -> Vec<Case> {
     let params = vec![("t_ref", 5.0), ("I_e", 600.0)];
@@ -560,5 +590,30 @@ pub(super) fn tiny() -> Vec<Case> {
                 .because(WHY),
         );
     }
+    cases.extend(falls_in_one_step());
     cases
+}
+
+/// A step that is long beside every time constant: what it leaves of a value is small, and not 0.
+fn falls_in_one_step() -> Vec<Case> {
+    const DT: f64 = 400.0;
+    let rest = vec![("E_L", 0.0), ("V_reset", 0.0), ("V_th", 1.0), ("C_m", 10.0)];
+    let of = |observable| vec![record("out", observable, DT)];
+    let lif = Open { params: rest, records: of("V_m"), stimuli: vec![stimulus("in", "current_pA")], ..Open::lif("a") };
+    let rate = Open { records: of("rate"), stimuli: vec![stimulus("in", "rate_inject")], ..Open::rate("a") };
+    let one = |network: &str, rule, open: Open| {
+        let open = Open { dt: DT, ..open };
+        let p = (-DT / 10.0).exp();
+        let first = 0.5 * (1.0 - p);
+        let shows = |time: f64, value| recorded("a", object! { "out" => small_samples(&[time], &[value]) });
+        let trace = vec![
+            (open.text(), opened("a")),
+            (step("a", Some(DT), Some(("in", 0.5))), shows(DT, first)),
+            (step("a", Some(DT), Some(("in", 0.0))), shows(2.0 * DT, first * p)),
+        ];
+        reference(format!("tiny/one-step/{network}"), &[rule], trace)
+            .title(format!("A neuron ({network}) falls towards 0 in one step of {DT} ms, and is not 0."))
+            .because("The error of rules 50 and 51 is relative to the value, and nothing cancels here.")
+    };
+    vec![one("lif", "NCP-SESS-050", lif), one("rate", "NCP-SESS-051", rate)]
 }
