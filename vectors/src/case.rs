@@ -111,6 +111,14 @@ impl Case {
         self
     }
 
+    /// A further rule that the case is about.
+    pub(crate) fn about(mut self, rule: &'static str) -> Self {
+        if !self.requirements.contains(&rule) {
+            self.requirements.push(rule);
+        }
+        self
+    }
+
     /// What a peer has to claim, beside a role, to be asked.
     pub(crate) fn needs(mut self, need: &'static str) -> Self {
         self.needs = Some(need);

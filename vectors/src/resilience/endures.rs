@@ -293,7 +293,8 @@ impl Round {
             .title(format!("Behind {words} times {}, a plant does all that it did before.", self.words))
             .flags(&["liveness"])
             .because("Sections 8.1 and 8.2: none of their rules asks how often something has happened.");
-        let case = if plant == "strict" { case.strictly() } else { case };
+        // Only a strict plant is asked what a strict one does with the commands that it drops.
+        let case = if plant == "strict" { case.about("NCP-STRICT-011").strictly() } else { case };
         let short = |plant: &str, name: &str| format!("resilience/endures/{plant}/{name}/twice");
         match (is_long, plant) {
             (true, "strict") => case.rests_on(short("buffer", self.name)).rests_on(short(plant, "followed")),
