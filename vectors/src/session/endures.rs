@@ -74,13 +74,16 @@ fn opened_and_closed() -> Case {
         .because("A session that is closed leaves nothing behind: its room and its id are free again.")
 }
 
+/// A name, what happens in a round, its requests with their replies, and by how much it advances the session, in ms.
+type Rounds = (&'static str, &'static str, Vec<(String, Json)>, f64);
+
 /// A session that goes through rounds of requests, some of them to others.
 fn rounds() -> Vec<Case> {
     const MANY: u16 = 1_100;
     let step = |id: &str, ms: f64| (step_of(id, Some(ms), None), anything());
     let fails = |id: &str| (step_of(id, Some(-1.0), None), error());
     let closes = |id: &str| (close(id), anything());
-    let table: [(&str, &str, Vec<(String, Json)>, f64); 7] = [
+    let table: [Rounds; 7] = [
         (
             "of-another",
             "another that is opened, stepped and closed",
@@ -94,7 +97,7 @@ fn rounds() -> Vec<Case> {
         ("of-no-step", "a step of no time and one of some", vec![step("a", 0.25), step("a", 1.0)], 1.0),
         ("nonsense", "a text that is no request and a step", vec![("hello".to_owned(), error()), step("a", 1.0)], 1.0),
     ];
-    let one = |(name, words, round, each_ms): (&str, &str, Vec<(String, Json)>, f64)| {
+    let one = |(name, words, round, each_ms): Rounds| {
         let after = |more_ms| observed("a", f64::from(MANY).mul_add(each_ms, more_ms));
         let mut trace = vec![open("a"), (Open::lif("b").text(), anything())];
         trace.extend(std::iter::repeat_n(round, usize::from(MANY)).flatten());
