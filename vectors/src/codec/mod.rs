@@ -265,6 +265,9 @@ const WIDE: [(&str, f64); 7] = [
     ("quarter", -0.5),
     ("near-the-end", 0.999),
 ];
+/// Such target ranges: the end of a path, in words, and from where to where.
+const WIDE_TARGETS: [(&str, &str, [f64; 2]); 2] =
+    [("", "", [-1e308, 1e308]), ("-downwards", " and that runs downwards", [1e308, -1e308])];
 const WIDELY: &str = "By how much a result is off where a step on the way overflows is left open; its clamp holds \
                       there, too, and what is no number is within no range.";
 

@@ -600,6 +600,8 @@ fn links() -> Vec<Case> {
         ("fast-sensor", &["NCP-RES-053"], "A sensor faster than the loop is no loss.", fast(12)),
         ("fast-sensor-of-four", &["NCP-RES-053"], "A sensor four times as fast as the loop is no loss.", fast(4)),
         ("fast-sensor-of-two", &["NCP-RES-053"], "A sensor twice as fast as the loop is no loss.", fast(2)),
+        ("fast-sensor-of-100", &["NCP-RES-053"], "A sensor a hundred times as fast as the loop is no loss.", fast(100)),
+        ("fast-sensor-of-1100", &["NCP-RES-053"], "A sensor 1,100 times as fast as the loop is no loss.", fast(1100)),
         ("duplicates", &["NCP-RES-042", "NCP-RES-053"], "Duplicates are no loss.", duplicated),
         ("shuffled", &["NCP-RES-041", "NCP-RES-053"], "Frames out of order are no loss.", shuffled),
     ];

@@ -22,6 +22,7 @@ pub(super) fn file() -> File {
     cases.extend(large());
     cases.extend(large_and_broken());
     cases.extend(larger_and_broken());
+    cases.extend(across_pieces());
     cases.extend(endless());
     cases.extend(depths());
     cases.extend(deep_names());
@@ -316,6 +317,38 @@ fn larger_and_broken() -> Vec<Case> {
             .because("Whether a frame is read does not depend on its length.")
     };
     table.map(case).into()
+}
+
+/// Characters of which one lies across each border of the pieces that a reader may cut a frame into: their widths are
+/// multiples of 3, and no power of 2 or 10 is one.
+fn across_pieces() -> Vec<Case> {
+    let table = [
+        ("three-bytes", "\u{20ac}", "characters of three bytes"),
+        ("escapes", "\\u20ac", "escaped characters"),
+        ("pairs", "\\ud83d\\ude00", "escaped characters of two halves"),
+        ("all-widths", "\u{1f600}\u{20ac}\u{e9}", "characters of four, three and two bytes"),
+    ];
+    let mut cases = Vec::new();
+    for (kind, size) in [("command_frame", 200_000), ("sensor_frame", 900_000), ("observation_frame", 5 * MIB)] {
+        for (what, unit, says) in table {
+            let frame = explicit(kind).text();
+            let mut before = format!("{},\"pad\":\"", frame.strip_suffix('}').unwrap_or(&frame));
+            // Behind a whole number of units, counted from the beginning of the frame.
+            before.push_str(&"x".repeat(before.len().next_multiple_of(unit.len()) - before.len()));
+            let times = (size - before.len()) / unit.len();
+            let text = Text::concat([before.into(), Text::repeat(unit, times), "\"}".into()]);
+            let rules: &[_] = if size > MIB { &["NCP-WIRE-063", "NCP-WIRE-034"] } else { &["NCP-WIRE-034"] };
+            cases.push(
+                Case::new(format!("{kind}/across-pieces/{what}"), rules, readers(kind))
+                    .title(format!("{} of about {size} bytes, most of them {says}, is read.", a(kind)))
+                    .flags(&["low-limits"])
+                    .decode(kind, text)
+                    .means(meaning(kind, &explicit(kind)).text())
+                    .because("By what pieces a receiver reads a frame makes no difference."),
+            );
+        }
+    }
+    cases
 }
 
 fn too_large(kind: &str, what: &str, text: Text) -> Case {

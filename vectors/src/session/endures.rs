@@ -37,26 +37,36 @@ fn one_kind() -> Vec<Case> {
             .because("The time of a session is the sum of what it was advanced by; a `close_session` ends it.")
     };
     vec![
-        refusals(),
+        refusals("refusals", "", &[1]),
+        // What the larger ones leave of a room, the smaller ones fill.
+        refusals("refusals-of-large", ", of 20,000 neurons and of fewer", &[20_000, 600, 20, 1]),
         one("steps", "steps", step_of("a", Some(1.0), None), 1.0, anything()),
         one("runs", "runs", super::run("a", 1.0), 1.0, anything()),
         one("errors", "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
     ]
 }
 
-/// A session that is opened behind a thousand openings of each kind that a server may refuse. Whether it refuses them
-/// is not asked.
-fn refusals() -> Case {
+/// A session that is opened behind a thousand openings of each kind that a server may refuse, of so many neurons each.
+/// Whether it refuses them is not asked.
+fn refusals(name: &str, words: &str, sizes: &[u32]) -> Case {
     const MANY: usize = 1_100;
-    let unknown = |id: &str| opening(id, object! { "kind" => "builtin", "ref" => "ncp.no.such.network" });
-    let repeated = |request: String| std::iter::repeat_n((request, anything()), MANY);
-    let trace = repeated(unknown("b"))
-        .chain([(close("b"), anything()), open("a")])
-        .chain(repeated(opening("a", object! { "kind" => "builtin", "ref" => "ncp.reference.lif" })))
-        .chain(repeated(unknown("a")))
-        .chain([(close("a"), closed("a")), open("a"), steps("a", 10.0), (close("a"), closed("a"))]);
-    super::reference("endures/refusals".to_owned(), &["NCP-SESS-050", "NCP-SESS-028"], trace.collect())
-        .title(format!("A session is opened behind {MANY} openings of each kind that may be refused."))
+    let network = |name: &str, size: u32| {
+        let network = object! { "kind" => "builtin", "ref" => name };
+        if size > 1 { network.with("population_sizes", object! { "pop" => size }) } else { network }
+    };
+    let repeated = |id: &str, name: &str| {
+        let requests = sizes.iter().map(|size| opening(id, network(name, *size)));
+        requests.flat_map(|request| std::iter::repeat_n((request, anything()), MANY)).collect::<Vec<_>>()
+    };
+    let mut trace = repeated("b", "ncp.no.such.network");
+    trace.extend([(close("b"), anything()), open("a")]);
+    trace.extend(repeated("a", "ncp.reference.lif"));
+    trace.extend(repeated("a", "ncp.no.such.network"));
+    // Larger than the one that makes room.
+    let anew = (Open { size: 10, ..Open::lif("a") }.text(), opened("a"));
+    trace.extend([(close("a"), closed("a")), anew, steps("a", 10.0), (close("a"), closed("a"))]);
+    super::reference(format!("endures/{name}"), &["NCP-SESS-050", "NCP-SESS-028"], trace)
+        .title(format!("A session is opened behind {MANY} openings of each kind that may be refused{words}."))
         .flags(&["session-lifecycle"])
         .because("An `open_session` that is refused takes no room: it changes nothing, and leaves nothing behind.")
 }

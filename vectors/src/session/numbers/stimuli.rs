@@ -11,6 +11,7 @@ pub(super) fn stimuli() -> Vec<Case> {
     let mut cases = currents();
     cases.push(current_of_no_step());
     cases.extend(of_one_sum());
+    cases.push(of_one_sum_at_rest());
     cases.extend(frames_of_no_port());
     cases
 }
@@ -110,6 +111,42 @@ fn of_one_sum() -> Vec<Case> {
         );
     }
     cases
+}
+
+/// Neurons that have come to rest, and whose values then change places.
+fn of_one_sum_at_rest() -> Case {
+    const EVERY: u32 = 250;
+    let ids = |id: u32| std::iter::once(id).collect::<Json>();
+    let drive = |port: &str, id| stimulus(port, "current_pA").with("ids", ids(id));
+    let record = |port: &str, id| record(port, "V_m", f64::from(EVERY)).with("ids", ids(id));
+    let open = Open {
+        size: 2,
+        records: vec![record("v", 1), record("w", 2)],
+        stimuli: vec![drive("x", 1), drive("y", 2)],
+        ..Open::lif("a")
+    };
+    let mut neurons = [Lif::new(&[], 1.0), Lif::new(&[], 1.0)];
+    let mut trace = vec![(open.text(), opened("a"))];
+    let mut time = 0;
+    for (samples_each, currents) in [(4, [300.0, -100.0]), (2, [-100.0, 300.0]), (2, [100.0, 100.0])] {
+        let (mut times, mut potentials) = (Vec::new(), [Vec::new(), Vec::new()]);
+        for _ in 0..samples_each {
+            time += EVERY;
+            times.push(f64::from(time));
+            for ((neuron, current), potentials) in neurons.iter_mut().zip(currents).zip(&mut potentials) {
+                for _ in 0..EVERY {
+                    neuron.step(current);
+                }
+                potentials.push(neuron.v);
+            }
+        }
+        let [v, w] = potentials.map(|potentials| samples(&times, Some(&potentials)));
+        let asked = driven_step("a", f64::from(samples_each * EVERY), &[("x", currents[0]), ("y", currents[1])]);
+        trace.push((asked, recorded("a", object! { "v" => v, "w" => w.without("senders") })));
+    }
+    reference("stimulus/of-one-sum/at-rest".to_owned(), &["NCP-SESS-054", "NCP-SESS-050"], trace)
+        .title("Two ports whose values are swapped drive their own neurons, also those that have come to rest.")
+        .because("The last value of each port drives the neurons of its target, whatever all of them add up to.")
 }
 
 /// A stimulus frame that names no port changes none.

@@ -3,6 +3,7 @@
 use ncp_peer_rust::Answer;
 
 use super::exact::norm;
+use super::plant::Detector;
 use super::{Outcome, TOLERANCE, Verdict, any, fits, fits_or_refused, free, num, range, reject, specification, steps};
 use crate::fuzz::tree::{Tree, double, doubles, integer, items, list, members, nums, object, set, string, text};
 use crate::json::Json;
@@ -152,6 +153,7 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
     let (mut newest, mut seen): (Option<Tree>, Option<f64>) = (None, None);
     let mut is_known = true;
     let mut stamped = None;
+    let mut watch = Watch::new();
     let mut entries = Vec::new();
     for (place, (step, answer)) in items(args.get("steps")).iter().zip(items(result.get("steps"))).enumerate() {
         let now = double(step.get("now_s")).unwrap_or(f64::NAN);
@@ -163,6 +165,7 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
                 let sensor = step.get("sensor").cloned().unwrap_or_else(|| object([]));
                 let stamp = |sensor: &Tree| integer(sensor.get("seq")).unwrap_or(0);
                 let t = |sensor: &Tree| double(sensor.get("t")).unwrap_or(0.0);
+                watch.sees(stamp(&sensor));
                 let is_stamped = stamp(&sensor) != 0;
                 // Streams in which stamped frames and others alternate are open.
                 is_known &= *stamped.get_or_insert(is_stamped) == is_stamped && t(&sensor).is_finite();
@@ -175,6 +178,7 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
                 entries.push(free());
             }
             Some("tick") => {
+                watch.tick();
                 let age = seen.map(|seen| now - seen);
                 is_known &= !age.is_some_and(|age| age * 1000.0 > 2.0 * timeout && timeout > 0.0);
                 is_known &= seen.is_none_or(|seen| {
@@ -193,13 +197,14 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
                     Some(pattern) => pattern,
                     None => {
                         is_known = false;
-                        free()
+                        watch.owes(period)
                     }
                 });
             }
             // What else a reset touches is open.
             _ => {
                 is_known = false;
+                watch.is_over = true;
                 entries.push(free());
             }
         }
@@ -208,6 +213,49 @@ pub(super) fn control_loop(args: &Tree, result: Outcome<'_>) -> Verdict {
         limits.is_none_or(|limits| !limits.to_string().contains("\"NaN\"") && !limits.to_string().contains("Inf"));
     let pattern = steps(entries);
     if gains.may_be_refused() || !written { fits_or_refused(pattern) } else { fits(pattern) }
+}
+
+/// What a loop owes whatever sensor frame it keeps: the ESTOP of a burst that a tick has seen.
+struct Watch {
+    detector: Detector,
+    /// One more than the highest seq.
+    expected: Option<i64>,
+    stopped: bool,
+    /// A reset came.
+    is_over: bool,
+}
+
+impl Watch {
+    fn new() -> Self {
+        Self { detector: Detector::new(&object([])), expected: None, stopped: false, is_over: false }
+    }
+
+    /// [NCP-RES-053] A frame of any seq. One that is not the highest may be late or not, so that it counts or does not.
+    fn sees(&mut self, seq: i64) {
+        match self.expected {
+            Some(expected) if seq < expected => self.detector.frame(0, true),
+            expected => {
+                self.detector.frame(expected.map_or(0, |expected| seq.abs_diff(expected)), false);
+                self.expected = Some(seq.saturating_add(1));
+            }
+        }
+    }
+
+    /// [NCP-CTRL-016] What the monitor shows when a tick begins.
+    fn tick(&mut self) {
+        self.stopped |= self.detector.burst() == Some(true);
+    }
+
+    fn owes(&self, period: f64) -> Tree {
+        if !self.stopped || self.is_over {
+            return free();
+        }
+        // [NCP-SAFE-006] [NCP-SAFE-071] [NCP-CTRL-014]
+        let still = object([("data", nums(&[0.0; 3])), ("unit", text("m/s"))]);
+        let channels = object([("velocity_setpoint", still)]);
+        let ttl = range(2.0 * period * (1.0 - 1e-12), f64::MAX);
+        object([("command", object([("mode", text("estop")), ("channels", channels), ("ttl_ms", ttl)]))])
+    }
 }
 
 /// What a loop of another fence does.
@@ -380,6 +428,33 @@ mod tests {
         let least = doubles(command.get("ttl_ms").and_then(|ttl| ttl.get("$range")))[0];
         assert!((least - 800.0).abs() < 1e-6, "{command}");
         assert!(command.get("channels").unwrap().to_string().contains("[0.0,0.0,0.0]"), "{command}");
+    }
+
+    #[test]
+    fn a_burst_stops_a_loop_whatever_frame_it_keeps() {
+        let call = Call::LoopRun;
+        let modes = |seqs: &[i64]| {
+            let position = r#"{"pose_position":{"data":[0.5,0.0,0.0],"unit":"m"}}"#;
+            let sensor = |seq: &i64| {
+                format!(
+                    r#"{{"op":"sensor","sensor":{{"seq":{seq},"channels":{position}}},"now_s":1.0}},{{"op":"tick","now_s":1.0}}"#
+                )
+            };
+            let steps = seqs.iter().map(sensor).collect::<Vec<_>>().join(",");
+            let written = format!(r#"{{"period_ms":50.0,"limits":{{}},"config":{{}},"steps":[{steps}]}}"#);
+            let args = Json::parse(&written).map(|args| own(&args)).unwrap();
+            let Verdict::Expect(expect) = expectation(&Input { call, args }, &specification(call, &written), None)
+            else {
+                panic!("a loop of sensor frames is decided");
+            };
+            let answers = items(expect.get("value").and_then(|value| value.get("steps")));
+            let mode = |answer: &Tree| answer.get("command").and_then(|c| string(c, "mode")).map(str::to_owned);
+            answers.iter().skip(1).step_by(2).map(mode).collect::<Vec<_>>()
+        };
+        let stop = Some("estop".to_owned());
+        assert_eq!(modes(&[0, 3, 400, 0, 401])[1..], [None, stop.clone(), stop.clone(), stop.clone()]);
+        assert_eq!(modes(&[0, 3, 4, 0, 5])[1..], [None, None, None, None]);
+        assert_eq!(modes(&[-1, 0, 400])[1..], [None, stop]);
     }
 
     #[test]

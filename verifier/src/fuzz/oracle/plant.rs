@@ -250,14 +250,14 @@ fn active(answer: &Tree, now: f64, latched: bool, known: &mut Known, horizon: &H
 
 /// The detector by each reading of the text: whether a gap or its delivery counts first, and what a late frame is
 /// worth.
-struct Detector {
+pub(super) struct Detector {
     ref_loss: f64,
     threshold: f64,
     sums: [f64; 6],
 }
 
 impl Detector {
-    fn new(args: &Tree) -> Self {
+    pub(super) fn new(args: &Tree) -> Self {
         let ref_loss = double(args.get("ref_loss").filter(|loss| !loss.is_null())).unwrap_or(0.05);
         let threshold = double(args.get("threshold").filter(|threshold| !threshold.is_null())).unwrap_or(5.0);
         let ref_loss = if ref_loss.is_finite() { ref_loss.clamp(0.0, 0.99) } else { 0.05 };
@@ -265,7 +265,7 @@ impl Detector {
         Self { ref_loss, threshold, sums: [0.0; 6] }
     }
 
-    fn frame(&mut self, gap: u64, is_late: bool) {
+    pub(super) fn frame(&mut self, gap: u64, is_late: bool) {
         let cap = 2.0 * self.threshold;
         let late = [-self.ref_loss, -1.0, 0.0];
         for (reading, sum) in self.sums.iter_mut().enumerate() {
@@ -288,7 +288,7 @@ impl Detector {
     }
 
     /// Whether there is a burst, where every reading says the same.
-    fn burst(&self) -> Option<bool> {
+    pub(super) fn burst(&self) -> Option<bool> {
         let margin = 1e-6 * self.threshold.max(1.0);
         if self.sums.iter().all(|sum| *sum > self.threshold + margin) {
             Some(true)
