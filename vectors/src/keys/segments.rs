@@ -89,19 +89,20 @@ pub(crate) fn refused() -> Vec<Segment> {
 }
 
 /// Segments that are just beyond the limit by their bytes alone, in characters of each length.
-fn too_long() -> [(&'static str, String, &'static str); 4] {
+fn too_long() -> [(&'static str, String, &'static str); 5] {
     let of = |character: &str, times: usize, more: &str| character.repeat(times) + more;
     [
         ("bytes-258-of-129-characters", of("\u{e9}", 129, ""), "has 258 bytes in 129 characters"),
         ("bytes-257-of-86-characters", of("\u{20ac}", 85, "\u{e9}"), "has 257 bytes in 86 characters"),
         ("bytes-257-of-65-characters", of("\u{1f681}", 64, "a"), "has 257 bytes in 65 characters"),
         ("bytes-260-of-65-characters", of("\u{1f681}", 65, ""), "has 260 bytes in 65 characters"),
+        ("bytes-258-decomposed", of("e\u{301}", 86, ""), "has 258 bytes, and 172 when it is composed"),
     ]
 }
 
 /// One refused segment a rule.
 pub(crate) fn refused_sample() -> Vec<Segment> {
-    const SAMPLE: [&str; 10] = [
+    const SAMPLE: [&str; 11] = [
         "empty",
         "slash-inside",
         "star-alone",
@@ -112,6 +113,7 @@ pub(crate) fn refused_sample() -> Vec<Segment> {
         "control-00",
         "bytes-257",
         "bytes-260-of-65-characters",
+        "bytes-258-decomposed",
     ];
     refused().into_iter().filter(|segment| SAMPLE.contains(&segment.name.as_str())).collect()
 }
@@ -212,6 +214,13 @@ pub(crate) fn accepted() -> Vec<Segment> {
             "bytes-256-of-86-characters",
             "\u{20ac}".repeat(85) + "a",
             "has 256 bytes in 86 characters",
+            "NCP-KEY-020",
+            "bytes-not-characters",
+        ),
+        segment(
+            "bytes-255-longer-composed",
+            "\u{958}".repeat(85),
+            "has 255 bytes, and 510 in a composed normal form",
             "NCP-KEY-020",
             "bytes-not-characters",
         ),

@@ -39,7 +39,7 @@ fn one_kind() -> Vec<Case> {
     vec![
         refusals("refusals", "", &[1]),
         // What the larger ones leave of a room, the smaller ones fill.
-        refusals("refusals-of-large", ", of 20,000 neurons and of fewer", &[20_000, 600, 20, 1]),
+        refusals("refusals-of-large", ", of 20,000 neurons and of fewer", &[20_000, 600, 20, 2]),
         one("steps", "steps", step_of("a", Some(1.0), None), 1.0, anything()),
         one("runs", "runs", super::run("a", 1.0), 1.0, anything()),
         one("errors", "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
