@@ -208,7 +208,8 @@ impl Plant {
         };
         if let Some(late) = over(&command, received, now) {
             self.held = None;
-            self.said = self.refreshes_not.filter(|_| late == "NCP-RES-002").unwrap_or(late);
+            let may_be_refreshed = late == "NCP-RES-002" || late == "NCP-RES-007" && now.is_finite();
+            self.said = self.refreshes_not.filter(|_| may_be_refreshed).unwrap_or(late);
             self.rests = Some("NCP-RES-010");
             return Answer::Hold;
         }
