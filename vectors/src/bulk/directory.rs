@@ -220,7 +220,26 @@ fn data() -> Vec<Case> {
             .flags(&["allocation-by-claim"])
             .because("The data does not lie within the buffer, and what is allocated must not exceed the block.")
     }));
+    cases.extend([2, 4, 8, 16, 17, 33, 65, 129].map(data_by_turns));
     cases
+}
+
+/// So many columns of one dtype and one length side by side, whose data stands in another order than their entries.
+fn data_by_turns(count: u32) -> Case {
+    let block = Block::new((0..count).map(|nth| f64s(&format!("c{nth}"), [f64::from(nth) + 0.5])).collect::<Vec<_>>());
+    // The first changes places with the second, and so forth.
+    let data: Vec<usize> = (0..block.data.len())
+        .map(|nth| block.data.get(nth ^ 1).copied())
+        .zip(&block.data)
+        .map(|(other, own)| other.unwrap_or(*own))
+        .collect();
+    let (names, len) = (block.names.clone(), block.len);
+    read(format!("data/by-turns/{count}"), &["NCP-BULK-021", "NCP-BULK-018"], &block.laid_out(&names, &data, len))
+        .title(format!(
+            "A block of {count} columns, each two of whose data have changed places, is read by its directory."
+        ))
+        .flags(&["trusted-lengths"])
+        .because("A column's data is where its entry says, whatever the order of the data.")
 }
 
 fn empty_regions() -> Vec<Case> {

@@ -415,6 +415,32 @@ fn not_unpacked() -> Vec<Case> {
                 .because("The columns that are not empty differ in length.")
         })
         .collect();
+    // One column without rows, at each place among the three, and two that differ.
+    for places in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        for (empty, rows) in [[0, 1, 2], [1, 0, 2], [2, 1, 0]].into_iter().enumerate() {
+            let column = |which: usize| match which {
+                0 => f64s("times", vec![0.5; rows[0]]),
+                1 => f64s("values", vec![-65.0; rows[1]]),
+                _ => i64s("senders", vec![7; rows[2]]),
+            };
+            let names = ["times", "values", "senders"];
+            let (empty, order) = (names[empty], places.map(|place| names[place]));
+            let block = Block::new(places.map(column));
+            cases.push(
+                unpack(format!("refused/beside-no-{empty}/{}", order.join("-")), &["NCP-OBS-004"], &block.bytes())
+                    .rejects("block")
+                    .title(format!(
+                        "A block of `{}`, `{}` and `{}` is not unpacked where there are no rows of `{empty}` and the \
+                         others differ in length.",
+                        order[0], order[1], order[2]
+                    ))
+                    .flags(&["uneven-arrays"])
+                    .because(
+                        "The columns that are not empty differ in length, whichever is empty and whichever is first.",
+                    ),
+            );
+        }
+    }
     let dtypes = [
         ("times-f32", vec![f32s("times", [0.5]), i64s("senders", [7])], "`times` of f32"),
         ("values-i64", vec![f64s("times", [0.5]), i64s("values", [7])], "`values` of i64"),

@@ -15,6 +15,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     cases.extend(gaps());
     cases.extend(text.cases("burst", row_case)?);
     cases.push(at_the_threshold());
+    cases.extend(next_to_the_threshold());
     cases.extend(small_beside_the_sum());
     cases.extend(text.rest(row_case)?);
     cases.extend(relapses());
@@ -314,6 +315,36 @@ fn at_the_threshold() -> Case {
         .title("A sum of exactly the threshold is no burst, and one more loss is.")
         .flags(&["burst-detector"])
         .because("The burst is true exactly while the sum is above the threshold; 5 is not above 5.")
+}
+
+/// Sums that no rounding takes to the other side of a threshold next to them.
+fn next_to_the_threshold() -> Vec<Case> {
+    let table: [(&str, f64, i64, bool); 9] = [
+        ("just-below", 2.999_999_999_9, 3, true),
+        ("next-below", 3_f64.next_down(), 3, true),
+        ("next-above", 3_f64.next_up(), 3, false),
+        ("just-above", 3.000_000_000_1, 3, false),
+        ("of-24-bits-below", 2.999_999_9, 3, true),
+        ("of-24-bits-above", 3.000_000_1, 3, false),
+        ("below-a-hundred", 99.999_999_999, 100, true),
+        ("small", 1e-10, 1, true),
+        ("smallest", 2e-12, 1, true),
+    ];
+    let case = |(name, threshold, missing, is_burst): (&str, f64, i64, bool)| {
+        let entry = |burst| object! { "burst" => Json::Bool(burst) };
+        Case::new(format!("burst/next-to-the-threshold/{name}"), &["NCP-RES-046"], &BOTH)
+            .call("link.run", args(Some(0.0), Some(threshold), &[1, 2 + missing]))
+            .shows(steps(vec![entry(false), entry(is_burst)]))
+            .title(format!(
+                "Under a reference loss of 0, {missing} lost frames are {} at a threshold of {threshold:?}.",
+                if is_burst { "a burst" } else { "no burst" }
+            ))
+            .flags(&["burst-detector"])
+            .because(
+                "The burst is true exactly while the sum is above the threshold, and no sum of whole numbers rounds.",
+            )
+    };
+    table.map(case).into()
 }
 
 /// Sums that fall below the threshold before they are 0, and rise above it again.

@@ -542,6 +542,18 @@ impl Encoder {
                         .flags(&["proto-json-names"])
                         .because("The member that wraps a map in the proto does not travel."),
                 );
+                let sample = || step("1.0").members().first().map_or(Json::Null, |(_, value)| value.clone());
+                let of = |names: &str| Json::Object(names.chars().map(|name| (name.to_string(), sample())).collect());
+                let fields = fields.with("horizon", ["b", "cab", "ba", "dabc", "", "ca"].map(of).into_iter().collect());
+                cases.push(
+                    self.writes("horizon/orders", &["NCP-WIRE-083"], &fields)
+                        .title(
+                            "A `command_frame` has the channels of each step of its horizon sorted by the code points \
+                             of their names, though no two steps have the same channels.",
+                        )
+                        .flags(&["map-order"])
+                        .because("Each step is a map of its own."),
+                );
             }
             "observation_frame" => {
                 cases.push(

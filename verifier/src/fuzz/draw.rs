@@ -58,6 +58,10 @@ const CONSTANTS: [f64; 42] = [
 pub(crate) const DOUBLES: [&str; 10] =
     ["plain", "constant", "neighbour", "tiny", "huge", "large-integer", "half", "any-bits", "measured", "dictionary"];
 
+/// What has more bytes than letters, or fewer in a composed form, or more.
+const WIDE: [&str; 9] =
+    ["\u{e9}", "\u{3b1}", "\u{4e2d}", "\u{ff5e}", "\u{1f681}", "\u{1f681}", "e\u{301}", "\u{958}", "\u{df}"];
+
 /// A source of random choices.
 #[derive(Debug, Clone)]
 pub(crate) struct Draw<'h> {
@@ -434,9 +438,9 @@ impl<'h> Draw<'h> {
     /// So many letters; some of the time others of more bytes each, as many as fit into so many bytes.
     pub(crate) fn letters(&mut self, length: usize) -> String {
         if length > 4 && self.chance(20) {
-            let wide = self.one(&['\u{e9}', '\u{3b1}', '\u{4e2d}', '\u{ff5e}', '\u{1f681}', '\u{1f681}']);
+            let wide = self.pick(&WIDE);
             let end = if self.chance(50) { "" } else { "p" };
-            return wide.to_string().repeat((length - end.len()) / wide.len_utf8()) + end;
+            return wide.repeat((length - end.len()) / wide.len()) + end;
         }
         let first = self.one(b"abxyz019");
         let mut text = char::from(first).to_string().repeat(length);

@@ -139,7 +139,7 @@ pub(super) fn segment(draw: &mut Draw<'_>) -> String {
         }
         // Beyond ASCII, of any length.
         8 => {
-            let c = draw.pick(&["é", "中", "\u{3000}", "\u{a0}", "\u{1f681}", "ß"]);
+            let c = draw.pick(&["é", "中", "\u{3000}", "\u{a0}", "\u{1f681}", "ß", "e\u{301}", "\u{958}"]);
             c.repeat((draw.size(1, 256) / c.len()).max(1))
         }
         1 => ["é", "e\u{301}", "A", "a", "ﬁ", "0", "uav-3_b.c", "中", "\u{1f681}", "İ", "~"][draw.below(11)].to_owned(),

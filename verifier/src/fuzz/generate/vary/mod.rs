@@ -517,6 +517,8 @@ fn gather(tree: &Tree, name: &str, parts: &mut Vec<(String, Tree)>) {
 /// An array, a map or a string, longer.
 fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
     let is_frame = tree.get("kind").is_some_and(|kind| kind.as_str().is_some());
+    // The one kind that may have more than 1 MiB.
+    let is_large = string(tree, "kind") == Some("observation_frame");
     let all = places(tree);
     for _ in 0..8 {
         let place = &all[draw.below(all.len())];
@@ -559,6 +561,7 @@ fn grow(tree: &mut Tree, draw: &mut Draw<'_>) -> usize {
             Json::String(word) => {
                 let most = if draw.chance(85) { 300 } else { 70_000 };
                 let count = draw.size(1, most);
+                let count = if is_large && draw.chance(4) { draw.size(1 << 20, 3 << 20) } else { count };
                 let more = draw.letters(count);
                 let longer = match draw.below(3) {
                     0 => format!("{more}{word}"),
