@@ -435,10 +435,10 @@ mod tests {
         let call = Call::LoopRun;
         let modes = |seqs: &[i64]| {
             let position = r#"{"pose_position":{"data":[0.5,0.0,0.0],"unit":"m"}}"#;
+            let tick = r#"{"op":"tick","now_s":1.0}"#;
             let sensor = |seq: &i64| {
-                format!(
-                    r#"{{"op":"sensor","sensor":{{"seq":{seq},"channels":{position}}},"now_s":1.0}},{{"op":"tick","now_s":1.0}}"#
-                )
+                let sensor = format!(r#"{{"seq":{seq},"channels":{position}}}"#);
+                format!(r#"{{"op":"sensor","sensor":{sensor},"now_s":1.0}},{tick}"#)
             };
             let steps = seqs.iter().map(sensor).collect::<Vec<_>>().join(",");
             let written = format!(r#"{{"period_ms":50.0,"limits":{{}},"config":{{}},"steps":[{steps}]}}"#);
