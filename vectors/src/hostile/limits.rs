@@ -320,7 +320,7 @@ fn larger_and_broken() -> Vec<Case> {
 }
 
 /// Characters of which one lies across each border of the pieces that a reader may cut a frame into: their widths are
-/// multiples of 3, and no power of 2 or 10 is one.
+/// multiples of 3, and no power of 2 or 10 is one. Where widths are mixed, one lies across many of the borders.
 fn across_pieces() -> Vec<Case> {
     let table = [
         ("three-bytes", "\u{20ac}", "characters of three bytes"),
