@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn every_name_of_a_sample_is_the_name_of_a_segment() {
-        assert_eq!(refused_sample().len(), 10);
+        assert_eq!(refused_sample().len(), 11);
         assert_eq!(accepted_sample().len(), 6);
         assert!((0..5).all(|road| refused_besides(road).len() == 4));
     }
