@@ -2,6 +2,8 @@
 
 #![expect(clippy::expect_used, reason = "a test that cannot go on has failed")]
 
+mod on_disk;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,22 +24,10 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every file of the corpus on disk, which the first test holds against the generator: to make it takes long, and each
-/// test is a process of its own.
-fn on_disk() -> Vec<(String, String)> {
-    let list = fs::read_to_string(root().join("MANIFEST.sha256")).expect("the corpus has a manifest");
-    let paths = list.lines().filter_map(|line| line.split_once("  corpus/")).map(|(_, path)| path.to_owned());
-    let read = |path: String| {
-        let text = fs::read_to_string(root().join("corpus").join(&path)).expect("a file of the manifest is there");
-        (path, text)
-    };
-    paths.map(read).collect()
-}
-
 /// The files on disk, parsed.
 fn files() -> Vec<(String, Value)> {
     let parse = |text: String| serde_json::from_str(&text).expect("a file is JSON");
-    on_disk().into_iter().map(|(path, text)| (path, parse(text))).collect()
+    on_disk::corpus().into_iter().map(|(path, text)| (path, parse(text))).collect()
 }
 
 fn cases(file: &Value) -> &[Value] {
@@ -96,7 +86,7 @@ fn the_generator_makes_the_same_files_twice() {
 
 #[test]
 fn a_changed_character_changes_the_manifest() {
-    let mut files = on_disk();
+    let mut files = on_disk::corpus();
     let before = manifest(&files);
     files[0].1.push(' ');
     assert_ne!(manifest(&files), before);
@@ -171,7 +161,7 @@ fn every_title_and_every_reason_is_a_sentence() {
 
 #[test]
 fn a_file_stays_below_2_mib_and_the_corpus_below_20() {
-    let sizes: Vec<_> = on_disk().into_iter().map(|(path, text)| (text.len(), path)).collect();
+    let sizes: Vec<_> = on_disk::corpus().into_iter().map(|(path, text)| (text.len(), path)).collect();
     let largest = sizes.iter().max().unwrap();
     assert!(largest.0 < 2 << 20, "{largest:?}");
     // Maps of as many entries as a frame may have, long waits, and every rule at several sizes, on several roads and in

@@ -3,9 +3,9 @@
 
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on has failed")]
 
+mod on_disk;
+
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
 use std::sync::LazyLock;
 
 use ncp_text::catalogue::{Catalogue, Level, Requirement, Role};
@@ -13,15 +13,11 @@ use ncp_text::citations::cited as cited_in;
 use ncp_text::exclusions::{Exclusions, Lack};
 use serde_json::Value;
 
-/// The cases of the corpus on disk, which another test holds against the generator: to make them takes as long as all
-/// tests of this file together, and each is a process of its own.
+/// The cases of the corpus.
 fn cases() -> Vec<Value> {
     static CASES: LazyLock<Vec<Value>> = LazyLock::new(|| {
-        let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
-        let areas = fs::read_dir(corpus).unwrap().map(|area| area.unwrap().path());
-        let files = areas.filter(|area| area.is_dir()).flat_map(|area| fs::read_dir(area).unwrap());
-        let files = files.map(|file| fs::read_to_string(file.unwrap().path()).unwrap());
-        let files = files.map(|text| serde_json::from_str::<Value>(&text).unwrap());
+        let files = on_disk::corpus().into_iter();
+        let files = files.map(|(_, text)| serde_json::from_str::<Value>(&text).unwrap());
         files.flat_map(|file| file["cases"].as_array().unwrap().clone()).collect()
     });
     CASES.clone()

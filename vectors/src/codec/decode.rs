@@ -2,8 +2,8 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDE_TARGETS, WIDELY, codec, manifold, map, maps,
-    narrow, pairs, precisely,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, maps, narrow, pairs,
+    precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -279,15 +279,13 @@ fn ranges() -> Vec<Case> {
                 .because("A range is degenerate when its length is 0 or not finite, and not when it is small."),
         );
     }
-    for ((name, r), (way, words, value)) in
-        WIDE.into_iter().flat_map(|share| WIDE_TARGETS.map(|target| (share, target)))
-    {
+    for (path, words, r, value) in widely() {
         let mapping = Mapping { rate: [-1.0, 1.0], value, ..PLAIN };
         let data: Json = std::iter::once(within(-1e308, 1e308)).collect();
         cases.push(
-            case(format!("wide{way}/{name}"), &["NCP-CODEC-004"], codec(&[], &[mapping]), &[("p", r)])
+            case(path, &["NCP-CODEC-004"], codec(&[], &[mapping]), &[("p", r)])
                 .shows(object! { "command" => object! { "channels" => object! { "x" => object! { "data" => data } } } })
-                .title(format!("{r} Hz are decoded within a value range whose length overflows{words} ({name})."))
+                .title(format!("{r} Hz are decoded within a value range whose length overflows{words}."))
                 .because(WIDELY),
         );
     }

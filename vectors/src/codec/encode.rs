@@ -2,8 +2,8 @@
 
 use super::{
     ALIKE, EXTREME, EXTREMELY, FAR_OFF, MANIFOLD, MANY, Mapping, NAMELESS, NAMELESSLY, PLAIN, POINT, POINTEDLY,
-    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDE, WIDE_TARGETS, WIDELY, codec, manifold, map, maps,
-    narrow, pairs, precisely,
+    POPULATIONS, PRECISE, PRECISELY, RANGES, SHARES, STRANGE, WIDELY, codec, manifold, map, maps, narrow, pairs,
+    precisely, widely,
 };
 use crate::case::{Case, File, Role};
 use crate::json::{Json, object};
@@ -173,13 +173,12 @@ fn ranges() -> Vec<Case> {
             .because("A range is degenerate when its length is 0 or not finite, and not when it is small."),
         );
     }
-    for ((name, x), (way, words, rate)) in WIDE.into_iter().flat_map(|share| WIDE_TARGETS.map(|target| (share, target)))
-    {
+    for (path, words, x, rate) in widely() {
         let mapping = Mapping { value: [-1.0, 1.0], rate, ..PLAIN };
         cases.push(
-            case(format!("wide{way}/{name}"), &["NCP-CODEC-002"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
+            case(path, &["NCP-CODEC-002"], codec(&[mapping], &[]), sensor(&[("x", &[x])]))
                 .shows(object! { "rates" => exactly(object! { "p" => within(-1e308, 1e308) }) })
-                .title(format!("{x} is encoded within a rate range whose length overflows{words} ({name})."))
+                .title(format!("{x} is encoded within a rate range whose length overflows{words}."))
                 .because(WIDELY),
         );
     }

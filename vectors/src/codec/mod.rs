@@ -265,9 +265,14 @@ const WIDE: [(&str, f64); 7] = [
     ("quarter", -0.5),
     ("near-the-end", 0.999),
 ];
-/// Such target ranges: the end of a path, in words, and from where to where.
-const WIDE_TARGETS: [(&str, &str, [f64; 2]); 2] =
-    [("", "", [-1e308, 1e308]), ("-downwards", " and that runs downwards", [1e308, -1e308])];
+/// Each of them with each such range: the end of a path, the range in words, the sample, and from where to where.
+fn widely() -> impl Iterator<Item = (String, String, f64, [f64; 2])> {
+    let ranges = [("", "", [-1e308, 1e308]), ("-downwards", " and that runs downwards", [1e308, -1e308])];
+    WIDE.into_iter().flat_map(move |(name, sample)| {
+        ranges.map(|(way, words, range)| (format!("wide{way}/{name}"), format!("{words} ({name})"), sample, range))
+    })
+}
+
 const WIDELY: &str = "By how much a result is off where a step on the way overflows is left open; its clamp holds \
                       there, too, and what is no number is within no range.";
 

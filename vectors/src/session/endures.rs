@@ -20,7 +20,7 @@ pub(super) fn cases() -> Vec<Case> {
 /// A session of thousands of requests.
 fn one_kind() -> Vec<Case> {
     const MANY: u16 = 3_000;
-    let one = |name: &str, words: &str, request: String, each_ms: f64, reply: Json| {
+    let one = |name: &str, rules: &[&'static str], words: &str, request: String, each_ms: f64, reply: Json| {
         let after = |more_ms| observed("a", each_ms.mul_add(f64::from(MANY), more_ms));
         let mut trace = vec![open("a")];
         trace.extend(std::iter::repeat_n((request, reply), usize::from(MANY)));
@@ -31,11 +31,6 @@ fn one_kind() -> Vec<Case> {
             (close("a"), closed("a")),
             (step_of("a", None, None), error()),
         ]);
-        // Requests to another session are no business of this one.
-        let rules: &[_] = match name {
-            "errors" => &["NCP-SESS-035", "NCP-SESS-033", "NCP-SESS-031"],
-            _ => &["NCP-SESS-033", "NCP-SESS-031"],
-        };
         super::reference(format!("endures/{name}"), rules, trace)
             .title(format!("After {MANY} {words}, a session goes on as it began, until it is closed."))
             .flags(&["session-lifecycle"])
@@ -45,9 +40,9 @@ fn one_kind() -> Vec<Case> {
         refusals("refusals", "", &[1]),
         // What the larger ones leave of a room, the smaller ones fill.
         refusals("refusals-of-large", ", of 20,000 neurons and of fewer", &[20_000, 600, 20, 2]),
-        one("steps", "steps", step_of("a", Some(1.0), None), 1.0, anything()),
-        one("runs", "runs", super::run("a", 1.0), 1.0, anything()),
-        one("errors", "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
+        one("steps", &ADDS_UP[..2], "steps", step_of("a", Some(1.0), None), 1.0, anything()),
+        one("runs", &ADDS_UP[..2], "runs", super::run("a", 1.0), 1.0, anything()),
+        one("errors", APART, "steps of another session", step_of("b", Some(1.0), None), 0.0, error()),
     ]
 }
 
@@ -89,8 +84,14 @@ fn opened_and_closed() -> Case {
         .because("A session that is closed leaves nothing behind: its room and its id are free again.")
 }
 
-/// A name, what happens in a round, its requests with their replies, and by how much it advances the session, in ms.
-type Rounds = (&'static str, &'static str, Vec<(String, Json)>, f64);
+/// A name, the rules, what happens in a round, its requests with their replies, and by how much it advances the
+/// session, in ms.
+type Rounds = (&'static str, &'static [&'static str], &'static str, Vec<(String, Json)>, f64);
+
+/// The rules of a session beside others, of one that goes on behind failures, and of one whose time adds up.
+const APART: &[&str] = &["NCP-SESS-035", "NCP-SESS-033", "NCP-SESS-031"];
+const FAILS: &[&str] = &["NCP-SESS-037", "NCP-SESS-033", "NCP-SESS-031"];
+const ADDS_UP: &[&str] = &["NCP-SESS-033", "NCP-SESS-031", "NCP-SESS-037"];
 
 /// A session that goes through rounds of requests, some of them to others.
 fn rounds() -> Vec<Case> {
@@ -101,18 +102,25 @@ fn rounds() -> Vec<Case> {
     let table: [Rounds; 7] = [
         (
             "of-another",
+            APART,
             "another that is opened, stepped and closed",
             vec![(Open::lif("b").text(), anything()), step("b", 1.0), closes("b")],
             0.0,
         ),
-        ("failing", "a step that fails and one that does not", vec![fails("a"), step("a", 1.0)], 1.0),
-        ("by-turns", "a step of it and one of another", vec![step("a", 1.0), step("b", 2.0)], 1.0),
-        ("closed-unknown", "a step and a close of what is not open", vec![step("a", 1.0), closes("c")], 1.0),
-        ("runs", "a step and a run", vec![step("a", 1.0), (run("a", 2.0), anything())], 3.0),
-        ("of-no-step", "a step of no time and one of some", vec![step("a", 0.25), step("a", 1.0)], 1.0),
-        ("nonsense", "a text that is no request and a step", vec![("hello".to_owned(), error()), step("a", 1.0)], 1.0),
+        ("failing", FAILS, "a step that fails and one that does not", vec![fails("a"), step("a", 1.0)], 1.0),
+        ("by-turns", APART, "a step of it and one of another", vec![step("a", 1.0), step("b", 2.0)], 1.0),
+        ("closed-unknown", ADDS_UP, "a step and a close of what is not open", vec![step("a", 1.0), closes("c")], 1.0),
+        ("runs", ADDS_UP, "a step and a run", vec![step("a", 1.0), (run("a", 2.0), anything())], 3.0),
+        ("of-no-step", ADDS_UP, "a step of no time and one of some", vec![step("a", 0.25), step("a", 1.0)], 1.0),
+        (
+            "nonsense",
+            ADDS_UP,
+            "a text that is no request and a step",
+            vec![("hello".to_owned(), error()), step("a", 1.0)],
+            1.0,
+        ),
     ];
-    let one = |(name, words, round, each_ms): Rounds| {
+    let one = |(name, rules, words, round, each_ms): Rounds| {
         let after = |more_ms| observed("a", f64::from(MANY).mul_add(each_ms, more_ms));
         let mut trace = vec![open("a"), (Open::lif("b").text(), anything())];
         trace.extend(std::iter::repeat_n(round, usize::from(MANY)).flatten());
@@ -124,11 +132,6 @@ fn rounds() -> Vec<Case> {
             open("a"),
             steps("a", 10.0),
         ]);
-        let rules: &[_] = match name {
-            "of-another" | "by-turns" => &["NCP-SESS-035", "NCP-SESS-033", "NCP-SESS-031"],
-            "failing" => &["NCP-SESS-037", "NCP-SESS-033", "NCP-SESS-031"],
-            _ => &["NCP-SESS-033", "NCP-SESS-031", "NCP-SESS-037"],
-        };
         reference(format!("endures/rounds/{name}"), rules, trace)
             .title(format!("After {MANY} rounds of {words}, a session goes on as it began, until it is closed."))
             .flags(&["session-lifecycle"])

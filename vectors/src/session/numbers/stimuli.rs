@@ -79,21 +79,25 @@ fn current_of_no_step() -> Case {
         .because(WHY)
 }
 
+/// Two neurons, each with a port that drives it and one that records it so often.
+fn two_neurons(cadence_ms: f64) -> Open {
+    let ids = |id: u32| std::iter::once(id).collect::<Json>();
+    let drive = |port: &str, id| stimulus(port, "current_pA").with("ids", ids(id));
+    let record = |port: &str, id| record(port, "V_m", cadence_ms).with("ids", ids(id));
+    Open {
+        size: 2,
+        records: vec![record("v", 1), record("w", 2)],
+        stimuli: vec![drive("x", 1), drive("y", 2)],
+        ..Open::lif("a")
+    }
+}
+
 /// Values that add up as before, and drive other neurons.
 fn of_one_sum() -> Vec<Case> {
     let mut cases = Vec::new();
     for (name, second) in [("swapped", [-100.0, 300.0]), ("turned", [100.0, 100.0]), ("to-nothing", [200.0, 0.0])] {
-        let ids = |id: u32| std::iter::once(id).collect::<Json>();
-        let drive = |port: &str, id| stimulus(port, "current_pA").with("ids", ids(id));
-        let record = |port: &str, id| record(port, "V_m", 1.0).with("ids", ids(id));
-        let open = Open {
-            size: 2,
-            records: vec![record("v", 1), record("w", 2)],
-            stimuli: vec![drive("x", 1), drive("y", 2)],
-            ..Open::lif("a")
-        };
         let mut neurons = [Lif::new(&[], 1.0), Lif::new(&[], 1.0)];
-        let mut trace = vec![(open.text(), opened("a"))];
+        let mut trace = vec![(two_neurons(1.0).text(), opened("a"))];
         for (time, currents) in (1_u32..).zip([[300.0, -100.0], second]) {
             let mut potential = |nth: usize| {
                 neurons[nth].step(currents[nth]);
@@ -116,17 +120,8 @@ fn of_one_sum() -> Vec<Case> {
 /// Neurons that have come to rest, and whose values then change places.
 fn of_one_sum_at_rest() -> Case {
     const EVERY: u32 = 250;
-    let ids = |id: u32| std::iter::once(id).collect::<Json>();
-    let drive = |port: &str, id| stimulus(port, "current_pA").with("ids", ids(id));
-    let record = |port: &str, id| record(port, "V_m", f64::from(EVERY)).with("ids", ids(id));
-    let open = Open {
-        size: 2,
-        records: vec![record("v", 1), record("w", 2)],
-        stimuli: vec![drive("x", 1), drive("y", 2)],
-        ..Open::lif("a")
-    };
     let mut neurons = [Lif::new(&[], 1.0), Lif::new(&[], 1.0)];
-    let mut trace = vec![(open.text(), opened("a"))];
+    let mut trace = vec![(two_neurons(f64::from(EVERY)).text(), opened("a"))];
     let mut time = 0;
     for (samples_each, currents) in [(4, [300.0, -100.0]), (2, [-100.0, 300.0]), (2, [100.0, 100.0])] {
         let (mut times, mut potentials) = (Vec::new(), [Vec::new(), Vec::new()]);
