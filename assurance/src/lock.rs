@@ -5,13 +5,14 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, ErrorKind};
-use std::mem;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
+use serde::ser::Error as _;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use thiserror::Error;
-use toml_edit::Item;
+use toml::ser;
 
 /// Where the locks are, from the root of the project.
 pub(crate) const FOLDER: &str = "reports/lock";
@@ -109,7 +110,7 @@ pub(crate) enum LockError {
     #[error("{}: {source}", path.display())]
     Form { path: PathBuf, source: Box<toml::de::Error> },
     #[error("the lock of {name} cannot be written: {source}")]
-    Write { name: String, source: toml_edit::ser::Error },
+    Write { name: String, source: ser::Error },
 }
 
 impl Lock {
@@ -158,12 +159,32 @@ pub(crate) fn read<T: DeserializeOwned>(root: &Path, name: &str) -> Result<Optio
 /// # Errors
 /// What TOML cannot hold.
 pub(crate) fn text<T: Serialize>(name: &str, lock: &T) -> Result<String, LockError> {
-    let mut body =
-        toml_edit::ser::to_document(lock).map_err(|source| LockError::Write { name: name.to_owned(), source })?;
-    for (_, section) in body.iter_mut() {
-        *section = mem::take(section).into_table().map_or_else(|other| other, Item::Table);
+    let unfit = |source| LockError::Write { name: name.to_owned(), source };
+    // As a value of JSON, it keeps its order.
+    let body: serde_json::Map<String, Value> = serde_json::to_value(lock)
+        .and_then(serde_json::from_value)
+        .map_err(|source| unfit(ser::Error::custom(source)))?;
+    let (mut lines, mut sections) = (Vec::new(), Vec::new());
+    for (section, content) in &body {
+        let Value::Object(entries) = content else {
+            lines.push(line(section, content).map_err(unfit)?);
+            continue;
+        };
+        sections.push(format!("\n[{section}]"));
+        for (key, value) in entries {
+            sections.push(line(key, value).map_err(unfit)?);
+        }
     }
-    Ok(format!("# Written by cargo assure: what was found last, and of which sources.\n\n{body}"))
+    let lines = [lines, sections].concat().join("\n");
+    Ok(format!("# Written by cargo assure: what was found last, and of which sources.\n\n{}\n", lines.trim_start()))
+}
+
+/// An entry as a line: what an inline table of it holds between its braces.
+fn line(key: &str, value: &Value) -> Result<String, ser::Error> {
+    let mut table = String::new();
+    BTreeMap::from([(key, value)]).serialize(ser::ValueSerializer::new(&mut table))?;
+    let entry = table.strip_prefix("{ ").and_then(|rest| rest.strip_suffix(" }"));
+    Ok(entry.unwrap_or(&table).to_owned())
 }
 
 #[cfg(test)]
@@ -186,6 +207,20 @@ mod tests {
         assert_eq!(Lock::read(root.path(), "proofs").unwrap(), None);
         lock.write(root.path(), "proofs").unwrap();
         assert_eq!(Lock::read(root.path(), "proofs").unwrap(), Some(lock));
+    }
+
+    #[test]
+    fn each_lock_of_the_project_is_written_as_it_stands() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let names = fs::read_dir(root.join(FOLDER)).unwrap().map(|entry| entry.unwrap().path());
+        let names = names.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned());
+        let mut seen = 0;
+        // Some have a form of their own.
+        for (name, lock) in names.filter_map(|name| Lock::read(&root, &name).ok()?.map(|lock| (name, lock))) {
+            assert_eq!(text(&name, &lock).unwrap(), fs::read_to_string(path(&root, &name)).unwrap(), "{name}");
+            seen += 1;
+        }
+        assert!(seen > 5, "{seen}");
     }
 
     #[test]

@@ -23,9 +23,13 @@ struct Run {
 
 /// The verifier's hostile peer, whose modes are the mutants.
 static HOSTILE: LazyLock<PathBuf> = LazyLock::new(|| {
-    let cargo = ["build", "--quiet", "-p", "ncp-verifier", "--example", "hostile-peer"];
-    assert!(Command::new(env!("CARGO")).args(cargo).status().unwrap().success());
-    Path::new(env!("CARGO_BIN_EXE_ncp-assurance")).parent().unwrap().join("examples/hostile-peer")
+    let built = Path::new(env!("CARGO_BIN_EXE_ncp-assurance")).with_file_name("examples/hostile-peer");
+    // Nextest has just built it with all other programs; alone, it would be built with other features once more.
+    if std::env::var_os("NEXTEST").is_none() || !built.exists() {
+        let cargo = ["build", "--quiet", "-p", "ncp-verifier", "--example", "hostile-peer"];
+        assert!(Command::new(env!("CARGO")).args(cargo).status().unwrap().success());
+    }
+    built
 });
 
 /// Runs the command on a program whose defects are modes of the hostile peer, each with the rule that it breaks, and
@@ -185,6 +189,28 @@ fn only_tries_the_named_mutant_and_writes_no_report() {
     let run = hunt_in("honest", &both, &["--only", "no-such"]);
     assert_eq!(run.exit, 2);
     assert!(run.stderr.contains("there is no mutant no-such"), "{}", run.stderr);
+}
+
+#[test]
+fn quick_asks_the_cases_of_a_mutants_own_rules_alone_and_writes_no_report() {
+    let run = hunt_in("honest", &[("panics", "NCP-VER-001")], &["--quick"]);
+    // All cases would have other rules blamed, too.
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("1 mutant: 1 killed by a case of their own rules"), "{}", run.stdout);
+    assert!(run.json.is_none() && run.page.is_none());
+    let run = hunt_in("honest", &[("wrong-answer", "NCP-VER-001")], &["--quick"]);
+    assert_eq!(run.exit, 1);
+    assert!(run.stdout.contains("wrong-answer: survived"), "{}", run.stdout);
+}
+
+#[test]
+fn the_trials_are_written_as_json_where_they_are_asked_for() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let run =
+        hunt_in("honest", &[("wrong-answer", "NCP-VER-004")], &["--quick", "--json", file.path().to_str().unwrap()]);
+    assert_eq!(run.exit, 0, "{}{}", run.stdout, run.stderr);
+    let json: Value = serde_json::from_str(&fs::read_to_string(file.path()).unwrap()).unwrap();
+    assert_eq!((&json["totals"]["killed"], &json["mutants"][0]["name"]), (&1.into(), &"wrong-answer".into()));
 }
 
 #[test]

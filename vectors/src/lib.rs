@@ -17,7 +17,7 @@
 //! | `foundations` | on which cases a case rests |
 //! | `model`, `command` | what a frame means by the tables of the text, and the command frame |
 //!
-//! ```
+//! ```no_run
 //! let files = ncp_vectors::generate()?;
 //! let (path, text) = &files[0];
 //! assert!(path.ends_with(".json") && text.starts_with('{'));
@@ -50,6 +50,10 @@ mod template;
 mod trace;
 mod version;
 mod wire;
+
+#[cfg(test)]
+#[path = "../tests/on_disk/mod.rs"]
+mod on_disk;
 
 use std::fmt::Write as _;
 

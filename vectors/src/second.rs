@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn the_models_say_of_a_written_trace_what_its_row_says() {
-        let files = crate::generate().unwrap();
+        let files = crate::on_disk::corpus();
         let mut asked = 0;
         for (_, text) in files.iter().filter(|(path, _)| ["safety/", "resilience/"].iter().any(|a| path.starts_with(a)))
         {

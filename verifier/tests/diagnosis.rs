@@ -40,10 +40,12 @@ fn unexplained(result: &Value) -> usize {
 const ESTOP: &str = "estop-not-latched";
 const RESET: &str = "governor-reset-ignored";
 const REPEATED: &str = "repeated-member-anywhere";
+/// The calls that show them.
+const CALLS: &[&str] = &["--level", "safety", "--filter", "governor.run", "--filter", "decode"];
 
 #[test]
 fn three_defects_of_which_one_hides_another_are_named_in_words_in_the_first_screen() {
-    let (text, result) = run(&[ESTOP, RESET, REPEATED], &["--level", "safety"]);
+    let (text, result) = run(&[ESTOP, RESET, REPEATED], CALLS);
     let all = named(&result);
     assert_eq!(all, [ESTOP, REPEATED, RESET]);
     assert_eq!(unexplained(&result), 0);
@@ -60,14 +62,14 @@ fn three_defects_of_which_one_hides_another_are_named_in_words_in_the_first_scre
         result["peers"][0]["diagnosis"]["defects"][place]["explained"].as_array().unwrap().len()
     };
     let of_reset = all.iter().position(|defect| *defect == RESET).unwrap();
-    let (_, alone) = run(&[RESET], &["--level", "safety"]);
+    let (_, alone) = run(&[RESET], CALLS);
     assert_eq!(named(&alone), [RESET]);
     assert!(cases(&result, of_reset) < cases(&alone, 0));
 }
 
 #[test]
 fn a_defect_that_no_entry_is_about_stays_unexplained() {
-    let (text, result) = run(&["half-speed"], &["--level", "safety"]);
+    let (text, result) = run(&["half-speed"], CALLS);
     assert_eq!(named(&result), Vec::<&str>::new());
     let failing = result["peers"][0]["totals"]["failed"].as_u64().unwrap();
     assert!(failing > 0);

@@ -26,7 +26,7 @@ use ncp_verifier::suite::{Case, Suite};
 use xtask::project::Project;
 
 use crate::artefact::Artefact;
-use crate::mutants::{Hunt, MutantsError, command};
+use crate::mutants::{Asks, Hunt, MutantsError, command};
 use crate::{Error, console, reports};
 use measured::Measured;
 use seen::Store;
@@ -78,7 +78,8 @@ pub(crate) fn dictionary(project: &Project, args: &DictionaryArgs) -> Result<boo
         Some(program) => std::path::absolute(program).unwrap_or_else(|_| program.clone()),
         None => command::build(project, &defects, &stop)?,
     };
-    let hunt = Hunt { program: &program, suite: &suite, jobs: usize::from(args.jobs), limit: LIMIT, stop: &stop };
+    let jobs = usize::from(args.jobs);
+    let hunt = Hunt { program: &program, suite: &suite, asks: Asks::All, jobs, limit: LIMIT, stop: &stop };
     let (large, small): (Vec<&Case>, Vec<&Case>) = suite.cases().iter().partition(|case| case.is_large());
 
     // What the diagnosis makes of what is seen changes nothing of it.

@@ -11,7 +11,7 @@ use ncp_verifier::stop::Stop;
 use ncp_verifier::suite::Suite;
 use xtask::project::Project;
 
-use super::{Fate, Hunt, Mutant, MutantsError, MutantsReport, Trial, planted};
+use super::{Asks, Fate, Hunt, Mutant, MutantsError, MutantsReport, Trial, planted};
 use crate::artefact::Artefact;
 use crate::console::{self, Styles, counted};
 use crate::{Error, reports};
@@ -28,6 +28,10 @@ pub(crate) struct MutantsArgs {
     /// Only list the mutants
     #[arg(long)]
     list: bool,
+    /// Each against the cases of its own rules alone: whether they notice it, not what else the verdict would name;
+    /// writes no reports
+    #[arg(long)]
+    quick: bool,
     /// How many mutants are on trial side by side
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: u16,
@@ -49,6 +53,9 @@ pub(crate) struct MutantsArgs {
     /// Where to write the reports; the lock is written only with those of the project
     #[arg(long, value_name = "DIR", default_value = reports::PAGES)]
     reports: PathBuf,
+    /// Also write the trials to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
 }
 
 const HELP: &str = "\
@@ -58,6 +65,7 @@ Ends with 1 if the suite does not notice a mutant, or does not name the rule tha
 
 Examples:
   cargo assure mutants --list
+  cargo assure mutants --quick
   cargo assure mutants --only lenient-integer-fraction
   cargo assure mutants --defects defects/deep --deep --reports target/deep
   cargo assure mutants --only fence-open-ball --only speed-per-axis --together";
@@ -89,7 +97,9 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
         Some(program) => std::path::absolute(program).unwrap_or_else(|_| program.clone()),
         None => build(project, &defects, &stop)?,
     };
-    let hunt = Hunt { program: &program, suite: &suite, jobs: usize::from(args.jobs), limit: args.limit, stop: &stop };
+    let asks = if args.quick { Asks::OwnRules } else { Asks::All };
+    let jobs = usize::from(args.jobs);
+    let hunt = Hunt { program: &program, suite: &suite, asks, jobs, limit: args.limit, stop: &stop };
     let said = Progress::spinner(
         format!("{}, {} cases", counted(mutants.len(), "mutant"), suite.cases().len()),
         std::io::stderr().is_terminal(),
@@ -97,8 +107,11 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
     let trials = super::hunt(&hunt, &mutants, &|trial| said.say(&line(trial, styles)));
     said.done();
     let report = MutantsReport::new(&suite, trials?);
-    // What some of them show is no report on all.
-    if args.only.is_empty() {
+    if let Some(file) = &args.json {
+        reports::json(&root.join(file), &report)?;
+    }
+    // What some of them show, or some of the cases, is no report on all.
+    if args.only.is_empty() && !args.quick {
         let folder = root.join(&args.reports);
         reports::page(&folder, ARTEFACT, &report.page())?;
         reports::full(&folder, ARTEFACT, &report, &report.full_page())?;
@@ -106,6 +119,10 @@ pub(crate) fn mutants(project: &Project, args: &MutantsArgs) -> Result<bool, Err
         if is_usual && args.program.is_none() && args.reports == Path::new(reports::PAGES) {
             report.lock(sources).write(&root, ARTEFACT)?;
         }
+    }
+    if args.quick {
+        print!("{}", quick_summary(&report, styles));
+        return Ok(report.totals.all_killed());
     }
     print!("{}", summary(&report, styles));
     Ok(report.totals.all_rightly_judged())
@@ -165,6 +182,23 @@ fn summary(report: &MutantsReport, styles: Styles) -> String {
         line
     };
     let line = if totals.all_rightly_judged() { styles.out.green(&line) } else { styles.out.red(&line) };
+    format!("{}{line}\n", remarks.collect::<String>())
+}
+
+/// What the cases of each mutant's own rules show: nothing of the other rules that a verdict on all cases names.
+fn quick_summary(report: &MutantsReport, styles: Styles) -> String {
+    let totals = report.totals;
+    let alive = report.mutants.iter().filter(|trial| trial.fate != Fate::Killed);
+    let remarks = alive.map(|trial| format!("{}\n", styles.out.red(&format!("{}: {}", trial.mutant.name, trial.fate))));
+    let line = format!(
+        "{}: {} killed by a case of their own rules, {} misnamed, {} survived, {} not finished",
+        counted(report.mutants.len(), "mutant"),
+        totals.killed,
+        totals.misnamed,
+        totals.survived,
+        totals.unfinished
+    );
+    let line = if totals.all_killed() { styles.out.green(&line) } else { styles.out.red(&line) };
     format!("{}{line}\n", remarks.collect::<String>())
 }
 

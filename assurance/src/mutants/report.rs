@@ -51,9 +51,14 @@ pub(crate) struct Totals {
 }
 
 impl Totals {
+    /// Whether every mutant was killed.
+    pub(crate) fn all_killed(self) -> bool {
+        self.misnamed + self.survived + self.unfinished == 0
+    }
+
     /// Whether every mutant was killed, and none of the rules that it keeps was blamed.
     pub(crate) fn all_rightly_judged(self) -> bool {
-        self.misnamed + self.survived + self.unfinished + self.blamed == 0
+        self.all_killed() && self.blamed == 0
     }
 }
 

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use ncp_text::catalogue::{Level, Role};
 use serde::{Deserialize, Serialize};
 
-use super::{Hunt, Mutant, MutantsError};
+use super::{Asks, Hunt, Mutant, MutantsError};
 use ncp_verifier::diagnosis;
 use ncp_verifier::dictionary::Observed;
 use ncp_verifier::peer::{Connection, Description, Launch, handshake};
@@ -100,7 +100,9 @@ pub(super) fn healthy(hunt: &Hunt<'_>) -> Result<(), MutantsError> {
 /// Puts a mutant on trial.
 pub(super) fn try_mutant(hunt: &Hunt<'_>, mutant: &Mutant) -> Result<Trial, MutantsError> {
     let start = Instant::now();
-    let (large, small): (Vec<&Case>, Vec<&Case>) = hunt.suite.cases().iter().partition(|case| case.is_large());
+    let cites = |case: &&Case| case.requirements.iter().any(|cited| mutant.rules.contains(&cited.id));
+    let asked = hunt.suite.cases().iter().filter(|case| hunt.asks == Asks::All || cites(case));
+    let (large, small): (Vec<&Case>, Vec<&Case>) = asked.partition(|case| case.is_large());
     let of_corpus = |case: &&&CaseReport| !case.id.starts_with(DEEP);
     let names = |cases: &[&CaseReport]| mutant.owed().iter().all(|rule| cases.iter().any(|case| is_about(case, rule)));
     // What the corpus alone names is to be known, whatever the deep set names.

@@ -18,15 +18,15 @@ interface Case {
   readonly rules: string[];
 }
 
-/** What ncp-verify says of a module: its cases. */
-async function verdict(module: string): Promise<Case[]> {
+/** What ncp-verify says of a module: the cases that these options choose. */
+async function verdict(module: string, ...options: string[]): Promise<Case[]> {
   const folder = mkdtempSync(join(tmpdir(), "ncp-module-"));
   try {
     const result = join(folder, "result.json");
     const peer = `'${process.execPath}' '${ADAPTER}' --module '${module}'`;
     const verify = ["run", "--quiet", "--profile", "verify", "-p", "ncp-verifier", "--", "run", "--level", "safety"];
     // A peer that fails ends the program with 1.
-    await promisify(execFile)("cargo", [...verify, "--peer-cmd", peer, "--json", result], {
+    await promisify(execFile)("cargo", [...verify, ...options, "--peer-cmd", peer, "--json", result], {
       cwd: join(PACKAGE, "../.."),
       maxBuffer: 1 << 26,
     }).catch(() => undefined);
@@ -60,6 +60,9 @@ test("a module is described by its own constants, and what it prints goes to the
   assert.deepEqual(version, { id: 1, result: { compatible: true } });
 });
 
+/** A third of the cases, of each call some: `ncp-verify` asks this library all of them by its own adapter. */
+const SOME = ["--shard", "1/3"];
+
 const skip = process.env["NCP_NO_VERIFIER"] !== undefined;
 
 for (const [what, module, lossy] of [
@@ -69,21 +72,21 @@ for (const [what, module, lossy] of [
   ["one whose bus parses", shim("parsed.cjs"), true],
 ] as const) {
   test(`${what} fails nothing`, { skip }, async () => {
-    const cases = await verdict(module);
+    const cases = await verdict(module, ...SOME);
     const outcomes = new Set(cases.map(({ outcome }) => outcome));
     assert.deepEqual([...outcomes].sort(), ["pass", "unsupported"]);
     for (const call of ["version.check", "contract.status", "negotiate"]) {
       assert.equal(count(cases, call, "unsupported"), 0, call);
-      assert.ok(count(cases, call, "pass") > 10, call);
+      assert.ok(count(cases, call, "pass") > 5, call);
     }
     // What a bus loses is not asked of the module behind it.
     assert.equal(count(cases, "reply.check", "unsupported") > 0, lossy);
-    assert.ok(count(cases, "reply.check", "pass") > 70);
+    assert.ok(count(cases, "reply.check", "pass") > 20);
   });
 }
 
 test("a client that judges nothing fails by the rules about replies, and a crash is one", { skip }, async () => {
-  const cases = await verdict(shim("unjudging.mjs"));
+  const cases = await verdict(shim("unjudging.mjs"), "--filter", "version.check", "--filter", "reply.check");
   assert.equal(count(cases, "version.check", "pass"), 0);
   assert.ok(count(cases, "reply.check", "fail") > 80);
   assert.ok(count(cases, "reply.check", "pass") > 0);

@@ -8,6 +8,7 @@ use crate::case::{Case, File};
 pub(super) fn file() -> File {
     let mut cases = shared();
     cases.extend(among_many());
+    cases.extend(names_within_data());
     cases.extend(among_hundreds());
     cases.extend(amplified());
     cases.extend(apart());
@@ -157,6 +158,31 @@ fn among_many() -> Vec<Case> {
                     .because("No two regions may share a byte, however many columns come before them."),
             );
         }
+    }
+    cases
+}
+
+/// A name that lies within the data of a column, whichever name it is and whichever data.
+fn names_within_data() -> Vec<Case> {
+    const WORDS: [[u8; 8]; 5] = [*b"abcdefgh", *b"ijklmnop", *b"qrstuvwx", *b"ABCDEFGH", *b"IJKLMNOP"];
+    let mut cases = Vec::new();
+    for (count, name, data) in [(3, 1, 0), (3, 1, 1), (3, 1, 2), (4, 2, 0), (5, 1, 4), (5, 2, 2), (5, 3, 0), (5, 3, 2)]
+    {
+        let words = WORDS.iter().take(count).enumerate();
+        let columns = words.map(|(nth, word)| f64s(&short_name(nth), [f64::from_le_bytes(*word)]));
+        let block = Block::new(columns.collect::<Vec<_>>());
+        let mut names = block.names.clone();
+        names[name] = block.data[data] + 3;
+        let bytes = block.clone().laid_out(&names, &block.data, block.len).bytes();
+        cases.push(
+            rejected(format!("name-within-data/{name}-of-{count}-in-{data}"), &["NCP-BULK-012"], &bytes)
+                .title(format!(
+                    "A block of {count} columns in which the name of number {name} lies within the data of number \
+                     {data} is rejected."
+                ))
+                .flags(&["L01", "overlapping-regions"])
+                .because("No two regions may share a byte, whichever columns they are of."),
+        );
     }
     cases
 }

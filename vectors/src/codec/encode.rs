@@ -362,6 +362,25 @@ fn mappings() -> Vec<Case> {
             .because("A mapping with a component of 4,096 or more is ignored, however wide its channel is."),
         );
     }
+    // As if it were not there: it takes nothing from the other mapping of its population.
+    for component in [4096_u32, 4097] {
+        let far = Mapping { component, ..PLAIN };
+        for (order, both) in [("before", [far, PLAIN]), ("behind", [PLAIN, far])] {
+            cases.push(
+                case(
+                    format!("ignored/{component}-of-a-population/{order}"),
+                    &["NCP-CODEC-008"],
+                    codec(&both, &[]),
+                    sensor(&[("x", &[0.5])]),
+                )
+                .shows(rates(&[("p", 150.0)]))
+                .title(format!(
+                    "A mapping of component {component} is ignored {order} another of its population, which counts."
+                ))
+                .because("A mapping that is ignored is as if it were not there."),
+            );
+        }
+    }
     let last = Mapping { component: 4095, ..PLAIN };
     cases.push(
         case("ignored/not-4095".to_owned(), &["NCP-CODEC-005"], codec(&[last], &[]), sensor(&[("x", &[0.0])]))

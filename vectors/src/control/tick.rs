@@ -326,6 +326,9 @@ fn row_case(row: &Row) -> Result<Case, ScenarioError> {
     Ok(case.title(&row.title).flags(&row.flags).because(&row.why))
 }
 
+/// Periods in ms of which two are less, by an ulp, when they are computed in seconds.
+const PERIODS_SHORT_IN_SECONDS: [f64; 4] = [125.125, 250.25, 500.1, 1001.0];
+
 fn ttls() -> Vec<Case> {
     let mut cases = Vec::new();
     for period in [1.0, 20.0, 50.0, 100.0, 120.7, 125.0, 150.0, 166.7, 250.0, 333.4, 500.0, 1000.0, 20_000.0] {
@@ -341,6 +344,22 @@ fn ttls() -> Vec<Case> {
             .title(format!("With a period of {period} ms a command lasts {} ms or more.", 2.0 * period))
             .flags(&["short-ttl"])
             .because("The loop raises `ttl_ms` to at least two periods."),
+        );
+    }
+    // Two periods that come out less by way of seconds.
+    for period in PERIODS_SHORT_IN_SECONDS {
+        let command = object! { "mode" => "active", "ttl_ms" => within(2.0 * period, f64::MAX) };
+        cases.push(
+            run(
+                format!("ttl/seconds/period-{period}"),
+                &["NCP-CTRL-014"],
+                period,
+                Json::object(),
+                vec![arrives(8, 1.0), commands(1.0, command)],
+            )
+            .title(format!("With a period of {period} ms a command lasts two periods or more, to the last digit."))
+            .flags(&["short-ttl"])
+            .because("The loop raises `ttl_ms` to at least two periods, and no unit takes some of it off."),
         );
     }
     // Two periods that end in no whole microsecond.

@@ -11,7 +11,8 @@ pub(super) fn files() -> Result<Vec<File>, ScenarioError> {
     let builders = text.rows("builders")?.iter().map(Builder::of).collect::<Result<Vec<_>, _>>()?;
     text.end()?;
     let built = builders.iter().flat_map(Builder::built).collect();
-    let segments = builders.iter().flat_map(Builder::segments).collect();
+    let segments = builders.iter().flat_map(Builder::segments);
+    let segments = segments.chain(builders.iter().flat_map(Builder::realm_as_segment)).collect();
     // Between them every role builds these.
     let some = builders.iter().filter(|builder| matches!(builder.key, "rpc" | "sensor" | "fleet_glob"));
     let mut realms: Vec<Case> = some.flat_map(Builder::realms).collect();
@@ -167,6 +168,28 @@ impl Builder {
             }));
         }
         cases
+    }
+
+    /// A session id and a name that are the realm, which is valid and no segment.
+    fn realm_as_segment(&self) -> Vec<Case> {
+        const TWO: &str = "engram/ncp";
+        let mut parts = Vec::new();
+        if self.takes_session {
+            parts.push(("session", "session id", self.args(Some(TWO), TWO, None)));
+        }
+        if self.takes_name {
+            parts.push(("name", "stream name", self.args(Some(TWO), "uav3", Some(TWO))));
+        }
+        let one = |(part, says, args): (&str, &str, Json)| {
+            self.case(&format!("{part}/is-the-realm"), &["NCP-KEY-011", "NCP-KEY-019"])
+                .title(format!("The `{}` key is not built for a {says} that is the realm of two segments.", self.key))
+                .flags(&["L22"])
+                .call("key.build", args)
+                .rejects("key")
+                .by("crash", "NCP-KEY-019")
+                .because("A slash is in no segment, also where the same text is a realm.")
+        };
+        parts.into_iter().map(one).collect()
     }
 
     /// Realms; the whole list for the control key, a sample for the others.

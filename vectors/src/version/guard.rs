@@ -77,6 +77,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(far());
     cases.extend(cut());
+    cases.extend(spoilt());
     let about = format!(
         "The version guard of wire {WIRE_VERSION}: versions that are compatible, others, and texts that are no version."
     );
@@ -132,6 +133,28 @@ fn cut() -> Vec<Case> {
         [one(width, "minor", "NCP-VER-003", of_minor), one(width, "major", "NCP-VER-004", of_major)]
     };
     WIDTHS.into_iter().flat_map(both).collect()
+}
+
+/// Texts whose first so many characters are a version.
+fn spoilt() -> Vec<Case> {
+    const WIDTHS: [usize; 8] = [15, 16, 31, 32, 63, 64, 128, 255];
+    let (major, minor) = parts(WIRE_VERSION);
+    let one = |width: usize, (what, says, tail): (&str, &str, &str), strict: bool| {
+        let how = if strict { "strict" } else { "lenient" };
+        let zeros = "0".repeat(width.saturating_sub(major.len() + 1 + minor.len()));
+        let version = format!("{major}.{zeros}{minor}{tail}");
+        Case::new(format!("{how}/spoilt-behind-{width}-characters/{what}"), &["NCP-VER-001"], &Role::ALL)
+            .title(format!(
+                "A {how} version guard answers a version with {says} behind {width} characters with an error."
+            ))
+            .flags(&["version-overflow"])
+            .call("version.check", object! { "version" => version, "strict" => strict })
+            .rejects("version")
+            .because("It is not one or two unsigned integers of ASCII digits with one dot between, all of it.")
+    };
+    let tails = [("letter", "a letter", "x"), ("third-part", "a third part", ".5")];
+    let of = |width| tails.into_iter().flat_map(move |tail| [(width, tail, true), (width, tail, false)]);
+    WIDTHS.into_iter().flat_map(of).map(|(width, tail, strict)| one(width, tail, strict)).collect()
 }
 
 #[cfg(test)]

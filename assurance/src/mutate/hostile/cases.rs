@@ -12,7 +12,7 @@ use xtask::project::Project;
 use super::super::MutateError;
 use super::Kernel;
 use crate::console;
-use crate::mutants::{self, Hunt, MutantsError, command};
+use crate::mutants::{self, Asks, Hunt, MutantsError, command};
 
 /// The areas whose cases reach what moves a plant.
 const AREAS: [&str; 5] = ["safety/", "resilience/", "control/", "strict/", "session/"];
@@ -42,7 +42,7 @@ pub(super) fn hold(project: &Project, kernels: &[Kernel]) -> Result<BTreeMap<Str
     let suite = Suite::embedded()?;
     let defects: Vec<Defect> = kernels.iter().map(|kernel| kernel.defect.clone()).collect();
     let program = command::build(project, &defects, &stop)?;
-    let hunt = Hunt { program: &program, suite: &suite, jobs: JOBS, limit: LIMIT, stop: &stop };
+    let hunt = Hunt { program: &program, suite: &suite, asks: Asks::All, jobs: JOBS, limit: LIMIT, stop: &stop };
     let is_asked = |case: &&Case| AREAS.iter().any(|area| case.id.starts_with(area));
     // Those with large requests take longer than all others together: they are for the kernels that pass these.
     let (large, small): (Vec<&Case>, Vec<&Case>) =

@@ -116,7 +116,15 @@ fn broken(bytes: &mut Vec<u8>, columns: usize, draw: &mut Draw<'_>) {
         }
     };
     let odd = draw.one(&[0, 1, 11, 12, 27, 28, length - 1, length, length + 1, length / 2, u32::MAX as usize]);
-    match draw.below(15) {
+    match draw.below(18) {
+        15 | 16 if entry > 0 => {
+            // A name or the data of a column begins within those of another, or of its own.
+            let other = 12 + 16 * draw.below(columns);
+            let (own, others) = (entry + draw.one(&[0, 0, 12]), other + draw.one(&[0, 12, 12]));
+            let begins = bytes.get(others..others + 4).and_then(|begins| begins.try_into().ok());
+            let begins = begins.map_or(0, u32::from_le_bytes) as usize;
+            set(bytes, own, &le32(begins + draw.below(8)));
+        }
         // A bit of the header or the directory: a count or an offset off by a power of two.
         12..=14 => {
             let place = draw.below((12 + 16 * columns).min(length));

@@ -40,13 +40,18 @@ fn mappings(decoders: bool, draw: &mut Draw<'_>) -> Vec<Tree> {
         .map(|nth| {
             let channel = draw.below(channels.len());
             let component = if draw.chance(70) { next[channel] } else { next[channel] + draw.range(1, far) };
-            let component = if !decoders && draw.chance(3) { draw.one(&[4095, 4096, 4097, 65_536]) } else { component };
-            next[channel] = next[channel].max(component + 1);
-            let component = if decoders { component.min(4095) } else { component };
+            // One that is ignored is as if it were not there, whatever it shares with another (NCP-CODEC-008).
+            let is_ignored = draw.chance(4);
+            let component = if is_ignored { draw.one(&[4096, 4097, 8192, 65_536]) } else { component.min(4095) };
+            if !is_ignored {
+                next[channel] = next[channel].max(component + 1);
+            }
+            let of = if is_ignored && draw.chance(60) { draw.below(count) } else { nth };
+            let population = if marked && nth % 3 == 1 { format!(" p{of} ") } else { format!("p{of}") };
             let mut mapping = object([
                 ("channel", text(channels[channel].clone())),
                 ("component", int(component)),
-                ("population", text(if marked && nth % 3 == 1 { format!(" p{nth} ") } else { format!("p{nth}") })),
+                ("population", text(population)),
             ]);
             for name in ["value_range", "rate_range"] {
                 if draw.chance(70) {

@@ -113,12 +113,17 @@ pub(super) fn key_build(menu: &Menu, draw: &mut Draw<'_>) -> Option<Tree> {
         }
         parts.join("/")
     });
-    let mut args = object([("key", text(key)), ("realm", or_null(realm.map(text)))]);
+    let mut args = object([("key", text(key)), ("realm", or_null(realm.clone().map(text)))]);
+    // What is valid as a realm need not be so as a segment.
+    let part = |draw: &mut Draw<'_>| match &realm {
+        Some(realm) if draw.chance(4) => realm.clone(),
+        _ => any_segment(draw),
+    };
     if !matches!(key, "rpc" | "fleet_glob") {
-        set(&mut args, "session", text(any_segment(draw)));
+        set(&mut args, "session", text(part(draw)));
     }
     if matches!(key, "sensor" | "command") && draw.chance(60) {
-        set(&mut args, "name", text(any_segment(draw)));
+        set(&mut args, "name", text(part(draw)));
     }
     if key == "rpc" && menu.strict && draw.chance(50) {
         let verbs =

@@ -433,6 +433,8 @@ pub(super) fn control_loop(draw: &mut Draw<'_>) -> Tree {
     let config = if draw.chance(60) { object([]) } else { config(draw) };
     let period = match draw.below(10) {
         0 => draw.double(),
+        // Of which half, twice and thousandth are rounded.
+        1 | 2 => draw.range(8, 16_000) as f64 / draw.one(&[8.0, 10.0]),
         _ => draw.one(&[20.0, 50.0, 100.0, 125.0, 500.0, 1000.0]),
     };
     let count = steps(draw, 3000);

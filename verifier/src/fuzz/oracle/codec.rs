@@ -21,7 +21,12 @@ struct Mapping {
     rate: [f64; 2],
 }
 
-/// The mappings of one side, and whether each can be told from the others.
+/// The mappings of one side but those that are ignored, which are as if they were not there (NCP-CODEC-008).
+fn heeded(args: &Tree, side: &str) -> Option<Vec<Mapping>> {
+    Some(mappings(args, side)?.into_iter().filter(|mapping| mapping.component < 4096).collect())
+}
+
+/// The mappings of one side.
 fn mappings(args: &Tree, side: &str) -> Option<Vec<Mapping>> {
     let codec = args.get("codec")?;
     if codec.as_str() == Some("uav") {
@@ -100,7 +105,6 @@ fn are_apart(encoders: &[Mapping], decoders: &[Mapping]) -> bool {
     let (mut populations, mut places) = (HashSet::new(), HashSet::new());
     encoders.iter().all(|mapping| populations.insert(&mapping.population))
         && decoders.iter().all(|mapping| places.insert((&mapping.channel, mapping.component)))
-        && decoders.iter().all(|mapping| mapping.component < 4096)
 }
 
 /// Ranges that a program best refuses when the codec is built.
@@ -112,7 +116,7 @@ fn has_strange_target(mappings: &[Mapping], encoders: bool) -> bool {
 }
 
 pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
-    let (Some(encoders), Some(decoders)) = (mappings(args, "encoders"), mappings(args, "decoders")) else {
+    let (Some(encoders), Some(decoders)) = (heeded(args, "encoders"), heeded(args, "decoders")) else {
         return Verdict::Open("the codec is none");
     };
     if !are_apart(&encoders, &decoders) {
@@ -127,24 +131,19 @@ pub(super) fn encode(args: &Tree, result: Outcome<'_>) -> Verdict {
     };
     let channels = args.get("sensor").and_then(|sensor| sensor.get("channels"));
     let mut rates = Vec::new();
-    let mut has_ignored = false;
     for mapping in &encoders {
-        if mapping.component >= 4096 {
-            has_ignored = true;
-            continue;
-        }
         let data = doubles(channels.and_then(|channels| channels.get(&mapping.channel)).and_then(|c| c.get("data")));
         let x = usize::try_from(mapping.component).ok().and_then(|component| data.get(component)).copied();
         let by_spec = double(result.get("rates").and_then(|rates| rates.get(&mapping.population))).unwrap_or(f64::NAN);
         rates.push((mapping.population.clone(), mapped(x, mapping.value, mapping.rate, by_spec)));
     }
-    // A population of a mapping that is ignored may be absent, or rest at the middle.
-    let rates = map(rates);
-    judged(args, object([("rates", if has_ignored { rates } else { exactly(rates) })]))
+    // The golden cases let a population that only an ignored mapping names rest at the middle.
+    let has_ignored = mappings(args, "encoders").is_some_and(|all| all.len() > encoders.len());
+    judged(args, object([("rates", if has_ignored { map(rates) } else { exactly(map(rates)) })]))
 }
 
 pub(super) fn decode(args: &Tree, result: Outcome<'_>) -> Verdict {
-    let (Some(encoders), Some(decoders)) = (mappings(args, "encoders"), mappings(args, "decoders")) else {
+    let (Some(encoders), Some(decoders)) = (heeded(args, "encoders"), heeded(args, "decoders")) else {
         return Verdict::Open("the codec is none");
     };
     if !are_apart(&encoders, &decoders) {
