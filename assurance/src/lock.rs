@@ -162,6 +162,7 @@ pub(crate) fn text<T: Serialize>(name: &str, lock: &T) -> Result<String, LockErr
     let unfit = |source| LockError::Write { name: name.to_owned(), source };
     // As a value of JSON, it keeps its order.
     let body: serde_json::Map<String, Value> = serde_json::to_value(lock)
+        .map(without_nulls)
         .and_then(serde_json::from_value)
         .map_err(|source| unfit(ser::Error::custom(source)))?;
     let (mut lines, mut sections) = (Vec::new(), Vec::new());
@@ -177,6 +178,18 @@ pub(crate) fn text<T: Serialize>(name: &str, lock: &T) -> Result<String, LockErr
     }
     let lines = [lines, sections].concat().join("\n");
     Ok(format!("# Written by cargo assure: what was found last, and of which sources.\n\n{}\n", lines.trim_start()))
+}
+
+/// TOML has no null: what would be one is left out.
+fn without_nulls(value: Value) -> Value {
+    match value {
+        Value::Object(members) => {
+            let there = members.into_iter().filter(|(_, member)| !member.is_null());
+            Value::Object(there.map(|(name, member)| (name, without_nulls(member))).collect())
+        }
+        Value::Array(items) => Value::Array(items.into_iter().map(without_nulls).collect()),
+        other => other,
+    }
 }
 
 /// An entry as a line: what an inline table of it holds between its braces.

@@ -16,6 +16,7 @@
 //! | `second` | the models as a second source of traces that were drawn at random |
 //! | `foundations` | on which cases a case rests |
 //! | `model`, `command` | what a frame means by the tables of the text, and the command frame |
+//! | `on_disk` | the corpus as it lies on disk, for the tests |
 //!
 //! ```no_run
 //! let files = ncp_vectors::generate()?;
