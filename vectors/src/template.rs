@@ -5,6 +5,9 @@ use base64::engine::general_purpose::STANDARD;
 
 use crate::json::{Json, object};
 
+/// How many bytes of one character are a long run.
+const LONG: usize = 600;
+
 /// A text of `args` or `expect`, written out or as a template that the runner expands.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Text {
@@ -38,12 +41,33 @@ impl Text {
 
     /// The base64 of bytes, written out but for the first long run of zeros.
     pub(crate) fn base64_of(bytes: &[u8]) -> Self {
-        const LONG: usize = 600;
         let text = STANDARD.encode(bytes);
         let Some(begins) = text.find(&"A".repeat(LONG)) else { return Self::Plain(text) };
         let (before, rest) = text.split_at(begins);
         let behind = rest.trim_start_matches('A');
         Self::concat([before.into(), Self::repeat("A", rest.len() - behind.len()), behind.into()])
+    }
+
+    /// A text, written out but for each long run of one character.
+    pub(crate) fn folded(text: &str) -> Self {
+        let (mut parts, mut plain, mut rest) = (Vec::new(), String::new(), text);
+        while let Some(first) = rest.chars().next() {
+            let behind = rest.trim_start_matches(first);
+            let run = &rest[..rest.len() - behind.len()];
+            if run.len() >= LONG {
+                parts.push(Self::Plain(std::mem::take(&mut plain)));
+                parts.push(Self::repeat(first, run.len() / first.len_utf8()));
+            } else {
+                plain.push_str(run);
+            }
+            rest = behind;
+        }
+        if parts.is_empty() {
+            return Self::Plain(plain);
+        }
+        parts.push(Self::Plain(plain));
+        parts.retain(|part| *part != Self::Plain(String::new()));
+        Self::Concat(parts)
     }
 
     /// What the runner makes of it.
@@ -92,5 +116,21 @@ impl From<String> for Text {
 impl From<Text> for Json {
     fn from(text: Text) -> Self {
         text.json()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_runs_are_folded_and_the_text_stays_the_same() {
+        let long = format!("0.{}1{}\u{e9}", "0".repeat(700), "\u{e9}".repeat(400));
+        let folded = Text::folded(&long);
+        assert_eq!(folded.expanded(), long);
+        let Text::Concat(parts) = folded else { panic!("{long} is folded") };
+        assert_eq!(parts[..2], [Text::from("0."), Text::repeat("0", 700)]);
+        let short = format!("0.{}", "0".repeat(599));
+        assert_eq!(Text::folded(&short), Text::Plain(short));
     }
 }

@@ -100,6 +100,8 @@ fn a_watchdog_that_is_renewed_by_being_asked_is_found_shrunk_saved_and_fails_aga
     assert_eq!(findings.len(), 1, "one defect is one finding: {}", stdout(&output));
     // Six questions show it, and each of them is needed.
     assert_eq!(findings[0]["args"]["steps"].as_array().unwrap().len(), 6);
+    assert_eq!(findings[0]["smallest"], true);
+    assert!(stdout(&output).contains("each of which is needed"), "{}", stdout(&output));
     assert!(findings[0]["rule"].as_str().unwrap().starts_with("NCP-RES-"));
     let saved = folder.path().join("found");
     let result = folder.path().join("result.json");

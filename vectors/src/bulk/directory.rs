@@ -13,6 +13,7 @@ pub(super) fn file() -> File {
     cases.extend(name_bytes());
     cases.push(divided_name());
     cases.extend(last_of_many());
+    cases.extend(behind_an_observation());
     File::new("bulk", "directory", "The directory of a BulkBlock: types, names, and where the data lies.", cases)
 }
 
@@ -285,6 +286,38 @@ fn name_bytes() -> Vec<Case> {
                 .because("The name is not well-formed UTF-8.")
         })
         .collect()
+}
+
+/// What is wrong with the last of four columns, of which the first three are all that an observation has.
+fn behind_an_observation() -> Vec<Case> {
+    let columns = [f64s("times", [0.5]), f64s("values", [1.5]), i64s("senders", [7]), f64s("more", [2.5])];
+    let block = Block::new(columns);
+    let name_at = block.names.last().copied().unwrap_or_default();
+    let table = [
+        ("utf-8", "NCP-BULK-010", "invalid-utf8", "has a name that is not UTF-8", block.patched(name_at, b"\xff")),
+        ("dtype", "NCP-BULK-007", "unchecked-header", "has the dtype 9", block.entry(3, Part::Dtype, 9)),
+        (
+            "name",
+            "NCP-BULK-009",
+            "unchecked-header",
+            "has a name beyond the end",
+            block.entry(3, Part::NameOff, block.len),
+        ),
+        (
+            "data",
+            "NCP-BULK-011",
+            "unchecked-header",
+            "has data beyond the end",
+            block.entry(3, Part::DataOff, block.len),
+        ),
+    ];
+    let case = |(what, rule, flag, says, bytes): (&str, &'static str, &'static str, &str, Vec<u8>)| {
+        rejected(format!("behind-an-observation/{what}"), &[rule], &bytes)
+            .title(format!("A block whose last column, behind times, values and senders, {says} is rejected."))
+            .flags(&[flag])
+            .because("What a decoder has to see of one column it has to see of each.")
+    };
+    table.map(case).into()
 }
 
 /// A character of two bytes, of which each of two names that lie side by side has one.

@@ -83,6 +83,17 @@ fn not_utf8(kind: &str) -> Vec<Case> {
             format!("{} with {says} within a member's name is rejected.", a(kind)),
         ));
     }
+    // Behind the frame, where a reader that waits for the rest of a character has read it whole.
+    for (what, bytes, says) in
+        NOT_UTF8.iter().filter(|(what, ..)| matches!(*what, "ff" | "truncated-2" | "truncated-4"))
+    {
+        let frame = minimal(kind).text();
+        cases.push(reject(
+            format!("behind/{what}"),
+            &[frame.as_bytes(), *bytes].concat(),
+            format!("{} with {says} behind it is rejected.", a(kind)),
+        ));
+    }
     cases
 }
 

@@ -23,6 +23,7 @@ pub(super) fn file() -> File {
     cases.extend(large_and_broken());
     cases.extend(larger_and_broken());
     cases.extend(across_pieces());
+    cases.extend(escapes_across_pieces());
     cases.extend(endless());
     cases.extend(depths());
     cases.extend(deep_names());
@@ -345,6 +346,36 @@ fn across_pieces() -> Vec<Case> {
                     .decode(kind, text)
                     .means(meaning(kind, &explicit(kind)).text())
                     .because("By what pieces a receiver reads a frame makes no difference."),
+            );
+        }
+    }
+    cases
+}
+
+/// Escapes of which each border of the pieces that a reader may cut a frame into leaves a half, since all of them begin
+/// at odd places; and brackets behind them that are within strings.
+fn escapes_across_pieces() -> Vec<Case> {
+    let table = [("quotes", "\\\"", "escaped quotes"), ("backslashes", "\\\\", "escaped backslashes")];
+    let mut cases = Vec::new();
+    for (kind, size) in [("command_frame", 200_000), ("sensor_frame", 900_000), ("observation_frame", 5 * MIB)] {
+        for (what, unit, says) in table {
+            let frame = explicit(kind).text();
+            let mut before = format!("{},\"pad\":\"", frame.strip_suffix('}').unwrap_or(&frame));
+            before.push_str(if before.len().is_multiple_of(2) { "x" } else { "" });
+            let times = (size - before.len()) / unit.len();
+            let brackets = "[".repeat(LEVELS + 6);
+            let behind = format!("{brackets}\",\"more\":\"{brackets}\"}}");
+            let text = Text::concat([before.into(), Text::repeat(unit, times), behind.into()]);
+            cases.push(
+                Case::new(format!("{kind}/across-pieces/{what}"), &["NCP-WIRE-065", "NCP-WIRE-034"], readers(kind))
+                    .title(format!(
+                        "{} of about {size} bytes, most of them {says}, and with brackets in its strings is read.",
+                        a(kind)
+                    ))
+                    .flags(&["low-limits"])
+                    .decode(kind, text)
+                    .means(meaning(kind, &explicit(kind)).text())
+                    .because("Brackets within a string are no levels, by what pieces ever a receiver reads a frame."),
             );
         }
     }
@@ -739,6 +770,14 @@ fn sums() -> Vec<Case> {
     cases.push(
         sum("command_frame", "horizon-of-most", text)
             .title("A `command_frame` with 4,096 items of 8 entries each in `horizon` is read."),
+    );
+    // More entries in all than 16 bits count.
+    let entries: Vec<String> = (b'a'..=b'q').map(|name| format!("\"{}\":\"\"", char::from(name))).collect();
+    let crowded = item("EntityBinding", &["entity", "meta"], &format!("{{{}}}", entries.join(",")));
+    let text = list(&set(explicit("open_session"), &["bindings"], Json::literal(MARK)).text(), &crowded, ENTRIES);
+    cases.push(
+        sum("open_session", "bindings-of-more-than-16-bits", text)
+            .title("An `open_session` with 4,096 items of 17 entries each in `bindings` is read."),
     );
     cases
 }

@@ -37,6 +37,23 @@ pub(crate) fn refused() -> Vec<Segment> {
         segment("at-first", "@a", "begins with `@`", "NCP-KEY-013", "hidden-segment"),
         segment("at-alone", "@", "is `@`", "NCP-KEY-013", "hidden-segment"),
         segment("at-twice", "@@", "is `@@`", "NCP-KEY-013", "hidden-segment"),
+        // What is not of ASCII alone is looked at no less.
+        segment("at-of-unicode", "@\u{e9}", "is `@\u{e9}`", "NCP-KEY-013", "hidden-segment"),
+        segment("star-of-unicode", "\u{4e2d}*", "is `\u{4e2d}*`", "NCP-KEY-011", "wildcard-injection"),
+        segment(
+            "space-of-unicode",
+            "\u{e9} \u{e9}",
+            "holds U+0020 between two `\u{e9}`",
+            "NCP-KEY-012",
+            "white-space-segment",
+        ),
+        segment(
+            "nul-of-unicode",
+            "\u{1f681}\0",
+            "ends with U+0000 behind U+1F681",
+            "NCP-KEY-015",
+            "control-characters",
+        ),
         segment("dot", ".", "is `.`", "NCP-KEY-014", "dot-segment"),
         segment("dot-dot", "..", "is `..`", "NCP-KEY-014", "dot-segment"),
     ]);

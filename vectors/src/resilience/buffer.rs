@@ -48,6 +48,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     for row in text.rows("malformed")? {
         cases.extend(malformed(&row)?);
     }
+    cases.extend(text.cases("left-behind", left_behind)?);
     cases.extend(text.cases("clock-of-the-dropped", row_case)?);
     cases.extend(text.cases("channels", channels)?);
     cases.extend(text.cases("channels-in-turn", channels_in_turn)?);
@@ -232,6 +233,20 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
              next command moves.",
         ),
     ])
+}
+
+/// A frame that is rejected, and then one that says only what it must.
+fn left_behind(row: &Row) -> Result<Case, ScenarioError> {
+    let frame = |frame: Json, now| Event::Text { text: Json::string(frame.text()), now, stops: false };
+    let rejected = patched(active(2).frame(), row.cell("changes")?, row.place)?;
+    let least = object! { "kind" => "command_frame", "seq" => 3, "mode" => "active",
+    "channels" => object! { "velocity_setpoint" => Json::object() } };
+    let events = [go(1, 1.0), frame(rejected, 1.0625), frame(least, 1.125), Event::Ask(1.125), Event::Ask(1.1875)];
+    let (args, ..) = buffer(&events, false);
+    let empty = || object! { "data" => Json::Array(Vec::new()), "unit" => Json::Null };
+    let moves = || object! { "channels" => exactly(object! { "velocity_setpoint" => empty() }) };
+    let replies = vec![no_result(), no_result(), no_result(), moves(), moves()];
+    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(steps(replies)))
 }
 
 /// Commands of other channels, one after the other: of each nothing is left in the next.

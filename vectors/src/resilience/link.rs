@@ -48,6 +48,8 @@ struct Monitor {
     missing: BTreeSet<i64>,
     /// The detector, by each reading.
     sums: Vec<(Reading, f64)>,
+    /// How many numbers were added to a sum, each of which may be rounded.
+    added: f64,
 }
 
 #[derive(Clone, Copy)]
@@ -74,6 +76,7 @@ impl Monitor {
             in_order: true,
             missing: BTreeSet::new(),
             sums,
+            added: 0.0,
         }
     }
 
@@ -96,6 +99,7 @@ impl Monitor {
             Some(_) => (seq - self.expected, false),
         };
         self.received += 1;
+        self.added += f64::from(u16::try_from(gap.min(256)).unwrap_or(256)) + 1.0;
         let (loss, delivery, cap) = (1.0 - self.ref_loss, -self.ref_loss, 2.0 * self.threshold);
         for (reading, sum) in &mut self.sums {
             let mut add = |by: f64| *sum = (*sum + by).clamp(0.0, cap);
@@ -132,11 +136,11 @@ impl Monitor {
         };
         // Then it may be that of the frame that arrived last.
         let report = if self.in_order { report } else { report.without("last_seq") };
-        let above = |margin: f64| self.sums.iter().all(|(_, sum)| *sum > self.threshold + margin);
-        let below = self.sums.iter().all(|(_, sum)| *sum < self.threshold - 1e-6);
-        if above(1e-6) {
+        // What rounding may make of so many sums of up to twice the threshold, with room to spare.
+        let margin = 4.0 * f64::EPSILON * (self.added + 16.0) * (2.0 * self.threshold).max(1.0);
+        if self.sums.iter().all(|(_, sum)| *sum > self.threshold + margin) {
             report.with("burst", Json::Bool(true))
-        } else if below {
+        } else if self.sums.iter().all(|(_, sum)| *sum < self.threshold - margin) {
             report.with("burst", Json::Bool(false))
         } else {
             report
@@ -920,4 +924,19 @@ fn extremes() -> Vec<Case> {
         "Of more missing seqs than it remembers, the monitor should forget the lowest first.",
     );
     cases
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_case_of_a_burst_that_ends_says_when_there_is_one_and_when_there_is_none() {
+        for case in small_losses().iter().chain(&relapses()) {
+            let expect = case.expect.text();
+            for burst in ["\"burst\":true", "\"burst\":false"] {
+                assert!(expect.contains(burst), "{} lacks {burst}", case.path);
+            }
+        }
+    }
 }

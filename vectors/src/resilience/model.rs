@@ -97,6 +97,8 @@ pub(super) struct Plant {
     clock: Option<f64>,
     /// The rule by which it holds while it has no command to act upon.
     rests: Option<&'static str>,
+    /// The command whose hold persists, and when it came.
+    outlived: Option<(Command, f64)>,
     /// The rule by which ESTOP is latched.
     stopped: &'static str,
     /// The rule of what has happened since the plant was last asked: a command that is dropped, a reset.
@@ -194,23 +196,31 @@ impl Plant {
         }
     }
 
+    /// The plant holds on its command, and persists.
+    fn outlives(&mut self) {
+        self.outlived = self.held.take().map(|(command, received, _)| (command, received));
+        self.rests = Some(PERSISTS);
+    }
+
     /// Whether and on what the plant acts at `now`.
     pub(super) fn ask(&mut self, now: f64) -> Answer {
         self.read(now);
         let happened = self.happened.take();
         let Some((command, received, may_hold)) = self.held.clone() else {
-            // What was rejected or dropped revives nothing.
-            let dropped = happened;
+            // What was rejected or dropped revives nothing. Within the time of the command it need revive nothing for
+            // the plant to move: it is enough that the hold does not persist.
+            let is_in_time = |(command, received): &(Command, f64)| over(command, *received, now).is_none();
+            let persists = self.rests == Some(PERSISTS) && self.outlived.as_ref().is_some_and(is_in_time);
+            let dropped = happened.map(|rule| if rule == DROPPED && persists { PERSISTS } else { rule });
             let latched = self.latched.then_some(self.stopped);
             self.said = latched.or(dropped).or(self.rests).unwrap_or("NCP-RES-006");
             self.stopped = "NCP-RES-025";
             return Answer::Hold;
         };
         if let Some(late) = over(&command, received, now) {
-            self.held = None;
+            self.outlives();
             let may_be_refreshed = late == "NCP-RES-002" || late == "NCP-RES-007" && now.is_finite();
             self.said = self.refreshes_not.filter(|_| may_be_refreshed).unwrap_or(late);
-            self.rests = Some("NCP-RES-010");
             return Answer::Hold;
         }
         if self.latched {
@@ -246,9 +256,8 @@ impl Plant {
         match value {
             None => {
                 // The hold past the end of a horizon persists like every other.
-                self.held = None;
+                self.outlives();
                 self.said = "NCP-RES-029";
-                self.rests = Some("NCP-RES-010");
                 Answer::Hold
             }
             Some(value) if may_hold => Answer::Either(value),
@@ -274,6 +283,8 @@ fn over(command: &Command, received: f64, now: f64) -> Option<&'static str> {
 
 /// The rule that the case is about.
 const OWN: &str = "";
+/// The rule by which a hold persists.
+const PERSISTS: &str = "NCP-RES-010";
 /// The rule by which a command that does not advance is dropped.
 const DROPPED: &str = "NCP-RES-020";
 /// The rule by which a command moves the plant that would not have advanced before a reset.

@@ -12,6 +12,7 @@ use crate::trace::{anything, nums};
 pub(super) fn cases() -> Vec<Case> {
     let mut cases = one_kind();
     cases.push(opened_and_closed());
+    cases.push(idle());
     cases.extend(rounds());
     cases.push(driven_and_closed());
     cases
@@ -69,6 +70,19 @@ fn refusals(name: &str, words: &str, sizes: &[u32]) -> Case {
         .title(format!("A session is opened behind {MANY} openings of each kind that may be refused{words}."))
         .flags(&["session-lifecycle"])
         .because("An `open_session` that is refused takes no room: it changes nothing, and leaves nothing behind.")
+}
+
+/// A session that nobody asks while another is asked again and again, and a third is opened and closed.
+fn idle() -> Case {
+    const MANY: usize = 9_000;
+    let mut trace = vec![open("a"), steps("a", 10.0), open("b")];
+    trace.extend(std::iter::repeat_n((step_of("b", Some(1.0), None), anything()), MANY));
+    trace.extend([open("c"), (close("c"), closed("c")), steps("a", 20.0), (close("a"), closed("a"))]);
+    trace.push((step_of("a", None, None), error()));
+    super::reference("endures/idle".to_owned(), &["NCP-SESS-027", "NCP-SESS-033", "NCP-SESS-035"], trace)
+        .title(format!("A session goes on as it was behind {MANY} requests to another and an opening."))
+        .flags(&["session-lifecycle"])
+        .because("A session is open until a `close_session` ends it, however long nobody asks it anything.")
 }
 
 /// A session that is opened, stepped and closed over and over.

@@ -16,6 +16,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     cases.extend(text.cases("kept-seq", of_what_is_kept)?);
     cases.extend(text.cases("kept-version", of_what_is_kept)?);
+    cases.extend(text.cases("kept-clock", of_what_is_kept)?);
     for group in ["version", "hold", "estop"] {
         cases.extend(text.cases(group, plain)?);
     }

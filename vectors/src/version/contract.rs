@@ -51,6 +51,9 @@ pub(super) fn files() -> Result<[File; 2], ScenarioError> {
     let about = "How a peer's contract hash compares with one's own, and what the strict opt-in rejects.";
     let contract = File::new("version", "contract", about, cases);
     let mut cases = text.cases("negotiated", negotiated)?;
+    cases.extend(
+        others.iter().filter_map(|(name, hash, says)| also_negotiated(&cases, name, hash, says)).collect::<Vec<_>>(),
+    );
     cases.extend(text.rest(not_negotiated)?);
     cases.extend(malformed(&MALFORMED)?.into_iter().map(not_negotiable));
     let about = "Negotiation: the strict version guard, then the status of the contract hash.";
@@ -104,6 +107,18 @@ fn swap(digits: &mut [char], other: impl Fn(char) -> Option<char>) {
 fn negotiated(row: &Row) -> Result<Case, ScenarioError> {
     let args = object! { "version" => WIRE_VERSION, "contract_hash" => Json::read(&row.text("sent")?) };
     Ok(row.case(&Role::ALL).call("negotiate", args).gives(object! { "contract" => row.cell("contract")? }))
+}
+
+/// The status of a hash that is nearly one's own, by negotiation; none, if it is negotiated already.
+fn also_negotiated(cases: &[Case], name: &str, hash: &Json, says: &str) -> Option<Case> {
+    let args = object! { "version" => WIRE_VERSION, "contract_hash" => hash.clone() };
+    let case = Case::new(format!("compatible/{name}"), &["NCP-VER-024", "NCP-VER-031"], &Role::ALL)
+        .title(format!("Negotiation of version {WIRE_VERSION} and {says} gives `mismatch`."))
+        .flags(&["contract-matching"])
+        .call("negotiate", args)
+        .gives(object! { "contract" => "mismatch" })
+        .because("Hashes are compared letter for letter, by negotiation as by the status.");
+    (!cases.iter().any(|known| known.args == case.args || known.path == case.path)).then_some(case)
 }
 
 fn not_negotiated(row: &Row) -> Result<Case, ScenarioError> {

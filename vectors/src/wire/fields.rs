@@ -7,6 +7,7 @@ use crate::json::{Json, object};
 use crate::model::{self, default_of, is_pin};
 use crate::roles::{a, readers};
 use crate::scenario::full_width;
+use crate::template::Text;
 use ncp_text::tables::{Default, Enum, Field, Shape, Unknown, tables};
 
 /// A file for each kind and for each message that stands within others.
@@ -378,7 +379,7 @@ impl Probe<'_> {
                     double.is
                 ))
                 .flags(&[double.flag])
-                .decode(self.place.kind, frame.text())
+                .decode(self.place.kind, Text::folded(&frame.text()))
                 .means(self.place.meaning(&is))
                 .because("A number is the nearest double, ties to even, whatever its spelling.")
             })
@@ -388,7 +389,7 @@ impl Probe<'_> {
             self.case(&format!("double-{name}"), &["NCP-WIRE-013"])
                 .title(format!("{} whose `{}` is {} is rejected.", a(self.place.kind), self.member(), shorten(&digits)))
                 .flags(&["overflow"])
-                .decode(self.place.kind, self.frame(Ground::Minimal, Some(value)).text())
+                .decode(self.place.kind, Text::folded(&self.frame(Ground::Minimal, Some(value)).text()))
                 .rejects("malformed")
                 .because("The nearest double of these digits is infinite.")
         }));

@@ -136,6 +136,14 @@ pub(super) fn more_doubles() -> Vec<Double> {
         all.push(spelled(names[1], format!("1{many}e-{zeros}"), "1.0", "many-digits"));
         all.push(spelled(names[2], format!("2.{many}e2"), "200.0", "many-digits"));
     }
+    // Exponents beyond what readers take for far beyond every double, which so many digits bring back.
+    for (zeros, names) in [
+        (20_100, ["twenty-thousand-zeros-below", "twenty-thousand-zeros"]),
+        (100_100, ["hundred-thousand-zeros-below", "hundred-thousand-zeros"]),
+    ] {
+        all.push(spelled(names[0], format!("0.{}25e{zeros}", "0".repeat(zeros)), "0.25", "many-digits"));
+        all.push(spelled(names[1], format!("25{}e-{zeros}", "0".repeat(zeros)), "25.0", "many-digits"));
+    }
     let zeros = "0".repeat(20);
     all.push(spelled("exponent-of-twenty-zeros", format!("1e{zeros}1"), "10.0", "exponents"));
     all.extend(by_powers());

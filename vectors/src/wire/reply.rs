@@ -17,6 +17,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     }
     text.end()?;
     cases.extend(sizes());
+    cases.extend(kinds_of_large());
     cases.extend(alike());
     cases.extend(malformed_versions()?);
     cases.extend(long_sessions());
@@ -70,6 +71,47 @@ fn sizes() -> Vec<Case> {
         }
     };
     table.into_iter().map(case).collect()
+}
+
+/// Replies of more than 1 MiB whose kind stands behind all of it, or is written with escapes, or stands elsewhere too:
+/// what a frame is says its member `kind`, wherever that stands and however it is spelled.
+fn kinds_of_large() -> Vec<Case> {
+    const SIZE: usize = 3 << 19;
+    let frame = minimal("observation_frame").text();
+    let rest = frame.strip_prefix('{').unwrap_or(&frame);
+    let last = rest.replace(r#""kind":"observation_frame","#, "").replace('}', r#","kind":"observation_frame"}"#);
+    let spelled = |from: &str, to: &str| rest.replace(from, to);
+    let table = [
+        ("kind-last", last, "whose kind is its last member", true),
+        ("kind-escaped", spelled("\"kind\"", "\"k\\u0069nd\""), "whose member `kind` is written with an escape", true),
+        (
+            "kind-of-escapes",
+            spelled("\"observation_frame\"", "\"observation\\u005fframe\""),
+            "whose kind is written with an escape",
+            true,
+        ),
+        (
+            "kind-in-a-string",
+            spelled("\"observation_frame\"", "\"session_opened\""),
+            "that has only the name of the kind in a string",
+            false,
+        ),
+    ];
+    let case = |(name, rest, words, is_read): (&str, String, &str, bool)| {
+        let open = r#"{"x":"\"kind\":\"observation_frame\"","pad":""#;
+        let reply = Text::concat([open.into(), Text::repeat("x", SIZE), format!("\",{rest}").into()]);
+        let rules: &[&'static str] = if is_read { &["NCP-SESS-007", "NCP-WIRE-063"] } else { &["NCP-WIRE-060"] };
+        let case = Case::new(format!("step_request/size/{name}"), rules, &[Commander])
+            .call("reply.check", object! { "request" => minimal("step_request").text(), "reply" => reply.json() })
+            .flags(&[if is_read { "low-limits" } else { "missing-limits" }])
+            .because("An `observation_frame` may have 64 MiB, and every other reply 1 MiB.");
+        if is_read {
+            case.accepts().title(format!("A client accepts an `observation_frame` of 1.5 MiB {words}."))
+        } else {
+            case.rejects("limit").title(format!("A client reports a `session_opened` of 1.5 MiB {words} as an error."))
+        }
+    };
+    table.map(case).into()
 }
 
 /// Sessions of long ids, of which one differs at its end, or none.

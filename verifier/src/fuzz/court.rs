@@ -87,6 +87,27 @@ impl Court {
     }
 }
 
+impl Court {
+    /// The same, but for questions of which no file can hold the expectation: these have no judgement.
+    ///
+    /// # Errors
+    /// The cases cannot be written.
+    pub(crate) fn judge_each(&self, asked: &[(Question<'_>, &[u8])]) -> Result<Vec<Option<Judgement>>, CourtError> {
+        match self.judge(asked) {
+            Ok(judgements) => Ok(judgements.into_iter().map(Some).collect()),
+            Err(CourtError::Suite(_)) => {
+                let alone = |one| match self.judge(std::slice::from_ref(one)) {
+                    Ok(judgements) => Ok(judgements.into_iter().next()),
+                    Err(CourtError::Suite(_)) => Ok(None),
+                    Err(error) => Err(error),
+                };
+                asked.iter().map(alone).collect()
+            }
+            Err(error) => Err(error),
+        }
+    }
+}
+
 impl Drop for Court {
     fn drop(&mut self) {
         // What is left in a folder for what is temporary does no harm.
@@ -193,4 +214,33 @@ pub(crate) fn save(folder: &Path, name: &str, about: &str, cases: Vec<Tree>) -> 
         std::fs::create_dir_all(folder.join(AREA)).and_then(|()| std::fs::write(&path, file(name, about, cases)));
     written.map_err(|source| CourtError::Write { path: path.clone(), source })?;
     Ok(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fuzz::tree::int;
+
+    #[test]
+    fn a_question_whose_expectation_no_file_holds_has_no_judgement_and_leaves_the_others_theirs() {
+        let court = Court::open().unwrap();
+        let args = object([("version", text("0.5")), ("strict", Json::Bool(false))]);
+        let expected =
+            |compatible| object([("relation", text("json")), ("value", object([("compatible", compatible)]))]);
+        let short = expected(Json::Bool(true));
+        let times = |item| list(vec![object([("$item", item), ("times", int(9999))])]);
+        let long = expected(times(times(int(1))));
+        let rules = vec!["NCP-VER-001".to_owned()];
+        let question = |expect| Question {
+            call: Call::VersionCheck,
+            args: &args,
+            expect,
+            rules: rules.clone(),
+            role: Role::Commander,
+        };
+        let line: &[u8] = br#"{"id":1,"result":{"compatible":true}}"#;
+        let judged = court.judge_each(&[(question(&short), line), (question(&long), line)]).unwrap();
+        assert!(matches!(judged[..], [Some(Judgement::Pass { .. }), None]), "{judged:?}");
+        assert!(court.judge(&[(question(&long), line)]).is_err());
+    }
 }

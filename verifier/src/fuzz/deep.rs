@@ -608,9 +608,9 @@ mod tests {
         let suite = Suite::embedded().unwrap();
         let deep = Deep::new(&suite, 5).unwrap();
         for call in Call::ALL.iter().copied().filter(|call| *call != Call::Describe) {
-            let drawn: Vec<Candidate> = (0..60).filter_map(|number| deep.candidate(call, number, 1 << 16)).collect();
+            let drawn: Vec<Candidate> = (0..30).filter_map(|number| deep.candidate(call, number, 1 << 16)).collect();
             assert!(!drawn.is_empty(), "{call:?}");
-            for one in drawn.iter().take(20) {
+            for one in drawn.iter().take(10) {
                 let again = deep.candidate(call, one.number - 5 * SEEDS, 1 << 16).unwrap();
                 assert_eq!((&again.input, &again.keys), (&one.input, &one.keys));
                 let why = deep.fault(one, &one.expect).unwrap();

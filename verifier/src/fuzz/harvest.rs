@@ -14,6 +14,8 @@ const MOST: usize = 4096;
 const LONGEST: usize = 300;
 /// How long a name may be.
 const WORD: usize = 64;
+/// The protocol between suite and peer, whose names stand in every adapter.
+const PROTOCOL: &str = include_str!("../../../peers/PROTOCOL.md");
 /// Integers up to this stand in every source.
 const COMMON: f64 = 256.0;
 /// Runs of letters in a binary that are shorter than this mean nothing.
@@ -89,12 +91,14 @@ impl Harvest {
         let (mut words, mut numbers) = (BTreeSet::new(), BTreeSet::new());
         let all = walkdir::WalkDir::new(folder).max_depth(DEEPEST).sort_by_file_name().into_iter();
         let sources = all.filter_entry(is_its_own).flatten().filter(is_source).take(MOST_FILES);
+        let mut identifiers = BTreeSet::new();
         for bytes in sources.filter_map(|entry| std::fs::read(entry.path()).ok()) {
-            if std::str::from_utf8(&bytes).is_ok() {
+            if let Ok(text) = std::str::from_utf8(&bytes) {
                 collect(&bytes, &mut words, &mut numbers);
+                identifiers.extend(unquoted(text));
             }
         }
-        words.retain(|word| is_rare_word(word));
+        words.retain(|word| is_rare_word(word) && !identifiers.contains(word.as_str()));
         numbers.retain(|number| is_rare_number(f64::from_bits(*number)));
         Self { is_light: true, ..Self::of(words, numbers) }
     }
@@ -137,7 +141,7 @@ pub(super) fn is_rare_number(number: f64) -> bool {
     !is_common && !is_in_the_text(&number.to_string())
 }
 
-/// Whether the text of the protocol has this string, or the number that it spells.
+/// Whether the text has this string, or the number that it spells, or the protocol between suite and peer the string.
 fn is_in_the_text(word: &str) -> bool {
     static NUMBERS: LazyLock<BTreeSet<u64>> = LazyLock::new(|| {
         let (mut words, mut numbers) = (BTreeSet::new(), BTreeSet::new());
@@ -146,8 +150,23 @@ fn is_in_the_text(word: &str) -> bool {
     });
     match word.parse::<f64>() {
         Ok(number) => NUMBERS.contains(&number.to_bits()),
-        Err(_) => CHAPTERS.iter().any(|chapter| chapter.text.contains(word)),
+        Err(_) => PROTOCOL.contains(word) || CHAPTERS.iter().any(|chapter| chapter.text.contains(word)),
     }
+}
+
+/// The identifiers of a source that stand between no quotes: they name parts of the program, and data rarely.
+fn unquoted(text: &str) -> impl Iterator<Item = String> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let mut quoted = false;
+    let tokens = text.split_inclusive(move |c| !is_part(c)).filter_map(move |token| {
+        let (name, end) = token
+            .char_indices()
+            .last()
+            .map_or((token, None), |(at, last)| if is_part(last) { (token, None) } else { (&token[..at], Some(last)) });
+        let after = std::mem::replace(&mut quoted, matches!(end, Some('"' | '\'' | '`')));
+        (!after && !quoted && !name.is_empty()).then(|| name.to_owned())
+    });
+    tokens.collect::<BTreeSet<_>>().into_iter()
 }
 
 fn unreadable(path: &Path, source: std::io::Error) -> HarvestError {
@@ -223,14 +242,23 @@ mod tests {
         };
         write(
             "peer/gate.py",
-            "if name == 'open-sesame' or mode == 'hold' or kind == \"it is no such thing\" or x > 4321.25 > 7:",
+            "class Gate: pass\n\
+             if name == 'open-sesame' or mode == 'hold' or kind == \"it is no such thing\" or x > 4321.25 > 7:\n\
+             calls = {'governor.run': Gate, 'peer_hash': 1}; __all__ = ['Gate', 'sesame']",
         );
         write("peer/README.md", "'prose-of-people'");
         for others in ["node_modules/a.js", "tests/a.py", ".hidden/a.py", "target/a.rs", "__pycache__/a.py"] {
             write(others, "'of-others' 9876.5");
         }
         let found = Harvest::of_sources(folder.path());
-        assert_eq!(found, Harvest { words: vec!["open-sesame".to_owned()], numbers: vec![4321.25], is_light: true });
+        assert_eq!(
+            found,
+            Harvest {
+                words: ["open-sesame", "sesame"].map(str::to_owned).into(),
+                numbers: vec![4321.25],
+                is_light: true
+            }
+        );
         assert_eq!(
             Harvest::of_sources(&folder.path().join("nothing")),
             Harvest { is_light: true, ..Harvest::default() }

@@ -42,7 +42,7 @@ pub use generate::Input;
 pub use harvest::{Harvest, HarvestError};
 pub use rules::Decided;
 pub use search::{
-    Extent, Finding, Found, FuzzError, Listener, Settings, Tested, contradictions, fuzz, in_process, save,
+    Extent, Finding, Found, FuzzError, Listener, Settings, Shrunk, Tested, contradictions, fuzz, in_process, save,
 };
 
 use ncp_text::catalogue::{Level, Role};

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::coverage::Summary;
-use super::search::{Finding, Tested};
+use super::search::{Finding, Shrunk, Tested};
 use crate::peer::excerpt;
 use crate::report::Style;
 
@@ -51,6 +51,7 @@ struct OfFinding<'t> {
     times: u64,
     first: u64,
     steps: [usize; 2],
+    smallest: bool,
     args: serde_json::Value,
     expect: serde_json::Value,
     specification: &'t str,
@@ -97,7 +98,8 @@ fn of_finding(finding: &Finding) -> Result<OfFinding<'_>, serde_json::Error> {
         like: decided.map(|decided| decided.like.as_str()),
         times: finding.times,
         first: finding.first,
-        steps: [finding.steps.0, finding.steps.1],
+        steps: [finding.shrunk.from, finding.shrunk.to],
+        smallest: finding.shrunk.is_smallest,
         args: serde_json::from_str(&finding.found.input.args.to_string())?,
         expect: serde_json::from_str(&finding.found.expect.to_string())?,
         specification: &finding.found.specification,
@@ -182,10 +184,19 @@ fn show(out: &mut String, nth: usize, finding: &Finding, style: Style) {
         line(out, &format!("   {}{advice}", decided.sentence));
         line(out, &style.dim(&format!("   the rule of the most similar case, {}", decided.like)));
     }
-    let (from, to) = finding.steps;
-    let shrunk = if from > to { format!(", shrunk from {from} steps to {to}") } else { String::new() };
+    let Shrunk { from, to, is_smallest } = finding.shrunk;
+    let shrunk = match (from, to) {
+        (0, _) | (1, 1) => String::new(),
+        _ if from > to => format!(", shrunk from {from} steps to {to}"),
+        _ => format!(", of {to} steps"),
+    };
+    let needed = match is_smallest {
+        true if to > 1 => ", each of which is needed",
+        true => "",
+        false => ", perhaps not the smallest: more --tries shrink it further",
+    };
     let times = if finding.times == 1 { "once".to_owned() } else { format!("{} times", finding.times) };
-    line(out, &format!("   seen {times}, first as input {}{shrunk}", finding.first));
+    line(out, &format!("   seen {times}, first as input {}{shrunk}{needed}", finding.first));
     let args = excerpt(found.input.args.to_string().as_bytes(), INPUT_CHARS);
     line(out, &format!("   asked     {args}"));
     line(out, &format!("   spec      {}", excerpt(found.specification.as_bytes(), INPUT_CHARS)));

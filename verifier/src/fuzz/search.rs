@@ -40,8 +40,6 @@ const CHUNK: usize = 32;
 const KEPT: usize = 400;
 /// How many disagreements that look alike are shrunk; of more, each that doubles their number.
 const SHRUNK_ALIKE: u64 = 4;
-/// How many disagreements of a call are judged in one round.
-const JUDGED: usize = 256;
 /// After so many faults a peer is given up.
 const MOST_FAULTS: usize = 60;
 /// How many bytes the arguments of an input may have.
@@ -123,8 +121,19 @@ pub struct Finding {
     pub times: u64,
     /// The number of the first of them.
     pub first: u64,
-    /// How many steps that one had, and how many are left.
-    pub steps: (usize, usize),
+    /// What is left of that one.
+    pub shrunk: Shrunk,
+}
+
+/// How far an input was shrunk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shrunk {
+    /// How many steps it had.
+    pub from: usize,
+    /// How many are left.
+    pub to: usize,
+    /// Whether everything that is left was tried without, and is needed.
+    pub is_smallest: bool,
 }
 
 /// What a search leaves.
@@ -193,11 +202,28 @@ struct Done {
     parted: Option<Parted>,
 }
 
-/// An answer that is not the specification's.
-struct Parted {
-    spec: Answer,
-    said: Said,
+/// What an answer is that is not surely the specification's.
+enum Parted {
+    /// The process broke off.
+    Fault(Fault),
+    /// It is no answer, but says that there is none.
+    Unsupported,
+    /// The text leaves it open, for this reason.
+    Open(&'static str),
+    /// It is one of several that are right.
+    Allowed,
+    /// It is wrong: the specification's answer, the line of the peer, and where they differ.
+    Wrong(Answer, Vec<u8>, Differences),
 }
+
+/// Who asks and judges on one thread: a process of the peer, and a court.
+struct Worker<'s> {
+    asker: Asker<'s>,
+    court: Court,
+}
+
+/// For each call, a rule and a role by which a question of it is a case at all.
+type Charges = BTreeMap<Call, (String, Role)>;
 
 /// What a disagreement looks like before it is shrunk: the call and its kind, how and where the answers differ.
 type Look = (Call, String, &'static str, String);
@@ -222,7 +248,14 @@ pub fn fuzz(
     let seeds = Seeds::of(suite, &menu);
     let sweep = Sweep::new(&seeds, &settings.harvest);
     let mut first = Some(first);
-    let askers = (0..settings.jobs.max(1)).map(|_| Asker::new(launch, patience.clone(), stop, first.take())).collect();
+    let worker = |_| {
+        let asker = Asker::new(launch, patience.clone(), stop, first.take());
+        Court::open().map(|court| Worker { asker, court })
+    };
+    let workers = (0..settings.jobs.max(1)).map(worker).collect::<Result<_, CourtError>>()?;
+    let rules = Rules::new(suite);
+    let charge = |(call, _): &(Call, usize)| Some((*call, rules.any(*call, &roles, settings.level)?));
+    let charges = menu.calls.iter().filter_map(charge).collect();
     let mut search = Search {
         settings,
         menu,
@@ -231,11 +264,11 @@ pub fn fuzz(
         roles,
         stop,
         listener,
-        rules: Rules::new(suite),
-        court: Court::open()?,
+        rules,
+        charges,
         kept: BTreeMap::new(),
         looks: BTreeMap::new(),
-        askers,
+        workers,
         numbers: 0,
         until: None,
         tested: Tested {
@@ -269,12 +302,12 @@ struct Search<'s> {
     stop: &'s Stop,
     listener: &'s dyn Listener,
     rules: Rules<'s>,
-    court: Court,
+    charges: Charges,
     /// Inputs whose answers reached something new, by call.
     kept: BTreeMap<Call, Vec<Input>>,
     /// For each look of a disagreement, how many had it, and which finding it is.
     looks: BTreeMap<Look, (u64, Option<usize>)>,
-    askers: Vec<Asker<'s>>,
+    workers: Vec<Worker<'s>>,
     /// How many numbers of inputs are given away.
     numbers: u64,
     /// When to shrink no more.
@@ -319,10 +352,10 @@ impl Search<'_> {
             self.tested.elapsed = started.elapsed();
         }
         self.tested.elapsed = started.elapsed();
-        let share = share(&self.settings.harvest);
-        self.tested.swept = (swept(self.numbers, share).min(self.sweep.len()), self.sweep.len());
-        self.tested.faults = self.askers.iter().map(|asker| asker.faults).sum();
-        self.askers.iter_mut().for_each(Asker::end_in_peace);
+        let swept = swept(self.numbers, self.settings.harvest.is_light).min(self.sweep.len());
+        self.tested.swept = (swept, self.sweep.len());
+        self.tested.faults = self.workers.iter().map(|worker| worker.asker.faults).sum();
+        self.workers.iter_mut().for_each(|worker| worker.asker.end_in_peace());
         Ok(())
     }
 
@@ -331,31 +364,30 @@ impl Search<'_> {
         let first = self.numbers;
         self.numbers += count as u64;
         let (menu, seeds, kept, settings) = (&self.menu, &self.seeds, &self.kept, self.settings);
-        let share = share(&settings.harvest);
         let drawn = |number| {
-            let input = match turn(number, &self.sweep, share) {
+            let input = match turn(number, &self.sweep, settings.harvest.is_light) {
                 Turn::Swept(at) => self.sweep.input(at),
                 Turn::Drawn => draw_input(menu, seeds, kept, settings, number),
             };
             // What was varied or changed may be no question to this peer any more.
             input.filter(|input| menu.has(input.call, &input.args))
         };
-        let known = &self.tested.coverage.keys;
+        let (known, charges) = (&self.tested.coverage.keys, &self.charges);
         let next = AtomicUsize::new(0);
         let (stop, listener) = (self.stop, self.listener);
         let results: Mutex<Vec<Done>> = Mutex::new(Vec::new());
-        let failed: Mutex<Option<StartError>> = Mutex::new(None);
-        let work = |asker: &mut Asker<'_>| {
+        let failed: Mutex<Option<FuzzError>> = Mutex::new(None);
+        let work = |worker: &mut Worker<'_>| {
             loop {
                 let from = next.fetch_add(CHUNK, Ordering::Relaxed);
                 let is_late = until.is_some_and(|until| Instant::now() >= until);
-                if from >= count || is_late || stop.is_set() || asker.faults >= MOST_FAULTS {
+                if from >= count || is_late || stop.is_set() || worker.asker.faults >= MOST_FAULTS {
                     return;
                 }
                 let numbers = (from..(from + CHUNK).min(count)).map(|nth| first + nth as u64);
                 let tasks: Vec<Task> =
                     numbers.filter_map(|number| Some(Task { number, input: drawn(number)? })).collect();
-                match ask(asker, tasks, known) {
+                match ask(worker, tasks, known, charges) {
                     Ok(mut done) => {
                         listener.asked(done.len() as u64);
                         results.lock().unwrap_or_else(PoisonError::into_inner).append(&mut done);
@@ -367,21 +399,21 @@ impl Search<'_> {
                 }
             }
         };
-        if let [asker] = self.askers.as_mut_slice() {
-            work(asker);
+        if let [worker] = self.workers.as_mut_slice() {
+            work(worker);
         } else {
             thread::scope(|scope| {
-                for asker in &mut self.askers {
-                    scope.spawn(|| work(asker));
+                for worker in &mut self.workers {
+                    scope.spawn(|| work(worker));
                 }
             });
         }
         match failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            None | Some(StartError::Interrupted) => {}
-            Some(error) if self.tested.inputs == 0 => return Err(error.into()),
-            Some(error) => self.tested.given_up = Some(error.to_string()),
+            None | Some(FuzzError::Start(StartError::Interrupted)) => {}
+            Some(FuzzError::Start(error)) if self.tested.inputs > 0 => self.tested.given_up = Some(error.to_string()),
+            Some(error) => return Err(error),
         }
-        if self.askers.iter().any(|asker| asker.faults >= MOST_FAULTS) {
+        if self.workers.iter().any(|worker| worker.asker.faults >= MOST_FAULTS) {
             self.tested.given_up = Some(format!("{MOST_FAULTS} of its processes ended in a fault"));
         }
         let mut done = results.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -411,56 +443,13 @@ impl Search<'_> {
                 parted.push((done.number, input, what));
             }
         }
-        self.judge(parted)
-    }
-
-    /// Judges what parted, all of a round at once.
-    fn judge(&mut self, parted: Vec<(u64, Input, Parted)>) -> Result<(), FuzzError> {
-        let mut asked = Vec::new();
-        let mut judged: BTreeMap<Call, usize> = BTreeMap::new();
         for (number, input, what) in parted {
-            if let Said::Fault(fault) = &what.said {
-                if code_of(&what.spec) != Some("internal") {
-                    self.broke_off(number, &input, fault)?;
-                }
-                continue;
-            }
-            let Said::Line(line) = what.said else { continue };
-            let reply = Reply::parse(&line);
-            let said = reply.as_ref().ok().map(|reply| &reply.answer);
-            if matches!(said, Some(crate::peer::Answer::Unsupported)) {
-                *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1;
-                continue;
-            }
-            // A peer that is always wrong is not judged for ever.
-            let count = judged.entry(input.call).or_default();
-            *count += 1;
-            if *count > JUDGED {
-                continue;
-            }
-            match oracle::expectation(&input, &what.spec, said) {
-                Verdict::Open(why) => *self.tested.open.entry(why).or_default() += 1,
-                Verdict::Expect(expect) => asked.push((number, input, expect, line, what.spec)),
-            }
-        }
-        let mut questions = Vec::new();
-        for (_, input, expect, line, _) in &asked {
-            if let Some((rule, role)) = self.rules.any(input.call, &self.roles, self.settings.level) {
-                let question = Question { call: input.call, args: &input.args, expect, rules: vec![rule], role };
-                questions.push((question, line.as_slice()));
-            }
-        }
-        if questions.len() != asked.len() {
-            return Ok(());
-        }
-        let judgements = self.court.judge(&questions)?;
-        for ((number, input, _, line, spec), judgement) in asked.into_iter().zip(judgements) {
-            match judgement {
-                Judgement::Pass { .. } => self.tested.allowed += 1,
-                Judgement::Unsupported { .. } => {
-                    *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1;
-                }
-                Judgement::Fail(differences) => self.differs(number, &input, &spec, &line, &differences)?,
+            match what {
+                Parted::Fault(fault) => self.broke_off(number, &input, &fault)?,
+                Parted::Unsupported => *self.tested.unsupported.entry(input.call.as_str()).or_default() += 1,
+                Parted::Open(why) => *self.tested.open.entry(why).or_default() += 1,
+                Parted::Allowed => self.tested.allowed += 1,
+                Parted::Wrong(spec, line, differences) => self.differs(number, &input, &spec, &line, &differences)?,
             }
         }
         Ok(())
@@ -492,7 +481,7 @@ impl Search<'_> {
         if !self.is_fresh(&look) {
             return Ok(());
         }
-        let Some((rule, role)) = self.rules.any(input.call, &self.roles, self.settings.level) else { return Ok(()) };
+        let Some((rule, role)) = self.charges.get(&input.call).cloned() else { return Ok(()) };
         let mut best = Found {
             input: input.clone(),
             expect: Tree::Null,
@@ -501,8 +490,8 @@ impl Search<'_> {
             differences: differences.clone(),
         };
         let (wanted, call) = (kind_of(differences), input.call);
-        let [asker, ..] = self.askers.as_mut_slice() else { return Ok(()) };
-        let (court, is_over) = (&self.court, is_over(self.stop, self.until));
+        let [Worker { asker, court }, ..] = self.workers.as_mut_slice() else { return Ok(()) };
+        let is_over = is_over(self.stop, self.until);
         let mut trouble = None;
         let menu = &self.menu;
         let mut look_at = |args: &Tree, best: &mut Found| -> Result<bool, FuzzError> {
@@ -521,9 +510,9 @@ impl Search<'_> {
         };
         // What does not show again was of the process and not of the input.
         let repeats = look_at(&input.args, &mut best)?;
-        let mut args = input.args.clone();
+        let (mut args, mut is_smallest) = (input.args.clone(), false);
         if repeats {
-            shrink(&mut args, self.settings.tries, |args| {
+            is_smallest = shrink(&mut args, self.settings.tries, |args| {
                 if is_over() {
                     return ControlFlow::Break(());
                 }
@@ -544,8 +533,8 @@ impl Search<'_> {
         {
             best.expect = expect;
         }
-        let steps = (length(&input.args), length(&best.input.args));
-        self.report(number, best, None, steps, &look);
+        let shrunk = Shrunk { from: length(&input.args), to: length(&best.input.args), is_smallest };
+        self.report(number, best, None, shrunk, &look);
         Ok(())
     }
 
@@ -563,10 +552,10 @@ impl Search<'_> {
             "memory" => 30,
             _ => self.settings.tries.min(150),
         };
-        let [asker, ..] = self.askers.as_mut_slice() else { return Ok(()) };
+        let [Worker { asker, .. }, ..] = self.workers.as_mut_slice() else { return Ok(()) };
         let (before, is_over) = (asker.faults, is_over(self.stop, self.until));
         let (mut trouble, menu) = (None, &self.menu);
-        shrink(&mut args, tries, |args| {
+        let is_smallest = shrink(&mut args, tries, |args| {
             if is_over() {
                 return ControlFlow::Break(());
             }
@@ -594,7 +583,7 @@ impl Search<'_> {
             Verdict::Expect(expect) => expect,
             Verdict::Open(_) => super::tree::object([("accept", crate::json::Json::Bool(true))]),
         };
-        let steps = (length(&input.args), length(&smallest.args));
+        let shrunk = Shrunk { from: length(&input.args), to: length(&smallest.args), is_smallest };
         let found = Found {
             input: smallest,
             expect,
@@ -602,12 +591,12 @@ impl Search<'_> {
             answer: format!("it {}", last.what),
             differences: Differences::default(),
         };
-        self.report(number, found, Some(last), steps, &look);
+        self.report(number, found, Some(last), shrunk, &look);
         trouble.map_or(Ok(()), |error| Err(error.into()))
     }
 
     /// Adds a finding, unless it is one that is known.
-    fn report(&mut self, number: u64, found: Found, fault: Option<Fault>, steps: (usize, usize), look: &Look) {
+    fn report(&mut self, number: u64, found: Found, fault: Option<Fault>, shrunk: Shrunk, look: &Look) {
         let kind = fault.as_ref().map_or_else(|| kind_of(&found.differences), |fault| fault.kind);
         let place = starred(&found.differences.place);
         let rejects = found.expect.get("reject").is_some();
@@ -630,14 +619,14 @@ impl Search<'_> {
                 known.times += 1;
                 // The smaller one says more.
                 if found.input.args.to_string().len() < known.found.input.args.to_string().len() {
-                    (known.found, known.fault, known.steps, known.first) = (found, fault, steps, number);
+                    (known.found, known.fault, known.shrunk, known.first) = (found, fault, shrunk, number);
                 }
                 at
             }
             None => {
                 let rule = decided.as_ref().map_or("no rule that is known", |decided| decided.rule.as_str());
                 self.listener.found(call.as_str(), &format!("{kind}, {rule}"));
-                let finding = Finding { kind, place, decided, role, found, fault, times: 1, first: number, steps };
+                let finding = Finding { kind, place, decided, role, found, fault, times: 1, first: number, shrunk };
                 self.tested.findings.push(finding);
                 self.tested.findings.len() - 1
             }
@@ -661,19 +650,21 @@ enum Turn {
     Drawn,
 }
 
-/// While there is something to sweep, all but one of so many numbers sweep.
-fn share(harvest: &Harvest) -> u64 {
-    if harvest.is_light { 2 } else { 8 }
+/// How many of the numbers below this one sweep, while there is something to sweep: of a dictionary that somebody asked
+/// for, seven of eight; else half of the first, and one of eight of those behind them.
+fn swept(number: u64, is_light: bool) -> u64 {
+    const EVEN: u64 = 60_000;
+    if is_light {
+        let even = number.min(EVEN);
+        even / 2 + (number - even) / 8
+    } else {
+        number / 8 * 7 + (number % 8).min(7)
+    }
 }
 
-/// How many of the numbers below this one sweep.
-fn swept(number: u64, share: u64) -> u64 {
-    number / share * (share - 1) + (number % share).min(share - 1)
-}
-
-fn turn(number: u64, sweep: &Sweep, share: u64) -> Turn {
-    let at = swept(number, share);
-    if number % share < share - 1 && at < sweep.len() { Turn::Swept(at) } else { Turn::Drawn }
+fn turn(number: u64, sweep: &Sweep, is_light: bool) -> Turn {
+    let at = swept(number, is_light);
+    if swept(number + 1, is_light) > at && at < sweep.len() { Turn::Swept(at) } else { Turn::Drawn }
 }
 
 /// The input of this number: drawn anew, a case of the corpus that is varied, or an input that was kept, changed.
@@ -702,8 +693,13 @@ fn draw_input(
     Some(mutate(&others[one], others.get(other), &mut draw))
 }
 
-/// Asks inputs of the peer, and meanwhile of the specification.
-fn ask(asker: &mut Asker<'_>, tasks: Vec<Task>, known: &HashSet<u64>) -> Result<Vec<Done>, StartError> {
+/// Asks inputs of the peer, and meanwhile of the specification; then judges where they part.
+fn ask(
+    worker: &mut Worker<'_>,
+    tasks: Vec<Task>,
+    known: &HashSet<u64>,
+    charges: &Charges,
+) -> Result<Vec<Done>, FuzzError> {
     let written = tasks.into_iter().map(|task| (task.input.args.to_string(), task));
     // Large steps again and again would only show how slow a peer is.
     let (written, tasks): (Vec<String>, Vec<Task>) = written.filter(|(args, _)| args.len() <= LARGEST).unzip();
@@ -711,21 +707,74 @@ fn ask(asker: &mut Asker<'_>, tasks: Vec<Task>, known: &HashSet<u64>) -> Result<
         return Ok(Vec::new());
     }
     let bodies: Vec<String> = tasks.iter().zip(&written).map(|(task, args)| body(task.input.call, args)).collect();
-    let flight = asker.begin(&bodies)?;
+    let flight = worker.asker.begin(&bodies)?;
     let answers: Vec<Answer> =
         tasks.iter().zip(&written).map(|(task, args)| oracle::specification(task.input.call, args)).collect();
-    let said = flight.finish(asker, &bodies)?;
-    let done = tasks.into_iter().zip(answers).zip(said).zip(&bodies).map(|(((task, spec), said), body)| {
+    let said = flight.finish(&mut worker.asker, &bodies)?;
+    let (mut done, mut apart) = (Vec::new(), Vec::new());
+    for (((task, spec), said), body) in tasks.into_iter().zip(answers).zip(said).zip(&bodies) {
         let Task { number, input } = task;
         let call = input.call;
         let reached = reached(&input, body.len(), &spec);
         let parts = !matches!(said, Said::Nothing) && code_of(&spec) != Some("internal") && parts(call, &spec, &said);
         let is_new = reached.keys.iter().any(|key| !known.contains(key));
-        let parted = parts.then_some(Parted { spec, said });
-        let input = (is_new || parted.is_some()).then_some(input);
-        Done { number, input, call, reached, parted }
-    });
-    Ok(done.collect())
+        if parts {
+            apart.push((done.len(), spec, said));
+        }
+        done.push(Done { number, input: (is_new || parts).then_some(input), call, reached, parted: None });
+    }
+    judge(&worker.court, apart, &mut done, charges)?;
+    Ok(done)
+}
+
+/// Judges answers that are not surely the specification's, each with the place of its input among these.
+fn judge(
+    court: &Court,
+    apart: Vec<(usize, Answer, Said)>,
+    done: &mut [Done],
+    charges: &Charges,
+) -> Result<(), FuzzError> {
+    let mut asked = Vec::new();
+    for (at, spec, said) in apart {
+        let line = match said {
+            Said::Line(line) => line,
+            Said::Fault(fault) => {
+                done[at].parted = Some(Parted::Fault(fault));
+                continue;
+            }
+            Said::Nothing => continue,
+        };
+        // What no case can ask cannot be judged.
+        let Some(input) = done[at].input.as_ref().filter(|input| charges.contains_key(&input.call)) else { continue };
+        let reply = Reply::parse(&line);
+        let said = reply.as_ref().ok().map(|reply| &reply.answer);
+        if matches!(said, Some(crate::peer::Answer::Unsupported)) {
+            done[at].parted = Some(Parted::Unsupported);
+            continue;
+        }
+        match oracle::expectation(input, &spec, said) {
+            Verdict::Open(why) => done[at].parted = Some(Parted::Open(why)),
+            Verdict::Expect(expect) => asked.push((at, expect, line, spec)),
+        }
+    }
+    let judgements = {
+        let questions = asked.iter().filter_map(|(at, expect, line, _): &(usize, Tree, Vec<u8>, Answer)| {
+            let Done { input: Some(input), call, .. } = &done[*at] else { return None };
+            let (rule, role) = charges.get(call)?;
+            let question = Question { call: *call, args: &input.args, expect, rules: vec![rule.clone()], role: *role };
+            Some((question, line.as_slice()))
+        });
+        court.judge_each(&questions.collect::<Vec<_>>())?
+    };
+    for ((at, _, line, spec), judgement) in asked.into_iter().zip(judgements) {
+        done[at].parted = Some(match judgement {
+            None => Parted::Open("the answer is longer than a case may have it"),
+            Some(Judgement::Pass { .. }) => Parted::Allowed,
+            Some(Judgement::Unsupported { .. }) => Parted::Unsupported,
+            Some(Judgement::Fail(differences)) => Parted::Wrong(spec, line, differences),
+        });
+    }
+    Ok(())
 }
 
 /// Whether an answer is not surely the specification's.

@@ -281,6 +281,24 @@ pub(super) fn orders() -> Vec<Case> {
             all.iter().map(|(.., id)| *id).collect(),
         );
     }
+    // Of the neurons that the port names only some spike: those that are driven.
+    for (named, driven_ones) in
+        [(&[4_u32, 2, 1][..], &[1_u32, 4][..]), (&[3, 1, 4, 2], &[1, 2, 3]), (&[4, 1, 3, 2], &[4, 3])]
+    {
+        let drive = object! { "port" => "in", "target" => "pop", "kind" => "current_pA",
+        "ids" => driven_ones.iter().copied().collect::<Json>() };
+        let open = Open { size: 4, records: vec![of("spikes", named)], stimuli: vec![drive], ..Open::lif("a") };
+        let spiking: Vec<u32> = named.iter().copied().filter(|id| driven_ones.contains(id)).collect();
+        let name = |ids: &[u32]| ids.iter().map(ToString::to_string).collect::<Vec<_>>().join("-");
+        add(
+            format!("spikes-of-some/{}-of-{}", name(&spiking), name(named)),
+            "as the port names those that spike",
+            open,
+            step("a", Some(40.0), Some(("in", 500.0))),
+            beats.iter().flat_map(|time| spiking.iter().map(|_| *time)).collect(),
+            beats.iter().flat_map(|_| spiking.iter().copied()).collect(),
+        );
+    }
     cases
 }
 

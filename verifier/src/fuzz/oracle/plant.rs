@@ -254,6 +254,8 @@ pub(super) struct Detector {
     ref_loss: f64,
     threshold: f64,
     sums: [f64; 6],
+    /// How many numbers were added to a sum, each of which may be rounded.
+    added: f64,
 }
 
 impl Detector {
@@ -262,11 +264,12 @@ impl Detector {
         let threshold = double(args.get("threshold").filter(|threshold| !threshold.is_null())).unwrap_or(5.0);
         let ref_loss = if ref_loss.is_finite() { ref_loss.clamp(0.0, 0.99) } else { 0.05 };
         let threshold = if threshold.is_finite() && threshold > 0.0 { threshold } else { 5.0 };
-        Self { ref_loss, threshold, sums: [0.0; 6] }
+        Self { ref_loss, threshold, sums: [0.0; 6], added: 0.0 }
     }
 
     pub(super) fn frame(&mut self, gap: u64, is_late: bool) {
         let cap = 2.0 * self.threshold;
+        self.added += gap.min(256) as f64 + 1.0;
         let late = [-self.ref_loss, -1.0, 0.0];
         for (reading, sum) in self.sums.iter_mut().enumerate() {
             let mut add = |by: f64| *sum = (*sum + by).clamp(0.0, cap);
@@ -289,7 +292,8 @@ impl Detector {
 
     /// Whether there is a burst, where every reading says the same.
     pub(super) fn burst(&self) -> Option<bool> {
-        let margin = 1e-6 * self.threshold.max(1.0);
+        // What rounding may make of so many sums of up to twice the threshold, with room to spare.
+        let margin = 4.0 * f64::EPSILON * (self.added + 16.0) * (2.0 * self.threshold).max(1.0);
         if self.sums.iter().all(|sum| *sum > self.threshold + margin) {
             Some(true)
         } else if self.sums.iter().all(|sum| *sum < self.threshold - margin) {
