@@ -8,7 +8,32 @@ use crate::json::{Json, object};
 use crate::trace::num;
 
 pub(super) fn cases() -> Vec<Case> {
-    ROUNDS.into_iter().flat_map(|round| TIMES.map(|times| round.case(times))).collect()
+    let rounds = ROUNDS.into_iter().flat_map(|round| TIMES.map(|times| round.case(times)));
+    rounds.chain(between_ticks()).collect()
+}
+
+/// Frames of which a thousand come between two ticks: the newest before them, or behind them.
+fn between_ticks() -> [Case; 2] {
+    const MANY: i64 = 1_100;
+    let table: [(&str, &str, fn(i64) -> i64); 2] =
+        [("older", "behind it", |_| 2), ("newer", "before it", |nth| 4 + nth)];
+    table.map(|(name, words, seq)| {
+        let mut steps = vec![inside(2, FIRST), moves(FIRST)];
+        let newest = |seq| elsewhere(seq, FIRST + 0.125);
+        let others = (0..MANY).map(|nth| inside(seq(nth), FIRST + 0.125));
+        if name == "older" {
+            steps.push(newest(3));
+            steps.extend(others);
+        } else {
+            steps.extend(others);
+            steps.push(newest(4 + MANY));
+        }
+        steps.push(moves_by(&[-0.25, 0.0, 0.0], FIRST + 0.125));
+        let limits = object! { "geofence_radius_m" => num(5.0) };
+        run(format!("endures/between-ticks/{name}"), &["NCP-CTRL-011"], 50.0, limits, steps)
+            .title(format!("The loop acts on the newest frame, however many others come {words} before the tick."))
+            .because("What a loop decides depends on its latch and on the frames, and on no count of either.")
+    })
 }
 
 /// How often a round comes: few enough for what is wrong from the beginning, and many.

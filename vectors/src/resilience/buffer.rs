@@ -48,6 +48,7 @@ pub(super) fn file() -> Result<File, ScenarioError> {
     for row in text.rows("malformed")? {
         cases.extend(malformed(&row)?);
     }
+    cases.extend(text.cases("unlisted", unlisted)?);
     cases.extend(text.cases("left-behind", left_behind)?);
     cases.extend(text.cases("clock-of-the-dropped", row_case)?);
     cases.extend(text.cases("channels", channels)?);
@@ -233,6 +234,20 @@ fn malformed(row: &Row) -> Result<[Case; 2], ScenarioError> {
              next command moves.",
         ),
     ])
+}
+
+/// A command with an unlisted member in front of all others, behind one that it follows.
+fn unlisted(row: &Row) -> Result<Case, ScenarioError> {
+    let frame = active(6).frame().text();
+    let text = format!("{{\"origin\":{},{}", row.cell("within")?, frame.strip_prefix('{').unwrap_or(&frame));
+    let command = Event::Text { text: Json::string(text), now: 1.0625, stops: false };
+    let (args, ..) = buffer(&[go(5, 1.0), Event::Ask(1.0), command, Event::Ask(1.125), Event::Ask(1.25)], false);
+    let moving = |x: f64| {
+        let velocity = object! { "data" => nums(&[x, 0.0, 0.0]), "unit" => "m/s" };
+        object! { "channels" => exactly(object! { "velocity_setpoint" => velocity }) }
+    };
+    let replies = vec![no_result(), moving(5.0), no_result(), moving(6.0), moving(6.0)];
+    Ok(row.case(&[Role::Body]).call("buffer.run", args).shows(steps(replies)))
 }
 
 /// A frame that is rejected, and then one that says only what it must.

@@ -388,7 +388,7 @@ pub(super) fn lengths() -> File {
         Case::new(path, rules, &[Role::Commander, Role::Body])
             .call("horizon.max_len", object! { "ttl_ms" => num(ttl), "dt_ms" => num(dt) })
     };
-    let exact: [(f64, f64, i64); 26] = [
+    let exact: [(f64, f64, i64); 29] = [
         (1000.0, 100.0, 10),
         (1000.0, 250.0, 4),
         (999.0, 100.0, 9),
@@ -416,6 +416,10 @@ pub(super) fn lengths() -> File {
         (999.999_999, 100.0, 9),
         (4_095.999_999_9, 1.0, 4095),
         (59_999.999_9, 1000.0, 59),
+        // What adds dt up, again and again, comes to another sum.
+        (400.000_000_000_004, 0.1, 4000),
+        (199.999_999_999_994, 0.1, 1999),
+        (1_400.000_000_000_014, 0.7, 2000),
     ];
     for (ttl, dt, len) in exact {
         cases.push(
